@@ -1,0 +1,62 @@
+# plumbline_module(NAME FILES ... [DEPENDS modules ...] [PRIVATE targets ...] [PRIVATE_F64 targets ...])
+#
+# Makes the static library plumbline_NAME. With PRIVATE_F64 or F64 it also makes plumbline_NAME_f64,
+# the same files with core/math.h's Real as double: what the program plumbline-f64 links.
+# PRIVATE libraries never reach those who link the module.
+
+include(Warnings)
+include(Sanitizers)
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+    set(CMAKE_C_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
+
+function(plumbline_target_settings target)
+    target_compile_features(${target} PUBLIC cxx_std_20)
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+    target_include_directories(${target} PUBLIC "${CMAKE_SOURCE_DIR}")
+    # The same numbers on every build: no fused multiply-add behind our back.
+    target_compile_options(${target} PRIVATE -ffp-contract=off)
+    plumbline_warnings(${target})
+    plumbline_sanitizers(${target})
+    target_link_libraries(${target} PUBLIC glm::glm fmt::fmt)
+endfunction()
+
+function(plumbline_module name)
+    cmake_parse_arguments(ARG "F64" "" "FILES;FILES_F64;DEPENDS;PRIVATE;PRIVATE_F64" ${ARGN})
+    add_library(plumbline_${name} STATIC ${ARG_FILES})
+    set_target_properties(plumbline_${name} PROPERTIES LINKER_LANGUAGE CXX)
+    add_library(plumbline::${name} ALIAS plumbline_${name})
+    plumbline_target_settings(plumbline_${name})
+    foreach(dependency IN LISTS ARG_DEPENDS)
+        target_link_libraries(plumbline_${name} PUBLIC plumbline::${dependency})
+    endforeach()
+    target_link_libraries(plumbline_${name} PRIVATE ${ARG_PRIVATE})
+
+    if(ARG_F64)
+        set(files ${ARG_FILES})
+        if(ARG_FILES_F64)
+            set(files ${ARG_FILES_F64})
+        endif()
+        add_library(plumbline_${name}_f64 STATIC ${files})
+        set_target_properties(plumbline_${name}_f64 PROPERTIES LINKER_LANGUAGE CXX)
+        add_library(plumbline::${name}_f64 ALIAS plumbline_${name}_f64)
+        plumbline_target_settings(plumbline_${name}_f64)
+        target_compile_definitions(plumbline_${name}_f64 PUBLIC PL_DOUBLE_PRECISION)
+        # Float literals widen here by design; the float build is the one that watches conversions.
+        target_compile_options(plumbline_${name}_f64 PRIVATE
+            -Wno-double-promotion -Wno-float-conversion -Wno-conversion -Wno-useless-cast)
+        foreach(dependency IN LISTS ARG_DEPENDS)
+            if(TARGET plumbline_${dependency}_f64)
+                target_link_libraries(plumbline_${name}_f64 PUBLIC plumbline::${dependency}_f64)
+            endif()
+        endforeach()
+        if(ARG_PRIVATE_F64)
+            target_link_libraries(plumbline_${name}_f64 PRIVATE ${ARG_PRIVATE_F64})
+        else()
+            target_link_libraries(plumbline_${name}_f64 PRIVATE ${ARG_PRIVATE})
+        endif()
+    endif()
+endfunction()

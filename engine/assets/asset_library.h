@@ -1,0 +1,77 @@
+// Everything that has been loaded, once each, behind small ids. Owned by whoever runs a scene;
+// ids stay good as long as the library. Read from one thread.
+#pragma once
+
+#include "engine/assets/image_data.h"
+#include "engine/assets/model_data.h"
+#include "engine/assets/sound_data.h"
+#include "engine/core/result.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace plumbline::assets {
+
+/// Index + 1 into the library's tables; 0 names none.
+struct MeshId {
+    std::uint32_t value{0};
+    friend auto operator<=>(const MeshId&, const MeshId&) = default;
+};
+struct MaterialId {
+    std::uint32_t value{0};
+    friend auto operator<=>(const MaterialId&, const MaterialId&) = default;
+};
+struct SoundId {
+    std::uint32_t value{0};
+    friend auto operator<=>(const SoundId&, const SoundId&) = default;
+};
+
+/// A model as the scene uses it: one mesh, and for each sub-mesh its material's name and id.
+struct Model {
+    MeshId mesh{};
+    std::vector<MaterialId> materials;  ///< the file's own, in the order of SubMesh::material
+};
+
+class AssetLibrary {
+public:
+    /// Imports on first use; later calls give the same model. `root`: see import_model.
+    Result<Model> model(const std::filesystem::path& file, const std::filesystem::path& root);
+    /// Decodes on first use.
+    Result<SoundId> sound(const std::filesystem::path& file);
+    /// Adds a generated mesh under a name; the same name gives the same mesh.
+    MeshId add_mesh(const std::string& name, MeshData mesh);
+    MaterialId add_material(MaterialData material);
+
+    const MeshData& mesh(MeshId id) const;
+    const MaterialData& material(MaterialId id) const;
+    const SoundData& sound(SoundId id) const;
+    std::size_t mesh_count() const { return meshes_.size(); }
+    std::size_t material_count() const { return materials_.size(); }
+
+    /// Starts decoding every image that the materials name, on worker threads; call after a scene
+    /// is loaded so that the renderer finds them ready.
+    void prefetch_images();
+    /// The decoded image, waiting for it if need be; decoded now if nobody prefetched it. A broken
+    /// file gives a checkerboard and one warning. Hands the pixels over: the library forgets them.
+    std::shared_ptr<const ImageData> take_image(const std::filesystem::path& file);
+
+    AssetLibrary();
+    ~AssetLibrary();
+    AssetLibrary(const AssetLibrary&) = delete;
+    AssetLibrary& operator=(const AssetLibrary&) = delete;
+
+private:
+    struct Images;
+    std::vector<MeshData> meshes_;
+    std::vector<MaterialData> materials_;
+    std::vector<SoundData> sounds_;
+    std::map<std::filesystem::path, Model> models_by_file_;
+    std::map<std::filesystem::path, SoundId> sounds_by_file_;
+    std::map<std::string, MeshId> meshes_by_name_;
+    std::unique_ptr<Images> images_;
+};
+
+}  // namespace plumbline::assets

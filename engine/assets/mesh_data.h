@@ -1,0 +1,40 @@
+// Triangles on the CPU, as files and generators give them and as the renderer uploads them.
+#pragma once
+
+#include "engine/core/bounds.h"
+#include "engine/core/math.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace plumbline::assets {
+
+/// Body frame, metres. 60 bytes.
+struct Vertex {
+    Vec3f position_body{0.0F};
+    Vec3f normal_body{0.0F, 1.0F, 0.0F};         ///< unit
+    Vec4f tangent_body{1.0F, 0.0F, 0.0F, 1.0F};  ///< xyz unit along +u; w: handedness, +-1
+    Vec2f uv{0.0F};                              ///< v runs down the image, as in glTF
+    Vec3f color{1.0F};                           ///< linear; multiplies the base colour
+};
+
+/// A run of indices with one material.
+struct SubMesh {
+    std::uint32_t first_index{0};
+    std::uint32_t index_count{0};
+    std::uint32_t material{0};  ///< index into ModelData::materials
+};
+
+/// Counter-clockwise triangles seen from outside.
+struct MeshData {
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::vector<SubMesh> sub_meshes;  ///< cover all indices
+    Aabb bounds;                      ///< body frame
+};
+
+Aabb bounds_of(const MeshData& mesh);
+/// Fills Vertex::tangent_body from positions, normals and texture coordinates (Lengyel 2001).
+void compute_tangents(MeshData& mesh);
+
+}  // namespace plumbline::assets

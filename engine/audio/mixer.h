@@ -1,0 +1,47 @@
+// Cues to loudspeakers through OpenAL. A missing device means silence and one line in the log; a
+// lost one is reopened. Never a reason to stop.
+#pragma once
+
+#include "engine/audio/sound_cue.h"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace plumbline::audio {
+
+struct MixerDef {
+    std::string device;  ///< empty: the default one
+    float master_gain{1.0F};
+    int voices{32};
+    int new_voices_per_frame{8};  ///< the loudest win
+};
+
+class Mixer {
+public:
+    /// Never fails: without a device it stays silent and retries every 5 s.
+    Mixer(const MixerDef& def, const assets::AssetLibrary& library);
+    ~Mixer();
+    Mixer(const Mixer&) = delete;
+    Mixer& operator=(const Mixer&) = delete;
+
+    /// Once a frame: starts the cues, keeps the named loops (starting and fading out others).
+    /// Non-finite positions and gains are dropped.
+    void play(std::span<const SoundCue> cues,
+              std::span<const LoopCue> loops,
+              const Listener& listener,
+              double now_s);
+
+    bool silent() const;  ///< no device at the moment
+    std::string device_name() const;
+    std::size_t voices_playing() const;
+    std::size_t bytes() const;  ///< sample memory uploaded
+    void set_paused(bool paused);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace plumbline::audio

@@ -1,0 +1,25 @@
+#include "engine/core/diagnostics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline {
+
+std::string to_string(const Diagnostic& diagnostic) {
+    std::string place = diagnostic.file;
+    if (diagnostic.line > 0) place += fmt::format(":{}", diagnostic.line);
+    if (diagnostic.line > 0 && diagnostic.column > 0)
+        place += fmt::format(":{}", diagnostic.column);
+    const char* severity = diagnostic.severity == Severity::Error ? "error" : "warning";
+    if (diagnostic.key.empty())
+        return fmt::format("{}: {}: {}", place, severity, diagnostic.message);
+    return fmt::format("{}: {}: {}: {}", place, severity, diagnostic.key, diagnostic.message);
+}
+
+bool Diagnostics::has_errors() const {
+    return std::ranges::any_of(list_,
+                               [](const Diagnostic& d) { return d.severity == Severity::Error; });
+}
+
+}  // namespace plumbline

@@ -1,0 +1,45 @@
+// Finding, reading and writing files. Reading takes regular files only and looks at sizes first;
+// writing is atomic: the old file or the new one, never half of either.
+#pragma once
+
+#include "engine/core/result.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace plumbline {
+
+/// Where the program's own files are.
+struct DataFolders {
+    std::filesystem::path assets;
+    std::filesystem::path shaders;
+    std::filesystem::path config;
+};
+
+/// Looks, in order, at PLUMBLINE_DATA, beside and above the program, and in ../share/plumbline.
+/// Never in the current folder. The error names the folders tried.
+Result<DataFolders> find_data_folders();
+
+/// The whole file as bytes. Refuses folders, FIFOs and devices, and files over max_bytes.
+Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes);
+
+/// Temporary file beside the target, fsync, rename, fsync of the folder. On any failure the old
+/// file stands, the temporary one is gone and the error says what failed.
+Result<Done> write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// `reference`, as a file writes it, below `root`: relative, forward slashes, no way out of root,
+/// links followed and still inside. The error says which rule it breaks.
+Result<std::filesystem::path> resolve_inside(const std::filesystem::path& root,
+                                             std::string_view reference);
+
+/// True when `path`, links followed, is `root` or below it.
+bool is_inside(const std::filesystem::path& root, const std::filesystem::path& path);
+
+/// $XDG_CONFIG_HOME/plumbline, or ~/.config/plumbline; relative and empty values count as unset.
+/// Empty when there is no home either.
+std::filesystem::path user_config_folder();
+/// $XDG_DATA_HOME/plumbline, or ~/.local/share/plumbline: pictures, recordings, saves.
+std::filesystem::path user_data_folder();
+
+}  // namespace plumbline

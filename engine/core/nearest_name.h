@@ -1,0 +1,16 @@
+// "Did you mean": the known name nearest to a mistyped one.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace plumbline {
+
+/// The known name with the smallest edit distance, or empty where none is close enough to be
+/// what was meant (more than a third of its letters differ).
+std::string_view nearest_name(std::string_view word, std::span<const std::string_view> known);
+
+/// Insertions, deletions, substitutions and swaps of neighbours that turn a into b.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+}  // namespace plumbline

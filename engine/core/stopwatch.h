@@ -1,0 +1,23 @@
+// Time, measured three ways. Only for reports and the frame clock: nothing simulated reads it.
+#pragma once
+
+#include <cstdint>
+
+namespace plumbline {
+
+double wall_s();         ///< steady clock; the origin is arbitrary
+double thread_cpu_s();   ///< of the calling thread
+double process_cpu_s();  ///< of all threads, user and system
+double seconds_since_process_start();
+
+/// CPU milliseconds of the calling thread since construction.
+class CpuTimer {
+public:
+    CpuTimer() : start_s_(thread_cpu_s()) {}
+    double ms() const { return (thread_cpu_s() - start_s_) * 1e3; }
+
+private:
+    double start_s_;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,34 @@
+// One optional behaviour of a scene. It exists only while something calls for it, and owns all that
+// it needs: dropping the object gives everything back.
+#pragma once
+
+#include "engine/audio/sound_cue.h"
+#include "engine/render/render_frame.h"
+#include "engine/scene/game.h"
+#include "engine/scene/simulation.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace plumbline::effects {
+
+/// Sounds of one frame.
+struct SoundFrame {
+    std::vector<audio::SoundCue> cues;
+    std::vector<audio::LoopCue> loops;
+};
+
+class Effect {
+public:
+    virtual ~Effect() = default;
+    virtual void before_step(scene::Simulation&) {}  ///< may add forces; must not move bodies
+    virtual void after_step(scene::Simulation&, const scene::Game&) {
+    }  ///< may read contacts, spawn, mark for destruction
+    virtual void extract(const scene::Simulation&, const scene::ViewPoint&, render::RenderFrame&) {
+    }  ///< may add to the picture
+    virtual void sound(const scene::Simulation&, const scene::ViewPoint&, SoundFrame&) {
+    }  ///< may add to the sound
+    virtual std::uint64_t bytes_cpu() const { return 0; }
+};
+
+}  // namespace plumbline::effects

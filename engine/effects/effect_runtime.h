@@ -1,0 +1,66 @@
+// The effects of one run: made when the first caller appears, destroyed when the last one goes, also
+// in mid-game; and the ledger that says what each cost.
+#pragma once
+
+#include "engine/effects/effect_table.h"
+#include "engine/render/renderer.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline::effects {
+
+struct LedgerLine {
+    std::string_view name;
+    Callers called_for_by;  ///< now
+    std::uint32_t constructions{0};
+    std::uint64_t calls{0};  ///< times it did anything: steps, extractions, sounds, swept bodies
+    double cpu_ms{0};
+    double gpu_ms{-1};  ///< -1: the driver does not tell or nothing ran
+    std::uint64_t bytes_cpu{0};
+    std::uint64_t bytes_gpu{0};
+    bool exists{false};  ///< now
+};
+
+struct ServedDomains {
+    bool picture{false};
+    bool sound{false};
+};
+
+class EffectRuntime {
+public:
+    EffectRuntime(scene::Simulation& simulation, const ServedDomains& served);
+    ~EffectRuntime();
+    EffectRuntime(const EffectRuntime&) = delete;
+    EffectRuntime& operator=(const EffectRuntime&) = delete;
+
+    /// Makes and destroys effects as callers come and go. Called at the start of every step and
+    /// before every extraction; cheap when nothing changed.
+    void refresh(scene::Simulation& simulation);
+
+    void before_step(scene::Simulation& simulation);
+    void after_step(scene::Simulation& simulation, const scene::Game& game);
+    void extract(const scene::Simulation& simulation,
+                 const scene::ViewPoint& view,
+                 render::RenderFrame& frame);
+    SoundFrame sound(const scene::Simulation& simulation, const scene::ViewPoint& view);
+
+    /// Adds what the renderer measured for the effects' passes and memory.
+    void add_render_stats(const render::FrameStats& stats, std::span<const render::GpuBytes> bytes);
+
+    /// One line per row of the table, in its order, whether or not it exists.
+    std::vector<LedgerLine> ledger() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// The ledger as a JSON array, as reports hold it.
+std::string ledger_json(const std::vector<LedgerLine>& ledger);
+/// And as a table for people (`plumbline explain`).
+std::string ledger_table(const std::vector<LedgerLine>& ledger);
+
+}  // namespace plumbline::effects

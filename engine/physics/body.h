@@ -1,0 +1,69 @@
+// A rigid body as it is asked for, and as it is found after a step.
+#pragma once
+
+#include "engine/core/id.h"
+#include "engine/core/pose.h"
+#include "engine/physics/shape.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace plumbline::physics {
+
+struct BodyTag;
+using BodyId = Id<BodyTag>;
+
+enum class BodyKind : std::uint8_t {
+    Static,     ///< never moves
+    Dynamic,    ///< moved by forces and contacts
+    Kinematic,  ///< moved by the caller; pushes others, is pushed by none
+};
+
+/// When a body is swept along its path instead of jumping a step at a time.
+enum class ContinuousCollision : std::uint8_t {
+    Auto,  ///< only in steps in which it moves more than its own inner radius
+    On,    ///< in every step
+    Off,
+};
+
+/// A rigid body as it is asked for. Copied; need not outlive the call. The pose is of the body's
+/// origin, not of its centre of mass.
+struct BodyDef {
+    BodyKind kind{BodyKind::Static};
+    ShapeId shape{};
+    Pose world_from_body{};
+    Real mass_kg{1};                         ///< dynamic only; > 0
+    std::optional<Vec3> inertia_kgm2{};      ///< principal, about body axes; none: of the shape
+    std::optional<Vec3> center_of_mass_m{};  ///< body frame; none: of the shape
+    Vec3 velocity_mps{0, 0, 0};              ///< of the body's origin
+    Vec3 angular_velocity_radps{0, 0, 0};    ///< world axes
+    Real friction{0.5_r};                    ///< combined as sqrt(a*b)
+    Real rolling_friction{0};
+    Real spinning_friction{0};
+    Real restitution{0};           ///< 0…1, combined as max(a, b)
+    Real linear_damping_per_s{0};  ///< speed decays as exp(-damping * t)
+    Real angular_damping_per_s{0};
+    bool can_sleep{true};
+    ContinuousCollision ccd{ContinuousCollision::Auto};
+    bool contact_events{false};        ///< list this body's contacts in contacts()
+    std::uint32_t group{1};            ///< one bit
+    std::uint32_t collides_with{~0U};  ///< groups; both bodies must agree
+    std::uint64_t user{0};             ///< the caller's own mark, handed back in hits and events
+};
+
+/// What a step left of a body.
+struct BodyState {
+    Pose world_from_body{};
+    Vec3 velocity_mps{0, 0, 0};            ///< of the body's origin
+    Vec3 angular_velocity_radps{0, 0, 0};  ///< world axes
+    bool awake{true};
+};
+
+/// What the body weighs.
+struct MassProperties {
+    Real mass_kg{0};                 ///< 0: immovable
+    Vec3 inertia_kgm2{0, 0, 0};      ///< principal, about the centre of mass
+    Vec3 center_of_mass_m{0, 0, 0};  ///< body frame
+};
+
+}  // namespace plumbline::physics

@@ -1,0 +1,72 @@
+// A walking person: our own collide-and-slide controller over PhysicsWorld's sweeps and overlaps.
+//
+// Fixed-step like everything else: call update() once a step, before PhysicsWorld::step().
+// Between steps callers blend feet and eye positions themselves.
+#pragma once
+
+#include "engine/physics/physics_world.h"
+
+namespace plumbline::physics {
+
+struct CharacterDef {
+    Vec3 feet_position_m{0, 0, 0};
+    Real radius_m{0.3_r};
+    Real height_m{1.8_r};
+    Real crouched_height_m{1.1_r};
+    Real eye_below_top_m{0.15_r};
+    Real step_up_m{0.35_r};
+    Real max_slope_rad{radians_from_degrees(45.0_r)};
+    Real mass_kg{80};  ///< for pushing and for weight on what it stands on
+    Real max_push_N{400};
+    Real walk_speed_mps{1.8_r};
+    Real run_speed_mps{4.5_r};
+    Real crouch_speed_mps{0.9_r};
+    Real jump_height_m{1.0_r};
+    std::uint32_t group{1};
+    std::uint32_t collides_with{~0U};
+};
+
+/// What the person wants in one step.
+struct CharacterInput {
+    Vec3 direction_world{0, 0, 0};  ///< level; length 0…1 is the share of full speed
+    bool run{false};
+    bool crouch{false};
+    bool jump{false};  ///< pressed since the last step
+};
+
+enum class Footing : std::uint8_t { Ground, SteepSlope, Air };
+
+struct CharacterState {
+    Vec3 feet_position_m{0, 0, 0};
+    Vec3 eye_position_m{0, 0, 0};  ///< smooth on stairs and while crouching
+    Vec3 velocity_mps{0, 0, 0};    ///< world, includes what it rides on
+    Footing footing{Footing::Air};
+    BodyId ground_body{};  ///< what it stands on, when Footing::Ground
+    Vec3 ground_normal_world{0, 1, 0};
+    bool crouched{false};
+    Real landing_speed_mps{0};  ///< > 0 in the step in which it touched down
+};
+
+class Character {
+public:
+    /// Adds a kinematic capsule to the world so that other things feel it.
+    Character(PhysicsWorld& world, const CharacterDef& def);
+    /// Takes the capsule out again. The world must still live.
+    ~Character();
+    Character(const Character&) = delete;
+    Character& operator=(const Character&) = delete;
+
+    void update(const CharacterInput& input);
+    const CharacterState& state() const;
+    const CharacterDef& def() const;
+    BodyId body() const;
+
+    /// Puts it elsewhere at once, at rest; moves up to the nearest free spot when that is blocked.
+    void teleport(const Vec3& feet_position_m);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace plumbline::physics

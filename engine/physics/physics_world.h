@@ -1,0 +1,161 @@
+// Rigid bodies, stepped at a fixed rate, and questions about them.
+//
+// Knows nothing of entities, drawing or sound: callers copy states out after a step.
+// Does not interpolate and has no clock: see core/frame_clock.h for who does.
+// Not thread-safe. One PhysicsWorld per scene. Same calls in the same order give the same bits.
+#pragma once
+
+#include "engine/core/diagnostics.h"
+#include "engine/core/lines.h"
+#include "engine/core/result.h"
+#include "engine/physics/body.h"
+#include "engine/physics/contact.h"
+#include "engine/physics/query.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace plumbline::physics {
+
+/// Constraint solvers by the names that scenes and the command line use.
+enum class Solver : std::uint8_t { BulletSi, BulletNncg, BulletDantzig, BulletPgs };
+
+std::string_view solver_name(Solver solver);  ///< "bullet_si"
+std::optional<Solver> solver_from_name(std::string_view name);
+
+struct WorldDef {
+    Vec3 gravity_mps2{0, -9.81_r, 0};
+    double step_s{1.0 / 60.0};  ///< one fixed step; > 0
+    int substeps{1};            ///< each step is this many whole steps of step_s / substeps
+    int iterations{10};         ///< solver sweeps per substep; >= 1
+    Solver solver{Solver::BulletSi};
+    std::uint32_t seed{0};  ///< of the solver's own shuffling, where it has any
+};
+
+/// Optional behaviour of the world. Each costs nothing while off (effects decide).
+struct WorldFeatures {
+    bool continuous_collision{true};
+    bool gyroscopic_torque{true};
+    bool contact_events{true};
+};
+
+/// CPU time and work of the latest step, by phase.
+struct StepCost {
+    double broad_ms{0};
+    double narrow_ms{0};
+    double solve_ms{0};
+    double integrate_ms{0};
+    double total_ms{0};           ///< whole step; the rest is "other"
+    std::uint64_t row_solves{0};  ///< constraint rows times sweeps: work without a clock
+    std::uint32_t contacts{0};    ///< contact points
+};
+
+/// How often the optional parts of the latest step really ran.
+struct FeatureUse {
+    std::uint32_t swept_bodies{0};  ///< continuous collision
+    std::uint32_t gyro_bodies{0};   ///< gyroscopic torque
+    std::uint32_t events{0};        ///< contact events listed
+    double sweep_ms{0};
+    double gyro_ms{0};
+    double events_ms{0};
+};
+
+struct Energy {
+    double kinetic_J{0};
+    double potential_J{0};  ///< m*g*h above the plane through the origin, against gravity
+};
+
+class PhysicsWorld {
+public:
+    explicit PhysicsWorld(const WorldDef& def);
+    ~PhysicsWorld();
+    PhysicsWorld(const PhysicsWorld&) = delete;
+    PhysicsWorld& operator=(const PhysicsWorld&) = delete;
+
+    // --- shapes: shared by any number of bodies, kept until the world goes
+    /// Refuses sizes outside limits.h, non-finite numbers, bad triangle indices, empty compounds
+    /// and meshes within compounds. Warnings (thin hulls and so on) go to `notes` when given.
+    Result<ShapeId> create_shape(const ShapeDef& def, std::vector<std::string>* notes = nullptr);
+
+    // --- bodies
+    BodyId create_body(const BodyDef& def);
+    void destroy_body(BodyId id);  ///< what rested on it wakes
+    bool contains(BodyId id) const;
+    std::size_t body_count() const;
+    std::size_t awake_count() const;
+
+    BodyState state(BodyId id) const;
+    BodyKind kind(BodyId id) const;
+    MassProperties mass_properties(BodyId id) const;
+    std::uint64_t user(BodyId id) const;
+    /// World-space box of the shape at the body's present pose.
+    void bounds(BodyId id, Vec3& min_world, Vec3& max_world) const;
+
+    /// Puts a body somewhere else at once; velocities stay. Wakes it.
+    void set_pose(BodyId id, const Pose& world_from_body);
+    /// Where a kinematic body is to be at the end of the next step; it gets the velocity for it.
+    void move_kinematic(BodyId id, const Pose& world_from_body);
+    void set_velocity(BodyId id, const Vec3& velocity_mps, const Vec3& angular_velocity_radps);
+    void apply_force(BodyId id, const Vec3& force_N);  ///< at the centre of mass, next step only
+    void apply_force_at(BodyId id, const Vec3& force_N, const Vec3& point_world);
+    void apply_torque(BodyId id, const Vec3& torque_Nm);
+    void apply_impulse(BodyId id, const Vec3& impulse_Ns);
+    void apply_impulse_at(BodyId id, const Vec3& impulse_Ns, const Vec3& point_world);
+    void set_frozen(
+        BodyId id,
+        bool frozen);  ///< a frozen body stands as if static and keeps its mass for later
+    bool frozen(BodyId id) const;
+    void set_contact_events(BodyId id, bool listed);
+    void wake(BodyId id);
+
+    // --- time
+    /// One fixed step. Bodies whose state is not finite are taken out first, counted and left
+    /// where they last were finite; the rest goes on as if they had not been there.
+    void step();
+    void set_features(const WorldFeatures& features);
+    const WorldDef& def() const;
+
+    // --- what the latest step left; spans are overwritten by the next
+    /// Touching pairs, in a reproducible order.
+    std::span<const ContactEvent> contacts() const;
+    /// Every touching pair whether or not a body asked for events, for state files; not free.
+    std::vector<ContactEvent> all_contacts() const;
+    const StepCost& cost() const;
+    const FeatureUse& feature_use() const;
+    /// Bodies taken out for a non-finite state, in the order it happened.
+    std::span<const BodyId> quarantined() const;
+
+    // --- totals; they walk all bodies
+    Energy energy() const;
+    Vec3d momentum_kgmps() const;
+    Vec3d angular_momentum_kgm2ps() const;  ///< about the world's origin
+    double max_penetration_m() const;       ///< deepest contact point of the latest step; 0 if none
+
+    // --- questions
+    std::optional<RayHit> cast_ray(const Vec3& from_world,
+                                   const Vec3& to_world,
+                                   const QueryFilter& filter = {}) const;
+    /// Moves a convex shape along a straight line; meshes and compounds may be hit, not swept.
+    std::optional<SweepHit> sweep(ShapeId shape,
+                                  const Pose& from,
+                                  const Vec3& to_position_world,
+                                  const QueryFilter& filter = {}) const;
+    /// Bodies within `margin_m` of a convex shape, deepest first.
+    std::vector<OverlapHit> overlaps(ShapeId shape,
+                                     const Pose& pose,
+                                     Real margin_m,
+                                     const QueryFilter& filter = {}) const;
+
+    /// Outlines of every collision shape, coloured by kind and sleep, and contact normals.
+    void add_debug_lines(LineList& lines) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace plumbline::physics

@@ -1,0 +1,104 @@
+// All that is drawn in one frame, as plain data: no GL, no entities, no physics. Whoever extracts
+// it fills it; the renderer reads it. What is absent here costs nothing there: an empty optional
+// means no pass, no target and no shader code for it.
+#pragma once
+
+#include "engine/assets/asset_library.h"
+#include "engine/core/lines.h"
+#include "engine/core/math.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace plumbline::render {
+
+struct Camera {
+    Vec3f position_world{0.0F};
+    Quatf orientation{1.0F, 0.0F, 0.0F, 0.0F};  ///< world_from_camera; looks down -Z
+    float fov_y_rad{1.0F};
+    float near_m{0.05F};
+    float far_m{500.0F};
+};
+
+/// One mesh with its materials at one place. Equal (mesh, materials) pairs become one instanced draw.
+struct DrawItem {
+    assets::MeshId mesh{};
+    const assets::MaterialId* materials{
+        nullptr};  ///< one per sub-mesh material; lives as long as the frame
+    std::uint32_t material_count{0};
+    Mat4f world_from_body{1.0F};
+    Vec3f tint{1.0F};  ///< multiplies the base colour
+    bool casts_shadow{true};
+    bool is_static{false};  ///< cannot move: its shadow may be kept from frame to frame
+};
+
+struct DirectionalLight {
+    Vec3f direction_world{0.0F, -1.0F, 0.0F};  ///< the way the light travels; unit
+    Vec3f radiance{3.0F};                      ///< colour times intensity
+};
+
+struct SunShadow {
+    std::uint32_t size_px{2048};
+    float distance_m{80.0F};  ///< from the camera; beyond it nothing is in shadow
+};
+
+/// Point and spot lights of the scene (no shadows yet).
+struct LocalLight {
+    Vec3f position_world{0.0F};
+    Vec3f intensity{1.0F};  ///< colour times intensity, candela-like: irradiance at 1 m
+    float radius_m{8.0F};   ///< reaches zero there
+    bool is_spot{false};
+    Vec3f direction_world{0.0F, 0.0F, -1.0F};
+    float inner_cos{1.0F};
+    float outer_cos{0.0F};
+};
+
+/// The player's flashlight: a spot light with its own shadow map. The beam starts at the hand.
+struct Flashlight {
+    Vec3f position_world{0.0F};
+    Vec3f direction_world{0.0F, 0.0F, -1.0F};  ///< unit
+    Vec3f intensity{60.0F};
+    float radius_m{30.0F};
+    float inner_rad{0.21F};  ///< half angles
+    float outer_rad{0.38F};
+    std::uint32_t shadow_size_px{1024};
+};
+
+struct Fog {
+    Vec3f color{0.5F};
+    float density_per_m{0.02F};  ///< transmittance exp(-(density * distance)^2)
+};
+
+struct Sky {
+    std::filesystem::path folder;  ///< six faces px nx py ny pz nz
+};
+
+struct Post {
+    float exposure{1.0F};
+    float bloom{0.0F};  ///< 0: no bloom targets, no bloom passes
+};
+
+enum class FillMode : std::uint8_t { Filled, Wireframe, Points };
+
+struct RenderFrame {
+    std::uint32_t width_px{0};
+    std::uint32_t height_px{0};
+    Camera camera{};
+    Vec3f clear_color{0.6F, 0.65F, 0.85F};  ///< linear; seen where there is no sky
+    Vec3f ambient{0.1F};                    ///< radiance from everywhere
+    std::vector<DrawItem> items;
+    std::optional<DirectionalLight> sun;
+    std::optional<SunShadow> sun_shadow;  ///< needs sun
+    std::optional<Flashlight> flashlight;
+    std::vector<LocalLight> lights;
+    std::optional<Fog> fog;
+    std::optional<Sky> sky;
+    std::optional<Post> post;  ///< absent: plain clamp and sRGB, no HDR target
+    FillMode fill_mode{FillMode::Filled};
+    LineList lines;  ///< collision shapes, contacts
+};
+
+}  // namespace plumbline::render

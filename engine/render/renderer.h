@@ -1,0 +1,98 @@
+// Draws RenderFrames with OpenGL 3.3 core. Needs a current context from construction to destruction
+// (platform/ makes one: a window's or an off-screen one) and is used from its thread only.
+#pragma once
+
+#include "engine/assets/image_data.h"
+#include "engine/core/result.h"
+#include "engine/render/render_frame.h"
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumbline::render {
+
+struct GlInfo {
+    std::string vendor;
+    std::string renderer;
+    std::string version;
+};
+
+/// One pass of the latest frame. Passes that did not run are not listed.
+struct PassTiming {
+    std::string_view
+        name;  ///< "shadow.sun", "shadow.flashlight", "opaque", "sky", "translucent", "post.bloom", "post.tone_map", "lines", "ui"
+    double cpu_ms{0};   ///< of the calling thread
+    double gpu_ms{-1};  ///< timer query of an earlier frame; -1 where the driver has none
+};
+
+struct FrameStats {
+    std::vector<PassTiming> passes;
+    std::uint32_t draw_calls{0};
+    std::uint64_t triangles{0};
+    std::uint32_t instances{0};
+    std::uint32_t shadow_passes_rendered{0};
+    std::uint32_t shadow_passes_cached{0};
+};
+
+/// GPU memory by what called for it: "sun_shadow", "flashlight", "sky", "post", "meshes", "textures", "targets".
+struct GpuBytes {
+    std::string_view owner;
+    std::uint64_t bytes{0};
+};
+
+/// Where the finished picture goes: the window's own framebuffer, or one of the renderer's.
+enum class PresentTarget : std::uint8_t { Window, Offscreen };
+
+/// Entry points of the GL that the context was made with, e.g. eglGetProcAddress.
+using GlLoader = void (*(*)(const char*))();
+
+class Renderer {
+public:
+    /// Loads GL, checks the version (3.3 at least) and compiles what every frame needs.
+    /// The error names vendor, renderer, found and needed.
+    static Result<std::unique_ptr<Renderer>> create(GlLoader loader,
+                                                    PresentTarget target,
+                                                    const std::filesystem::path& shader_folder,
+                                                    assets::AssetLibrary& library);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Uploads and compiles all that this frame needs, so that the first frame does not stutter.
+    void prepare(const RenderFrame& frame);
+
+    // The passes of a frame, in this order. begin() culls, sorts near to far and batches; it
+    // survives a size of 0 x 0 (every pass is then skipped).
+    void begin(const RenderFrame& frame);
+    void shadows();
+    void opaque();
+    void sky();
+    void translucent();
+    void post();  ///< bloom, tone map, sRGB into the target
+    void lines();
+    // UI may be drawn here: the present target is bound.
+    void end();  ///< closes the statistics
+
+    /// Drops every GPU resource made for meshes and textures of the old scene.
+    void forget_scene();
+    /// Recompiles changed shader files; a broken one leaves the old program and tells why.
+    Result<Done> reload_shaders();
+
+    /// The picture as shown, rows from the top, Rgb8; from the present target.
+    assets::ImageData read_pixels() const;
+
+    const FrameStats& stats() const;
+    std::vector<GpuBytes> gpu_bytes() const;
+    const GlInfo& gl() const;
+
+private:
+    struct Impl;
+    explicit Renderer(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace plumbline::render

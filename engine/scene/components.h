@@ -1,0 +1,80 @@
+// Every engine component, on one page: plain data, no behaviour, no pointers to other modules'
+// objects, only ids. What only the game attaches is in game/components.h.
+#pragma once
+
+#include "engine/assets/asset_library.h"
+#include "engine/core/pose.h"
+#include "engine/ecs/registry.h"
+#include "engine/physics/body.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace plumbline::scene {
+
+/// As in the scene file; copies made in play are numbered: "crate#3".
+struct Name {
+    std::string text;
+};
+
+/// Where the entity is now: world_from_body after the latest step.
+struct Placement {
+    Pose world_from_body{};
+    Vec3 scale{1, 1, 1};
+};
+
+/// world_from_body before the latest step; drawing blends the two. Only on things that can move.
+struct PreviousPlacement {
+    Pose world_from_body{};
+};
+
+/// The rigid body behind the entity. Destroying the entity destroys the body.
+struct BodyRef {
+    physics::BodyId body{};
+};
+
+struct Visual {
+    assets::MeshId mesh{};
+    std::vector<assets::MaterialId> materials;  ///< one per sub-mesh material of the mesh
+    Vec3f tint{1.0F};
+    bool casts_shadow{true};
+    bool is_static{false};
+};
+
+/// What it is made of: index into SurfaceTable. Sound and friction defaults hang on it.
+struct SurfaceRef {
+    std::uint16_t surface{0};
+};
+
+struct PointLight {
+    Vec3f intensity{1.0F};
+    float radius_m{8.0F};
+    bool is_spot{false};
+    Vec3f direction_body{0.0F, -1.0F, 0.0F};
+    float inner_rad{0.3F};
+    float outer_rad{0.5F};
+};
+
+/// A sound that loops at the entity's place.
+struct AmbientSound {
+    assets::SoundId sound{};
+    float gain{1.0F};
+    float radius_m{12.0F};
+    bool loop{true};
+};
+
+/// A kinematic body that travels between places for ever; see SceneDescription::Motion.
+struct MotionPath {
+    std::vector<Vec3> points_m;  ///< world
+    Real period_s{8};            ///< for the whole tour there and back
+    Vec3 spin_radps{0, 0, 0};
+    Pose start{};
+};
+
+/// Made in play: what undo_drop takes away and what the drop limit counts.
+struct Dropped {
+    std::uint64_t serial{0};
+};
+
+}  // namespace plumbline::scene

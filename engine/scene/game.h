@@ -1,0 +1,67 @@
+// What a game adds to a step and to a frame. The engine calls it; it knows no game.
+#pragma once
+
+#include "engine/core/actions.h"
+#include "engine/core/pose.h"
+#include "engine/scene/simulation.h"
+
+#include <string>
+#include <vector>
+
+namespace plumbline::scene {
+
+/// Where the picture is taken from, and where the flashlight is held.
+struct ViewPoint {
+    Pose world_from_camera{};
+    Pose world_from_hand{};  ///< the flashlight's; looks down -Z
+    Real fov_y_rad{radians_from_degrees(70.0_r)};
+    Vec3 velocity_mps{0, 0, 0};
+    bool has_player{false};
+};
+
+/// A footstep or landing: effects turn it into sound.
+struct FootstepEvent {
+    Vec3 position_m{0, 0, 0};
+    std::uint16_t surface{0};
+    Real speed_mps{0};
+};
+
+/// What the HUD says for the game; the app draws it.
+struct HudContent {
+    bool crosshair{true};
+    float charge{0.0F};                 ///< 0…1 while a throw is charged
+    std::string chosen_thing;           ///< "barrel"
+    std::string looking_at;             ///< name of the entity in reach, or empty
+    std::vector<std::string> messages;  ///< newest last; the app fades them
+};
+
+class Game {
+public:
+    virtual ~Game() = default;
+    /// Before effects and physics: intent becomes forces, velocities and new entities.
+    virtual void act(Simulation&, const Actions&) {}
+    /// After physics and effects: goals, limits.
+    virtual void judge(Simulation&) {}
+    /// Between the last two steps; pending look is added so that the mouse turns the view at once.
+    virtual ViewPoint view(const Simulation&,
+                           Real blend,
+                           float pending_yaw_rad,
+                           float pending_pitch_rad) const = 0;
+    virtual std::span<const FootstepEvent> footsteps() const { return {}; }
+    virtual HudContent hud(const Simulation&) { return {}; }
+};
+
+/// No player, nobody acts: what `simulate` and `render` run.
+class NoGame final : public Game {
+public:
+    explicit NoGame(const CameraDescription& camera);
+    ViewPoint view(const Simulation&,
+                   Real blend,
+                   float pending_yaw_rad,
+                   float pending_pitch_rad) const override;
+
+private:
+    ViewPoint view_;
+};
+
+}  // namespace plumbline::scene

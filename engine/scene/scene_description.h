@@ -1,0 +1,234 @@
+// What a scene file says, as plain data in SI units and radians: defaults filled in, prefabs and
+// includes resolved, arrays kept as arrays. Where it came from is kept for messages and `explain`.
+#pragma once
+
+#include "engine/assets/material_data.h"
+#include "engine/core/math.h"
+#include "engine/core/pose.h"
+#include "engine/physics/body.h"
+#include "engine/physics/physics_world.h"
+#include "engine/physics/shape.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace plumbline::scene {
+
+/// "garden.toml:14".
+struct Origin {
+    std::string file;
+    int line{0};
+};
+std::string to_string(const Origin& origin);
+
+struct Accuracy {
+    std::string preset{"balanced"};  ///< draft | balanced | precise | reference | auto
+    int step_hz{60};
+    int substeps{1};
+    int iterations{10};
+    physics::Solver solver{physics::Solver::BulletSi};
+    std::optional<double> tolerance{};
+};
+
+struct PlayerDescription {
+    Vec3 feet_position_m{0, 0, 0};
+    Real yaw_rad{0};
+    Real pitch_rad{0};
+    Origin origin{};
+};
+
+struct CameraDescription {
+    Vec3 position_m{4, 3, 6};
+    Vec3 target_m{0, 0.5_r, 0};
+    Real fov_y_rad{radians_from_degrees(60.0_r)};
+    Real near_m{0.05_r};
+    Real far_m{500};
+};
+
+struct ShadowDescription {
+    int cascades{1};
+    int size_px{2048};
+    Real distance_m{80};
+    Origin origin{};
+};
+
+struct SunDescription {
+    Vec3 direction{-0.4_r, Real{-1}, -0.3_r};  ///< unit, the way the light travels
+    Vec3f color{1.0F, 0.96F, 0.9F};
+    float intensity{3.0F};
+    std::optional<ShadowDescription> shadow{};
+    Real rotation_radps{0};
+    Origin origin{};
+};
+
+struct SkyDescription {
+    std::filesystem::path folder;
+    Origin origin{};
+};
+
+struct FogDescription {
+    Vec3f color{0.486F, 0.737F, 0.8F};
+    float density_per_m{0.02F};
+    Origin origin{};
+};
+
+struct FlashlightDescription {
+    float intensity{60.0F};
+    Vec3f color{1.0F, 0.95F, 0.85F};
+    float radius_m{30.0F};
+    float inner_deg{12.0F};
+    float outer_deg{22.0F};
+    bool on{false};  ///< at the start
+    Origin origin{};
+};
+
+struct PostDescription {
+    float bloom{0.0F};
+    float exposure{1.0F};
+    Origin origin{};
+};
+
+// What an entity looks like.
+struct ModelVisual {
+    std::filesystem::path file;
+    std::filesystem::path root;  ///< confinement for what the file names
+};
+using Primitive = std::variant<physics::BoxShape,
+                               physics::SphereShape,
+                               physics::CylinderShape,
+                               physics::CapsuleShape,
+                               physics::ConeShape,
+                               physics::PlaneShape>;
+using VisualDescription = std::variant<std::monostate, ModelVisual, Primitive>;
+
+/// Shapes that need the entity's own model or primitive.
+struct FitShape {};        ///< from primitive; else the model's hull (moving) or mesh (static)
+struct ModelHullShape {};  ///< { hull = "model" }
+struct ModelMeshShape {};  ///< { mesh = "model" }
+using BodyShapeDescription =
+    std::variant<FitShape, ModelHullShape, ModelMeshShape, physics::ShapeDef>;
+
+struct BodyDescription {
+    physics::BodyKind kind{physics::BodyKind::Dynamic};
+    BodyShapeDescription shape{FitShape{}};
+    std::optional<Real> mass_kg{};        ///< none: from density and shape volume
+    std::optional<Real> density_kgpm3{};  ///< none: the surface's
+    std::optional<Real> friction{};       ///< none: the surface's
+    std::optional<Real> restitution{};    ///< none: the surface's
+    Real rolling_friction{0};
+    Real spinning_friction{0};
+    Real linear_damping_per_s{0};
+    Real angular_damping_per_s{0};
+    Vec3 velocity_mps{0, 0, 0};
+    Vec3 angular_velocity_radps{0, 0, 0};
+    std::optional<Vec3> center_of_mass_m{};
+    std::optional<Vec3> inertia_kgm2{};
+    bool can_sleep{true};
+    physics::ContinuousCollision ccd{physics::ContinuousCollision::Auto};
+    std::string group{"default"};
+    std::vector<std::string> collides_with;  ///< empty: everything
+};
+
+struct LightDescription {
+    Vec3f color{1.0F};
+    float intensity{20.0F};
+    float radius_m{8.0F};
+    bool is_spot{false};
+    Vec3f direction{0.0F, -1.0F, 0.0F};
+    float inner_deg{20.0F};
+    float outer_deg{30.0F};
+    bool shadow{false};
+    Origin origin{};
+};
+
+struct SoundDescription {
+    std::filesystem::path file;
+    bool loop{true};
+    float gain{1.0F};
+    float radius_m{12.0F};
+    Origin origin{};
+};
+
+/// Extra key `motion` (kinematic bodies): { points_m = [[x,y,z], …], period_s, spin_degps = [x,y,z] }.
+struct MotionDescription {
+    std::vector<Vec3> points_m;  ///< offsets from position_m
+    Real period_s{8};
+    Vec3 spin_radps{0, 0, 0};
+};
+
+struct EntityDescription {
+    std::string name;
+    Pose world_from_body{};
+    Vec3 scale{1, 1, 1};
+    VisualDescription visual{};
+    std::string material;  ///< name; empty: the model's own or the default
+    bool casts_shadow{true};
+    std::optional<BodyDescription> body{};
+    std::optional<LightDescription> light{};
+    std::optional<SoundDescription> sound{};
+    std::optional<MotionDescription> motion{};
+    Origin origin{};
+};
+
+struct ArrayDescription {
+    std::string name;
+    EntityDescription prefab;  ///< its pose is ignored
+    Vec3 origin_m{0, 0, 0};
+    std::array<int, 3> count{1, 1, 1};
+    Vec3 spacing_m{1, 1, 1};
+};
+
+enum class JointKind : std::uint8_t { Ball, Hinge, Slider, Fixed, Cone, Distance, Spring };
+
+/// Parsed and checked now; built when joints exist.
+struct JointDescription {
+    std::string name;
+    JointKind kind{JointKind::Ball};
+    std::string a;
+    std::string b;             ///< "world" or an entity
+    Vec3 anchor_a_m{0, 0, 0};  ///< world, at the start
+    Vec3 anchor_b_m{0, 0, 0};
+    Vec3 axis{0, 1, 0};
+    std::optional<std::array<Real, 2>> limits{};  ///< rad or m
+    std::optional<std::array<Real, 2>> motor{};   ///< target, max
+    Real stiffness_Npm{0};
+    Real damping_Nspm{0};
+    std::optional<Real> rest_length_m{};
+    bool collide{false};
+    Real break_N{0};
+    Origin origin{};
+};
+
+struct SceneDescription {
+    std::filesystem::path file;
+    std::string title;
+    std::string description;
+    std::uint64_t content_hash{0};  ///< of the file and its includes: recordings name it
+    Vec3 gravity_mps2{0, -9.81_r, 0};
+    std::optional<Real> kill_below_m{};
+    Accuracy accuracy{};
+    std::optional<PlayerDescription> player{};
+    CameraDescription camera{};
+    bool has_camera{false};
+    Vec3f clear_color{0.6F, 0.65F, 0.85F};  ///< [camera] clear_color
+    std::optional<SunDescription> sun{};
+    std::optional<SkyDescription> sky{};
+    Vec3f ambient{0.1F, 0.1F, 0.12F};
+    std::optional<FogDescription> fog{};
+    std::optional<FlashlightDescription> flashlight{};
+    std::optional<PostDescription> post{};
+    std::map<std::string, assets::MaterialData> materials;
+    std::map<std::string, EntityDescription> prefabs;  ///< things that play may drop by name
+    std::vector<EntityDescription> entities;
+    std::vector<ArrayDescription> arrays;
+    std::vector<JointDescription> joints;
+    std::map<std::string, Origin> effect_settings;  ///< [effects.NAME] tables seen
+};
+
+}  // namespace plumbline::scene

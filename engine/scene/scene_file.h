@@ -1,0 +1,20 @@
+// Scene files: TOML to SceneDescription, every key checked, every fault with its place.
+#pragma once
+
+#include "engine/core/diagnostics.h"
+#include "engine/core/result.h"
+#include "engine/scene/scene_description.h"
+
+#include <filesystem>
+
+namespace plumbline::scene {
+
+/// Loads a Plumbline scene (.toml) with its includes, or a model (.glb .gltf .obj), which gets a
+/// ground plane, a sun and a camera. Faults go to `faults`; the result is an error (exit code 4,
+/// first fault in the message) when any of them is one. Reads no model, image or sound: it checks
+/// only that they exist and lie inside `assets_folder` or the scene's own folder.
+Result<SceneDescription> load_scene(const std::filesystem::path& file,
+                                    const std::filesystem::path& assets_folder,
+                                    Diagnostics& faults);
+
+}  // namespace plumbline::scene

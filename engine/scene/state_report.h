@@ -1,0 +1,42 @@
+// The state file and the trace of `simulate`, field for field as docs/SCENE-FORMAT.md says.
+#pragma once
+
+#include "engine/scene/simulation.h"
+
+#include <string>
+#include <vector>
+
+namespace plumbline::scene {
+
+/// Collects per-step costs while a run goes on: medians and percentiles come from here.
+struct CostHistory {
+    std::vector<float> step_ms;
+    double cpu_ms_total{0};
+    double broad_ms{0};
+    double narrow_ms{0};
+    double solve_ms{0};
+    double integrate_ms{0};
+    std::uint64_t row_solves{0};
+    std::uint32_t contacts_max{0};
+
+    void add(const physics::StepCost& cost);
+};
+
+struct Percentiles {
+    double median{0};
+    double p95{0};
+    double p99{0};
+    double max{0};
+};
+Percentiles percentiles_of(std::vector<float> values);
+
+/// One JSON object as text. `effects_json`: the ledger, already JSON (effects/ledger.h).
+std::string state_json(const Simulation& simulation,
+                       const CostHistory& costs,
+                       const std::string& effects_json,
+                       double lost_time_s,
+                       bool one_line);
+/// The "cost" object alone, as JSON text: play and render reports use it for "physics".
+std::string cost_json(const CostHistory& costs);
+
+}  // namespace plumbline::scene
