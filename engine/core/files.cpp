@@ -1,0 +1,197 @@
+#include "engine/core/files.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+namespace plumbline {
+namespace fs = std::filesystem;
+namespace {
+
+Error system_error(std::string_view what, const fs::path& path) {
+    return {.message = fmt::format("{} {}: {}", what, path.string(), std::strerror(errno))};
+}
+
+/// Closes its descriptor when it goes.
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0) ::close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    bool open() const { return number_ >= 0; }
+    int number() const { return number_; }
+    /// Closing may be where a write fails: true when it did not.
+    bool close_now() {
+        const int number = number_;
+        number_ = -1;
+        return ::close(number) == 0;
+    }
+
+private:
+    int number_;
+};
+
+bool write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+bool is_data_root(const fs::path& root) {
+    std::error_code ignored;
+    return fs::is_directory(root / "assets", ignored) &&
+           fs::is_directory(root / "shaders", ignored) &&
+           fs::is_directory(root / "config", ignored);
+}
+
+/// An absolute path from the environment; relative and empty values count as unset.
+fs::path absolute_from_environment(const char* name) {
+    const char* value = std::getenv(name);
+    if (value == nullptr || *value != '/') return {};
+    return value;
+}
+
+fs::path user_folder(const char* variable, const char* below_home) {
+    fs::path base = absolute_from_environment(variable);
+    if (base.empty()) {
+        const fs::path home = absolute_from_environment("HOME");
+        if (home.empty()) return {};
+        base = home / below_home;
+    }
+    return base / "plumbline";
+}
+
+}  // namespace
+
+Result<DataFolders> find_data_folders() {
+    std::vector<fs::path> candidates;
+    const fs::path named = absolute_from_environment("PLUMBLINE_DATA");
+    if (!named.empty()) candidates.push_back(named);
+    std::error_code failed;
+    const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+    if (!failed) {
+        for (fs::path folder = program.parent_path(); folder.has_relative_path();
+             folder = folder.parent_path()) {
+            candidates.push_back(folder);
+        }
+        candidates.push_back(program.parent_path().parent_path() / "share" / "plumbline");
+    }
+    std::string tried;
+    for (const fs::path& root : candidates) {
+        if (is_data_root(root)) {
+            return DataFolders{
+                .assets = root / "assets", .shaders = root / "shaders", .config = root / "config"};
+        }
+        tried += "\n  " + root.string();
+    }
+    return Error{.message = "the program's data (assets, shaders, config) is in none of:" + tried};
+}
+
+Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
+    // Non-blocking, so that opening a FIFO cannot hang.
+    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (!file.open()) return system_error("cannot open", path);
+    struct stat status {};
+    if (::fstat(file.number(), &status) != 0) return system_error("cannot examine", path);
+    if (!S_ISREG(status.st_mode)) {
+        return Error{.message = fmt::format("{} is not a regular file", path.string())};
+    }
+    if (static_cast<std::size_t>(status.st_size) > max_bytes) {
+        return Error{
+            .message = fmt::format(
+                "{} has {} bytes; at most {} are read", path.string(), status.st_size, max_bytes)};
+    }
+    std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t got = ::read(file.number(), bytes.data() + done, bytes.size() - done);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return system_error("cannot read", path);
+        if (got == 0) break;  // shortened while we read: what is there counts
+        done += static_cast<std::size_t>(got);
+    }
+    bytes.resize(done);
+    return bytes;
+}
+
+Result<Done> write_file_atomically(const fs::path& path, std::string_view bytes) {
+    std::string temporary = path.string() + ".XXXXXX";
+    Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
+    if (!file.open()) return system_error("cannot create a file beside", path);
+    const auto give_up = [&](std::string_view what) {
+        const Error error = system_error(what, path);
+        ::unlink(temporary.c_str());
+        return error;
+    };
+    if (::fchmod(file.number(), 0644) != 0) return give_up("cannot set the mode of");
+    if (!write_all(file.number(), bytes)) return give_up("cannot write");
+    if (::fsync(file.number()) != 0) return give_up("cannot store");
+    if (!file.close_now()) return give_up("cannot finish");
+    if (::rename(temporary.c_str(), path.c_str()) != 0) return give_up("cannot replace");
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (directory.open()) ::fsync(directory.number());  // the data is safe either way
+    return Done{};
+}
+
+bool is_inside(const fs::path& root, const fs::path& path) {
+    std::error_code failed;
+    const fs::path real_root = fs::weakly_canonical(root, failed);
+    if (failed) return false;
+    const fs::path real_path = fs::weakly_canonical(path, failed);
+    if (failed) return false;
+    const fs::path relative = real_path.lexically_relative(real_root);
+    return !relative.empty() && *relative.begin() != "..";
+}
+
+Result<fs::path> resolve_inside(const fs::path& root, std::string_view reference) {
+    const auto refuse = [&](std::string_view why) {
+        return Error{.message = fmt::format("\"{}\" {}", reference, why),
+                     .exit_code = ExitCode::Refused};
+    };
+    if (reference.empty()) return refuse("names no file");
+    if (reference.find('\0') != std::string_view::npos) return refuse("holds a NUL byte");
+    if (reference.front() == '/' || reference.front() == '\\') {
+        return refuse("is absolute; paths are relative");
+    }
+    const std::size_t colon = reference.find(':');
+    if (colon != std::string_view::npos)
+        return refuse("names a drive or a URL; paths are relative");
+    const fs::path relative{std::string(reference)};
+    int depth = 0;
+    for (const fs::path& part : relative) {
+        if (part == "..")
+            --depth;
+        else if (part != "." && !part.empty())
+            ++depth;
+        if (depth < 0) return refuse("leads out of its folder");
+    }
+    const fs::path full = root / relative.lexically_normal();
+    if (!is_inside(root, full)) return refuse("leads out of its folder through a link");
+    return full;
+}
+
+fs::path user_config_folder() {
+    return user_folder("XDG_CONFIG_HOME", ".config");
+}
+
+fs::path user_data_folder() {
+    return user_folder("XDG_DATA_HOME", ".local/share");
+}
+
+}  // namespace plumbline
