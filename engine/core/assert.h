@@ -16,6 +16,6 @@ namespace plumbline {
 
 // A macro, because clang 14 has no std::source_location and the condition's text is wanted.
 #define PL_ASSERT(condition, expected) \
-    (static_cast<bool>(condition)      \
+    ((condition)      \
          ? static_cast<void>(0)        \
          : ::plumbline::assertion_failed(#condition, expected, __FILE__, __LINE__))
