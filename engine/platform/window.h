@@ -4,6 +4,7 @@
 #include "engine/core/input_snapshot.h"
 #include "engine/core/result.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -34,8 +35,10 @@ public:
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Takes what the devices did since the last call; spans nothing, copies everything.
+    /// Takes what the devices did since the last call; spans nothing, copies everything. Losing
+    /// the focus frees the pointer.
     InputSnapshot poll_input();
+    /// Shows what was drawn; while iconified it waits for events, at most 0.1 s, instead.
     void present();
     double now_s() const;
 
@@ -51,6 +54,8 @@ public:
     void set_fullscreen(bool fullscreen);
     bool fullscreen() const;
     void set_title(const std::string& title);
+    /// Pointer motions left out because nobody moves that far at once.
+    std::uint64_t pointer_jumps_dropped() const;
 
     GlLoader gl_loader() const;
     GLFWwindow* handle() const;  ///< for Dear ImGui's back end only
@@ -61,8 +66,9 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// What the key in this place prints in the user's layout ("w", "z" on a French keyboard), or empty
-/// for keys that print nothing. GLFW key code.
+/// What the key in this place prints in the user's layout ("w", "z" on a French keyboard), now; the
+/// name on the key for those that print nothing ("Space", "Keypad 1"). GLFW key code; empty for
+/// unknown ones. Without a window: the US layout.
 std::string printed_key_name(int key);
 
 }  // namespace plumbline::platform
