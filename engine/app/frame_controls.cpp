@@ -1,0 +1,99 @@
+#include "engine/app/frame_controls.h"
+
+#include <fmt/format.h>
+
+namespace plumbline::app {
+namespace {
+
+void apply_time_actions(input::ActionLatch& latch,
+                        FrameControls& controls,
+                        FrameClock& clock,
+                        const std::function<void(std::string)>& say) {
+    if (latch.take_frame_presses(Action::Pause) % 2 == 1) clock.set_paused(!clock.paused());
+    for (int i = latch.take_frame_presses(Action::Step); i > 0; --i) {
+        clock.set_paused(true);
+        clock.request_step();
+    }
+    const int slower = latch.take_frame_presses(Action::Slower);
+    const int faster = latch.take_frame_presses(Action::Faster);
+    for (int i = 0; i < slower; ++i) clock.set_speed(clock.speed() * 0.5);
+    for (int i = 0; i < faster; ++i) clock.set_speed(clock.speed() * 2.0);
+    if (slower + faster > 0) say(fmt::format("speed x{:g}", clock.speed()));
+    if (latch.take_frame_presses(Action::Reset) > 0) controls.reset = true;
+    if (latch.take_frame_presses(Action::Reload) > 0) controls.reload = true;
+}
+
+void apply_view_actions(input::ActionLatch& latch,
+                        FrameControls& controls,
+                        platform::Window& window) {
+    const auto toggles = [&](Action action) { return latch.take_frame_presses(action) % 2 == 1; };
+    using render::FillMode;
+    const auto toggle_fill = [&](FillMode mode) {
+        controls.fill_mode = controls.fill_mode == mode ? FillMode::Filled : mode;
+    };
+    if (toggles(Action::Hud)) controls.parts.hud = !controls.parts.hud;
+    if (toggles(Action::Help)) controls.parts.help = !controls.parts.help;
+    if (toggles(Action::Stats)) controls.parts.stats = !controls.parts.stats;
+    if (toggles(Action::CollisionShapes)) controls.collision_shapes = !controls.collision_shapes;
+    if (toggles(Action::Wireframe)) toggle_fill(FillMode::Wireframe);
+    if (toggles(Action::Points)) toggle_fill(FillMode::Points);
+    if (latch.take_frame_presses(Action::Filled) > 0) controls.fill_mode = FillMode::Filled;
+    if (toggles(Action::Fullscreen)) window.set_fullscreen(!window.fullscreen());
+    if (latch.take_frame_presses(Action::Screenshot) > 0) controls.screenshot = true;
+    if (latch.take_frame_presses(Action::Record) > 0) controls.save_recording = true;
+}
+
+/// Named in the contract of actions, built with the parts of the program that they belong to.
+void refuse_unbuilt_actions(input::ActionLatch& latch,
+                            const std::function<void(std::string)>& say) {
+    for (const Action action : {Action::AccuracyPanel,
+                                Action::QuickSave,
+                                Action::QuickLoad,
+                                Action::AimSpot,
+                                Action::CameraRecord,
+                                Action::CameraPlay,
+                                Action::CameraReload}) {
+        if (latch.take_frame_presses(action) > 0) {
+            say(fmt::format("\"{}\" is not in this version", action_name(action)));
+        }
+    }
+}
+
+}  // namespace
+
+void apply_frame_actions(input::ActionLatch& latch,
+                         FrameControls& controls,
+                         FrameClock& clock,
+                         platform::Window& window,
+                         const std::function<void(std::string)>& say) {
+    // One menu press opens or closes it; Escape closes it as well (back_out).
+    const int menu = latch.take_frame_presses(Action::Menu);
+    const int back_out = latch.take_frame_presses(Action::BackOut);
+    if (controls.parts.menu ? menu + back_out > 0 : menu % 2 == 1) {
+        controls.parts.menu = !controls.parts.menu;
+    }
+    apply_time_actions(latch, controls, clock, say);
+    apply_view_actions(latch, controls, window);
+    refuse_unbuilt_actions(latch, say);
+}
+
+void apply_menu_choice(MenuChoice choice, FrameControls& controls) {
+    switch (choice) {
+        case MenuChoice::None:
+            return;
+        case MenuChoice::Resume:
+            break;
+        case MenuChoice::Reset:
+            controls.reset = true;
+            break;
+        case MenuChoice::Controls:
+            controls.parts.help = true;
+            break;
+        case MenuChoice::Quit:
+            controls.quit = true;
+            break;
+    }
+    controls.parts.menu = false;
+}
+
+}  // namespace plumbline::app

@@ -1,0 +1,42 @@
+// Actions that belong to frames, not to steps: they change how the world is shown or how its clock
+// runs, never the world itself.
+#pragma once
+
+#include "engine/app/overlay.h"
+#include "engine/core/frame_clock.h"
+#include "engine/input/action_latch.h"
+#include "engine/platform/window.h"
+#include "engine/render/render_frame.h"
+
+#include <functional>
+#include <string>
+
+namespace plumbline::app {
+
+/// What the frame actions have set so far, and what they ask for once.
+struct FrameControls {
+    OverlayParts parts{};
+    render::FillMode fill_mode{render::FillMode::Filled};
+    bool collision_shapes{false};
+
+    // Asked for in this frame; the loop does them and clears them.
+    bool quit{false};
+    bool reset{false};
+    bool reload{false};
+    bool screenshot{false};
+    bool save_recording{false};
+
+    void clear_requests() { quit = reset = reload = screenshot = save_recording = false; }
+};
+
+/// Applies this frame's presses. `say`: one line for the person.
+void apply_frame_actions(input::ActionLatch& latch,
+                         FrameControls& controls,
+                         FrameClock& clock,
+                         platform::Window& window,
+                         const std::function<void(std::string)>& say);
+
+/// What the menu's buttons do.
+void apply_menu_choice(MenuChoice choice, FrameControls& controls);
+
+}  // namespace plumbline::app

@@ -1,0 +1,60 @@
+#include "engine/app/frame_loop.h"
+
+#include "engine/app/frame_parts_impl.h"
+#include "engine/core/interrupt.h"
+#include "engine/core/log.h"
+#include "engine/core/stopwatch.h"
+
+namespace plumbline::app {
+
+/// The order below is the order of a frame; there is no other.
+ExitCode run(platform::Window& window,
+             Session& session,
+             LiveBindings& bindings,
+             const PlayDef& def) {
+    Result<std::unique_ptr<FrameParts>> made = FrameParts::create(window, session, bindings, def);
+    if (!made) {
+        log_error("{}", made.error().message);
+        return made.error().exit_code;
+    }
+    FrameParts& parts = **made;
+
+    while (!parts.ended(window.now_s())) {
+        const double frame_start_s = wall_s();
+
+        // Input: devices become intent. A press is kept until a step has seen it.
+        const InputSnapshot input = window.poll_input();
+        parts.take_input(input);
+
+        // Time: how many whole steps are due, and how far we stand between the last two poses.
+        const FrameTime time = parts.clock.advance(window.now_s());
+
+        // Simulation: the only lines that change the world.
+        parts.do_requests();
+        parts.stepper.run(time.steps, parts.latch, parts.report);
+
+        // Extraction: the world is read, blended and copied into plain data.
+        const scene::ViewPoint view = parts.view(time.blend);
+        const render::RenderFrame frame = parts.extract(view, time.blend);
+
+        // Passes: each reads the frame and the images of the passes above it.
+        parts.renderer->begin(frame);
+        parts.renderer->shadows();
+        parts.renderer->opaque();
+        parts.renderer->sky();
+        parts.renderer->translucent();
+        parts.renderer->post();
+        parts.renderer->lines();
+        parts.draw_overlay(frame);
+        parts.renderer->end();
+
+        // Sound: what the steps asked for, heard from where this frame is seen.
+        parts.play_sound(view, input.now_s);
+
+        window.present();
+        parts.finish_frame(frame_start_s);
+    }
+    return parts.close();
+}
+
+}  // namespace plumbline::app

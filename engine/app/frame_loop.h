@@ -1,0 +1,36 @@
+// The frame: what happens, in order, while a window is open. Read frame_loop.cpp first.
+#pragma once
+
+#include "engine/app/app_config.h"
+#include "engine/app/live_bindings.h"
+#include "engine/app/session.h"
+#include "engine/app/stepper.h"
+#include "engine/platform/window.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace plumbline::app {
+
+/// What one sitting is told on the command line.
+struct PlayDef {
+    AppConfig config{};
+    std::filesystem::path shader_folder;
+    std::filesystem::path user_data_folder;  ///< pictures and recordings
+    bool sound{true};
+    std::string audio_device;
+    std::optional<double> seconds{};           ///< ends after so much wall time
+    std::filesystem::path record;              ///< recording written at the end
+    std::filesystem::path report;              ///< report written at the end
+    std::optional<std::string> expect_hash{};  ///< of the state at the end
+    StepperDef steps{};
+};
+
+/// Runs the session in the window until it closes, the replay or the time ends, or Ctrl-C.
+ExitCode run(platform::Window& window,
+             Session& session,
+             LiveBindings& bindings,
+             const PlayDef& def);
+
+}  // namespace plumbline::app

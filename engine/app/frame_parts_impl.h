@@ -1,0 +1,63 @@
+// What frame_loop.cpp steps through: the parts of a sitting, wired once. Private to it.
+#pragma once
+
+#include "engine/app/frame_controls.h"
+#include "engine/app/frame_loop.h"
+#include "engine/app/overlay.h"
+#include "engine/audio/mixer.h"
+#include "engine/core/frame_clock.h"
+#include "engine/render/renderer.h"
+
+#include <memory>
+
+namespace plumbline::app {
+
+class FrameParts {
+public:
+    static Result<std::unique_ptr<FrameParts>> create(platform::Window& window,
+                                                      Session& session,
+                                                      LiveBindings& bindings,
+                                                      const PlayDef& def);
+
+    bool ended(double now_s) const;
+    void take_input(const InputSnapshot& input);
+    void do_requests();  ///< reset, reload, pictures, recordings: what frame actions asked for
+    scene::ViewPoint view(Real blend) const;
+    render::RenderFrame extract(const scene::ViewPoint& view, Real blend);
+    void draw_overlay(const render::RenderFrame& frame);
+    void play_sound(const scene::ViewPoint& view, double now_s);
+    void finish_frame(double frame_start_s);
+    /// Writes what was asked for; the exit code of the sitting.
+    ExitCode close();
+
+    FrameClock clock;
+    input::ActionLatch latch;
+    FrameReport report;
+    Stepper stepper;
+    std::unique_ptr<render::Renderer> renderer;
+
+private:
+    FrameParts(platform::Window& window,
+               Session& session,
+               LiveBindings& bindings,
+               const PlayDef& def,
+               Stepper stepper,
+               std::unique_ptr<render::Renderer> renderer);
+    void say_faults();
+    void capture_pointer_if_playing(const InputSnapshot& input);
+    std::array<std::uint64_t, kActionCount> actions_seen() const;
+
+    platform::Window& window_;
+    Session& session_;
+    LiveBindings& bindings_;
+    const PlayDef& def_;
+    FrameControls controls_;
+    Overlay overlay_;
+    std::unique_ptr<audio::Mixer> mixer_;      ///< null with --no-sound
+    std::vector<effects::LedgerLine> ledger_;  ///< refreshed for the statistics panel
+    double start_s_;
+    bool closing_{false};
+    bool wants_pointer_{true};
+};
+
+}  // namespace plumbline::app

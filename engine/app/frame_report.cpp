@@ -1,0 +1,97 @@
+#include "engine/app/frame_report.h"
+
+#include "engine/core/process_memory.h"
+#include "engine/core/stopwatch.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace plumbline::app {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kRecentFrames = 120;
+
+json to_json(const scene::Percentiles& values) {
+    return {
+        {"median", values.median}, {"p95", values.p95}, {"p99", values.p99}, {"max", values.max}};
+}
+
+}  // namespace
+
+void FrameReport::add_frame(double wall_ms, const render::FrameStats& stats) {
+    last_wall_s_ = wall_s();
+    last_cpu_s_ = process_cpu_s();
+    if (frames_ == 0) {
+        startup_ms_ = seconds_since_process_start() * 1e3;
+        first_frame_wall_s_ = last_wall_s_;
+        first_frame_cpu_s_ = last_cpu_s_;
+    }
+    ++frames_;
+    frame_ms_.push_back(static_cast<float>(wall_ms));
+    for (const render::PassTiming& pass : stats.passes) {
+        PassTotal& total = passes_[std::string(pass.name)];
+        total.cpu_ms += pass.cpu_ms;
+        if (pass.gpu_ms >= 0.0) {
+            total.gpu_ms += pass.gpu_ms;
+            ++total.gpu_samples;
+        }
+    }
+    shadow_rendered_ += stats.shadow_passes_rendered;
+    shadow_cached_ += stats.shadow_passes_cached;
+    last_ = stats;
+}
+
+scene::Percentiles FrameReport::recent_frame_ms() const {
+    const std::size_t count = std::min(kRecentFrames, frame_ms_.size());
+    return scene::percentiles_of(
+        std::vector<float>(frame_ms_.end() - static_cast<std::ptrdiff_t>(count), frame_ms_.end()));
+}
+
+std::string FrameReport::json(const scene::Simulation& simulation,
+                              const std::vector<effects::LedgerLine>& ledger,
+                              const render::GlInfo& gl,
+                              double lost_s,
+                              const std::array<std::uint64_t, kActionCount>& presses_seen) const {
+    using nlohmann::json;
+    const auto frames = static_cast<double>(std::max<std::uint64_t>(frames_, 1));
+    json cpu = json::object();
+    json gpu = json::object();
+    for (const auto& [name, total] : passes_) {
+        cpu[name] = total.cpu_ms / frames;
+        // -1 where the driver has no timer: "not measured" must not look like "free".
+        gpu[name] =
+            total.gpu_samples > 0 ? total.gpu_ms / static_cast<double>(total.gpu_samples) : -1.0;
+    }
+    json seen = json::object();
+    for (std::size_t i = 0; i < kActionCount; ++i) {
+        if (presses_seen[i] > 0)
+            seen[std::string(action_name(static_cast<Action>(i)))] = presses_seen[i];
+    }
+    const double between_frames = std::max(1.0, frames - 1.0);
+    const json report = {
+        {"frames", frames_},
+        {"seconds", last_wall_s_ - first_frame_wall_s_},
+        {"startup_ms", startup_ms_},
+        {"frame_ms", to_json(scene::percentiles_of(frame_ms_))},
+        {"cpu_ms", cpu},
+        {"gpu_ms", gpu},
+        {"process_cpu_ms_per_frame", (last_cpu_s_ - first_frame_cpu_s_) * 1e3 / between_frames},
+        {"draw_calls", last_.draw_calls},
+        {"triangles", last_.triangles},
+        {"instances", last_.instances},
+        {"shadow_passes_rendered", shadow_rendered_},
+        {"shadow_passes_cached", shadow_cached_},
+        {"physics", json::parse(scene::cost_json(physics_))},
+        {"lost_time_s", lost_s},
+        {"peak_rss_bytes", peak_resident_bytes()},
+        {"bodies", simulation.physics.body_count()},
+        {"gl", {{"vendor", gl.vendor}, {"renderer", gl.renderer}, {"version", gl.version}}},
+        {"effects", json::parse(effects::ledger_json(ledger))},
+        {"actions_seen", seen}};
+    return report.dump(2) + "\n";
+}
+
+}  // namespace plumbline::app

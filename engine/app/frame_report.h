@@ -1,0 +1,59 @@
+// What a run of frames cost: the file of `play --report` and `render --report`, and the numbers of
+// the statistics panel.
+#pragma once
+
+#include "engine/core/actions.h"
+#include "engine/effects/effect_runtime.h"
+#include "engine/render/renderer.h"
+#include "engine/scene/state_report.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace plumbline::app {
+
+/// Collects frame by frame; ask for the JSON at the end.
+class FrameReport {
+public:
+    void add_step(const physics::StepCost& cost) { physics_.add(cost); }
+    /// wall_ms: from this frame's begin to its end, waiting for the screen included.
+    void add_frame(double wall_ms, const render::FrameStats& stats);
+
+    std::uint64_t frames() const { return frames_; }
+    /// Of the last 120 frames, for the HUD.
+    scene::Percentiles recent_frame_ms() const;
+    const render::FrameStats& last_stats() const { return last_; }
+    double startup_ms() const { return startup_ms_; }
+
+    /// The object of docs/SCENE-FORMAT.md, "Play and render report".
+    std::string json(const scene::Simulation& simulation,
+                     const std::vector<effects::LedgerLine>& ledger,
+                     const render::GlInfo& gl,
+                     double lost_s,
+                     const std::array<std::uint64_t, kActionCount>& presses_seen) const;
+
+private:
+    struct PassTotal {
+        double cpu_ms{0};
+        double gpu_ms{0};
+        std::uint64_t gpu_samples{0};
+    };
+
+    scene::CostHistory physics_;
+    std::vector<float> frame_ms_;
+    std::map<std::string, PassTotal> passes_;
+    render::FrameStats last_;
+    std::uint64_t frames_{0};
+    std::uint64_t shadow_rendered_{0};
+    std::uint64_t shadow_cached_{0};
+    double startup_ms_{0};
+    double first_frame_wall_s_{0};
+    double first_frame_cpu_s_{0};
+    double last_wall_s_{0};
+    double last_cpu_s_{0};
+};
+
+}  // namespace plumbline::app

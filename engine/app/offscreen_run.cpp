@@ -1,0 +1,61 @@
+#include "engine/app/offscreen_run.h"
+
+#include "engine/core/stopwatch.h"
+#include "engine/scene/extract.h"
+
+namespace plumbline::app {
+
+Result<std::unique_ptr<OffscreenRun>> OffscreenRun::create(Session& session,
+                                                           const OffscreenDef& def) {
+    std::unique_ptr<OffscreenRun> run(new OffscreenRun(session, def));
+    Result<std::unique_ptr<platform::OffscreenContext>> context =
+        platform::OffscreenContext::create();
+    if (!context) return context.error();
+    run->context_ = std::move(*context);
+    Result<std::unique_ptr<render::Renderer>> renderer =
+        render::Renderer::create(run->context_->gl_loader(),
+                                 render::PresentTarget::Offscreen,
+                                 def.shader_folder,
+                                 session.library);
+    if (!renderer) return renderer.error();
+    run->renderer_ = std::move(*renderer);
+    return run;
+}
+
+OffscreenRun::OffscreenRun(Session& session, const OffscreenDef& def)
+    : session_(session), def_(def) {}
+
+void OffscreenRun::simulate(std::uint64_t steps) {
+    for (std::uint64_t i = 0; i < steps; ++i) {
+        effects::advance(*session_.simulation, *session_.effects, *session_.game, {});
+        report_.add_step(session_.simulation->physics.cost());
+    }
+}
+
+void OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
+    const double start_s = wall_s();
+    const scene::ViewPoint seen_from =
+        view ? *view : session_.game->view(*session_.simulation, Real{1}, 0.0F, 0.0F);
+    render::RenderFrame frame =
+        scene::extract(*session_.simulation, seen_from, Real{1}, def_.width_px, def_.height_px);
+    frame.shading = def_.shading;
+    session_.effects->refresh(*session_.simulation);
+    session_.effects->extract(*session_.simulation, seen_from, frame);
+    if (report_.frames() == 0) renderer_->prepare(frame);
+    renderer_->begin(frame);
+    renderer_->shadows();
+    renderer_->opaque();
+    renderer_->sky();
+    renderer_->translucent();
+    renderer_->post();
+    renderer_->lines();
+    renderer_->end();
+    session_.effects->add_render_stats(renderer_->stats(), renderer_->gpu_bytes());
+    report_.add_frame((wall_s() - start_s) * 1e3, renderer_->stats());
+}
+
+std::string OffscreenRun::report_json() const {
+    return report_.json(*session_.simulation, session_.effects->ledger(), renderer_->gl(), 0.0, {});
+}
+
+}  // namespace plumbline::app

@@ -1,0 +1,47 @@
+// Pictures without a window: `render` and the tour. The same step, extraction and passes as play.
+#pragma once
+
+#include "engine/app/frame_report.h"
+#include "engine/app/session.h"
+#include "engine/assets/image_data.h"
+#include "engine/platform/offscreen.h"
+#include "engine/render/renderer.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace plumbline::app {
+
+struct OffscreenDef {
+    std::filesystem::path shader_folder;
+    std::uint32_t width_px{1280};
+    std::uint32_t height_px{720};
+    std::optional<assets::Shading> shading{};  ///< --shading: over every material's own
+};
+
+class OffscreenRun {
+public:
+    /// No usable GL: exit code 3.
+    static Result<std::unique_ptr<OffscreenRun>> create(Session& session, const OffscreenDef& def);
+
+    /// So many fixed steps without drawing.
+    void simulate(std::uint64_t steps);
+    /// One picture of the present state; `view` absent: the game's own.
+    void draw(const std::optional<scene::ViewPoint>& view);
+    assets::ImageData pixels() const { return renderer_->read_pixels(); }
+
+    const FrameReport& report() const { return report_; }
+    std::string report_json() const;
+
+private:
+    OffscreenRun(Session& session, const OffscreenDef& def);
+
+    Session& session_;
+    OffscreenDef def_;
+    FrameReport report_;
+    std::unique_ptr<platform::OffscreenContext> context_;
+    std::unique_ptr<render::Renderer> renderer_;  // after the context: it goes first
+};
+
+}  // namespace plumbline::app

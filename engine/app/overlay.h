@@ -1,0 +1,65 @@
+// Everything drawn over the picture: crosshair, hints, messages, help, statistics, the menu.
+// The only user of Dear ImGui. Reads; what the person chose in it is returned.
+#pragma once
+
+#include "engine/app/frame_report.h"
+#include "engine/core/frame_clock.h"
+#include "engine/input/action_latch.h"
+#include "engine/platform/window.h"
+#include "engine/scene/game.h"
+
+#include <memory>
+#include <string>
+
+namespace plumbline::app {
+
+/// Which parts are shown.
+struct OverlayParts {
+    bool hud{true};
+    bool help{false};
+    bool stats{false};
+    bool menu{false};
+};
+
+/// What was chosen in the menu this frame.
+enum class MenuChoice : std::uint8_t { None, Resume, Reset, Controls, Quit };
+
+/// All that the overlay reads in one frame.
+struct OverlayInput {
+    const OverlayParts& parts;
+    const scene::HudContent& hud;
+    const scene::Simulation& simulation;
+    const FrameReport& report;
+    const FrameClock& clock;
+    const input::Bindings& bindings;
+    input::LastDevice device;
+    const std::vector<effects::LedgerLine>& ledger;
+    bool sound_silent{false};
+    bool show_hints{true};
+    std::size_t lines_not_shown{0};
+    double now_s{0};
+};
+
+class Overlay {
+public:
+    /// The window must outlive it. ui_scale 0: from the content scale.
+    Overlay(platform::Window& window, float ui_scale);
+    ~Overlay();
+    Overlay(const Overlay&) = delete;
+    Overlay& operator=(const Overlay&) = delete;
+
+    /// A line that fades after some seconds.
+    void say(std::string message, double now_s);
+
+    /// Builds and draws into the bound framebuffer.
+    MenuChoice draw(const OverlayInput& input);
+
+    bool wants_keyboard() const;
+    bool wants_mouse() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace plumbline::app

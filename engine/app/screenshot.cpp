@@ -1,0 +1,43 @@
+#include "engine/app/screenshot.h"
+
+#include "engine/assets/image_import.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+
+namespace plumbline::app {
+namespace fs = std::filesystem;
+
+fs::path unused_file(const fs::path& folder,
+                     const std::string& scene,
+                     const std::string& extension) {
+    // The clock may jump back, so the number, not the time, keeps names apart.
+    const std::string stem =
+        fmt::format("{}_{:%Y-%m-%d_%H-%M-%S}", scene, fmt::localtime(std::time(nullptr)));
+    std::error_code ignored;
+    for (int number = 1;; ++number) {
+        fs::path file = folder / fmt::format("{}_{}.{}", stem, number, extension);
+        if (!fs::exists(file, ignored)) return file;
+    }
+}
+
+Result<fs::path> save_screenshot(const render::Renderer& renderer,
+                                 const fs::path& folder,
+                                 const std::string& scene) {
+    if (folder.empty())
+        return Error{.message = "no folder for pictures: neither XDG_DATA_HOME nor HOME is set"};
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed)
+        return Error{.message =
+                         fmt::format("cannot make {}: {}", folder.string(), failed.message())};
+    const fs::path file = unused_file(folder, scene, "png");
+    if (const Result<Done> written = assets::write_png(file, renderer.read_pixels()); !written) {
+        return written.error();
+    }
+    return file;
+}
+
+}  // namespace plumbline::app

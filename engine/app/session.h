@@ -1,0 +1,58 @@
+// A scene being run: what is loaded once, and what reset and reload build anew.
+#pragma once
+
+#include "engine/core/diagnostics.h"
+#include "engine/core/files.h"
+#include "engine/effects/advance.h"
+#include "engine/scene/game.h"
+#include "engine/scene/scene_file.h"
+#include "engine/scene/simulation.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace plumbline::app {
+
+/// Makes the rules of a freshly built simulation.
+using GameFactory = std::function<std::unique_ptr<scene::Game>(scene::Simulation&)>;
+
+struct SessionDef {
+    std::filesystem::path scene;
+    DataFolders folders;
+    scene::SimulationOverrides overrides{};
+    effects::ServedDomains served{};
+    GameFactory make_game;
+};
+
+/// Owns the loaded assets and the running world. Members are destroyed in reverse: effects and game
+/// before the simulation they know.
+class Session {
+public:
+    /// Loads and builds. Faults of the scene file are logged; errors refuse the scene (exit code 4).
+    static Result<std::unique_ptr<Session>> open(const SessionDef& def);
+
+    /// The same description from its start. Assets stay loaded.
+    Result<Done> reset();
+    /// Reads the file again. On an error the running scene stays.
+    Result<Done> reload();
+
+    assets::AssetLibrary library;
+    scene::SurfaceTable surfaces;
+    scene::SceneDescription description;
+    std::unique_ptr<scene::Simulation> simulation;
+    std::unique_ptr<scene::Game> game;
+    std::unique_ptr<effects::EffectRuntime> effects;
+
+private:
+    explicit Session(SessionDef def) : def_(std::move(def)) {}
+    Result<Done> build();
+
+    SessionDef def_;
+};
+
+/// SCENE as people name it: a path, or a name below assets/scenes with or without ".toml".
+Result<std::filesystem::path> find_scene(const std::string& name, const DataFolders& folders);
+
+}  // namespace plumbline::app
