@@ -205,6 +205,16 @@ struct JointDescription {
     Origin origin{};
 };
 
+/// Extra table `[[view]]`: a place worth a picture; the tour stops there.
+struct ViewDescription {
+    std::string name;
+    Vec3 position_m{0, 0, 0};
+    Vec3 target_m{0, 0, -1};
+    Real wait_s{0};            ///< simulated before the picture, after the stop before
+    bool flashlight{false};
+    float light_scale{1.0F};   ///< of sun and sky: below 1 is dusk
+};
+
 struct SceneDescription {
     std::filesystem::path file;
     std::string title;
@@ -228,6 +238,7 @@ struct SceneDescription {
     std::vector<EntityDescription> entities;
     std::vector<ArrayDescription> arrays;
     std::vector<JointDescription> joints;
+    std::vector<ViewDescription> views;
     std::map<std::string, Origin> effect_settings;  ///< [effects.NAME] tables seen
 };
 
