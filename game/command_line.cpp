@@ -1,0 +1,90 @@
+#include "game/command_line.h"
+
+#include "engine/core/log.h"
+#include "engine/core/nearest_name.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <iostream>
+
+namespace plumbline::game {
+namespace {
+
+bool parse_side(std::string_view text, int& side) {
+    constexpr int kLargest = 16'384;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
+    return error == std::errc{} && end == text.data() + text.size() && side >= 1 && side <= kLargest;
+}
+
+/// Option and command names that the person may have meant, across the commands in use.
+std::vector<std::string> known_words(const CLI::App& app) {
+    std::vector<std::string> words;
+    const auto add_options = [&](const CLI::App& of) {
+        for (const CLI::Option* option : of.get_options()) {
+            for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
+        }
+    };
+    add_options(app);
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->parsed()) add_options(*command);
+    }
+    return words;
+}
+
+}  // namespace
+
+void add_common_options(CLI::App& app, CommonOptions& options) {
+    app.add_option("--config", options.config_folder, "Folder of your settings, instead of ~/.config/plumbline")
+        ->check(CLI::ExistingDirectory);
+    app.add_flag("--safe", options.safe, "Built-in settings only: reads no file of yours");
+    app.add_option("--bind", options.binds, "action=key[,key]; may be repeated")->allow_extra_args(false);
+    app.add_option("--profile", options.profile, "Controls of config/controls: book, nature, viewer");
+    app.add_flag("--no-sound", options.no_sound, "Opens no sound device");
+    app.add_flag("--verbose", options.verbose, "Says more");
+    app.add_flag("--quiet", options.quiet, "Says only what went wrong");
+}
+
+void apply_log_level(const CommonOptions& options) {
+    if (options.verbose) set_log_level(LogLevel::Debug);
+    if (options.quiet) set_log_level(LogLevel::Error);
+}
+
+std::filesystem::path user_settings_folder(const CommonOptions& options) {
+    if (options.safe) return {};
+    return options.config_folder.empty() ? user_config_folder() : options.config_folder;
+}
+
+app::BindingsDef bindings_def(const CommonOptions& options, const DataFolders& folders) {
+    return {.shipped_folder = folders.config,
+            .user_folder = user_settings_folder(options),
+            .profile = options.profile,
+            .command_line = options.binds,
+            .safe = options.safe};
+}
+
+ExitCode answer_parse_error(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+        app.exit(error);  // --help and --version
+        return ExitCode::Good;
+    }
+    std::string line = error.what();
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (!unknown.empty()) {
+        line = "unknown option \"" + unknown.front() + "\"";
+        const std::vector<std::string> words = known_words(app);
+        const std::vector<std::string_view> views(words.begin(), words.end());
+        const std::string_view nearest = nearest_name(unknown.front(), views);
+        if (!nearest.empty()) line += "; the nearest is \"" + std::string(nearest) + "\"";
+    }
+    std::cerr << "plumbline: " << line << "\nplumbline --help lists commands and options\n";
+    return ExitCode::BadUsage;
+}
+
+bool parse_size(const std::string& text, int& width, int& height) {
+    const std::size_t by = text.find('x');
+    return by != std::string::npos && parse_side(std::string_view(text).substr(0, by), width) &&
+           parse_side(std::string_view(text).substr(by + 1), height);
+}
+
+}  // namespace plumbline::game

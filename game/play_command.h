@@ -1,0 +1,25 @@
+// `plumbline play`: a scene in a window.
+#pragma once
+
+#include "game/command_line.h"
+
+#include <optional>
+#include <string>
+
+namespace plumbline::game {
+
+struct PlayOptions {
+    std::string scene{"garden"};
+    std::string size;
+    std::filesystem::path record;
+    std::filesystem::path replay;
+    std::filesystem::path report;
+    std::optional<double> seconds{};
+    std::optional<std::uint64_t> random_input{};
+    std::optional<std::string> expect_hash{};
+    std::string audio_device;
+};
+
+ExitCode run_play(const PlayOptions& options, const CommonOptions& common);
+
+}  // namespace plumbline::game

@@ -1,0 +1,145 @@
+#include "game/render_command.h"
+
+#include "engine/app/offscreen_run.h"
+#include "engine/assets/image_import.h"
+#include "engine/core/files.h"
+#include "engine/core/log.h"
+#include "game/camera_text.h"
+#include "game/contact_sheet.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <iostream>
+
+namespace plumbline::game {
+namespace {
+
+ExitCode refuse(const Error& error) {
+    log_error("{}", error.message);
+    return error.exit_code;
+}
+
+Error bad_option(std::string message) {
+    return {.message = std::move(message), .exit_code = ExitCode::BadUsage};
+}
+
+/// A session without a player in it, and an off-screen renderer for it.
+struct Studio {
+    std::unique_ptr<app::Session> session;
+    std::unique_ptr<app::OffscreenRun> run;
+};
+
+Result<Studio> open_studio(const std::string& scene_name, const std::string& size, std::optional<assets::Shading> shading) {
+    const Result<DataFolders> folders = find_data_folders();
+    if (!folders) return folders.error();
+    const Result<std::filesystem::path> scene = app::find_scene(scene_name, *folders);
+    if (!scene) return scene.error();
+    int width = 1280;
+    int height = 720;
+    if (!size.empty() && !parse_size(size, width, height)) {
+        return bad_option(fmt::format("--size {}: expected WIDTHxHEIGHT, 1 to 16384 each", size));
+    }
+    Result<std::unique_ptr<app::Session>> session = app::Session::open(
+        {.scene = *scene,
+         .folders = *folders,
+         .served = {.picture = true, .sound = false},
+         .make_game = [](scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
+             return std::make_unique<scene::NoGame>(simulation.description().camera);
+         }});
+    if (!session) return session.error();
+    Studio studio{.session = std::move(*session), .run = nullptr};
+    studio.session->library.prefetch_images();
+    Result<std::unique_ptr<app::OffscreenRun>> run = app::OffscreenRun::create(
+        *studio.session,
+        {.shader_folder = folders->shaders,
+         .width_px = static_cast<std::uint32_t>(width),
+         .height_px = static_cast<std::uint32_t>(height),
+         .shading = shading});
+    if (!run) return run.error();
+    studio.run = std::move(*run);
+    return studio;
+}
+
+Result<std::optional<assets::Shading>> parse_shading(const std::string& name) {
+    if (name.empty()) return std::optional<assets::Shading>{};
+    if (name == "pbr") return std::optional{assets::Shading::Pbr};
+    if (name == "blinn_phong") return std::optional{assets::Shading::BlinnPhong};
+    if (name == "unlit") return std::optional{assets::Shading::Unlit};
+    return bad_option(fmt::format("--shading {}: expected pbr, blinn_phong or unlit", name));
+}
+
+std::uint64_t steps_in(double seconds, const scene::Simulation& simulation) {
+    return static_cast<std::uint64_t>(std::llround(std::max(0.0, seconds) / simulation.step_s()));
+}
+
+}  // namespace
+
+ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
+    const Result<std::optional<assets::Shading>> shading = parse_shading(options.shading);
+    if (!shading) return refuse(shading.error());
+    Result<Studio> studio = open_studio(options.scene, options.size, *shading);
+    if (!studio) return refuse(studio.error());
+    scene::Simulation& simulation = *studio->session->simulation;
+
+    scene::ViewPoint view = first_view(studio->session->description);
+    if (!options.camera.empty()) {
+        const std::optional<scene::ViewPoint> asked = parse_camera(options.camera, view.fov_y_rad);
+        if (!asked) return refuse(bad_option(fmt::format("--camera {}: expected x,y,z,yaw,pitch", options.camera)));
+        view = *asked;
+    }
+    simulation.switches.flashlight = simulation.switches.flashlight || options.flashlight;
+    simulation.switches.fog_added = simulation.switches.fog_added || options.fog;
+
+    app::OffscreenRun& run = *studio->run;
+    run.simulate(steps_in(options.at_s, simulation));
+    run.draw(view);
+    for (std::uint64_t frame = 1; frame < options.frames; ++frame) {
+        run.simulate(1);
+        run.draw(view);
+    }
+    if (!options.out.empty()) {
+        if (const Result<Done> written = assets::write_png(options.out, run.pixels()); !written) {
+            return refuse(written.error());
+        }
+    }
+    if (!options.report.empty()) {
+        if (const Result<Done> written = write_file_atomically(options.report, run.report_json()); !written) {
+            return refuse(written.error());
+        }
+    }
+    return ExitCode::Good;
+}
+
+ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
+    Result<Studio> studio = open_studio(options.scene, options.size, std::nullopt);
+    if (!studio) return refuse(studio.error());
+    std::error_code failed;
+    std::filesystem::create_directories(options.out, failed);
+    if (failed) return refuse({.message = fmt::format("cannot make {}: {}", options.out.string(), failed.message())});
+
+    const scene::SceneDescription& scene = studio->session->description;
+    std::vector<assets::ImageData> pictures;
+    for (const scene::ViewDescription& stop : tour_stops(scene)) {
+        scene::LiveSwitches& switches = studio->session->simulation->switches;
+        switches.flashlight = stop.flashlight;
+        switches.light_scale = stop.light_scale;
+        studio->run->simulate(steps_in(stop.wait_s, *studio->session->simulation));
+        studio->run->draw(view_from(stop.position_m, stop.target_m, scene.camera.fov_y_rad));
+        pictures.push_back(studio->run->pixels());
+        const std::filesystem::path file = options.out / fmt::format("{:02}_{}.png", pictures.size(), stop.name);
+        if (const Result<Done> written = assets::write_png(file, pictures.back()); !written) {
+            return refuse(written.error());
+        }
+        std::cout << file.string() << '\n';
+    }
+    const std::filesystem::path sheet = options.out / "contact_sheet.png";
+    if (const Result<Done> written = assets::write_png(sheet, contact_sheet(pictures)); !written) {
+        return refuse(written.error());
+    }
+    std::cout << "all of them on one sheet: " << sheet.string() << '\n';
+    return ExitCode::Good;
+}
+
+}  // namespace plumbline::game

@@ -1,0 +1,35 @@
+// `plumbline render` and `plumbline tour`: pictures without a window.
+#pragma once
+
+#include "game/command_line.h"
+
+#include <optional>
+#include <string>
+
+namespace plumbline::game {
+
+struct RenderOptions {
+    std::string scene;
+    std::filesystem::path out;
+    std::string size;
+    double at_s{0};                 ///< simulated seconds before the picture
+    std::string camera;             ///< x,y,z,yaw,pitch; degrees
+    std::string shading;
+    std::uint64_t frames{1};        ///< one fixed step before each frame after the first
+    std::filesystem::path report;
+    bool flashlight{false};
+    bool fog{false};                ///< switched on even where the scene has none
+};
+
+ExitCode run_render(const RenderOptions& options, const CommonOptions& common);
+
+struct TourOptions {
+    std::string scene{"garden"};
+    std::filesystem::path out{"out"};
+    std::string size{"1280x720"};
+};
+
+/// A short walk through a scene as pictures and one contact sheet, for machines without a display.
+ExitCode run_tour(const TourOptions& options, const CommonOptions& common);
+
+}  // namespace plumbline::game
