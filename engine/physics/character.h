@@ -45,11 +45,17 @@ struct CharacterState {
     Vec3 ground_normal_world{0, 1, 0};
     bool crouched{false};
     Real landing_speed_mps{0};  ///< > 0 in the step in which it touched down
+    Real ridden_yaw_rad{0};     ///< how far what it stands on turned it in this step, about +Y
+    bool squeezed{false};       ///< something moving leaves it no room at the moment
 };
+
+/// The user mark of every character's capsule, so that hits tell a person from a thing.
+inline constexpr std::uint64_t kCharacterMark = 0xFFFF'FFFFULL;
 
 class Character {
 public:
-    /// Adds a kinematic capsule to the world so that other things feel it.
+    /// Adds a kinematic capsule to the world so that other things feel it. A blocked start is moved
+    /// as teleport() does.
     Character(PhysicsWorld& world, const CharacterDef& def);
     /// Takes the capsule out again. The world must still live.
     ~Character();
@@ -59,7 +65,7 @@ public:
     void update(const CharacterInput& input);
     const CharacterState& state() const;
     const CharacterDef& def() const;
-    BodyId body() const;
+    BodyId body() const;  ///< the capsule; crouching and standing up give it a new id
 
     /// Puts it elsewhere at once, at rest; moves up to the nearest free spot when that is blocked.
     void teleport(const Vec3& feet_position_m);

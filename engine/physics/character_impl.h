@@ -1,0 +1,184 @@
+// The parts of the character controller. Internal to the physics module.
+//
+// Every query uses a capsule that is kSkin_m smaller all round than the person: sweeps start with
+// that much air around them, which keeps them well-conditioned, and the person's own surface ends
+// exactly where the skin does. A *gap* is always measured from the person's own surface.
+#pragma once
+
+#include "engine/physics/character.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace plumbline::physics {
+
+inline constexpr Real kSkin_m = 0.02_r;
+/// Closer than this counts as touching.
+inline constexpr Real kTouch_m = 0.002_r;
+inline const Vec3 kUp{0, 1, 0};
+
+inline Vec3 level(const Vec3& v) {
+    return {v.x, 0, v.z};
+}
+
+/// Limits a displacement: dot(displacement, normal) >= -room_m.
+struct LimitPlane {
+    Vec3 normal{0, 1, 0};
+    Real room_m{0};
+};
+
+/// At most five planes met in one motion; nearly equal ones are merged.
+class PlaneSet {
+public:
+    void add(const LimitPlane& plane);
+    /// The wish, moved onto the planes it breaks: one plane, else the crease of two, else nothing.
+    Vec3 limited(const Vec3& wish) const;
+    /// Room used up by a displacement.
+    void consume(const Vec3& displacement);
+    std::size_t size() const { return count_; }
+
+private:
+    bool allows(const Vec3& wish) const;
+
+    std::array<LimitPlane, 5> planes_{};
+    std::size_t count_{0};
+};
+
+/// Something near or in the way of the capsule.
+struct CapsuleContact {
+    BodyId body{};
+    std::uint64_t user{0};
+    Vec3 point{0, 0, 0};   ///< on the other body
+    Vec3 normal{0, 1, 0};  ///< towards the person
+    Real gap_m{0};         ///< touches(): from the person's surface; negative: overlapping
+    Real travel_m{0};      ///< sweep(): way to go before the gap closes
+    Real raw_travel_m{0};  ///< sweep(): way the smaller query capsule may go
+};
+
+/// What a lower contact offers to stand on.
+struct Support {
+    bool walkable{false};
+    bool edge{false};           ///< the contact is on an edge of the face, not in it
+    Vec3 face_normal{0, 1, 0};  ///< of the face that carries
+    Vec3 contact_normal{0, 1, 0};
+    Vec3 point{0, 0, 0};
+    BodyId body{};
+};
+
+/// Questions to the world about the person's capsule. Positions are of the feet, in double, so that
+/// slow walks far from the origin do not round to nothing.
+class CapsuleProbe {
+public:
+    CapsuleProbe(PhysicsWorld& world, const CharacterDef& def);
+
+    void set_crouched(bool crouched) { crouched_ = crouched; }
+    void set_own_body(BodyId body) { own_ = body; }
+    Real height_m() const { return crouched_ ? def_.crouched_height_m : def_.height_m; }
+
+    /// The first thing in the way of a displacement; none: the way is free.
+    std::optional<CapsuleContact> sweep(const Vec3d& feet,
+                                        const Vec3& displacement,
+                                        BodyId also_ignored = {}) const;
+    /// Everything nearer than reach_m to the person's surface, deepest first.
+    std::vector<CapsuleContact> touches(const Vec3d& feet,
+                                        Real reach_m,
+                                        BodyId also_ignored = {}) const;
+    bool is_free(const Vec3d& feet) const;
+    std::optional<RayHit> ray(const Vec3& from, const Vec3& to) const;
+    Support support_of(const CapsuleContact& contact, const Vec3d& feet) const;
+
+private:
+    Pose pose_at(const Vec3d& feet) const;
+    QueryFilter filter(BodyId also_ignored) const;
+
+    PhysicsWorld& world_;
+    CharacterDef def_;
+    std::array<ShapeId, 2> shapes_{};  ///< standing, crouched
+    BodyId own_{};
+    bool crouched_{false};
+};
+
+/// Rigid motion of what the person stands on.
+struct Ride {
+    BodyId body{};
+    Pose now{};              ///< of the body, at this update
+    Pose next{};             ///< expected after the coming step
+    Vec3 anchor_body{0};     ///< where the feet are on it
+    Vec3 velocity{0, 0, 0};  ///< of the body's point at the feet
+};
+
+struct Character::Impl {
+    Impl(PhysicsWorld& world, const CharacterDef& def);
+    ~Impl();
+
+    void update(const CharacterInput& input);
+    void teleport(const Vec3& feet);
+
+    // --- character_walk.cpp
+    void walk(const Vec3& wish_velocity);
+    void slide_on_ground(Vec3 way);
+    bool step_up(const Vec3& way);
+    std::optional<Support> find_ground(Vec3d& feet, Real reach_m) const;
+    bool drop_to_ground();
+    void stand_on(const Support& support);
+    void leave_ground(const Vec3& velocity);
+
+    // --- character_air.cpp
+    void fly(const Vec3& wish_velocity);
+    bool try_land(const CapsuleContact& hit, const Vec3& velocity);
+    void jump();
+
+    // --- character_contacts.cpp
+    void give_way();
+    bool escape();
+    Real push(const CapsuleContact& hit, const Vec3& velocity);
+    bool gives_way_to_us(BodyId body) const;
+    bool may_step_on(BodyId body, Real height_m) const;
+    Vec3 slide_freely(const Vec3& way, BodyId ignored);
+    Real move_swept(const Vec3& way, BodyId ignored);
+    Vec3 point_velocity(BodyId body, const Vec3& point) const;
+
+    // --- character_ride.cpp
+    void follow_ride();
+    void begin_ride();
+    void carry();
+    void press_down();
+
+    // --- character.cpp
+    void change_posture(bool crouch);
+    void make_body();
+    void move_body();
+    void settle_eye();
+    void publish();
+    Vec3 wish_velocity(const CharacterInput& input) const;
+    void find_free_place(const Vec3& feet);
+
+    PhysicsWorld& world;
+    CharacterDef def;
+    CapsuleProbe probe;
+    Real dt;
+    Real gravity_mps2;  ///< downwards
+    Real cos_limit;
+
+    Vec3d feet{0};
+    Vec3 velocity{0, 0, 0};  ///< on the ground: level, against what it stands on; else of the world
+    Footing footing{Footing::Air};
+    Support ground{};
+    std::optional<Ride> ride;
+    BodyId body{};
+    std::array<ShapeId, 2> body_shapes{};
+    bool crouched{false};
+    bool squeezed{false};
+    Real since_ground_s{1};
+    Real wedged_s{0};
+    Real landing_speed_mps{0};
+    Real ridden_yaw_rad{0};
+    Real eye_height_m{0};
+    Real eye_offset_m{0};  ///< what stairs still have to give back
+    Real eye_offset_mps{0};
+    CharacterState state{};
+};
+
+}  // namespace plumbline::physics
