@@ -6,7 +6,9 @@
 #include "engine/core/input_snapshot.h"
 #include "engine/input/bindings.h"
 
+#include <functional>
 #include <memory>
+#include <string>
 
 namespace plumbline::input {
 
@@ -20,6 +22,9 @@ struct InputFocus {
 /// Which device was used last: hints follow it.
 enum class LastDevice : std::uint8_t { KeyboardMouse, Gamepad };
 
+/// What the key with this GLFW code prints in the user's layout: platform::printed_key_name.
+using LabelLookup = std::function<std::string(int key)>;
+
 class ActionLatch {
 public:
     explicit ActionLatch(Bindings bindings);
@@ -27,7 +32,8 @@ public:
     ActionLatch(const ActionLatch&) = delete;
     ActionLatch& operator=(const ActionLatch&) = delete;
 
-    /// Once a frame. Focus loss, stalls and the menu release every action and forget the stick.
+    /// Once a frame. Focus loss, stalls and the menu release every action, drop what no step has
+    /// taken yet, and forget the stick until it has been at rest.
     void update(const InputSnapshot& input, const InputFocus& focus);
 
     /// For one simulation step: presses and look since the last take, then cleared.
@@ -41,12 +47,20 @@ public:
     float pending_yaw_rad() const;
     float pending_pitch_rad() const;
 
+    /// Lets go of an action in toggle mode, as when what was grabbed is gone. The key that is down
+    /// counts no more until it is pressed again.
+    void release(Action action);
+
     void set_bindings(Bindings bindings);  ///< releases everything held
+    /// For `label:x` bindings; without it keys print what they do in the US layout.
+    void set_label_lookup(LabelLookup lookup);
     const Bindings& bindings() const;
     LastDevice last_device() const;
 
-    /// Presses per action since the start, for the report.
+    /// Presses per action since the start, for the report; for look: updates that turned the view.
     const std::array<std::uint64_t, kActionCount>& presses_seen() const;
+    /// Mouse motions left out because nobody moves that far in a frame.
+    std::uint64_t mouse_jumps_dropped() const;
 
 private:
     struct Impl;

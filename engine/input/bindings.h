@@ -10,6 +10,7 @@
 #include "engine/core/diagnostics.h"
 #include "engine/core/result.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -64,6 +65,10 @@ struct Bindings {
     std::array<std::vector<Input>, kActionCount> inputs;
     std::array<HoldMode, kActionCount> hold_mode{};
     Tuning tuning{};
+    /// Which layer an action's list comes from, also where that list is empty: "bindings.toml:14".
+    std::array<std::string, kActionCount> origin;
+    /// What happened to the list since: inputs that other layers took away.
+    std::array<std::vector<std::string>, kActionCount> notes;
 
     const std::vector<Input>& of(Action action) const {
         return inputs[static_cast<std::size_t>(action)];
@@ -77,7 +82,9 @@ struct BindingLayer {
 };
 
 /// The whole stack of files for this user, in order; missing files are left out, unreadable ones
-/// (folders, FIFOs, no permission, too large) noted in `faults`.
+/// (folders, FIFOs, no permission, too large) noted in `faults`. `profile`: book, nature, viewer;
+/// empty: what `profile = "NAME"` in the user's bindings.toml says, or none. `user_config_folder`
+/// may be empty (no home).
 struct BindingSources {
     std::vector<BindingLayer> layers;
     std::vector<std::filesystem::path> watched;  ///< files to reload on, existing or not
