@@ -14,7 +14,8 @@ namespace {
 bool parse_side(std::string_view text, int& side) {
     constexpr int kLargest = 16'384;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
-    return error == std::errc{} && end == text.data() + text.size() && side >= 1 && side <= kLargest;
+    return error == std::errc{} && end == text.data() + text.size() && side >= 1 &&
+           side <= kLargest;
 }
 
 /// Option and command names that the person may have meant, across the commands in use.
@@ -35,11 +36,15 @@ std::vector<std::string> known_words(const CLI::App& app) {
 }  // namespace
 
 void add_common_options(CLI::App& app, CommonOptions& options) {
-    app.add_option("--config", options.config_folder, "Folder of your settings, instead of ~/.config/plumbline")
+    app.add_option("--config",
+                   options.config_folder,
+                   "Folder of your settings, instead of ~/.config/plumbline")
         ->check(CLI::ExistingDirectory);
     app.add_flag("--safe", options.safe, "Built-in settings only: reads no file of yours");
-    app.add_option("--bind", options.binds, "action=key[,key]; may be repeated")->allow_extra_args(false);
-    app.add_option("--profile", options.profile, "Controls of config/controls: book, nature, viewer");
+    app.add_option("--bind", options.binds, "action=key[,key]; may be repeated")
+        ->allow_extra_args(false);
+    app.add_option(
+        "--profile", options.profile, "Controls of config/controls: book, nature, viewer");
     app.add_flag("--no-sound", options.no_sound, "Opens no sound device");
     app.add_flag("--verbose", options.verbose, "Says more");
     app.add_flag("--quiet", options.quiet, "Says only what went wrong");

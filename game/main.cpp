@@ -28,15 +28,21 @@ struct Words {
 };
 
 void add_play(CLI::App& app, PlayOptions& options) {
-    CLI::App* play = app.add_subcommand("play", "A scene in a window (also without the word: plumbline SCENE)");
-    play->add_option("scene", options.scene, "A .toml scene, a .glb .gltf .obj model, or a name below assets/scenes");
+    CLI::App* play =
+        app.add_subcommand("play", "A scene in a window (also without the word: plumbline SCENE)");
+    play->add_option("scene",
+                     options.scene,
+                     "A .toml scene, a .glb .gltf .obj model, or a name below assets/scenes");
     play->add_option("--size", options.size, "WIDTHxHEIGHT of the window");
-    play->add_option("--seconds", options.seconds, "Ends after so much time")->check(CLI::PositiveNumber);
+    play->add_option("--seconds", options.seconds, "Ends after so much time")
+        ->check(CLI::PositiveNumber);
     play->add_option("--record", options.record, "Writes every action to this file");
-    play->add_option("--replay", options.replay, "Plays such a file instead of you")->excludes("--record");
+    play->add_option("--replay", options.replay, "Plays such a file instead of you")
+        ->excludes("--record");
     play->add_option("--report", options.report, "Writes what it cost (JSON)");
     play->add_option("--random-input", options.random_input, "A monkey with this seed plays");
-    play->add_option("--expect-hash", options.expect_hash, "Exit code 5 unless the end state has this hash");
+    play->add_option(
+        "--expect-hash", options.expect_hash, "Exit code 5 unless the end state has this hash");
     play->add_option("--audio-device", options.audio_device, "Name of the sound device");
 }
 
@@ -45,21 +51,25 @@ void add_render(CLI::App& app, RenderOptions& options) {
     render->add_option("scene", options.scene, "As for play")->required();
     render->add_option("--out", options.out, "The PNG file");
     render->add_option("--size", options.size, "WIDTHxHEIGHT, 1280x720 if not given");
-    render->add_option("--at", options.at_s, "Simulated seconds before the picture")->check(CLI::NonNegativeNumber);
+    render->add_option("--at", options.at_s, "Simulated seconds before the picture")
+        ->check(CLI::NonNegativeNumber);
     render->add_option("--camera", options.camera, "x,y,z,yaw,pitch in metres and degrees");
     render->add_option("--shading", options.shading, "pbr, blinn_phong or unlit, for everything");
-    render->add_option("--frames", options.frames, "Draws so many frames, one step each")->check(CLI::PositiveNumber);
+    render->add_option("--frames", options.frames, "Draws so many frames, one step each")
+        ->check(CLI::PositiveNumber);
     render->add_option("--report", options.report, "Writes what it cost (JSON)");
     render->add_flag("--flashlight", options.flashlight, "Switches the flashlight on");
     render->add_flag("--fog", options.fog, "Switches fog on");
 }
 
 void add_other_commands(CLI::App& app, Words& words) {
-    CLI::App* tour = app.add_subcommand("tour", "Pictures of a scene into a folder, without a window");
+    CLI::App* tour =
+        app.add_subcommand("tour", "Pictures of a scene into a folder, without a window");
     tour->add_option("scene", words.tour.scene, "As for play");
     tour->add_option("--out", words.tour.out, "The folder");
     tour->add_option("--size", words.tour.size, "WIDTHxHEIGHT");
-    CLI::App* explain = app.add_subcommand("explain", "Which effects a scene calls for, why, and what they cost");
+    CLI::App* explain =
+        app.add_subcommand("explain", "Which effects a scene calls for, why, and what they cost");
     explain->add_option("scene", words.explained_scene, "As for play")->required();
     explain->add_flag("--json", words.explain_as_json, "As JSON");
     app.add_subcommand("controls", "What every action is bound to, and where that was said");
@@ -70,8 +80,12 @@ void add_other_commands(CLI::App& app, Words& words) {
 /// "plumbline garden.toml --seconds 3" means play: the word is put in where no command stands.
 std::vector<std::string> with_command(int argc, char** argv, const CLI::App& app) {
     std::vector<std::string> words(argv + 1, argv + argc);
-    const auto is_command = [&](const std::string& word) { return app.get_subcommand_no_throw(word) != nullptr; };
-    const auto only_asks = [](const std::string& word) { return word == "--help" || word == "-h" || word == "--version"; };
+    const auto is_command = [&](const std::string& word) {
+        return app.get_subcommand_no_throw(word) != nullptr;
+    };
+    const auto only_asks = [](const std::string& word) {
+        return word == "--help" || word == "-h" || word == "--version";
+    };
     if (std::ranges::none_of(words, is_command) && std::ranges::none_of(words, only_asks)) {
         words.insert(words.begin(), "play");
     }
@@ -84,7 +98,8 @@ ExitCode run_command(const CLI::App& app, const Words& words) {
     if (app.got_subcommand("render")) return run_render(words.render, words.common);
     if (app.got_subcommand("tour")) return run_tour(words.tour, words.common);
     if (app.got_subcommand("simulate")) return run_simulate(words.simulate);
-    if (app.got_subcommand("explain")) return run_explain(words.explained_scene, words.explain_as_json);
+    if (app.got_subcommand("explain"))
+        return run_explain(words.explained_scene, words.explain_as_json);
     if (app.got_subcommand("controls")) return run_controls(words.common);
     return run_check(words.checked);
 }

@@ -34,11 +34,13 @@ ExitCode check_file(const std::filesystem::path& file, const DataFolders& folder
         scene::load_surfaces(file, folders.assets, faults);
     } else if (is_binding_file(file)) {
         const Result<std::string> text = read_file(file, limits::kConfigFileBytes);
-        if (!text) return refuse({.message = text.error().message, .exit_code = ExitCode::BadUsage});
+        if (!text)
+            return refuse({.message = text.error().message, .exit_code = ExitCode::BadUsage});
         input::load_bindings({{.name = file.string(), .text = *text}}, {}, faults);
     } else {
         when_bad = ExitCode::Refused;
-        const Result<scene::SceneDescription> scene = scene::load_scene(file, folders.assets, faults);
+        const Result<scene::SceneDescription> scene =
+            scene::load_scene(file, folders.assets, faults);
         // What is wrong with the file as a whole is in the error alone.
         if (!scene && faults.list().empty()) std::cout << scene.error().message << '\n';
         if (!scene && !faults.has_errors()) return when_bad;
@@ -67,8 +69,8 @@ ExitCode run_explain(const std::string& scene_name, bool as_json) {
     const auto steps = static_cast<std::uint64_t>(kExplained_s / simulation.step_s());
     const scene::ViewPoint view = first_view((*session)->description);
 
-    Result<std::unique_ptr<app::OffscreenRun>> run =
-        app::OffscreenRun::create(**session, {.shader_folder = folders->shaders, .width_px = 640, .height_px = 360});
+    Result<std::unique_ptr<app::OffscreenRun>> run = app::OffscreenRun::create(
+        **session, {.shader_folder = folders->shaders, .width_px = 640, .height_px = 360});
     if (run) {
         (*run)->simulate(steps);
         (*run)->draw(view);

@@ -41,7 +41,8 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
                       .expect_hash = options.expect_hash,
                       .steps = {.replay = options.replay, .random_seed = options.random_input}};
     if (!options.size.empty() && !parse_size(options.size, play.config.width, play.config.height)) {
-        return refuse({.message = fmt::format("--size {}: expected WIDTHxHEIGHT, 1 to 16384 each", options.size),
+        return refuse({.message = fmt::format("--size {}: expected WIDTHxHEIGHT, 1 to 16384 each",
+                                              options.size),
                        .exit_code = ExitCode::BadUsage});
     }
     const std::filesystem::path assets = folders->assets;

@@ -31,7 +31,9 @@ struct Studio {
     std::unique_ptr<app::OffscreenRun> run;
 };
 
-Result<Studio> open_studio(const std::string& scene_name, const std::string& size, std::optional<assets::Shading> shading) {
+Result<Studio> open_studio(const std::string& scene_name,
+                           const std::string& size,
+                           std::optional<assets::Shading> shading) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
     const Result<std::filesystem::path> scene = app::find_scene(scene_name, *folders);
@@ -51,12 +53,12 @@ Result<Studio> open_studio(const std::string& scene_name, const std::string& siz
     if (!session) return session.error();
     Studio studio{.session = std::move(*session), .run = nullptr};
     studio.session->library.prefetch_images();
-    Result<std::unique_ptr<app::OffscreenRun>> run = app::OffscreenRun::create(
-        *studio.session,
-        {.shader_folder = folders->shaders,
-         .width_px = static_cast<std::uint32_t>(width),
-         .height_px = static_cast<std::uint32_t>(height),
-         .shading = shading});
+    Result<std::unique_ptr<app::OffscreenRun>> run =
+        app::OffscreenRun::create(*studio.session,
+                                  {.shader_folder = folders->shaders,
+                                   .width_px = static_cast<std::uint32_t>(width),
+                                   .height_px = static_cast<std::uint32_t>(height),
+                                   .shading = shading});
     if (!run) return run.error();
     studio.run = std::move(*run);
     return studio;
@@ -86,7 +88,9 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
     scene::ViewPoint view = first_view(studio->session->description);
     if (!options.camera.empty()) {
         const std::optional<scene::ViewPoint> asked = parse_camera(options.camera, view.fov_y_rad);
-        if (!asked) return refuse(bad_option(fmt::format("--camera {}: expected x,y,z,yaw,pitch", options.camera)));
+        if (!asked)
+            return refuse(
+                bad_option(fmt::format("--camera {}: expected x,y,z,yaw,pitch", options.camera)));
         view = *asked;
     }
     simulation.switches.flashlight = simulation.switches.flashlight || options.flashlight;
@@ -105,7 +109,8 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
         }
     }
     if (!options.report.empty()) {
-        if (const Result<Done> written = write_file_atomically(options.report, run.report_json()); !written) {
+        if (const Result<Done> written = write_file_atomically(options.report, run.report_json());
+            !written) {
             return refuse(written.error());
         }
     }
@@ -117,7 +122,9 @@ ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
     if (!studio) return refuse(studio.error());
     std::error_code failed;
     std::filesystem::create_directories(options.out, failed);
-    if (failed) return refuse({.message = fmt::format("cannot make {}: {}", options.out.string(), failed.message())});
+    if (failed)
+        return refuse(
+            {.message = fmt::format("cannot make {}: {}", options.out.string(), failed.message())});
 
     const scene::SceneDescription& scene = studio->session->description;
     std::vector<assets::ImageData> pictures;
@@ -128,7 +135,8 @@ ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
         studio->run->simulate(steps_in(stop.wait_s, *studio->session->simulation));
         studio->run->draw(view_from(stop.position_m, stop.target_m, scene.camera.fov_y_rad));
         pictures.push_back(studio->run->pixels());
-        const std::filesystem::path file = options.out / fmt::format("{:02}_{}.png", pictures.size(), stop.name);
+        const std::filesystem::path file =
+            options.out / fmt::format("{:02}_{}.png", pictures.size(), stop.name);
         if (const Result<Done> written = assets::write_png(file, pictures.back()); !written) {
             return refuse(written.error());
         }

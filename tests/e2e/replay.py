@@ -1,0 +1,35 @@
+#!/usr/bin/env python3
+"""A recording of a random sitting plays back bit for bit, at another frame rate; a recording of
+another scene is refused."""
+import subprocess
+import sys
+
+from support import expect, home, settings_in, virtual_screen
+
+program_file = sys.argv[1]
+
+
+def play(environment, *words):
+    return subprocess.run([program_file, "play", *words, "--no-sound"], env=environment,
+                          capture_output=True, text=True, timeout=120)
+
+
+def state_of(run):
+    lines = [line for line in run.stderr.splitlines() if ", state " in line]
+    expect(lines, "no state line:\n" + run.stderr)
+    return lines[-1].rsplit(" ", 1)[-1]
+
+
+with virtual_screen() as screen, home() as folder:
+    environment = settings_in(folder, screen)
+    tape = str(folder / "sitting.tape")
+    first = play(environment, "playroom", "--size", "320x180", "--random-input", "7", "--seconds", "8", "--record", tape)
+    expect(first.returncode == 0, first.stderr)
+    expected = state_of(first)
+    again = play(environment, "playroom", "--size", "640x360", "--replay", tape, "--expect-hash", expected)
+    expect(again.returncode == 0, f"replay: exit {again.returncode}\n{again.stderr}")
+    expect(state_of(again) == expected, "another end state")
+    wrong_hash = play(environment, "playroom", "--size", "320x180", "--replay", tape, "--expect-hash", "0123456789abcdef")
+    expect(wrong_hash.returncode == 5, f"a wrong hash gives exit {wrong_hash.returncode}")
+    other_scene = play(environment, "falling_cube", "--size", "320x180", "--replay", tape)
+    expect(other_scene.returncode == 5 and "recorded with scene contents" in other_scene.stderr, other_scene.stderr)

@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""A person plays: walks, looks, drops, throws, switches things, rebinds a key while the program
+runs, resizes, hides and shows the window, and leaves through the menu. The report counts it all."""
+import os
+import sys
+import time
+
+from support import Program, expect, home, read_json, settings_in, virtual_screen
+
+program_file = sys.argv[1]
+pictures = os.environ.get("PL_E2E_PICTURES")  # a folder: keeps what was on the screen
+
+
+def main():
+    with virtual_screen() as screen, home() as folder:
+        environment = settings_in(folder, screen)
+        report = folder / "report.json"
+        bindings = folder / "config" / "plumbline" / "bindings.toml"
+        bindings.parent.mkdir(parents=True)
+        game = Program([program_file, "play", "garden", "--size", "640x360", "--report", str(report)],
+                       environment, folder / "log.txt")
+        try:
+            play(game, bindings)
+            code = game.wait(60)
+        finally:
+            game.stop()
+        expect(code == 0, f"exit code {code}:\n{game.log()}")
+        judge(read_json(report))
+
+
+def snap(game, name):
+    if pictures:
+        game.picture(os.path.join(pictures, name + ".png"))
+
+
+def play(game, bindings):
+    game.do("mousemove", 320, 180)
+    game.do("windowfocus", game.window)
+    time.sleep(3)
+    snap(game, "1_start")
+    game.hold("w", 3)
+    for _ in range(10):
+        game.do("mousemove_relative", "--", 12, 2)
+        time.sleep(0.05)
+    game.press("1")
+    game.press("q", 5, 0.6)
+    snap(game, "2_five_crates")
+    game.press("2")
+    game.do("mousedown", 1)
+    time.sleep(0.8)
+    game.do("mouseup", 1)
+    time.sleep(0.5)
+    game.press("f")
+    game.press("g")
+    time.sleep(0.7)
+    snap(game, "3_light_and_fog")
+    game.press("v")
+    time.sleep(0.7)
+    snap(game, "4_wireframe")
+    game.press("n")
+    bindings.write_text('format = 1\n[things]\ndrop = ["k"]\n')
+    time.sleep(2)
+    game.press("k", 2, 0.6)
+    game.press("q")  # unbound now
+    game.do("windowsize", game.window, 800, 450)
+    time.sleep(1)
+    snap(game, "5_resized")
+    game.do("windowunmap", game.window)
+    time.sleep(1)
+    game.do("windowmap", game.window)
+    time.sleep(1.5)
+    game.do("windowfocus", game.window)
+    game.press("F3")
+    time.sleep(1)
+    snap(game, "6_statistics")
+    game.press("Escape")
+    time.sleep(1)
+    snap(game, "7_menu")
+    game.press("Down", 3, 0.5)
+    game.press("space")
+
+
+def judge(report):
+    seen = report["actions_seen"]
+    wanted = {"forward": 1, "select_1": 1, "drop": 7, "throw": 1, "flashlight": 1, "fog": 1,
+              "wireframe": 1, "filled": 1, "stats": 1, "menu": 1, "select_2": 1}
+    for action, presses in wanted.items():
+        expect(seen.get(action) == presses, f"{action}: {seen.get(action)} presses seen, {presses} made; all: {seen}")
+    expect(report["frames"] > 20, f"only {report['frames']} frames")
+    expect(report["bodies"] >= 7, "the dropped bodies are not there")
+    effects = {line["name"]: line for line in report["effects"]}
+    expect(effects["flashlight"]["constructions"] == 1, "the flashlight was made once")
+    expect(effects["fog"]["constructions"] == 1, "fog was made once")
+    for key in ("startup_ms", "frame_ms", "cpu_ms", "gpu_ms", "draw_calls", "triangles", "instances",
+                "shadow_passes_rendered", "shadow_passes_cached", "physics", "lost_time_s", "peak_rss_bytes", "gl"):
+        expect(key in report, f"the report lacks {key}")
+
+
+main()
