@@ -1,0 +1,291 @@
+#include "engine/scene/scene_file.h"
+
+#include "engine/core/files.h"
+#include "engine/core/hash.h"
+#include "engine/core/limits.h"
+#include "engine/scene/scene_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
+
+namespace plumbline::scene {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kIncludeDepth = 16;
+constexpr std::array<std::string_view, 3> kModelExtensions{".glb", ".gltf", ".obj"};
+// Everything that a scene may hold beside materials and prefabs.
+constexpr std::array<std::string_view, 15> kSceneOnly{"world",
+                                                      "accuracy",
+                                                      "player",
+                                                      "camera",
+                                                      "sun",
+                                                      "sky",
+                                                      "ambient",
+                                                      "fog",
+                                                      "flashlight",
+                                                      "post",
+                                                      "goal",
+                                                      "entity",
+                                                      "array",
+                                                      "joint",
+                                                      "effects"};
+
+/// One file of the load. Places point at its name, so it stays where it is.
+struct SourceFile {
+    std::string name;  ///< as messages show it
+    TomlNode root;
+};
+
+/// Loads a scene and what it includes; one object a load.
+class Loader {
+public:
+    Loader(const fs::path& assets_folder, Diagnostics& out) : faults_(out) {
+        context_.assets_folder = assets_folder;
+    }
+
+    void load(const fs::path& file) {
+        scene_.file = file;
+        const SourceFile* source = open(file, Place{}, {});
+        if (source == nullptr) return;
+        context_.scene_place = Place{&source->name, 0, 0};
+        collect(*source, file);
+        TableReader root(source->root, {}, faults_);
+        read_sections(root, scene_, context_);
+        read_prefabs(scene_, context_);
+        read_entities(root, scene_, context_);
+        read_arrays(root, scene_, context_);
+        read_joints(root, scene_, context_);
+        root.find("material");
+        root.find("prefab");
+        root.finish();
+        check_whole_scene(scene_, context_);
+        scene_.content_hash = hasher_.digest();
+    }
+
+    SceneDescription& scene() { return scene_; }
+    bool failed() const { return faults_.any_error(); }
+
+private:
+    /// Reads and parses one file; faults are reported at `asked_by` unless they lie in the text.
+    const SourceFile* open(const fs::path& file, const Place& asked_by, const std::string& key) {
+        auto source = std::make_unique<SourceFile>();
+        source->name = file.string();
+        const Place whole{&source->name, 0, 0};
+        const Place& blamed = asked_by.file != nullptr ? asked_by : whole;
+        const Result<std::string> text = read_file(file, limits::kSceneFileBytes);
+        if (!text) {
+            faults_.error(blamed, key, text.error().message);
+            return nullptr;
+        }
+        hasher_.add(text->data(), text->size());
+        auto parsed = parse_toml(*text, source->name);
+        if (const auto* fault = std::get_if<TextFault>(&parsed)) {
+            faults_.error({&source->name, fault->line, fault->column}, {}, fault->message);
+            return nullptr;
+        }
+        source->root = std::move(*std::get_if<TomlNode>(&parsed));
+        sources_.push_back(std::move(source));
+        return sources_.back().get();
+    }
+
+    /// Takes materials and prefabs, of included files first. Returns the files that took part.
+    std::set<const std::string*> collect(const SourceFile& source, const fs::path& file) {
+        chain_.push_back(file);
+        std::set<const std::string*> below;
+        TableReader root(source.root, {}, faults_);
+        if (auto table = root.table("scene")) {
+            const std::vector<std::string> names = table->texts("include");
+            const TomlNode* node = table->find("include");
+            for (std::size_t i = 0; i < names.size(); ++i) {
+                const auto part =
+                    include(names[i],
+                            (*node->array())[std::min(i, node->array()->size() - 1)].place,
+                            fmt::format("scene.include[{}]", i),
+                            file);
+                below.insert(part.begin(), part.end());
+            }
+        }
+        take_materials(root, below);
+        take_prefabs(root, below);
+        chain_.pop_back();
+        below.insert(&source.name);
+        return below;
+    }
+
+    std::set<const std::string*> include(const std::string& name,
+                                         const Place& place,
+                                         const std::string& key,
+                                         const fs::path& including) {
+        const Result<Reference> reference = find_reference(including, context_.assets_folder, name);
+        if (!reference) {
+            faults_.error(place, key, reference.error().message);
+            return {};
+        }
+        if (!reference->exists) {
+            faults_.error(place, key, fmt::format("\"{}\" does not exist", shown(name)));
+            return {};
+        }
+        const fs::path file = reference->file.lexically_normal();
+        std::error_code failed;
+        const fs::path real = fs::weakly_canonical(file, failed);
+        const auto same = [&](const fs::path& other) {
+            std::error_code ignored;
+            return fs::weakly_canonical(other, ignored) == real;
+        };
+        if (std::ranges::any_of(chain_, same)) {
+            std::string way;
+            for (const fs::path& link : chain_) way += link.filename().string() + " -> ";
+            faults_.error(
+                place, key, fmt::format("includes itself: {}{}", way, file.filename().string()));
+            return {};
+        }
+        // Two ways to the same file bring it once.
+        if (const auto known = included_.find(real); known != included_.end()) return known->second;
+        if (chain_.size() >= kIncludeDepth || sources_.size() >= limits::kReferencedFiles) {
+            faults_.error(
+                place,
+                key,
+                fmt::format("too many files include one another; at most {} deep, {} in all",
+                            kIncludeDepth,
+                            limits::kReferencedFiles));
+            return {};
+        }
+        const SourceFile* source = open(file, place, key);
+        if (source == nullptr) return {};
+        warn_of_scene_keys(*source);
+        auto part = collect(*source, file);
+        included_.emplace(real, part);
+        return part;
+    }
+
+    void warn_of_scene_keys(const SourceFile& source) {
+        TableReader root(source.root, {}, faults_);
+        for (const std::string_view key : kSceneOnly) {
+            if (root.has(key))
+                root.warning(key, "only materials and prefabs are taken from an included file");
+        }
+        for (const std::string_view key : {"scene", "material", "prefab"}) root.find(key);
+        if (auto table = root.table("scene")) {
+            for (const std::string_view key : {"title", "description", "include"}) table->find(key);
+            table->finish();
+        }
+        root.finish();
+    }
+
+    /// True when the name may be given here: it is new, or only an included file has it.
+    bool may_define(TableReader& table,
+                    std::string_view what,
+                    const std::string& name,
+                    const Place* earlier,
+                    const std::set<const std::string*>& below) {
+        if (earlier == nullptr || below.contains(earlier->file)) return true;
+        table.error(
+            "name",
+            fmt::format(
+                "\"{}\" is the name of the {} at {} already", shown(name), what, brief(*earlier)));
+        return false;
+    }
+
+    void take_materials(TableReader& root, const std::set<const std::string*>& below) {
+        const auto nodes = root.tables("material");
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            TableReader table(nodes[i], fmt::format("material[{}]", i), faults_);
+            const std::string name = read_name(table);
+            if (!table.has("name")) table.error("name", "missing; expected the material's name");
+            assets::MaterialData material = read_material(table, context_);
+            if (name.empty()) continue;
+            const auto earlier = context_.material_places.find(name);
+            const Place* place =
+                earlier == context_.material_places.end() ? nullptr : &earlier->second;
+            if (!may_define(table, "material", name, place, below)) continue;
+            context_.material_places[name] = table.place();
+            scene_.materials[name] = std::move(material);
+        }
+    }
+
+    void take_prefabs(TableReader& root, const std::set<const std::string*>& below) {
+        const auto nodes = root.tables("prefab");
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            TableReader table(nodes[i], fmt::format("prefab[{}]", i), faults_);
+            const std::string name = read_name(table);
+            if (!table.has("name")) table.error("name", "missing; expected the prefab's name");
+            if (name.empty()) continue;
+            const auto earlier = context_.prefabs.find(name);
+            const Place* place =
+                earlier == context_.prefabs.end() ? nullptr : &earlier->second.node->place;
+            if (!may_define(table, "prefab", name, place, below)) continue;
+            context_.prefabs[name] = PrefabSource{&nodes[i], table.path()};
+        }
+    }
+
+    FaultList faults_;
+    LoadContext context_{.assets_folder = {}, .faults = faults_};
+    SceneDescription scene_;
+    Hasher hasher_;
+    std::vector<std::unique_ptr<SourceFile>> sources_;
+    std::vector<fs::path> chain_;
+    std::map<fs::path, std::set<const std::string*>> included_;
+};
+
+Result<SceneDescription> refuse(Diagnostics& faults, std::size_t first) {
+    for (std::size_t i = first; i < faults.list().size(); ++i) {
+        const Diagnostic& fault = faults.list()[i];
+        if (fault.severity == Severity::Error)
+            return Error{.message = to_string(fault), .exit_code = ExitCode::Refused};
+    }
+    return Error{.message = "the scene was refused", .exit_code = ExitCode::Refused};
+}
+
+Result<SceneDescription> load_model(const fs::path& file,
+                                    const fs::path& assets_folder,
+                                    Diagnostics& faults) {
+    const std::size_t before = faults.list().size();
+    const auto fail = [&](std::string message) {
+        faults.add({Severity::Error, file.string(), 0, 0, {}, std::move(message)});
+        return refuse(faults, before);
+    };
+    std::error_code failed;
+    if (!fs::exists(file, failed)) return fail("does not exist");
+    if (!fs::is_regular_file(file, failed)) return fail("is not a regular file");
+    const bool is_ours = !assets_folder.empty() && is_inside(assets_folder, file);
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    return scene_of_model(file, is_ours ? assets_folder : folder);
+}
+
+}  // namespace
+
+Result<SceneDescription> load_scene(const fs::path& file,
+                                    const fs::path& assets_folder,
+                                    Diagnostics& faults) {
+    const std::size_t before = faults.list().size();
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    if (std::ranges::find(kModelExtensions, extension) != kModelExtensions.end())
+        return load_model(file, assets_folder, faults);
+    if (extension != ".toml") {
+        faults.add(
+            {Severity::Error,
+             file.string(),
+             0,
+             0,
+             {},
+             fmt::format("\"{}\" is no kind of scene that is read; expected .toml, or a model: "
+                         "{} (convert others to glTF)",
+                         shown(extension),
+                         fmt::join(kModelExtensions, " "))});
+        return refuse(faults, before);
+    }
+    Loader loader(assets_folder, faults);
+    loader.load(file);
+    if (loader.failed()) return refuse(faults, before);
+    return std::move(loader.scene());
+}
+
+}  // namespace plumbline::scene

@@ -1,0 +1,176 @@
+// [sun] [sky] [ambient] [fog] [flashlight] [post], and the lights of entities.
+#include "engine/scene/scene_parts.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace plumbline::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Range kIntensity{0, 1e6, "a number from 0 to 1000000"};
+constexpr Range kReach_m{1e-2, 1e4, "a length from 0.01 to 10000 m"};
+constexpr Range kHalfAngle_deg{0, 89, "degrees from 0 to 89"};
+
+void read_cone(TableReader& table, float& inner_deg, float& outer_deg) {
+    const bool only_outer = table.has("outer_deg") && !table.has("inner_deg");
+    outer_deg = table.single("outer_deg", outer_deg, kHalfAngle_deg);
+    if (only_outer) inner_deg = std::min(inner_deg, outer_deg * 0.6F);
+    inner_deg = table.single("inner_deg", inner_deg, kHalfAngle_deg);
+    if (inner_deg > outer_deg) {
+        table.error("inner_deg",
+                    fmt::format("{} is wider than outer_deg, {}", inner_deg, outer_deg));
+    }
+}
+
+/// `shadow = { … }`, or true for one with the usual numbers, or false for none.
+std::optional<ShadowDescription> read_sun_shadow(TableReader& sun, LoadContext& context) {
+    const TomlNode* node = sun.find("shadow");
+    if (node == nullptr) return {};
+    ShadowDescription shadow;
+    shadow.origin = origin_of(node->place);
+    if (std::get_if<bool>(&node->value) != nullptr) {
+        if (!sun.flag("shadow", false)) return {};
+        return shadow;
+    }
+    auto table = sun.table("shadow");
+    if (!table) return {};
+    const int cascades = table->integer("cascades", 1, 1, 4);
+    if (cascades > 1) {
+        context.note_not_built(table->find("cascades")->place,
+                               fmt::format("{} shadow cascades (1 is used)", cascades));
+    }
+    shadow.size_px = table->integer("size_px", shadow.size_px, 64, 8192);
+    constexpr Range kDistance_m{1, 1e4, "a length from 1 to 10000 m"};
+    shadow.distance_m = table->number("distance_m", shadow.distance_m, kDistance_m);
+    table->finish();
+    return shadow;
+}
+
+void read_sun(TableReader& root, SceneDescription& scene, LoadContext& context) {
+    auto table = root.table("sun");
+    if (!table) return;
+    SunDescription sun;
+    sun.origin = origin_of(table->place());
+    sun.direction = Vec3(table->direction("direction", Vec3d(sun.direction)));
+    sun.color = table->color("color", sun.color);
+    sun.intensity = table->single("intensity", sun.intensity, kIntensity);
+    constexpr Range kTurn_degps{-3600, 3600, "degrees per second from -3600 to 3600"};
+    sun.rotation_radps =
+        radians_from_degrees(table->number("rotation_degps", Real{0}, kTurn_degps));
+    sun.shadow = read_sun_shadow(*table, context);
+    table->finish();
+    scene.sun = sun;
+}
+
+bool has_face(const fs::path& folder, std::string_view face) {
+    constexpr std::array<std::string_view, 3> kExtensions{".exr", ".png", ".jpg"};
+    for (const std::string_view extension : kExtensions) {
+        std::error_code failed;
+        if (fs::is_regular_file(folder / fmt::format("{}{}", face, extension), failed)) return true;
+    }
+    return false;
+}
+
+void read_sky(TableReader& root, SceneDescription& scene, const LoadContext& context) {
+    auto table = root.table("sky");
+    if (!table) return;
+    const std::string name = table->text("skybox", {});
+    table->finish();
+    const TomlNode* node = table->find("skybox");
+    if (node == nullptr) return table->error("skybox", "missing; expected a folder of six faces");
+    if (node->text() == nullptr) return;
+    const Result<Reference> folder = find_reference(*node->place.file, context.assets_folder, name);
+    if (!folder) return table->error("skybox", folder.error().message);
+    if (!folder->exists) {
+        return table->warning(
+            "skybox", fmt::format("\"{}\" does not exist; the clear colour is used", shown(name)));
+    }
+    for (const std::string_view face : {"px", "nx", "py", "ny", "pz", "nz"}) {
+        if (has_face(folder->file, face)) continue;
+        return table->warning(
+            "skybox",
+            fmt::format("\"{}\" holds no {}.exr, .png or .jpg; the clear colour is used",
+                        shown(name),
+                        face));
+    }
+    scene.sky = SkyDescription{.folder = folder->file, .origin = origin_of(table->place())};
+}
+
+void read_fog(TableReader& root, SceneDescription& scene) {
+    auto table = root.table("fog");
+    if (!table) return;
+    FogDescription fog;
+    fog.origin = origin_of(table->place());
+    fog.color = table->color("color", fog.color);
+    constexpr Range kDensity{0, 10, "a density from 0 to 10 per m"};
+    fog.density_per_m = table->single("density_per_m", fog.density_per_m, kDensity);
+    table->finish();
+    scene.fog = fog;
+}
+
+void read_flashlight(TableReader& root, SceneDescription& scene) {
+    auto table = root.table("flashlight");
+    if (!table) return;
+    FlashlightDescription light;
+    light.origin = origin_of(table->place());
+    light.color = table->color("color", light.color);
+    light.intensity = table->single("intensity", light.intensity, kIntensity);
+    light.radius_m = table->single("radius_m", light.radius_m, kReach_m);
+    read_cone(*table, light.inner_deg, light.outer_deg);
+    light.on = table->flag("on", light.on);
+    table->finish();
+    scene.flashlight = light;
+}
+
+void read_post(TableReader& root, SceneDescription& scene) {
+    auto table = root.table("post");
+    if (!table) return;
+    PostDescription post;
+    post.origin = origin_of(table->place());
+    constexpr Range kExposure{1e-3, 1e3, "a factor from 0.001 to 1000"};
+    post.bloom = table->single("bloom", post.bloom, kFraction);
+    post.exposure = table->single("exposure", post.exposure, kExposure);
+    table->finish();
+    scene.post = post;
+}
+
+}  // namespace
+
+std::optional<LightDescription> read_light(TableReader& entity) {
+    auto table = entity.table("light");
+    if (!table) return {};
+    constexpr std::array<std::string_view, 2> kKinds{"point", "spot"};
+    LightDescription light;
+    light.origin = origin_of(table->place());
+    light.is_spot = table->choice("kind", 0, kKinds) == 1;
+    light.color = table->color("color", light.color);
+    light.intensity = table->single("intensity", light.intensity, kIntensity);
+    light.radius_m = table->single("radius_m", light.radius_m, kReach_m);
+    light.shadow = table->flag("shadow", false);
+    light.direction = Vec3f(table->direction("direction", Vec3d(light.direction)));
+    read_cone(*table, light.inner_deg, light.outer_deg);
+    if (!light.is_spot) {
+        for (const std::string_view key : {"direction", "inner_deg", "outer_deg"}) {
+            if (table->has(key)) table->warning(key, "a point light shines everywhere; ignored");
+        }
+    }
+    table->finish();
+    return light;
+}
+
+void read_lights_and_air(TableReader& root, SceneDescription& scene, LoadContext& context) {
+    read_sun(root, scene, context);
+    read_sky(root, scene, context);
+    if (auto table = root.table("ambient")) {
+        scene.ambient = table->color("color", scene.ambient);
+        table->finish();
+    }
+    read_fog(root, scene);
+    read_flashlight(root, scene);
+    read_post(root, scene);
+}
+
+}  // namespace plumbline::scene

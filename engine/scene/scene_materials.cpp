@@ -1,0 +1,93 @@
+#include "engine/scene/scene_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace plumbline::scene {
+namespace {
+
+constexpr std::array<std::string_view, 4> kImages{".jpg", ".jpeg", ".png", ".exr"};
+
+std::string lower_extension(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return extension;
+}
+
+std::filesystem::path read_map(TableReader& table,
+                               std::string_view key,
+                               std::string_view instead,
+                               const LoadContext& context) {
+    const auto image = read_file_reference(table, key, kImages, instead, context);
+    return image ? image->file : std::filesystem::path{};
+}
+
+}  // namespace
+
+std::optional<Reference> read_file_reference(TableReader& table,
+                                             std::string_view key,
+                                             std::span<const std::string_view> extensions,
+                                             std::string_view instead,
+                                             const LoadContext& context) {
+    const std::string name = table.text(key, {});
+    const TomlNode* node = table.find(key);
+    if (node == nullptr || node->text() == nullptr) return {};
+    const Result<Reference> reference =
+        find_reference(*node->place.file, context.assets_folder, name);
+    if (!reference) {
+        table.error(key, reference.error().message);
+        return {};
+    }
+    if (std::ranges::find(extensions, lower_extension(name)) == extensions.end()) {
+        table.error(key,
+                    fmt::format("\"{}\" is of a kind that is not read here; expected {}{}",
+                                shown(name),
+                                fmt::join(extensions, " "),
+                                key == "model" ? " (convert others to glTF)" : ""));
+        return {};
+    }
+    if (!reference->exists) {
+        table.warning(key, fmt::format("\"{}\" does not exist; {}", shown(name), instead));
+    } else if (!std::filesystem::is_regular_file(reference->file)) {
+        table.error(key, fmt::format("\"{}\" is not a regular file", shown(name)));
+        return {};
+    }
+    return *reference;
+}
+
+assets::MaterialData read_material(TableReader& table, const LoadContext& context) {
+    constexpr std::array<std::string_view, 3> kShadings{"pbr", "blinn_phong", "unlit"};
+    constexpr std::array<std::string_view, 3> kAlphaModes{"opaque", "mask", "blend"};
+    assets::MaterialData material;
+    material.name = table.text("name", {});
+    material.shading = static_cast<assets::Shading>(table.choice("shading", 0, kShadings));
+    material.base_color = table.color("base_color", material.base_color, kFraction);
+    material.alpha = table.single("alpha", 1.0F, kFraction);
+    material.emissive = table.color("emissive", material.emissive);
+    material.base_color_map =
+        read_map(table, "base_color_map", "a chequered picture stands in", context);
+    // Without these maps a surface is merely smoother.
+    constexpr std::string_view kLeftOut = "the map is left out";
+    material.normal_map = read_map(table, "normal_map", kLeftOut, context);
+    material.orm_map = read_map(table, "orm_map", kLeftOut, context);
+    material.height_map = read_map(table, "height_map", kLeftOut, context);
+    for (auto* map : {&material.normal_map, &material.orm_map, &material.height_map}) {
+        std::error_code failed;
+        if (!map->empty() && !std::filesystem::exists(*map, failed)) map->clear();
+    }
+    material.roughness = table.single("roughness", material.roughness, kFraction);
+    material.metallic = table.single("metallic", material.metallic, kFraction);
+    material.alpha_mode =
+        static_cast<assets::AlphaMode>(table.choice("alpha_mode", 0, kAlphaModes));
+    material.alpha_cutoff = table.single("alpha_cutoff", material.alpha_cutoff, kFraction);
+    material.two_sided = table.flag("two_sided", false);
+    material.surface = table.text("surface", {});
+    table.finish();
+    return material;
+}
+
+}  // namespace plumbline::scene

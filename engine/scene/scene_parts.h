@@ -1,0 +1,109 @@
+// The parts of a scene file, one function each; scene_file.cpp calls them in order. Internal to the
+// scene module.
+#pragma once
+
+#include "engine/scene/scene_description.h"
+#include "engine/scene/scene_paths.h"
+#include "engine/scene/scene_reader.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline::scene {
+
+/// A group that no body can be in: `collides_with = []`.
+inline constexpr std::string_view kNoGroup = "";
+
+/// A [[prefab]] table as found; the node outlives the load.
+struct PrefabSource {
+    const TomlNode* node{nullptr};
+    std::string path;
+};
+
+/// What is true for one load, whichever file a part stands in.
+struct LoadContext {
+    std::filesystem::path assets_folder;
+    FaultList& faults;
+    std::map<std::string, PrefabSource> prefabs{};   ///< by name
+    std::map<std::string, Place> material_places{};  ///< by name
+    std::vector<Place> entity_places{};              ///< of their names, in the scene's order
+    std::vector<Place> array_places{};
+    Place scene_place{};  ///< the file as a whole
+    /// What is checked now and built when its system exists: one warning names it all.
+    std::vector<std::string> not_built{};
+    Place not_built_place{};
+
+    void note_not_built(const Place& place, std::string what);
+};
+
+/// Reads a key that names a file with one of `extensions` (lower case, with the dot). Refused and
+/// wrong kinds are errors; a missing file is a warning that ends in `instead`, and is returned with
+/// exists == false.
+std::optional<Reference> read_file_reference(TableReader& table,
+                                             std::string_view key,
+                                             std::span<const std::string_view> extensions,
+                                             std::string_view instead,
+                                             const LoadContext& context);
+
+// --- scene_sections.cpp: [scene] … [effects.*] but for the entities
+void read_sections(TableReader& root, SceneDescription& scene, LoadContext& context);
+Accuracy read_accuracy(TableReader& table);
+
+// --- scene_lights.cpp
+void read_lights_and_air(TableReader& root, SceneDescription& scene, LoadContext& context);
+std::optional<LightDescription> read_light(TableReader& entity);
+
+// --- scene_materials.cpp
+/// The name is checked for doubles by the caller.
+assets::MaterialData read_material(TableReader& table, const LoadContext& context);
+
+// --- scene_entities.cpp
+enum class EntityUse {
+    Prefab,  ///< may leave open what an entity must have
+    Entity,
+};
+/// `table`: the entity's over its prefab's, over that one's prefab … The caller sets the name.
+EntityDescription read_entity(TableReader& table, EntityUse use, LoadContext& context);
+/// The table over the prefabs it starts from. Unknown prefabs and cycles are errors; what was found
+/// until then is used.
+TableReader layered(const TomlNode& table, const std::string& path, LoadContext& context);
+void read_prefabs(SceneDescription& scene, LoadContext& context);
+void read_entities(TableReader& root, SceneDescription& scene, LoadContext& context);
+void read_arrays(TableReader& root, SceneDescription& scene, LoadContext& context);
+
+/// Fit to stand in messages and to be found by: no control characters, not endless.
+bool is_good_name(std::string_view name);
+/// The key `name`; empty when absent or not good.
+std::string read_name(TableReader& table);
+
+// --- scene_bodies.cpp
+std::optional<BodyDescription> read_body(TableReader& entity,
+                                         const VisualDescription& visual,
+                                         EntityUse use);
+
+// --- scene_shapes.cpp
+/// One of box, sphere, cylinder, capsule, cone, plane in `table`; none of them: nothing.
+std::optional<Primitive> read_primitive(TableReader& table);
+/// The key `primitive`.
+std::optional<Primitive> read_entity_primitive(TableReader& entity);
+/// The key `shape`: a table or "fit".
+BodyShapeDescription read_body_shape(TableReader& body, const VisualDescription& visual);
+
+// --- scene_poses.cpp
+Pose read_pose(TableReader& table);
+
+// --- scene_joints.cpp
+void read_joints(TableReader& root, SceneDescription& scene, LoadContext& context);
+
+// --- scene_checks.cpp: what only the whole scene can tell
+void check_whole_scene(SceneDescription& scene, LoadContext& context);
+
+// --- scene_model_file.cpp
+/// A model by itself: on a ground plane, in sunlight.
+SceneDescription scene_of_model(const std::filesystem::path& file,
+                                const std::filesystem::path& root);
+
+}  // namespace plumbline::scene

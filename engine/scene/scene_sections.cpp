@@ -1,0 +1,190 @@
+// [scene] [world] [accuracy] [player] [camera] [goal] [effects.*] and the calls for the rest.
+#include "engine/core/limits.h"
+#include "engine/core/nearest_name.h"
+#include "engine/scene/scene_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace plumbline::scene {
+namespace {
+
+constexpr Range kYaw_deg{-36'000, 36'000, "degrees from -36000 to 36000"};
+constexpr Range kPitch_deg{-90, 90, "degrees from -90 to 90"};
+
+struct Preset {
+    std::string_view name;
+    int step_hz;
+    int substeps;
+    int iterations;
+};
+// What the names mean for Bullet's solvers. docs/SCENE-FORMAT.md has the same table.
+constexpr std::array<Preset, 5> kPresets{{{"draft", 60, 1, 4},
+                                          {"balanced", 60, 1, 10},
+                                          {"precise", 120, 1, 20},
+                                          {"reference", 240, 4, 50},
+                                          {"auto", 60, 1, 10}}};
+
+// Names of effects that may carry a table of settings.
+constexpr std::array<std::string_view, 11> kEffects{"sun_shadow",
+                                                    "flashlight",
+                                                    "fog",
+                                                    "skybox",
+                                                    "post",
+                                                    "impact_sounds",
+                                                    "ambient_sounds",
+                                                    "footsteps",
+                                                    "continuous_collision",
+                                                    "gyroscopic_torque",
+                                                    "contact_events"};
+constexpr std::array<std::string_view, 8> kEffectsToCome{
+    "wind", "buoyancy", "drag", "fountain", "magnets", "explosions", "fracture", "conveyor"};
+
+void read_world(TableReader& root, SceneDescription& scene) {
+    auto table = root.table("world");
+    if (!table) return;
+    constexpr Range kPart{-1e30, 1e30, "a finite number"};
+    scene.gravity_mps2 = table->vector("gravity_mps2", scene.gravity_mps2, kPart);
+    const Vec3d gravity(scene.gravity_mps2);
+    if (glm::length(gravity) > limits::kGravity_mps2) {
+        table->warning(
+            "gravity_mps2",
+            fmt::format(
+                "stronger than {} m/s2; {} is used", limits::kGravity_mps2, limits::kGravity_mps2));
+        scene.gravity_mps2 = Vec3(glm::normalize(gravity) * limits::kGravity_mps2);
+    }
+    scene.kill_below_m = table->optional_number("kill_below_m", kCoordinate_m);
+    table->finish();
+}
+
+void read_player(TableReader& root, SceneDescription& scene) {
+    auto table = root.table("player");
+    if (!table) return;
+    PlayerDescription player;
+    player.origin = origin_of(table->place());
+    player.feet_position_m = table->vector("position_m", player.feet_position_m, kCoordinate_m);
+    player.yaw_rad = radians_from_degrees(table->number("yaw_deg", Real{0}, kYaw_deg));
+    player.pitch_rad = radians_from_degrees(table->number("pitch_deg", Real{0}, kPitch_deg));
+    table->finish();
+    scene.player = player;
+}
+
+void read_camera(TableReader& root, SceneDescription& scene) {
+    auto table = root.table("camera");
+    if (!table) return;
+    constexpr Range kFov_deg{1, 170, "degrees from 1 to 170"};
+    constexpr Range kPlane_m{1e-3, 1e6, "a length from 0.001 to 1000000 m"};
+    CameraDescription& camera = scene.camera;
+    scene.clear_color = table->color("clear_color", scene.clear_color);
+    // [camera] with nothing but a clear colour places no camera.
+    scene.has_camera = table->has("position_m") || table->has("target_m");
+    camera.position_m = table->vector("position_m", camera.position_m, kCoordinate_m);
+    camera.target_m = table->vector("target_m", camera.target_m, kCoordinate_m);
+    camera.fov_y_rad = radians_from_degrees(
+        table->number("fov_deg", degrees_from_radians(camera.fov_y_rad), kFov_deg));
+    camera.near_m = table->number("near_m", camera.near_m, kPlane_m);
+    camera.far_m = table->number("far_m", camera.far_m, kPlane_m);
+    if (camera.near_m >= camera.far_m) {
+        table->error("near_m",
+                     fmt::format("{} m is not before far_m, {} m", camera.near_m, camera.far_m));
+    }
+    if (glm::distance(camera.position_m, camera.target_m) < 1e-6_r)
+        table->error("target_m", "is where the camera is; expected another point");
+    table->finish();
+}
+
+void read_goal(TableReader& root, LoadContext& context) {
+    // Its keys are the game's; until there is a goal to reach, only its being a table is checked.
+    if (auto table = root.table("goal")) context.note_not_built(table->place(), "[goal]");
+}
+
+void read_effects(TableReader& root, SceneDescription& scene, LoadContext& context) {
+    auto table = root.table("effects");
+    if (!table) return;
+    for (const std::string_view name : kEffects) {
+        auto settings = table->table(name);
+        if (!settings) continue;
+        settings->finish();  // none of them has settings so far
+        scene.effect_settings.emplace(name, origin_of(settings->place()));
+    }
+    for (const std::string_view name : kEffectsToCome) {
+        auto settings = table->table(name);
+        if (settings) context.note_not_built(settings->place(), fmt::format("[effects.{}]", name));
+    }
+    table->finish();
+}
+
+}  // namespace
+
+void LoadContext::note_not_built(const Place& place, std::string what) {
+    if (not_built.empty()) not_built_place = place;
+    not_built.push_back(std::move(what));
+}
+
+Accuracy read_accuracy(TableReader& table) {
+    std::array<std::string_view, kPresets.size()> names{};
+    std::ranges::transform(kPresets, names.begin(), &Preset::name);
+    constexpr std::size_t kBalanced = 1;
+    const Preset& preset = kPresets[table.choice("preset", kBalanced, names)];
+
+    Accuracy accuracy;
+    accuracy.preset = preset.name;
+    accuracy.step_hz =
+        table.integer("step_hz", preset.step_hz, limits::kStepHzMin, limits::kStepHzMax);
+    accuracy.substeps = table.integer("substeps", preset.substeps, 1, 64);
+    accuracy.iterations = table.integer("iterations", preset.iterations, 1, 1000);
+    constexpr Range kTolerance{1e-9, 1, "a relative error above 0, up to 1"};
+    if (const auto tolerance = table.optional_number("tolerance", kTolerance))
+        accuracy.tolerance = static_cast<double>(*tolerance);
+    if (preset.name == "auto") {
+        table.warning("preset",
+                      "no study of this scene is at hand; the numbers of \"balanced\" are used");
+    }
+
+    using physics::Solver;
+    constexpr std::array<std::string_view, 5> kSolverNames{
+        "small_step", "bullet_si", "bullet_nncg", "bullet_dantzig", "bullet_pgs"};
+    constexpr std::array<Solver, 5> kSolvers{Solver::BulletSi,
+                                             Solver::BulletSi,
+                                             Solver::BulletNncg,
+                                             Solver::BulletDantzig,
+                                             Solver::BulletPgs};
+    const std::size_t chosen = table.choice("solver", 1, kSolverNames);
+    accuracy.solver = kSolvers[chosen];
+    if (chosen == 0) {
+        // Its substeps cost a fraction of Bullet's whole steps and its one iteration is not
+        // Bullet's: the numbers do not carry over, so the preset's are used.
+        accuracy.substeps = preset.substeps;
+        accuracy.iterations = preset.iterations;
+        table.warning("solver",
+                      fmt::format("\"small_step\" is not built yet; bullet_si is used, with "
+                                  "substeps = {} and iterations = {} of preset \"{}\"",
+                                  accuracy.substeps,
+                                  accuracy.iterations,
+                                  preset.name));
+    }
+    return accuracy;
+}
+
+void read_sections(TableReader& root, SceneDescription& scene, LoadContext& context) {
+    if (auto table = root.table("scene")) {
+        scene.title = table->text("title", {});
+        scene.description = table->text("description", {});
+        table->find("include");  // followed before
+        table->finish();
+    }
+    read_world(root, scene);
+    if (auto table = root.table("accuracy")) {
+        scene.accuracy = read_accuracy(*table);
+        table->finish();
+    }
+    read_player(root, scene);
+    read_camera(root, scene);
+    read_lights_and_air(root, scene, context);
+    read_goal(root, context);
+    read_effects(root, scene, context);
+}
+
+}  // namespace plumbline::scene

@@ -1,0 +1,125 @@
+#include "engine/scene/surfaces.h"
+
+#include "engine/core/files.h"
+#include "engine/core/limits.h"
+#include "engine/scene/scene_paths.h"
+#include "engine/scene/scene_reader.h"
+#include "engine/scene/toml_tree.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline::scene {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kSurfaces = 1'000;
+constexpr std::size_t kVariations = 32;
+
+/// Files PREFIX_0.ogg, PREFIX_1.ogg … below the assets folder's sounds, in order.
+std::vector<fs::path> variations_of(const fs::path& assets_folder, const std::string& prefix) {
+    std::vector<fs::path> files;
+    for (std::size_t i = 0; i < kVariations; ++i) {
+        const auto reference =
+            resolve_inside(assets_folder / "sounds", fmt::format("{}_{}.ogg", prefix, i));
+        std::error_code failed;
+        if (!reference || !fs::is_regular_file(*reference, failed)) break;
+        files.push_back(*reference);
+    }
+    return files;
+}
+
+/// A text is a prefix of variations; a list names files below the assets folder one by one.
+std::vector<fs::path> read_sounds(TableReader& table,
+                                  std::string_view key,
+                                  const fs::path& assets_folder) {
+    const TomlNode* node = table.find(key);
+    if (node == nullptr) return {};
+    if (const std::string* prefix = node->text()) {
+        if (prefix->empty()) return {};
+        auto files = variations_of(assets_folder, *prefix);
+        if (files.empty())
+            table.warning(key, fmt::format("no sounds/{}_0.ogg; it stays silent", shown(*prefix)));
+        return files;
+    }
+    std::vector<fs::path> files;
+    for (const std::string& name : table.texts(key)) {
+        const auto file = resolve_inside(assets_folder, name);
+        std::error_code failed;
+        if (!file)
+            table.error(key, file.error().message);
+        else if (!fs::is_regular_file(*file, failed))
+            table.warning(key, fmt::format("\"{}\" does not exist; left out", shown(name)));
+        else
+            files.push_back(*file);
+    }
+    return files;
+}
+
+Surface read_surface(TableReader& table, const std::string& name, const fs::path& assets_folder) {
+    constexpr Range kFriction{0, 10, "a coefficient from 0 to 10"};
+    constexpr Range kDensity{1e-3, 1e5, "kg/m3 from 0.001 to 100000"};
+    constexpr Range kLoudness{0, 10, "a factor from 0 to 10"};
+    Surface surface;
+    surface.name = name;
+    surface.friction = table.number("friction", surface.friction, kFriction);
+    surface.restitution = table.number("restitution", surface.restitution, kFraction);
+    surface.density_kgpm3 = table.number("density_kgpm3", surface.density_kgpm3, kDensity);
+    surface.impact_sounds = read_sounds(table, "impact_sounds", assets_folder);
+    surface.step_sounds = read_sounds(table, "step_sounds", assets_folder);
+    surface.loudness = table.single("loudness", surface.loudness, kLoudness);
+    table.finish();
+    return surface;
+}
+
+}  // namespace
+
+std::uint16_t SurfaceTable::find(std::string_view name) const {
+    const auto at = std::ranges::find(surfaces, name, &Surface::name);
+    return at == surfaces.end() ? std::uint16_t{0}
+                                : static_cast<std::uint16_t>(at - surfaces.begin());
+}
+
+SurfaceTable load_surfaces(const fs::path& file, const fs::path& assets_folder, Diagnostics& out) {
+    SurfaceTable table;
+    table.surfaces.push_back(Surface{.name = "default"});
+    FaultList faults(out);
+    const std::string name = file.string();
+    const Result<std::string> text = read_file(file, limits::kConfigFileBytes);
+    if (!text) {
+        faults.error({&name, 0, 0}, {}, text.error().message + "; every surface is the default");
+        return table;
+    }
+    const auto parsed = parse_toml(*text, name);
+    if (const auto* fault = std::get_if<TextFault>(&parsed)) {
+        faults.error({&name, fault->line, fault->column},
+                     {},
+                     fault->message + "; every surface is the default");
+        return table;
+    }
+    const TomlNode& root = *std::get_if<TomlNode>(&parsed);
+    for (const TomlEntry& entry : *root.table()) {
+        if (entry.node.table() == nullptr) {
+            faults.error(entry.key_place,
+                         shown(entry.key),
+                         found(entry.node) + "; expected a table, [NAME], for each surface");
+            continue;
+        }
+        if (table.surfaces.size() >= kSurfaces) {
+            faults.error(entry.key_place,
+                         shown(entry.key),
+                         fmt::format("more than {} surfaces; left out", kSurfaces));
+            break;
+        }
+        TableReader reader(entry.node, shown(entry.key), faults);
+        Surface surface = read_surface(reader, entry.key, assets_folder);
+        if (entry.key == "default")
+            table.surfaces.front() = std::move(surface);
+        else
+            table.surfaces.push_back(std::move(surface));
+    }
+    return table;
+}
+
+}  // namespace plumbline::scene

@@ -1,0 +1,71 @@
+#include "engine/scene/toml_tree.h"
+
+// Faults come back as values, so that nothing here throws.
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace plumbline::scene {
+namespace {
+
+Place place_of(const toml::source_region& region, const std::string& file) {
+    return {&file, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+}
+
+// The pre-scan limits how deep this can go.
+TomlNode copy_of(const toml::node& node, const std::string& file) {
+    TomlNode copy;
+    copy.place = place_of(node.source(), file);
+    if (const toml::table* table = node.as_table()) {
+        TomlTable entries;
+        entries.reserve(table->size());
+        for (const auto& [key, value] : *table) {
+            entries.push_back(
+                {std::string(key.str()), place_of(key.source(), file), copy_of(value, file)});
+        }
+        std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+            return std::tie(a.key_place.line, a.key_place.column) <
+                   std::tie(b.key_place.line, b.key_place.column);
+        });
+        copy.value = std::move(entries);
+    } else if (const toml::array* array = node.as_array()) {
+        TomlArray items;
+        items.reserve(array->size());
+        for (const toml::node& item : *array) items.push_back(copy_of(item, file));
+        copy.value = std::move(items);
+    } else if (const auto* text = node.as_string()) {
+        copy.value = text->get();
+    } else if (const auto* integer = node.as_integer()) {
+        copy.value = integer->get();
+    } else if (const auto* number = node.as_floating_point()) {
+        copy.value = number->get();
+    } else if (const auto* flag = node.as_boolean()) {
+        copy.value = flag->get();
+    } else {
+        copy.value = TomlDate{};
+    }
+    return copy;
+}
+
+}  // namespace
+
+const TomlNode* find_key(const TomlTable& table, std::string_view key) {
+    const auto found = std::ranges::find(table, key, &TomlEntry::key);
+    return found == table.end() ? nullptr : &found->node;
+}
+
+std::variant<TomlNode, TextFault> parse_toml(std::string_view text, const std::string& file) {
+    if (auto fault = prescan_toml(text)) return *fault;
+    const toml::parse_result parsed = toml::parse(text);
+    if (!parsed) {
+        const toml::parse_error& error = parsed.error();
+        return TextFault{std::string(error.description()),
+                         static_cast<int>(error.source().begin.line),
+                         static_cast<int>(error.source().begin.column)};
+    }
+    return copy_of(parsed.table(), file);
+}
+
+}  // namespace plumbline::scene

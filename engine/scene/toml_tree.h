@@ -1,0 +1,55 @@
+// TOML as plain nested values that know where they stand in which file. The one place where scene
+// files meet the TOML parser; everything after reads this tree.
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/scene/toml_prescan.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace plumbline::scene {
+
+/// A spot in a file. `file` belongs to whoever asked for the parse.
+struct Place {
+    const std::string* file{nullptr};
+    int line{0};
+    int column{0};
+};
+
+struct TomlNode;
+struct TomlEntry;
+using TomlArray = std::vector<TomlNode>;
+/// In the order of the file.
+using TomlTable = std::vector<TomlEntry>;
+
+/// Dates and times, which scenes have no use for.
+struct TomlDate {};
+
+struct TomlNode {
+    std::variant<bool, std::int64_t, double, std::string, TomlDate, TomlArray, TomlTable> value{
+        false};
+    Place place{};
+
+    const TomlTable* table() const { return std::get_if<TomlTable>(&value); }
+    const TomlArray* array() const { return std::get_if<TomlArray>(&value); }
+    const std::string* text() const { return std::get_if<std::string>(&value); }
+};
+
+struct TomlEntry {
+    std::string key;
+    Place key_place{};
+    TomlNode node;
+};
+
+/// The table's entry under that key, or null.
+const TomlNode* find_key(const TomlTable& table, std::string_view key);
+
+/// The whole text as one table, or the first fault: of the pre-scan, then of the parser. `file`
+/// must outlive the tree.
+std::variant<TomlNode, TextFault> parse_toml(std::string_view text, const std::string& file);
+
+}  // namespace plumbline::scene
