@@ -203,6 +203,13 @@ public:
         for (const Row& row : *this) std::apply(fn, row);
     }
 
+    /// How many match; walks to know.
+    std::size_t count() const {
+        std::size_t found = 0;
+        each([&](Entity, Ts&...) { ++found; });
+        return found;
+    }
+
     /// True when the entity has all the components; row() then gives them.
     bool contains(Entity entity) const {
         return std::apply(
@@ -350,8 +357,8 @@ public:
     /// For components that hold the id of something outside: whoever owns that something sets the
     /// one listener of the type and lets go of it there. Called once for each component, just
     /// before it goes: by remove(), by destroy() and at the registry's own end. The entity is still
-    /// alive then. The listener must not add components to
-    /// it, nor remove a T, and must know when what it reaches for is gone.
+    /// alive then. The listener must not add components to it nor remove a T, and must know when
+    /// what it reaches for is gone.
     template <Component T>
     void on_remove(std::function<void(Entity, T&)> listener) {
         auto& pool = pool_made<T>();
