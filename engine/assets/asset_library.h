@@ -7,10 +7,13 @@
 #include "engine/assets/sound_data.h"
 #include "engine/core/result.h"
 
+#include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace plumbline::assets {
@@ -45,14 +48,16 @@ public:
     MeshId add_mesh(const std::string& name, MeshData mesh);
     MaterialId add_material(MaterialData material);
 
+    /// References stay good while the library lives, whatever is added.
     const MeshData& mesh(MeshId id) const;
     const MaterialData& material(MaterialId id) const;
     const SoundData& sound(SoundId id) const;
     std::size_t mesh_count() const { return meshes_.size(); }
     std::size_t material_count() const { return materials_.size(); }
 
-    /// Starts decoding every image that the materials name, on worker threads; call after a scene
-    /// is loaded so that the renderer finds them ready.
+    /// Starts decoding the base colour, normal and ORM maps that the materials name, on worker
+    /// threads; call after a scene is loaded so that the renderer finds them ready. Height maps
+    /// wait until somebody takes them. Calling again adds what is new.
     void prefetch_images();
     /// The decoded image, waiting for it if need be; decoded now if nobody prefetched it. A broken
     /// file gives a checkerboard and one warning. Hands the pixels over: the library forgets them.
@@ -65,10 +70,10 @@ public:
 
 private:
     struct Images;
-    std::vector<MeshData> meshes_;
-    std::vector<MaterialData> materials_;
-    std::vector<SoundData> sounds_;
-    std::map<std::filesystem::path, Model> models_by_file_;
+    std::deque<MeshData> meshes_;  // deques: growth must not move what references point at
+    std::deque<MaterialData> materials_;
+    std::deque<SoundData> sounds_;
+    std::map<std::pair<std::filesystem::path, std::filesystem::path>, Model> models_by_file_;
     std::map<std::filesystem::path, SoundId> sounds_by_file_;
     std::map<std::string, MeshId> meshes_by_name_;
     std::unique_ptr<Images> images_;

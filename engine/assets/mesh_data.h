@@ -9,11 +9,12 @@
 
 namespace plumbline::assets {
 
-/// Body frame, metres. 60 bytes.
+/// Body frame, metres. 60 bytes. cross(normal, tangent.xyz) * tangent.w runs *up* the image
+/// (towards smaller v), as glTF has it, so that normal maps with +Y up work unchanged.
 struct Vertex {
     Vec3f position_body{0.0F};
     Vec3f normal_body{0.0F, 1.0F, 0.0F};         ///< unit
-    Vec4f tangent_body{1.0F, 0.0F, 0.0F, 1.0F};  ///< xyz unit along +u; w: handedness, +-1
+    Vec4f tangent_body{1.0F, 0.0F, 0.0F, 1.0F};  ///< xyz unit along +u; w +-1, see below
     Vec2f uv{0.0F};                              ///< v runs down the image, as in glTF
     Vec3f color{1.0F};                           ///< linear; multiplies the base colour
 };
@@ -34,7 +35,11 @@ struct MeshData {
 };
 
 Aabb bounds_of(const MeshData& mesh);
-/// Fills Vertex::tangent_body from positions, normals and texture coordinates (Lengyel 2001).
+/// Replaces Vertex::normal_body by the area-weighted mean of the triangles that share the vertex.
+void compute_normals(MeshData& mesh);
+/// Fills Vertex::tangent_body from positions, unit normals and texture coordinates: directions of
+/// Lengyel 2001, weighted by corner angles, orthogonal to the normal. Vertices without usable
+/// texture coordinates get some tangent orthogonal to their normal.
 void compute_tangents(MeshData& mesh);
 
 }  // namespace plumbline::assets

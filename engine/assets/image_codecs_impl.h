@@ -1,0 +1,27 @@
+// The three image decoders behind import_image. Private to engine/assets.
+#pragma once
+
+#include "engine/assets/image_data.h"
+#include "engine/core/result.h"
+
+#include <string>
+#include <string_view>
+
+namespace plumbline::assets {
+
+/// `name` is for messages. Each looks at the header, checks it, and only then decodes.
+Result<ImageData> decode_png(std::string_view bytes, const std::string& name);
+Result<ImageData> decode_jpeg(std::string_view bytes, const std::string& name);
+Result<ImageData> decode_exr(std::string_view bytes, const std::string& name);
+
+/// The PNG file's bytes.
+Result<std::string> encode_png(const ImageData& image);
+
+/// "image NAME is refused: WHY".
+Error image_error(const std::string& name, std::string_view why);
+/// Empty when an image of that size may be decoded.
+std::string size_fault(std::uint64_t width, std::uint64_t height, PixelFormat format);
+/// Sets up `image` with room for its pixels.
+ImageData blank_image(std::uint32_t width, std::uint32_t height, PixelFormat format);
+
+}  // namespace plumbline::assets

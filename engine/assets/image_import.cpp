@@ -1,0 +1,53 @@
+#include "engine/assets/image_import.h"
+
+#include "engine/assets/image_codecs_impl.h"
+#include "engine/core/files.h"
+#include "engine/core/limits.h"
+
+#include <fmt/format.h>
+
+namespace plumbline::assets {
+
+Error image_error(const std::string& name, std::string_view why) {
+    return {.message = fmt::format("image {} is refused: {}", name, why),
+            .exit_code = ExitCode::Refused};
+}
+
+std::string size_fault(std::uint64_t width, std::uint64_t height, PixelFormat format) {
+    if (width == 0 || height == 0) return fmt::format("its size is {} x {}", width, height);
+    if (width > limits::kImageSide || height > limits::kImageSide) {
+        return fmt::format(
+            "its size is {} x {}; a side has at most {} pixels", width, height, limits::kImageSide);
+    }
+    const std::uint64_t bytes = width * height * bytes_per_pixel(format);
+    if (bytes > limits::kImageBytes) {
+        return fmt::format(
+            "decoded it takes {} bytes; at most {} are allowed", bytes, limits::kImageBytes);
+    }
+    return {};
+}
+
+ImageData blank_image(std::uint32_t width, std::uint32_t height, PixelFormat format) {
+    ImageData image{.width = width, .height = height, .format = format, .bytes = {}};
+    image.bytes.resize(std::size_t{width} * height * bytes_per_pixel(format));
+    return image;
+}
+
+Result<ImageData> import_image(const std::filesystem::path& file) {
+    const std::string name = file.string();
+    const Result<std::string> bytes = read_file(file, limits::kImageBytes);
+    if (!bytes) return Error{.message = bytes.error().message, .exit_code = ExitCode::Refused};
+    const std::string_view content = *bytes;
+    if (content.starts_with("\x89PNG\r\n\x1a\n")) return decode_png(content, name);
+    if (content.starts_with("\xff\xd8\xff")) return decode_jpeg(content, name);
+    if (content.starts_with("\x76\x2f\x31\x01")) return decode_exr(content, name);
+    return image_error(name, "its content is none of PNG, JPEG and OpenEXR");
+}
+
+Result<Done> write_png(const std::filesystem::path& file, const ImageData& image) {
+    const Result<std::string> bytes = encode_png(image);
+    if (!bytes) return bytes.error();
+    return write_file_atomically(file, *bytes);
+}
+
+}  // namespace plumbline::assets

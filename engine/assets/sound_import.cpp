@@ -1,0 +1,173 @@
+#include "engine/assets/sound_import.h"
+
+#include "engine/core/files.h"
+#include "engine/core/limits.h"
+#include "engine/core/log.h"
+
+#include <fmt/format.h>
+#include <sndfile.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+namespace plumbline::assets {
+namespace {
+
+constexpr int kMaxChannels = 8;
+constexpr int kMaxRate_hz = 384'000;
+constexpr std::size_t kFramesPerRead = 4'096;
+
+/// A file's bytes with a place in them, as libsndfile's virtual files want it.
+struct MemoryFile {
+    std::string_view bytes;
+    sf_count_t place{0};
+
+    sf_count_t size() const { return static_cast<sf_count_t>(bytes.size()); }
+};
+
+sf_count_t size_of(void* user) {
+    return static_cast<MemoryFile*>(user)->size();
+}
+
+sf_count_t seek(sf_count_t offset, int whence, void* user) {
+    auto& file = *static_cast<MemoryFile*>(user);
+    sf_count_t start = 0;
+    if (whence == SEEK_CUR) start = file.place;
+    if (whence == SEEK_END) start = file.size();
+    file.place = std::clamp(start + offset, sf_count_t{0}, file.size());
+    return file.place;
+}
+
+sf_count_t read(void* target, sf_count_t count, void* user) {
+    auto& file = *static_cast<MemoryFile*>(user);
+    const sf_count_t got = std::clamp(count, sf_count_t{0}, file.size() - file.place);
+    std::memcpy(target, file.bytes.data() + file.place, static_cast<std::size_t>(got));
+    file.place += got;
+    return got;
+}
+
+sf_count_t refuse_write(const void* /*source*/, sf_count_t /*count*/, void* /*user*/) {
+    return 0;
+}
+
+sf_count_t tell(void* user) {
+    return static_cast<MemoryFile*>(user)->place;
+}
+
+std::uint32_t little_u32(std::string_view bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i-- > 0;) {
+        value = value << 8U | static_cast<std::uint8_t>(bytes[at + i]);
+    }
+    return value;
+}
+
+/// libsndfile takes a shortened RIFF or Ogg file for a shorter sound; the containers know better.
+bool breaks_off(std::string_view bytes) {
+    if (bytes.starts_with("RIFF") && bytes.size() >= 8) {
+        return std::size_t{little_u32(bytes, 4)} + 8 > bytes.size() + 1;  // +1: missing pad byte
+    }
+    if (bytes.starts_with("OggS")) {
+        const std::size_t last_page = bytes.rfind("OggS");
+        constexpr std::size_t kFlags = 5;
+        constexpr unsigned kEndOfStream = 4;
+        return last_page + kFlags >= bytes.size() ||
+               (static_cast<std::uint8_t>(bytes[last_page + kFlags]) & kEndOfStream) == 0;
+    }
+    return false;
+}
+
+/// Some containers with senseless headers are turned away by libsndfile with a general message;
+/// the field at fault is read here so that the message can name it.
+std::string wav_field_at_fault(std::string_view bytes) {
+    constexpr std::size_t kChannels = 22;
+    constexpr std::size_t kRate = 24;
+    if (!bytes.starts_with("RIFF") || bytes.size() < 28 || bytes.substr(12, 4) != "fmt ") return {};
+    const std::uint32_t channels = little_u32(bytes, kChannels) & 0xFFFFU;
+    const std::uint32_t rate_hz = little_u32(bytes, kRate);
+    if (rate_hz == 0) return "its sample rate is 0 Hz";
+    if (channels == 0 || channels > kMaxChannels) {
+        return fmt::format("it has {} channels; 1 to {} are read", channels, kMaxChannels);
+    }
+    return {};
+}
+
+/// What is wrong with a header, or nothing.
+std::string header_fault(const SF_INFO& header) {
+    if (header.samplerate < 1 || header.samplerate > kMaxRate_hz) {
+        return fmt::format(
+            "its sample rate is {} Hz; 1 to {} are read", header.samplerate, kMaxRate_hz);
+    }
+    if (header.channels < 1 || header.channels > kMaxChannels) {
+        return fmt::format("it has {} channels; 1 to {} are read", header.channels, kMaxChannels);
+    }
+    if (header.frames < 1) return fmt::format("it has {} frames", header.frames);
+    const auto frames_allowed = static_cast<sf_count_t>(limits::kSoundBytes / sizeof(std::int16_t) /
+                                                        static_cast<std::size_t>(header.channels));
+    if (header.frames > frames_allowed) {
+        return fmt::format("it has {} frames; {} of {} channels are read",
+                           header.frames,
+                           frames_allowed,
+                           header.channels);
+    }
+    return {};
+}
+
+std::int16_t sample_of(float value) {
+    if (!(std::abs(value) <= 1.0F)) {  // also NaN, which becomes silence
+        if (std::isnan(value)) return 0;
+        value = std::copysign(1.0F, value);
+    }
+    const float scaled = std::round(value * 32'768.0F);
+    return static_cast<std::int16_t>(std::clamp(scaled, -32'768.0F, 32'767.0F));
+}
+
+}  // namespace
+
+Result<SoundData> import_sound(const std::filesystem::path& file) {
+    const Result<std::string> bytes = read_file(file, limits::kSoundBytes);
+    if (!bytes) return Error{.message = bytes.error().message, .exit_code = ExitCode::Refused};
+    const auto refuse = [&](std::string_view why) {
+        return Error{.message = fmt::format("sound {} is refused: {}", file.string(), why),
+                     .exit_code = ExitCode::Refused};
+    };
+    const std::string wav_fault = wav_field_at_fault(*bytes);
+    if (!wav_fault.empty()) return refuse(wav_fault);
+
+    MemoryFile memory{.bytes = *bytes};
+    SF_VIRTUAL_IO access{
+        .get_filelen = size_of, .seek = seek, .read = read, .write = refuse_write, .tell = tell};
+    SF_INFO header{};
+    const std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> source(
+        sf_open_virtual(&access, SFM_READ, &header, &memory), sf_close);
+    if (source == nullptr) return refuse(sf_strerror(nullptr));
+    const std::string fault = header_fault(header);
+    if (!fault.empty()) return refuse(fault);
+
+    SoundData sound{.sample_rate_hz = header.samplerate, .channels = header.channels};
+    const auto channels = static_cast<std::size_t>(header.channels);
+    const std::size_t wanted = static_cast<std::size_t>(header.frames) * channels;
+    sound.samples.reserve(wanted);
+    std::vector<float> block(kFramesPerRead * channels);
+    while (sound.samples.size() < wanted) {
+        const sf_count_t got =
+            sf_readf_float(source.get(), block.data(), static_cast<sf_count_t>(kFramesPerRead));
+        if (got <= 0) break;
+        const std::size_t count =
+            std::min(static_cast<std::size_t>(got) * channels, wanted - sound.samples.size());
+        for (std::size_t i = 0; i < count; ++i) sound.samples.push_back(sample_of(block[i]));
+    }
+    if (sound.samples.empty()) return refuse("nothing in it could be decoded");
+    if (sound.samples.size() < wanted || breaks_off(*bytes)) {
+        log_warning("sound {} breaks off; the {:.2f} s that decoded are used",
+                    file.string(),
+                    static_cast<double>(sound.samples.size() / channels) / header.samplerate);
+    }
+    return sound;
+}
+
+}  // namespace plumbline::assets
