@@ -157,6 +157,7 @@ void Character::Impl::publish() {
     }
     state.eye_position_m = here + kUp * eye;
     state.velocity_mps = velocity;
+    state.walking_mps = footing == Footing::Ground ? velocity : Vec3{0, 0, 0};
     if (footing == Footing::Ground && ride) state.velocity_mps += ride->velocity;
     state.footing = footing;
     state.ground_body = footing == Footing::Ground ? ground.body : BodyId{};

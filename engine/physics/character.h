@@ -40,6 +40,7 @@ struct CharacterState {
     Vec3 feet_position_m{0, 0, 0};
     Vec3 eye_position_m{0, 0, 0};  ///< smooth on stairs and while crouching
     Vec3 velocity_mps{0, 0, 0};    ///< world, includes what it rides on
+    Vec3 walking_mps{0, 0, 0};     ///< level, against the ground; 0 in the air
     Footing footing{Footing::Air};
     BodyId ground_body{};  ///< what it stands on, when Footing::Ground
     Vec3 ground_normal_world{0, 1, 0};

@@ -1,0 +1,132 @@
+#include "game/camera_rig.h"
+
+#include "game/aim.h"
+
+#include <algorithm>
+
+namespace plumbline::game {
+
+namespace {
+
+constexpr Real kSlowest_mps = 0.1_r;
+constexpr Real kFastest_mps = 200;
+constexpr Real kNotch = 1.25_r;
+constexpr Real kSprint = 3;
+constexpr Real kFlySmoothing_s = 0.08_r;
+constexpr Real kOrbitTurn_radps = 1.6_r;
+constexpr Real kOrbitZoom_per_s = 1.5_r;
+constexpr Real kOrbitNotch = 0.88_r;
+
+Quat orientation_of(Real yaw_rad, Real pitch_rad) {
+    return glm::angleAxis(yaw_rad, Vec3{0, 1, 0}) * glm::angleAxis(pitch_rad, Vec3{1, 0, 0});
+}
+
+Real clamped_pitch(Real pitch_rad) {
+    return std::clamp(pitch_rad, -Look::kSteepest_rad, Look::kSteepest_rad);
+}
+
+}  // namespace
+
+Real travel_of(const Actions& actions, Action action) {
+    if (!actions.is_held(action)) return 0;
+    const Real amount = static_cast<Real>(actions.amount_of(action));
+    // Keys may come without an amount; sticks always carry theirs.
+    return amount > 0 && amount < 1 ? amount : Real{1};
+}
+
+void Look::set(Real yaw_rad, Real pitch_rad) {
+    yaw_rad_ = std::remainder(yaw_rad, 2 * kPi);
+    pitch_rad_ = clamped_pitch(pitch_rad);
+    smooth_yaw_rad_ = 0;
+    smooth_pitch_rad_ = 0;
+}
+
+void Look::aim_along(const Vec3& direction) {
+    const Vec3 unit = normalize_or(direction, Vec3{0, 0, -1});
+    set(std::atan2(-unit.x, -unit.z), std::asin(std::clamp(unit.y, Real{-1}, Real{1})));
+}
+
+void Look::begin_step() {
+    smooth_yaw_rad_ = 0;
+    smooth_pitch_rad_ = 0;
+}
+
+void Look::turn(Real yaw_rad, Real pitch_rad) {
+    if (!std::isfinite(yaw_rad) || !std::isfinite(pitch_rad)) return;
+    yaw_rad_ = std::remainder(yaw_rad_ + yaw_rad, 2 * kPi);
+    pitch_rad_ = clamped_pitch(pitch_rad_ + pitch_rad);
+}
+
+void Look::turn_smoothly(Real yaw_rad, Real pitch_rad) {
+    const Real before = pitch_rad_;
+    turn(yaw_rad, pitch_rad);
+    smooth_yaw_rad_ += yaw_rad;
+    smooth_pitch_rad_ += pitch_rad_ - before;
+}
+
+Quat Look::orientation() const {
+    return orientation_of(yaw_rad_, pitch_rad_);
+}
+
+Quat Look::orientation(Real blend, Real pending_yaw_rad, Real pending_pitch_rad) const {
+    const Real rest = 1 - blend;
+    return orientation_of(yaw_rad_ - smooth_yaw_rad_ * rest + pending_yaw_rad,
+                          clamped_pitch(pitch_rad_ - smooth_pitch_rad_ * rest + pending_pitch_rad));
+}
+
+void FlyCamera::place(const Vec3& position_m) {
+    position_m_ = position_m;
+    previous_m_ = position_m;
+    velocity_mps_ = {0, 0, 0};
+}
+
+void FlyCamera::change_speed(int notches) {
+    speed_mps_ = std::clamp(
+        speed_mps_ * std::pow(kNotch, static_cast<Real>(notches)), kSlowest_mps, kFastest_mps);
+}
+
+void FlyCamera::act(const Actions& actions, const Look& look, Real step_s) {
+    const Vec3 forward = look.orientation() * Vec3{0, 0, -1};
+    Vec3 wish = forward * (travel_of(actions, Action::Forward) - travel_of(actions, Action::Back)) +
+                level_right(look.yaw_rad()) *
+                    (travel_of(actions, Action::Right) - travel_of(actions, Action::Left));
+    wish.y += travel_of(actions, Action::Jump) - travel_of(actions, Action::Crouch);
+    if (glm::length(wish) > 1) wish = glm::normalize(wish);
+    wish *= speed_mps_ * (actions.is_held(Action::Sprint) ? kSprint : Real{1});
+    velocity_mps_ += (wish - velocity_mps_) * (1 - std::exp(-step_s / kFlySmoothing_s));
+    previous_m_ = position_m_;
+    position_m_ += velocity_mps_ * step_s;
+}
+
+Vec3 FlyCamera::position_m(Real blend) const {
+    return glm::mix(previous_m_, position_m_, blend);
+}
+
+void OrbitCamera::place(const Vec3& target_m, Real distance_m) {
+    target_m_ = target_m;
+    distance_m_ = std::clamp(distance_m, kNearest_m, kFarthest_m);
+    previous_distance_m_ = distance_m_;
+}
+
+void OrbitCamera::act(const Actions& actions, Look& look, Real step_s) {
+    const Real turn = kOrbitTurn_radps * step_s;
+    const Real left = travel_of(actions, Action::RotateLeft) + travel_of(actions, Action::Left);
+    const Real right = travel_of(actions, Action::RotateRight) + travel_of(actions, Action::Right);
+    const Real up = travel_of(actions, Action::Forward) - travel_of(actions, Action::Back);
+    // The camera goes to the right when its view turns to the left.
+    look.turn_smoothly((right - left) * turn, -up * turn);
+
+    previous_distance_m_ = distance_m_;
+    const Real zoom = travel_of(actions, Action::ZoomOut) - travel_of(actions, Action::ZoomIn);
+    const int notches = actions.presses(Action::Push) - actions.presses(Action::Pull);
+    distance_m_ *= std::exp(zoom * kOrbitZoom_per_s * step_s) *
+                   std::pow(kOrbitNotch, static_cast<Real>(notches));
+    distance_m_ = std::clamp(distance_m_, kNearest_m, kFarthest_m);
+}
+
+Vec3 OrbitCamera::position_m(const Quat& orientation, Real blend) const {
+    const Real distance = glm::mix(previous_distance_m_, distance_m_, blend);
+    return target_m_ + orientation * Vec3{0, 0, distance};
+}
+
+}  // namespace plumbline::game

@@ -1,0 +1,83 @@
+// The direction of view, and the two cameras that are not a person: free flight and orbit.
+//
+// Cameras move in fixed steps like everything else; the picture blends between two of them. What the
+// mouse turns is applied at once and never blended.
+#pragma once
+
+#include "engine/core/actions.h"
+#include "engine/core/pose.h"
+#include "engine/physics/physics_world.h"
+
+namespace plumbline::game {
+
+enum class MoveMode : std::uint8_t { Walk, Fly, Orbit };
+
+/// How far a held action is pressed: 0…1.
+Real travel_of(const Actions& actions, Action action);
+
+/// Yaw about +Y (left is positive), pitch (up is positive).
+class Look {
+public:
+    static constexpr Real kSteepest_rad = radians_from_degrees(89.0_r);
+
+    void set(Real yaw_rad, Real pitch_rad);
+    void aim_along(const Vec3& direction);
+    /// From the mouse or stick: the picture has shown it already.
+    void turn(Real yaw_rad, Real pitch_rad);
+    /// From keys or a turning floor: the picture blends it in.
+    void turn_smoothly(Real yaw_rad, Real pitch_rad);
+    void begin_step();
+
+    Real yaw_rad() const { return yaw_rad_; }
+    Real pitch_rad() const { return pitch_rad_; }
+    Quat orientation() const;
+    /// Between the last two steps, with look added that no step has seen yet.
+    Quat orientation(Real blend, Real pending_yaw_rad, Real pending_pitch_rad) const;
+
+private:
+    Real yaw_rad_{0};
+    Real pitch_rad_{0};
+    Real smooth_yaw_rad_{0};  ///< part of the latest step that the picture still has to show
+    Real smooth_pitch_rad_{0};
+};
+
+/// Flies through everything, where it looks.
+class FlyCamera {
+public:
+    void place(const Vec3& position_m);
+    void act(const Actions& actions, const Look& look, Real step_s);
+    /// One notch of the wheel: +1 faster, -1 slower.
+    void change_speed(int notches);
+
+    Vec3 position_m(Real blend) const;
+    const Vec3& velocity_mps() const { return velocity_mps_; }
+    Real speed_mps() const { return speed_mps_; }
+
+private:
+    Vec3 position_m_{0, 0, 0};
+    Vec3 previous_m_{0, 0, 0};
+    Vec3 velocity_mps_{0, 0, 0};
+    Real speed_mps_{5};
+};
+
+/// Turns around a point.
+class OrbitCamera {
+public:
+    static constexpr Real kNearest_m = 0.1_r;
+    static constexpr Real kFarthest_m = 500;
+
+    void place(const Vec3& target_m, Real distance_m);
+    /// Turns `look` by the keys as well.
+    void act(const Actions& actions, Look& look, Real step_s);
+
+    Vec3 position_m(const Quat& orientation, Real blend) const;
+    Real distance_m() const { return distance_m_; }
+    const Vec3& target_m() const { return target_m_; }
+
+private:
+    Vec3 target_m_{0, 0, 0};
+    Real distance_m_{5};
+    Real previous_distance_m_{5};
+};
+
+}  // namespace plumbline::game

@@ -1,0 +1,81 @@
+// The playground: walk, look, drop, throw, grab. All that changes the world happens in act(), from
+// actions alone, so that a recording replays to the last bit.
+#pragma once
+
+#include "engine/scene/game.h"
+#include "game/camera_rig.h"
+#include "game/grab.h"
+#include "game/player.h"
+#include "game/things.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline::game {
+
+class PlaygroundGame final : public scene::Game {
+public:
+    /// For a freshly built simulation, which must outlive it. Things come from
+    /// assets_folder/scenes/things.toml where the scene has no prefabs of their names.
+    PlaygroundGame(scene::Simulation& simulation, const std::filesystem::path& assets_folder);
+
+    void act(scene::Simulation& simulation, const Actions& actions) override;
+    void judge(scene::Simulation& simulation) override;
+    scene::ViewPoint view(const scene::Simulation& simulation,
+                          Real blend,
+                          float pending_yaw_rad,
+                          float pending_pitch_rad) const override;
+    std::span<const scene::FootstepEvent> footsteps() const override;
+    /// Messages since the last call are handed over.
+    scene::HudContent hud(const scene::Simulation& simulation) override;
+
+    MoveMode mode() const { return mode_; }
+    const Player* player() const { return player_ ? &*player_ : nullptr; }
+    const Things& things() const { return things_; }
+    const Grab& grab() const { return grab_; }
+
+private:
+    // rules.cpp
+    void move(scene::Simulation& simulation, const Actions& actions);
+    void next_mode(scene::Simulation& simulation);
+    void zoom(const Actions& actions);
+    Vec3 eye_m(Real blend, const Quat& orientation) const;
+    Vec3 viewer_velocity_mps() const;
+    Aim aim() const;
+    void say(std::string message);
+
+    // rules_things.cpp
+    void choose(const Actions& actions);
+    void drop(scene::Simulation& simulation, const Actions& actions);
+    void put_one(scene::Simulation& simulation, const Vec3& velocity_mps);
+    void charge_and_throw(scene::Simulation& simulation, const Actions& actions);
+    void launch(scene::Simulation& simulation, Real charge);
+    void hold(scene::Simulation& simulation, const Actions& actions);
+    void freeze(scene::Simulation& simulation);
+    void remove_looked_at(scene::Simulation& simulation);
+
+    // rules_light.cpp
+    void light(scene::Simulation& simulation, const Actions& actions);
+
+    Real step_s_;
+    MoveMode mode_{MoveMode::Walk};
+    Look look_;
+    FlyCamera fly_;
+    OrbitCamera orbit_;
+    std::optional<Player> player_;
+    Things things_;
+    Grab grab_;
+    Vec3 start_feet_m_{0, 0, 0};
+    Real base_fov_rad_;
+    Real fov_rad_;
+    Real previous_fov_rad_;
+    Real drop_wait_s_{0};    ///< until a held key drops the next one
+    Real throw_held_s_{-1};  ///< how long throw is down; negative: it is not
+    bool grab_was_held_{false};
+    bool look_turns_held_{false};
+    std::vector<std::string> messages_;
+};
+
+}  // namespace plumbline::game

@@ -1,0 +1,161 @@
+// What the hands do: choose, drop, throw, hold, freeze, remove.
+#include "game/rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline::game {
+
+namespace {
+
+constexpr Real kFirstRepeat_s = 0.4_r;     // a held drop key waits this long …
+constexpr Real kRepeat_s = 1.0_r / 6.0_r;  // … and then drops six a second
+constexpr int kMostDropsAtOnce = 4;
+constexpr Real kChargeFrom_s = 0.2_r;
+constexpr Real kChargeTo_s = 1.0_r;
+constexpr Real kSlowestThrow_mps = 5;
+constexpr Real kFastestThrow_mps = 25;
+constexpr Real kRemoveReach_m = 12;
+constexpr Real kNotch_m = 0.25_r;
+constexpr Real kPushSpeed_mps = 1.5_r;
+
+Real charge_after(Real held_s) {
+    return std::clamp((held_s - kChargeFrom_s) / (kChargeTo_s - kChargeFrom_s), Real{0}, Real{1});
+}
+
+}  // namespace
+
+void PlaygroundGame::choose(const Actions& actions) {
+    for (std::size_t i = 0; i < 9; ++i) {
+        const auto select = static_cast<Action>(static_cast<std::size_t>(Action::Select1) + i);
+        if (actions.presses(select) > 0) things_.choose(i);
+    }
+    things_.choose_next(actions.presses(Action::NextThing) -
+                        actions.presses(Action::PreviousThing));
+}
+
+void PlaygroundGame::put_one(scene::Simulation& simulation, const Vec3& velocity_mps) {
+    const auto made = things_.put(simulation, aim(), velocity_mps);
+    if (!made) {
+        say(made.error().message);
+        return;
+    }
+    if (things_.keep_limit(simulation)) {
+        say(fmt::format("more than {} things: the oldest one goes for each new one",
+                        Things::kMost));
+    }
+}
+
+void PlaygroundGame::drop(scene::Simulation& simulation, const Actions& actions) {
+    for (int i = 0; i < actions.presses(Action::UndoDrop); ++i) {
+        if (!things_.undo(simulation)) say("nothing to undo");
+    }
+    const int presses = std::min(actions.presses(Action::Drop), kMostDropsAtOnce);
+    for (int i = 0; i < presses; ++i) put_one(simulation, {0, 0, 0});
+    if (presses > 0) drop_wait_s_ = kFirstRepeat_s;
+    if (!actions.is_held(Action::Drop) || presses > 0) return;
+    drop_wait_s_ -= step_s_;
+    if (drop_wait_s_ > 1e-5_r) return;
+    drop_wait_s_ += kRepeat_s;
+    put_one(simulation, {0, 0, 0});
+}
+
+void PlaygroundGame::charge_and_throw(scene::Simulation& simulation, const Actions& actions) {
+    const bool held = actions.is_held(Action::Throw);
+    if (throw_held_s_ >= 0) {
+        throw_held_s_ += step_s_;
+        if (held) return;
+        launch(simulation, charge_after(throw_held_s_));
+        throw_held_s_ = -1;
+        return;
+    }
+    if (actions.presses(Action::Throw) == 0) return;
+    if (held) {
+        throw_held_s_ = 0;
+    } else {
+        launch(simulation, 0);  // pressed and released within one step
+    }
+}
+
+void PlaygroundGame::launch(scene::Simulation& simulation, Real charge) {
+    const Aim now = aim();
+    const Real speed = glm::mix(kSlowestThrow_mps, kFastestThrow_mps, charge);
+    const Vec3 velocity = now.forward * speed + now.velocity_mps;
+    if (!grab_.holding()) {
+        put_one(simulation, velocity);
+    } else if (!grab_.throw_it(simulation, now, velocity)) {
+        say("it is behind a wall: pull it out first");
+    }
+}
+
+void PlaygroundGame::hold(scene::Simulation& simulation, const Actions& actions) {
+    const bool wants = actions.is_held(Action::Grab);
+    // Let go and pressed again within one step also takes hold anew.
+    const bool pressed = wants && (!grab_was_held_ || actions.presses(Action::Grab) > 1);
+    if (!wants && grab_.holding()) grab_.release(simulation);
+    if (pressed && !grab_.holding()) {
+        if (const auto refusal = grab_.take(simulation, aim())) say(*refusal);
+    }
+    grab_was_held_ = wants;
+
+    const int notches = actions.presses(Action::Push) - actions.presses(Action::Pull);
+    const Real along = travel_of(actions, Action::Push) - travel_of(actions, Action::Pull);
+    if (grab_.holding() && mode_ != MoveMode::Orbit) {
+        grab_.change_distance(notches != 0 ? static_cast<Real>(notches) * kNotch_m
+                                           : along * kPushSpeed_mps * step_s_);
+    }
+    if (actions.presses(Action::Freeze) % 2 == 1) freeze(simulation);
+    if (actions.presses(Action::Remove) > 0) remove_looked_at(simulation);
+    grab_.pull(simulation, aim());
+}
+
+void PlaygroundGame::freeze(scene::Simulation& simulation) {
+    physics::PhysicsWorld& world = simulation.physics;
+    physics::BodyId body{};
+    if (grab_.holding()) {
+        body = simulation.registry.get<scene::BodyRef>(grab_.entity()).body;
+        grab_.release(simulation);
+    } else if (const auto looked = looked_at(simulation, aim(), kRemoveReach_m)) {
+        body = looked->body;
+    }
+    if (!world.contains(body) || world.kind(body) != physics::BodyKind::Dynamic) {
+        say("nothing to freeze there");
+        return;
+    }
+    const bool freezes = !world.frozen(body);
+    world.set_frozen(body, freezes);
+    say(freezes ? "frozen" : "free again");
+}
+
+void PlaygroundGame::remove_looked_at(scene::Simulation& simulation) {
+    ecs::Entity entity = grab_.entity();
+    if (!grab_.holding()) {
+        const auto looked = looked_at(simulation, aim(), kRemoveReach_m);
+        const bool movable = looked && simulation.registry.alive(looked->entity) &&
+                             simulation.physics.kind(looked->body) == physics::BodyKind::Dynamic;
+        if (!movable) {
+            say("nothing to remove there");
+            return;
+        }
+        entity = looked->entity;
+    }
+    destroy(simulation, entity);
+}
+
+scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
+    scene::HudContent content;
+    content.crosshair = mode_ != MoveMode::Orbit;
+    if (throw_held_s_ >= 0) content.charge = static_cast<float>(charge_after(throw_held_s_));
+    content.chosen_thing = std::string(things_.chosen_name());
+    const auto looked = looked_at(simulation, aim(), Grab::kReach_m);
+    if (looked && simulation.registry.alive(looked->entity) &&
+        simulation.physics.kind(looked->body) == physics::BodyKind::Dynamic) {
+        content.looking_at = simulation.registry.get<scene::Name>(looked->entity).text;
+    }
+    content.messages = std::move(messages_);
+    messages_.clear();
+    return content;
+}
+
+}  // namespace plumbline::game
