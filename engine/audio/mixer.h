@@ -16,6 +16,7 @@ struct MixerDef {
     float master_gain{1.0F};
     int voices{32};
     int new_voices_per_frame{8};  ///< the loudest win
+    bool offline{false};          ///< no device: render() gives the samples (films, tests)
 };
 
 class Mixer {
@@ -38,6 +39,11 @@ public:
     std::size_t voices_playing() const;
     std::size_t bytes() const;  ///< sample memory uploaded
     void set_paused(bool paused);
+    void set_master_gain(float gain);
+
+    /// The next samples of an offline mixer: 44.1 kHz, stereo, interleaved, any even count.
+    void render(std::span<float> samples);
+    static constexpr int kOfflineRate_hz = 44'100;
 
 private:
     struct Impl;
