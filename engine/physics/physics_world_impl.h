@@ -1,0 +1,161 @@
+// What stands behind PhysicsWorld: Bullet's objects and the tables from ids to them. Private.
+#pragma once
+
+#include "engine/core/slot_map.h"
+#include "engine/physics/mass.h"
+#include "engine/physics/physics_world.h"
+#include "engine/physics/step_world_impl.h"
+
+#include <BulletDynamics/MLCPSolvers/btMLCPSolverInterface.h>
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class btTriangleIndexVertexArray;
+struct btTriangleInfoMap;
+
+namespace plumbline::physics {
+
+/// Faster is never simulated: a wall at 60 Hz would be 170 m away when the body is next looked at.
+inline constexpr Real kMaxSpeed_mps = 1e4_r;
+inline constexpr Real kMaxSpin_radps = 1e4_r;
+/// Beyond it a body is taken out: float32 places it no better than to 6 cm there.
+inline constexpr Real kMaxDistance_m = 1e6_r;
+
+/// A ball inside a shape; continuous collision sweeps these.
+struct Core {
+    Vec3 center_m{0, 0, 0};  ///< mass frame
+    Real radius_m{0};
+};
+
+/// Triangles as Bullet reads them; it keeps pointers into these.
+struct TriangleStore {
+    std::vector<btScalar> coordinates;
+    std::vector<int> indices;
+    std::unique_ptr<btTriangleIndexVertexArray> view;
+    std::unique_ptr<btTriangleInfoMap> edges;
+
+    TriangleStore();
+    ~TriangleStore();
+    TriangleStore(const TriangleStore&) = delete;
+    TriangleStore& operator=(const TriangleStore&) = delete;
+};
+
+/// A shape as bodies share it. "Mass frame": at the centre of mass, along the principal axes, which
+/// is where Bullet wants a body's origin.
+struct ShapeRecord {
+    TriangleStore triangles;  // only meshes use it; must outlive the shapes
+    std::vector<std::unique_ptr<btCollisionShape>> parts;
+    btCollisionShape* collision{nullptr};  ///< in the mass frame; one of `parts`
+    const btConvexShape* convex{nullptr};  ///< what queries move; none for meshes and compounds
+    btTransform mass_from_convex{btTransform::getIdentity()};
+    Pose body_from_mass{};
+    bool mass_frame_is_body{true};
+    bool static_only{false};
+    bool mesh{false};
+    double volume_m3{0};
+    Vec3d inertia_per_kg{0, 0, 0};  ///< principal
+    std::vector<Core> cores;
+};
+
+struct BodyRecord {
+    BodyId id{};
+    ShapeId shape{};
+    BodyKind kind{BodyKind::Static};
+    std::uint64_t user{0};
+    std::uint32_t group{1};
+    std::uint32_t collides_with{~0U};
+    ContinuousCollision ccd{ContinuousCollision::Auto};
+    bool can_sleep{true};
+    bool contact_events{false};
+    bool frozen{false};
+    bool in_world{false};    ///< false once quarantined
+    bool poisoned{false};    ///< somebody gave it a non-finite number: out before the next step
+    bool has_target{false};  ///< kinematic: move_kinematic was called for the next step
+    bool driven{false};      ///< kinematic: its velocity is that of the last move_kinematic
+    bool forced{false};      ///< a force or torque of the caller acts in the next step
+
+    Pose body_from_mass{};
+    bool mass_frame_is_body{true};
+    double mass_kg{0};
+    Vec3d inertia_kgm2{0, 0, 0};
+    bool round_inertia{true};  ///< all three moments equal: no gyroscopic torque
+    double linear_damping_per_s{0};
+    double angular_damping_per_s{0};
+    btVector3 weight_N{0, 0, 0};
+    btScalar linear_keep{1};  ///< share of speed left after a substep
+    btScalar angular_keep{1};
+    std::vector<Core> cores;  ///< mass frame; empty: never swept
+    Real smallest_core_m{0};
+    btTransform target{btTransform::getIdentity()};  ///< kinematic, mass frame
+
+    std::unique_ptr<btCompoundShape> wrapper;  ///< when the mass frame is not the shape's own
+    std::unique_ptr<btRigidBody> rigid;
+
+    // As the latest substep found it.
+    btTransform before{btTransform::getIdentity()};
+    btVector3 velocity_before{0, 0, 0};
+    btVector3 spin_before{0, 0, 0};
+    Flight flight{};
+};
+
+struct PhysicsWorld::Impl {
+    explicit Impl(const WorldDef& world_def);
+    ~Impl();
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    BodyRecord& body(BodyId id);
+    const BodyRecord& body(BodyId id) const;
+
+    /// Adds the record's rigid body to Bullet's world with its filter.
+    void enter_world(BodyRecord& record);
+    /// Wakes what touches the body, then takes it out of Bullet's world.
+    void leave_world(BodyRecord& record);
+    void wake_neighbours(const BodyRecord& record);
+    void quarantine(BodyRecord& record);
+    void poison(BodyRecord& record);
+    void place(BodyRecord& record, const btTransform& world_from_mass);
+    btTransform world_from_mass(const BodyRecord& record, const Pose& world_from_body) const;
+
+    WorldDef def;
+    WorldFeatures features{};
+    std::unique_ptr<btDefaultCollisionConfiguration> configuration;
+    std::unique_ptr<btCollisionDispatcher> dispatcher;
+    std::unique_ptr<btOverlapFilterCallback> pair_filter;
+    std::unique_ptr<btOverlappingPairCache> pairs;
+    std::unique_ptr<btDbvtBroadphase> broadphase;
+    std::unique_ptr<btMLCPSolverInterface> pivot_solver;
+    std::unique_ptr<btConstraintSolver> solver;
+    std::unique_ptr<StepWorld> world;
+
+    SlotMap<ShapeId, std::unique_ptr<ShapeRecord>> shapes;
+    SlotMap<BodyId, std::unique_ptr<BodyRecord>> bodies;
+    std::vector<BodyId> poisoned;  ///< to be taken out before the next step
+    std::vector<BodyId> quarantined;
+    std::size_t event_bodies{0};  ///< how many bodies asked for contact events
+
+    StepCost cost{};
+    FeatureUse use{};
+    std::vector<ContactEvent> events;
+    std::vector<ContactEvent> gathered;               ///< of the running step, not yet merged
+    std::vector<std::pair<BodyId, BodyId>> touching;  ///< event pairs of the step before
+
+    void prepare_bodies(Real step_s);
+    void settle_bodies();
+    void gather_events(bool all, std::vector<ContactEvent>& out) const;
+    void finish_events();
+};
+
+/// The record behind a Bullet object of ours.
+inline BodyRecord& record_of(const btCollisionObject& object) {
+    return *static_cast<BodyRecord*>(object.getUserPointer());
+}
+
+/// Makes a shape's Bullet side. Refuses what ShapeDef's comments forbid.
+Result<std::unique_ptr<ShapeRecord>> build_shape(const ShapeDef& def,
+                                                 std::vector<std::string>* notes);
+
+}  // namespace plumbline::physics

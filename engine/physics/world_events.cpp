@@ -1,0 +1,119 @@
+// Contact events: Bullet's manifolds, one line per touching pair.
+#include "engine/physics/bullet_convert_impl.h"
+#include "engine/physics/physics_world_impl.h"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+namespace {
+
+Vec3 velocity_at(const BodyRecord& record, const btVector3& point) {
+    const btVector3 arm = point - record.before.getOrigin();
+    return from_bullet(record.velocity_before + record.spin_before.cross(arm));
+}
+
+/// The pair's line from one manifold; false when its points only come near.
+bool describe(const btPersistentManifold& manifold, ContactEvent& event) {
+    const btManifoldPoint* hardest = nullptr;
+    bool touches = false;
+    for (int p = 0; p < manifold.getNumContacts(); ++p) {
+        const btManifoldPoint& point = manifold.getContactPoint(p);
+        touches = touches || point.getDistance() <= 0 || point.getAppliedImpulse() > 0;
+        event.impulse_Ns += point.getAppliedImpulse();
+        if (hardest == nullptr || point.getAppliedImpulse() > hardest->getAppliedImpulse() ||
+            (point.getAppliedImpulse() == hardest->getAppliedImpulse() &&
+             point.getDistance() < hardest->getDistance())) {
+            hardest = &point;
+        }
+    }
+    if (!touches) return false;
+
+    const BodyRecord* a = &record_of(*manifold.getBody0());
+    const BodyRecord* b = &record_of(*manifold.getBody1());
+    Vec3 normal = from_bullet(hardest->m_normalWorldOnB);
+    const btVector3& point = hardest->getPositionWorldOnB();
+    if (b->id < a->id) {
+        std::swap(a, b);
+        normal = -normal;
+    }
+    const Vec3 relative = velocity_at(*a, point) - velocity_at(*b, point);
+    const Real along = glm::dot(relative, normal);
+    event.a = a->id;
+    event.b = b->id;
+    event.user_a = a->user;
+    event.user_b = b->user;
+    event.point_world = from_bullet(point);
+    event.normal_world = normal;
+    event.closing_speed_mps = -along;
+    event.sliding_speed_mps = glm::length(relative - along * normal);
+    return true;
+}
+
+bool same_pair(const ContactEvent& x, const ContactEvent& y) {
+    return x.a == y.a && x.b == y.b;
+}
+std::pair<BodyId, BodyId> pair_of(const ContactEvent& event) {
+    return {event.a, event.b};
+}
+
+/// One line per pair, in the order of ids: impulses add up, the place is where the pair pressed
+/// hardest, the speeds are those of the moment in which it closed fastest.
+std::vector<ContactEvent> merged(std::vector<ContactEvent> list) {
+    std::stable_sort(list.begin(), list.end(), [](const ContactEvent& x, const ContactEvent& y) {
+        return pair_of(x) < pair_of(y);
+    });
+    std::vector<ContactEvent> result;
+    Real hardest_Ns = 0;
+    for (const ContactEvent& event : list) {
+        if (result.empty() || !same_pair(result.back(), event)) {
+            result.push_back(event);
+            hardest_Ns = event.impulse_Ns;
+            continue;
+        }
+        ContactEvent& sum = result.back();
+        sum.impulse_Ns += event.impulse_Ns;
+        if (event.impulse_Ns > hardest_Ns) {
+            hardest_Ns = event.impulse_Ns;
+            sum.point_world = event.point_world;
+            sum.normal_world = event.normal_world;
+        }
+        if (event.closing_speed_mps > sum.closing_speed_mps) {
+            sum.closing_speed_mps = event.closing_speed_mps;
+            sum.sliding_speed_mps = event.sliding_speed_mps;
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+void PhysicsWorld::Impl::gather_events(bool all, std::vector<ContactEvent>& out) const {
+    for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold = *dispatcher->getManifoldByIndexInternal(i);
+        if (manifold.getNumContacts() == 0) continue;
+        if (!all && !record_of(*manifold.getBody0()).contact_events &&
+            !record_of(*manifold.getBody1()).contact_events) {
+            continue;
+        }
+        ContactEvent event;
+        if (describe(manifold, event)) out.push_back(event);
+    }
+}
+
+void PhysicsWorld::Impl::finish_events() {
+    events = merged(std::move(gathered));
+    gathered.clear();
+    for (ContactEvent& event : events) {
+        event.began = !std::binary_search(touching.begin(), touching.end(), pair_of(event));
+    }
+    touching.clear();
+    for (const ContactEvent& event : events) touching.push_back(pair_of(event));
+}
+
+std::vector<ContactEvent> PhysicsWorld::all_contacts() const {
+    std::vector<ContactEvent> list;
+    impl_->gather_events(true, list);
+    return merged(std::move(list));
+}
+
+}  // namespace plumbline::physics
