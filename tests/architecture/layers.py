@@ -1,0 +1,158 @@
+#!/usr/bin/python3
+"""Reads every #include of engine/ and game/ and fails on an edge that the tables do not have.
+
+The tables are those of docs/ARCHITECTURE.md. A new edge or library is a decision: change them
+together, with a note in docs/adr/.
+"""
+
+import re
+import sys
+import pathlib
+
+from sources import ROOT, finish, own_files
+
+LONGEST_FILE = 450  # lines
+
+# Module -> engine modules that it may include, besides itself.
+FOUNDATION = {"core"}
+WORLD = FOUNDATION | {"ecs", "assets", "physics", "audio", "render", "scene"}
+MAY_INCLUDE = {
+    "core": set(),
+    "ecs": FOUNDATION,
+    "platform": FOUNDATION,
+    "input": FOUNDATION,
+    "assets": FOUNDATION,
+    "physics": FOUNDATION,
+    "audio": FOUNDATION | {"assets"},
+    "render": FOUNDATION | {"assets"},
+    "scene": WORLD,
+    "effects": WORLD | {"effects"},
+    "study": WORLD | {"effects", "study"},
+    "app": WORLD | {"effects", "study", "app", "platform", "input"},
+    "game": WORLD | {"effects", "study", "app", "platform", "input"},
+}
+
+# Start of a third-party header -> modules that own it. GLM and fmt are everybody's.
+ANY = set(MAY_INCLUDE)
+THIRD_PARTY = {
+    "glm/": ANY,
+    "fmt/": ANY,
+    "spdlog/": {"core"},
+    "xxhash.h": {"core"},
+    "GLFW/": {"platform"},
+    "EGL/": {"platform"},
+    "assimp/": {"assets"},
+    "png.h": {"assets"},
+    "jpeglib.h": {"assets"},
+    "jerror.h": {"assets"},
+    "OpenEXR/": {"assets"},
+    "Imath": {"assets"},
+    "Imf": {"assets"},
+    "sndfile": {"assets"},
+    "stb/": {"assets"},
+    "stb_": {"assets"},
+    "meshoptimizer.h": {"assets"},
+    "bullet/": {"physics"},
+    "bt": {"physics"},
+    "Bullet": {"physics"},
+    "LinearMath/": {"physics"},
+    "AL/": {"audio"},
+    "glad/": {"render"},
+    "toml++/": {"input", "scene", "app"},
+    "nlohmann/": {"assets", "scene", "effects", "study", "app", "game"},
+    "imgui": {"app"},
+    "backends/imgui": {"app"},
+    "CLI/": {"game"},
+}
+EVERYWHERE = {"glm/", "fmt/"}  # in public headers too
+
+# What the language and the operating system bring: any header without one of the prefixes above
+# must be one of these.
+SYSTEM = re.compile(
+    r"^([a-z_]+|c[a-z]+"  # <vector>, <cmath>
+    r"|(sys|linux|netinet)/[a-z_]+\.h"
+    r"|(dlfcn|errno|fcntl|poll|pthread|signal|spawn|stdlib|string|time|unistd|setjmp)\.h)$")
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
+
+
+def module_of(path):
+    """engine/physics/body.h -> physics; game/main.cpp -> game."""
+    parts = pathlib.PurePosixPath(path).parts
+    return parts[1] if parts[0] == "engine" else parts[0]
+
+
+def owners_of(header):
+    """The prefix that a third-party header falls under and the modules that may use it."""
+    matching = [prefix for prefix in THIRD_PARTY if header.startswith(prefix)]
+    if not matching:
+        return None, None
+    prefix = max(matching, key=len)
+    return prefix, THIRD_PARTY[prefix]
+
+
+def is_public_header(path):
+    return path.endswith(".h") and not path.endswith("_impl.h")
+
+
+def problem_with_own(path, included):
+    """An include in quotes: from the repository's root, along an allowed edge."""
+    parts = pathlib.PurePosixPath(included).parts
+    if parts[:2] == ("shaders", "shared"):
+        return None if module_of(path) == "render" else "only render shares headers with the shaders"
+    if parts[0] not in ("engine", "game") or len(parts) < 2:
+        return "includes in quotes begin at the repository's root: engine/... or game/..."
+    source, target = module_of(path), module_of(included)
+    if target == source:
+        return None
+    if target == "game":
+        return "the engine never includes the game"
+    if source not in MAY_INCLUDE:
+        return f"module {source} is not in the table"
+    if target not in MAY_INCLUDE[source]:
+        return f"{source} must not include {target}"
+    if is_public_header(path) and included.endswith("_impl.h"):
+        return "a public header must not include a private one"
+    if included.endswith("_impl.h"):
+        return f"{included} is private to {target}"
+    return None
+
+
+def problem_with_foreign(path, included):
+    """An include in angle brackets: the system's, or a library that this module owns."""
+    prefix, owners = owners_of(included)
+    if prefix is None:
+        return None if SYSTEM.match(included) else f"{included} is in no table"
+    module = module_of(path)
+    if module not in owners:
+        return f"{module} must not include {included}; it belongs to {', '.join(sorted(owners))}"
+    if is_public_header(path) and prefix not in EVERYWHERE:
+        return f"{included} must stay in .cpp files or *_impl.h"
+    return None
+
+
+def check(root):
+    """Every problem in the tree at `root`, and how many files were read."""
+    files = own_files(root, "engine", "game", suffixes=(".h", ".cpp"))
+    problems = []
+    for path in files:
+        lines = (root / path).read_text(encoding="utf-8").splitlines()
+        if len(lines) > LONGEST_FILE:
+            problems.append(f"{path}:1: {len(lines)} lines; at most {LONGEST_FILE}")
+        for number, line in enumerate(lines, start=1):
+            found = INCLUDE.match(line)
+            if not found:
+                continue
+            own, foreign = found.groups()
+            problem = problem_with_own(path, own) if own else problem_with_foreign(path, foreign)
+            if problem:
+                problems.append(f"{path}:{number}: {problem}")
+    if not files:
+        problems.append(f"{root}: no sources found in engine/ and game/")
+    return problems, len(files)
+
+
+if __name__ == "__main__":
+    checked_root = pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else ROOT
+    found_problems, file_count = check(checked_root)
+    finish(found_problems, f"includes of {file_count} files")
