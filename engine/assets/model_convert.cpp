@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <string_view>
+#include <unordered_map>
 
 namespace plumbline::assets {
 namespace {
@@ -175,6 +177,28 @@ void mend_normals(MeshData& part) {
     }
 }
 
+/// OBJ comes with vertices of their own for every corner: equal ones become one.
+void weld(MeshData& part) {
+    static_assert(sizeof(Vertex) == 15 * sizeof(float), "no padding: equal bytes, equal vertices");
+    std::unordered_map<std::string_view, std::uint32_t> places;
+    places.reserve(part.vertices.size());
+    std::vector<std::uint32_t> new_index(part.vertices.size());
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+        const std::string_view bytes(
+            static_cast<const char*>(static_cast<const void*>(&part.vertices[i])), sizeof(Vertex));
+        const auto [place, is_new] =
+            places.try_emplace(bytes, static_cast<std::uint32_t>(kept.size()));
+        if (is_new) kept.push_back(i);
+        new_index[i] = place->second;
+    }
+    std::vector<Vertex> vertices;
+    vertices.reserve(kept.size());
+    for (const std::size_t i : kept) vertices.push_back(part.vertices[i]);
+    for (std::uint32_t& index : part.indices) index = new_index[index];
+    part.vertices = std::move(vertices);
+}
+
 void append(MeshData& mesh, const MeshData& part) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
@@ -204,12 +228,16 @@ bool add_instance(MeshData& mesh,
         return false;
     }
     if (dropped.degenerate > 0) {
-        log_warning("model {}: mesh \"{}\": {} faces without area are left out",
-                    name,
-                    instance.mesh->mName.C_Str(),
-                    dropped.degenerate);
+        // A few come with most models; many mean that something is wrong with this one.
+        const bool many = dropped.degenerate * 10 > instance.mesh->mNumFaces;
+        log_line(many ? LogLevel::Warning : LogLevel::Debug,
+                 fmt::format("model {}: mesh \"{}\": {} faces without area are left out",
+                             name,
+                             instance.mesh->mName.C_Str(),
+                             dropped.degenerate));
     }
     mend_normals(part);
+    if (part.vertices.size() >= part.indices.size()) weld(part);
     append(mesh, part);
     return !part.indices.empty();
 }
