@@ -8,6 +8,7 @@ void advance(scene::Simulation& simulation,
              const Actions& actions) {
     simulation.remember_poses();           // so that drawing can blend
     game.act(simulation, actions);         // intent becomes forces
+    simulation.update_motion_demand();     // who is fast, who spins
     effects.refresh(simulation);           // made or destroyed as callers come and go
     effects.before_step(simulation);       // so do wind, water, magnets
     simulation.step();                     // contacts, then new poses

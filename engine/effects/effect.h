@@ -18,6 +18,12 @@ struct SoundFrame {
     std::vector<audio::LoopCue> loops;
 };
 
+/// What an effect did so far, for the ledger.
+struct EffectWork {
+    std::uint64_t calls{0};  ///< times it did anything: bodies swept, sounds made, frames filled
+    double cpu_ms{0};        ///< spent elsewhere on its behalf, e.g. in the physics
+};
+
 class Effect {
 public:
     virtual ~Effect() = default;
@@ -29,6 +35,11 @@ public:
     virtual void sound(const scene::Simulation&, const scene::ViewPoint&, SoundFrame&) {
     }  ///< may add to the sound
     virtual std::uint64_t bytes_cpu() const { return 0; }
+
+    const EffectWork& work() const { return work_; }
+
+protected:
+    EffectWork work_{};
 };
 
 }  // namespace plumbline::effects

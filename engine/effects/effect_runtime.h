@@ -14,11 +14,11 @@ namespace plumbline::effects {
 
 struct LedgerLine {
     std::string_view name;
-    Callers called_for_by;  ///< now
+    Callers called_for_by;  ///< now; empty where its domain is not served
     std::uint32_t constructions{0};
     std::uint64_t calls{0};  ///< times it did anything: steps, extractions, sounds, swept bodies
     double cpu_ms{0};
-    double gpu_ms{-1};  ///< -1: the driver does not tell or nothing ran
+    double gpu_ms{0};  ///< -1: passes ran and the driver does not tell
     std::uint64_t bytes_cpu{0};
     std::uint64_t bytes_gpu{0};
     bool exists{false};  ///< now
@@ -31,6 +31,7 @@ struct ServedDomains {
 
 class EffectRuntime {
 public:
+    /// `simulation` must outlive it. Takes over the optional parts of its physics.
     EffectRuntime(scene::Simulation& simulation, const ServedDomains& served);
     ~EffectRuntime();
     EffectRuntime(const EffectRuntime&) = delete;

@@ -8,6 +8,7 @@
 #include "engine/physics/body.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,12 @@ namespace plumbline::scene {
 /// As in the scene file; copies made in play are numbered: "crate#3".
 struct Name {
     std::string text;
+};
+
+/// Where the scene file describes it: "garden.toml", 14. Empty for what play made.
+struct Source {
+    std::string file;
+    int line{0};
 };
 
 /// Where the entity is now: world_from_body after the latest step.
@@ -56,19 +63,20 @@ struct PointLight {
     float outer_rad{0.5F};
 };
 
-/// A sound that loops at the entity's place.
+/// A sound that loops at the entity's place. Kept as a file: it is decoded by the effect that plays
+/// it, so a run without sound reads none.
 struct AmbientSound {
-    assets::SoundId sound{};
+    std::filesystem::path file;
     float gain{1.0F};
     float radius_m{12.0F};
     bool loop{true};
 };
 
-/// A kinematic body that travels between places for ever; see SceneDescription::Motion.
+/// A kinematic body that travels along its points and back for ever, resting for an instant at each.
 struct MotionPath {
-    std::vector<Vec3> points_m;  ///< world
+    std::vector<Vec3> points_m;  ///< world; where the body's origin passes; none: it stays at start
     Real period_s{8};            ///< for the whole tour there and back
-    Vec3 spin_radps{0, 0, 0};
+    Vec3 spin_radps{0, 0, 0};    ///< world axes
     Pose start{};
 };
 

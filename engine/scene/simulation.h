@@ -12,11 +12,18 @@
 #include "engine/scene/scene_description.h"
 #include "engine/scene/surfaces.h"
 
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plumbline::scene {
+
+class EntityBuilder;
 
 /// Settings that the command line may put over the scene's own.
 struct SimulationOverrides {
@@ -33,15 +40,41 @@ struct LiveSwitches {
     bool fog{true};  ///< shows the scene's fog, if it has one (or a default one when toggled on)
     bool fog_added{false};  ///< toggled on in a scene without [fog]
     Vec3f sun_direction{0.0F, -1.0F, 0.0F};
-    float light_scale{1.0F};
+    float sun_rotation_radps{0.0F};  ///< about +Y, applied by every step
+    float light_scale{1.0F};         ///< of sun and sky: below 1 is dusk
+};
+
+/// A dynamic or kinematic body as the simulation keeps track of it.
+struct MovingBody {
+    ecs::Entity entity{};
+    physics::BodyId body{};
+    physics::BodyKind kind{physics::BodyKind::Dynamic};
+    physics::ShapeId shape{};
+    bool convex{true};       ///< the shape may be swept and asked for overlaps
+    Real inner_radius_m{0};  ///< of a ball that fits into the shape
+    physics::ContinuousCollision ccd{physics::ContinuousCollision::Auto};
+    bool spherical_inertia{true};
+    bool awake{true};  ///< after the latest step
+};
+
+/// Bodies that need an optional part of the physics now: the first of each in file order, or null.
+struct MotionDemand {
+    ecs::Entity swept{};     ///< moves more than its inner radius in a substep, or asks for sweeps
+    ecs::Entity spinning{};  ///< turns, and its inertia is not the same about every axis
+
+    friend bool operator==(const MotionDemand&, const MotionDemand&) = default;
 };
 
 class Simulation {
 public:
+    /// An empty world with the description's settings; build_simulation() fills it.
     Simulation(SceneDescription description,
                const SimulationOverrides& overrides,
                assets::AssetLibrary& library,
                SurfaceTable surfaces);
+    ~Simulation();
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
 
     // --- the parts of one fixed step, in this order; effects/advance.h calls them
     void remember_poses();  ///< so that drawing can blend
@@ -64,31 +97,86 @@ public:
     std::uint64_t steps() const { return steps_; }
     double time_s() const { return static_cast<double>(steps_) * step_s_; }
     std::uint32_t removed_count() const { return removed_; }
-    const std::vector<std::string>& warnings() const { return warnings_; }
+    /// Dynamic and kinematic bodies in file order, then in the order in which play made them. Those
+    /// destroyed since the latest step may still be listed: ask physics.contains().
+    std::span<const MovingBody> moving_bodies() const { return moving_; }
 
-    /// Makes an entity as a scene file would; dropped things come this way. Null on refusal, with a
-    /// warning in warnings().
+    const std::vector<std::string>& warnings() const { return warnings_; }
+    void add_warning(std::string text) { warnings_.push_back(std::move(text)); }
+
+    /// Makes an entity as a scene file would; dropped things come this way. Its name is numbered:
+    /// "crate#1". Null on refusal, with a warning in warnings().
     ecs::Entity spawn(const EntityDescription& description);
     /// Entity of a body, or null.
     ecs::Entity entity_of(physics::BodyId body) const;
+    /// As entity_of, from the mark that hits and contact events carry.
+    ecs::Entity entity_of_mark(std::uint64_t user) const;
     ecs::Entity find(std::string_view name) const;
+    /// "cube", or "player" for a body that is no entity's.
+    std::string name_of_mark(std::uint64_t user) const;
+    /// "entity fountain (garden.toml:120)"; things made in play have no place in a file.
+    std::string describe(ecs::Entity entity) const;
 
     /// Over every dynamic and kinematic body's pose and velocity bits, in file order.
     std::uint64_t state_hash() const;
 
+    // --- for effects
+    /// Changes whenever an entity comes or goes, and with the requests below.
+    std::uint64_t revision() const { return revision_; }
+    /// Optional parts of the physics; all on until an EffectRuntime takes them over.
+    const physics::WorldFeatures& features() const { return features_; }
+    void set_features(const physics::WorldFeatures& features);
+    /// Looks which awake bodies need continuous collision or gyroscopic torque in the next step.
+    /// Part of a step, never of a frame: it remembers what it found.
+    void update_motion_demand();
+    const MotionDemand& motion_demand() const { return demand_; }
+    /// Contact events are made while somebody asks: "effect impact_sounds".
+    void request_contact_events(const std::string& who);
+    void release_contact_events(const std::string& who);
+    const std::vector<std::string>& contact_listeners() const { return contact_listeners_; }
+
+    /// Used by build_simulation(); in play use spawn().
+    EntityBuilder& builder() { return *builder_; }
+
 private:
+    friend class EntityBuilder;
+
+    void move_along_paths();
+    void sync_placements();
+    void report_quarantined();
+    void forget_destroyed();
+
     SceneDescription description_;
     assets::AssetLibrary& library_;
     SurfaceTable surfaces_;
     double step_s_;
     std::uint64_t steps_{0};
     std::uint32_t removed_{0};
+    std::uint64_t revision_{0};
+    std::size_t quarantined_reported_{0};
+    bool bodies_destroyed_{false};
+    std::vector<MovingBody> moving_;
+    MotionDemand demand_{};
+    physics::WorldFeatures features_{};
     std::vector<std::string> warnings_;
-    struct Build;
+    std::vector<std::string> contact_listeners_;
+    std::map<std::string, ecs::Entity, std::less<>> entities_by_name_;
+    std::map<std::string, std::uint32_t> spawned_by_name_;
+    std::unique_ptr<EntityBuilder> builder_;
+    std::shared_ptr<bool> open_;  ///< false once the destructor runs: listeners then stay silent
 };
 
+/// The mark that a body carries for its entity (BodyDef::user).
+constexpr std::uint64_t mark_of(ecs::Entity entity) {
+    return (std::uint64_t{entity.generation} << 32U) | entity.index;
+}
+
+/// Where a body on a path is at a time since the start. Exact in its points at the times of rest.
+Pose pose_on_path(const MotionPath& path, double time_s);
+
 /// Loads models, makes shapes, entities and bodies. Missing or refused models: the body keeps its
-/// shape, a box is drawn, and warnings() lists it.
+/// shape, a box is drawn, and warnings() lists it. Refused (exit code 4): too many bodies, too many
+/// groups, shapes that the physics cannot hold; the message names file and line.
 Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& description,
                                                      const SimulationOverrides& overrides,
                                                      assets::AssetLibrary& library,

@@ -1,0 +1,69 @@
+#include "engine/effects/effects.h"
+#include "engine/effects/sound_bank.h"
+
+#include <set>
+
+namespace plumbline::effects {
+
+namespace {
+
+/// Loops where entities have them; sounds that do not loop are played once.
+class AmbientSounds final : public Effect {
+public:
+    explicit AmbientSounds(scene::Simulation& simulation) { load(simulation); }
+
+    void after_step(scene::Simulation& simulation, const scene::Game&) override {
+        if (simulation.revision() != revision_) load(simulation);
+    }
+
+    void sound(const scene::Simulation& simulation,
+               const scene::ViewPoint&,
+               SoundFrame& frame) override {
+        const auto view =
+            simulation.registry.view<const scene::AmbientSound, const scene::Placement>();
+        for (auto [entity, ambient, placement] : view) {
+            const auto known = sounds_.find(ambient.file);
+            if (known == sounds_.end() || known->second == assets::SoundId{}) continue;
+            const Vec3f position(placement.world_from_body.position);
+            const std::uint64_t key = scene::mark_of(entity);
+            if (ambient.loop) {
+                frame.loops.push_back({.key = key,
+                                       .sound = known->second,
+                                       .position_world = position,
+                                       .gain = ambient.gain,
+                                       .radius_m = ambient.radius_m});
+            } else if (played_once_.insert(key).second) {
+                frame.cues.push_back({.sound = known->second,
+                                      .position_world = position,
+                                      .gain = ambient.gain,
+                                      .radius_m = ambient.radius_m});
+            }
+        }
+        ++work_.calls;
+    }
+
+    std::uint64_t bytes_cpu() const override { return sizeof(*this) + bank_.bytes(); }
+
+private:
+    void load(scene::Simulation& simulation) {
+        revision_ = simulation.revision();
+        for (auto [entity, ambient] : simulation.registry.view<const scene::AmbientSound>()) {
+            if (!sounds_.contains(ambient.file)) {
+                sounds_.emplace(ambient.file, bank_.get(simulation, ambient.file));
+            }
+        }
+    }
+
+    SoundBank bank_;
+    std::map<std::filesystem::path, assets::SoundId> sounds_;
+    std::set<std::uint64_t> played_once_;
+    std::uint64_t revision_{0};
+};
+
+}  // namespace
+
+std::unique_ptr<Effect> make_ambient_sounds(scene::Simulation& simulation) {
+    return std::make_unique<AmbientSounds>(simulation);
+}
+
+}  // namespace plumbline::effects

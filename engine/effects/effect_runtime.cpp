@@ -1,0 +1,171 @@
+#include "engine/effects/effect_runtime.h"
+
+#include "engine/core/stopwatch.h"
+
+namespace plumbline::effects {
+
+namespace {
+
+/// What callers depend on: while it stays the same, so do they.
+struct CallersKey {
+    std::uint64_t revision{0};
+    bool flashlight{false};
+    bool fog{false};
+    bool fog_added{false};
+    scene::MotionDemand demand{};
+
+    friend bool operator==(const CallersKey&, const CallersKey&) = default;
+};
+
+CallersKey key_of(const scene::Simulation& simulation) {
+    return {.revision = simulation.revision(),
+            .flashlight = simulation.switches.flashlight,
+            .fog = simulation.switches.fog,
+            .fog_added = simulation.switches.fog_added,
+            .demand = simulation.motion_demand()};
+}
+
+struct Slot {
+    std::unique_ptr<Effect> effect;
+    Callers callers;
+    std::uint32_t constructions{0};
+    EffectWork earlier;  ///< of effects that are gone, and of the hooks
+    double gpu_ms{0};
+    bool gpu_unknown{false};
+    std::uint64_t bytes_gpu{0};
+};
+
+}  // namespace
+
+struct EffectRuntime::Impl {
+    ServedDomains served;
+    std::vector<Slot> slots{effect_table().size()};
+    std::optional<CallersKey> key;
+
+    bool serves(Domain domain) const {
+        switch (domain) {
+            case Domain::Step:
+                return true;
+            case Domain::Picture:
+                return served.picture;
+            case Domain::Sound:
+                return served.sound;
+        }
+        return false;
+    }
+
+    void refresh_row(std::size_t row, scene::Simulation& simulation) {
+        const EffectRow& definition = effect_table()[row];
+        if (!serves(definition.domain)) return;
+        Slot& slot = slots[row];
+        slot.callers = definition.called_for_by(simulation);
+        if (!slot.callers.empty() && !slot.effect) {
+            const CpuTimer timer;
+            slot.effect = definition.make(simulation);
+            slot.earlier.cpu_ms += timer.ms();
+            ++slot.constructions;
+        } else if (slot.callers.empty() && slot.effect) {
+            slot.earlier.calls += slot.effect->work().calls;
+            slot.earlier.cpu_ms += slot.effect->work().cpu_ms;
+            slot.effect.reset();
+        }
+    }
+
+    /// Runs one hook of every effect there is and books its time.
+    template <class Hook>
+    void each(Hook hook) {
+        for (Slot& slot : slots) {
+            if (!slot.effect) continue;
+            const CpuTimer timer;
+            hook(*slot.effect);
+            slot.earlier.cpu_ms += timer.ms();
+        }
+    }
+};
+
+EffectRuntime::EffectRuntime(scene::Simulation& simulation, const ServedDomains& served)
+    : impl_(std::make_unique<Impl>()) {
+    impl_->served = served;
+    simulation.set_features(
+        {.continuous_collision = false, .gyroscopic_torque = false, .contact_events = false});
+    refresh(simulation);
+}
+
+EffectRuntime::~EffectRuntime() = default;
+
+void EffectRuntime::refresh(scene::Simulation& simulation) {
+    if (impl_->key == key_of(simulation)) return;
+    for (std::size_t row = 0; row < impl_->slots.size(); ++row) {
+        impl_->refresh_row(row, simulation);
+    }
+    // Effects that came or went may have changed what others depend on; rows below saw it already.
+    impl_->key = key_of(simulation);
+}
+
+void EffectRuntime::before_step(scene::Simulation& simulation) {
+    impl_->each([&](Effect& effect) { effect.before_step(simulation); });
+}
+
+void EffectRuntime::after_step(scene::Simulation& simulation, const scene::Game& game) {
+    impl_->each([&](Effect& effect) { effect.after_step(simulation, game); });
+}
+
+void EffectRuntime::extract(const scene::Simulation& simulation,
+                            const scene::ViewPoint& view,
+                            render::RenderFrame& frame) {
+    impl_->each([&](Effect& effect) { effect.extract(simulation, view, frame); });
+}
+
+SoundFrame EffectRuntime::sound(const scene::Simulation& simulation, const scene::ViewPoint& view) {
+    SoundFrame frame;
+    impl_->each([&](Effect& effect) { effect.sound(simulation, view, frame); });
+    return frame;
+}
+
+void EffectRuntime::add_render_stats(const render::FrameStats& stats,
+                                     std::span<const render::GpuBytes> bytes) {
+    const std::span<const EffectRow> table = effect_table();
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        Slot& slot = impl_->slots[row];
+        for (const render::PassTiming& pass : stats.passes) {
+            if (table[row].passes.empty() || !pass.name.starts_with(table[row].passes)) continue;
+            slot.earlier.cpu_ms += pass.cpu_ms;
+            if (pass.gpu_ms >= 0.0) {
+                slot.gpu_ms += pass.gpu_ms;
+            } else {
+                slot.gpu_unknown = true;
+            }
+        }
+        if (table[row].gpu_owner.empty()) continue;
+        slot.bytes_gpu = 0;
+        for (const render::GpuBytes& owned : bytes) {
+            if (owned.owner == table[row].gpu_owner) slot.bytes_gpu += owned.bytes;
+        }
+    }
+}
+
+std::vector<LedgerLine> EffectRuntime::ledger() const {
+    const std::span<const EffectRow> table = effect_table();
+    std::vector<LedgerLine> lines;
+    lines.reserve(table.size());
+    for (std::size_t row = 0; row < table.size(); ++row) {
+        const Slot& slot = impl_->slots[row];
+        LedgerLine line{.name = table[row].name,
+                        .called_for_by = slot.callers,
+                        .constructions = slot.constructions,
+                        .calls = slot.earlier.calls,
+                        .cpu_ms = slot.earlier.cpu_ms,
+                        .gpu_ms = slot.gpu_ms > 0.0 || !slot.gpu_unknown ? slot.gpu_ms : -1.0,
+                        .bytes_gpu = slot.bytes_gpu,
+                        .exists = slot.effect != nullptr};
+        if (slot.effect) {
+            line.calls += slot.effect->work().calls;
+            line.cpu_ms += slot.effect->work().cpu_ms;
+            line.bytes_cpu = slot.effect->bytes_cpu();
+        }
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+}  // namespace plumbline::effects

@@ -1,0 +1,55 @@
+// Descriptions to entities: visuals, bodies, lights and sounds, each shared thing made once.
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/scene/shape_factory.h"
+#include "engine/scene/simulation.h"
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+namespace plumbline::scene {
+
+class EntityBuilder {
+public:
+    /// `simulation` must outlive the builder.
+    explicit EntityBuilder(Simulation& simulation);
+
+    /// Names the group's bit; groups beyond the 32nd are an error.
+    Result<std::uint32_t> group_bit(const std::string& name);
+    /// Adds the entity under `name`. On an error nothing is left of it.
+    Result<ecs::Entity> build(const EntityDescription& description, const std::string& name);
+
+private:
+    struct Look {
+        assets::MeshId mesh{};
+        std::vector<assets::MaterialId> materials;
+        bool is_model{false};  ///< `mesh` is the model's own, fit for shapes
+    };
+
+    Look look_of(const EntityDescription& description);
+    Look look_of_model(const EntityDescription& description, const ModelVisual& visual);
+    Look placeholder_for(const EntityDescription& description);
+    assets::MaterialId material_named(const std::string& name);
+    std::uint16_t surface_of(const EntityDescription& description, const Look& look) const;
+    Result<BuiltShape> shape_of(const EntityDescription& description, const Look& look);
+    Result<physics::BodyId> body_of(const EntityDescription& description,
+                                    const Look& look,
+                                    std::uint16_t surface,
+                                    ecs::Entity entity);
+    void track(const EntityDescription& description,
+               ecs::Entity entity,
+               physics::BodyId body,
+               const BuiltShape& shape);
+    void warn_once(const std::string& text);
+
+    Simulation& simulation_;
+    ShapeFactory shapes_;
+    std::map<std::string, assets::MaterialId> materials_;
+    std::map<std::string, std::uint32_t> groups_;
+    std::set<std::filesystem::path> refused_models_;
+};
+
+}  // namespace plumbline::scene

@@ -1,0 +1,93 @@
+#include "engine/scene/extract.h"
+
+#include "engine/core/limits.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace plumbline::scene {
+
+namespace {
+
+/// Where the entity is drawn: between its last two poses if it can move.
+Pose drawn_pose(const Simulation& simulation,
+                ecs::Entity entity,
+                const Placement& placement,
+                Real blend_share) {
+    const auto* previous = simulation.registry.find<PreviousPlacement>(entity);
+    if (previous == nullptr) return placement.world_from_body;
+    const Pose& from = previous->world_from_body;
+    const Pose& to = placement.world_from_body;
+    // Most bodies rest most of the time; they need no interpolation.
+    if (from.position == to.position && from.orientation == to.orientation) return to;
+    return blend(from, to, blend_share);
+}
+
+void add_items(const Simulation& simulation, Real blend_share, render::RenderFrame& frame) {
+    for (auto [entity, visual, placement] :
+         simulation.registry.view<const Visual, const Placement>()) {
+        const Pose pose = drawn_pose(simulation, entity, placement, blend_share);
+        frame.items.push_back(
+            {.mesh = visual.mesh,
+             .materials = visual.materials.data(),
+             .material_count = static_cast<std::uint32_t>(visual.materials.size()),
+             .world_from_body = matrix_of(pose, placement.scale),
+             .tint = visual.tint,
+             .casts_shadow = visual.casts_shadow,
+             .is_static = visual.is_static});
+    }
+}
+
+void add_lights(const Simulation& simulation, Real blend_share, render::RenderFrame& frame) {
+    for (auto [entity, light, placement] :
+         simulation.registry.view<const PointLight, const Placement>()) {
+        const Pose pose = drawn_pose(simulation, entity, placement, blend_share);
+        frame.lights.push_back({.position_world = Vec3f(pose.position),
+                                .intensity = light.intensity,
+                                .radius_m = light.radius_m,
+                                .is_spot = light.is_spot,
+                                .direction_world = Quatf(pose.orientation) * light.direction_body,
+                                .inner_cos = std::cos(light.inner_rad),
+                                .outer_cos = std::cos(light.outer_rad)});
+    }
+    if (frame.lights.size() <= limits::kLights) return;
+    const Vec3f eye = frame.camera.position_world;
+    const auto nearer = [&](const render::LocalLight& a, const render::LocalLight& b) {
+        return glm::distance(a.position_world, eye) < glm::distance(b.position_world, eye);
+    };
+    std::stable_sort(frame.lights.begin(), frame.lights.end(), nearer);
+    frame.lights.resize(limits::kLights);
+}
+
+}  // namespace
+
+render::RenderFrame extract(const Simulation& simulation,
+                            const ViewPoint& view,
+                            Real blend,
+                            std::uint32_t width_px,
+                            std::uint32_t height_px) {
+    const SceneDescription& scene = simulation.description();
+    render::RenderFrame frame;
+    frame.width_px = width_px;
+    frame.height_px = height_px;
+    frame.camera = {.position_world = Vec3f(view.world_from_camera.position),
+                    .orientation = Quatf(view.world_from_camera.orientation),
+                    .fov_y_rad = static_cast<float>(view.fov_y_rad),
+                    .near_m = static_cast<float>(scene.camera.near_m),
+                    .far_m = static_cast<float>(scene.camera.far_m)};
+    // Dusk dims sun and sky; lamps shine on.
+    const float daylight = simulation.switches.light_scale;
+    frame.clear_color = scene.clear_color * daylight;
+    frame.ambient = scene.ambient * daylight;
+    if (scene.sun) {
+        frame.sun = render::DirectionalLight{
+            .direction_world =
+                normalize_or(simulation.switches.sun_direction, Vec3f{0.0F, -1.0F, 0.0F}),
+            .radiance = scene.sun->color * scene.sun->intensity * daylight};
+    }
+    add_items(simulation, blend, frame);
+    add_lights(simulation, blend, frame);
+    return frame;
+}
+
+}  // namespace plumbline::scene

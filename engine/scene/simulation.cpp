@@ -1,0 +1,273 @@
+#include "engine/scene/simulation.h"
+
+#include "engine/core/hash.h"
+#include "engine/core/limits.h"
+#include "engine/scene/entity_builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline::scene {
+
+namespace {
+
+physics::WorldDef world_def(const SceneDescription& description,
+                            const SimulationOverrides& overrides) {
+    const Accuracy& accuracy = description.accuracy;
+    return {.gravity_mps2 = description.gravity_mps2,
+            .step_s = 1.0 / static_cast<double>(overrides.step_hz.value_or(accuracy.step_hz)),
+            .substeps = overrides.substeps.value_or(accuracy.substeps),
+            .iterations = overrides.iterations.value_or(accuracy.iterations),
+            .solver = overrides.solver.value_or(accuracy.solver),
+            .seed = static_cast<std::uint32_t>(overrides.seed)};
+}
+
+bool is_below(const std::optional<Real>& height_m, const Vec3& position) {
+    return height_m && position.y < *height_m;
+}
+
+bool is_far_out(const Vec3& position) {
+    const auto limit_m = static_cast<Real>(limits::kPosition_m);
+    return glm::any(glm::greaterThan(glm::abs(position), Vec3{limit_m}));
+}
+
+}  // namespace
+
+Simulation::Simulation(SceneDescription description,
+                       const SimulationOverrides& overrides,
+                       assets::AssetLibrary& library,
+                       SurfaceTable surfaces)
+    : physics(world_def(description, overrides)),
+      random(overrides.seed),
+      description_(std::move(description)),
+      library_(library),
+      surfaces_(std::move(surfaces)),
+      step_s_(physics.def().step_s),
+      open_(std::make_shared<bool>(true)) {
+    if (description_.sun) {
+        const SunDescription& sun = *description_.sun;
+        switches.sun_direction = Vec3f(sun.direction);
+        switches.sun_rotation_radps = static_cast<float>(sun.rotation_radps);
+    }
+    switches.flashlight = description_.flashlight && description_.flashlight->on;
+
+    registry.on_remove<BodyRef>([this, open = open_](ecs::Entity, BodyRef& ref) {
+        if (!*open) return;
+        physics.destroy_body(ref.body);
+        bodies_destroyed_ = true;
+        ++revision_;
+    });
+    registry.on_remove<Name>([this, open = open_](ecs::Entity entity, Name& name) {
+        if (!*open) return;
+        const auto known = entities_by_name_.find(name.text);
+        if (known != entities_by_name_.end() && known->second == entity) {
+            entities_by_name_.erase(known);
+        }
+        ++revision_;
+    });
+    builder_ = std::make_unique<EntityBuilder>(*this);
+}
+
+Simulation::~Simulation() {
+    *open_ = false;
+}
+
+void Simulation::remember_poses() {
+    registry.view<PreviousPlacement, const Placement>().each(
+        [](ecs::Entity, PreviousPlacement& previous, const Placement& now) {
+            previous.world_from_body = now.world_from_body;
+        });
+}
+
+void Simulation::step() {
+    forget_destroyed();
+    move_along_paths();
+    physics.step();
+    ++steps_;
+    if (switches.sun_rotation_radps != 0.0F) {
+        const float angle = switches.sun_rotation_radps * static_cast<float>(step_s_);
+        switches.sun_direction =
+            glm::angleAxis(angle, Vec3f{0.0F, 1.0F, 0.0F}) * switches.sun_direction;
+    }
+    sync_placements();
+    report_quarantined();
+}
+
+void Simulation::destroy_marked() {
+    registry.destroy_marked();
+    forget_destroyed();
+}
+
+void Simulation::move_along_paths() {
+    const double end_s = static_cast<double>(steps_ + 1) * step_s_;
+    registry.view<const MotionPath, const BodyRef>().each(
+        [&](ecs::Entity, const MotionPath& path, const BodyRef& ref) {
+            physics.move_kinematic(ref.body, pose_on_path(path, end_s));
+        });
+}
+
+void Simulation::sync_placements() {
+    for (MovingBody& moving : moving_) {
+        const physics::BodyState state = physics.state(moving.body);
+        // A body that fell asleep in this step still moved in it.
+        if (!state.awake && !moving.awake) continue;
+        moving.awake = state.awake;
+        registry.get<Placement>(moving.entity).world_from_body = state.world_from_body;
+        const Vec3& position = state.world_from_body.position;
+        if (moving.kind != physics::BodyKind::Dynamic) continue;
+        if (is_below(description_.kill_below_m, position) || is_far_out(position)) {
+            registry.mark_for_destruction(moving.entity);
+            ++removed_;
+        }
+    }
+}
+
+void Simulation::report_quarantined() {
+    const std::span<const physics::BodyId> quarantined = physics.quarantined();
+    for (; quarantined_reported_ < quarantined.size(); ++quarantined_reported_) {
+        const ecs::Entity entity = entity_of(quarantined[quarantined_reported_]);
+        add_warning(
+            fmt::format("{}: taken out of the simulation at {:.3f} s: its state was not finite",
+                        describe(entity),
+                        time_s()));
+    }
+}
+
+void Simulation::forget_destroyed() {
+    if (!bodies_destroyed_) return;
+    bodies_destroyed_ = false;
+    std::erase_if(moving_, [this](const MovingBody& moving) {
+        return !registry.alive(moving.entity) || !physics.contains(moving.body);
+    });
+}
+
+ecs::Entity Simulation::spawn(const EntityDescription& description) {
+    std::string name;
+    do {
+        name = fmt::format("{}#{}", description.name, ++spawned_by_name_[description.name]);
+    } while (entities_by_name_.contains(name));
+    Result<ecs::Entity> made = builder_->build(description, name);
+    if (made) return *made;
+    add_warning(made.error().message);
+    return {};
+}
+
+ecs::Entity Simulation::entity_of(physics::BodyId body) const {
+    return physics.contains(body) ? entity_of_mark(physics.user(body)) : ecs::Entity{};
+}
+
+ecs::Entity Simulation::entity_of_mark(std::uint64_t user) const {
+    const ecs::Entity entity{static_cast<std::uint32_t>(user),
+                             static_cast<std::uint32_t>(user >> 32U)};
+    return registry.alive(entity) ? entity : ecs::Entity{};
+}
+
+ecs::Entity Simulation::find(std::string_view name) const {
+    const auto known = entities_by_name_.find(name);
+    return known == entities_by_name_.end() ? ecs::Entity{} : known->second;
+}
+
+std::string Simulation::name_of_mark(std::uint64_t user) const {
+    const ecs::Entity entity = entity_of_mark(user);
+    return registry.alive(entity) ? registry.get<Name>(entity).text : "player";
+}
+
+std::string Simulation::describe(ecs::Entity entity) const {
+    if (!registry.alive(entity)) return "a body of the game";
+    const std::string& name = registry.get<Name>(entity).text;
+    const Source* source = registry.find<Source>(entity);
+    if (source == nullptr) return "entity " + name;
+    return fmt::format("entity {} ({}:{})", name, source->file, source->line);
+}
+
+std::uint64_t Simulation::state_hash() const {
+    Hasher hasher;
+    for (const MovingBody& moving : moving_) {
+        if (!physics.contains(moving.body)) continue;
+        const physics::BodyState state = physics.state(moving.body);
+        const Vec3& p = state.world_from_body.position;
+        const Quat& q = state.world_from_body.orientation;
+        const Vec3& v = state.velocity_mps;
+        const Vec3& w = state.angular_velocity_radps;
+        const Real numbers[] = {p.x, p.y, p.z, q.w, q.x, q.y, q.z, v.x, v.y, v.z, w.x, w.y, w.z};
+        hasher.add(numbers, sizeof numbers);
+    }
+    return hasher.digest();
+}
+
+void Simulation::update_motion_demand() {
+    // Both limits fall a little once the part is on, so that a body at the limit does not switch
+    // it on and off with every step.
+    const Real share = demand_.swept ? 0.8_r : 0.9_r;
+    const Real spin_radps = demand_.spinning ? 0.005_r : 0.01_r;
+    const auto substep_s = static_cast<Real>(step_s_ / physics.def().substeps);
+    demand_ = {};
+    for (const MovingBody& moving : moving_) {
+        if (moving.kind != physics::BodyKind::Dynamic || !registry.alive(moving.entity)) continue;
+        const bool always_swept = moving.ccd == physics::ContinuousCollision::On;
+        if (always_swept && !demand_.swept) demand_.swept = moving.entity;
+        if (!moving.awake) continue;
+        const bool may_be_swept = moving.ccd == physics::ContinuousCollision::Auto;
+        if (!may_be_swept && moving.spherical_inertia) continue;
+        const physics::BodyState state = physics.state(moving.body);
+        if (may_be_swept && !demand_.swept &&
+            glm::length(state.velocity_mps) * substep_s > share * moving.inner_radius_m) {
+            demand_.swept = moving.entity;
+        }
+        if (!moving.spherical_inertia && !demand_.spinning &&
+            glm::length(state.angular_velocity_radps) > spin_radps) {
+            demand_.spinning = moving.entity;
+        }
+    }
+}
+
+void Simulation::set_features(const physics::WorldFeatures& features) {
+    features_ = features;
+    physics.set_features(features);
+}
+
+void Simulation::request_contact_events(const std::string& who) {
+    contact_listeners_.push_back(who);
+    ++revision_;
+}
+
+void Simulation::release_contact_events(const std::string& who) {
+    std::erase(contact_listeners_, who);
+    ++revision_;
+}
+
+Pose pose_on_path(const MotionPath& path, double time_s) {
+    Pose pose = path.start;
+    const double turn_radps = static_cast<double>(glm::length(path.spin_radps));
+    if (turn_radps > 0.0) {
+        const double angle = std::fmod(turn_radps * time_s, 2.0 * glm::pi<double>());
+        const Vec3 axis = path.spin_radps / static_cast<Real>(turn_radps);
+        pose.orientation =
+            glm::normalize(glm::angleAxis(static_cast<Real>(angle), axis) * pose.orientation);
+    }
+    if (path.points_m.empty() || path.period_s <= Real{0}) return pose;
+
+    // The time between two points is in proportion to the way between them.
+    std::vector<double> way_m{0.0};
+    for (std::size_t i = 1; i < path.points_m.size(); ++i) {
+        way_m.push_back(way_m.back() +
+                        static_cast<double>(glm::distance(path.points_m[i], path.points_m[i - 1])));
+    }
+    pose.position = path.points_m.front();
+    if (way_m.back() <= 0.0) return pose;
+
+    const double share = std::fmod(time_s / static_cast<double>(path.period_s), 1.0);
+    const double there = share <= 0.5 ? 2.0 * share : 2.0 - 2.0 * share;
+    const double done_m = there * way_m.back();
+    std::size_t leg = 1;
+    while (leg + 1 < way_m.size() && done_m > way_m[leg]) ++leg;
+    const double leg_m = way_m[leg] - way_m[leg - 1];
+    const double part = leg_m > 0.0 ? std::clamp((done_m - way_m[leg - 1]) / leg_m, 0.0, 1.0) : 1.0;
+    const double eased = 0.5 - 0.5 * std::cos(glm::pi<double>() * part);
+    const Vec3& from = path.points_m[leg - 1];
+    pose.position = from + (path.points_m[leg] - from) * static_cast<Real>(eased);
+    return pose;
+}
+
+}  // namespace plumbline::scene

@@ -1,0 +1,143 @@
+#include "engine/scene/state_report.h"
+
+#include "engine/core/hash.h"
+#include "engine/scene/json_text.h"
+
+#include <algorithm>
+
+namespace plumbline::scene {
+
+namespace {
+
+void add_totals(JsonText& json, const Simulation& simulation) {
+    const physics::Energy energy = simulation.physics.energy();
+    json.key("energy_J").begin_object();
+    json.key("kinetic").number(energy.kinetic_J);
+    json.key("potential").number(energy.potential_J);
+    json.end_object();
+    json.key("momentum_kgmps").vector(simulation.physics.momentum_kgmps());
+    json.key("angular_momentum_kgm2ps").vector(simulation.physics.angular_momentum_kgm2ps());
+    json.key("max_penetration_m").number(simulation.physics.max_penetration_m());
+    json.key("max_joint_error_m").number(0.0);
+}
+
+void add_bodies(JsonText& json, const Simulation& simulation) {
+    json.key("bodies").begin_array();
+    for (const MovingBody& moving : simulation.moving_bodies()) {
+        if (!simulation.physics.contains(moving.body)) continue;
+        const physics::BodyState state = simulation.physics.state(moving.body);
+        const Quat& q = state.world_from_body.orientation;
+        json.begin_object();
+        json.key("name").text(simulation.name_of_mark(simulation.physics.user(moving.body)));
+        json.key("position_m").vector(state.world_from_body.position);
+        json.key("orientation").begin_array();
+        json.number(q.w).number(q.x).number(q.y).number(q.z);
+        json.end_array();
+        json.key("velocity_mps").vector(state.velocity_mps);
+        json.key("angular_velocity_radps").vector(state.angular_velocity_radps);
+        json.key("awake").boolean(state.awake);
+        json.end_object();
+    }
+    json.end_array();
+}
+
+void add_contacts(JsonText& json, const Simulation& simulation) {
+    json.key("contacts").begin_array();
+    for (const physics::ContactEvent& contact : simulation.physics.all_contacts()) {
+        json.begin_object();
+        json.key("a").text(simulation.name_of_mark(contact.user_a));
+        json.key("b").text(simulation.name_of_mark(contact.user_b));
+        json.key("impulse_Ns").number(contact.impulse_Ns);
+        json.end_object();
+    }
+    json.end_array();
+}
+
+void add_cost(JsonText& json, const CostHistory& costs) {
+    const Percentiles step_ms = percentiles_of(costs.step_ms);
+    const double phases_ms = costs.broad_ms + costs.narrow_ms + costs.solve_ms + costs.integrate_ms;
+    json.begin_object();
+    json.key("cpu_ms_total").number(costs.cpu_ms_total);
+    json.key("step_ms").begin_object();
+    json.key("median").number(step_ms.median);
+    json.key("p95").number(step_ms.p95);
+    json.key("p99").number(step_ms.p99);
+    json.key("max").number(step_ms.max);
+    json.end_object();
+    json.key("phases_ms").begin_object();
+    json.key("broad").number(costs.broad_ms);
+    json.key("narrow").number(costs.narrow_ms);
+    json.key("solve").number(costs.solve_ms);
+    json.key("integrate").number(costs.integrate_ms);
+    json.key("other").number(std::max(0.0, costs.cpu_ms_total - phases_ms));
+    json.end_object();
+    json.key("row_solves").number(costs.row_solves);
+    json.key("contacts_max").number(costs.contacts_max);
+    json.end_object();
+}
+
+}  // namespace
+
+void CostHistory::add(const physics::StepCost& cost) {
+    step_ms.push_back(static_cast<float>(cost.total_ms));
+    cpu_ms_total += cost.total_ms;
+    broad_ms += cost.broad_ms;
+    narrow_ms += cost.narrow_ms;
+    solve_ms += cost.solve_ms;
+    integrate_ms += cost.integrate_ms;
+    row_solves += cost.row_solves;
+    contacts_max = std::max(contacts_max, cost.contacts);
+}
+
+Percentiles percentiles_of(std::vector<float> values) {
+    if (values.empty()) return {};
+    std::sort(values.begin(), values.end());
+    // The smallest value that at least this share of all values does not exceed.
+    const auto at = [&](double share) {
+        const double rank = std::ceil(share * static_cast<double>(values.size()));
+        const auto index = static_cast<std::size_t>(std::max(1.0, rank)) - 1;
+        return static_cast<double>(values[std::min(index, values.size() - 1)]);
+    };
+    return {.median = at(0.5), .p95 = at(0.95), .p99 = at(0.99), .max = at(1.0)};
+}
+
+std::string state_json(const Simulation& simulation,
+                       const CostHistory& costs,
+                       const std::string& effects_json,
+                       double lost_time_s,
+                       bool one_line) {
+    const physics::WorldDef& world = simulation.physics.def();
+    JsonText json(one_line ? JsonLayout::OneLine : JsonLayout::Readable);
+    json.begin_object();
+    json.key("scene").text(simulation.description().file.generic_string());
+    json.key("time_s").number(simulation.time_s());
+    json.key("steps").number(simulation.steps());
+    json.key("step_s").number(simulation.step_s());
+    json.key("substeps").number(world.substeps);
+    json.key("solver").text(physics::solver_name(world.solver));
+    json.key("precision").text(kPrecisionName);
+    json.key("hash").text(hex_of(simulation.state_hash()));
+    add_totals(json, simulation);
+    json.key("lost_time_s").number(lost_time_s);
+    json.key("removed").number(simulation.removed_count());
+    json.key("non_finite").number(simulation.physics.quarantined().size());
+    json.key("warnings").begin_array();
+    for (const std::string& warning : simulation.warnings()) json.text(warning);
+    json.end_array();
+    add_bodies(json, simulation);
+    add_contacts(json, simulation);
+    json.key("joints").begin_array().end_array();
+    json.key("cost");
+    add_cost(json, costs);
+    json.key("effects").raw(effects_json);
+    json.end_object();
+    return json.str();
+}
+
+std::string cost_json(const CostHistory& costs) {
+    JsonText json(JsonLayout::OneLine);
+    add_cost(json, costs);
+    return json.str();
+}
+
+}  // namespace plumbline::scene

@@ -1,0 +1,201 @@
+#include "game/simulate_command.h"
+
+#include "engine/core/files.h"
+#include "engine/core/frame_clock.h"
+#include "engine/core/hash.h"
+#include "engine/core/interrupt.h"
+#include "engine/core/log.h"
+#include "engine/effects/advance.h"
+#include "engine/scene/scene_file.h"
+#include "engine/scene/state_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace plumbline::game {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Longest stretch of wall time that one frame may catch up with.
+constexpr double kCatchUp_s = 0.25;
+
+ExitCode refuse(const Error& error) {
+    log_error("{}", error.message);
+    return error.exit_code;
+}
+
+/// A file, or a name below assets/scenes.
+Result<fs::path> find_scene(const std::string& name, const DataFolders& folders) {
+    const fs::path scenes = folders.assets / "scenes";
+    std::error_code ignored;
+    for (const fs::path& candidate :
+         {fs::path(name), scenes / name, scenes / (name + ".toml"), fs::path(name + ".toml")}) {
+        if (fs::is_regular_file(candidate, ignored)) return candidate;
+    }
+    return Error{fmt::format("there is no scene \"{}\" here or in {}", name, scenes.string()),
+                 ExitCode::Refused};
+}
+
+/// What is loaded for one run. The library outlives the simulation.
+struct World {
+    assets::AssetLibrary library;
+    std::unique_ptr<scene::Simulation> simulation;
+};
+
+Result<Done> load(const SimulateOptions& options, World& world) {
+    const Result<DataFolders> folders = find_data_folders();
+    if (!folders) return folders.error();
+    const Result<fs::path> file = find_scene(options.scene, *folders);
+    if (!file) return file.error();
+    Diagnostics faults;
+    const scene::SurfaceTable surfaces =
+        scene::load_surfaces(folders->config / "surfaces.toml", folders->assets, faults);
+    const Result<scene::SceneDescription> description =
+        scene::load_scene(*file, folders->assets, faults);
+    for (const Diagnostic& fault : faults.list()) {
+        log_line(fault.severity == Severity::Error ? LogLevel::Error : LogLevel::Warning,
+                 to_string(fault));
+    }
+    if (!description) return description.error();
+
+    Result<std::unique_ptr<scene::Simulation>> built =
+        scene::build_simulation(*description,
+                                {.solver = options.solver,
+                                 .step_hz = options.step_hz,
+                                 .substeps = options.substeps,
+                                 .iterations = options.iterations,
+                                 .seed = options.seed},
+                                world.library,
+                                surfaces);
+    if (!built) return built.error();
+    world.simulation = std::move(*built);
+    for (const std::string& warning : world.simulation->warnings()) log_warning("{}", warning);
+    for (const Diagnostic& fault : faults.list()) world.simulation->add_warning(to_string(fault));
+    return Done{};
+}
+
+/// Runs the steps and collects what the files want to know.
+class Run {
+public:
+    Run(const SimulateOptions& options, scene::Simulation& simulation)
+        : options_(options),
+          simulation_(simulation),
+          game_(simulation.description().camera),
+          effects_(simulation, {.picture = false, .sound = false}),
+          steps_wanted_(
+              static_cast<std::uint64_t>(std::llround(options.seconds / simulation.step_s()))),
+          steps_between_traces_(std::max<std::uint64_t>(
+              1,
+              static_cast<std::uint64_t>(
+                  std::llround(options.trace_every_s / simulation.step_s())))) {}
+
+    void all_steps() {
+        trace();
+        if (!options_.drive_fps) {
+            while (!done()) step();
+            return;
+        }
+        const double step_s = simulation_.step_s();
+        FrameClock clock(step_s, std::max(1, static_cast<int>(std::ceil(kCatchUp_s / step_s))));
+        for (std::uint64_t frame = 0; !done(); ++frame) {
+            const double now_s = static_cast<double>(frame) / *options_.drive_fps;
+            const int due = clock.advance(now_s).steps;
+            for (int i = 0; i < due && !done(); ++i) step();
+        }
+        lost_s_ = clock.lost_s();
+    }
+
+    std::string state(bool one_line) const {
+        return scene::state_json(
+            simulation_, costs_, effects::ledger_json(effects_.ledger()), lost_s_, one_line);
+    }
+    const std::string& trace_lines() const { return trace_; }
+    const scene::CostHistory& costs() const { return costs_; }
+
+private:
+    bool done() const { return simulation_.steps() >= steps_wanted_ || interrupted(); }
+
+    void step() {
+        effects::advance(simulation_, effects_, game_, {});
+        costs_.add(simulation_.physics.cost());
+        if (simulation_.steps() % steps_between_traces_ == 0) trace();
+    }
+
+    void trace() {
+        if (options_.trace_file.empty()) return;
+        trace_ += state(true);
+        trace_ += '\n';
+    }
+
+    const SimulateOptions& options_;
+    scene::Simulation& simulation_;
+    scene::NoGame game_;
+    effects::EffectRuntime effects_;
+    std::uint64_t steps_wanted_;
+    std::uint64_t steps_between_traces_;
+    scene::CostHistory costs_;
+    std::string trace_;
+    double lost_s_{0.0};
+};
+
+void print_summary(const scene::Simulation& simulation, const scene::CostHistory& costs) {
+    const physics::Energy energy = simulation.physics.energy();
+    const scene::Percentiles step_ms = scene::percentiles_of(costs.step_ms);
+    const auto awake = std::count_if(simulation.moving_bodies().begin(),
+                                     simulation.moving_bodies().end(),
+                                     [](const scene::MovingBody& body) { return body.awake; });
+    std::cout << fmt::format(
+        "{:.3f} s in {} steps of {:.3f} ms, {} ({})\n"
+        "{} moving bodies, {} awake, {} removed, {} not finite\n"
+        "kinetic {:.4g} J, potential {:.4g} J\n"
+        "{:.3f} ms a step (median), {:.3f} ms (worst), {:.1f} ms in all\n"
+        "state {}\n",
+        simulation.time_s(),
+        simulation.steps(),
+        simulation.step_s() * 1e3,
+        physics::solver_name(simulation.physics.def().solver),
+        kPrecisionName,
+        simulation.moving_bodies().size(),
+        awake,
+        simulation.removed_count(),
+        simulation.physics.quarantined().size(),
+        energy.kinetic_J,
+        energy.potential_J,
+        step_ms.median,
+        step_ms.max,
+        costs.cpu_ms_total,
+        hex_of(simulation.state_hash()));
+}
+
+}  // namespace
+
+ExitCode run_simulate(const SimulateOptions& options) {
+    catch_interrupts();
+    World world;
+    if (const Result<Done> loaded = load(options, world); !loaded) return refuse(loaded.error());
+    scene::Simulation& simulation = *world.simulation;
+    Run run(options, simulation);
+    run.all_steps();
+    print_summary(simulation, run.costs());
+
+    ExitCode code = interrupted() ? ExitCode::Interrupted : ExitCode::Good;
+    const auto write = [&](const fs::path& file, const std::string& text) {
+        if (file.empty()) return;
+        const Result<Done> written = write_file_atomically(file, text);
+        if (!written) code = refuse(written.error());
+    };
+    write(options.state_file, run.state(false) + "\n");
+    write(options.trace_file, run.trace_lines());
+    const std::string hash = hex_of(simulation.state_hash());
+    if (code == ExitCode::Good && options.expect_hash && *options.expect_hash != hash) {
+        log_error("the state at the end is {}, expected {}", hash, *options.expect_hash);
+        return ExitCode::Differs;
+    }
+    return code;
+}
+
+}  // namespace plumbline::game
