@@ -15,7 +15,6 @@ namespace plumbline {
 }  // namespace plumbline
 
 // A macro, because clang 14 has no std::source_location and the condition's text is wanted.
-#define PL_ASSERT(condition, expected) \
-    ((condition)      \
-         ? static_cast<void>(0)        \
-         : ::plumbline::assertion_failed(#condition, expected, __FILE__, __LINE__))
+#define PL_ASSERT(condition, expected)  \
+    ((condition) ? static_cast<void>(0) \
+                 : ::plumbline::assertion_failed(#condition, expected, __FILE__, __LINE__))

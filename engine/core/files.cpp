@@ -1,14 +1,18 @@
 #include "engine/core/files.h"
 
+#include "engine/core/files_impl.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
+#include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <vector>
 
 namespace plumbline {
@@ -24,7 +28,7 @@ class Descriptor {
 public:
     explicit Descriptor(int number) : number_(number) {}
     ~Descriptor() {
-        if (number_ >= 0) ::close(number_);
+        if (number_ >= 0) file_calls().close(number_);
     }
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
@@ -35,7 +39,7 @@ public:
     bool close_now() {
         const int number = number_;
         number_ = -1;
-        return ::close(number) == 0;
+        return file_calls().close(number) == 0;
     }
 
 private:
@@ -44,12 +48,51 @@ private:
 
 bool write_all(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        const ssize_t written = file_calls().write(descriptor, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
         if (written <= 0) return false;
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
     return true;
+}
+
+/// A link stays a link: what it points to is replaced.
+fs::path link_target(const fs::path& path) {
+    std::error_code failed;
+    if (!fs::is_symlink(path, failed)) return path;
+    const fs::path target = fs::weakly_canonical(path, failed);
+    return failed ? path : target;
+}
+
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// How temporary files begin that become `target`: nothing that a person would name a file.
+std::string temporary_prefix(const fs::path& target) {
+    return "." + target.filename().string() + ".saving-";
+}
+
+/// Differs between processes, threads and times, so that two savers never share a file.
+std::string unique_name(const std::string& prefix) {
+    static std::atomic<unsigned> count{0};
+    timespec now{};
+    clock_gettime(CLOCK_REALTIME, &now);
+    return fmt::format("{}{}-{}-{}", prefix, ::getpid(), now.tv_nsec, count++);
+}
+
+/// Removes what killed programs left of earlier saves. A save takes far less than a minute; older
+/// ones are nobody's. Should one be somebody's after all, only that save fails, and says so.
+void remove_stale(const fs::path& folder, const std::string& prefix) {
+    constexpr std::time_t kLongestSave_s = 60;
+    std::error_code failed;
+    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
+         entry.increment(failed)) {
+        if (entry->path().filename().string().rfind(prefix, 0) != 0) continue;
+        struct stat status {};
+        if (::lstat(entry->path().c_str(), &status) != 0 || !S_ISREG(status.st_mode)) continue;
+        if (std::time(nullptr) - status.st_mtime > kLongestSave_s) ::unlink(entry->path().c_str());
+    }
 }
 
 bool is_data_root(const fs::path& root) {
@@ -78,6 +121,17 @@ fs::path user_folder(const char* variable, const char* below_home) {
 
 }  // namespace
 
+FileCalls& file_calls() {
+    static FileCalls calls{
+        .open = [](const char* path, int flags, mode_t mode) { return ::open(path, flags, mode); },
+        .read = ::read,
+        .write = ::write,
+        .sync = ::fsync,
+        .close = ::close,
+        .rename = std::rename};
+    return calls;
+}
+
 Result<DataFolders> find_data_folders() {
     std::vector<fs::path> candidates;
     const fs::path named = absolute_from_environment("PLUMBLINE_DATA");
@@ -104,7 +158,7 @@ Result<DataFolders> find_data_folders() {
 
 Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
     // Non-blocking, so that opening a FIFO cannot hang.
-    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    Descriptor file(file_calls().open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK, 0));
     if (!file.open()) return system_error("cannot open", path);
     struct stat status {};
     if (::fstat(file.number(), &status) != 0) return system_error("cannot examine", path);
@@ -119,7 +173,8 @@ Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
     std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
     std::size_t done = 0;
     while (done < bytes.size()) {
-        const ssize_t got = ::read(file.number(), bytes.data() + done, bytes.size() - done);
+        const ssize_t got =
+            file_calls().read(file.number(), bytes.data() + done, bytes.size() - done);
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) return system_error("cannot read", path);
         if (got == 0) break;  // shortened while we read: what is there counts
@@ -130,30 +185,40 @@ Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
 }
 
 Result<Done> write_file_atomically(const fs::path& path, std::string_view bytes) {
-    std::string temporary = path.string() + ".XXXXXX";
-    Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
+    const fs::path target = link_target(path);
+    const std::string prefix = temporary_prefix(target);
+    remove_stale(folder_of(target), prefix);
+
+    const fs::path temporary = folder_of(target) / unique_name(prefix);
+    Descriptor file(
+        file_calls().open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (!file.open()) return system_error("cannot create a file beside", path);
     const auto give_up = [&](std::string_view what) {
         const Error error = system_error(what, path);
         ::unlink(temporary.c_str());
         return error;
     };
-    if (::fchmod(file.number(), 0644) != 0) return give_up("cannot set the mode of");
     if (!write_all(file.number(), bytes)) return give_up("cannot write");
-    if (::fsync(file.number()) != 0) return give_up("cannot store");
+    if (file_calls().sync(file.number()) != 0) return give_up("cannot store");
     if (!file.close_now()) return give_up("cannot finish");
-    if (::rename(temporary.c_str(), path.c_str()) != 0) return give_up("cannot replace");
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (directory.open()) ::fsync(directory.number());  // the data is safe either way
+    if (file_calls().rename(temporary.c_str(), target.c_str()) != 0)
+        return give_up("cannot replace");
+    // From here on the new file stands; whether the folder is stored now or later, it is whole.
+    Descriptor folder(
+        file_calls().open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC, 0));
+    if (folder.open()) file_calls().sync(folder.number());
     return Done{};
 }
 
 bool is_inside(const fs::path& root, const fs::path& path) {
     std::error_code failed;
-    const fs::path real_root = fs::weakly_canonical(root, failed);
+    // Made absolute first: a relative path to nothing would stay relative, and an empty one means
+    // the current folder.
+    const fs::path here = fs::current_path(failed);
     if (failed) return false;
-    const fs::path real_path = fs::weakly_canonical(path, failed);
+    const fs::path real_root = fs::weakly_canonical(here / root, failed);
+    if (failed) return false;
+    const fs::path real_path = fs::weakly_canonical(here / path, failed);
     if (failed) return false;
     const fs::path relative = real_path.lexically_relative(real_root);
     return !relative.empty() && *relative.begin() != "..";

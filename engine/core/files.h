@@ -25,7 +25,8 @@ Result<DataFolders> find_data_folders();
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes);
 
 /// Temporary file beside the target, fsync, rename, fsync of the folder. On any failure the old
-/// file stands, the temporary one is gone and the error says what failed.
+/// file stands, the temporary one is gone and the error says what failed. Of two programs that save
+/// at once the last one wins, whole. What a killed program left behind goes with a later save.
 Result<Done> write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 /// `reference`, as a file writes it, below `root`: relative, forward slashes, no way out of root,

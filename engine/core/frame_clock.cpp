@@ -12,7 +12,7 @@ FrameClock::FrameClock(double step_s, int max_steps_per_frame)
 }
 
 void FrameClock::set_speed(double speed) {
-    speed_ = std::clamp(speed, 1.0 / 16.0, 4.0);
+    if (std::isfinite(speed)) speed_ = std::clamp(speed, 1.0 / 16.0, 4.0);
 }
 
 FrameTime FrameClock::advance(double now_s) {

@@ -28,7 +28,7 @@ public:
     /// Runs one step in the next frame, paused or not.
     void request_step() { step_requested_ = true; }
 
-    /// 1 is real time; clamped to [1/16, 4].
+    /// 1 is real time; clamped to [1/16, 4]. A non-finite speed changes nothing.
     void set_speed(double speed);
     double speed() const { return speed_; }
 

@@ -6,8 +6,8 @@
 
 namespace plumbline {
 
-/// The known name with the smallest edit distance, or empty where none is close enough to be
-/// what was meant (more than a third of its letters differ).
+/// The known name with the smallest edit distance, the first of several; empty where none is close
+/// enough to be what was meant: one edit and one more for each three letters of `word`.
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> known);
 
 /// Insertions, deletions, substitutions and swaps of neighbours that turn a into b.
