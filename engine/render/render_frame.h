@@ -99,7 +99,7 @@ struct RenderFrame {
     std::optional<Post> post;  ///< absent: plain clamp and sRGB, no HDR target
     FillMode fill_mode{FillMode::Filled};
     std::optional<assets::Shading> shading;  ///< over every material's own (`render --shading`)
-    LineList lines;  ///< collision shapes, contacts
+    LineList lines;                          ///< collision shapes, contacts
 };
 
 }  // namespace plumbline::render

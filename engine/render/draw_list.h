@@ -1,0 +1,76 @@
+// From the items of a frame to draws: culled, sorted near to far, equal ones joined. No GL.
+#pragma once
+
+#include "engine/assets/asset_library.h"
+#include "engine/core/bounds.h"
+#include "engine/render/frustum.h"
+#include "engine/render/render_frame.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace plumbline::render {
+
+/// As the vertex shaders read it: the first three rows of world_from_body, and the tint.
+struct Instance {
+    Vec4f row_x{1.0F, 0.0F, 0.0F, 0.0F};
+    Vec4f row_y{0.0F, 1.0F, 0.0F, 0.0F};
+    Vec4f row_z{0.0F, 0.0F, 1.0F, 0.0F};
+    Vec4f tint{1.0F};
+};
+static_assert(sizeof(Instance) == 64);
+
+/// One instanced draw.
+struct DrawRun {
+    assets::MeshId mesh{};
+    assets::MaterialId material{};
+    std::uint32_t first_index{0};
+    std::uint32_t index_count{0};
+    std::uint32_t first_instance{0};
+    std::uint32_t instance_count{0};
+    bool two_sided{false};
+    Aabb bounds_world;
+};
+
+struct DrawList {
+    std::vector<Instance> instances;
+    std::vector<DrawRun> runs;
+
+    void clear() {
+        instances.clear();
+        runs.clear();
+    }
+};
+
+/// An item that passed the cull.
+struct VisibleItem {
+    const DrawItem* item{nullptr};
+    Aabb bounds_world;
+    float distance_m{0.0F};  ///< from the eye to the far side of the bounds
+};
+
+/// Items whose bounds touch the frustum, in the frame's order.
+std::vector<VisibleItem> cull(const std::vector<DrawItem>& items,
+                              const assets::AssetLibrary& library,
+                              const Frustum& frustum,
+                              const Vec3f& eye_world);
+
+enum class DrawKind {
+    Opaque,      ///< all but Blend materials; near to far
+    Translucent  ///< Blend materials only; far to near, one instance a draw
+};
+
+/// Distances are binned first, so that an instanced draw never spans near and far: overdraw is what
+/// costs. Within a bin equal (mesh, materials) join, nearest first.
+void build_draws(std::vector<VisibleItem> visible,
+                 const assets::AssetLibrary& library,
+                 DrawKind kind,
+                 DrawList& list);
+
+/// For depth-only passes, of the items that cast shadows: neighbouring opaque parts of a mesh join
+/// (their run has no material), parts with an alpha mask stay apart. Blend materials cast none.
+void build_depth_draws(std::vector<VisibleItem> visible,
+                       const assets::AssetLibrary& library,
+                       DrawList& list);
+
+}  // namespace plumbline::render

@@ -1,0 +1,35 @@
+#include "engine/render/frustum.h"
+
+namespace plumbline::render {
+
+Frustum::Frustum(const Mat4f& clip_from_world) {
+    const Mat4f rows = glm::transpose(clip_from_world);
+    for (int axis = 0; axis < 3; ++axis) {
+        planes_world_[static_cast<std::size_t>(axis) * 2] = rows[3] + rows[axis];
+        planes_world_[static_cast<std::size_t>(axis) * 2 + 1] = rows[3] - rows[axis];
+    }
+}
+
+bool Frustum::may_touch(const Aabb& box_world) const {
+    if (box_world.empty()) return false;
+    for (const Vec4f& plane : planes_world_) {
+        const Vec3f normal{plane};
+        const Vec3f farthest_inside{normal.x >= 0.0F ? box_world.max.x : box_world.min.x,
+                                    normal.y >= 0.0F ? box_world.max.y : box_world.min.y,
+                                    normal.z >= 0.0F ? box_world.max.z : box_world.min.z};
+        if (glm::dot(normal, farthest_inside) + plane.w < 0.0F) return false;
+    }
+    return true;
+}
+
+Aabb transformed(const Aabb& box, const Mat4f& target_from_source) {
+    if (box.empty()) return box;
+    const Vec3f center{target_from_source * Vec4f{box.center(), 1.0F}};
+    const Vec3f half = box.size() * 0.5F;
+    const Vec3f reach = glm::abs(Vec3f{target_from_source[0]}) * half.x +
+                        glm::abs(Vec3f{target_from_source[1]}) * half.y +
+                        glm::abs(Vec3f{target_from_source[2]}) * half.z;
+    return {.min = center - reach, .max = center + reach};
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,53 @@
+#include "engine/render/gl/buffer.h"
+
+#include <glad/gl.h>
+
+namespace plumbline::render::gl {
+namespace {
+
+GLenum target_of(BufferUse use) {
+    switch (use) {
+        case BufferUse::Vertices:
+            return GL_ARRAY_BUFFER;
+        case BufferUse::Indices:
+            return GL_ELEMENT_ARRAY_BUFFER;
+        case BufferUse::Uniforms:
+            return GL_UNIFORM_BUFFER;
+    }
+    return GL_ARRAY_BUFFER;
+}
+
+BufferObject new_buffer() {
+    GLuint name = 0;
+    glGenBuffers(1, &name);
+    return BufferObject{name};
+}
+
+}  // namespace
+
+Buffer::Buffer(BufferUse use, BufferLife life) : object_(new_buffer()), use_(use), life_(life) {}
+
+void Buffer::upload(const void* bytes, std::size_t size) {
+    // Index buffers are part of the bound vertex array's state; going through GL_ARRAY_BUFFER
+    // leaves whichever is bound alone.
+    const GLenum target = use_ == BufferUse::Indices ? GL_ARRAY_BUFFER : target_of(use_);
+    glBindBuffer(target, object_.name());
+    glBufferData(target,
+                 static_cast<GLsizeiptr>(size),
+                 bytes,
+                 life_ == BufferLife::Kept ? GL_STATIC_DRAW : GL_STREAM_DRAW);
+    size_ = size;
+}
+
+void bind_uniforms(unsigned int binding,
+                   const Buffer& buffer,
+                   std::size_t offset,
+                   std::size_t size) {
+    glBindBufferRange(GL_UNIFORM_BUFFER,
+                      binding,
+                      buffer.name(),
+                      static_cast<GLintptr>(offset),
+                      static_cast<GLsizeiptr>(size));
+}
+
+}  // namespace plumbline::render::gl

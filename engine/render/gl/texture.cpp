@@ -1,0 +1,160 @@
+#include "engine/render/gl/texture.h"
+
+#include <glad/gl.h>
+
+namespace plumbline::render::gl {
+namespace {
+
+struct GlFormat {
+    GLenum internal;
+    GLenum format;
+    GLenum type;
+    std::size_t bytes_per_pixel;
+};
+
+// Colour images are plain 8-bit, not GL_SRGB8: the shader decodes after filtering. Software GL
+// filters plain bytes in a fast path of its own; decoding each of eight samples costs more than
+// the whole rest of the lookup.
+GlFormat format_of(assets::PixelFormat format) {
+    switch (format) {
+        case assets::PixelFormat::R8:
+            return {GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1};
+        case assets::PixelFormat::Rgb8:
+            return {GL_RGB8, GL_RGB, GL_UNSIGNED_BYTE, 4};
+        case assets::PixelFormat::Rgba8:
+            return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+        case assets::PixelFormat::Rgb16F:
+            return {GL_RGB16F, GL_RGB, GL_HALF_FLOAT, 8};
+    }
+    return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+}
+
+GlFormat format_of(TargetFormat format) {
+    switch (format) {
+        case TargetFormat::Rgba8:
+            return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+        case TargetFormat::HdrColor:
+            return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
+        case TargetFormat::Depth16:
+            return {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, 2};
+        case TargetFormat::Depth24:
+            return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4};
+    }
+    return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+}
+
+GLint min_filter(Filter filter) {
+    switch (filter) {
+        case Filter::Nearest:
+            return GL_NEAREST;
+        case Filter::Linear:
+            return GL_LINEAR;
+        case Filter::LinearMipNearest:
+            return GL_LINEAR_MIPMAP_NEAREST;
+        case Filter::Trilinear:
+            return GL_LINEAR_MIPMAP_LINEAR;
+    }
+    return GL_LINEAR;
+}
+
+TextureObject new_texture() {
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    return TextureObject{name};
+}
+
+void set_parameters(GLenum target, Filter filter, GLint wrap) {
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, min_filter(filter));
+    glTexParameteri(
+        target, GL_TEXTURE_MAG_FILTER, filter == Filter::Nearest ? GL_NEAREST : GL_LINEAR);
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
+    glTexParameteri(target, GL_TEXTURE_WRAP_R, wrap);
+}
+
+std::size_t upload_level(GLenum target, GLint level, const assets::ImageData& image) {
+    const GlFormat format = format_of(image.format);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(target,
+                 level,
+                 static_cast<GLint>(format.internal),
+                 static_cast<GLsizei>(image.width),
+                 static_cast<GLsizei>(image.height),
+                 0,
+                 format.format,
+                 format.type,
+                 image.bytes.data());
+    return std::size_t{image.width} * image.height * format.bytes_per_pixel;
+}
+
+}  // namespace
+
+Texture Texture::target(TargetFormat format,
+                        std::uint32_t width,
+                        std::uint32_t height,
+                        Filter filter) {
+    const GlFormat gl_format = format_of(format);
+    Texture texture;
+    texture.object_ = new_texture();
+    texture.width_ = width;
+    texture.height_ = height;
+    texture.bytes_ = std::size_t{width} * height * gl_format.bytes_per_pixel;
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    set_parameters(GL_TEXTURE_2D, filter, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    const bool compares = gl_format.format == GL_DEPTH_COMPONENT && filter == Filter::Linear;
+    if (compares) {
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    }
+    glTexImage2D(GL_TEXTURE_2D,
+                 0,
+                 static_cast<GLint>(gl_format.internal),
+                 static_cast<GLsizei>(width),
+                 static_cast<GLsizei>(height),
+                 0,
+                 gl_format.format,
+                 gl_format.type,
+                 nullptr);
+    return texture;
+}
+
+Texture Texture::tiling(std::span<const assets::ImageData> levels, Filter filter) {
+    Texture texture;
+    texture.object_ = new_texture();
+    texture.width_ = levels.front().width;
+    texture.height_ = levels.front().height;
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    set_parameters(GL_TEXTURE_2D, filter, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.size()) - 1);
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+        texture.bytes_ += upload_level(GL_TEXTURE_2D, static_cast<GLint>(level), levels[level]);
+    }
+    return texture;
+}
+
+Texture Texture::cube(std::span<const assets::ImageData> faces, std::uint32_t levels) {
+    Texture texture;
+    texture.object_ = new_texture();
+    texture.width_ = faces.front().width;
+    texture.height_ = faces.front().height;
+    glBindTexture(GL_TEXTURE_CUBE_MAP, texture.name());
+    set_parameters(
+        GL_TEXTURE_CUBE_MAP, levels > 1 ? Filter::Trilinear : Filter::Linear, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels) - 1);
+    for (std::uint32_t level = 0; level < levels; ++level) {
+        for (std::uint32_t face = 0; face < 6; ++face) {
+            texture.bytes_ += upload_level(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face,
+                                           static_cast<GLint>(level),
+                                           faces[level * 6 + face]);
+        }
+    }
+    return texture;
+}
+
+void bind_texture(unsigned int unit, TextureKind kind, const Texture& texture) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(kind == TextureKind::Cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, texture.name());
+}
+
+}  // namespace plumbline::render::gl

@@ -1,0 +1,48 @@
+// Images on the GPU. Each says how many bytes it holds, by format and mip count (the driver may
+// round up).
+#pragma once
+
+#include "engine/assets/image_data.h"
+#include "engine/render/gl/object.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace plumbline::render::gl {
+
+enum class TargetFormat { Rgba8, HdrColor, Depth16, Depth24 };
+enum class Filter { Nearest, Linear, LinearMipNearest, Trilinear };
+enum class TextureKind { Flat, Cube };
+
+class Texture {
+public:
+    Texture() = default;
+
+    /// Storage to draw into; clamps at the edges. Depth formats compare when sampled with
+    /// Filter::Linear (hardware percentage-closer filtering) and read plainly with Nearest.
+    static Texture target(TargetFormat format,
+                          std::uint32_t width,
+                          std::uint32_t height,
+                          Filter filter);
+    /// A tiling image from its mip levels, largest first.
+    static Texture tiling(std::span<const assets::ImageData> levels, Filter filter);
+    /// Six faces in the order +x -x +y -y +z -z; level after level when `levels` > 1.
+    static Texture cube(std::span<const assets::ImageData> faces, std::uint32_t levels);
+
+    unsigned int name() const { return object_.name(); }
+    explicit operator bool() const { return static_cast<bool>(object_); }
+    std::uint32_t width() const { return width_; }
+    std::uint32_t height() const { return height_; }
+    std::size_t bytes() const { return bytes_; }
+
+private:
+    TextureObject object_;
+    std::uint32_t width_{0};
+    std::uint32_t height_{0};
+    std::size_t bytes_{0};
+};
+
+void bind_texture(unsigned int unit, TextureKind kind, const Texture& texture);
+
+}  // namespace plumbline::render::gl

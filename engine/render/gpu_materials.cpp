@@ -1,0 +1,119 @@
+#include "engine/render/gpu_materials.h"
+
+#include "engine/render/shader_blocks.h"
+
+#include <glad/gl.h>
+
+#include <cstring>
+
+namespace plumbline::render {
+namespace {
+
+// Smoother than this a surface mirrors the sky visibly; rougher ones make do with the sky's
+// harmonics, which cost no texture lookup.
+constexpr float kMirrorRoughness = 0.3F;
+// The share of sunlight that comes through a leaf or petal.
+constexpr float kLeafTransmission = 0.55F;
+
+MaterialBlock block_of(const assets::MaterialData& material) {
+    const bool is_leaf = (features_of(material) & feature::kLeaf) != 0;
+    return {.base_color = Vec4f{material.base_color, material.alpha},
+            .emissive = Vec4f{material.emissive, material.alpha_cutoff},
+            .surface = {
+                material.roughness, material.metallic, is_leaf ? kLeafTransmission : 0.0F, 0.0F}};
+}
+
+}  // namespace
+
+FeatureSet features_of(const assets::MaterialData& material) {
+    FeatureSet features = 0;
+    if (material.shading == assets::Shading::BlinnPhong) features |= feature::kBlinnPhong;
+    if (material.shading == assets::Shading::Unlit) features |= feature::kUnlit;
+    // With a base colour map the vertices' colour channel carries wind weights in our models.
+    features |= material.base_color_map.empty() ? feature::kVertexColor : feature::kBaseMap;
+    if (material.alpha_mode == assets::AlphaMode::Mask && !material.base_color_map.empty()) {
+        features |= feature::kAlphaMask;
+    }
+    if (material.alpha_mode == assets::AlphaMode::Blend) features |= feature::kBlend;
+    if (material.shading == assets::Shading::Unlit) return features;
+
+    if (!material.normal_map.empty()) features |= feature::kNormalMap;
+    if (!material.orm_map.empty()) features |= feature::kOrmMap;
+    if (material.two_sided) features |= feature::kTwoSided;
+    // Thin and two-sided without being metal: a leaf, a petal, a blade of grass.
+    if (material.two_sided && material.metallic < 0.5F &&
+        material.alpha_mode != assets::AlphaMode::Blend) {
+        features |= feature::kLeaf;
+    }
+    if (material.shading == assets::Shading::Pbr && material.orm_map.empty() &&
+        material.roughness < kMirrorRoughness) {
+        features |= feature::kSkyReflection;
+    }
+    return features;
+}
+
+std::vector<TextureRequest> textures_of(const assets::MaterialData& material) {
+    std::vector<TextureRequest> requests;
+    const FeatureSet features = features_of(material);
+    if ((features & feature::kBaseMap) != 0) {
+        const bool masked = (features & feature::kAlphaMask) != 0;
+        requests.push_back({.file = material.base_color_map,
+                            .content = MipContent::Color,
+                            .alpha_cutoff = masked ? material.alpha_cutoff : 0.0F});
+    }
+    if ((features & feature::kNormalMap) != 0) {
+        requests.push_back({.file = material.normal_map, .content = MipContent::Data});
+    }
+    if ((features & feature::kOrmMap) != 0) {
+        requests.push_back({.file = material.orm_map, .content = MipContent::Data});
+    }
+    return requests;
+}
+
+GpuMaterials::GpuMaterials(const assets::AssetLibrary& library, GpuTextures& textures)
+    : library_(library),
+      textures_(textures),
+      blocks_(gl::BufferUse::Uniforms, gl::BufferLife::Kept) {
+    GLint alignment = 256;
+    glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+    const auto step = static_cast<std::size_t>(alignment);
+    stride_ = (sizeof(MaterialBlock) + step - 1) / step * step;
+}
+
+void GpuMaterials::update() {
+    const std::size_t count = library_.material_count() + 1;
+    if (features_.size() == count) return;
+    features_.clear();
+    std::vector<std::byte> bytes(count * stride_);
+    for (std::uint32_t id = 0; id < count; ++id) {
+        const assets::MaterialData material =
+            id == 0 ? assets::MaterialData{} : library_.material(assets::MaterialId{id});
+        const MaterialBlock block = block_of(material);
+        std::memcpy(bytes.data() + id * stride_, &block, sizeof(block));
+        features_.push_back(features_of(material));
+    }
+    blocks_.upload(bytes.data(), bytes.size());
+}
+
+FeatureSet GpuMaterials::features(assets::MaterialId id) const {
+    return features_[id.value];
+}
+
+void GpuMaterials::bind(assets::MaterialId id) {
+    gl::bind_uniforms(kMaterialBinding, blocks_, id.value * stride_, sizeof(MaterialBlock));
+    if (id.value == 0) return;
+    const assets::MaterialData& material = library_.material(id);
+    for (const TextureRequest& request : textures_of(material)) {
+        TextureUnit unit = kBaseColorUnit;
+        if (request.content == MipContent::Data) {
+            unit = request.file == material.normal_map ? kNormalUnit : kOrmUnit;
+        }
+        gl::bind_texture(unit, gl::TextureKind::Flat, textures_.get(request));
+    }
+}
+
+void GpuMaterials::clear() {
+    features_.clear();
+}
+
+}  // namespace plumbline::render

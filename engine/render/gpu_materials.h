@@ -1,0 +1,38 @@
+// Materials of the asset library as the shaders read them.
+#pragma once
+
+#include "engine/assets/asset_library.h"
+#include "engine/render/gl/buffer.h"
+#include "engine/render/gpu_textures.h"
+#include "engine/render/shader_features.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace plumbline::render {
+
+/// The shader code that a material needs.
+FeatureSet features_of(const assets::MaterialData& material);
+/// The images that it names.
+std::vector<TextureRequest> textures_of(const assets::MaterialData& material);
+
+class GpuMaterials {
+public:
+    GpuMaterials(const assets::AssetLibrary& library, GpuTextures& textures);
+
+    /// Uploads materials that the library has got since the last call. Once a frame.
+    void update();
+    FeatureSet features(assets::MaterialId id) const;
+    /// Makes the material's numbers and images what the next draw reads.
+    void bind(assets::MaterialId id);
+    void clear();
+
+private:
+    const assets::AssetLibrary& library_;
+    GpuTextures& textures_;
+    gl::Buffer blocks_;
+    std::size_t stride_{0};
+    std::vector<FeatureSet> features_;  ///< by id; [0]: what draws without a material get
+};
+
+}  // namespace plumbline::render

@@ -1,0 +1,232 @@
+#include "engine/render/gpu_meshes.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+
+namespace plumbline::render {
+namespace {
+
+// Attribute locations, as in the vertex shaders.
+constexpr GLuint kPosition = 0;
+constexpr GLuint kNormal = 1;
+constexpr GLuint kTangent = 2;
+constexpr GLuint kUv = 3;
+constexpr GLuint kColor = 4;
+constexpr GLuint kInstanceRows = 5;  // to 7
+constexpr GLuint kTint = 8;
+
+struct PackedVertex {
+    Vec3f position_body;
+    std::uint32_t normal_body;   // 10 bits a part, signed
+    std::uint32_t tangent_body;  // w: handedness
+    Vec2f uv;
+    std::uint32_t color;  // 8 bits a part
+};
+static_assert(sizeof(PackedVertex) == 32);
+
+std::uint32_t pack_signed(float value, int bits) {
+    const float scale = static_cast<float>((1 << (bits - 1)) - 1);
+    const float scaled = std::round(std::clamp(value, -1.0F, 1.0F) * scale);
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(scaled)) & ((1U << bits) - 1U);
+}
+
+std::uint32_t pack_direction(const Vec3f& v, float w) {
+    return pack_signed(v.x, 10) | pack_signed(v.y, 10) << 10U | pack_signed(v.z, 10) << 20U |
+           pack_signed(w, 2) << 30U;
+}
+
+std::uint32_t pack_color(const Vec3f& color) {
+    std::uint32_t packed = 0xFF000000U;
+    for (int i = 0; i < 3; ++i) {
+        const float byte = std::round(std::clamp(color[i], 0.0F, 1.0F) * 255.0F);
+        packed |= static_cast<std::uint32_t>(byte) << (8U * static_cast<std::uint32_t>(i));
+    }
+    return packed;
+}
+
+std::vector<PackedVertex> pack(const std::vector<assets::Vertex>& vertices) {
+    std::vector<PackedVertex> packed;
+    packed.reserve(vertices.size());
+    for (const assets::Vertex& v : vertices) {
+        packed.push_back({v.position_body,
+                          pack_direction(v.normal_body, 0.0F),
+                          pack_direction(Vec3f{v.tangent_body}, v.tangent_body.w),
+                          v.uv,
+                          pack_color(v.color)});
+    }
+    return packed;
+}
+
+struct DepthGeometry {
+    std::vector<Vec3f> positions;
+    std::vector<std::uint32_t> indices;
+};
+
+/// Vertices that differ in normal or uv only are one for a shadow map: a cube has 8, not 24.
+DepthGeometry merged_positions(const assets::MeshData& mesh) {
+    std::vector<std::uint32_t> order(mesh.vertices.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto position = [&](std::uint32_t i) { return mesh.vertices[i].position_body; };
+    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+        const Vec3f pa = position(a);
+        const Vec3f pb = position(b);
+        if (pa.x != pb.x) return pa.x < pb.x;
+        if (pa.y != pb.y) return pa.y < pb.y;
+        return pa.z < pb.z;
+    });
+    DepthGeometry merged;
+    std::vector<std::uint32_t> merged_index(mesh.vertices.size());
+    for (const std::uint32_t i : order) {
+        if (merged.positions.empty() || merged.positions.back() != position(i)) {
+            merged.positions.push_back(position(i));
+        }
+        merged_index[i] = static_cast<std::uint32_t>(merged.positions.size() - 1);
+    }
+    merged.indices.reserve(mesh.indices.size());
+    for (const std::uint32_t i : mesh.indices) merged.indices.push_back(merged_index[i]);
+    return merged;
+}
+
+/// Uploads as 16 bit where they fit; tells the GL type.
+unsigned int upload_indices(gl::Buffer& buffer,
+                            const std::vector<std::uint32_t>& indices,
+                            std::size_t vertex_count) {
+    if (vertex_count <= std::numeric_limits<std::uint16_t>::max()) {
+        const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
+        buffer.upload(narrow.data(), narrow.size() * sizeof(std::uint16_t));
+        return GL_UNSIGNED_SHORT;
+    }
+    buffer.upload(indices.data(), indices.size() * sizeof(std::uint32_t));
+    return GL_UNSIGNED_INT;
+}
+
+const void* offset_pointer(std::size_t offset) {
+    return reinterpret_cast<const void*>(offset);
+}
+
+void float_attribute(GLuint location, GLint count, std::size_t stride, std::size_t offset) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(
+        location, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), offset_pointer(offset));
+}
+
+void packed_attribute(GLuint location, GLenum type, std::size_t offset) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, 4, type, GL_TRUE, sizeof(PackedVertex), offset_pointer(offset));
+}
+
+void enable_instance_attributes() {
+    for (GLuint location = kInstanceRows; location <= kTint; ++location) {
+        glEnableVertexAttribArray(location);
+        glVertexAttribDivisor(location, 1);
+    }
+}
+
+gl::VertexArrayObject new_vertex_array() {
+    GLuint name = 0;
+    glGenVertexArrays(1, &name);
+    glBindVertexArray(name);
+    return gl::VertexArrayObject{name};
+}
+
+void set_up_full(GpuMesh& mesh) {
+    mesh.vertex_array = new_vertex_array();
+    glBindBuffer(GL_ARRAY_BUFFER, mesh.vertices.name());
+    float_attribute(kPosition, 3, sizeof(PackedVertex), offsetof(PackedVertex, position_body));
+    packed_attribute(kNormal, GL_INT_2_10_10_10_REV, offsetof(PackedVertex, normal_body));
+    packed_attribute(kTangent, GL_INT_2_10_10_10_REV, offsetof(PackedVertex, tangent_body));
+    float_attribute(kUv, 2, sizeof(PackedVertex), offsetof(PackedVertex, uv));
+    packed_attribute(kColor, GL_UNSIGNED_BYTE, offsetof(PackedVertex, color));
+    enable_instance_attributes();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.name());
+    glBindVertexArray(0);
+}
+
+void set_up_depth(GpuMesh& mesh) {
+    mesh.depth_vertex_array = new_vertex_array();
+    glBindBuffer(GL_ARRAY_BUFFER, mesh.depth_vertices.name());
+    float_attribute(kPosition, 3, sizeof(Vec3f), 0);
+    enable_instance_attributes();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.depth_indices.name());
+    glBindVertexArray(0);
+}
+
+GpuMesh uploaded(const assets::MeshData& data) {
+    using gl::Buffer;
+    using gl::BufferLife;
+    using gl::BufferUse;
+    GpuMesh mesh;
+    const std::vector<PackedVertex> vertices = pack(data.vertices);
+    mesh.vertices = Buffer{BufferUse::Vertices, BufferLife::Kept};
+    mesh.vertices.upload(vertices.data(), vertices.size() * sizeof(PackedVertex));
+    mesh.indices = Buffer{BufferUse::Indices, BufferLife::Kept};
+    mesh.index_type = upload_indices(mesh.indices, data.indices, data.vertices.size());
+
+    const DepthGeometry depth = merged_positions(data);
+    mesh.depth_vertices = Buffer{BufferUse::Vertices, BufferLife::Kept};
+    mesh.depth_vertices.upload(depth.positions.data(), depth.positions.size() * sizeof(Vec3f));
+    mesh.depth_indices = Buffer{BufferUse::Indices, BufferLife::Kept};
+    mesh.depth_index_type =
+        upload_indices(mesh.depth_indices, depth.indices, depth.positions.size());
+
+    set_up_full(mesh);
+    set_up_depth(mesh);
+    mesh.bytes = mesh.vertices.size() + mesh.indices.size() + mesh.depth_vertices.size() +
+                 mesh.depth_indices.size();
+    return mesh;
+}
+
+}  // namespace
+
+const GpuMesh& GpuMeshes::get(assets::MeshId id) {
+    const auto found = meshes_.find(id);
+    if (found != meshes_.end()) return found->second;
+    GpuMesh mesh = uploaded(library_.mesh(id));
+    bytes_ += mesh.bytes;
+    return meshes_.emplace(id, std::move(mesh)).first->second;
+}
+
+void GpuMeshes::clear() {
+    meshes_.clear();
+    bytes_ = 0;
+}
+
+void InstanceStream::upload(std::span<const Instance> instances) {
+    buffer_.upload(instances.data(), instances.size_bytes());
+}
+
+void InstanceStream::attach(std::uint32_t first) const {
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+    for (GLuint i = 0; i < 4; ++i) {
+        glVertexAttribPointer(kInstanceRows + i,
+                              4,
+                              GL_FLOAT,
+                              GL_FALSE,
+                              sizeof(Instance),
+                              offset_pointer(first * sizeof(Instance) + i * sizeof(Vec4f)));
+    }
+}
+
+void draw_instances(const GpuMesh& mesh,
+                    MeshDetail detail,
+                    const InstanceStream& instances,
+                    const DrawRun& run) {
+    const bool full = detail == MeshDetail::Full;
+    glBindVertexArray(full ? mesh.vertex_array.name() : mesh.depth_vertex_array.name());
+    instances.attach(run.first_instance);
+    const unsigned int type = full ? mesh.index_type : mesh.depth_index_type;
+    const std::size_t index_bytes = type == GL_UNSIGNED_SHORT ? 2 : 4;
+    glDrawElementsInstanced(GL_TRIANGLES,
+                            static_cast<GLsizei>(run.index_count),
+                            type,
+                            offset_pointer(run.first_index * index_bytes),
+                            static_cast<GLsizei>(run.instance_count));
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,62 @@
+// Meshes of the asset library, uploaded on first use, and the stream of per-instance data.
+#pragma once
+
+#include "engine/assets/asset_library.h"
+#include "engine/render/draw_list.h"
+#include "engine/render/gl/buffer.h"
+#include "engine/render/gl/object.h"
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace plumbline::render {
+
+struct GpuMesh {
+    gl::VertexArrayObject vertex_array;        ///< all attributes
+    gl::VertexArrayObject depth_vertex_array;  ///< positions only, merged: for shadow maps
+    gl::Buffer vertices;
+    gl::Buffer indices;
+    gl::Buffer depth_vertices;
+    gl::Buffer depth_indices;
+    unsigned int index_type{0};
+    unsigned int depth_index_type{0};
+    std::size_t bytes{0};
+};
+
+class GpuMeshes {
+public:
+    explicit GpuMeshes(const assets::AssetLibrary& library) : library_(library) {}
+
+    const GpuMesh& get(assets::MeshId id);
+    void clear();
+    std::size_t bytes() const { return bytes_; }
+
+private:
+    const assets::AssetLibrary& library_;
+    std::map<assets::MeshId, GpuMesh> meshes_;
+    std::size_t bytes_{0};
+};
+
+/// Instances of one draw list in GPU memory.
+class InstanceStream {
+public:
+    InstanceStream() : buffer_(gl::BufferUse::Vertices, gl::BufferLife::PerFrame) {}
+    void upload(std::span<const Instance> instances);
+    /// Points the bound vertex array's instance attributes at `first` and what follows.
+    void attach(std::uint32_t first) const;
+
+private:
+    gl::Buffer buffer_;
+};
+
+/// Which of a mesh's two vertex arrays a draw uses.
+enum class MeshDetail { Full, DepthOnly };
+
+void draw_instances(const GpuMesh& mesh,
+                    MeshDetail detail,
+                    const InstanceStream& instances,
+                    const DrawRun& run);
+
+}  // namespace plumbline::render

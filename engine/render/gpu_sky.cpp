@@ -1,0 +1,94 @@
+#include "engine/render/gpu_sky.h"
+
+#include "engine/core/log.h"
+
+#include <algorithm>
+#include <array>
+#include <future>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+namespace plumbline::render {
+namespace {
+
+constexpr std::array<const char*, 6> kFaceNames{"px", "nx", "py", "ny", "pz", "nz"};
+constexpr std::array<const char*, 3> kEndings{".exr", ".png", ".jpg"};
+// Enough for a mirror on a barrel; more would only cost memory.
+constexpr std::uint32_t kReflectionSide = 128;
+
+std::filesystem::path face_file(const std::filesystem::path& folder, const char* face) {
+    for (const char* ending : kEndings) {
+        std::filesystem::path file = folder / (std::string{face} + ending);
+        std::error_code error;
+        if (std::filesystem::is_regular_file(file, error)) return file;
+    }
+    return {};
+}
+
+assets::ImageData gray_face() {
+    return {.width = 1, .height = 1, .format = assets::PixelFormat::Rgb8, .bytes = {128, 128, 128}};
+}
+
+/// Halved until no side is over kReflectionSide.
+RadianceImage small_face(const assets::ImageData& image) {
+    RadianceImage face = radiance_of(image);
+    while (face.width > kReflectionSide) face = halved(face);
+    return face;
+}
+
+}  // namespace
+
+void GpuSky::want(const std::filesystem::path& folder) {
+    if (folder == folder_) return;
+    folder_ = folder;
+    background_ = {};
+    reflection_ = {};
+    light_ = {};
+    if (!folder.empty()) load(folder);
+}
+
+void GpuSky::load(const std::filesystem::path& folder) {
+    std::vector<assets::ImageData> faces;
+    for (const char* name : kFaceNames) {
+        const std::filesystem::path file = face_file(folder, name);
+        if (file.empty()) {
+            log_warning(
+                "sky {}: no face {} (.exr, .png or .jpg); it stays grey", folder.string(), name);
+            faces.push_back(gray_face());
+            continue;
+        }
+        faces.push_back(*library_.take_image(file));
+    }
+    const bool alike = std::ranges::all_of(faces, [&](const assets::ImageData& face) {
+        return face.width == face.height && face.width == faces[0].width &&
+               face.format == faces[0].format;
+    });
+    if (!alike) {
+        log_warning("sky {}: the six faces must be square, of one size and of one kind",
+                    folder.string());
+        std::ranges::fill(faces, gray_face());
+    }
+
+    std::vector<RadianceImage> level;
+    std::vector<std::future<RadianceImage>> under_way;
+    for (const auto& face : faces) {
+        under_way.push_back(std::async(std::launch::async, [&face] { return small_face(face); }));
+    }
+    for (auto& face : under_way) level.push_back(face.get());
+
+    std::vector<assets::ImageData> reflection_faces;
+    reflection_levels_ = 0;
+    for (;;) {
+        for (const RadianceImage& face : level) reflection_faces.push_back(half_floats_of(face));
+        ++reflection_levels_;
+        if (level[0].width <= 32 && light_[0] == Vec3f{0.0F}) light_ = project_sky(level);
+        if (level[0].width == 1) break;
+        for (RadianceImage& face : level) face = halved(face);
+    }
+    is_srgb_ = faces[0].format != assets::PixelFormat::Rgb16F;
+    background_ = gl::Texture::cube(faces, 1);
+    reflection_ = gl::Texture::cube(reflection_faces, reflection_levels_);
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,43 @@
+// The sky's cube map and the light that comes from it. Exists while a frame asks for a sky.
+#pragma once
+
+#include "engine/assets/asset_library.h"
+#include "engine/render/gl/texture.h"
+#include "engine/render/sky_light.h"
+
+#include <cstddef>
+#include <filesystem>
+
+namespace plumbline::render {
+
+class GpuSky {
+public:
+    explicit GpuSky(assets::AssetLibrary& library) : library_(library) {}
+
+    /// Loads when the folder differs from the last; a missing or misshapen face is grey, with one
+    /// warning. An empty path frees everything.
+    void want(const std::filesystem::path& folder);
+
+    /// The background holds sRGB code values (8-bit faces), not radiance.
+    bool is_srgb() const { return is_srgb_; }
+    bool ready() const { return static_cast<bool>(background_); }
+    const gl::Texture& background() const { return background_; }
+    /// Small, with mip levels as ever rougher reflections.
+    const gl::Texture& reflection() const { return reflection_; }
+    std::uint32_t reflection_levels() const { return reflection_levels_; }
+    const SkyCoefficients& light() const { return light_; }
+    std::size_t bytes() const { return background_.bytes() + reflection_.bytes(); }
+
+private:
+    void load(const std::filesystem::path& folder);
+
+    assets::AssetLibrary& library_;
+    std::filesystem::path folder_;
+    gl::Texture background_;
+    gl::Texture reflection_;
+    std::uint32_t reflection_levels_{0};
+    bool is_srgb_{false};
+    SkyCoefficients light_{};
+};
+
+}  // namespace plumbline::render

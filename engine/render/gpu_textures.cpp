@@ -1,0 +1,65 @@
+#include "engine/render/gpu_textures.h"
+
+#include <deque>
+#include <future>
+
+namespace plumbline::render {
+namespace {
+
+// Colour changes visibly from level to level and is blended between two; normals and roughness are
+// not worth a second lookup on software GL.
+gl::Filter filter_for(MipContent content) {
+    return content == MipContent::Color ? gl::Filter::Trilinear : gl::Filter::LinearMipNearest;
+}
+
+// Finished chains waiting for upload hold memory; so few are kept under way.
+constexpr std::size_t kChainsUnderWay = 4;
+
+}  // namespace
+
+const gl::Texture& GpuTextures::add(const TextureRequest& request,
+                                    const std::vector<assets::ImageData>& levels) {
+    gl::Texture texture = gl::Texture::tiling(levels, filter_for(request.content));
+    bytes_ += texture.bytes();
+    return textures_.insert_or_assign(Key{request.file, request.content}, std::move(texture))
+        .first->second;
+}
+
+const gl::Texture& GpuTextures::get(const TextureRequest& request) {
+    const auto found = textures_.find(Key{request.file, request.content});
+    if (found != textures_.end()) return found->second;
+    const auto image = library_.take_image(request.file);
+    return add(request, mip_chain(*image, request.content, request.alpha_cutoff));
+}
+
+void GpuTextures::load(const std::vector<TextureRequest>& requests) {
+    struct UnderWay {
+        TextureRequest request;
+        std::future<std::vector<assets::ImageData>> levels;
+    };
+    std::deque<UnderWay> under_way;
+    const auto finish_oldest = [&] {
+        UnderWay& oldest = under_way.front();
+        add(oldest.request, oldest.levels.get());
+        under_way.pop_front();
+    };
+    std::map<Key, bool> asked;
+    for (const TextureRequest& request : requests) {
+        const Key key{request.file, request.content};
+        if (textures_.contains(key) || !asked.emplace(key, true).second) continue;
+        auto image = library_.take_image(request.file);
+        under_way.push_back(
+            {request, std::async(std::launch::async, [image = std::move(image), request] {
+                 return mip_chain(*image, request.content, request.alpha_cutoff);
+             })});
+        if (under_way.size() >= kChainsUnderWay) finish_oldest();
+    }
+    while (!under_way.empty()) finish_oldest();
+}
+
+void GpuTextures::clear() {
+    textures_.clear();
+    bytes_ = 0;
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,45 @@
+// Images that materials name, uploaded on first use with all their mip levels.
+#pragma once
+
+#include "engine/assets/asset_library.h"
+#include "engine/render/gl/texture.h"
+#include "engine/render/mip_chain.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace plumbline::render {
+
+struct TextureRequest {
+    std::filesystem::path file;
+    MipContent content{MipContent::Color};
+    float alpha_cutoff{0.0F};  ///< 0: alpha is not cut
+};
+
+class GpuTextures {
+public:
+    explicit GpuTextures(assets::AssetLibrary& library) : library_(library) {}
+
+    /// Uploads at the first call; the reference is good until clear().
+    const gl::Texture& get(const TextureRequest& request);
+    /// Uploads all that are not there yet, halving them on worker threads meanwhile.
+    void load(const std::vector<TextureRequest>& requests);
+    void clear();
+    std::size_t bytes() const { return bytes_; }
+
+private:
+    /// The same file can be wanted as colour by one material and as data by another.
+    using Key = std::pair<std::filesystem::path, MipContent>;
+
+    const gl::Texture& add(const TextureRequest& request,
+                           const std::vector<assets::ImageData>& levels);
+
+    assets::AssetLibrary& library_;
+    std::map<Key, gl::Texture> textures_;
+    std::size_t bytes_{0};
+};
+
+}  // namespace plumbline::render

@@ -1,0 +1,22 @@
+// Smaller and smaller copies of an image, made on the CPU.
+#pragma once
+
+#include "engine/assets/image_data.h"
+
+#include <vector>
+
+namespace plumbline::render {
+
+enum class MipContent {
+    Color,  ///< sRGB: averaged as light, not as code values
+    Data    ///< normals, roughness and so on: averaged as they are
+};
+
+/// The image and all levels below it down to 1 x 1. 8-bit formats only.
+/// With `alpha_cutoff` > 0, each level's alpha is scaled so that the same share of it passes the
+/// cutoff as in the full image: leaves would vanish with distance otherwise.
+std::vector<assets::ImageData> mip_chain(const assets::ImageData& image,
+                                         MipContent content,
+                                         float alpha_cutoff);
+
+}  // namespace plumbline::render

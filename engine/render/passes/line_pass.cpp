@@ -1,0 +1,52 @@
+#include "engine/render/passes/line_pass.h"
+
+#include <glad/gl.h>
+
+#include <cstddef>
+
+namespace plumbline::render {
+namespace {
+
+constexpr float kHiddenOpacity = 0.2F;
+
+}  // namespace
+
+void LinePass::render(const LineList& lines, SceneResources& resources, FrameStats& stats) {
+    const gl::Program* program = resources.shaders.find(kLineShader, 0);
+    if (program == nullptr || lines.vertices.empty()) return;
+    if (!vertex_array_) {
+        GLuint name = 0;
+        glGenVertexArrays(1, &name);
+        vertex_array_ = gl::VertexArrayObject{name};
+        vertices_ = gl::Buffer{gl::BufferUse::Vertices, gl::BufferLife::PerFrame};
+    }
+    vertices_.upload(lines.vertices.data(), lines.vertices.size() * sizeof(LineVertex));
+    glBindVertexArray(vertex_array_.name());
+    const auto stride = static_cast<GLsizei>(sizeof(LineVertex));
+    glEnableVertexAttribArray(0);
+    glEnableVertexAttribArray(1);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
+    glVertexAttribPointer(1,
+                          3,
+                          GL_FLOAT,
+                          GL_FALSE,
+                          stride,
+                          reinterpret_cast<const void*>(offsetof(LineVertex, color)));
+    program->use();
+    const auto count = static_cast<GLsizei>(lines.vertices.size());
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthFunc(GL_GREATER);
+    glUniform1f(program->location("opacity"), kHiddenOpacity);
+    glDrawArrays(GL_LINES, 0, count);
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_LEQUAL);
+    glUniform1f(program->location("opacity"), 1.0F);
+    glDrawArrays(GL_LINES, 0, count);
+    glDepthMask(GL_TRUE);
+    stats.draw_calls += 2;
+}
+
+}  // namespace plumbline::render

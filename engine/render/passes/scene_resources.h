@@ -1,0 +1,45 @@
+// What the passes of a scene draw with. Owned by the renderer.
+#pragma once
+
+#include "engine/render/gpu_materials.h"
+#include "engine/render/gpu_meshes.h"
+#include "engine/render/gpu_sky.h"
+#include "engine/render/gpu_textures.h"
+#include "engine/render/renderer.h"
+#include "engine/render/shader_library.h"
+
+namespace plumbline::render {
+
+struct SceneResources {
+    SceneResources(const std::filesystem::path& shader_folder, assets::AssetLibrary& asset_library)
+        : library(asset_library),
+          shaders(shader_folder),
+          meshes(asset_library),
+          textures(asset_library),
+          materials(asset_library, textures),
+          sky(asset_library) {}
+
+    assets::AssetLibrary& library;
+    ShaderLibrary shaders;
+    GpuMeshes meshes;
+    GpuTextures textures;
+    GpuMaterials materials;
+    GpuSky sky;
+};
+
+inline constexpr ShaderPair kMeshShader{"mesh.vert", "mesh.frag"};
+inline constexpr ShaderPair kDepthShader{"depth.vert", "depth.frag"};
+inline constexpr ShaderPair kSkyShader{"fullscreen.vert", "sky.frag"};
+inline constexpr ShaderPair kToneMapShader{"fullscreen.vert", "tone_map.frag"};
+inline constexpr ShaderPair kBloomDownShader{"fullscreen.vert", "bloom_down.frag"};
+inline constexpr ShaderPair kBloomUpShader{"fullscreen.vert", "bloom_up.frag"};
+inline constexpr ShaderPair kLineShader{"line.vert", "line.frag"};
+
+/// Adds a draw to the statistics.
+inline void count_draw(FrameStats& stats, const DrawRun& run) {
+    ++stats.draw_calls;
+    stats.instances += run.instance_count;
+    stats.triangles += std::uint64_t{run.index_count} / 3 * run.instance_count;
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,113 @@
+#include "engine/render/passes/shadow_pass.h"
+
+#include "engine/core/hash.h"
+#include "engine/render/frustum.h"
+
+#include <glad/gl.h>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+
+namespace plumbline::render {
+namespace {
+
+/// The light's volume made as deep again towards the light: what stands there casts too.
+Frustum caster_volume(const Mat4f& clip_from_world) {
+    Mat4f open = clip_from_world;
+    for (int column = 0; column < 4; ++column) {
+        open[column][2] = 0.5F * (clip_from_world[column][2] + clip_from_world[column][3]);
+    }
+    return Frustum{open};
+}
+
+std::uint64_t hash_of(const ShadowView& view, const std::vector<VisibleItem>& casters) {
+    Hasher hasher;
+    hasher.add(&view.clip_from_world, sizeof(view.clip_from_world));
+    hasher.add(&view.size_px, sizeof(view.size_px));
+    for (const VisibleItem& caster : casters) {
+        const DrawItem& item = *caster.item;
+        hasher.add(&item.mesh, sizeof(item.mesh));
+        hasher.add(&item.world_from_body, sizeof(item.world_from_body));
+        hasher.add(item.materials, item.material_count * sizeof(assets::MaterialId));
+    }
+    return hasher.digest();
+}
+
+}  // namespace
+
+void ShadowPass::render(const ShadowView& view,
+                        const std::vector<DrawItem>& items,
+                        SceneResources& resources,
+                        FrameStats& stats) {
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    const std::uint32_t size =
+        std::clamp(view.size_px, 16U, static_cast<std::uint32_t>(std::max(largest, 16)));
+    if (map_.width() != size) {
+        framebuffer_ = {};
+        map_ = gl::Texture::target(gl::TargetFormat::Depth16, size, size, gl::Filter::Linear);
+        framebuffer_ = gl::Framebuffer{nullptr, &map_};
+        drawn_hash_ = 0;
+    }
+    std::vector<VisibleItem> casters =
+        cull(items, resources.library, caster_volume(view.clip_from_world), view.eye_world);
+    const std::uint64_t hash = hash_of(view, casters);
+    if (hash == drawn_hash_) {
+        ++stats.shadow_passes_cached;
+        return;
+    }
+    drawn_hash_ = hash;
+    ++stats.shadow_passes_rendered;
+    draws_.clear();
+    build_depth_draws(std::move(casters), resources.library, draws_);
+    draw(view, resources, stats);
+}
+
+void ShadowPass::draw(const ShadowView& view, SceneResources& resources, FrameStats& stats) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    const auto size = static_cast<GLsizei>(map_.width());
+    glViewport(0, 0, size, size);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    // Casters between the light and the box keep casting: their depth is clamped, not cut.
+    glEnable(GL_DEPTH_CLAMP);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(view.slope_bias, 2.0F);
+    instances_.upload(draws_.instances);
+    for (const DrawRun& run : draws_.runs) {
+        const bool masked = run.material.value != 0;
+        const gl::Program* program =
+            resources.shaders.find(kDepthShader, masked ? feature::kAlphaMask : 0U);
+        if (program == nullptr) continue;
+        program->use();
+        glUniformMatrix4fv(program->location("clip_from_world"),
+                           1,
+                           GL_FALSE,
+                           glm::value_ptr(view.clip_from_world));
+        if (masked) resources.materials.bind(run.material);
+        // A closed body's far sides lie behind its near ones; cards and leaves have no far side.
+        if (run.two_sided) {
+            glDisable(GL_CULL_FACE);
+        } else {
+            glEnable(GL_CULL_FACE);
+        }
+        draw_instances(resources.meshes.get(run.mesh),
+                       masked ? MeshDetail::Full : MeshDetail::DepthOnly,
+                       instances_,
+                       run);
+        count_draw(stats, run);
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_DEPTH_CLAMP);
+}
+
+void ShadowPass::free() {
+    framebuffer_ = {};
+    map_ = {};
+    drawn_hash_ = 0;
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,25 @@
+// The sky behind all that is opaque.
+#pragma once
+
+#include "engine/render/gl/object.h"
+#include "engine/render/passes/scene_resources.h"
+
+namespace plumbline::render {
+
+/// An empty vertex array and one triangle: what full-screen passes draw.
+class FullscreenTriangle {
+public:
+    FullscreenTriangle();
+    void draw() const;
+
+private:
+    gl::VertexArrayObject vertex_array_;
+};
+
+/// At the far plane, where nothing was drawn.
+void render_sky(const FullscreenTriangle& triangle,
+                FeatureSet frame_features,
+                SceneResources& resources,
+                FrameStats& stats);
+
+}  // namespace plumbline::render

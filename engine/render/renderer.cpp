@@ -1,0 +1,278 @@
+#include "engine/render/renderer.h"
+
+#include "engine/core/log.h"
+#include "engine/render/display_color.h"
+#include "engine/render/gl/debug.h"
+#include "engine/render/renderer_impl.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace plumbline::render {
+namespace {
+
+std::string gl_text(GLenum name) {
+    const auto* text = reinterpret_cast<const char*>(glGetString(name));
+    return text != nullptr ? text : "unknown";
+}
+
+Result<GlInfo> load_gl(GlLoader loader) {
+    const int version = loader != nullptr ? gladLoadGL(loader) : 0;
+    if (version == 0) {
+        return Error{"the driver hands out no OpenGL functions", ExitCode::NoDisplay};
+    }
+    GlInfo info{gl_text(GL_VENDOR), gl_text(GL_RENDERER), gl_text(GL_VERSION)};
+    if (version < GLAD_MAKE_VERSION(3, 3)) {
+        return Error{fmt::format("OpenGL 3.3 is needed; found {} ({}, {})",
+                                 info.version,
+                                 info.vendor,
+                                 info.renderer),
+                     ExitCode::NoDisplay};
+    }
+    return info;
+}
+
+GLenum polygon_mode(FillMode mode) {
+    switch (mode) {
+        case FillMode::Filled:
+            return GL_FILL;
+        case FillMode::Wireframe:
+            return GL_LINE;
+        case FillMode::Points:
+            return GL_POINT;
+    }
+    return GL_FILL;
+}
+
+/// What the target is cleared to, in the target's own encoding.
+Vec3f clear_code(const RenderFrame& frame, FeatureSet features) {
+    Vec3f color = frame.clear_color;
+    if (frame.fog) {
+        // The background is as far as the camera sees.
+        const float depth = frame.fog->density_per_m * frame.camera.far_m;
+        color = glm::mix(frame.fog->color, color, std::exp(-depth * depth));
+    }
+    if ((features & feature::kToneMap) != 0) color = tone_mapped(color, frame.post->exposure);
+    return (features & feature::kEncode) != 0 ? srgb_from_linear(color) : color;
+}
+
+}  // namespace
+
+Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Renderer::~Renderer() = default;
+
+Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader,
+                                                   PresentTarget target,
+                                                   const std::filesystem::path& shader_folder,
+                                                   assets::AssetLibrary& library) {
+    auto info = load_gl(loader);
+    if (!info) return info.error();
+    gl::listen_to_driver();
+    auto impl = std::make_unique<Impl>(target, shader_folder, library);
+    impl->gl = std::move(*info);
+    const auto compiled = impl->scene.shaders.compile(
+        kMeshShader, feature::kUnlit | feature::kVertexColor | feature::kEncode);
+    if (!compiled) return compiled.error();
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    glPointSize(2.0F);
+    return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
+}
+
+void Renderer::prepare(const RenderFrame& frame) {
+    Impl& r = *impl_;
+    r.set_up(frame);
+    if (r.nothing_to_draw) return;
+    std::vector<TextureRequest> textures;
+    std::set<FeatureSet> variants;
+    bool has_mask = false;
+    for (const DrawItem& item : frame.items) {
+        if (item.mesh.value == 0) continue;
+        r.scene.meshes.get(item.mesh);
+        for (std::uint32_t i = 0; i < item.material_count; ++i) {
+            if (item.materials[i].value == 0) continue;
+            const auto& material = r.scene.library.material(item.materials[i]);
+            for (auto& request : textures_of(material)) textures.push_back(std::move(request));
+            variants.insert(variant_of(features_of(material), r.features));
+            has_mask = has_mask || material.alpha_mode == assets::AlphaMode::Mask;
+        }
+    }
+    for (const FeatureSet variant : variants) r.scene.shaders.find(kMeshShader, variant);
+    if (frame.sun_shadow || frame.flashlight) {
+        r.scene.shaders.find(kDepthShader, 0);
+        if (has_mask) r.scene.shaders.find(kDepthShader, feature::kAlphaMask);
+    }
+    r.scene.textures.load(textures);
+    r.frame = nullptr;
+}
+
+void Renderer::begin(const RenderFrame& frame) {
+    Impl& r = *impl_;
+    r.stats = {};
+    r.timers.begin_frame();
+    r.set_up(frame);
+    if (r.nothing_to_draw) return;
+    r.build_draw_lists();
+    gl::bind_uniforms(kFrameBinding, r.frame_buffer, 0, sizeof(FrameBlock));
+}
+
+void Renderer::shadows() {
+    Impl& r = *impl_;
+    if (r.nothing_to_draw) return;
+    if ((r.features & feature::kSunShadow) != 0) {
+        const gl::PassTimers::Scope timed(r.timers, "shadow.sun");
+        r.sun_shadow.render(r.sun_view, r.frame->items, r.scene, r.stats);
+    } else {
+        r.sun_shadow.free();
+    }
+    if ((r.features & feature::kFlashlight) != 0) {
+        const gl::PassTimers::Scope timed(r.timers, "shadow.flashlight");
+        r.flashlight_shadow.render(r.flashlight_view, r.frame->items, r.scene, r.stats);
+    } else {
+        r.flashlight_shadow.free();
+    }
+}
+
+void Renderer::opaque() {
+    Impl& r = *impl_;
+    if (r.nothing_to_draw) return;
+    const gl::PassTimers::Scope timed(r.timers, "opaque");
+    r.bind_scene_target();
+    const Vec3f clear = clear_code(*r.frame, r.features);
+    glClearColor(clear.x, clear.y, clear.z, 1.0F);
+    glDepthMask(GL_TRUE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_BLEND);
+    glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(r.frame->fill_mode));
+    if ((r.features & feature::kSunShadow) != 0) {
+        gl::bind_texture(kSunShadowUnit, gl::TextureKind::Flat, r.sun_shadow.map());
+    }
+    if ((r.features & feature::kFlashlight) != 0) {
+        gl::bind_texture(kFlashlightShadowUnit, gl::TextureKind::Flat, r.flashlight_shadow.map());
+    }
+    if (r.scene.sky.ready()) {
+        gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, r.scene.sky.reflection());
+    }
+    r.opaque_pass.render(r.opaque_draws, r.features, r.frame->lights, r.scene, r.stats);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+void Renderer::sky() {
+    Impl& r = *impl_;
+    if (r.nothing_to_draw || !r.frame->sky || !r.scene.sky.ready()) return;
+    const gl::PassTimers::Scope timed(r.timers, "sky");
+    render_sky(r.triangle, r.features, r.scene, r.stats);
+}
+
+void Renderer::translucent() {
+    Impl& r = *impl_;
+    if (r.nothing_to_draw || r.translucent_draws.runs.empty()) return;
+    const gl::PassTimers::Scope timed(r.timers, "translucent");
+    if (r.scene.sky.ready()) {
+        gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, r.scene.sky.reflection());
+    }
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(r.frame->fill_mode));
+    r.translucent_pass.render(r.translucent_draws, r.features, r.frame->lights, r.scene, r.stats);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+}
+
+void Renderer::post() {
+    Impl& r = *impl_;
+    if (r.nothing_to_draw || !r.post.ready()) return;
+    {
+        const gl::PassTimers::Scope timed(r.timers, "post.bloom");
+        r.post.render_bloom(r.triangle, r.scene, r.stats);
+    }
+    const gl::PassTimers::Scope timed(r.timers, "post.tone_map");
+    r.bind_present_target();
+    const FeatureSet keep_depth = r.frame->lines.vertices.empty() ? 0U : feature::kKeepDepth;
+    r.post.render_tone_map(r.triangle, feature::kBloom | keep_depth, r.scene, r.stats);
+}
+
+void Renderer::lines() {
+    Impl& r = *impl_;
+    if (r.nothing_to_draw) return;
+    r.bind_present_target();
+    if (r.frame->lines.vertices.empty()) return;
+    const gl::PassTimers::Scope timed(r.timers, "lines");
+    r.line_pass.render(r.frame->lines, r.scene, r.stats);
+}
+
+void Renderer::end() {
+    Impl& r = *impl_;
+    r.stats.passes = r.timers.timings();
+    r.frame = nullptr;
+}
+
+void Renderer::forget_scene() {
+    Impl& r = *impl_;
+    r.scene.meshes.clear();
+    r.scene.textures.clear();
+    r.scene.materials.clear();
+    r.scene.sky.want({});
+    r.sun_shadow.free();
+    r.flashlight_shadow.free();
+}
+
+Result<Done> Renderer::reload_shaders() {
+    return impl_->scene.shaders.reload();
+}
+
+assets::ImageData Renderer::read_pixels() const {
+    const Impl& r = *impl_;
+    assets::ImageData image{.width = r.width_px,
+                            .height = r.height_px,
+                            .format = assets::PixelFormat::Rgb8,
+                            .bytes = {}};
+    const std::size_t row = std::size_t{r.width_px} * 3;
+    image.bytes.resize(row * r.height_px);
+    if (image.bytes.empty()) return image;
+    r.bind_present_target();
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0,
+                 0,
+                 static_cast<GLsizei>(r.width_px),
+                 static_cast<GLsizei>(r.height_px),
+                 GL_RGB,
+                 GL_UNSIGNED_BYTE,
+                 image.bytes.data());
+    // OpenGL's rows run from the bottom.
+    for (std::size_t y = 0; y < r.height_px / 2; ++y) {
+        std::swap_ranges(image.bytes.begin() + static_cast<std::ptrdiff_t>(y * row),
+                         image.bytes.begin() + static_cast<std::ptrdiff_t>((y + 1) * row),
+                         image.bytes.end() - static_cast<std::ptrdiff_t>((y + 1) * row));
+    }
+    return image;
+}
+
+const FrameStats& Renderer::stats() const {
+    return impl_->stats;
+}
+
+std::vector<GpuBytes> Renderer::gpu_bytes() const {
+    const Impl& r = *impl_;
+    return {{"sun_shadow", r.sun_shadow.bytes()},
+            {"flashlight", r.flashlight_shadow.bytes()},
+            {"sky", r.scene.sky.bytes()},
+            {"post", r.post.bytes()},
+            {"meshes", r.scene.meshes.bytes()},
+            {"textures", r.scene.textures.bytes()},
+            {"targets", r.color_image.bytes() + r.depth_image.bytes()}};
+}
+
+const GlInfo& Renderer::gl() const {
+    return impl_->gl;
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,96 @@
+// C++ mirrors of the uniform blocks in shaders/include/blocks.glsl (std140), and the binding points
+// of blocks and samplers. Sizes and offsets are asserted here and compared with what drivers
+// reflect in shader_blocks_gl_test.cpp.
+#pragma once
+
+#include "engine/core/math.h"
+#include "shaders/shared/limits.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace plumbline::render {
+
+inline constexpr std::size_t kMaxLights = PL_MAX_LIGHTS;
+inline constexpr std::size_t kMaxLightsPerDraw = PL_MAX_LIGHTS_PER_DRAW;
+inline constexpr std::size_t kSkyCoefficients = PL_SKY_COEFFICIENTS;
+
+/// Same for all draws of a frame.
+struct FrameBlock {
+    Mat4f clip_from_world{1.0F};
+    Mat4f world_from_ray{1.0F};  ///< (clip x, clip y, 1, 0) to the direction seen there
+    Mat4f sun_shadow_from_world{1.0F};
+    Mat4f flashlight_shadow_from_world{1.0F};
+    Vec4f camera_world{0.0F};            ///< w: sun shadow's normal offset, m
+    Vec4f to_sun_world{0.0F};            ///< w: 1 / sun shadow distance, 1/m
+    Vec4f sun_radiance{0.0F};            ///< w: one texel of the sun shadow, in uv
+    Vec4f ambient{0.0F};                 ///< w: one texel of the flashlight's shadow, in uv
+    Vec4f fog{0.0F};                     ///< rgb: colour; w: density, 1/m
+    Vec4f flashlight_position{0.0F};     ///< w: 1 / radius, 1/m
+    Vec4f flashlight_direction{0.0F};    ///< w: cosine of the outer angle
+    Vec4f flashlight_intensity{0.0F};    ///< w: 1 / (inner cosine - outer cosine)
+    Vec4f tone{1.0F, 0.0F, 0.0F, 0.0F};  ///< x: exposure; y: bloom's share; z: mips of the sky
+    std::array<Vec4f, kSkyCoefficients> sky_light{};  ///< radiance of the sky, order-2 harmonics
+};
+static_assert(sizeof(FrameBlock) == 4 * 64 + 9 * 16 + kSkyCoefficients * 16);
+static_assert(offsetof(FrameBlock, camera_world) == 256);
+static_assert(offsetof(FrameBlock, sky_light) == 400);
+
+/// Same for all instances of a draw.
+struct MaterialBlock {
+    Vec4f base_color{1.0F};                 ///< a: alpha
+    Vec4f emissive{0.0F};                   ///< w: alpha cutoff
+    Vec4f surface{0.8F, 0.0F, 0.0F, 0.0F};  ///< x: roughness; y: metallic; z: light through a leaf
+};
+static_assert(sizeof(MaterialBlock) == 48);
+
+struct LocalLightEntry {
+    Vec4f position_world{0.0F};   ///< w: 1 / radius, 1/m
+    Vec4f intensity{0.0F};        ///< w: cosine of the outer angle; -2: a point light
+    Vec4f direction_world{0.0F};  ///< w: 1 / (inner cosine - outer cosine)
+};
+
+/// All local lights of the frame; draws name those that reach them.
+struct LocalLightsBlock {
+    std::array<LocalLightEntry, kMaxLights> lights{};
+};
+static_assert(sizeof(LocalLightsBlock) == kMaxLights * 48);
+// The smallest uniform block that OpenGL 3.3 guarantees.
+static_assert(sizeof(LocalLightsBlock) <= 16384);
+
+inline constexpr unsigned int kFrameBinding = 0;
+inline constexpr unsigned int kMaterialBinding = 1;
+inline constexpr unsigned int kLocalLightsBinding = 2;
+
+inline constexpr std::array<std::pair<const char*, unsigned int>, 3> kBlockBindings{{
+    {"Frame", kFrameBinding},
+    {"Material", kMaterialBinding},
+    {"LocalLights", kLocalLightsBinding},
+}};
+
+enum TextureUnit : unsigned int {
+    kBaseColorUnit = 0,
+    kNormalUnit,
+    kOrmUnit,
+    kSunShadowUnit,
+    kFlashlightShadowUnit,
+    kSkyUnit,
+    kSourceUnit,
+    kBloomUnit,
+    kDepthUnit
+};
+
+inline constexpr std::array<std::pair<const char*, unsigned int>, 9> kSamplerUnits{{
+    {"base_color_map", kBaseColorUnit},
+    {"normal_map", kNormalUnit},
+    {"orm_map", kOrmUnit},
+    {"sun_shadow_map", kSunShadowUnit},
+    {"flashlight_shadow_map", kFlashlightShadowUnit},
+    {"sky_map", kSkyUnit},
+    {"source_image", kSourceUnit},
+    {"bloom_image", kBloomUnit},
+    {"depth_image", kDepthUnit},
+}};
+
+}  // namespace plumbline::render

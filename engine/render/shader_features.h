@@ -1,0 +1,63 @@
+// What a shader variant can do. Each bit becomes `#define PL_NAME 1`, and only then its code exists.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+namespace plumbline::render {
+
+using FeatureSet = std::uint32_t;
+
+namespace feature {
+// of the material
+inline constexpr FeatureSet kBlinnPhong = 1U << 0U;
+inline constexpr FeatureSet kUnlit = 1U << 1U;
+inline constexpr FeatureSet kBaseMap = 1U << 2U;
+inline constexpr FeatureSet kNormalMap = 1U << 3U;
+inline constexpr FeatureSet kOrmMap = 1U << 4U;
+inline constexpr FeatureSet kAlphaMask = 1U << 5U;
+inline constexpr FeatureSet kBlend = 1U << 6U;
+inline constexpr FeatureSet kTwoSided = 1U << 7U;
+inline constexpr FeatureSet kLeaf = 1U << 8U;
+inline constexpr FeatureSet kVertexColor = 1U << 9U;
+inline constexpr FeatureSet kSkyReflection = 1U << 10U;
+// of the frame
+inline constexpr FeatureSet kSun = 1U << 16U;
+inline constexpr FeatureSet kSunShadow = 1U << 17U;
+inline constexpr FeatureSet kFlashlight = 1U << 18U;
+inline constexpr FeatureSet kLocalLights = 1U << 19U;
+inline constexpr FeatureSet kFog = 1U << 20U;
+inline constexpr FeatureSet kSkyLight = 1U << 21U;
+inline constexpr FeatureSet kToneMap = 1U << 22U;  ///< exposure and tone curve in this shader
+inline constexpr FeatureSet kEncode = 1U << 23U;   ///< sRGB in this shader
+inline constexpr FeatureSet kBloom = 1U << 24U;
+inline constexpr FeatureSet kKeepDepth = 1U << 25U;
+}  // namespace feature
+
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 21> kFeatureNames{{
+    {feature::kBlinnPhong, "PL_BLINN_PHONG"},
+    {feature::kUnlit, "PL_UNLIT"},
+    {feature::kBaseMap, "PL_BASE_MAP"},
+    {feature::kNormalMap, "PL_NORMAL_MAP"},
+    {feature::kOrmMap, "PL_ORM_MAP"},
+    {feature::kAlphaMask, "PL_ALPHA_MASK"},
+    {feature::kBlend, "PL_BLEND"},
+    {feature::kTwoSided, "PL_TWO_SIDED"},
+    {feature::kLeaf, "PL_LEAF"},
+    {feature::kVertexColor, "PL_VERTEX_COLOR"},
+    {feature::kSkyReflection, "PL_SKY_REFLECTION"},
+    {feature::kSun, "PL_SUN"},
+    {feature::kSunShadow, "PL_SUN_SHADOW"},
+    {feature::kFlashlight, "PL_FLASHLIGHT"},
+    {feature::kLocalLights, "PL_LOCAL_LIGHTS"},
+    {feature::kFog, "PL_FOG"},
+    {feature::kSkyLight, "PL_SKY_LIGHT"},
+    {feature::kToneMap, "PL_TONE_MAP"},
+    {feature::kEncode, "PL_ENCODE"},
+    {feature::kBloom, "PL_BLOOM"},
+    {feature::kKeepDepth, "PL_KEEP_DEPTH"},
+}};
+
+}  // namespace plumbline::render

@@ -1,0 +1,37 @@
+// Where a shadow map looks. Pure arithmetic: tested without GL.
+#pragma once
+
+#include "engine/core/math.h"
+
+#include <cstdint>
+
+namespace plumbline::render {
+
+struct ViewShape {
+    Vec3f position_world{0.0F};
+    Vec3f forward_world{0.0F, 0.0F, -1.0F};
+    float fov_y_rad{1.0F};
+    float aspect{1.0F};  ///< width / height
+};
+
+struct SunShadowFit {
+    Mat4f clip_from_world{1.0F};
+    float texel_m{0.0F};
+};
+
+/// An orthographic box along the light that covers all points in sight within distance_m of the
+/// camera. Its size depends on fov, aspect, distance and light only; its centre moves in steps of an
+/// eighth of its size, each a whole number of texels. So the map is the same texel for texel while
+/// the camera stays within a step, and shadow edges never crawl.
+SunShadowFit fit_sun_shadow(const ViewShape& view,
+                            const Vec3f& light_direction_world,
+                            float distance_m,
+                            std::uint32_t size_px);
+
+/// A perspective along the spot's axis, a little wider than its cone.
+Mat4f fit_spot_shadow(const Vec3f& position_world,
+                      const Vec3f& direction_world,
+                      float outer_rad,
+                      float radius_m);
+
+}  // namespace plumbline::render

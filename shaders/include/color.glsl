@@ -1,0 +1,29 @@
+// Transfer curves. Fitted by us: see docs/adr for the method and the errors.
+
+// sRGB code values to light; within 0.002 of the standard's curve.
+vec3 linear_from_srgb(vec3 c) {
+    return c * (0.0160 + c * (0.6670 + c * 0.3170));
+}
+
+// Light to sRGB code values; within a tenth of one 8-bit step. Two square roots where the
+// standard's curve has a power: much cheaper on software GL.
+vec3 srgb_from_linear(vec3 light) {
+    vec3 c = clamp(light, 0.0, 1.0);
+    vec3 root = sqrt(c);
+    vec3 curve = 0.83373245 * root + 0.29812567 * sqrt(root) - 0.05530992 * c - 0.07690741;
+    return mix(curve, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));
+}
+
+// Keeps middle grey (0.18) and its contrast of 1.1, opens the shadows, rolls highlights off to 1.
+// x(ax+b) / (x(ax+c)+1) with a, b, c solved from those conditions.
+vec3 tone_curve(vec3 x) {
+    return x * (6.7474777 * x + 0.6) / (x * (6.7474777 * x + 3.3107095) + 1.0);
+}
+
+// What the screen shows of a radiance. Very bright colours lose some colour, as on film.
+vec3 tone_mapped(vec3 radiance, float exposure) {
+    vec3 c = max(radiance, 0.0) * exposure;
+    float luminance = dot(c, vec3(0.2126, 0.7152, 0.0722));
+    c = mix(c, vec3(luminance), 0.35 * luminance / (luminance + 4.0));
+    return tone_curve(c);
+}

@@ -1,0 +1,11 @@
+// Distance fog: the share of light that gets through falls as exp(-(density * distance)^2).
+
+float fog_transmittance(float distance_m) {
+    float depth = frame.fog.w * distance_m;
+    return exp(-depth * depth);
+}
+
+// A ray towards the sky leaves the fog, which lies 120 m thick, sooner the steeper it climbs.
+float sky_transmittance(vec3 direction_world) {
+    return fog_transmittance(120.0 / max(direction_world.y, 0.02));
+}

@@ -1,0 +1,116 @@
+// How surfaces answer light.
+
+struct Surface {
+    vec3 base_color;
+    float roughness;
+    float metallic;
+    vec3 normal;
+    vec3 to_eye;
+};
+
+const float kPi = 3.14159265;
+
+// Schlick's fifth power. The clamp matters: a light at the eye makes the cosine reach 1 plus a
+// rounding error, and the power of a negative number would be NaN.
+float fresnel_weight(float cosine) {
+    float m = clamp(1.0 - cosine, 0.0, 1.0);
+    float m2 = m * m;
+    return m2 * m2 * m;
+}
+
+#ifdef PL_BLINN_PHONG
+
+// Light sent to the eye per unit of irradiance-like radiance `light` from direction to_light.
+vec3 reflected(Surface s, vec3 to_light, vec3 light) {
+    float n_l = max(dot(s.normal, to_light), 0.0);
+    vec3 halfway = normalize(to_light + s.to_eye);
+    float n_h = max(dot(s.normal, halfway), 0.0);
+    // The exponent whose highlight is as wide as a rough surface's of that roughness.
+    float r2 = max(s.roughness * s.roughness, 0.02);
+    float exponent = 2.0 / (r2 * r2) - 1.9;
+    float highlight = 0.04 * (exponent + 8.0) / 8.0 * pow(max(n_h, 1e-4), exponent);
+    return (s.base_color + highlight) * light * n_l;
+}
+
+#else
+
+// Cook-Torrance with GGX and Hammon's approximation of Smith's masking. Like all lights here,
+// `light` is in units where a matt white surface facing it sends out `light` (pi is left out).
+vec3 reflected(Surface s, vec3 to_light, vec3 light) {
+    vec3 halfway = normalize(to_light + s.to_eye);
+    float n_l = clamp(dot(s.normal, to_light), 0.0, 1.0);
+    float n_v = max(dot(s.normal, s.to_eye), 1e-3);
+    float n_h = clamp(dot(s.normal, halfway), 0.0, 1.0);
+    float v_h = clamp(dot(s.to_eye, halfway), 0.0, 1.0);
+    float alpha = max(s.roughness * s.roughness, 0.002);
+    float a2 = alpha * alpha;
+    float d = n_h * n_h * (a2 - 1.0) + 1.0;
+    float masking = mix(2.0 * n_l * n_v, n_l + n_v, alpha);
+    float lobe = a2 / (d * d * max(masking, 1e-4)) * 0.5;
+    vec3 f0 = mix(vec3(0.04), s.base_color, s.metallic);
+    vec3 fresnel = f0 + (1.0 - f0) * fresnel_weight(v_h);
+    vec3 diffuse = s.base_color * (1.0 - s.metallic);
+    return (diffuse + lobe * fresnel) * light * n_l;
+}
+
+#endif
+
+// Sunlight through a leaf or petal: diffuse only, from behind, tinted as chlorophyll does.
+vec3 transmitted(Surface s, vec3 to_light, vec3 light, float share) {
+    float behind = max(-dot(s.normal, to_light), 0.0);
+    float glow = max(-dot(s.to_eye, to_light), 0.0);
+    return s.base_color * vec3(1.05, 1.0, 0.55) * light * share * (behind + 0.5 * glow * glow);
+}
+
+#ifdef PL_SKY_LIGHT
+
+vec3 sky_band_1(vec3 d) {
+    return 0.488603 * (frame.sky_light[1].rgb * d.y + frame.sky_light[2].rgb * d.z +
+                       frame.sky_light[3].rgb * d.x);
+}
+
+vec3 sky_band_2(vec3 d) {
+    return 1.092548 * (frame.sky_light[4].rgb * (d.x * d.y) + frame.sky_light[5].rgb * (d.y * d.z) +
+                       frame.sky_light[7].rgb * (d.x * d.z)) +
+           frame.sky_light[6].rgb * (0.946175 * d.z * d.z - 0.315392) +
+           frame.sky_light[8].rgb * (0.546274 * (d.x * d.x - d.y * d.y));
+}
+
+// What a matt white surface facing n sends out under the sky.
+vec3 sky_diffuse(vec3 n) {
+    vec3 light = 0.282095 * frame.sky_light[0].rgb + 0.6666667 * sky_band_1(n) + 0.25 * sky_band_2(n);
+    return max(light, 0.0);
+}
+
+// The sky blurred as a rough surface mirrors it.
+vec3 sky_blurred(vec3 direction) {
+    vec3 light =
+        0.282095 * frame.sky_light[0].rgb + 0.85 * sky_band_1(direction) + 0.5 * sky_band_2(direction);
+    return max(light, 0.0);
+}
+
+#endif
+
+// Light from everywhere: brighter from above than from below by the same share, so that a surface
+// turned every way gets frame.ambient on average.
+vec3 ambient_diffuse(vec3 n) {
+    vec3 light = frame.ambient.rgb * (1.0 + 0.3 * n.y);
+#ifdef PL_SKY_LIGHT
+    light += sky_diffuse(n);
+#endif
+    return light;
+}
+
+// The share of ambient light that a surface mirrors: Schlick's weight flattened by roughness.
+vec3 ambient_fresnel(Surface s, vec3 f0) {
+    float n_v = clamp(dot(s.normal, s.to_eye), 0.0, 1.0);
+    float gloss = 1.0 - s.roughness;
+    return f0 + (max(vec3(gloss), f0) - f0) * fresnel_weight(n_v) * gloss;
+}
+
+// Falls as the square of the distance, gently bent down to reach zero at the light's radius.
+float windowed_falloff(float distance2, float inverse_radius) {
+    float x = distance2 * inverse_radius * inverse_radius;
+    float window = clamp(1.0 - x * x, 0.0, 1.0);
+    return window * window / max(distance2, 0.01);
+}

@@ -1,0 +1,187 @@
+// Shades a surface. Passes: opaque, translucent. Reads the material's maps, the shadow maps and,
+// where it mirrors, the sky; each only in the variants that need it.
+#include "include/blocks.glsl"
+#include "include/color.glsl"
+#include "include/fog.glsl"
+#include "include/lighting.glsl"
+#include "include/shadow.glsl"
+
+in vec3 surface_color;
+in vec3 surface_position_world;
+#ifndef PL_UNLIT
+in vec3 surface_normal_world;
+#endif
+#if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP)
+in vec2 surface_uv;
+#endif
+#ifdef PL_NORMAL_MAP
+in vec4 surface_tangent_world;
+uniform sampler2D normal_map;
+#endif
+#ifdef PL_BASE_MAP
+uniform sampler2D base_color_map;
+#endif
+#ifdef PL_ORM_MAP
+uniform sampler2D orm_map;
+#endif
+#ifdef PL_SUN_SHADOW
+in vec3 surface_sun_shadow;
+uniform sampler2DShadow sun_shadow_map;
+#endif
+#ifdef PL_FLASHLIGHT
+in vec4 surface_flashlight_shadow;
+uniform sampler2DShadow flashlight_shadow_map;
+#endif
+#ifdef PL_SKY_REFLECTION
+uniform samplerCube sky_map;
+#endif
+#ifdef PL_LOCAL_LIGHTS
+layout(std140) uniform LocalLights { LocalLight local_lights[PL_MAX_LIGHTS]; };
+uniform int light_count;
+uniform int light_index[PL_MAX_LIGHTS_PER_DRAW];
+#endif
+
+layout(location = 0) out vec4 out_color;
+
+#ifndef PL_UNLIT
+
+vec3 shading_normal() {
+    vec3 n = normalize(surface_normal_world);
+#if defined(PL_TWO_SIDED) && !defined(PL_ALPHA_MASK)
+    // Leaf cards keep their normals, which bend outwards from the crown, on both sides.
+    n = gl_FrontFacing ? n : -n;
+#endif
+#ifdef PL_NORMAL_MAP
+    vec3 t = normalize(surface_tangent_world.xyz - n * dot(n, surface_tangent_world.xyz));
+    vec3 b = cross(n, t) * surface_tangent_world.w;
+    vec3 m = texture(normal_map, surface_uv).xyz * 2.0 - 1.0;
+    n = normalize(t * m.x + b * m.y + n * m.z);
+#endif
+    return n;
+}
+
+#ifdef PL_SUN
+vec3 sun_light(Surface s, float eye_distance_m) {
+    float lit = 1.0;
+#ifdef PL_SUN_SHADOW
+    vec3 at = surface_sun_shadow;
+    lit = shadow_4_taps(sun_shadow_map, vec3(at.xy, min(at.z, 1.0)), frame.sun_radiance.w);
+    // The last tenth of the distance fades the shadow out.
+    lit = mix(lit, 1.0, clamp(eye_distance_m * frame.to_sun_world.w * 10.0 - 9.0, 0.0, 1.0));
+#endif
+    vec3 light = frame.sun_radiance.rgb * lit;
+    vec3 color = reflected(s, frame.to_sun_world.xyz, light);
+#ifdef PL_LEAF
+    color += transmitted(s, frame.to_sun_world.xyz, light, material.surface.z);
+#endif
+    return color;
+}
+#endif
+
+#ifdef PL_FLASHLIGHT
+vec3 flashlight_light(Surface s) {
+    vec3 to_light = frame.flashlight_position.xyz - surface_position_world;
+    float distance2 = max(dot(to_light, to_light), 1e-4);
+    to_light *= inversesqrt(distance2);
+    float cosine = -dot(to_light, frame.flashlight_direction.xyz);
+    // 0 at the rim, 1 inside the inner cone; squared, so that the rim is soft.
+    float cone = clamp((cosine - frame.flashlight_direction.w) * frame.flashlight_intensity.w, 0.0, 1.0);
+    // A real torch throws a faint ring around a brighter middle.
+    float cookie = cone * cone * (0.85 + 0.15 * cos(cone * 18.0) * (1.0 - cone));
+    vec3 at = surface_flashlight_shadow.xyz / max(surface_flashlight_shadow.w, 1e-4);
+    float lit = shadow_2_taps(flashlight_shadow_map, vec3(at.xy, min(at.z, 1.0)), frame.ambient.w);
+    float falloff = windowed_falloff(distance2, frame.flashlight_position.w);
+    return reflected(s, to_light, frame.flashlight_intensity.rgb * (cookie * lit * falloff));
+}
+#endif
+
+#ifdef PL_LOCAL_LIGHTS
+vec3 local_light(Surface s, LocalLight light) {
+    vec3 to_light = light.position_world.xyz - surface_position_world;
+    float distance2 = max(dot(to_light, to_light), 1e-4);
+    to_light *= inversesqrt(distance2);
+    float cosine = -dot(to_light, light.direction_world.xyz);
+    float cone = light.intensity.w < -1.5
+                     ? 1.0
+                     : clamp((cosine - light.intensity.w) * light.direction_world.w, 0.0, 1.0);
+    float falloff = windowed_falloff(distance2, light.position_world.w);
+    return reflected(s, to_light, light.intensity.rgb * (cone * cone * falloff));
+}
+#endif
+
+vec3 ambient_light(Surface s, float occlusion) {
+    vec3 f0 = mix(vec3(0.04), s.base_color, s.metallic);
+    vec3 mirrored = ambient_fresnel(s, f0);
+    vec3 diffuse = ambient_diffuse(s.normal) * s.base_color * (1.0 - s.metallic);
+    vec3 reflection = frame.ambient.rgb;
+#if defined(PL_SKY_LIGHT) || defined(PL_SKY_REFLECTION)
+    vec3 direction = reflect(-s.to_eye, s.normal);
+#endif
+#ifdef PL_SKY_REFLECTION
+    reflection += textureLod(sky_map, direction, s.roughness * frame.tone.z).rgb;
+#elif defined(PL_SKY_LIGHT)
+    reflection += sky_blurred(direction);
+#endif
+    return (diffuse + reflection * mirrored) * occlusion;
+}
+
+vec3 lit_color(vec3 base_color, float eye_distance_m, vec3 to_eye) {
+    Surface s;
+    s.base_color = base_color;
+    s.roughness = material.surface.x;
+    s.metallic = material.surface.y;
+    s.normal = shading_normal();
+    s.to_eye = to_eye;
+    float occlusion = 1.0;
+#ifdef PL_ORM_MAP
+    vec3 orm = texture(orm_map, surface_uv).rgb;
+    occlusion = orm.r;
+    s.roughness *= orm.g;
+    s.metallic *= orm.b;
+#endif
+    vec3 color = ambient_light(s, occlusion) + material.emissive.rgb;
+#ifdef PL_SUN
+    color += sun_light(s, eye_distance_m);
+#endif
+#ifdef PL_FLASHLIGHT
+    color += flashlight_light(s);
+#endif
+#ifdef PL_LOCAL_LIGHTS
+    for (int i = 0; i < light_count; ++i) color += local_light(s, local_lights[light_index[i]]);
+#endif
+    return color;
+}
+
+#endif
+
+void main() {
+    vec4 base = vec4(material.base_color.rgb * surface_color, material.base_color.a);
+#ifdef PL_BASE_MAP
+    vec4 texel = texture(base_color_map, surface_uv);
+    base *= vec4(linear_from_srgb(texel.rgb), texel.a);
+#ifdef PL_ALPHA_MASK
+    if (base.a < material.emissive.w) discard;
+#endif
+#endif
+    vec3 to_eye = frame.camera_world.xyz - surface_position_world;
+    float eye_distance_m = length(to_eye);
+#ifdef PL_UNLIT
+    vec3 color = base.rgb + material.emissive.rgb;
+#else
+    vec3 color = lit_color(base.rgb, eye_distance_m, to_eye / max(eye_distance_m, 1e-4));
+#endif
+#ifdef PL_FOG
+    color = mix(frame.fog.rgb, color, fog_transmittance(eye_distance_m));
+#endif
+#ifdef PL_TONE_MAP
+    color = tone_mapped(color, frame.tone.x);
+#endif
+#ifdef PL_ENCODE
+    color = srgb_from_linear(color);
+#endif
+#ifdef PL_BLEND
+    out_color = vec4(color, base.a);
+#else
+    out_color = vec4(color, 1.0);
+#endif
+}

@@ -1,0 +1,70 @@
+// Places one instance of a mesh. Passes: opaque, translucent.
+#include "include/blocks.glsl"
+
+layout(location = 0) in vec3 position_body;
+layout(location = 1) in vec3 normal_body;
+layout(location = 2) in vec4 tangent_body;
+layout(location = 3) in vec2 uv;
+layout(location = 4) in vec4 color;
+layout(location = 5) in vec4 world_from_body_x;
+layout(location = 6) in vec4 world_from_body_y;
+layout(location = 7) in vec4 world_from_body_z;
+layout(location = 8) in vec4 tint;
+
+out vec3 surface_color;
+out vec3 surface_position_world;
+#ifndef PL_UNLIT
+out vec3 surface_normal_world;
+#endif
+#if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP)
+out vec2 surface_uv;
+#endif
+#ifdef PL_NORMAL_MAP
+out vec4 surface_tangent_world;
+#endif
+#ifdef PL_SUN_SHADOW
+out vec3 surface_sun_shadow;
+#endif
+#ifdef PL_FLASHLIGHT
+out vec4 surface_flashlight_shadow;
+#endif
+
+vec3 to_world(vec4 body) {
+    return vec3(dot(world_from_body_x, body), dot(world_from_body_y, body),
+                dot(world_from_body_z, body));
+}
+
+void main() {
+    vec3 position_world = to_world(vec4(position_body, 1.0));
+    surface_position_world = position_world;
+    surface_color = tint.rgb;
+#ifdef PL_VERTEX_COLOR
+    surface_color *= color.rgb;
+#endif
+#if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP)
+    surface_uv = uv;
+#endif
+#ifndef PL_UNLIT
+    // Normals turn with the matrix of cofactors, which is right for uneven scales too.
+    vec3 x = world_from_body_x.xyz;
+    vec3 y = world_from_body_y.xyz;
+    vec3 z = world_from_body_z.xyz;
+    vec3 normal_world = normalize(vec3(dot(cross(y, z), normal_body), dot(cross(z, x), normal_body),
+                                       dot(cross(x, y), normal_body)));
+    surface_normal_world = normal_world;
+#ifdef PL_NORMAL_MAP
+    surface_tangent_world = vec4(to_world(vec4(tangent_body.xyz, 0.0)), tangent_body.w);
+#endif
+#ifdef PL_SUN_SHADOW
+    // Looked up a texel's breadth off the surface, more where light grazes it: no acne.
+    float slope = 1.0 - clamp(dot(normal_world, frame.to_sun_world.xyz), 0.0, 1.0);
+    vec3 off_surface = position_world + normal_world * (frame.camera_world.w * (0.3 + slope));
+    surface_sun_shadow = (frame.sun_shadow_from_world * vec4(off_surface, 1.0)).xyz;
+#endif
+#ifdef PL_FLASHLIGHT
+    surface_flashlight_shadow =
+        frame.flashlight_shadow_from_world * vec4(position_world + 0.01 * normal_world, 1.0);
+#endif
+#endif
+    gl_Position = frame.clip_from_world * vec4(position_world, 1.0);
+}
