@@ -142,7 +142,7 @@ void check_light_shadows(const SceneDescription& scene, LoadContext& context) {
                       casters.push_back(shown(entity.name.empty() ? path : entity.name));
                   });
     if (!casters.empty())
-        context.note_not_built(first, fmt::format("light shadows of {}", fmt::join(casters, ", ")));
+        context.note_not_built(first, fmt::format("light shadows of: {}", listed(casters)));
 }
 
 void check_ground(const SceneDescription& scene, LoadContext& context) {

@@ -177,14 +177,16 @@ EntityDescription read_entity(TableReader& table, EntityUse use, LoadContext& co
     return entity;
 }
 
-TableReader layered(const TomlNode& table, const std::string& path, LoadContext& context) {
+Layered layered(const TomlNode& table, const std::string& path, LoadContext& context) {
     std::vector<const TomlNode*> layers{&table};
     std::vector<std::string> chain;
+    bool complete = true;
     for (const auto& [name, prefab] : context.prefabs) {
         if (prefab.node == &table) chain.push_back(name);
     }
     while (const TomlNode* named = find_key(*layers.back()->table(), "prefab")) {
         const auto refuse = [&](std::string message) {
+            complete = false;
             context.faults.error(named->place, path + ".prefab", std::move(message));
         };
         const std::string* name = named->text();
@@ -212,13 +214,13 @@ TableReader layered(const TomlNode& table, const std::string& path, LoadContext&
         }
         layers.push_back(prefab->second.node);
     }
-    return TableReader(std::move(layers), path, context.faults);
+    return {TableReader(std::move(layers), path, context.faults), complete};
 }
 
 void read_prefabs(SceneDescription& scene, LoadContext& context) {
     for (const auto& [name, source] : context.prefabs) {
-        TableReader table = layered(*source.node, source.path, context);
-        EntityDescription prefab = read_entity(table, EntityUse::Prefab, context);
+        Layered prefab_source = layered(*source.node, source.path, context);
+        EntityDescription prefab = read_entity(prefab_source.table, EntityUse::Prefab, context);
         prefab.name = name;
         scene.prefabs.emplace(name, std::move(prefab));
     }
@@ -232,8 +234,10 @@ void read_entities(TableReader& root, SceneDescription& scene, LoadContext& cont
         // The name is the entity's own: its prefab's names the prefab.
         TableReader own(nodes[i], path, context.faults);
         const std::string name = read_name(own);
-        TableReader table = layered(nodes[i], path, context);
-        EntityDescription entity = read_entity(table, EntityUse::Entity, context);
+        Layered source = layered(nodes[i], path, context);
+        // Without its prefab, what it lacks is not its own fault.
+        const EntityUse use = source.complete ? EntityUse::Entity : EntityUse::Prefab;
+        EntityDescription entity = read_entity(source.table, use, context);
         entity.name = name.empty() ? path : name;
         context.entity_places.push_back(own.has("name") ? own.find("name")->place : own.place());
         scene.entities.push_back(std::move(entity));
@@ -253,7 +257,7 @@ void read_arrays(TableReader& root, SceneDescription& scene, LoadContext& contex
         array.count = read_count(table);
         if (!table.has("prefab")) {
             table.error("prefab", "missing; expected the name of the prefab to copy");
-        } else if (auto prefab = layered(nodes[i], path, context).without_top()) {
+        } else if (auto prefab = layered(nodes[i], path, context).table.without_top()) {
             array.prefab = read_entity(*prefab, EntityUse::Entity, context);
             array.prefab.name = table.text("prefab", {});
         }

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kIncludeDepth = 16;
 constexpr std::array<std::string_view, 3> kModelExtensions{".glb", ".gltf", ".obj"};
 // Everything that a scene may hold beside materials and prefabs.
-constexpr std::array<std::string_view, 15> kSceneOnly{"world",
+constexpr std::array<std::string_view, 16> kSceneOnly{"world",
                                                       "accuracy",
                                                       "player",
                                                       "camera",
@@ -33,7 +33,8 @@ constexpr std::array<std::string_view, 15> kSceneOnly{"world",
                                                       "entity",
                                                       "array",
                                                       "joint",
-                                                      "effects"};
+                                                      "effects",
+                                                      "view"};
 
 /// One file of the load. Places point at its name, so it stays where it is.
 struct SourceFile {
@@ -48,10 +49,11 @@ public:
         context_.assets_folder = assets_folder;
     }
 
-    void load(const fs::path& file) {
+    /// Nothing when there is an error among the faults.
+    std::optional<SceneDescription> load(const fs::path& file) {
         scene_.file = file;
         const SourceFile* source = open(file, Place{}, {});
-        if (source == nullptr) return;
+        if (source == nullptr) return {};
         context_.scene_place = Place{&source->name, 0, 0};
         collect(*source, file);
         TableReader root(source->root, {}, faults_);
@@ -60,15 +62,15 @@ public:
         read_entities(root, scene_, context_);
         read_arrays(root, scene_, context_);
         read_joints(root, scene_, context_);
+        read_views(root, scene_);
         root.find("material");
         root.find("prefab");
         root.finish();
         check_whole_scene(scene_, context_);
         scene_.content_hash = hasher_.digest();
+        if (faults_.any_error()) return {};
+        return std::move(scene_);
     }
-
-    SceneDescription& scene() { return scene_; }
-    bool failed() const { return faults_.any_error(); }
 
 private:
     /// Reads and parses one file; faults are reported at `asked_by` unless they lie in the text.
@@ -282,10 +284,13 @@ Result<SceneDescription> load_scene(const fs::path& file,
                          fmt::join(kModelExtensions, " "))});
         return refuse(faults, before);
     }
-    Loader loader(assets_folder, faults);
-    loader.load(file);
-    if (loader.failed()) return refuse(faults, before);
-    return std::move(loader.scene());
+    std::optional<SceneDescription> scene;
+    {
+        Loader loader(assets_folder, faults);
+        scene = loader.load(file);
+    }  // hands the faults over
+    if (!scene) return refuse(faults, before);
+    return std::move(*scene);
 }
 
 }  // namespace plumbline::scene

@@ -218,9 +218,7 @@ void read_joints(TableReader& root, SceneDescription& scene, LoadContext& contex
         shown_names.push_back(shown(joint.name));
         scene.joints.push_back(std::move(joint));
     }
-    context.note_not_built(
-        nodes.front().place,
-        fmt::format("{} {}", nodes.size() == 1 ? "joint" : "joints", fmt::join(shown_names, ", ")));
+    context.note_not_built(nodes.front().place, fmt::format("joints: {}", listed(shown_names)));
 }
 
 }  // namespace plumbline::scene

@@ -69,7 +69,11 @@ enum class EntityUse {
 EntityDescription read_entity(TableReader& table, EntityUse use, LoadContext& context);
 /// The table over the prefabs it starts from. Unknown prefabs and cycles are errors; what was found
 /// until then is used.
-TableReader layered(const TomlNode& table, const std::string& path, LoadContext& context);
+struct Layered {
+    TableReader table;
+    bool complete{true};  ///< every prefab was found
+};
+Layered layered(const TomlNode& table, const std::string& path, LoadContext& context);
 void read_prefabs(SceneDescription& scene, LoadContext& context);
 void read_entities(TableReader& root, SceneDescription& scene, LoadContext& context);
 void read_arrays(TableReader& root, SceneDescription& scene, LoadContext& context);
@@ -97,6 +101,9 @@ Pose read_pose(TableReader& table);
 
 // --- scene_joints.cpp
 void read_joints(TableReader& root, SceneDescription& scene, LoadContext& context);
+
+// --- scene_views.cpp
+void read_views(TableReader& root, SceneDescription& scene);
 
 // --- scene_checks.cpp: what only the whole scene can tell
 void check_whole_scene(SceneDescription& scene, LoadContext& context);

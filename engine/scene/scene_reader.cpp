@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <tuple>
 
 namespace plumbline::scene {
 namespace {
@@ -27,17 +29,35 @@ double linear_from_srgb(double value) {
 
 }  // namespace
 
+FaultList::~FaultList() {
+    // Files in the order of their first fault, the scene's own before what it includes.
+    std::vector<std::string_view> files;
+    for (const Diagnostic& fault : list_) {
+        if (std::ranges::find(files, fault.file) == files.end()) files.push_back(fault.file);
+    }
+    const auto order = [&](const Diagnostic& fault) {
+        const auto file = std::ranges::find(files, std::string_view(fault.file)) - files.begin();
+        return std::tuple(file, fault.line, fault.column);
+    };
+    std::ranges::stable_sort(list_, std::less{}, order);
+    for (Diagnostic& fault : list_) out_.add(std::move(fault));
+    if (seen_.size() > kFaultsListed)
+        out_.add({any_error_ ? Severity::Error : Severity::Warning,
+                  {},
+                  0,
+                  0,
+                  {},
+                  "further faults are not listed"});
+}
+
 void FaultList::add(Severity severity, const Place& place, std::string key, std::string message) {
     if (severity == Severity::Error) any_error_ = true;
     const std::string file = place.file != nullptr ? *place.file : std::string{};
     if (seen_.size() > kFaultsListed) return;
     if (!seen_.insert(fmt::format("{}:{}:{}:{}", file, place.line, place.column, message)).second)
         return;
-    if (seen_.size() > kFaultsListed) {
-        out_.add({severity, file, 0, 0, {}, "further faults are not listed"});
-        return;
-    }
-    out_.add({severity, file, place.line, place.column, std::move(key), std::move(message)});
+    if (seen_.size() > kFaultsListed) return;
+    list_.push_back({severity, file, place.line, place.column, std::move(key), std::move(message)});
 }
 
 void FaultList::error(const Place& place, std::string key, std::string message) {
@@ -89,6 +109,14 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
     const bool all = sorted.size() <= kNamesListed;
     if (!all) sorted.resize(kNamesListed);
     return fmt::format("; known: {}{}", fmt::join(sorted, ", "), all ? "" : ", …");
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    constexpr std::size_t kListed = 100;
+    if (names.size() <= kListed) return fmt::format("{}", fmt::join(names, ", "));
+    return fmt::format("{} and {} more",
+                       fmt::join(names.begin(), names.begin() + kListed, ", "),
+                       names.size() - kListed);
 }
 
 Origin origin_of(const Place& place) {

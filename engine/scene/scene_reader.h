@@ -16,11 +16,15 @@
 
 namespace plumbline::scene {
 
-/// Collects faults; the same fault at the same place counts once (a prefab's is met again in every
-/// entity that starts from it), and a hostile file cannot make the list endless.
+/// Collects faults and hands them over when it goes, sorted by place as compilers do. The same fault
+/// at the same place counts once (a prefab's is met again in every entity that starts from it), and
+/// a hostile file cannot make the list endless.
 class FaultList {
 public:
     explicit FaultList(Diagnostics& out) : out_(out) {}
+    ~FaultList();
+    FaultList(const FaultList&) = delete;
+    FaultList& operator=(const FaultList&) = delete;
 
     void error(const Place& place, std::string key, std::string message);
     void warning(const Place& place, std::string key, std::string message);
@@ -30,6 +34,7 @@ private:
     void add(Severity severity, const Place& place, std::string key, std::string message);
 
     Diagnostics& out_;
+    std::vector<Diagnostic> list_;
     std::set<std::string> seen_;
     bool any_error_{false};
 };
@@ -128,6 +133,9 @@ std::string found(const TomlNode& node);
 std::string suggestion(std::string_view word, std::span<const std::string_view> known);
 /// A name as messages show it: short and without control characters.
 std::string shown(std::string_view text);
+
+/// "a, b, c", and how many more when there are very many.
+std::string listed(const std::vector<std::string>& names);
 
 Origin origin_of(const Place& place);
 /// "garden.toml:14"

@@ -1,7 +1,5 @@
 #include "engine/scene/toml_tree.h"
 
-// Faults come back as values, so that nothing here throws.
-#define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -58,14 +56,14 @@ const TomlNode* find_key(const TomlTable& table, std::string_view key) {
 
 std::variant<TomlNode, TextFault> parse_toml(std::string_view text, const std::string& file) {
     if (auto fault = prescan_toml(text)) return *fault;
-    const toml::parse_result parsed = toml::parse(text);
-    if (!parsed) {
-        const toml::parse_error& error = parsed.error();
+    // The packaged parser throws; its exceptions end here.
+    try {
+        return copy_of(toml::parse(text), file);
+    } catch (const toml::parse_error& error) {
         return TextFault{std::string(error.description()),
                          static_cast<int>(error.source().begin.line),
                          static_cast<int>(error.source().begin.column)};
     }
-    return copy_of(parsed.table(), file);
 }
 
 }  // namespace plumbline::scene
