@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""Writes assets/scenes/bench/boxes_{100,1000,3000}.toml, the scene that other engines were measured with.
+
+    python3 assets/source/make_bench_scenes.py
+
+N unit boxes in layers of 100, each layer shifted a little so that the columns topple. Integer
+divisions and remainders only: the boxes are at the same places in every engine.
+"""
+import pathlib
+
+HEAD = """# {count} boxes fall and topple: the scene that other engines were measured with
+# (docs/PERFORMANCE.md). Written by assets/source/make_bench_scenes.py.
+
+[scene]
+title = "{count} boxes"
+description = "Bench: sun and flashlight with shadows, sky, two plain materials"
+
+[accuracy]
+preset = "balanced"
+step_hz = 60
+
+[camera]
+position_m = [0, 9, 24]
+target_m = [0, 4, 0]
+fov_deg = 60
+
+[sun]
+direction = [-16, -40, -12]
+color = [1, 0.96, 0.9]
+intensity = 3.0
+shadow = {{ cascades = 1, size_px = 2048, distance_m = 60 }}
+
+[sky]
+skybox = "skies/garden"
+
+[ambient]
+color = [0.25, 0.27, 0.3]
+
+[flashlight]                        # at the camera; half angle 22 degrees
+on = true
+intensity = 200
+radius_m = 60
+inner_deg = 18
+outer_deg = 22
+
+[[material]]
+name = "box"
+base_color = [0.75, 0.42, 0.2]
+roughness = 0.7
+
+[[material]]
+name = "ground"
+base_color = [0.35, 0.4, 0.33]
+roughness = 0.95
+
+[[entity]]
+name = "ground"
+position_m = [0, -0.5, 0]
+primitive = {{ box = [120, 1, 120] }}
+material = "ground"
+[entity.body]
+kind = "static"
+friction = 0.5
+restitution = 0
+
+[[prefab]]
+name = "box"
+primitive = {{ box = [1, 1, 1] }}
+material = "box"
+[prefab.body]
+mass_kg = 1
+friction = 0.5
+restitution = 0
+"""
+
+
+def position(i):
+    layer = i // 100
+    x = (i % 10 - 4.5) * 1.6 + 0.28 * ((i * 7 + layer * 3) % 11 - 5) / 5
+    z = ((i // 10) % 10 - 4.5) * 1.6 + 0.28 * ((i * 5 + layer * 4) % 13 - 6) / 6
+    return x, 3 + 1.25 * layer, z
+
+
+def scene(count):
+    parts = [HEAD.format(count=count)]
+    for i in range(count):
+        x, y, z = position(i)
+        parts.append(f'[[entity]]\nname = "box_{i}"\nprefab = "box"\nposition_m = [{x:.9g}, {y:.9g}, {z:.9g}]\n')
+    return "\n".join(parts)
+
+
+folder = pathlib.Path(__file__).resolve().parent.parent / "scenes" / "bench"
+folder.mkdir(parents=True, exist_ok=True)
+for count in (100, 1000, 3000):
+    (folder / f"boxes_{count}.toml").write_text(scene(count))
