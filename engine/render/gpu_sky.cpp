@@ -16,6 +16,8 @@ constexpr std::array<const char*, 6> kFaceNames{"px", "nx", "py", "ny", "pz", "n
 constexpr std::array<const char*, 3> kEndings{".exr", ".png", ".jpg"};
 // Enough for a mirror on a barrel; more would only cost memory.
 constexpr std::uint32_t kReflectionSide = 128;
+// Faces that have to be resized anyway are not made larger than this.
+constexpr std::uint32_t kLargestSide = 1024;
 
 std::filesystem::path face_file(const std::filesystem::path& folder, const char* face) {
     for (const char* ending : kEndings) {
@@ -28,6 +30,24 @@ std::filesystem::path face_file(const std::filesystem::path& folder, const char*
 
 assets::ImageData gray_face() {
     return {.width = 1, .height = 1, .format = assets::PixelFormat::Rgb8, .bytes = {128, 128, 128}};
+}
+
+/// A cube map wants six squares of one size and kind: where they differ, all become half floats as
+/// large as the largest.
+void make_alike(std::vector<assets::ImageData>& faces) {
+    const bool alike = std::ranges::all_of(faces, [&](const assets::ImageData& face) {
+        return face.width == face.height && face.width == faces[0].width &&
+               face.format == faces[0].format;
+    });
+    if (alike) return;
+    std::uint32_t side = 1;
+    for (const auto& face : faces) side = std::max({side, face.width, face.height});
+    side = std::min(side, kLargestSide);
+    for (auto& face : faces) {
+        const bool fits = face.width == side && face.height == side &&
+                          face.format == assets::PixelFormat::Rgb16F;
+        if (!fits) face = half_floats_of(resized(radiance_of(face), side));
+    }
 }
 
 /// Halved until no side is over kReflectionSide.
@@ -60,15 +80,7 @@ void GpuSky::load(const std::filesystem::path& folder) {
         }
         faces.push_back(*library_.take_image(file));
     }
-    const bool alike = std::ranges::all_of(faces, [&](const assets::ImageData& face) {
-        return face.width == face.height && face.width == faces[0].width &&
-               face.format == faces[0].format;
-    });
-    if (!alike) {
-        log_warning("sky {}: the six faces must be square, of one size and of one kind",
-                    folder.string());
-        std::ranges::fill(faces, gray_face());
-    }
+    make_alike(faces);
 
     std::vector<RadianceImage> level;
     std::vector<std::future<RadianceImage>> under_way;

@@ -14,8 +14,7 @@ class GpuSky {
 public:
     explicit GpuSky(assets::AssetLibrary& library) : library_(library) {}
 
-    /// Loads when the folder differs from the last; a missing or misshapen face is grey, with one
-    /// warning. An empty path frees everything.
+    /// Loads when the folder differs from the last; a missing face is grey, with one warning. An empty path frees everything.
     void want(const std::filesystem::path& folder);
 
     /// The background holds sRGB code values (8-bit faces), not radiance.

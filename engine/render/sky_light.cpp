@@ -77,6 +77,34 @@ RadianceImage halved(const RadianceImage& image) {
     return half;
 }
 
+RadianceImage resized(const RadianceImage& image, std::uint32_t side) {
+    RadianceImage result{.width = side, .height = side, .pixels = {}};
+    result.pixels.reserve(std::size_t{side} * side);
+    const auto place = [side](std::uint32_t i, std::uint32_t source_side) {
+        const float at = (static_cast<float>(i) + 0.5F) * static_cast<float>(source_side) /
+                             static_cast<float>(side) -
+                         0.5F;
+        return glm::clamp(at, 0.0F, static_cast<float>(source_side - 1));
+    };
+    for (std::uint32_t y = 0; y < side; ++y) {
+        const float v = place(y, image.height);
+        const auto top = static_cast<std::uint32_t>(v);
+        const auto bottom = std::min(top + 1, image.height - 1);
+        for (std::uint32_t x = 0; x < side; ++x) {
+            const float u = place(x, image.width);
+            const auto left = static_cast<std::uint32_t>(u);
+            const auto right = std::min(left + 1, image.width - 1);
+            const auto row = [&](std::uint32_t line) {
+                const Vec3f* pixels = image.pixels.data() + std::size_t{line} * image.width;
+                return glm::mix(pixels[left], pixels[right], u - static_cast<float>(left));
+            };
+            result.pixels.push_back(
+                glm::mix(row(top), row(bottom), v - static_cast<float>(top)));
+        }
+    }
+    return result;
+}
+
 assets::ImageData half_floats_of(const RadianceImage& image) {
     assets::ImageData packed{.width = image.width,
                              .height = image.height,

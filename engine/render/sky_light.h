@@ -24,6 +24,9 @@ RadianceImage radiance_of(const assets::ImageData& image);
 /// A quarter of the pixels, averaged; odd edges are cut.
 RadianceImage halved(const RadianceImage& image);
 
+/// Another size, each new pixel interpolated between the four around it.
+RadianceImage resized(const RadianceImage& image, std::uint32_t side);
+
 /// Half floats, for upload.
 assets::ImageData half_floats_of(const RadianceImage& image);
 
