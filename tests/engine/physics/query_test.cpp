@@ -1,0 +1,154 @@
+#include "tests/engine/physics/test_world.h"
+
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+/// What casts may be short by; a character's skin is a hundred times thicker.
+constexpr double kTight_m = 1e-4;
+
+double y_of(const Vec3& v) {
+    return static_cast<double>(v.y);
+}
+
+TEST(Rays, HitEveryKindOfShapeWhereItIs) {
+    TestWorld test;
+    HullShape hull{{{-1, -1, -1},
+                    {1, -1, -1},
+                    {-1, 1, -1},
+                    {1, 1, -1},
+                    {-1, -1, 1},
+                    {1, -1, 1},
+                    {-1, 1, 1},
+                    {1, 1, 1}}};
+    CompoundShape compound;
+    compound.children.push_back(
+        {.shape = BoxShape{}, .body_from_child = {.position = {0, 0.5_r, 0}}});
+    const std::vector<std::pair<ShapeDef, double>> tops{{BoxShape{}, 0.5},
+                                                        {SphereShape{}, 0.5},
+                                                        {CylinderShape{}, 0.5},
+                                                        {CapsuleShape{}, 1.0},
+                                                        {PlaneShape{.size_m = {2, 2}}, 0.0},
+                                                        {hull, 1.0},
+                                                        {flat_mesh(2, 1), 0.0},
+                                                        {compound, 1.0}};
+    for (std::size_t i = 0; i < tops.size(); ++i) {
+        const Real x = 10 * static_cast<Real>(i);
+        const BodyId body =
+            test.add(tops[i].first, {x, 0, 0}, {.kind = BodyKind::Static, .user = i});
+        const auto hit = test.world.cast_ray({x + 0.01_r, 5, 0.02_r}, {x + 0.01_r, -5, 0.02_r});
+        ASSERT_TRUE(hit.has_value()) << "shape " << i;
+        EXPECT_EQ(hit->body, body);
+        EXPECT_EQ(hit->user, i);
+        // The round ones lie a little lower off their middle.
+        EXPECT_NEAR(y_of(hit->point_world), tops[i].second, 1e-3) << "shape " << i;
+        EXPECT_NEAR(static_cast<double>(hit->distance_m), 5 - tops[i].second, 1e-3);
+        EXPECT_NEAR(y_of(hit->normal_world), 1.0, 2e-3) << "shape " << i;
+    }
+    EXPECT_FALSE(test.world.cast_ray({5, 5, 0}, {5, -5, 0}).has_value());
+}
+
+TEST(Rays, SeeTheNearestThroughTheirFilter) {
+    TestWorld test;
+    const BodyId upper = test.add(BoxShape{}, {0, 4, 0}, {.kind = BodyKind::Static, .group = 2});
+    const BodyId lower = test.add(BoxShape{}, {0, 2, 0}, {.kind = BodyKind::Static, .group = 1});
+    const Vec3 from{0, 9, 0};
+    const Vec3 to{0, 0, 0};
+    EXPECT_EQ(test.world.cast_ray(from, to)->body, upper);
+    EXPECT_EQ(test.world.cast_ray(from, to, {.collides_with = 1})->body, lower);
+    EXPECT_EQ(test.world.cast_ray(from, to, {.ignored = upper})->body, lower);
+    EXPECT_FALSE(
+        test.world.cast_ray(from, to, {.ignored = upper, .also_ignored = lower}).has_value());
+}
+
+TEST(Rays, FindBodiesWhereTheyAreNow) {
+    TestWorld test(weightless());
+    const BodyId fast =
+        test.add(BoxShape{}, {0, 0, 0}, {.kind = BodyKind::Dynamic, .velocity_mps = {300, 0, 0}});
+    test.run(1.0);
+    const auto moved = test.world.cast_ray({300, 5, 0}, {300, -5, 0});
+    ASSERT_TRUE(moved.has_value());
+    EXPECT_EQ(moved->body, fast);
+    test.world.set_pose(fast, {.position = {0, 0, 50}});
+    EXPECT_FALSE(test.world.cast_ray({300, 5, 0}, {300, -5, 0}).has_value());
+    EXPECT_TRUE(test.world.cast_ray({0, 5, 50}, {0, -5, 50}).has_value());
+}
+
+TEST(Sweeps, StopWhereShapesTouch) {
+    TestWorld test;
+    test.ground();
+    const BodyId wall =
+        test.add(BoxShape{.size_m = {1, 4, 20}}, {5, 2, 0}, {.kind = BodyKind::Static});
+    const ShapeId capsule = test.shape(CapsuleShape{.radius_m = 0.3_r, .height_m = 1.2_r});
+    const auto hit = test.world.sweep(capsule, {.position = {0, 1, 0}}, {10, 1, 0});
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_EQ(hit->body, wall);
+    EXPECT_NEAR(static_cast<double>(hit->fraction) * 10.0, 4.5 - 0.3, kTight_m);
+    EXPECT_NEAR(static_cast<double>(hit->normal_world.x), -1.0, 1e-4);
+    const auto down = test.world.sweep(capsule, {.position = {0, 3, 0}}, {0, 0, 0});
+    ASSERT_TRUE(down.has_value());
+    EXPECT_NEAR(3.0 * (1 - static_cast<double>(down->fraction)), 0.9, kTight_m);
+    EXPECT_NEAR(y_of(down->normal_world), 1.0, 1e-4);
+}
+
+TEST(Sweeps, BallOnASlopeTouchesAtTheSlopesNormal) {
+    TestWorld test;
+    const Quat tilt = glm::angleAxis(radians_from_degrees(30.0_r), Vec3{0, 0, 1});
+    const ShapeId slab = test.shape(BoxShape{.size_m = {20, 2, 20}});
+    test.world.create_body({.shape = slab, .world_from_body = {.orientation = tilt}});
+    const ShapeId ball = test.shape(SphereShape{.radius_m = 0.5_r});
+    const auto hit = test.world.sweep(ball, {.position = {0, 5, 0}}, {0, -5, 0});
+    ASSERT_TRUE(hit.has_value());
+    // The middle ends 1.5 m from the slab's middle plane, measured along the normal.
+    const double height = 5 - 10 * static_cast<double>(hit->fraction);
+    EXPECT_NEAR(height, 1.5 / std::cos(kPi / 6), 2 * kTight_m);
+    EXPECT_NEAR(static_cast<double>(hit->normal_world.x), -0.5, 1e-3);
+}
+
+TEST(Sweeps, MeshSeamsDoNotTripAGrazingCapsule) {
+    TestWorld test;
+    test.add(flat_mesh(20, 1), {0, 0, 0}, {.kind = BodyKind::Static});
+    const ShapeId capsule = test.shape(CapsuleShape{.radius_m = 0.3_r, .height_m = 1.2_r});
+    const Real above = 0.9_r + 0.01_r;
+    EXPECT_FALSE(test.world.sweep(capsule, {.position = {-8, above, 0.3_r}}, {8, above, -2.2_r})
+                     .has_value());
+    const auto down = test.world.sweep(capsule, {.position = {0.5_r, 2, 0.5_r}}, {0.5_r, 0, 0.5_r});
+    ASSERT_TRUE(down.has_value());
+    EXPECT_NEAR(2.0 - 2.0 * static_cast<double>(down->fraction), 0.9, kTight_m);
+}
+
+TEST(Sweeps, OverlapAtTheStartBlocksOnlyTheWayIn) {
+    TestWorld test;
+    test.add(BoxShape{.size_m = {2, 2, 2}}, {0, 0, 0}, {.kind = BodyKind::Static});
+    const ShapeId ball = test.shape(SphereShape{.radius_m = 0.5_r});
+    const Pose inside{.position = {0, 1.45_r, 0}};
+    const auto deeper = test.world.sweep(ball, inside, {0, 0, 0});
+    ASSERT_TRUE(deeper.has_value());
+    EXPECT_EQ(deeper->fraction, 0);
+    EXPECT_NEAR(y_of(deeper->normal_world), 1.0, 1e-3);
+    EXPECT_FALSE(test.world.sweep(ball, inside, {0, 3, 0}).has_value());
+}
+
+TEST(Overlaps, GiveTheWayOutDeepestFirst) {
+    TestWorld test;
+    const BodyId floor =
+        test.add(BoxShape{.size_m = {10, 2, 10}}, {0, -1, 0}, {.kind = BodyKind::Static});
+    const BodyId wall =
+        test.add(BoxShape{.size_m = {2, 10, 10}}, {1.35_r, 5, 0}, {.kind = BodyKind::Static});
+    const ShapeId capsule = test.shape(CapsuleShape{.radius_m = 0.3_r, .height_m = 1.2_r});
+    // 0.05 m into the wall (whose face is at x = 0.35 - 0.1), 0.02 m above the floor.
+    const auto hits = test.world.overlaps(capsule, {.position = {0.1_r, 0.92_r, 0}}, 0.03_r);
+    ASSERT_EQ(hits.size(), 2U);
+    EXPECT_EQ(hits[0].body, wall);
+    EXPECT_NEAR(static_cast<double>(hits[0].depth_m), 0.05, 1e-4);
+    EXPECT_NEAR(static_cast<double>(hits[0].normal_world.x), -1.0, 1e-3);
+    EXPECT_EQ(hits[1].body, floor);
+    EXPECT_NEAR(static_cast<double>(hits[1].depth_m), -0.02, 1e-4);
+    EXPECT_NEAR(y_of(hits[1].normal_world), 1.0, 1e-3);
+    EXPECT_EQ(test.world.overlaps(capsule, {.position = {0.1_r, 0.92_r, 0}}, 0.01_r).size(), 1U);
+    EXPECT_TRUE(test.world.overlaps(capsule, {.position = {-3, 5, 0}}, 0.03_r).empty());
+}
+
+}  // namespace
+}  // namespace plumbline::physics
