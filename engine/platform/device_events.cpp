@@ -98,6 +98,15 @@ void DeviceEvents::set_captured(bool captured) {
     next_.mouse_counts = {};
 }
 
+void DeviceEvents::confirm_down(const std::bitset<kKeyCount>& keys,
+                                const std::bitset<kMouseButtonCount>& buttons) {
+    for (int key = 0; key < kKeyCount; ++key)
+        if (!keys[static_cast<std::size_t>(key)]) on_key(key, false);
+    for (int button = 0; button < kMouseButtonCount; ++button)
+        if (!buttons[static_cast<std::size_t>(button)]) on_mouse_button(button, false);
+    confirmed_ = true;
+}
+
 void DeviceEvents::follow_pad(const PadReading& pad) {
     const std::bitset<kPadButtonCount> now =
         pad.present ? pad.buttons : std::bitset<kPadButtonCount>{};
@@ -121,7 +130,7 @@ InputSnapshot DeviceEvents::take(double now_s, const PadReading& pad) {
     next_.now_s = now_s;
     next_.focused = focused_ && !iconified_;
     next_.lost_focus = std::exchange(lost_focus_, false);
-    next_.stalled = taken_once_ && now_s - last_take_s_ > kStall_s;
+    next_.stalled = is_stalled(now_s) && !std::exchange(confirmed_, false);
     next_.close_requested = std::exchange(close_requested_, false);
     next_.cursor_px = {cursor_[0] * pixel_ratio_[0], cursor_[1] * pixel_ratio_[1]};
     taken_once_ = true;

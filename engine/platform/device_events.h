@@ -38,6 +38,13 @@ public:
     /// Framebuffer pixels per cursor unit.
     void set_pixel_ratio(double x, double y) { pixel_ratio_ = {x, y}; }
 
+    /// True when more than kStall_s went by since the last take().
+    bool is_stalled(double now_s) const { return taken_once_ && now_s - last_take_s_ > kStall_s; }
+    /// After a stall: what is really down. Everything else is released by events of its own, and
+    /// the next snapshot is no stalled one.
+    void confirm_down(const std::bitset<kKeyCount>& keys,
+                      const std::bitset<kMouseButtonCount>& buttons);
+
     /// Everything since the last call. `now_s` is compared with the last call's to notice stalls.
     InputSnapshot take(double now_s, const PadReading& pad);
 
@@ -63,6 +70,7 @@ private:
     bool focused_{true};
     bool iconified_{false};
     bool lost_focus_{false};
+    bool confirmed_{false};
     bool close_requested_{false};
 };
 

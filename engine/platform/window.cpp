@@ -2,6 +2,7 @@
 
 #include "engine/core/log.h"
 #include "engine/platform/gamepads.h"
+#include "engine/platform/physical_keys.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -240,7 +241,12 @@ InputSnapshot Window::poll_input() {
             static_cast<double>(in_pixels.width) / static_cast<double>(in_units.width),
             static_cast<double>(in_pixels.height) / static_cast<double>(in_units.height));
     }
-    InputSnapshot snapshot = impl_->events.take(now_s(), impl_->gamepads.read());
+    const double polled_s = now_s();
+    if (impl_->events.is_stalled(polled_s)) {
+        if (const auto down = read_physical_keys())
+            impl_->events.confirm_down(down->keys, down->buttons);
+    }
+    InputSnapshot snapshot = impl_->events.take(polled_s, impl_->gamepads.read());
     if (snapshot.lost_focus) capture_pointer(false);
     if (impl_->wants_fullscreen && !fullscreen()) {
         // GLFW took the window off a monitor that went away.
