@@ -12,6 +12,12 @@ namespace plumbline::scene {
 
 namespace {
 
+/// Below the share of its inner radius at which the physics sweeps a body: what speeds up within
+/// the step is still seen.
+constexpr Real kSweptShare = 0.9_r;
+/// Slower turning than this the physics leaves without gyroscopic torque too.
+constexpr Real kSpinning_radps = 1e-3_r;
+
 physics::WorldDef world_def(const SceneDescription& description,
                             const SimulationOverrides& overrides) {
     const Accuracy& accuracy = description.accuracy;
@@ -197,29 +203,51 @@ std::uint64_t Simulation::state_hash() const {
 }
 
 void Simulation::update_motion_demand() {
-    // Both limits fall a little once the part is on, so that a body at the limit does not switch
-    // it on and off with every step.
-    const Real share = demand_.swept ? 0.8_r : 0.9_r;
-    const Real spin_radps = demand_.spinning ? 0.005_r : 0.01_r;
     const auto substep_s = static_cast<Real>(step_s_ / physics.def().substeps);
-    demand_ = {};
+    MotionDemand demand;
+    // Who is named stays named while it qualifies, so that the callers' list does not flicker.
+    const auto name = [](ecs::Entity& named, ecs::Entity before, ecs::Entity entity) {
+        if (!named || entity == before) named = entity;
+    };
+    Real fastest_mps{0};
+    Real second_mps{0};
+    ecs::Entity fastest{};
     for (const MovingBody& moving : moving_) {
-        if (moving.kind != physics::BodyKind::Dynamic || !registry.alive(moving.entity)) continue;
-        const bool always_swept = moving.ccd == physics::ContinuousCollision::On;
-        if (always_swept && !demand_.swept) demand_.swept = moving.entity;
-        if (!moving.awake) continue;
-        const bool may_be_swept = moving.ccd == physics::ContinuousCollision::Auto;
-        if (!may_be_swept && moving.spherical_inertia) continue;
-        const physics::BodyState state = physics.state(moving.body);
-        if (may_be_swept && !demand_.swept &&
-            glm::length(state.velocity_mps) * substep_s > share * moving.inner_radius_m) {
-            demand_.swept = moving.entity;
+        if (!physics.contains(moving.body)) continue;
+        const bool is_dynamic = moving.kind == physics::BodyKind::Dynamic;
+        if (is_dynamic && moving.ccd == physics::ContinuousCollision::On) {
+            name(demand.swept, demand_.swept, moving.entity);
         }
-        if (!moving.spherical_inertia && !demand_.spinning &&
-            glm::length(state.angular_velocity_radps) > spin_radps) {
-            demand_.spinning = moving.entity;
+        if (!moving.awake) continue;
+        const physics::BodyState state = physics.state(moving.body);
+        const Real speed_mps = glm::length(state.velocity_mps);
+        if (speed_mps > fastest_mps) {
+            second_mps = fastest_mps;
+            fastest_mps = speed_mps;
+            fastest = moving.entity;
+        } else {
+            second_mps = std::max(second_mps, speed_mps);
+        }
+        if (!is_dynamic) continue;
+        if (moving.ccd == physics::ContinuousCollision::Auto &&
+            speed_mps * substep_s > kSweptShare * moving.inner_radius_m) {
+            name(demand.swept, demand_.swept, moving.entity);
+        }
+        if (!moving.spherical_inertia &&
+            glm::length(state.angular_velocity_radps) > kSpinning_radps) {
+            name(demand.spinning, demand_.spinning, moving.entity);
         }
     }
+    // A light body that a heavy one strikes leaves at up to twice its speed, within the same step.
+    for (const MovingBody& moving : moving_) {
+        if (moving.kind != physics::BodyKind::Dynamic) continue;
+        if (moving.ccd != physics::ContinuousCollision::Auto) continue;
+        const Real other_mps = moving.entity == fastest ? second_mps : fastest_mps;
+        if (Real{2} * other_mps * substep_s > kSweptShare * moving.inner_radius_m) {
+            name(demand.swept, demand_.swept, moving.entity);
+        }
+    }
+    demand_ = demand;
 }
 
 void Simulation::set_features(const physics::WorldFeatures& features) {

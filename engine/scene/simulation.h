@@ -57,9 +57,11 @@ struct MovingBody {
     bool awake{true};  ///< after the latest step
 };
 
-/// Bodies that need an optional part of the physics now: the first of each in file order, or null.
+/// Bodies that need an optional part of the physics in the next step: one of each, or null.
 struct MotionDemand {
-    ecs::Entity swept{};     ///< moves more than its inner radius in a substep, or asks for sweeps
+    /// Asks for sweeps, or may move more than its inner radius in a substep: by its own speed, or
+    /// struck by the fastest of the others.
+    ecs::Entity swept{};
     ecs::Entity spinning{};  ///< turns, and its inertia is not the same about every axis
 
     friend bool operator==(const MotionDemand&, const MotionDemand&) = default;
@@ -126,8 +128,8 @@ public:
     /// Optional parts of the physics; all on until an EffectRuntime takes them over.
     const physics::WorldFeatures& features() const { return features_; }
     void set_features(const physics::WorldFeatures& features);
-    /// Looks which awake bodies need continuous collision or gyroscopic torque in the next step.
-    /// Part of a step, never of a frame: it remembers what it found.
+    /// Looks which bodies need continuous collision or gyroscopic torque in the next step. A
+    /// function of the state alone.
     void update_motion_demand();
     const MotionDemand& motion_demand() const { return demand_; }
     /// Contact events are made while somebody asks: "effect impact_sounds".

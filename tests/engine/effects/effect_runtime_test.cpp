@@ -1,0 +1,254 @@
+#include "engine/effects/effect_runtime.h"
+
+#include "engine/scene/extract.h"
+#include "tests/support/near.h"
+#include "tests/support/scene_in_code.h"
+
+#include <gtest/gtest.h>
+
+namespace plumbline::effects {
+namespace {
+
+using scene::EntityDescription;
+using scene::SceneDescription;
+using test::ball;
+using test::box;
+using test::cube;
+using test::ground;
+using test::Running;
+using test::scene_of;
+
+constexpr ServedDomains kStepsOnly{};
+constexpr ServedDomains kAll{.picture = true, .sound = true};
+
+LedgerLine line_of(const EffectRuntime& effects, std::string_view name) {
+    for (LedgerLine& line : effects.ledger()) {
+        if (line.name == name) return line;
+    }
+    ADD_FAILURE() << "no effect " << name;
+    return {};
+}
+
+void expect_nothing(const LedgerLine& line) {
+    EXPECT_TRUE(line.called_for_by.empty()) << line.name;
+    EXPECT_EQ(line.constructions, 0U) << line.name;
+    EXPECT_EQ(line.calls, 0U) << line.name;
+    EXPECT_EQ(line.cpu_ms, 0.0) << line.name;
+    EXPECT_EQ(line.gpu_ms, 0.0) << line.name;
+    EXPECT_EQ(line.bytes_cpu, 0U) << line.name;
+    EXPECT_EQ(line.bytes_gpu, 0U) << line.name;
+    EXPECT_FALSE(line.exists) << line.name;
+}
+
+/// One frame as the window makes it.
+render::RenderFrame draw(Running& run, EffectRuntime& effects) {
+    effects.refresh(*run);
+    const scene::ViewPoint view = run.game.view(*run, Real{1}, 0.0F, 0.0F);
+    render::RenderFrame frame = scene::extract(*run, view, Real{1}, 64, 64);
+    effects.extract(*run, view, frame);
+    return frame;
+}
+
+TEST(EffectTable, HasTheRowsOfTheContract) {
+    std::vector<std::string_view> names;
+    for (const EffectRow& row : effect_table()) names.push_back(row.name);
+    const std::vector<std::string_view> expected{"sun_shadow",
+                                                 "flashlight",
+                                                 "fog",
+                                                 "skybox",
+                                                 "post",
+                                                 "impact_sounds",
+                                                 "ambient_sounds",
+                                                 "footsteps",
+                                                 "continuous_collision",
+                                                 "gyroscopic_torque",
+                                                 "contact_events"};
+    EXPECT_EQ(names, expected);
+}
+
+TEST(EffectRuntime, AFallingCubePaysForNothing) {
+    SceneDescription scene = scene_of({ground(), cube("cube", {0, 8.5_r, 0})});
+    scene.sun = scene::SunDescription{};  // a sun without a shadow is no effect
+    Running run(scene);
+    EffectRuntime effects(*run, kAll);
+    for (int i = 0; i < 120; ++i) {
+        run.step(1, effects);
+        const render::RenderFrame frame = draw(run, effects);
+        EXPECT_FALSE(frame.sun_shadow || frame.fog || frame.sky || frame.flashlight || frame.post);
+        effects.sound(*run, {});
+    }
+    EXPECT_NEAR(static_cast<double>(run.state("cube").world_from_body.position.y), 0.5, 0.01);
+    for (const LedgerLine& line : effects.ledger()) expect_nothing(line);
+}
+
+TEST(EffectRuntime, SaysWhichSettingCalls) {
+    SceneDescription scene = scene_of({});
+    scene.sun = scene::SunDescription{
+        .shadow = scene::ShadowDescription{.size_px = 512, .origin = {"garden.toml", 31}}};
+    scene.fog = scene::FogDescription{.density_per_m = 0.5F, .origin = {"garden.toml", 40}};
+    scene.sky = scene::SkyDescription{.folder = "skies/x", .origin = {"garden.toml", 50}};
+    scene.post = scene::PostDescription{.bloom = 0.1F, .origin = {"garden.toml", 60}};
+    Running run(scene);
+    EffectRuntime effects(*run, kAll);
+    const render::RenderFrame frame = draw(run, effects);
+    const auto caller = [&](std::string_view name) {
+        const LedgerLine line = line_of(effects, name);
+        EXPECT_EQ(line.constructions, 1U);
+        EXPECT_EQ(line.calls, 1U);
+        return line.called_for_by.size() == 1 ? line.called_for_by.front() : std::string();
+    };
+    EXPECT_EQ(caller("sun_shadow"), "[sun] shadow (garden.toml:31)");
+    EXPECT_EQ(caller("fog"), "[fog] (garden.toml:40)");
+    EXPECT_EQ(caller("skybox"), "[sky] skybox (garden.toml:50)");
+    EXPECT_EQ(caller("post"), "[post] (garden.toml:60)");
+    ASSERT_TRUE(frame.sun_shadow && frame.fog && frame.sky && frame.post);
+    EXPECT_EQ(frame.sun_shadow->size_px, 512U);
+    EXPECT_EQ(frame.fog->density_per_m, 0.5F);
+    EXPECT_EQ(frame.sky->folder, "skies/x");
+    EXPECT_EQ(frame.post->bloom, 0.1F);
+}
+
+TEST(EffectRuntime, MakesNoPictureThatNobodyLooksAt) {
+    SceneDescription scene = scene_of({});
+    scene.fog = scene::FogDescription{};
+    Running run(scene);
+    EffectRuntime effects(*run, kStepsOnly);
+    run.step(10, effects);
+    expect_nothing(line_of(effects, "fog"));
+}
+
+TEST(EffectRuntime, TheFlashlightLivesWithItsSwitch) {
+    SceneDescription scene = scene_of({});
+    scene.flashlight = scene::FlashlightDescription{.intensity = 10, .color = {1, 1, 1}};
+    Running run(scene);
+    EffectRuntime effects(*run, kAll);
+    EXPECT_FALSE(draw(run, effects).flashlight);
+    expect_nothing(line_of(effects, "flashlight"));
+
+    run->switches.flashlight = true;
+    const render::RenderFrame lit = draw(run, effects);
+    ASSERT_TRUE(lit.flashlight);
+    EXPECT_TRUE(test::near(lit.flashlight->intensity, Vec3f{10.0F}, 1e-6));
+    const scene::ViewPoint view = run.game.view(*run, Real{1}, 0.0F, 0.0F);
+    EXPECT_TRUE(
+        test::near(lit.flashlight->position_world, Vec3f(view.world_from_hand.position), 1e-6))
+        << "the beam starts at the hand";
+    EXPECT_EQ(line_of(effects, "flashlight").called_for_by, Callers{"switch flashlight"});
+
+    run->switches.flashlight = false;
+    EXPECT_FALSE(draw(run, effects).flashlight);
+    const LedgerLine off = line_of(effects, "flashlight");
+    EXPECT_FALSE(off.exists);
+    EXPECT_EQ(off.bytes_cpu, 0U);
+    EXPECT_EQ(off.constructions, 1U);
+    EXPECT_EQ(off.calls, 1U);
+
+    run->switches.flashlight = true;
+    draw(run, effects);
+    EXPECT_EQ(line_of(effects, "flashlight").constructions, 2U);
+    EXPECT_EQ(line_of(effects, "flashlight").calls, 2U);
+}
+
+TEST(EffectRuntime, NoPlayerHasAFlashlightThatTheSceneDoesNotGive) {
+    Running run(scene_of({}));
+    EffectRuntime effects(*run, kAll);
+    run->switches.flashlight = true;
+    EXPECT_FALSE(draw(run, effects).flashlight);
+}
+
+TEST(EffectRuntime, FogCanBeAddedAndTakenAway) {
+    Running clear(scene_of({}));
+    EffectRuntime effects(*clear, kAll);
+    clear->switches.fog_added = true;
+    ASSERT_TRUE(draw(clear, effects).fog);
+    EXPECT_EQ(line_of(effects, "fog").called_for_by, Callers{"switch fog"});
+
+    SceneDescription misty = scene_of({});
+    misty.fog = scene::FogDescription{};
+    Running run(misty);
+    EffectRuntime others(*run, kAll);
+    EXPECT_TRUE(draw(run, others).fog);
+    run->switches.fog = false;
+    EXPECT_FALSE(draw(run, others).fog);
+}
+
+TEST(EffectRuntime, SweepsOnlyWhileSomethingIsFast) {
+    EntityDescription bullet = ball("bullet", {-15, 1, 0}, 0.1_r);
+    bullet.body->velocity_mps = {100, 0, 0};
+    Running run(scene_of(
+        {ground(), box("wall", {0, 2, 0}, {0.05_r, 4, 4}, physics::BodyKind::Static), bullet}));
+    EffectRuntime effects(*run, kStepsOnly);
+    run.step(1, effects);
+    EXPECT_EQ(line_of(effects, "continuous_collision").called_for_by,
+              Callers{"entity bullet (test.toml:10)"});
+    run.step(240, effects);
+    EXPECT_LT(run.state("bullet").world_from_body.position.x, Real{0}) << "it passed the wall";
+    const LedgerLine line = line_of(effects, "continuous_collision");
+    EXPECT_FALSE(line.exists) << "it has come to rest";
+    EXPECT_GE(line.constructions, 1U);
+    EXPECT_GE(line.calls, 8U);  // 15 m at 1.67 m a step
+    EXPECT_FALSE(run->features().continuous_collision);
+}
+
+TEST(EffectRuntime, GyroscopicTorqueFollowsTheSpin) {
+    EntityDescription plank = box("plank", {0, 50, 0}, {2, 0.1_r, 0.3_r});
+    plank.body->angular_velocity_radps = {1, 2, 3};
+    Running run(scene_of({plank, cube("cube", {9, 50, 0})}));
+    EffectRuntime effects(*run, kStepsOnly);
+    run.step(10, effects);
+    EXPECT_EQ(line_of(effects, "gyroscopic_torque").called_for_by,
+              Callers{"entity plank (test.toml:10)"});
+    EXPECT_EQ(line_of(effects, "gyroscopic_torque").calls, 10U);
+    EXPECT_TRUE(run->features().gyroscopic_torque);
+
+    run->registry.destroy(run->find("plank"));
+    run.step(1, effects);
+    EXPECT_FALSE(line_of(effects, "gyroscopic_torque").exists);
+    EXPECT_EQ(line_of(effects, "gyroscopic_torque").calls, 10U);
+    EXPECT_FALSE(run->features().gyroscopic_torque);
+}
+
+TEST(EffectRuntime, BooksThePassesOfItsRows) {
+    SceneDescription scene = scene_of({});
+    scene.sun = scene::SunDescription{.shadow = scene::ShadowDescription{}};
+    scene.post = scene::PostDescription{};
+    Running run(scene);
+    EffectRuntime effects(*run, kAll);
+    const double own_ms = line_of(effects, "post").cpu_ms;
+    render::FrameStats stats;
+    stats.passes = {{.name = "shadow.sun", .cpu_ms = 1.5, .gpu_ms = -1.0},
+                    {.name = "opaque", .cpu_ms = 9.0, .gpu_ms = 9.0},
+                    {.name = "post.bloom", .cpu_ms = 0.25, .gpu_ms = 2.0},
+                    {.name = "post.tone_map", .cpu_ms = 0.5, .gpu_ms = 3.0}};
+    const std::vector<render::GpuBytes> bytes{{.owner = "post", .bytes = 300},
+                                              {.owner = "meshes", .bytes = 7},
+                                              {.owner = "sun_shadow", .bytes = 40}};
+    effects.add_render_stats(stats, bytes);
+    effects.add_render_stats(stats, bytes);
+    EXPECT_NEAR(line_of(effects, "post").cpu_ms - own_ms, 1.5, 1e-9);
+    EXPECT_DOUBLE_EQ(line_of(effects, "post").gpu_ms, 10.0);
+    EXPECT_EQ(line_of(effects, "post").bytes_gpu, 300U);
+    EXPECT_EQ(line_of(effects, "sun_shadow").gpu_ms, -1.0) << "the driver does not tell";
+    EXPECT_EQ(line_of(effects, "sun_shadow").bytes_gpu, 40U);
+    EXPECT_EQ(line_of(effects, "fog").bytes_gpu, 0U);
+}
+
+TEST(EffectRuntime, NamesTheFirstCallersAndCountsTheRest) {
+    scene::SurfaceTable loud = test::plain_surfaces();
+    loud.surfaces[0].impact_sounds = {"no/such.ogg"};
+    SceneDescription scene = scene_of({});
+    scene.arrays.push_back({.name = "pile",
+                            .prefab = cube("crate", {}),
+                            .origin_m = {0, 5, 0},
+                            .count = {10, 1, 1},
+                            .spacing_m = {2, 2, 2}});
+    Running run(scene, loud);
+    EffectRuntime effects(*run, kAll);
+    const Callers callers = line_of(effects, "impact_sounds").called_for_by;
+    ASSERT_EQ(callers.size(), 9U);
+    EXPECT_EQ(callers.front(), "entity pile.0.0.0 (test.toml:10)");
+    EXPECT_EQ(callers.back(), "and 2 more");
+}
+
+}  // namespace
+}  // namespace plumbline::effects

@@ -1,0 +1,119 @@
+#include "engine/scene/extract.h"
+
+#include "engine/core/limits.h"
+#include "tests/support/near.h"
+#include "tests/support/scene_in_code.h"
+
+#include <gtest/gtest.h>
+
+namespace plumbline::scene {
+namespace {
+
+using test::box;
+using test::cube;
+using test::ground;
+using test::near;
+using test::Running;
+using test::scene_of;
+
+render::RenderFrame frame_of(Running& run, Real blend) {
+    return extract(*run, run.game.view(*run, blend, 0.0F, 0.0F), blend, 640, 480);
+}
+
+Vec3f place_of(const render::DrawItem& item) {
+    return Vec3f(item.world_from_body[3]);
+}
+
+TEST(Extract, DrawsBetweenTheLastTwoPoses) {
+    EntityDescription slider = cube("slider", {0, 50, 0});
+    slider.body->velocity_mps = {6, 0, 0};
+    SceneDescription scene = scene_of({slider});
+    scene.gravity_mps2 = {0, 0, 0};
+    Running run(scene);
+    run.step(10);  // 0.1 m a step
+    EXPECT_TRUE(near(place_of(frame_of(run, 0).items.at(0)), Vec3f{0.9F, 50.0F, 0.0F}, 1e-4));
+    EXPECT_TRUE(near(place_of(frame_of(run, 0.5_r).items.at(0)), Vec3f{0.95F, 50.0F, 0.0F}, 1e-4));
+    EXPECT_TRUE(near(place_of(frame_of(run, 1).items.at(0)), Vec3f{1.0F, 50.0F, 0.0F}, 1e-4));
+}
+
+TEST(Extract, TellsWhatCannotMove) {
+    EntityDescription picture = cube("picture", {5, 1, 0});
+    picture.body.reset();
+    Running run(scene_of({ground(), cube("cube", {0, 5, 0}), picture}));
+    const render::RenderFrame frame = frame_of(run, 1);
+    ASSERT_EQ(frame.items.size(), 3U);
+    EXPECT_TRUE(frame.items[0].is_static);
+    EXPECT_FALSE(frame.items[1].is_static);
+    EXPECT_TRUE(frame.items[2].is_static);
+    EXPECT_EQ(frame.items[0].material_count, 1U);
+    EXPECT_NE(frame.items[0].materials, nullptr);
+}
+
+TEST(Extract, EqualThingsShareOneMesh) {
+    Running run(
+        scene_of({cube("a", {0, 5, 0}), cube("b", {5, 5, 0}), box("c", {9, 5, 0}, {2, 1, 1})}));
+    const render::RenderFrame frame = frame_of(run, 1);
+    ASSERT_EQ(frame.items.size(), 3U);
+    EXPECT_EQ(frame.items[0].mesh, frame.items[1].mesh);
+    EXPECT_NE(frame.items[0].mesh, frame.items[2].mesh);
+}
+
+TEST(Extract, DuskDimsSunAndSkyButNoLamp) {
+    SceneDescription scene = scene_of({});
+    scene.sun = SunDescription{.direction = {0, -1, 0}, .color = {1, 1, 1}, .intensity = 4};
+    scene.ambient = {0.2F, 0.2F, 0.2F};
+    EntityDescription lamp;
+    lamp.name = "lamp";
+    lamp.light = LightDescription{.color = {1, 1, 1}, .intensity = 10};
+    scene.entities = {lamp};
+    Running run(scene);
+    run->switches.light_scale = 0.5F;
+    const render::RenderFrame frame = frame_of(run, 1);
+    ASSERT_TRUE(frame.sun);
+    EXPECT_TRUE(near(frame.sun->radiance, Vec3f{2.0F}, 1e-6));
+    EXPECT_TRUE(near(frame.ambient, Vec3f{0.1F}, 1e-6));
+    ASSERT_EQ(frame.lights.size(), 1U);
+    EXPECT_TRUE(near(frame.lights[0].intensity, Vec3f{10.0F}, 1e-6));
+    EXPECT_FALSE(frame.sun_shadow || frame.fog || frame.sky || frame.flashlight || frame.post);
+}
+
+TEST(Extract, KeepsTheNearestLights) {
+    SceneDescription scene = scene_of({});
+    const int count = static_cast<int>(limits::kLights) + 10;
+    for (int i = 0; i < count; ++i) {
+        EntityDescription lamp;
+        lamp.name = "lamp" + std::to_string(i);
+        lamp.world_from_body.position = {static_cast<Real>(count - i), 0, 0};
+        lamp.light = LightDescription{};
+        scene.entities.push_back(lamp);
+    }
+    Running run(scene);
+    ViewPoint view;  // at the origin
+    const render::RenderFrame frame = extract(*run, view, Real{1}, 64, 64);
+    ASSERT_EQ(frame.lights.size(), limits::kLights);
+    for (const render::LocalLight& light : frame.lights) {
+        EXPECT_LE(light.position_world.x, static_cast<float>(limits::kLights));
+    }
+    ASSERT_FALSE(run->warnings().empty());
+    EXPECT_EQ(run->warnings().front(), "266 lights: only the 256 nearest to the camera shine");
+}
+
+TEST(NoGame, LooksAtTheTarget) {
+    const NoGame game({.position_m = {4, 3, 6}, .target_m = {0, 0.5_r, 0}});
+    Running run(scene_of({}));
+    const ViewPoint view = game.view(*run, Real{1}, 0.0F, 0.0F);
+    const Vec3 forward = view.world_from_camera.orientation * Vec3{0, 0, -1};
+    EXPECT_TRUE(near(forward, glm::normalize(Vec3{-4, -2.5_r, -6}), 1e-5));
+    const Vec3 right = view.world_from_camera.orientation * Vec3{1, 0, 0};
+    EXPECT_NEAR(static_cast<double>(right.y), 0.0, 1e-5) << "the horizon is level";
+}
+
+TEST(NoGame, LooksStraightDown) {
+    const NoGame game({.position_m = {0, 10, 0}, .target_m = {0, 0, 0}});
+    Running run(scene_of({}));
+    const ViewPoint view = game.view(*run, Real{1}, 0.0F, 0.0F);
+    EXPECT_TRUE(near(view.world_from_camera.orientation * Vec3{0, 0, -1}, Vec3{0, -1, 0}, 1e-5));
+}
+
+}  // namespace
+}  // namespace plumbline::scene

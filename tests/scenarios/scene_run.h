@@ -1,0 +1,54 @@
+// The scene files that ship, loaded and stepped as the programs do it.
+#pragma once
+
+#include "engine/effects/advance.h"
+#include "engine/scene/scene_file.h"
+#include "engine/scene/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+namespace plumbline::test {
+
+inline std::filesystem::path repository() {
+    return PL_SOURCE_DIR;
+}
+
+struct SceneRun {
+    assets::AssetLibrary library;
+    std::unique_ptr<scene::Simulation> simulation;
+    std::unique_ptr<effects::EffectRuntime> effects;
+    scene::NoGame game{scene::CameraDescription{}};
+
+    explicit SceneRun(const std::string& name,
+                      const scene::SimulationOverrides& overrides = {},
+                      const effects::ServedDomains& served = {}) {
+        Diagnostics faults;
+        const std::filesystem::path assets = repository() / "assets";
+        const scene::SurfaceTable surfaces =
+            scene::load_surfaces(repository() / "config/surfaces.toml", assets, faults);
+        const Result<scene::SceneDescription> description =
+            scene::load_scene(assets / "scenes" / name, assets, faults);
+        for (const Diagnostic& fault : faults.list()) ADD_FAILURE() << to_string(fault);
+        if (!description) return;
+        auto built = scene::build_simulation(*description, overrides, library, surfaces);
+        EXPECT_TRUE(built.ok()) << (built.ok() ? "" : built.error().message);
+        if (!built) return;
+        simulation = std::move(*built);
+        effects = std::make_unique<effects::EffectRuntime>(*simulation, served);
+    }
+
+    void step(std::uint64_t count) {
+        for (std::uint64_t i = 0; i < count; ++i) {
+            effects::advance(*simulation, *effects, game, {});
+        }
+    }
+    physics::BodyState state(const std::string& name) const {
+        const ecs::Entity entity = simulation->find(name);
+        return simulation->physics.state(simulation->registry.get<scene::BodyRef>(entity).body);
+    }
+};
+
+}  // namespace plumbline::test
