@@ -116,7 +116,11 @@ void check_shape(TableReader& table,
                  EntityUse use) {
     const bool has_visual = !std::holds_alternative<std::monostate>(visual);
     const bool needs_visual = !std::holds_alternative<physics::ShapeDef>(body.shape);
-    if (use == EntityUse::Entity && needs_visual && !has_visual) {
+    // A shape that was given and refused has had its error.
+    const TomlNode* given = table.find("shape");
+    const bool refused = given != nullptr && given->text() == nullptr &&
+                         std::holds_alternative<FitShape>(body.shape);
+    if (use == EntityUse::Entity && needs_visual && !has_visual && !refused) {
         table.error("shape", "missing; expected a shape, or a model or primitive to fit");
     }
     if (body.kind == BodyKind::Dynamic && is_mesh(body.shape)) {

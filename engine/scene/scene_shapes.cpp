@@ -230,8 +230,9 @@ BodyShapeDescription read_body_shape(TableReader& body, const VisualDescription&
     TableReader table(*node, body.path_of("shape"), body.faults());
     BodyShapeDescription shape{FitShape{}};
     const auto primitive = read_primitive(table);
-    int kinds = 0;
-    for (const std::string_view key : kPrimitives) kinds += table.has(key) ? 1 : 0;
+    int primitives = 0;
+    for (const std::string_view key : kPrimitives) primitives += table.has(key) ? 1 : 0;
+    int kinds = primitives;
     for (const std::string_view key : {"hull", "hull_m", "mesh", "mesh_m", "compound"})
         kinds += table.has(key) ? 1 : 0;
     table.find("triangles");
@@ -241,6 +242,8 @@ BodyShapeDescription read_body_shape(TableReader& body, const VisualDescription&
             "",
             fmt::format("names no shape; expected {}, hull, hull_m, mesh, mesh_m or compound",
                         kExpectedPrimitive));
+    } else if (primitives > 1) {
+        return shape;  // said while reading them
     } else if (kinds > 1) {
         table.error("", "names several shapes; expected one (a compound holds several)");
     } else if (primitive) {

@@ -1,0 +1,69 @@
+// Scene texts in a folder of their own, loaded, and what was said about them.
+#pragma once
+
+#include "engine/scene/scene_file.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumbline::scene {
+
+/// A folder that is empty at first and gone at the end. Inside: assets/, and whatever is written.
+class SceneFileTest : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = std::filesystem::temp_directory_path() /
+                  fmt::format("plumbline_{}_{}_{}", test->test_suite_name(), test->name(), getpid());
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(assets());
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    const std::filesystem::path& folder() const { return folder_; }
+    std::filesystem::path assets() const { return folder_ / "assets"; }
+
+    /// `name` is relative to the test's folder.
+    void write(const std::string& name, std::string_view text) const {
+        const std::filesystem::path file = folder_ / name;
+        std::filesystem::create_directories(file.parent_path());
+        std::ofstream out(file, std::ios::binary);
+        out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    }
+
+    struct Outcome {
+        Result<SceneDescription> scene;
+        std::vector<std::string> faults;  ///< as printed, without the folder
+        std::vector<Diagnostic> diagnostics;
+    };
+
+    Outcome load_file(const std::string& name) const {
+        Diagnostics faults;
+        Result<SceneDescription> scene = load_scene(folder_ / name, assets(), faults);
+        Outcome outcome{std::move(scene), {}, faults.list()};
+        for (const Diagnostic& fault : faults.list()) {
+            std::string line = to_string(fault);
+            const std::string prefix = folder_.string() + "/";
+            if (line.rfind(prefix, 0) == 0) line.erase(0, prefix.size());
+            outcome.faults.push_back(std::move(line));
+        }
+        return outcome;
+    }
+
+    Outcome load(std::string_view text) const {
+        write("scene.toml", text);
+        return load_file("scene.toml");
+    }
+
+private:
+    std::filesystem::path folder_;
+};
+
+}  // namespace plumbline::scene
