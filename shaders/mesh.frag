@@ -113,14 +113,15 @@ vec3 ambient_light(Surface s, float occlusion) {
     vec3 f0 = mix(vec3(0.04), s.base_color, s.metallic);
     vec3 mirrored = ambient_fresnel(s, f0);
     vec3 diffuse = ambient_diffuse(s.normal) * s.base_color * (1.0 - s.metallic);
-    vec3 reflection = frame.ambient.rgb;
-#if defined(PL_SKY_LIGHT) || defined(PL_SKY_REFLECTION)
+#ifdef PL_SKY_LIGHT
     vec3 direction = reflect(-s.to_eye, s.normal);
-#endif
 #ifdef PL_SKY_REFLECTION
-    reflection += textureLod(sky_map, direction, s.roughness * frame.tone.z).rgb;
-#elif defined(PL_SKY_LIGHT)
-    reflection += sky_blurred(direction);
+    vec3 reflection = textureLod(sky_map, direction, s.roughness * frame.tone.z).rgb * frame.tone.w;
+#else
+    vec3 reflection = sky_blurred(direction);
+#endif
+#else
+    vec3 reflection = frame.ambient.rgb;
 #endif
     return (diffuse + reflection * mirrored) * occlusion;
 }

@@ -13,6 +13,7 @@ layout(location = 0) out vec4 out_color;
 void main() {
     vec3 color = texture(sky_map, ray_world).rgb;
     if (sky_is_srgb != 0) color = linear_from_srgb(color);
+    color *= frame.tone.w;
 #ifdef PL_FOG
     color = mix(frame.fog.rgb, color, sky_transmittance(normalize(ray_world)));
 #endif

@@ -79,8 +79,9 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     if (scene.sky.ready()) {
         block.tone.z = static_cast<float>(scene.sky.reflection_levels() - 1);
         for (std::size_t i = 0; i < kSkyCoefficients; ++i) {
-            block.sky_light[i] = Vec4f{scene.sky.light()[i], 0.0F};
+            block.sky_light[i] = Vec4f{scene.sky.light()[i] * new_frame.ambient, 0.0F};
         }
+        block.tone.w = scene.sky.exposure();
     }
     set_up_light();
     if (new_frame.flashlight) set_up_flashlight(*new_frame.flashlight);

@@ -18,6 +18,10 @@ constexpr std::array<const char*, 3> kEndings{".exr", ".png", ".jpg"};
 constexpr std::uint32_t kReflectionSide = 128;
 // Faces that have to be resized anyway are not made larger than this.
 constexpr std::uint32_t kLargestSide = 1024;
+// Light is gathered from faces no larger than this.
+constexpr std::uint32_t kLightSide = 32;
+// What a typical spot of an HDR sky is shown as: a third of a white wall in the sun.
+constexpr float kShownRadiance = 0.4F;
 
 std::filesystem::path face_file(const std::filesystem::path& folder, const char* face) {
     for (const char* ending : kEndings) {
@@ -44,8 +48,8 @@ void make_alike(std::vector<assets::ImageData>& faces) {
     for (const auto& face : faces) side = std::max({side, face.width, face.height});
     side = std::min(side, kLargestSide);
     for (auto& face : faces) {
-        const bool fits = face.width == side && face.height == side &&
-                          face.format == assets::PixelFormat::Rgb16F;
+        const bool fits =
+            face.width == side && face.height == side && face.format == assets::PixelFormat::Rgb16F;
         if (!fits) face = half_floats_of(resized(radiance_of(face), side));
     }
 }
@@ -55,6 +59,14 @@ RadianceImage small_face(const assets::ImageData& image) {
     RadianceImage face = radiance_of(image);
     while (face.width > kReflectionSide) face = halved(face);
     return face;
+}
+
+/// Each channel divided by its average over all directions.
+SkyCoefficients with_unit_mean(SkyCoefficients sky) {
+    // The first harmonic is 0.282095 everywhere.
+    const Vec3f mean = glm::max(sky[0] * 0.282095F, Vec3f{1e-6F});
+    for (Vec3f& coefficient : sky) coefficient /= mean;
+    return sky;
 }
 
 }  // namespace
@@ -94,11 +106,15 @@ void GpuSky::load(const std::filesystem::path& folder) {
     for (;;) {
         for (const RadianceImage& face : level) reflection_faces.push_back(half_floats_of(face));
         ++reflection_levels_;
-        if (level[0].width <= 32 && light_[0] == Vec3f{0.0F}) light_ = project_sky(level);
+        if (level[0].width <= kLightSide && light_[0] == Vec3f{0.0F}) {
+            light_ = with_unit_mean(project_sky(level));
+            exposure_ = kShownRadiance / std::max(typical_radiance(level), 1e-6F);
+        }
         if (level[0].width == 1) break;
         for (RadianceImage& face : level) face = halved(face);
     }
     is_srgb_ = faces[0].format != assets::PixelFormat::Rgb16F;
+    if (is_srgb_) exposure_ = 1.0F;
     background_ = gl::Texture::cube(faces, 1);
     reflection_ = gl::Texture::cube(reflection_faces, reflection_levels_);
 }

@@ -24,7 +24,12 @@ public:
     /// Small, with mip levels as ever rougher reflections.
     const gl::Texture& reflection() const { return reflection_; }
     std::uint32_t reflection_levels() const { return reflection_levels_; }
+    /// Scaled so that its average over all directions is 1 in each channel: the sky says where light
+    /// comes from, the scene's ambient colour how much.
     const SkyCoefficients& light() const { return light_; }
+    /// What brings the background's radiance, whose unit files do not state, to that of the scene;
+    /// 1 for 8-bit faces, which are shown as they are.
+    float exposure() const { return exposure_; }
     std::size_t bytes() const { return background_.bytes() + reflection_.bytes(); }
 
 private:
@@ -36,6 +41,7 @@ private:
     gl::Texture reflection_;
     std::uint32_t reflection_levels_{0};
     bool is_srgb_{false};
+    float exposure_{1.0F};
     SkyCoefficients light_{};
 };
 

@@ -22,15 +22,16 @@ struct FrameBlock {
     Mat4f world_from_ray{1.0F};  ///< (clip x, clip y, 1, 0) to the direction seen there
     Mat4f sun_shadow_from_world{1.0F};
     Mat4f flashlight_shadow_from_world{1.0F};
-    Vec4f camera_world{0.0F};            ///< w: sun shadow's normal offset, m
-    Vec4f to_sun_world{0.0F};            ///< w: 1 / sun shadow distance, 1/m
-    Vec4f sun_radiance{0.0F};            ///< w: one texel of the sun shadow, in uv
-    Vec4f ambient{0.0F};                 ///< w: one texel of the flashlight's shadow, in uv
-    Vec4f fog{0.0F};                     ///< rgb: colour; w: density, 1/m
-    Vec4f flashlight_position{0.0F};     ///< w: 1 / radius, 1/m
-    Vec4f flashlight_direction{0.0F};    ///< w: cosine of the outer angle
-    Vec4f flashlight_intensity{0.0F};    ///< w: 1 / (inner cosine - outer cosine)
-    Vec4f tone{1.0F, 0.0F, 0.0F, 0.0F};  ///< x: exposure; y: bloom's share; z: mips of the sky
+    Vec4f camera_world{0.0F};          ///< w: sun shadow's normal offset, m
+    Vec4f to_sun_world{0.0F};          ///< w: 1 / sun shadow distance, 1/m
+    Vec4f sun_radiance{0.0F};          ///< w: one texel of the sun shadow, in uv
+    Vec4f ambient{0.0F};               ///< w: one texel of the flashlight's shadow, in uv
+    Vec4f fog{0.0F};                   ///< rgb: colour; w: density, 1/m
+    Vec4f flashlight_position{0.0F};   ///< w: 1 / radius, 1/m
+    Vec4f flashlight_direction{0.0F};  ///< w: cosine of the outer angle
+    Vec4f flashlight_intensity{0.0F};  ///< w: 1 / (inner cosine - outer cosine)
+    /// x: exposure; y: bloom's share; z: the sky's smallest mip level; w: the sky's own exposure
+    Vec4f tone{1.0F, 0.0F, 0.0F, 1.0F};
     std::array<Vec4f, kSkyCoefficients> sky_light{};  ///< radiance of the sky, order-2 harmonics
 };
 static_assert(sizeof(FrameBlock) == 4 * 64 + 9 * 16 + kSkyCoefficients * 16);

@@ -2,6 +2,8 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -44,6 +46,29 @@ float component(const assets::ImageData& image, std::size_t pixel, std::size_t c
         return table;
     }();
     return linear[image.bytes[at + (gray ? 0 : channel)]];
+}
+
+/// Calls fn(direction, radiance, weight); weights are as the solid angles that pixels cover.
+template <class Fn>
+void for_each_pixel(std::span<const RadianceImage> faces, Fn&& fn) {
+    for (std::size_t face = 0; face < faces.size(); ++face) {
+        const RadianceImage& image = faces[face];
+        const auto width = static_cast<float>(image.width);
+        const auto height = static_cast<float>(image.height);
+        for (std::uint32_t y = 0; y < image.height; ++y) {
+            for (std::uint32_t x = 0; x < image.width; ++x) {
+                const float u = (static_cast<float>(x) + 0.5F) / width;
+                const float v = (static_cast<float>(y) + 0.5F) / height;
+                // A pixel's solid angle falls with the cube of its distance from the centre.
+                const float s = 2.0F * u - 1.0F;
+                const float t = 2.0F * v - 1.0F;
+                const float weight = std::pow(1.0F + s * s + t * t, -1.5F) / (width * height);
+                fn(cube_direction(face, u, v),
+                   image.pixels[std::size_t{y} * image.width + x],
+                   weight);
+            }
+        }
+    }
 }
 
 }  // namespace
@@ -98,8 +123,7 @@ RadianceImage resized(const RadianceImage& image, std::uint32_t side) {
                 const Vec3f* pixels = image.pixels.data() + std::size_t{line} * image.width;
                 return glm::mix(pixels[left], pixels[right], u - static_cast<float>(left));
             };
-            result.pixels.push_back(
-                glm::mix(row(top), row(bottom), v - static_cast<float>(top)));
+            result.pixels.push_back(glm::mix(row(top), row(bottom), v - static_cast<float>(top)));
         }
     }
     return result;
@@ -144,28 +168,26 @@ Vec3f cube_direction(std::size_t face, float u, float v) {
 SkyCoefficients project_sky(std::span<const RadianceImage> faces) {
     SkyCoefficients sky{};
     float total_weight = 0.0F;
-    for (std::size_t face = 0; face < faces.size(); ++face) {
-        const RadianceImage& image = faces[face];
-        for (std::uint32_t y = 0; y < image.height; ++y) {
-            for (std::uint32_t x = 0; x < image.width; ++x) {
-                const float u = (static_cast<float>(x) + 0.5F) / static_cast<float>(image.width);
-                const float v = (static_cast<float>(y) + 0.5F) / static_cast<float>(image.height);
-                const Vec3f direction = cube_direction(face, u, v);
-                // The solid angle of a pixel falls with the cube of its distance from the centre.
-                const float s = 2.0F * u - 1.0F;
-                const float t = 2.0F * v - 1.0F;
-                const float weight = std::pow(1.0F + s * s + t * t, -1.5F) /
-                                     static_cast<float>(image.width * image.height);
-                const Basis basis = basis_at(direction);
-                const Vec3f light = image.pixels[std::size_t{y} * image.width + x] * weight;
-                for (std::size_t i = 0; i < kSkyCoefficients; ++i) sky[i] += light * basis[i];
-                total_weight += weight;
-            }
-        }
-    }
+    for_each_pixel(faces, [&](const Vec3f& direction, const Vec3f& radiance, float weight) {
+        const Basis basis = basis_at(direction);
+        for (std::size_t i = 0; i < kSkyCoefficients; ++i) sky[i] += radiance * (weight * basis[i]);
+        total_weight += weight;
+    });
     const float scale = 4.0F * glm::pi<float>() / total_weight;
     for (Vec3f& coefficient : sky) coefficient *= scale;
     return sky;
+}
+
+float typical_radiance(std::span<const RadianceImage> faces) {
+    float log_sum = 0.0F;
+    float total_weight = 0.0F;
+    for_each_pixel(faces, [&](const Vec3f& direction, const Vec3f& radiance, float weight) {
+        if (direction.y < 0.0F) return;
+        const float luminance = glm::dot(radiance, Vec3f{0.2126F, 0.7152F, 0.0722F});
+        log_sum += std::log(std::max(luminance, 1e-6F)) * weight;
+        total_weight += weight;
+    });
+    return std::exp(log_sum / total_weight);
 }
 
 Vec3f diffuse_light(const SkyCoefficients& sky, const Vec3f& normal) {

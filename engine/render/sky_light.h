@@ -39,6 +39,9 @@ using SkyCoefficients = std::array<Vec3f, kSkyCoefficients>;
 /// Radiance in real spherical harmonics up to order 2.
 SkyCoefficients project_sky(std::span<const RadianceImage> faces);
 
+/// The geometric mean of the luminance above the horizon: a few very bright spots hardly matter.
+float typical_radiance(std::span<const RadianceImage> faces);
+
 /// What a matt white surface facing `normal` sends out, under this sky alone.
 Vec3f diffuse_light(const SkyCoefficients& sky, const Vec3f& normal);
 

@@ -91,14 +91,14 @@ vec3 sky_blurred(vec3 direction) {
 
 #endif
 
-// Light from everywhere: brighter from above than from below by the same share, so that a surface
-// turned every way gets frame.ambient on average.
+// Light from everywhere. Either way a surface turned every way gets frame.ambient on average: the
+// sky says where it comes from; without one, more comes from above than from below.
 vec3 ambient_diffuse(vec3 n) {
-    vec3 light = frame.ambient.rgb * (1.0 + 0.3 * n.y);
 #ifdef PL_SKY_LIGHT
-    light += sky_diffuse(n);
+    return sky_diffuse(n);
+#else
+    return frame.ambient.rgb * (1.0 + 0.3 * n.y);
 #endif
-    return light;
 }
 
 // The share of ambient light that a surface mirrors: Schlick's weight flattened by roughness.
