@@ -141,6 +141,7 @@ struct Window::Impl {
     Gamepads gamepads;
     Rectangle windowed;  ///< where the window was before full screen
     bool vsync{true};
+    bool visible{true};  ///< is meant to be
     bool captured{false};
     bool iconified{false};
     bool wants_fullscreen{false};
@@ -150,6 +151,7 @@ struct Window::Impl {
     }
 
     void install_callbacks();
+    void follow_iconify();
     void apply_vsync() const { glfwSwapInterval(vsync ? 1 : 0); }
     void leave_fullscreen() const;
 };
@@ -168,10 +170,6 @@ void Window::Impl::install_callbacks() {
         window, [](GLFWwindow* w, double x, double y) { of(w).events.on_cursor(x, y); });
     glfwSetWindowFocusCallback(
         window, [](GLFWwindow* w, int focused) { of(w).events.on_focus(focused == GLFW_TRUE); });
-    glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int hidden) {
-        of(w).iconified = hidden == GLFW_TRUE;
-        of(w).events.on_iconify(hidden == GLFW_TRUE);
-    });
     glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
         glfwSetWindowShouldClose(w, GLFW_FALSE);  // whoever reads the snapshot decides
         of(w).events.on_close();
@@ -179,6 +177,16 @@ void Window::Impl::install_callbacks() {
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
         for (int i = 0; i < count; ++i) of(w).events.on_drop(paths[i]);
     });
+}
+
+// Without a window manager a window is hidden by unmapping alone, which GLFW does not report: both
+// are asked for.
+void Window::Impl::follow_iconify() {
+    const bool is_unmapped = visible && glfwGetWindowAttrib(window, GLFW_VISIBLE) != GLFW_TRUE;
+    const bool now = is_unmapped || glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE;
+    if (now == iconified) return;
+    iconified = now;
+    events.on_iconify(now);
 }
 
 void Window::Impl::leave_fullscreen() const {
@@ -225,6 +233,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowDef& def) {
     auto impl = std::make_unique<Impl>();
     impl->window = window;
     impl->vsync = def.vsync;
+    impl->visible = def.visible;
     impl->windowed = rectangle_of(window);
     impl->apply_vsync();
     impl->install_callbacks();
@@ -234,6 +243,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowDef& def) {
 
 InputSnapshot Window::poll_input() {
     glfwPollEvents();
+    impl_->follow_iconify();
     const PixelSize in_pixels = framebuffer_size();
     const PixelSize in_units = window_size();
     if (in_pixels.width > 0 && in_units.width > 0 && in_units.height > 0) {
