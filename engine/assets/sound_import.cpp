@@ -96,6 +96,15 @@ std::string wav_field_at_fault(std::string_view bytes) {
     return {};
 }
 
+/// A broken-off Ogg file does not know its length; it is decoded to see.
+bool has_unknown_length(const SF_INFO& header) {
+    return header.frames == SF_COUNT_MAX;
+}
+
+sf_count_t frames_allowed(const SF_INFO& header) {
+    return static_cast<sf_count_t>(limits::kSoundBytes / sizeof(std::int16_t)) / header.channels;
+}
+
 /// What is wrong with a header, or nothing.
 std::string header_fault(const SF_INFO& header) {
     if (header.samplerate < 1 || header.samplerate > kMaxRate_hz) {
@@ -106,12 +115,10 @@ std::string header_fault(const SF_INFO& header) {
         return fmt::format("it has {} channels; 1 to {} are read", header.channels, kMaxChannels);
     }
     if (header.frames < 1) return fmt::format("it has {} frames", header.frames);
-    const auto frames_allowed = static_cast<sf_count_t>(limits::kSoundBytes / sizeof(std::int16_t) /
-                                                        static_cast<std::size_t>(header.channels));
-    if (header.frames > frames_allowed) {
+    if (header.frames > frames_allowed(header) && !has_unknown_length(header)) {
         return fmt::format("it has {} frames; {} of {} channels are read",
                            header.frames,
-                           frames_allowed,
+                           frames_allowed(header),
                            header.channels);
     }
     return {};
@@ -150,8 +157,9 @@ Result<SoundData> import_sound(const std::filesystem::path& file) {
 
     SoundData sound{.sample_rate_hz = header.samplerate, .channels = header.channels};
     const auto channels = static_cast<std::size_t>(header.channels);
-    const std::size_t wanted = static_cast<std::size_t>(header.frames) * channels;
-    sound.samples.reserve(wanted);
+    const std::size_t wanted =
+        static_cast<std::size_t>(std::min(header.frames, frames_allowed(header))) * channels;
+    if (!has_unknown_length(header)) sound.samples.reserve(wanted);
     std::vector<float> block(kFramesPerRead * channels);
     while (sound.samples.size() < wanted) {
         const sf_count_t got =

@@ -1,0 +1,119 @@
+// Loaded once, kept in place, images decoded ahead.
+
+#include "engine/assets/asset_library.h"
+
+#include "engine/assets/image_import.h"
+#include "engine/assets/primitives.h"
+#include "tests/engine/assets/fixture.h"
+
+namespace plumbline::assets::test {
+namespace {
+
+fs::path write_image(const TempFolder& folder, const std::string& name, std::uint8_t value) {
+    const fs::path file = folder.path() / name;
+    const ImageData image{.width = 1, .height = 1, .format = PixelFormat::R8, .bytes = {value}};
+    EXPECT_TRUE(write_png(file, image).ok());
+    return file;
+}
+
+TEST(AssetLibrary, loads_a_model_once) {
+    const TempFolder folder;
+    const fs::path file = folder.write("m.glb", TriangleFile{}.glb());
+    AssetLibrary library;
+    const Result<Model> first = library.model(file, folder.path());
+    ASSERT_TRUE(first.ok()) << first.error().message;
+    fs::remove(file);
+    const Result<Model> second = library.model(folder.path() / "." / "m.glb", folder.path());
+    ASSERT_TRUE(second.ok()) << second.error().message;
+    EXPECT_EQ(first->mesh, second->mesh);
+    EXPECT_EQ(first->materials, second->materials);
+    EXPECT_EQ(library.mesh_count(), 1U);
+    EXPECT_EQ(library.material_count(), 1U);
+    EXPECT_EQ(library.material(first->materials[0]).name, "default");
+}
+
+TEST(AssetLibrary, hands_on_why_a_file_is_refused) {
+    AssetLibrary library;
+    EXPECT_FALSE(library.model("absent.glb", ".").ok());
+    EXPECT_FALSE(library.sound("absent.ogg").ok());
+    EXPECT_EQ(library.mesh_count(), 0U);
+}
+
+TEST(AssetLibrary, gives_one_mesh_to_one_name) {
+    AssetLibrary library;
+    const MeshId box = library.add_mesh("box 1 1 1", box_mesh({1, 1, 1}));
+    EXPECT_EQ(library.add_mesh("box 1 1 1", box_mesh({1, 1, 1})), box);
+    EXPECT_NE(library.add_mesh("box 2 1 1", box_mesh({2, 1, 1})), box);
+    EXPECT_NE(box.value, 0U);
+    EXPECT_EQ(library.mesh(box).indices.size(), 36U);
+}
+
+TEST(AssetLibrary, keeps_references_good_while_it_grows) {
+    AssetLibrary library;
+    const MeshData& mesh = library.mesh(library.add_mesh("0", box_mesh({1, 1, 1})));
+    const MaterialData& material = library.material(library.add_material({.name = "first"}));
+    for (int i = 1; i < 1'000; ++i) {
+        library.add_mesh(std::to_string(i), {});
+        library.add_material({.name = "more"});
+    }
+    EXPECT_EQ(mesh.vertices.size(), 24U);
+    EXPECT_EQ(material.name, "first");
+}
+
+TEST(AssetLibrary, hands_over_images_prefetched_or_not) {
+    const TempFolder folder;
+    AssetLibrary library;
+    std::vector<fs::path> files;
+    for (int i = 0; i < 50; ++i) {
+        files.push_back(
+            write_image(folder, fmt::format("{}.png", i), static_cast<std::uint8_t>(i)));
+        MaterialData material;
+        if (i % 3 == 0) material.base_color_map = files.back();
+        if (i % 3 == 1) material.normal_map = files.back();
+        if (i % 3 == 2) material.orm_map = files.back();
+        library.add_material(material);
+    }
+    library.prefetch_images();
+    library.prefetch_images();
+    for (std::size_t i = files.size(); i-- > 0;) {
+        const auto image = library.take_image(files[i]);
+        ASSERT_EQ(image->bytes, (std::vector<std::uint8_t>{static_cast<std::uint8_t>(i)}));
+    }
+    // Forgotten once taken: the file is read again.
+    write_image(folder, "7.png", 99);
+    EXPECT_EQ(library.take_image(files[7])->bytes[0], 99);
+}
+
+TEST(AssetLibrary, gives_a_checkerboard_and_one_warning_for_a_broken_image) {
+    const TempFolder folder;
+    const fs::path broken = folder.write("broken.png", "not an image");
+    AssetLibrary library;
+    library.add_material({.base_color_map = broken});
+    library.prefetch_images();
+    ::testing::internal::CaptureStderr();
+    const auto image = library.take_image(broken);
+    const auto again = library.take_image(broken);
+    const std::string log = ::testing::internal::GetCapturedStderr();
+    EXPECT_EQ(image->width, 64U);
+    EXPECT_EQ(image->bytes, again->bytes);
+    EXPECT_NE(image->bytes[0], image->bytes[8 * 3]);
+    const std::size_t warning = log.find("a checkerboard is shown instead");
+    ASSERT_NE(warning, std::string::npos) << log;
+    EXPECT_EQ(log.find("a checkerboard is shown instead", warning + 1), std::string::npos) << log;
+}
+
+TEST(AssetLibrary, ends_while_images_are_still_waiting) {
+    const TempFolder folder;
+    const fs::path file = write_image(folder, "a.png", 1);
+    for (int round = 0; round < 20; ++round) {
+        AssetLibrary library;
+        for (int i = 0; i < 20; ++i) {
+            library.add_material({.base_color_map = folder.path() / fmt::format("{}.png", i)});
+        }
+        library.prefetch_images();
+    }
+    EXPECT_TRUE(fs::exists(file));
+}
+
+}  // namespace
+}  // namespace plumbline::assets::test

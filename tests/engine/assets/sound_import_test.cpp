@@ -1,0 +1,130 @@
+// Sounds: samples as stored, and headers that make no sense.
+
+#include "engine/assets/sound_import.h"
+
+#include "engine/core/limits.h"
+#include "tests/engine/assets/fixture.h"
+
+namespace plumbline::assets::test {
+namespace {
+
+struct WavHeader {
+    std::uint16_t channels{1};
+    std::uint32_t rate_hz{44'100};
+    std::uint16_t bits{16};
+    std::uint32_t data_bytes{0};
+    std::uint16_t format{1};  // PCM
+};
+
+std::string wav(const WavHeader& header, const std::string& data) {
+    const auto frame_bytes = static_cast<std::uint16_t>(header.channels * header.bits / 8);
+    std::string bytes = "RIFF";
+    append_bytes<std::uint32_t>(bytes, {36 + header.data_bytes});
+    bytes += "WAVEfmt ";
+    append_bytes<std::uint32_t>(bytes, {16});
+    append_bytes<std::uint16_t>(bytes, {header.format, header.channels});
+    append_bytes<std::uint32_t>(bytes, {header.rate_hz, header.rate_hz * frame_bytes});
+    append_bytes<std::uint16_t>(bytes, {frame_bytes, header.bits});
+    bytes += "data";
+    append_bytes<std::uint32_t>(bytes, {header.data_bytes});
+    return bytes + data;
+}
+
+std::string pcm16(std::initializer_list<std::int16_t> samples) {
+    std::string data;
+    append_bytes<std::int16_t>(data, samples);
+    return data;
+}
+
+struct SoundImport {
+    Result<SoundData> sound;
+    std::string log;
+
+    explicit SoundImport(std::string_view bytes)
+        : sound((::testing::internal::CaptureStderr(), import_in_folder(bytes))),
+          log(::testing::internal::GetCapturedStderr()) {}
+
+    static Result<SoundData> import_in_folder(std::string_view bytes) {
+        const TempFolder folder;
+        return import_sound(folder.write("s.wav", bytes));
+    }
+    std::string error() const { return sound.ok() ? "" : sound.error().message; }
+};
+
+TEST(SoundImport, gives_back_every_16_bit_sample_exactly) {
+    const std::initializer_list<std::int16_t> samples{0, 1, -1, 255, 12'345, -32'768, 32'767, -7};
+    const SoundImport import(
+        wav({.channels = 2, .rate_hz = 48'000, .data_bytes = 16}, pcm16(samples)));
+    ASSERT_TRUE(import.sound.ok()) << import.error();
+    EXPECT_EQ(import.sound->samples, std::vector<std::int16_t>(samples));
+    EXPECT_EQ(import.sound->channels, 2);
+    EXPECT_EQ(import.sound->sample_rate_hz, 48'000);
+    EXPECT_EQ(import.log, "");
+}
+
+TEST(SoundImport, widens_8_bit_and_limits_floats) {
+    const SoundImport bytes(wav({.bits = 8, .data_bytes = 2}, std::string("\x00\xC0", 2)));
+    ASSERT_TRUE(bytes.sound.ok()) << bytes.error();
+    EXPECT_EQ(bytes.sound->samples, (std::vector<std::int16_t>{-32'768, 16'384}));
+    std::string data;
+    append_bytes<float>(data, {0.5F, 2.0F, -2.0F, std::numeric_limits<float>::quiet_NaN()});
+    const SoundImport floats(wav({.bits = 32, .data_bytes = 16, .format = 3}, data));
+    ASSERT_TRUE(floats.sound.ok()) << floats.error();
+    EXPECT_EQ(floats.sound->samples, (std::vector<std::int16_t>{16'384, 32'767, -32'768, 0}));
+}
+
+TEST(SoundImport, takes_one_sample_and_192_khz) {
+    const SoundImport import(wav({.rate_hz = 192'000, .data_bytes = 2}, pcm16({5})));
+    ASSERT_TRUE(import.sound.ok()) << import.error();
+    EXPECT_EQ(import.sound->samples, std::vector<std::int16_t>{5});
+}
+
+TEST(SoundImport, names_the_field_that_makes_no_sense) {
+    const std::string data = pcm16({1, 2, 3, 4, 5, 6, 7, 8, 9});
+    EXPECT_TRUE(contains(SoundImport(wav({.rate_hz = 0, .data_bytes = 18}, data)).error(),
+                         "is refused: its sample rate is 0 Hz"));
+    EXPECT_TRUE(contains(SoundImport(wav({.channels = 9, .data_bytes = 18}, data)).error(),
+                         "is refused: it has 9 channels; 1 to 8 are read"));
+    const SoundImport empty(wav({.data_bytes = 0}, ""));
+    EXPECT_TRUE(contains(empty.error(), "is refused: it has 0 frames")) << empty.error();
+    EXPECT_EQ(empty.sound.error().exit_code, ExitCode::Refused);
+    EXPECT_FALSE(SoundImport("this is no sound").sound.ok());
+}
+
+TEST(SoundImport, keeps_what_decoded_of_a_file_that_breaks_off) {
+    const SoundImport import(wav({.data_bytes = 2'000}, pcm16({1, 2, 3})));
+    ASSERT_TRUE(import.sound.ok()) << import.error();
+    EXPECT_EQ(import.sound->samples, (std::vector<std::int16_t>{1, 2, 3}));
+    EXPECT_TRUE(contains(import.log, "breaks off; the 0.00 s that decoded are used")) << import.log;
+    EXPECT_EQ(import.log.find("breaks off"), import.log.rfind("breaks off"));  // once
+}
+
+TEST(SoundImport, keeps_what_decoded_of_an_ogg_that_breaks_off) {
+    std::ifstream stream(fs::path(PL_SOURCE_DIR) / "assets/sounds/loop_fountain.ogg",
+                         std::ios::binary);
+    const std::string whole{std::istreambuf_iterator<char>(stream), {}};
+    ASSERT_GT(whole.size(), 20'000U);
+    const SoundImport all(whole);
+    const SoundImport half(std::string_view(whole).substr(0, whole.size() / 2));
+    ASSERT_TRUE(all.sound.ok()) << all.error();
+    ASSERT_TRUE(half.sound.ok()) << half.error();
+    EXPECT_EQ(all.log, "");
+    EXPECT_LT(half.sound->samples.size(), all.sound->samples.size() * 2 / 3);
+    EXPECT_GT(half.sound->samples.size(), all.sound->samples.size() / 3);
+    EXPECT_TRUE(contains(half.log, "breaks off")) << half.log;
+}
+
+TEST(SoundImport, refuses_more_than_its_limit) {
+    // 8 bits a sample in the file become 16: one more frame than fits.
+    constexpr std::uint32_t kFrames = limits::kSoundBytes / 2;
+    const SoundImport most(wav({.bits = 8, .data_bytes = kFrames}, std::string(kFrames, '\x80')));
+    ASSERT_TRUE(most.sound.ok()) << most.error();
+    EXPECT_EQ(most.sound->samples.size(), kFrames);
+    const SoundImport more(
+        wav({.bits = 8, .data_bytes = kFrames + 1}, std::string(kFrames + 1, '\x80')));
+    EXPECT_TRUE(contains(more.error(), "it has 33554433 frames; 33554432 of 1 channels are read"))
+        << more.error();
+}
+
+}  // namespace
+}  // namespace plumbline::assets::test
