@@ -100,6 +100,7 @@ PhysicsWorld::Impl::Impl(const WorldDef& world_def) : def(world_def) {
 
     configuration = std::make_unique<btDefaultCollisionConfiguration>();
     dispatcher = std::make_unique<btCollisionDispatcher>(configuration.get());
+    mesh_contacts = std::make_unique<MeshContacts>(*dispatcher);
     pair_filter = std::make_unique<PairFilter>();
     pairs = std::make_unique<btHashedOverlappingPairCache>();
     pairs->setOverlapFilterCallback(pair_filter.get());

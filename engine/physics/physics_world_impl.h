@@ -3,6 +3,7 @@
 
 #include "engine/core/slot_map.h"
 #include "engine/physics/mass.h"
+#include "engine/physics/mesh_contact_impl.h"
 #include "engine/physics/physics_world.h"
 #include "engine/physics/step_world_impl.h"
 
@@ -123,6 +124,7 @@ struct PhysicsWorld::Impl {
     WorldDef def;
     WorldFeatures features{};
     std::unique_ptr<btDefaultCollisionConfiguration> configuration;
+    std::unique_ptr<MeshContacts> mesh_contacts;
     std::unique_ptr<btCollisionDispatcher> dispatcher;
     std::unique_ptr<btOverlapFilterCallback> pair_filter;
     std::unique_ptr<btOverlappingPairCache> pairs;

@@ -3,6 +3,7 @@
 #include "engine/physics/hull.h"
 #include "engine/physics/shape_parts_impl.h"
 
+#include <BulletCollision/CollisionShapes/btConvexPolyhedron.h>
 #include <LinearMath/btConvexHullComputer.h>
 #include <fmt/format.h>
 
@@ -44,10 +45,51 @@ Real margin_for_size(Real smallest_extent_m) {
     return std::min(0.04_r, 0.02_r * smallest_extent_m);
 }
 
+/// A hull whose corners are drawn in by its margin, so that with the margin it is as large as asked.
+/// Face against face it shows its outer corners: there Bullet adds no margin.
+class InsetHull final : public btConvexHullShape {
+public:
+    InsetHull(const btAlignedObjectArray<btVector3>& inner, std::vector<btVector3> outer)
+        : btConvexHullShape(&inner[0].x(), inner.size()), outer_(std::move(outer)) {}
+
+    int getNumVertices() const override { return static_cast<int>(outer_.size()); }
+    void getVertex(int i, btVector3& corner) const override {
+        corner = outer_[static_cast<std::size_t>(i)];
+    }
+
+private:
+    std::vector<btVector3> outer_;
+};
+
+/// Whether Bullet found a closed surface; it gives up on some small shapes and then crashes on them.
+bool sound_faces(const btPolyhedralConvexShape& shape) {
+    const btConvexPolyhedron* surface = shape.getConvexPolyhedron();
+    if (surface == nullptr || surface->m_faces.size() < 4) return false;
+    for (int f = 0; f < surface->m_faces.size(); ++f) {
+        const btFace& face = surface->m_faces[f];
+        const btVector3 normal(face.m_plane[0], face.m_plane[1], face.m_plane[2]);
+        if (face.m_indices.size() < 3 || std::abs(normal.length2() - 1) > btScalar(1e-3)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Makes the shape, with faces where Bullet can: then whole faces meet, not one corner a step.
+template <class Make>
+std::unique_ptr<btConvexShape> with_faces(Make&& make) {
+    auto shape = make();
+    shape->initializePolyhedralFeatures();
+    if (!sound_faces(*shape)) shape = make();
+    return shape;
+}
+
 std::unique_ptr<btConvexShape> box_of(const Vec3& size) {
-    auto box = std::make_unique<btBoxShape>(to_bullet(size * 0.5_r));
-    box->setMargin(margin_for_size(std::min({size.x, size.y, size.z})));
-    return box;
+    return with_faces([&size] {
+        auto box = std::make_unique<btBoxShape>(to_bullet(size * 0.5_r));
+        box->setMargin(margin_for_size(std::min({size.x, size.y, size.z})));
+        return box;
+    });
 }
 
 class PartBuilder {
@@ -193,11 +235,13 @@ private:
                       static_cast<int>(corners.size()),
                       static_cast<btScalar>(margin),
                       0);
-        auto shape = std::make_unique<btConvexHullShape>();
-        for (int i = 0; i < inner.vertices.size(); ++i) shape->addPoint(inner.vertices[i], false);
-        shape->recalcLocalAabb();
-        shape->setMargin(static_cast<btScalar>(margin));
-        shape->initializePolyhedralFeatures(1);
+        std::vector<btVector3> outer;
+        for (const Vec3d& corner : corners) outer.push_back(bullet_from_double(corner));
+        auto shape = with_faces([&] {
+            auto hull = std::make_unique<InsetHull>(inner.vertices, outer);
+            hull->setMargin(static_cast<btScalar>(margin));
+            return hull;
+        });
 
         double core = static_cast<double>(limits::kSizeMax_m);
         for (const auto& t : surface.triangles) {

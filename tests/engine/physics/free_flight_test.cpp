@@ -115,10 +115,9 @@ TEST(FreeFlightOrigin, BodiesWithMassAsideFlyAroundTheirCentre) {
 /// Torque-free box 1 x 2 x 3 near its middle axis; reference by two Runge-Kutta grids.
 TEST(FreeFlightSpin, TumblingBoxKeepsMomentumAndEnergy) {
     TestWorld test({.gravity_mps2 = {0, 0, 0}, .step_s = 1.0 / 60.0});
-    const BodyId box =
-        test.add(BoxShape{.size_m = {1, 2, 3}},
-                 {0, 0, 0},
-                 {.kind = BodyKind::Dynamic, .angular_velocity_radps = {0.01_r, 5, 0.01_r}});
+    test.add(BoxShape{.size_m = {1, 2, 3}},
+             {0, 0, 0},
+             {.kind = BodyKind::Dynamic, .angular_velocity_radps = {0.01_r, 5, 0.01_r}});
     const Vec3d momentum = test.world.angular_momentum_kgm2ps();
     const double energy = test.world.energy().kinetic_J;
     test.run(10.0);

@@ -102,7 +102,7 @@ TEST(Sweeps, BallOnASlopeTouchesAtTheSlopesNormal) {
     ASSERT_TRUE(hit.has_value());
     // The middle ends 1.5 m from the slab's middle plane, measured along the normal.
     const double height = 5 - 10 * static_cast<double>(hit->fraction);
-    EXPECT_NEAR(height, 1.5 / std::cos(kPi / 6), 2 * kTight_m);
+    EXPECT_NEAR(height, 1.5 / std::cos(static_cast<double>(kPi) / 6), 2 * kTight_m);
     EXPECT_NEAR(static_cast<double>(hit->normal_world.x), -0.5, 1e-3);
 }
 

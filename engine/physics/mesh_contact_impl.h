@@ -1,0 +1,26 @@
+// Contacts of convex shapes with triangle meshes. Private to the physics module.
+//
+// Takes the place of Bullet 3.24's own algorithm, which compares triangles in the mesh's frame with
+// shapes in the world's and so misses contacts on every mesh that is moved or turned (mended in
+// 3.25), and which gives boxes one contact point per triangle, so that they rock as they slide.
+#pragma once
+
+#include <btBulletCollisionCommon.h>
+
+#include <memory>
+#include <vector>
+
+namespace plumbline::physics {
+
+/// Makes the algorithms; the dispatcher keeps pointers to these, so they must outlive it.
+class MeshContacts {
+public:
+    /// From now on `dispatcher` meets meshes our way.
+    explicit MeshContacts(btCollisionDispatcher& dispatcher);
+
+private:
+    std::unique_ptr<btCollisionAlgorithmCreateFunc> convex_first_;
+    std::unique_ptr<btCollisionAlgorithmCreateFunc> mesh_first_;
+};
+
+}  // namespace plumbline::physics
