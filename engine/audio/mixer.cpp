@@ -22,6 +22,12 @@ float finite_gain(float gain) {
 
 }  // namespace
 
+void Mixer::Impl::open_device() {
+    const bool is_open =
+        def.offline ? device.open_offline(kOfflineRate_hz) : device.open(def.device);
+    if (is_open) prepare_device();
+}
+
 void Mixer::Impl::prepare_device() {
     said_silent = false;
     log_note("sound: {}", device.name());
@@ -155,6 +161,12 @@ void Mixer::set_paused(bool paused) {
 void Mixer::set_master_gain(float gain) {
     impl_->def.master_gain = finite_gain(gain);
     if (impl_->device.is_open()) alListenerf(AL_GAIN, impl_->def.master_gain);
+}
+
+void Mixer::reopen(const std::string& device) {
+    if (impl_->device.is_open()) impl_->forget_device();
+    impl_->def.device = device;
+    impl_->open_device();
 }
 
 void Mixer::render(std::span<float> samples) {

@@ -40,6 +40,9 @@ public:
     std::size_t bytes() const;  ///< sample memory uploaded
     void set_paused(bool paused);
     void set_master_gain(float gain);
+    /// Builds everything on another device (empty: the default one), as after a loss: loops go on
+    /// where they would be by now, one-shots end.
+    void reopen(const std::string& device);
 
     /// The next samples of an offline mixer: 44.1 kHz, stereo, interleaved, any even count.
     void render(std::span<float> samples);

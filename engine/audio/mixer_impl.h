@@ -56,6 +56,7 @@ struct Mixer::Impl {
     bool paused{false};
     bool said_silent{false};
 
+    void open_device();
     void prepare_device();
     void forget_device();
     void watch_device(double now_s);

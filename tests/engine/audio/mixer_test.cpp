@@ -1,0 +1,349 @@
+// Samples are rendered, not played: the tests need no sound device, and the ones about a missing
+// device are given none.
+#include "engine/audio/mixer.h"
+
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace plumbline::audio {
+namespace {
+
+constexpr int kRate_hz = Mixer::kOfflineRate_hz;
+constexpr double kFrame_s = 0.02;
+constexpr std::size_t kFrameSamples = 882;  // of each channel
+
+/// Before OpenAL starts: no back end that could reach a sound card.
+class NoSoundCard : public testing::Environment {
+public:
+    void SetUp() override { setenv("ALSOFT_DRIVERS", "none", 1); }
+};
+const testing::Environment* const kNoSoundCard = testing::AddGlobalTestEnvironment(new NoSoundCard);
+
+void put(std::string& bytes, std::uint32_t value, int count) {
+    for (int i = 0; i < count; ++i) bytes += static_cast<char>((value >> (8 * i)) & 0xFFU);
+}
+
+/// A 16-bit WAV file.
+std::string wav_of(const std::vector<std::int16_t>& samples, std::uint32_t channels) {
+    const auto size = static_cast<std::uint32_t>(samples.size() * 2);
+    std::string bytes = "RIFF";
+    put(bytes, 36 + size, 4);
+    bytes += "WAVEfmt ";
+    put(bytes, 16, 4);
+    put(bytes, 1, 2);
+    put(bytes, channels, 2);
+    put(bytes, kRate_hz, 4);
+    put(bytes, kRate_hz * channels * 2, 4);
+    put(bytes, channels * 2, 2);
+    put(bytes, 16, 2);
+    bytes += "data";
+    put(bytes, size, 4);
+    for (const std::int16_t sample : samples) put(bytes, static_cast<std::uint16_t>(sample), 2);
+    return bytes;
+}
+
+/// `from_s` of silence, then a tone up to `to_s`.
+std::vector<std::int16_t> tone(double frequency_hz, double from_s, double to_s) {
+    std::vector<std::int16_t> samples(static_cast<std::size_t>(to_s * kRate_hz));
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const double t_s = static_cast<double>(i) / kRate_hz;
+        const double value = t_s < from_s ? 0.0 : std::sin(6.283185307179586 * frequency_hz * t_s);
+        samples[i] = static_cast<std::int16_t>(16'000.0 * value);
+    }
+    return samples;
+}
+
+struct Heard {
+    double left{0.0};  ///< root mean square
+    double right{0.0};
+    double largest_step{0.0};  ///< between two samples: a click is a large one
+};
+
+class MixerTest : public testing::Test {
+protected:
+    assets::SoundId add(const char* name,
+                        const std::vector<std::int16_t>& samples,
+                        std::uint32_t channels = 1) {
+        Result<assets::SoundId> id = library_.sound(folder_.write(name, wav_of(samples, channels)));
+        EXPECT_TRUE(id.ok());
+        return *id;
+    }
+
+    Mixer& mixer() {
+        if (!mixer_) mixer_ = std::make_unique<Mixer>(def_, library_);
+        return *mixer_;
+    }
+
+    /// One frame: cues in, 20 ms of samples out.
+    Heard frame(std::vector<SoundCue> cues, std::vector<LoopCue> loops = {}) {
+        mixer().play(cues, loops, listener_, now_s_);
+        now_s_ += kFrame_s;
+        std::array<float, kFrameSamples * 2> samples{};
+        mixer().render(samples);
+        Heard heard;
+        for (std::size_t i = 0; i < kFrameSamples; ++i) {
+            const double left = static_cast<double>(samples[2 * i]);
+            const double right = static_cast<double>(samples[2 * i + 1]);
+            heard.left += left * left;
+            heard.right += right * right;
+            heard.largest_step = std::max(heard.largest_step, std::abs(left - last_left_));
+            last_left_ = left;
+        }
+        heard.left = std::sqrt(heard.left / kFrameSamples);
+        heard.right = std::sqrt(heard.right / kFrameSamples);
+        return heard;
+    }
+
+    Heard frames(int count, const std::vector<LoopCue>& loops = {}) {
+        Heard heard;
+        double largest_step = 0.0;
+        for (int i = 0; i < count; ++i) {
+            heard = frame({}, loops);
+            largest_step = std::max(largest_step, heard.largest_step);
+        }
+        heard.largest_step = largest_step;
+        return heard;
+    }
+
+    static SoundCue cue(assets::SoundId sound, const Vec3f& position_world) {
+        SoundCue cue;
+        cue.sound = sound;
+        cue.position_world = position_world;
+        return cue;
+    }
+
+    test::TemporaryFolder folder_;
+    assets::AssetLibrary library_;
+    MixerDef def_{.offline = true};
+    std::unique_ptr<Mixer> mixer_;
+    Listener listener_;
+    double now_s_{10.0};
+    double last_left_{0.0};
+};
+
+TEST_F(MixerTest, WhatIsOnTheRightIsLouderOnTheRight) {
+    const auto sound = add("tone.wav", tone(440.0, 0.0, 1.0));
+    const Heard heard = frame({cue(sound, {3.0F, 0.0F, 0.0F})});
+    EXPECT_GT(heard.right, 0.02);
+    EXPECT_GT(heard.right, 3.0 * heard.left);
+}
+
+TEST_F(MixerTest, TurningRoundSwapsTheSides) {
+    const auto sound = add("tone.wav", tone(440.0, 0.0, 1.0));
+    listener_.orientation = Quatf{0.0F, 0.0F, 1.0F, 0.0F};  // half a turn about up
+    const Heard heard = frame({cue(sound, {3.0F, 0.0F, 0.0F})});
+    EXPECT_GT(heard.left, 3.0 * heard.right);
+}
+
+TEST_F(MixerTest, LoudnessFollowsTheDistance) {
+    const auto sound = add("tone.wav", tone(441.0, 0.0, 2.0));
+    const LoopCue near{
+        .key = 1, .sound = sound, .position_world = {0, 0, -1.0F}, .radius_m = 20.0F};
+    LoopCue far = near;
+    far.position_world = {0, 0, -10.0F};
+    const double near_rms = frames(30, {near}).left;
+    const double far_rms = frames(30, {far}).left;
+    // 1/10 and the window's 0.75 against the window's 0.9975.
+    EXPECT_NEAR(far_rms / near_rms, 0.1 * 0.75 / 0.9975, 2e-3);
+}
+
+TEST_F(MixerTest, BeyondItsRadiusASoundIsSilent) {
+    const auto sound = add("tone.wav", tone(440.0, 0.0, 1.0));
+    const Heard heard = frame({cue(sound, {0.0F, 0.0F, -25.1F})});
+    EXPECT_EQ(heard.left, 0.0);
+    EXPECT_EQ(mixer().voices_playing(), 0U);
+    listener_.position_world = {0.0F, 0.0F, -20.0F};
+    EXPECT_GT(frame({cue(sound, {0.0F, 0.0F, -25.1F})}).left, 0.0);
+}
+
+TEST_F(MixerTest, AStormStartsAtMostEightVoicesAFrame) {  // B8
+    const auto sound = add("tone.wav", tone(440.0, 0.0, 1.0));
+    const std::vector<SoundCue> storm(1'000, cue(sound, {1.0F, 0.0F, 0.0F}));
+    frame(storm);
+    EXPECT_EQ(mixer().voices_playing(), 8U);
+    for (int i = 0; i < 10; ++i) frame(storm);
+    EXPECT_EQ(mixer().voices_playing(), 32U);
+}
+
+TEST_F(MixerTest, WithTooFewVoicesTheLoudestWin) {  // B5
+    def_.voices = 4;
+    const auto sound = add("tone.wav", tone(440.0, 0.0, 1.0));
+    frame(std::vector<SoundCue>(8, cue(sound, {0.0F, 0.0F, -20.0F})));
+    EXPECT_EQ(mixer().voices_playing(), 4U);
+    const double quiet = frame({}).left;
+    frame({cue(sound, {0.0F, 0.0F, -1.0F})});
+    EXPECT_EQ(mixer().voices_playing(), 4U);
+    const double with_near_one = frame({}).left;
+    EXPECT_GT(with_near_one, 3.0 * quiet);
+    frame(std::vector<SoundCue>(8, cue(sound, {0.0F, 0.0F, -24.0F})));  // too quiet to displace any
+    EXPECT_GT(frame({}).left, 3.0 * quiet);
+}
+
+TEST_F(MixerTest, VoicesAreFreedWhenTheirSoundEnds) {
+    const auto sound = add("short.wav", tone(440.0, 0.0, 0.05));
+    frame({cue(sound, {1.0F, 0.0F, 0.0F})});
+    EXPECT_EQ(mixer().voices_playing(), 1U);
+    frames(5);
+    EXPECT_EQ(mixer().voices_playing(), 0U);
+}
+
+TEST_F(MixerTest, NumbersThatAreNoneNeverReachTheDevice) {  // B9
+    const auto sound = add("tone.wav", tone(440.0, 0.0, 1.0));
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    listener_.position_world.x = nan;
+    frame({cue(sound, {nan, 0.0F, 0.0F})},
+          {LoopCue{.key = 1, .sound = sound, .position_world = {nan, 0, 0}}});
+    listener_ = {};
+    listener_.velocity_mps = Vec3f{nan};
+    listener_.orientation = Quatf{0.0F, 0.0F, 0.0F, 0.0F};
+    const Heard heard = frame({cue(sound, {1.0F, 0.0F, 0.0F})});
+    EXPECT_EQ(mixer().voices_playing(), 1U);
+    EXPECT_TRUE(std::isfinite(heard.left) && std::isfinite(heard.right));
+    EXPECT_GT(heard.right, 0.0);
+}
+
+TEST_F(MixerTest, ALoopGoesOnWithoutAClickWhileItIsNamed) {
+    const auto sound = add("tone.wav", tone(440.0, 0.0, 0.1));  // whole periods: seamless
+    const LoopCue loop{
+        .key = 5, .sound = sound, .position_world = {0, 0, -1.0F}, .radius_m = 20.0F};
+    frames(20, {loop});  // faded in
+    const Heard steady = frames(50, {loop});
+    // A sine's steepest step: amplitude * 2 pi f / rate; the amplitude is rms * sqrt 2.
+    const double steepest = steady.left * std::sqrt(2.0) * 6.2831853 * 440.0 / kRate_hz;
+    EXPECT_GT(steady.left, 0.05);
+    EXPECT_LT(steady.largest_step, steepest * 1.02);
+    EXPECT_EQ(mixer().voices_playing(), 1U);
+}
+
+TEST_F(MixerTest, ALoopThatIsNoLongerNamedFadesOutWithoutAClick) {
+    const auto sound = add("tone.wav", tone(440.0, 0.0, 0.1));
+    const LoopCue loop{
+        .key = 5, .sound = sound, .position_world = {0, 0, -1.0F}, .radius_m = 20.0F};
+    const double loud = frames(30, {loop}).left;
+    const double steepest = loud * std::sqrt(2.0) * 6.2831853 * 440.0 / kRate_hz;
+    const Heard fading = frames(7);
+    EXPECT_LT(fading.left, loud);
+    EXPECT_GT(fading.left, 0.0);
+    EXPECT_LT(fading.largest_step, steepest * 1.1);
+    const Heard again = frames(20, {loop});  // named again: the same voice, up again
+    EXPECT_NEAR(again.left, loud, loud * 0.02);
+    EXPECT_LT(again.largest_step, steepest * 1.1);
+    frames(25);
+    EXPECT_EQ(frames(1).left, 0.0);
+    EXPECT_EQ(mixer().voices_playing(), 0U);
+}
+
+TEST_F(MixerTest, ALoopOutOfHearingGoesOnByTheClock) {
+    const auto sound = add("half.wav", tone(441.0, 1.0, 2.0));  // one second silent, one not
+    const LoopCue loop{
+        .key = 5, .sound = sound, .position_world = {0, 0, -1.0F}, .radius_m = 20.0F};
+    frames(20, {loop});  // 0.4 s
+    listener_.position_world.x = 100.0F;
+    frames(40, {loop});  // to 1.2 s, without a voice
+    EXPECT_EQ(mixer().voices_playing(), 0U);
+    listener_.position_world.x = 0.0F;
+    EXPECT_GT(frames(3, {loop}).left, 0.05);  // in the middle of the tone
+    frames(42, {loop});
+    EXPECT_LT(frames(1, {loop}).left, 1e-4);  // past 2 s: from the start again
+}
+
+TEST_F(MixerTest, OnANewDeviceLoopsGoOnWhereTheyWouldBe) {  // B3
+    const auto sound = add("half.wav", tone(441.0, 1.0, 2.0));
+    const LoopCue loop{
+        .key = 5, .sound = sound, .position_world = {0, 0, -1.0F}, .radius_m = 20.0F};
+    frames(60, {loop});  // 1.2 s: in the middle of the tone
+    const std::size_t bytes = mixer().bytes();
+    mixer().reopen("");
+    EXPECT_EQ(mixer().bytes(), 0U);
+    EXPECT_GT(frames(2, {loop}).left, 0.05);
+    EXPECT_EQ(mixer().bytes(), bytes);
+    EXPECT_EQ(mixer().voices_playing(), 1U);
+    frames(42, {loop});
+    EXPECT_LT(frames(1, {loop}).left, 1e-4);
+}
+
+TEST_F(MixerTest, PauseHoldsEverything) {
+    const auto sound = add("tone.wav", tone(440.0, 0.0, 0.1));
+    frame({cue(sound, {1.0F, 0.0F, 0.0F})});
+    mixer().set_paused(true);
+    frames(2);
+    EXPECT_EQ(frames(20).right, 0.0);
+    EXPECT_EQ(mixer().voices_playing(), 1U);
+    mixer().set_paused(false);
+    EXPECT_GT(frames(2).right, 0.0);
+}
+
+TEST_F(MixerTest, StereoIsMixedDownToHaveAPlace) {
+    std::vector<std::int16_t> stereo;
+    for (const std::int16_t sample : tone(440.0, 0.0, 0.5)) {
+        stereo.push_back(0);
+        stereo.push_back(sample);  // all on the right of the file
+    }
+    const auto sound = add("stereo.wav", stereo, 2);
+    const Heard heard = frame({cue(sound, {-3.0F, 0.0F, 0.0F})});
+    EXPECT_GT(heard.left, 3.0 * heard.right);
+    EXPECT_EQ(mixer().bytes(), stereo.size());  // half the samples, two bytes each
+}
+
+TEST_F(MixerTest, ALowPassTakesTheHighTones) {
+    const auto sound = add("high.wav", tone(9'000.0, 0.0, 1.0));
+    SoundCue open = cue(sound, {0.0F, 0.0F, -1.0F});
+    SoundCue dull = open;
+    dull.low_pass = 0.1F;
+    frame({open});
+    const double open_rms = frame({}).left;
+    frames(60);
+    frame({dull});
+    const double dull_rms = frame({}).left;
+    EXPECT_GT(open_rms, 0.05);
+    EXPECT_LT(dull_rms, 0.3 * open_rms);
+}
+
+TEST_F(MixerTest, TheMasterGainIsOverEverything) {
+    const auto sound = add("tone.wav", tone(441.0, 0.0, 2.0));
+    frame({cue(sound, {0.0F, 0.0F, -1.0F})});
+    const double full = frames(5).left;
+    mixer().set_master_gain(0.25F);
+    frames(5);
+    EXPECT_NEAR(frames(1).left / full, 0.25, 0.01);
+}
+
+TEST_F(MixerTest, WithoutADeviceThereIsSilenceAndOneLine) {  // B1
+    const auto sound = add("tone.wav", tone(440.0, 0.0, 1.0));
+    def_.offline = false;
+    testing::internal::CaptureStderr();
+    Mixer silent(def_, library_);
+    const std::vector<SoundCue> cues{cue(sound, {1.0F, 0.0F, 0.0F})};
+    const std::vector<LoopCue> loops{{.key = 1, .sound = sound}};
+    for (int i = 0; i < 1'000; ++i) silent.play(cues, loops, listener_, i * kFrame_s);  // 20 s
+    const std::string words = testing::internal::GetCapturedStderr();
+    EXPECT_TRUE(silent.silent());
+    EXPECT_EQ(silent.voices_playing(), 0U);
+    EXPECT_EQ(silent.bytes(), 0U);
+    EXPECT_EQ(silent.device_name(), "");
+    const auto first = words.find("no sound device");
+    EXPECT_NE(first, std::string::npos) << words;
+    EXPECT_EQ(words.find("no sound device", first + 1), std::string::npos) << words;
+    EXPECT_EQ(words.find("ALSA lib"), std::string::npos) << words;
+    EXPECT_EQ(words.find("AL lib"), std::string::npos) << words;
+}
+
+TEST_F(MixerTest, ANamedDeviceThatIsNotThereIsNamed) {  // B2
+    def_.offline = false;
+    def_.device = "Gramophone";
+    testing::internal::CaptureStderr();
+    const Mixer silent(def_, library_);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("no sound device \"Gramophone\""),
+              std::string::npos);
+    EXPECT_TRUE(silent.silent());
+}
+
+}  // namespace
+}  // namespace plumbline::audio
