@@ -114,6 +114,7 @@ void Character::Impl::update(const CharacterInput& input) {
         since_ground_s += dt;
         fly(wish);
     }
+    restore_gaps();
     begin_ride();
     press_down();
     carry();

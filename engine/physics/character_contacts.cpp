@@ -115,15 +115,17 @@ void Character::Impl::give_way() {
         }
         if (worst == nullptr) break;
         Vec3 out = worst->normal;
-        if (out.y < -0.1_r && footing == Footing::Ground) {
-            if (!crouched) change_posture(true);  // something comes down on the head
+        if (out.y < 0 && footing == Footing::Ground) {
+            // Something that comes down on the head presses into a crouch, not into the floor.
+            if (out.y < -0.5_r && !crouched) change_posture(true);
             out = normalize_or(level(out), Vec3{0, 0, 0});
         }
         const Real step = std::min(worst_need, budget + worst_approach);
         const Real done = move_swept(out * step, worst->body);
         budget = std::max(budget - std::max(done - worst_approach, Real{0}), Real{0});
-        if (done < 0.1_r * step || budget <= 0) {
-            worst_left = std::max(worst_left, worst_need - done);
+        const bool stopped = done < 0.1_r * step;
+        if (stopped) worst_left = std::max(worst_left, worst_need);
+        if (stopped || budget <= 0) {
             if (blocked_count < blocked.size()) blocked[blocked_count++] = worst->body;
         }
     }
@@ -131,6 +133,26 @@ void Character::Impl::give_way() {
     if (worst_left > 0.05_r) {
         squeezed = true;
         escape();
+    }
+}
+
+void Character::Impl::restore_gaps() {
+    // Sweeps know the first thing in the way; what is passed at a flat angle may come too close.
+    for (int pass = 0; pass < 4; ++pass) {
+        const CapsuleContact* nearest = nullptr;
+        const auto touches = probe.touches(feet, -1e-4_r);
+        for (const CapsuleContact& touch : touches) {
+            const bool underfoot = footing == Footing::Ground && touch.normal.y > 0.3_r;
+            if (underfoot || gives_way_to_us(touch.body)) continue;
+            nearest = &touch;
+            break;
+        }
+        if (nearest == nullptr) return;
+        const Vec3 out = footing == Footing::Ground
+                             ? normalize_or(level(nearest->normal), Vec3{0, 0, 0})
+                             : nearest->normal;
+        const Real most = 2 * kSkin_m;
+        if (move_swept(out * std::min(-nearest->gap_m, most), nearest->body) < 1e-5_r) return;
     }
 }
 

@@ -14,7 +14,7 @@
 
 namespace plumbline::physics {
 
-inline constexpr Real kSkin_m = 0.02_r;
+inline constexpr Real kSkin_m = 0.004_r;
 /// Closer than this counts as touching.
 inline constexpr Real kTouch_m = 0.002_r;
 inline const Vec3 kUp{0, 1, 0};
@@ -132,6 +132,7 @@ struct Character::Impl {
 
     // --- character_contacts.cpp
     void give_way();
+    void restore_gaps();
     bool escape();
     Real push(const CapsuleContact& hit, const Vec3& velocity);
     bool gives_way_to_us(BodyId body) const;

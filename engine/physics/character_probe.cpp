@@ -7,7 +7,10 @@ namespace plumbline::physics {
 namespace {
 
 // Grazing hits would ask for an endless way back to restore the skin.
-constexpr Real kLeastCosine = 0.1_r;
+constexpr Real kLeastCosine = 0.05_r;
+constexpr Real kAside_m = 0.01_r;    // how far behind an edge its face is looked for
+constexpr Real kProbe_m = 0.05_r;    // and how far above and below
+constexpr Real kSameFace = 0.998_r;  // cosine of 3.6 degrees: more than rays' normals are off
 
 CapsuleShape query_capsule(const CharacterDef& def, Real height_m) {
     return {.radius_m = def.radius_m - kSkin_m, .height_m = height_m - 2 * def.radius_m};
@@ -94,7 +97,7 @@ std::optional<CapsuleContact> CapsuleProbe::sweep(const Vec3d& feet,
     const Real length = glm::length(displacement);
     if (length < 1e-7_r) return std::nullopt;
     const Vec3 direction = displacement / length;
-    const Real reach = length + 2 * kSkin_m;
+    const Real reach = length + kSkin_m / kLeastCosine;
     const Pose from = pose_at(feet);
     const auto hit = world_.sweep(
         shapes_[crouched_ ? 1 : 0], from, from.position + direction * reach, filter(also_ignored));
@@ -146,20 +149,23 @@ Support CapsuleProbe::support_of(const CapsuleContact& contact, const Vec3d& fee
     const Vec3 outward = level(contact.point - Vec3(feet));
     const Real distance = glm::length(outward);
     if (contact.normal.y > 0.99995_r || distance < 1e-4_r) return support;
-    // The round foot touches edges at any angle; what counts is the face behind the edge.
-    const Real aside = 0.01_r;
+    // The round foot touches edges at any angle; what counts is the face behind the edge. Within a
+    // face the contact's own normal is the better known one.
     for (const Real side : {Real{1}, Real{-1}}) {
-        const Vec3 above = contact.point + outward * (side * aside / distance);
-        const auto hit = ray(above + kUp * 0.05_r, above - kUp * 0.05_r);
+        const Vec3 above = contact.point + outward * (side * kAside_m / distance);
+        const auto hit = ray(above + kUp * kProbe_m, above - kUp * kProbe_m);
         if (!hit || hit->normal_world.y <= 0) continue;
+        if (glm::dot(hit->normal_world, contact.normal) > kSameFace) return support;
         const bool walkable = hit->normal_world.y >= cos_limit;
-        if (!walkable && side < 0) continue;  // the far side of a ridge tells nothing
+        if (!walkable && side > 0) {
+            support.walkable = false;  // unless the other side carries
+            continue;
+        }
+        if (!walkable) continue;
         support.face_normal = hit->normal_world;
-        support.walkable = walkable;
-        support.edge = glm::dot(hit->normal_world, contact.normal) < 0.998_r;
-        if (walkable) return support;
-        // A steep face: a ridge between two of them may still carry.
-        support.walkable = support.edge && contact.normal.y >= cos_limit;
+        support.walkable = true;
+        support.edge = true;
+        return support;
     }
     return support;
 }

@@ -12,7 +12,7 @@ constexpr Real kLostRide_m = 0.5_r;
 
 /// The turn about +Y within a rotation.
 Real yaw_of(const Quat& rotation) {
-    return 2 * std::atan2(rotation.y, rotation.w);
+    return std::remainder(2 * std::atan2(rotation.y, rotation.w), 2 * kPi);
 }
 
 /// Where a body will be after the step, going on as it does.
@@ -76,13 +76,16 @@ void Character::Impl::begin_ride() {
 void Character::Impl::carry() {
     if (!ride) return;
     const Vec3 here = Vec3(feet);
-    const Vec3 anchor = transform_point(invert(ride->now), here);
+    // Who stands still keeps the very same place on it: rounding must not make him wander.
+    const bool still = glm::length(transform_point(ride->now, ride->anchor_body) - here) < 2e-5_r;
+    const Vec3 anchor = still ? ride->anchor_body : transform_point(invert(ride->now), here);
     const Vec3 there = transform_point(ride->next, anchor);
     ride->velocity = (there - here) / dt;
-    slide_freely(there - here, ride->body);
+    const Vec3 moved = slide_freely(there - here, ride->body);
     ridden_yaw_rad +=
         yaw_of(glm::normalize(ride->next.orientation * glm::conjugate(ride->now.orientation)));
-    ride->anchor_body = transform_point(invert(ride->next), Vec3(feet));
+    const bool carried = glm::length(moved - (there - here)) < 1e-5_r;
+    ride->anchor_body = carried ? anchor : transform_point(invert(ride->next), Vec3(feet));
 }
 
 void Character::Impl::press_down() {
@@ -90,12 +93,13 @@ void Character::Impl::press_down() {
         world.kind(ground.body) != BodyKind::Dynamic || world.frozen(ground.body)) {
         return;
     }
-    world.wake(ground.body);
-    world.apply_force_at(ground.body, -kUp * (def.mass_kg * gravity_mps2), ground.point);
-    if (landing_speed_mps <= 0) return;
+    // As an impulse: Bullet's friction does not see the torque of forces that act off centre, and a
+    // crate with a person at its edge would creep away.
     const Real mass = world.mass_properties(ground.body).mass_kg;
     const Real shared = def.mass_kg * mass / (def.mass_kg + mass);
-    world.apply_impulse_at(ground.body, -kUp * (shared * landing_speed_mps), ground.point);
+    const Real impulse = def.mass_kg * gravity_mps2 * dt + shared * landing_speed_mps;
+    world.wake(ground.body);
+    world.apply_impulse_at(ground.body, -kUp * impulse, ground.point);
 }
 
 }  // namespace plumbline::physics

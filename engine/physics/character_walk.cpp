@@ -10,6 +10,8 @@ namespace {
 constexpr Real kGroundAcceleration_mps2 = 40;
 // Steps may be a little higher than asked: contact points are exact to about a millimetre.
 constexpr Real kStepTolerance_m = 0.01_r;
+constexpr Real kRaise_m = 0.01_r;
+constexpr Real kLeastStepForward_m = 0.006_r;  // must exceed the skin, or the foot falls back
 constexpr int kSlides = 5;
 
 /// A level way, tilted onto a plane.
@@ -108,7 +110,7 @@ bool Character::Impl::step_up(const Vec3& way) {
     Vec3d high = feet + Vec3d(kUp * lift);
     const Vec3d before = high;
     PlaneSet planes;
-    Vec3 rest = way;
+    Vec3 rest = way * (std::max(length, kLeastStepForward_m) / length);
     for (int i = 0; i < kSlides && glm::length(rest) > 1e-6_r; ++i) {
         const auto hit = probe.sweep(high, rest);
         const Real share = hit ? hit->travel_m / glm::length(rest) : Real{1};
@@ -120,7 +122,7 @@ bool Character::Impl::step_up(const Vec3& way) {
         rest = planes.limited(rest * (1 - share));
     }
     const Real progress = glm::dot(Vec3(high - before), way) / length;
-    if (progress < std::max(0.05_r * length, 1e-4_r)) return false;
+    if (progress < std::min(0.05_r * length + 1e-4_r, kLeastStepForward_m / 2)) return false;
 
     Vec3d landed = high;
     const auto support = find_ground(landed, lift + kStepTolerance_m);
@@ -129,6 +131,8 @@ bool Character::Impl::step_up(const Vec3& way) {
     if (height > def.step_up_m + kStepTolerance_m || !may_step_on(support->body, height)) {
         return false;
     }
+    const auto tight = probe.touches(landed, -kTouch_m);
+    if (!tight.empty() && !gives_way_to_us(tight.front().body)) return false;
     eye_offset_m -= static_cast<Real>(landed.y - feet.y);
     feet = landed;
     stand_on(*support);
@@ -136,28 +140,27 @@ bool Character::Impl::step_up(const Vec3& way) {
 }
 
 std::optional<Support> Character::Impl::find_ground(Vec3d& from, Real reach_m) const {
-    const auto hit = probe.sweep(from, -kUp * reach_m);
+    // From a little above, so that a foot that sank a little comes up again.
+    const Vec3d above = from + Vec3d(kUp * kRaise_m);
+    const auto hit = probe.sweep(above, -kUp * (reach_m + kRaise_m));
     if (!hit) return std::nullopt;
     const Support support = probe.support_of(*hit, from);
-    Real down = hit->travel_m;
+    Real down = hit->raw_travel_m - kSkin_m / std::max(hit->normal.y, 0.3_r);
     if (support.edge) {
         // The round foot meets an edge where its own curve passes through the point.
         const Real aside = glm::length(level(support.point - Vec3(from)));
         const Real radius = def.radius_m;
         const Real rise =
             aside < radius ? radius - std::sqrt(radius * radius - aside * aside) : radius;
-        down = static_cast<Real>(from.y) - (support.point.y - rise);
+        down = static_cast<Real>(above.y) - (support.point.y - rise);
         down = std::min(down, hit->raw_travel_m + kSkin_m);
-    } else if (hit->normal.y > 0.3_r) {
-        // The travel was clipped at zero; a foot within its skin has to come up again.
-        down = hit->raw_travel_m - kSkin_m / hit->normal.y;
     }
-    from.y -= static_cast<double>(down);
+    from.y = above.y - static_cast<double>(down);
     if (support.edge || !support.walkable) return support;
-    // Sweeps are good to a millimetre; the distance itself is much better known.
-    for (const CapsuleContact& touch : probe.touches(from, 2 * kTouch_m)) {
+    // The distance itself is known best at the place.
+    for (const CapsuleContact& touch : probe.touches(from, kTouch_m)) {
         if (touch.body != support.body || touch.normal.y < 0.3_r) continue;
-        const Real correction = std::clamp(touch.gap_m / touch.normal.y, -0.005_r, 0.005_r);
+        const Real correction = std::clamp(touch.gap_m / touch.normal.y, -kTouch_m, kTouch_m);
         from.y -= static_cast<double>(correction);
         break;
     }
