@@ -77,9 +77,7 @@ Callers impact_sounds_callers(const Simulation& simulation) {
         if (moving.kind != physics::BodyKind::Dynamic) continue;
         if (!simulation.registry.alive(moving.entity)) continue;
         const auto& surface = simulation.registry.get<scene::SurfaceRef>(moving.entity);
-        if (!simulation.surfaces().get(surface.surface).impact_sounds.empty()) {
-            callers.add(moving.entity);
-        }
+        if (simulation.is_heard(surface.surface)) callers.add(moving.entity);
     }
     return callers.take();
 }

@@ -90,8 +90,7 @@ private:
         std::uint16_t softer = surface_of(simulation, contact.user_b);
         const scene::SurfaceTable& table = simulation.surfaces();
         const auto loudness = [&](std::uint16_t index) {
-            const scene::Surface& surface = table.get(index);
-            return surface.impact_sounds.empty() ? 0.0F : surface.loudness;
+            return simulation.is_heard(index) ? table.get(index).loudness : 0.0F;
         };
         if (loudness(softer) > loudness(louder)) std::swap(louder, softer);
         if (loudness(louder) <= 0.0F) return;

@@ -259,7 +259,7 @@ Result<physics::BodyId> EntityBuilder::body_of(const EntityDescription& descript
          .angular_damping_per_s = body.angular_damping_per_s,
          .can_sleep = body.can_sleep,
          .ccd = body.ccd,
-         .contact_events = is_dynamic && !surface.impact_sounds.empty(),
+         .contact_events = is_dynamic && simulation_.is_heard(surface_index),
          .group = *group,
          .collides_with = collides_with,
          .user = mark_of(entity)});

@@ -123,6 +123,11 @@ public:
     std::uint64_t state_hash() const;
 
     // --- for effects
+    /// Whether things of that surface sound when they hit. The default surface does not: a scene
+    /// whose materials name no surface has asked for no sound.
+    bool is_heard(std::uint16_t surface) const {
+        return surface != 0 && !surfaces_.get(surface).impact_sounds.empty();
+    }
     /// Changes whenever an entity comes or goes, and with the requests below.
     std::uint64_t revision() const { return revision_; }
     /// Optional parts of the physics; all on until an EffectRuntime takes them over.

@@ -50,11 +50,11 @@ TEST(FallingCubeScene, ASimulationOfItPaysForNoEffect) {
     }
 }
 
-TEST(FallingCubeScene, APictureOfItPaysForWhatTheFileNames) {
-    SceneRun run("falling_cube.toml", {}, {.picture = true, .sound = false});
+TEST(FallingCubeScene, PlayingItPaysForWhatTheFileNames) {
+    SceneRun run("falling_cube.toml", {}, {.picture = true, .sound = true});
     ASSERT_TRUE(run.simulation);
     const scene::SceneDescription& scene = run.simulation->description();
-    run.step(60);
+    run.step(120);
     for (const effects::LedgerLine& line : run.effects->ledger()) {
         const bool named = (line.name == "sun_shadow" && scene.sun && scene.sun->shadow) ||
                            (line.name == "fog" && scene.fog) ||

@@ -235,10 +235,13 @@ TEST(EffectRuntime, BooksThePassesOfItsRows) {
 
 TEST(EffectRuntime, NamesTheFirstCallersAndCountsTheRest) {
     scene::SurfaceTable loud = test::plain_surfaces();
-    loud.surfaces[0].impact_sounds = {"no/such.ogg"};
+    loud.surfaces.push_back({.name = "wood", .impact_sounds = {"no/such.ogg"}});
     SceneDescription scene = scene_of({});
+    scene.materials["wood"] = {.name = "wood", .surface = "wood"};
+    EntityDescription crate = cube("crate", {});
+    crate.material = "wood";
     scene.arrays.push_back({.name = "pile",
-                            .prefab = cube("crate", {}),
+                            .prefab = crate,
                             .origin_m = {0, 5, 0},
                             .count = {10, 1, 1},
                             .spacing_m = {2, 2, 2}});

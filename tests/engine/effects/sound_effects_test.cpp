@@ -24,11 +24,26 @@ std::filesystem::path sound_file(const char* name) {
 
 scene::SurfaceTable loud_surfaces() {
     scene::SurfaceTable table = test::plain_surfaces();
-    table.surfaces[0].density_kgpm3 = 10;
-    table.surfaces[0].impact_sounds = {sound_file("impact_wood_0.ogg"),
-                                       sound_file("impact_wood_1.ogg")};
     table.surfaces[0].step_sounds = {sound_file("step_grass_1.ogg")};
+    table.surfaces.push_back(
+        {.name = "wood",
+         .density_kgpm3 = 10,
+         .impact_sounds = {sound_file("impact_wood_0.ogg"), sound_file("impact_wood_1.ogg")}});
     return table;
+}
+
+/// Everything in it that has a body is of wood.
+SceneDescription wooden(std::vector<EntityDescription> entities) {
+    SceneDescription scene = scene_of(std::move(entities));
+    scene.materials["wood"] = {.name = "wood", .surface = "wood"};
+    for (EntityDescription& entity : scene.entities) entity.material = "wood";
+    return scene;
+}
+
+EntityDescription wooden_cube(const std::string& name, const Vec3& position_m) {
+    EntityDescription entity = cube(name, position_m);
+    entity.material = "wood";
+    return entity;
 }
 
 LedgerLine line_of(const EffectRuntime& effects, std::string_view name) {
@@ -39,7 +54,7 @@ LedgerLine line_of(const EffectRuntime& effects, std::string_view name) {
 }
 
 std::vector<audio::SoundCue> cues_of_a_drop(Real height_m) {
-    Running run(scene_of({ground(), cube("cube", {0, 0.5_r + height_m, 0})}), loud_surfaces());
+    Running run(wooden({ground(), cube("cube", {0, 0.5_r + height_m, 0})}), loud_surfaces());
     EffectRuntime effects(*run, kWithSound);
     run.step(120, effects);
     return effects.sound(*run, {}).cues;
@@ -63,7 +78,7 @@ TEST(ImpactSounds, GainGrowsWithImpulse) {
 }
 
 TEST(ImpactSounds, CallForContactEventsWhileTheyLive) {
-    Running run(scene_of({ground(), cube("cube", {0, 2, 0})}), loud_surfaces());
+    Running run(wooden({ground(), cube("cube", {0, 2, 0})}), loud_surfaces());
     EffectRuntime effects(*run, kWithSound);
     EXPECT_EQ(line_of(effects, "contact_events").called_for_by, Callers{"effect impact_sounds"});
     EXPECT_TRUE(run->features().contact_events);
@@ -74,18 +89,28 @@ TEST(ImpactSounds, CallForContactEventsWhileTheyLive) {
     EXPECT_FALSE(run->features().contact_events);
 
     // The first thing dropped in play brings them back.
-    run->spawn(cube("crate", {0, 2, 0}));
+    run->spawn(wooden_cube("crate", {0, 2, 0}));
     run.step(1, effects);
     EXPECT_EQ(line_of(effects, "impact_sounds").constructions, 2U);
     EXPECT_EQ(line_of(effects, "contact_events").constructions, 2U);
 }
 
+TEST(ImpactSounds, AreNotMadeForMaterialsThatNameNoSurface) {
+    scene::SurfaceTable surfaces = loud_surfaces();
+    surfaces.surfaces[0].impact_sounds = surfaces.surfaces[1].impact_sounds;
+    Running run(scene_of({ground(), cube("cube", {0, 2, 0})}), surfaces);
+    EffectRuntime effects(*run, kWithSound);
+    run.step(60, effects);
+    EXPECT_EQ(line_of(effects, "impact_sounds").constructions, 0U);
+    EXPECT_EQ(line_of(effects, "contact_events").constructions, 0U);
+}
+
 TEST(ImpactSounds, AMissingFileIsToldOnce) {
-    scene::SurfaceTable surfaces = test::plain_surfaces();
-    surfaces.surfaces[0].impact_sounds = {"no/such.ogg"};
-    SceneDescription scene = scene_of({ground()});
+    scene::SurfaceTable surfaces = loud_surfaces();
+    surfaces.surfaces[1].impact_sounds = {"no/such.ogg"};
+    SceneDescription scene = wooden({ground()});
     for (int i = 0; i < 5; ++i) {
-        scene.entities.push_back(cube("cube" + std::to_string(i), {Real(3 * i), 2, 0}));
+        scene.entities.push_back(wooden_cube("cube" + std::to_string(i), {Real(3 * i), 2, 0}));
     }
     Running run(scene, surfaces);
     EffectRuntime effects(*run, kWithSound);
@@ -96,9 +121,9 @@ TEST(ImpactSounds, AMissingFileIsToldOnce) {
 
 TEST(Sound, NeverChangesWhatHappens) {
     const auto hash_with = [](const ServedDomains& served) {
-        SceneDescription scene = scene_of({ground()});
+        SceneDescription scene = wooden({ground()});
         scene.arrays.push_back({.name = "pile",
-                                .prefab = cube("crate", {}),
+                                .prefab = wooden_cube("crate", {}),
                                 .origin_m = {0, 1, 0},
                                 .count = {2, 5, 2},
                                 .spacing_m = {0.9_r, 1.3_r, 1.05_r}});
