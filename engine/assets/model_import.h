@@ -9,9 +9,15 @@
 
 namespace plumbline::assets {
 
-/// `root`: files that the model names must lie inside it (links followed).
-/// Faults of single meshes (NaN, indices out of range) drop that mesh with a warning; a file that
-/// is unsafe or not what its name says is refused as a whole.
+/// `root`: the file, and the files that it names, must lie inside it (links followed); what it
+/// names must also lie in its own folder or below. Faults of single meshes (NaN, indices out of
+/// range) drop that mesh with a warning; a file that is unsafe or not what its name says is
+/// refused as a whole.
+///
+/// Material names are kept: scenes replace materials by name. Vertex colours count as albedo only
+/// for materials called vcol or vcol_…; elsewhere they carry other things (the trees' wind
+/// weights) and Vertex::color is white. Images inside a glTF's buffers are not read (one warning);
+/// bones and morph targets are not read either: the model stands as stored.
 Result<ModelData> import_model(const std::filesystem::path& file,
                                const std::filesystem::path& root);
 

@@ -386,6 +386,39 @@ TEST(GltfRefusal, of_more_materials_than_the_limit) {
     }
 }
 
+/// Fills a list up to `count` with copies of one more entry.
+void fill(Json& list, std::size_t count, const Json& entry) {
+    while (list.size() < count) list.push_back(entry);
+}
+
+TEST(GltfRefusal, of_more_nodes_meshes_and_accessors_than_their_limits) {
+    for (const std::size_t above : {0U, 1U}) {
+        TriangleFile nodes;
+        fill(nodes.json["nodes"], limits::kModelNodes + above, Json::object());
+        TriangleFile meshes;
+        fill(meshes.json["meshes"], limits::kModelMeshes + above, Json::object());
+        TriangleFile accessors;
+        const Json accessor = accessors.json["accessors"][0];
+        fill(accessors.json["accessors"], limits::kModelAccessors + above, accessor);
+        if (above == 0) {
+            EXPECT_TRUE(import_bytes(nodes.gltf()).ok());
+            EXPECT_TRUE(import_bytes(meshes.gltf()).ok());
+            EXPECT_TRUE(import_bytes(accessors.gltf()).ok());
+        } else {
+            expect_refused(nodes, "it has 65537 nodes; at most 65536 are read");
+            expect_refused(meshes, "it has 16385 meshes; at most 16384 are read");
+            expect_refused(accessors, "it has 65537 accessors; at most 65536 are read");
+        }
+    }
+}
+
+TEST(GltfRefusal, of_files_over_their_limit_before_they_are_read) {
+    const TempFolder folder;
+    const fs::path file = folder.write("m.glb", "glTF");
+    fs::resize_file(file, limits::kModelFileBytes + 1);  // a hole: takes no room
+    expect_refused(Import(file), "has 268435457 bytes; at most 268435456 are read");
+}
+
 TEST(GltfRefusal, of_more_vertices_drawn_than_the_limit_before_they_are_built) {
     TriangleFile file;
     // 200 vertices, drawn by 50,001 nodes: ten million and two hundred.
