@@ -55,7 +55,7 @@ Result<Reference> find_reference(const fs::path& naming_file,
     if (beside.ok() && beside->exists) return beside;
     if (!assets_folder.empty()) {
         Result<Reference> shared = below(assets_folder, wanted);
-        if (shared.ok() && (shared->exists || !beside.ok())) return shared;
+        if (shared.ok() && shared->exists) return shared;
     }
     return beside;
 }

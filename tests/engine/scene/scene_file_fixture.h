@@ -20,8 +20,9 @@ class SceneFileTest : public testing::Test {
 protected:
     void SetUp() override {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::temp_directory_path() /
-                  fmt::format("plumbline_{}_{}_{}", test->test_suite_name(), test->name(), getpid());
+        folder_ =
+            std::filesystem::temp_directory_path() /
+            fmt::format("plumbline_{}_{}_{}", test->test_suite_name(), test->name(), getpid());
         std::filesystem::remove_all(folder_);
         std::filesystem::create_directories(assets());
     }

@@ -4,8 +4,6 @@
 namespace plumbline::scene {
 namespace {
 
-using testing::Test;
-
 constexpr Real kSlack{1e-6_r};
 
 void expect_near(const Vec3& value, const Vec3& wanted) {
@@ -68,6 +66,9 @@ target_m = [0, 0, 0]
 wait_s = 2.5
 flashlight = true
 light_scale = 0.25
+[[entity]]
+primitive = { plane = [9, 9] }
+body = { kind = "static" }
 )");
     ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
     EXPECT_TRUE(outcome.faults.empty());
@@ -191,8 +192,8 @@ exposure = 2
     EXPECT_EQ(to_string(scene.sky->origin), "scene.toml:7");
     expect_near_f(scene.ambient, {0.2F, 0.3F, 0.4F});
     // sRGB 0.5 is 0.21404 linear.
-    EXPECT_NEAR(scene.fog->color.g, 0.21404F, 1e-5F);
-    EXPECT_FLOAT_EQ(scene.fog->color.r, 1.0F);
+    EXPECT_NEAR(scene.fog->color.y, 0.21404F, 1e-5F);
+    EXPECT_FLOAT_EQ(scene.fog->color.x, 1.0F);
     EXPECT_FLOAT_EQ(scene.fog->density_per_m, 0.05F);
     EXPECT_FLOAT_EQ(scene.flashlight->intensity, 70.0F);
     EXPECT_FLOAT_EQ(scene.flashlight->radius_m, 20.0F);
@@ -203,7 +204,7 @@ exposure = 2
     EXPECT_FLOAT_EQ(scene.post->bloom, 0.1F);
     EXPECT_FLOAT_EQ(scene.post->exposure, 2.0F);
     ASSERT_TRUE(scene.effect_settings.contains("fog"));
-    EXPECT_EQ(scene.effect_settings.at("fog").line, 23);
+    EXPECT_EQ(scene.effect_settings.at("fog").line, 24);
 }
 
 TEST_F(SceneFileTest, SunShadowByYesAndNo) {
