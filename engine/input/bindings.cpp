@@ -248,7 +248,10 @@ Bindings load_bindings(const std::vector<BindingLayer>& layers,
     Bindings bindings = built_in_bindings();
     for (const BindingLayer& layer : layers) {
         const std::optional<LayerContent> content = read_layer(layer, bindings.tuning, faults);
-        if (!content) continue;
+        if (!content) {
+            bindings.left_out.push_back(layer.name);
+            continue;
+        }
         for (const std::string& alias : content->aliases) log_note("{}", alias);
         for (const LayerHold& hold : content->holds)
             bindings.hold_mode[index_of(hold.action)] = hold.mode;

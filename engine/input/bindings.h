@@ -69,6 +69,9 @@ struct Bindings {
     std::array<std::string, kActionCount> origin;
     /// What happened to the list since: inputs that other layers took away.
     std::array<std::vector<std::string>, kActionCount> notes;
+    /// Layers that could not be parsed and count for nothing. After a reload that has some, keep
+    /// the table from before: a file being edited is not one being given up.
+    std::vector<std::string> left_out;
 
     const std::vector<Input>& of(Action action) const {
         return inputs[static_cast<std::size_t>(action)];
@@ -88,6 +91,7 @@ struct BindingLayer {
 struct BindingSources {
     std::vector<BindingLayer> layers;
     std::vector<std::filesystem::path> watched;  ///< files to reload on, existing or not
+    std::vector<std::string> left_out;  ///< there, but not readable; see Bindings::left_out
 };
 BindingSources find_binding_sources(const std::filesystem::path& shipped_config_folder,
                                     const std::filesystem::path& user_config_folder,

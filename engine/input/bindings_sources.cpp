@@ -31,6 +31,7 @@ void add_file(BindingSources& sources,
     if (text) {
         sources.layers.push_back({name, std::move(*text)});
     } else {
+        sources.left_out.push_back(name);
         faults.add({Severity::Error,
                     name,
                     0,
@@ -103,6 +104,7 @@ BindingSources find_binding_sources(const fs::path& shipped_config_folder,
     if (!wanted.empty()) add_profile(sources, shipped_config_folder, wanted, faults);
     std::ranges::move(user.layers, std::back_inserter(sources.layers));
     std::ranges::move(user.watched, std::back_inserter(sources.watched));
+    std::ranges::move(user.left_out, std::back_inserter(sources.left_out));
     return sources;
 }
 

@@ -116,6 +116,8 @@ TEST_F(BindingFiles, WhatIsNoRegularFileIsRefusedWithoutWaiting) {  // D14, D13
     ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
     EXPECT_EQ(load().of(Action::Jump)[0].word, "space");
     EXPECT_NE(messages_of(faults_).find("The file is left out."), std::string::npos);
+    EXPECT_EQ(find_binding_sources(kShipped, user_.path(), "", faults_).left_out,
+              std::vector<std::string>{"bindings.toml"});
     fs::remove(file);
     fs::create_directory(file);
     faults_ = {};

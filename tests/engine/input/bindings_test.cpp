@@ -198,6 +198,7 @@ TEST(Bindings, ABrokenFileIsLeftOutWhole) {  // D3, D8, D9
                              "[walk]\njump = [\"k\"]\rback = [\"x\"]\n"}) {
         const Loaded loaded(text);
         EXPECT_EQ(words(loaded.bindings, Action::Jump), "space pad.a") << text;
+        EXPECT_EQ(loaded.bindings.left_out, std::vector<std::string>{"bindings.toml"});
         ASSERT_EQ(loaded.faults.list().size(), 1U) << text;
         EXPECT_GE(loaded.faults.list()[0].line, 2) << text;
         EXPECT_GE(loaded.faults.list()[0].column, 1) << text;
