@@ -3,12 +3,16 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btConvexConcaveCollisionAlgorithm.h>
+#include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
 #include <BulletCollision/CollisionShapes/btConvexPolyhedron.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
+#include <algorithm>
+#include <array>
 #include <new>
+#include <vector>
 
 namespace plumbline::physics {
 namespace {
@@ -16,6 +20,10 @@ namespace {
 /// Face against face by separating axes costs the product of the edge counts: for boxes and the
 /// like, not for rounded hulls.
 constexpr int kMaxFaceCorners = 16;
+/// Points whose normals differ by less than 18 degrees press on one face and share four points.
+constexpr btScalar kSameFace = btScalar(0.95);
+/// Faces one body can press on at once: a corner of a room has three.
+constexpr std::size_t kMaxFaces = 4;
 
 bool meets_by_faces(const btCollisionShape& shape) {
     if (!shape.isPolyhedral()) return false;
@@ -24,53 +32,109 @@ bool meets_by_faces(const btCollisionShape& shape) {
     return hull != nullptr && hull->m_vertices.size() <= kMaxFaceCorners;
 }
 
-/// Which of the two objects of a manifold is the mesh.
+/// A contact point as a triangle gave it, its normal mended at edges inside the mesh.
+struct Candidate {
+    btVector3 normal;  ///< from the mesh to the convex shape
+    btVector3 on_mesh;
+    btVector3 on_convex;
+    btScalar distance;
+};
+
+/// Keeps what the pair algorithms find instead of putting it into a manifold of four.
+class Collector final : public btManifoldResult {
+public:
+    Collector(const btCollisionObjectWrapper* convex,
+              const btCollisionObjectWrapper* mesh,
+              std::vector<Candidate>& found)
+        : btManifoldResult(convex, mesh), found_(found) {}
+
+    void meet(const btCollisionObjectWrapper* triangle, int part, int index) {
+        setBody1Wrap(triangle);
+        setShapeIdentifiersA(-1, -1);
+        setShapeIdentifiersB(part, index);
+        part_ = part;
+        index_ = index;
+    }
+
+    void addContactPoint(const btVector3& normal,
+                         const btVector3& on_mesh,
+                         btScalar distance) override {
+        if (distance > m_manifoldPtr->getContactBreakingThreshold()) return;
+        const btVector3 on_convex = on_mesh + normal * distance;
+        btManifoldPoint point(m_body0Wrap->getWorldTransform().invXform(on_convex),
+                              m_body1Wrap->getWorldTransform().invXform(on_mesh),
+                              normal,
+                              distance);
+        point.m_positionWorldOnA = on_convex;
+        point.m_positionWorldOnB = on_mesh;
+        btAdjustInternalEdgeContacts(point, m_body1Wrap, m_body0Wrap, part_, index_);
+        found_.push_back({.normal = point.m_normalWorldOnB,
+                          .on_mesh = point.m_positionWorldOnB,
+                          .on_convex = on_convex,
+                          .distance = point.getDistance()});
+    }
+
+private:
+    std::vector<Candidate>& found_;
+    int part_{-1};
+    int index_{-1};
+};
+
+/// The four of `points` that carry best: the deepest, the one farthest from it, then those that
+/// span the most on either side of the line between the two.
+std::vector<Candidate> four_of(const std::vector<Candidate>& points) {
+    if (points.size() <= 4) return points;
+    const auto best = [&points](auto&& value) {
+        const Candidate* chosen = &points.front();
+        for (const Candidate& point : points) {
+            if (value(point) > value(*chosen)) chosen = &point;
+        }
+        return *chosen;
+    };
+    const Candidate a = best([](const Candidate& p) { return -p.distance; });
+    const Candidate b = best([&a](const Candidate& p) { return p.on_mesh.distance2(a.on_mesh); });
+    const btVector3 across = (b.on_mesh - a.on_mesh).cross(a.normal);
+    const auto side = [&](const Candidate& p) { return across.dot(p.on_mesh - a.on_mesh); };
+    const Candidate c = best(side);
+    const Candidate d = best([&side](const Candidate& p) { return -side(p); });
+    return {a, b, c, d};
+}
+
+/// Takes points out of the manifold that are not among the new ones.
+void forget_others(btPersistentManifold& manifold,
+                   const std::vector<Candidate>& points,
+                   const btTransform& world_from_convex) {
+    const btScalar near = manifold.getContactBreakingThreshold();
+    for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
+        const btVector3& old = manifold.getContactPoint(i).m_localPointA;
+        const bool found = std::any_of(points.begin(), points.end(), [&](const Candidate& point) {
+            return world_from_convex.invXform(point.on_convex).distance2(old) < near * near;
+        });
+        if (!found) manifold.removeContactPoint(i);
+    }
+}
+
+/// Which of the two objects of a pair is the mesh.
 enum class MeshPlace { First, Second };
 
-class MeshAlgorithm final : public btCollisionAlgorithm, private btTriangleCallback {
+class MeshAlgorithm final : public btCollisionAlgorithm {
 public:
-    MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
-                  const btCollisionObjectWrapper& first,
-                  const btCollisionObjectWrapper& second,
-                  MeshPlace place)
-        : btCollisionAlgorithm(info), place_(place) {
-        const btCollisionObjectWrapper& convex = place == MeshPlace::First ? second : first;
-        const btCollisionObjectWrapper& mesh = place == MeshPlace::First ? first : second;
-        // The convex body first, whatever the pair's order: edge repair looks for the mesh second.
-        manifold_ =
-            m_dispatcher->getNewManifold(convex.getCollisionObject(), mesh.getCollisionObject());
-    }
-
+    MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info, MeshPlace place)
+        : btCollisionAlgorithm(info), place_(place) {}
     ~MeshAlgorithm() override {
-        m_dispatcher->clearManifold(manifold_);
-        m_dispatcher->releaseManifold(manifold_);
+        for (btPersistentManifold* manifold : manifolds_) {
+            if (manifold == nullptr) continue;
+            m_dispatcher->clearManifold(manifold);
+            m_dispatcher->releaseManifold(manifold);
+        }
     }
+    MeshAlgorithm(const MeshAlgorithm&) = delete;
+    MeshAlgorithm& operator=(const MeshAlgorithm&) = delete;
 
     void processCollision(const btCollisionObjectWrapper* first,
                           const btCollisionObjectWrapper* second,
                           const btDispatcherInfo& info,
-                          btManifoldResult* result) override {
-        convex_ = place_ == MeshPlace::First ? second : first;
-        mesh_ = place_ == MeshPlace::First ? first : second;
-        result_ = result;
-        btDispatcherInfo piece_info = info;
-        piece_info.m_enableSatConvex = meets_by_faces(*convex_->getCollisionShape());
-        info_ = &piece_info;
-        reach_ = manifold_->getContactBreakingThreshold() + result->m_closestPointDistanceThreshold;
-        result->setPersistentManifold(manifold_);
-
-        const btTransform mesh_from_convex =
-            mesh_->getWorldTransform().inverse() * convex_->getWorldTransform();
-        btVector3 low;
-        btVector3 high;
-        convex_->getCollisionShape()->getAabb(mesh_from_convex, low, high);
-        const btVector3 reach(reach_, reach_, reach_);
-        static_cast<const btConcaveShape*>(mesh_->getCollisionShape())
-            ->processAllTriangles(this, low - reach, high + reach);
-        result->refreshContactPoints();
-        result->setPersistentManifold(nullptr);
-        info_ = nullptr;
-    }
+                          btManifoldResult* result) override;
 
     btScalar calculateTimeOfImpact(btCollisionObject*,
                                    btCollisionObject*,
@@ -80,82 +144,185 @@ public:
     }
 
     void getAllContactManifolds(btManifoldArray& manifolds) override {
-        manifolds.push_back(manifold_);
+        for (btPersistentManifold* manifold : manifolds_) {
+            if (manifold != nullptr) manifolds.push_back(manifold);
+        }
     }
 
 private:
+    btPersistentManifold* manifold_for(const btVector3& normal,
+                                       std::array<bool, kMaxFaces>& taken,
+                                       const btCollisionObjectWrapper& convex,
+                                       const btCollisionObjectWrapper& mesh);
+
+    MeshPlace place_;
+    std::array<btPersistentManifold*, kMaxFaces> manifolds_{};
+};
+
+// The dispatcher's pool hands out blocks of the largest size Bullet itself needs.
+static_assert(sizeof(MeshAlgorithm) <= sizeof(btConvexConcaveCollisionAlgorithm));
+
+/// Asks every triangle within reach for its contact points.
+class TriangleVisitor final : public btTriangleCallback {
+public:
+    TriangleVisitor(btDispatcher& dispatcher,
+                    btPersistentManifold& scratch,
+                    const btCollisionObjectWrapper& convex,
+                    const btCollisionObjectWrapper& mesh,
+                    const btDispatcherInfo& info,
+                    btScalar reach)
+        : dispatcher_(dispatcher),
+          scratch_(scratch),
+          convex_(convex),
+          mesh_(mesh),
+          info_(info),
+          reach_(reach),
+          collector_(&convex, &mesh, found) {
+        collector_.setPersistentManifold(&scratch);
+    }
+
     /// Corners come in the mesh's frame.
     void processTriangle(btVector3* corners, int part, int index) override {
         if (out_of_reach(corners)) return;
         btTriangleShape triangle(corners[0], corners[1], corners[2]);
-        triangle.setMargin(mesh_->getCollisionShape()->getMargin());
+        triangle.setMargin(mesh_.getCollisionShape()->getMargin());
         const btCollisionObjectWrapper piece(
-            mesh_, &triangle, mesh_->getCollisionObject(), mesh_->getWorldTransform(), part, index);
-        const bool mesh_is_a = result_->getBody0Internal() == mesh_->getCollisionObject();
-        const btCollisionObjectWrapper* whole =
-            mesh_is_a ? result_->getBody0Wrap() : result_->getBody1Wrap();
-        if (mesh_is_a) {
-            result_->setBody0Wrap(&piece);
-            result_->setShapeIdentifiersA(part, index);
-        } else {
-            result_->setBody1Wrap(&piece);
-            result_->setShapeIdentifiersB(part, index);
-        }
+            &mesh_, &triangle, mesh_.getCollisionObject(), mesh_.getWorldTransform(), part, index);
+        collector_.meet(&piece, part, index);
         btCollisionAlgorithm* meet =
-            m_dispatcher->findAlgorithm(convex_, &piece, manifold_, BT_CONTACT_POINT_ALGORITHMS);
-        meet->processCollision(convex_, &piece, *info_, result_);
+            dispatcher_.findAlgorithm(&convex_, &piece, &scratch_, BT_CONTACT_POINT_ALGORITHMS);
+        meet->processCollision(&convex_, &piece, info_, &collector_);
         meet->~btCollisionAlgorithm();
-        m_dispatcher->freeCollisionAlgorithm(meet);
-        if (mesh_is_a) {
-            result_->setBody0Wrap(whole);
-        } else {
-            result_->setBody1Wrap(whole);
-        }
+        dispatcher_.freeCollisionAlgorithm(meet);
     }
 
+    std::vector<Candidate> found;
+
+private:
     /// Whether the convex shape lies wholly on one side of the triangle's plane, beyond reach.
     bool out_of_reach(const btVector3* corners) const {
         const btVector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
         const btScalar length = normal.length();
         if (length <= 0) return true;
         const btTransform convex_from_mesh =
-            convex_->getWorldTransform().inverse() * mesh_->getWorldTransform();
+            convex_.getWorldTransform().inverse() * mesh_.getWorldTransform();
         const btVector3 across = convex_from_mesh.getBasis() * (normal / length);
         const btScalar plane = across.dot(convex_from_mesh(corners[0]));
-        const auto& convex = static_cast<const btConvexShape&>(*convex_->getCollisionShape());
+        const auto& convex = static_cast<const btConvexShape&>(*convex_.getCollisionShape());
         const btScalar highest = across.dot(convex.localGetSupportingVertex(across));
         const btScalar lowest = across.dot(convex.localGetSupportingVertex(-across));
         return lowest > plane + reach_ || highest < plane - reach_;
     }
 
-    MeshPlace place_;
-    btPersistentManifold* manifold_;
-    // Only while processCollision() runs.
-    const btCollisionObjectWrapper* convex_{nullptr};
-    const btCollisionObjectWrapper* mesh_{nullptr};
-    btManifoldResult* result_{nullptr};
-    const btDispatcherInfo* info_{nullptr};
-    btScalar reach_{0};
+    btDispatcher& dispatcher_;
+    btPersistentManifold& scratch_;
+    const btCollisionObjectWrapper& convex_;
+    const btCollisionObjectWrapper& mesh_;
+    const btDispatcherInfo& info_;
+    btScalar reach_;
+    Collector collector_;
 };
+
+/// The manifold that pressed along this normal in the step before, else a free one: points found
+/// again there keep their impulses.
+btPersistentManifold* MeshAlgorithm::manifold_for(const btVector3& normal,
+                                                  std::array<bool, kMaxFaces>& taken,
+                                                  const btCollisionObjectWrapper& convex,
+                                                  const btCollisionObjectWrapper& mesh) {
+    std::size_t chosen = kMaxFaces;
+    for (std::size_t i = 0; i < kMaxFaces; ++i) {
+        if (taken[i]) continue;
+        const bool used = manifolds_[i] != nullptr && manifolds_[i]->getNumContacts() > 0;
+        if (used && manifolds_[i]->getContactPoint(0).m_normalWorldOnB.dot(normal) > kSameFace) {
+            chosen = i;
+            break;
+        }
+        if (!used && chosen == kMaxFaces) chosen = i;
+    }
+    if (chosen == kMaxFaces) {
+        chosen =
+            static_cast<std::size_t>(std::find(taken.begin(), taken.end(), false) - taken.begin());
+    }
+    taken[chosen] = true;
+    if (manifolds_[chosen] == nullptr) {
+        // The convex body first, whatever the pair's order.
+        manifolds_[chosen] =
+            m_dispatcher->getNewManifold(convex.getCollisionObject(), mesh.getCollisionObject());
+    }
+    return manifolds_[chosen];
+}
+
+void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* first,
+                                     const btCollisionObjectWrapper* second,
+                                     const btDispatcherInfo& info,
+                                     btManifoldResult* result) {
+    const btCollisionObjectWrapper& convex = place_ == MeshPlace::First ? *second : *first;
+    const btCollisionObjectWrapper& mesh = place_ == MeshPlace::First ? *first : *second;
+    if (manifolds_[0] == nullptr) {
+        manifolds_[0] =
+            m_dispatcher->getNewManifold(convex.getCollisionObject(), mesh.getCollisionObject());
+    }
+    const btScalar reach = manifolds_[0]->getContactBreakingThreshold();
+    const bool by_faces = meets_by_faces(*convex.getCollisionShape());
+    btDispatcherInfo piece_info = info;
+    piece_info.m_enableSatConvex = by_faces;
+    TriangleVisitor visitor(*m_dispatcher, *manifolds_[0], convex, mesh, piece_info, reach);
+
+    const btTransform mesh_from_convex =
+        mesh.getWorldTransform().inverse() * convex.getWorldTransform();
+    btVector3 low;
+    btVector3 high;
+    convex.getCollisionShape()->getAabb(mesh_from_convex, low, high);
+    const btVector3 rim(reach, reach, reach);
+    static_cast<const btConcaveShape*>(mesh.getCollisionShape())
+        ->processAllTriangles(&visitor, low - rim, high + rim);
+
+    // Deepest first: it leads its face, and the faces that press hardest get a manifold.
+    std::vector<Candidate>& found = visitor.found;
+    std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+        return a.distance < b.distance;
+    });
+    std::array<bool, kMaxFaces> taken{};
+    for (std::size_t face = 0; face < kMaxFaces && !found.empty(); ++face) {
+        const btVector3 normal = found.front().normal;
+        const auto rest =
+            std::stable_partition(found.begin(), found.end(), [&normal](const Candidate& point) {
+                return point.normal.dot(normal) > kSameFace;
+            });
+        const std::vector<Candidate> points(found.begin(), rest);
+        found.erase(found.begin(), rest);
+        btPersistentManifold* manifold = manifold_for(normal, taken, convex, mesh);
+        const std::vector<Candidate> best = four_of(points);
+        if (by_faces) forget_others(*manifold, best, convex.getWorldTransform());
+        result->setPersistentManifold(manifold);
+        for (const Candidate& point : best) {
+            result->addContactPoint(point.normal, point.on_mesh, point.distance);
+        }
+    }
+    for (std::size_t i = 0; i < kMaxFaces; ++i) {
+        if (manifolds_[i] == nullptr) continue;
+        // Faces are found whole each time; round shapes gather their points over several steps.
+        if (by_faces && !taken[i]) m_dispatcher->clearManifold(manifolds_[i]);
+        result->setPersistentManifold(manifolds_[i]);
+        result->refreshContactPoints();
+    }
+    result->setPersistentManifold(nullptr);
+}
 
 class Maker final : public btCollisionAlgorithmCreateFunc {
 public:
     explicit Maker(MeshPlace place) : place_(place) {}
 
-    btCollisionAlgorithm* CreateCollisionAlgorithm(
-        btCollisionAlgorithmConstructionInfo& info,
-        const btCollisionObjectWrapper* first,
-        const btCollisionObjectWrapper* second) override {
+    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+                                                   const btCollisionObjectWrapper*,
+                                                   const btCollisionObjectWrapper*) override {
         void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(MeshAlgorithm));
-        return new (memory) MeshAlgorithm(info, *first, *second, place_);
+        return new (memory) MeshAlgorithm(info, place_);
     }
 
 private:
     MeshPlace place_;
 };
-
-// The dispatcher's pool hands out blocks of the largest size Bullet itself needs.
-static_assert(sizeof(MeshAlgorithm) <= sizeof(btConvexConcaveCollisionAlgorithm));
 
 }  // namespace
 

@@ -2,7 +2,8 @@
 //
 // Takes the place of Bullet 3.24's own algorithm, which compares triangles in the mesh's frame with
 // shapes in the world's and so misses contacts on every mesh that is moved or turned (mended in
-// 3.25), and which gives boxes one contact point per triangle, so that they rock as they slide.
+// 3.25), which gives boxes one contact point per triangle, so that they rock as they slide, and
+// which keeps four points for floor and walls together where floor and walls are one mesh.
 #pragma once
 
 #include <btBulletCollisionCommon.h>

@@ -4,7 +4,6 @@
 #include "engine/physics/counting_solver_impl.h"
 #include "engine/physics/physics_world_impl.h"
 
-#include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 #include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
@@ -40,24 +39,11 @@ btScalar combined_spinning_friction(const btCollisionObject* a, const btCollisio
     return std::max(a->getSpinningFriction(), b->getSpinningFriction());
 }
 
-/// Turns contact normals at edges inside a mesh to the triangle's own, else things trip on seams.
-bool adjust_mesh_contact(btManifoldPoint& point,
-                         const btCollisionObjectWrapper* a,
-                         int,
-                         int,
-                         const btCollisionObjectWrapper* b,
-                         int part_b,
-                         int index_b) {
-    btAdjustInternalEdgeContacts(point, b, a, part_b, index_b);
-    return true;
-}
-
 void install_global_callbacks() {
     gCalculateCombinedFrictionCallback = combined_friction;
     gCalculateCombinedRestitutionCallback = combined_restitution;
     gCalculateCombinedRollingFrictionCallback = combined_rolling_friction;
     gCalculateCombinedSpinningFrictionCallback = combined_spinning_friction;
-    gContactAddedCallback = adjust_mesh_contact;
 }
 
 /// Groups must agree both ways, and something must be able to give way.

@@ -176,10 +176,6 @@ BodyId PhysicsWorld::create_body(const BodyDef& def) {
     btCollisionShape* collision = fitted_shape(record, shape);
     record.rigid = make_rigid(record, def, collision);
     record.rigid->setUserPointer(&record);
-    if (shape.mesh) {
-        record.rigid->setCollisionFlags(record.rigid->getCollisionFlags() |
-                                        btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
-    }
     if (def.kind == BodyKind::Dynamic) {
         record.weight_N =
             to_bullet(impl_->def.gravity_mps2) * static_cast<btScalar>(record.mass_kg);

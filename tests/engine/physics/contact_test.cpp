@@ -142,33 +142,58 @@ TEST_P(MeshSlide, KeepsSpeedHeadingAndStaysDown) {
 INSTANTIATE_TEST_SUITE_P(Things, MeshSlide, testing::Range(0, 4));
 
 TEST(MeshContact, HoldsOnMeshesThatAreMovedAndTurned) {
-    // A hillside of 30 degrees made of a flat mesh, far from the origin: Bullet 3.24 alone lets
+    // A hillside made of a flat mesh, far from the origin: Bullet 3.24 alone lets
     // things fall through such a mesh.
     for (const Real degrees : {0.0_r, 20.0_r, 180.0_r}) {
         TestWorld test;
         const Quat turned = glm::angleAxis(radians_from_degrees(degrees), Vec3{1, 0, 0});
         test.world.create_body(
-            {.shape = test.shape(flat_mesh(8, 1)),
+            {.shape = test.shape(flat_mesh(24, 1)),
              .world_from_body = {.position = {40, -30, 10}, .orientation = turned},
              .friction = 4});
-        std::vector<BodyId> things;
-        things.push_back(
-            test.add(BoxShape{}, {40, -29, 10}, {.kind = BodyKind::Dynamic, .friction = 1}));
-        things.push_back(test.add(SphereShape{.radius_m = 0.2_r}, {42, -29, 10}));
-        things.push_back(
-            test.add(CapsuleShape{.radius_m = 0.2_r, .height_m = 0.5_r}, {38, -29, 10}));
-        things.push_back(
-            test.add(CylinderShape{.radius_m = 0.2_r, .height_m = 0.5_r}, {40, -29, 12.5_r}));
-        things.push_back(
-            test.add(ConeShape{.radius_m = 0.2_r, .height_m = 0.5_r}, {40, -29, 7.5_r}));
-        test.run(1.0);
         const Vec3 normal = turned * Vec3{0, degrees > 90 ? -1.0_r : 1.0_r, 0};
+        const std::vector<ShapeDef> shapes{BoxShape{.size_m = {0.4_r, 0.4_r, 0.4_r}},
+                                           SphereShape{.radius_m = 0.2_r},
+                                           CapsuleShape{.radius_m = 0.2_r, .height_m = 0.5_r},
+                                           CylinderShape{.radius_m = 0.2_r, .height_m = 0.5_r},
+                                           ConeShape{.radius_m = 0.2_r, .height_m = 0.5_r}};
+        std::vector<BodyId> things;
+        for (const ShapeDef& shape : shapes) {
+            const Vec3 along = turned * Vec3{static_cast<Real>(things.size()) - 2, 0, 0.3_r};
+            things.push_back(test.add(shape, Vec3{40, -30, 10} + along + 0.7_r * normal));
+        }
+        test.run(1.0);
         for (std::size_t i = 0; i < things.size(); ++i) {
             const Vec3 above =
                 test.world.state(things[i]).world_from_body.position - Vec3{40, -30, 10};
             EXPECT_GT(glm::dot(above, normal), 0.05_r) << degrees << " degrees, thing " << i;
         }
     }
+}
+
+/// Floor and walls of one mesh: each face keeps its own contact points.
+TEST(MeshContact, BoxInACornerOfARoomRests) {
+    MeshShape room = flat_mesh(4, 1);
+    const auto wall = [&room](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+        const auto first = static_cast<std::uint32_t>(room.vertices_m.size());
+        for (const Vec3& corner : {a, b, c, d}) room.vertices_m.push_back(corner);
+        room.triangles.push_back({first, first + 1, first + 2});
+        room.triangles.push_back({first, first + 2, first + 3});
+    };
+    wall({2, 0, -2}, {2, 0, 2}, {2, 3, 2}, {2, 3, -2});
+    wall({-2, 0, 2}, {-2, 3, 2}, {2, 3, 2}, {2, 0, 2});
+    TestWorld test;
+    test.add(room, {0, 0, 0}, {.kind = BodyKind::Static});
+    const BodyId box = test.add(BoxShape{}, {1.4_r, 0.6_r, 1.4_r});
+    for (int i = 0; i < 240; ++i) {
+        test.world.apply_force(box, {6, 0, 6});
+        test.world.step();
+    }
+    EXPECT_NEAR(test.at(box).x, 1.5, 0.01);
+    EXPECT_NEAR(test.at(box).z, 1.5, 0.01);
+    EXPECT_NEAR(test.at(box).y, 0.5, 0.01);
+    EXPECT_LT(glm::length(test.velocity(box)), 0.01);
+    EXPECT_LT(glm::length(test.spin(box)), 0.01);
 }
 
 TEST(Events, OneLinePerPairWithImpulseAndSpeed) {
