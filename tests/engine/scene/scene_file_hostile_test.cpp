@@ -164,13 +164,13 @@ TEST_F(SceneFileHostile, BytesChangedAtRandom) {
     std::uint32_t state = 1;
     const auto next = [&] { return state = state * 1664525U + 1013904223U; };
     int refused = 0;
-    for (int round = 0; round < 3000; ++round) {
+    for (int round = 0; round < 500; ++round) {
         std::string text = whole;
         for (int change = 0; change < 3; ++change)
             text[(next() >> 8U) % text.size()] = static_cast<char>(next() >> 24U);
         refused += load(text).scene.ok() ? 0 : 1;
     }
-    EXPECT_GT(refused, 1500);
+    EXPECT_GT(refused, 250);
 }
 
 TEST_F(SceneFileHostile, LinksOutOfTheFolder) {
