@@ -194,7 +194,7 @@ Result<Done> write_file_atomically(const fs::path& path, std::string_view bytes)
         file_calls().open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (!file.open()) return system_error("cannot create a file beside", path);
     const auto give_up = [&](std::string_view what) {
-        const Error error = system_error(what, path);
+        Error error = system_error(what, path);
         ::unlink(temporary.c_str());
         return error;
     };
