@@ -10,6 +10,7 @@ namespace {
 
 // The felt capsule ends above the feet: what a person stands on carries a weight, not a ram.
 constexpr Real kBodyAboveFeet_m = 0.1_r;
+constexpr Real kPinnedPace = 0.2_r;
 constexpr Real kCrouchTime_s = 0.18_r;
 constexpr Real kEyeStiffness_radps = 14;  // how fast stairs are smoothed away
 
@@ -102,11 +103,13 @@ void Character::Impl::change_posture(bool crouch) {
 
 void Character::Impl::update(const CharacterInput& input) {
     landing_speed_mps = 0;
+    probe.set_unseen({});
     const Vec3d start = feet;
     follow_ride();
     give_way();
     change_posture(input.crouch);
-    const Vec3 wish = wish_velocity(input);
+    Vec3 wish = wish_velocity(input);
+    if (pinned) wish *= kPinnedPace;  // slower than the way out
     if (input.jump) jump();
     if (footing == Footing::Ground) {
         walk(wish);

@@ -81,6 +81,11 @@ void Character::Impl::fly(const Vec3& wish_velocity) {
         way = planes.limited(way);
         velocity = planes.limited(velocity * dt) / dt;
     }
+    if (footing == Footing::Air) {
+        for (const CapsuleContact& touch : probe.touches(feet, kTouch_m)) {
+            if (touch.normal.y > 0.05_r) footing = Footing::SteepSlope;
+        }
+    }
     // Caught between steep faces: not falling any more, so there is something to jump from.
     const bool stuck = footing == Footing::SteepSlope && moved < 0.1_r * wanted;
     wedged_s = stuck ? wedged_s + dt : Real{0};

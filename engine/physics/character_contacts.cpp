@@ -134,6 +134,19 @@ void Character::Impl::give_way() {
         squeezed = true;
         escape();
     }
+    note_pin();
+}
+
+void Character::Impl::note_pin() {
+    // What the person still is deep in would answer every question with nonsense; the floor must
+    // go on carrying meanwhile.
+    pinned = false;
+    for (const CapsuleContact& touch : probe.touches(feet, -2 * kSkin_m)) {
+        if (gives_way_to_us(touch.body)) continue;
+        pinned = true;
+        probe.set_unseen(touch.body);
+        return;
+    }
 }
 
 void Character::Impl::restore_gaps() {
@@ -142,8 +155,12 @@ void Character::Impl::restore_gaps() {
         const CapsuleContact* nearest = nullptr;
         const auto touches = probe.touches(feet, -1e-4_r);
         for (const CapsuleContact& touch : touches) {
-            const bool underfoot = footing == Footing::Ground && touch.normal.y > 0.3_r;
-            if (underfoot || gives_way_to_us(touch.body)) continue;
+            const bool underfoot = footing == Footing::Ground &&
+                                   (touch.normal.y >= cos_limit ||
+                                    (touch.body == ground.body &&
+                                     glm::dot(touch.normal, ground.contact_normal) > 0.98_r));
+            const bool deep = touch.gap_m < -2 * kSkin_m;  // give_way() brings it out gently
+            if (underfoot || deep || gives_way_to_us(touch.body)) continue;
             nearest = &touch;
             break;
         }
@@ -151,8 +168,7 @@ void Character::Impl::restore_gaps() {
         const Vec3 out = footing == Footing::Ground
                              ? normalize_or(level(nearest->normal), Vec3{0, 0, 0})
                              : nearest->normal;
-        const Real most = 2 * kSkin_m;
-        if (move_swept(out * std::min(-nearest->gap_m, most), nearest->body) < 1e-5_r) return;
+        if (move_swept(out * -nearest->gap_m, nearest->body) < 1e-5_r) return;
     }
 }
 

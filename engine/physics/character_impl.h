@@ -75,6 +75,8 @@ public:
 
     void set_crouched(bool crouched) { crouched_ = crouched; }
     void set_own_body(BodyId body) { own_ = body; }
+    /// One body that no query sees; null: none.
+    void set_unseen(BodyId body) { unseen_ = body; }
     Real height_m() const { return crouched_ ? def_.crouched_height_m : def_.height_m; }
 
     /// The first thing in the way of a displacement; none: the way is free.
@@ -97,6 +99,7 @@ private:
     CharacterDef def_;
     std::array<ShapeId, 2> shapes_{};  ///< standing, crouched
     BodyId own_{};
+    BodyId unseen_{};
     bool crouched_{false};
 };
 
@@ -119,7 +122,7 @@ struct Character::Impl {
     // --- character_walk.cpp
     void walk(const Vec3& wish_velocity);
     void slide_on_ground(Vec3 way);
-    bool step_up(const Vec3& way);
+    bool step_up(const Vec3& way, const CapsuleContact& riser);
     std::optional<Support> find_ground(Vec3d& feet, Real reach_m) const;
     bool drop_to_ground();
     void stand_on(const Support& support);
@@ -132,6 +135,7 @@ struct Character::Impl {
 
     // --- character_contacts.cpp
     void give_way();
+    void note_pin();
     void restore_gaps();
     bool escape();
     Real push(const CapsuleContact& hit, const Vec3& velocity);
@@ -172,6 +176,7 @@ struct Character::Impl {
     std::array<ShapeId, 2> body_shapes{};
     bool crouched{false};
     bool squeezed{false};
+    bool pinned{false};  ///< still deep in something that the probe does not see in this step
     Real since_ground_s{1};
     Real wedged_s{0};
     Real landing_speed_mps{0};

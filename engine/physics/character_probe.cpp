@@ -88,7 +88,9 @@ Pose CapsuleProbe::pose_at(const Vec3d& feet) const {
 }
 
 QueryFilter CapsuleProbe::filter(BodyId also_ignored) const {
-    return {.collides_with = def_.collides_with, .ignored = own_, .also_ignored = also_ignored};
+    return {.collides_with = def_.collides_with,
+            .ignored = own_,
+            .also_ignored = also_ignored ? also_ignored : unseen_};
 }
 
 std::optional<CapsuleContact> CapsuleProbe::sweep(const Vec3d& feet,

@@ -87,7 +87,7 @@ void Character::Impl::slide_on_ground(Vec3 way) {
             tread = support.face_normal;  // a ramp begins or ends
             continue;
         }
-        if (hit->user != kCharacterMark && step_up(way)) return;
+        if (hit->user != kCharacterMark && step_up(way, *hit)) return;
         const Real away_mps = push(*hit, wanted);
         const Vec3 wall = upright(hit->normal);
         if (wall == Vec3{0, 0, 0}) break;
@@ -99,7 +99,7 @@ void Character::Impl::slide_on_ground(Vec3 way) {
     }
 }
 
-bool Character::Impl::step_up(const Vec3& way) {
+bool Character::Impl::step_up(const Vec3& way, const CapsuleContact& riser) {
     const Real length = glm::length(way);
     if (length < 1e-4_r) return false;
     const Real below_tread = std::max(ground.point.y - static_cast<Real>(feet.y), Real{0});
@@ -110,7 +110,9 @@ bool Character::Impl::step_up(const Vec3& way) {
     Vec3d high = feet + Vec3d(kUp * lift);
     const Vec3d before = high;
     PlaneSet planes;
-    Vec3 rest = way * (std::max(length, kLeastStepForward_m) / length);
+    // Rolling over an edge needs no more than the pace; leaving the floor beside a riser does.
+    const Real least = riser.normal.y < 0.3_r ? kLeastStepForward_m : Real{0};
+    Vec3 rest = way * (std::max(length, least) / length);
     for (int i = 0; i < kSlides && glm::length(rest) > 1e-6_r; ++i) {
         const auto hit = probe.sweep(high, rest);
         const Real share = hit ? hit->travel_m / glm::length(rest) : Real{1};
@@ -133,6 +135,9 @@ bool Character::Impl::step_up(const Vec3& way) {
     }
     const auto tight = probe.touches(landed, -kTouch_m);
     if (!tight.empty() && !gives_way_to_us(tight.front().body)) return false;
+    // The round foot may be half-way up an edge; is there headroom for the rest?
+    const Real still_to_rise = support->point.y - static_cast<Real>(landed.y);
+    if (still_to_rise > kTouch_m && probe.sweep(landed, kUp * still_to_rise)) return false;
     eye_offset_m -= static_cast<Real>(landed.y - feet.y);
     feet = landed;
     stand_on(*support);
@@ -156,7 +161,7 @@ std::optional<Support> Character::Impl::find_ground(Vec3d& from, Real reach_m) c
         down = std::min(down, hit->raw_travel_m + kSkin_m);
     }
     from.y = above.y - static_cast<double>(down);
-    if (support.edge || !support.walkable) return support;
+    if (!support.walkable) return support;
     // The distance itself is known best at the place.
     for (const CapsuleContact& touch : probe.touches(from, kTouch_m)) {
         if (touch.body != support.body || touch.normal.y < 0.3_r) continue;
