@@ -116,14 +116,14 @@ double coverage(const AlphaCounts& counts, std::size_t pixels, int threshold) {
 void restore_coverage(ImageData& level, double wanted, int cutoff) {
     const AlphaCounts counts = alpha_counts(level);
     const std::size_t pixels = std::size_t{level.width} * level.height;
-    // The threshold at which this level would cover as much as the full image does; scaling alpha
-    // moves that threshold to the cutoff.
+    // The highest threshold at which this level covers at least as much as the full image does;
+    // scaling alpha moves that threshold to the cutoff.
     int threshold = 1;
-    while (threshold < 255 && coverage(counts, pixels, threshold) > wanted) ++threshold;
+    while (threshold < 255 && coverage(counts, pixels, threshold + 1) >= wanted) ++threshold;
     const double scale = static_cast<double>(cutoff) / threshold;
     for (std::size_t i = 3; i < level.bytes.size(); i += 4) {
         level.bytes[i] =
-            static_cast<std::uint8_t>(std::min(std::lround(level.bytes[i] * scale), 255L));
+            static_cast<std::uint8_t>(std::min(std::lround(level.bytes[i] * scale + 1e-6), 255L));
     }
 }
 

@@ -107,7 +107,7 @@ std::string with_file_names(std::string_view driver_log, const std::vector<std::
         const std::size_t index = m[3].length() < 4 ? std::stoul(m[3].str()) : files.size();
         if (index >= files.size()) continue;
         named.append(copied_to, m[0].first);
-        named += fmt::format("{}{}:{}:", m[1].str(), files[index], m[4].str());
+        named += fmt::format("{}{}{}:{}:", m[1].str(), m[2].str(), files[index], m[4].str());
         copied_to = m[0].second;
     }
     named.append(copied_to, log.cend());

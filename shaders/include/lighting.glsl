@@ -64,29 +64,22 @@ vec3 transmitted(Surface s, vec3 to_light, vec3 light, float share) {
 
 #ifdef PL_SKY_LIGHT
 
-vec3 sky_band_1(vec3 d) {
-    return 0.488603 * (frame.sky_light[1].rgb * d.y + frame.sky_light[2].rgb * d.z +
-                       frame.sky_light[3].rgb * d.x);
-}
-
-vec3 sky_band_2(vec3 d) {
-    return 1.092548 * (frame.sky_light[4].rgb * (d.x * d.y) + frame.sky_light[5].rgb * (d.y * d.z) +
-                       frame.sky_light[7].rgb * (d.x * d.z)) +
-           frame.sky_light[6].rgb * (0.946175 * d.z * d.z - 0.315392) +
-           frame.sky_light[8].rgb * (0.546274 * (d.x * d.x - d.y * d.y));
+// The sky's light by its first four harmonics; the five of order 2 add a few hundredths and cost as
+// much as a texture lookup on software GL.
+vec3 sky_harmonics(vec3 d, float directional) {
+    vec3 slope = frame.sky_light[1].rgb * d.y + frame.sky_light[2].rgb * d.z +
+                 frame.sky_light[3].rgb * d.x;
+    return max(0.282095 * frame.sky_light[0].rgb + (0.488603 * directional) * slope, 0.0);
 }
 
 // What a matt white surface facing n sends out under the sky.
 vec3 sky_diffuse(vec3 n) {
-    vec3 light = 0.282095 * frame.sky_light[0].rgb + 0.6666667 * sky_band_1(n) + 0.25 * sky_band_2(n);
-    return max(light, 0.0);
+    return sky_harmonics(n, 0.6666667);
 }
 
 // The sky blurred as a rough surface mirrors it.
 vec3 sky_blurred(vec3 direction) {
-    vec3 light =
-        0.282095 * frame.sky_light[0].rgb + 0.85 * sky_band_1(direction) + 0.5 * sky_band_2(direction);
-    return max(light, 0.0);
+    return sky_harmonics(direction, 0.85);
 }
 
 #endif

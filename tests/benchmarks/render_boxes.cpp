@@ -153,13 +153,9 @@ int run(const Options& options) {
         }
         if (i == -kWarmUp) renderer.prepare(frame);
         draw(renderer, frame);
-        const auto picture = renderer.read_pixels();
         if (i == -kWarmUp) {
+            renderer.read_pixels();  // waits for the picture
             fmt::print("first frame after {:.0f} ms\n", seconds_since_process_start() * 1e3);
-        }
-        if (i == options.frames - 1 && !options.picture.empty()) {
-            const auto written = assets::write_png(options.picture, picture);
-            if (!written) fmt::print(stderr, "{}\n", written.error().message);
         }
         for (const auto& pass : renderer.stats().passes) {
             if (i < 0) continue;
@@ -167,11 +163,17 @@ int run(const Options& options) {
             pass_gpu_ms[pass.name] += pass.gpu_ms / options.frames;
         }
     }
+    const auto picture = renderer.read_pixels();
+    const double cpu_ms = (process_cpu_s() - start_cpu_s) * 1e3 / options.frames;
+    if (!options.picture.empty()) {
+        const auto written = assets::write_png(options.picture, picture);
+        if (!written) fmt::print(stderr, "{}\n", written.error().message);
+    }
     const auto& stats = renderer.stats();
     fmt::print("{}\n{} boxes: {:.1f} CPU ms a frame; {} draws, {} instances; peak {:.0f} MiB\n",
                renderer.gl().renderer,
                options.boxes,
-               (process_cpu_s() - start_cpu_s) * 1e3 / options.frames,
+               cpu_ms,
                stats.draw_calls,
                stats.instances,
                static_cast<double>(peak_resident_bytes()) / (1024.0 * 1024.0));

@@ -51,6 +51,7 @@ void ShadowPass::render(const ShadowView& view,
     }
     std::vector<VisibleItem> casters =
         cull(items, resources.library, caster_volume(view.clip_from_world), view.eye_world);
+    std::erase_if(casters, [](const VisibleItem& c) { return !c.item->casts_shadow; });
     const std::uint64_t hash = hash_of(view, casters);
     if (hash == drawn_hash_) {
         ++stats.shadow_passes_cached;

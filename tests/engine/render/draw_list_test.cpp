@@ -1,0 +1,90 @@
+#include "engine/render/draw_list.h"
+
+#include "engine/assets/primitives.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace plumbline::render {
+namespace {
+
+class DrawListTest : public testing::Test {
+protected:
+    DrawItem item(assets::MeshId mesh,
+                  const std::array<assets::MaterialId, 1>& materials,
+                  float z) {
+        return {.mesh = mesh,
+                .materials = materials.data(),
+                .material_count = 1,
+                .world_from_body = glm::translate(Mat4f{1.0F}, Vec3f{0.0F, 0.0F, z})};
+    }
+    std::vector<VisibleItem> all_of(const std::vector<DrawItem>& items) {
+        const Mat4f everything = glm::ortho(-1e4F, 1e4F, -1e4F, 1e4F, -1e4F, 1e4F);
+        return cull(items, library_, Frustum{everything}, Vec3f{0.0F});
+    }
+
+    assets::AssetLibrary library_;
+    assets::MeshId box_{library_.add_mesh("box", assets::box_mesh(Vec3f{1.0F}))};
+    assets::MeshId ball_{library_.add_mesh("ball", assets::sphere_mesh(0.5F))};
+    std::array<assets::MaterialId, 1> red_{library_.add_material({.name = "red"})};
+    std::array<assets::MaterialId, 1> glass_{
+        library_.add_material({.name = "glass", .alpha_mode = assets::AlphaMode::Blend})};
+};
+
+TEST_F(DrawListTest, JoinsEqualItemsNearestFirst) {
+    const std::vector<DrawItem> items{
+        item(box_, red_, -20.6F), item(box_, red_, -20.2F), item(box_, red_, -20.4F)};
+    DrawList list;
+    build_draws(all_of(items), library_, DrawKind::Opaque, list);
+    ASSERT_EQ(list.runs.size(), 1U);
+    EXPECT_EQ(list.runs[0].instance_count, 3U);
+    EXPECT_FLOAT_EQ(list.instances[0].row_z.w, -20.2F);
+    EXPECT_FLOAT_EQ(list.instances[1].row_z.w, -20.4F);
+    EXPECT_FLOAT_EQ(list.instances[2].row_z.w, -20.6F);
+}
+
+TEST_F(DrawListTest, DrawsNearThingsOfAnyKindBeforeFarOnes) {
+    const std::vector<DrawItem> items{
+        item(box_, red_, -90.0F), item(ball_, red_, -30.0F), item(box_, red_, -3.0F)};
+    DrawList list;
+    build_draws(all_of(items), library_, DrawKind::Opaque, list);
+    ASSERT_EQ(list.runs.size(), 3U);
+    EXPECT_EQ(list.runs[0].mesh, box_);
+    EXPECT_EQ(list.runs[1].mesh, ball_);
+    EXPECT_EQ(list.runs[2].mesh, box_);
+}
+
+TEST_F(DrawListTest, PutsGlassLastAndFarGlassFirst) {
+    const std::vector<DrawItem> items{
+        item(box_, glass_, -3.0F), item(box_, red_, -5.0F), item(box_, glass_, -9.0F)};
+    DrawList opaque;
+    build_draws(all_of(items), library_, DrawKind::Opaque, opaque);
+    ASSERT_EQ(opaque.runs.size(), 1U);
+    EXPECT_EQ(opaque.runs[0].material, red_[0]);
+    DrawList translucent;
+    build_draws(all_of(items), library_, DrawKind::Translucent, translucent);
+    ASSERT_EQ(translucent.runs.size(), 2U);
+    EXPECT_FLOAT_EQ(translucent.instances[0].row_z.w, -9.0F);
+    EXPECT_FLOAT_EQ(translucent.instances[1].row_z.w, -3.0F);
+}
+
+TEST_F(DrawListTest, CastsNoShadowOfGlassNorOfWhatCastsNone) {
+    std::vector<DrawItem> items{
+        item(box_, glass_, -3.0F), item(box_, red_, -5.0F), item(ball_, red_, -5.0F)};
+    items[2].casts_shadow = false;
+    DrawList list;
+    build_depth_draws(all_of(items), library_, list);
+    ASSERT_EQ(list.runs.size(), 1U);
+    EXPECT_EQ(list.runs[0].mesh, box_);
+    EXPECT_EQ(list.runs[0].index_count, 36U);
+}
+
+TEST_F(DrawListTest, CullsWhatIsOutOfSight) {
+    const std::vector<DrawItem> items{item(box_, red_, -10.0F), item(box_, red_, 10.0F)};
+    const Mat4f ahead = glm::perspective(1.0F, 1.0F, 0.1F, 100.0F);
+    EXPECT_EQ(cull(items, library_, Frustum{ahead}, Vec3f{0.0F}).size(), 1U);
+}
+
+}  // namespace
+}  // namespace plumbline::render

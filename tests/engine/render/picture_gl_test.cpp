@@ -1,0 +1,239 @@
+// Pictures whose colours can be computed by hand.
+#include "engine/render/display_color.h"
+#include "tests/engine/render/gl_fixture.h"
+
+#include <cmath>
+
+namespace plumbline::render {
+namespace {
+
+int code_of(float light) {
+    return static_cast<int>(std::lround(srgb_from_linear(Vec3f{light}).x * 255.0F));
+}
+
+void expect_near(const Pixel& pixel, const Vec3f& code, int tolerance) {
+    EXPECT_NEAR(pixel.r, code.x * 255.0F, tolerance);
+    EXPECT_NEAR(pixel.g, code.y * 255.0F, tolerance);
+    EXPECT_NEAR(pixel.b, code.z * 255.0F, tolerance);
+}
+
+class PictureGl : public GlTest {
+protected:
+    /// A wall 2 m ahead that fills the picture.
+    RenderFrame wall(assets::MaterialId material, float distance_m = 2.0F) {
+        RenderFrame frame = empty_frame(33, 33);
+        frame.camera = camera_at(Vec3f{0.0F}, {0.0F, 0.0F, -1.0F});
+        const float size_m = distance_m * 4.0F;
+        add_box(frame, {size_m, size_m, 1.0F}, {0.0F, 0.0F, -distance_m - 0.5F}, material);
+        return frame;
+    }
+    Pixel center(const RenderFrame& frame) { return pixel_at(draw(frame), 16, 16); }
+};
+
+TEST_F(PictureGl, UnlitColoursComeOutAsSrgb) {
+    for (const float light : {0.0F, 0.002F, 0.02F, 0.18F, 0.5F, 1.0F}) {
+        const Pixel pixel = center(wall(unlit(Vec3f{light})));
+        // The shader's fitted curve may round the other way.
+        EXPECT_NEAR(pixel.r, code_of(light), 1) << light;
+        EXPECT_EQ(pixel.r, pixel.g);
+        EXPECT_EQ(pixel.r, pixel.b);
+    }
+}
+
+TEST_F(PictureGl, ClearColourComesOutAsSrgb) {
+    RenderFrame frame = empty_frame(8, 8);
+    frame.clear_color = {0.5F, 0.7F, 0.9F};
+    expect_near(pixel_at(draw(frame), 4, 4), srgb_from_linear(frame.clear_color), 1);
+}
+
+TEST_F(PictureGl, AmbientLightAloneGivesAlbedoTimesAmbient) {
+    RenderFrame frame = wall(matt({0.5F, 0.25F, 0.1F}));
+    frame.ambient = Vec3f{0.8F};
+    // A dielectric mirrors up to a twenty-fifth of it on top; a matt one nothing more.
+    const Pixel pixel = center(frame);
+    expect_near(pixel, srgb_from_linear(Vec3f{0.432F, 0.232F, 0.112F}), 2);
+}
+
+TEST_F(PictureGl, FogIsTheClosedForm) {
+    const float distance_m = 20.0F;
+    RenderFrame frame = wall(unlit({0.9F, 0.1F, 0.1F}), distance_m);
+    frame.fog = Fog{.color = {0.2F, 0.4F, 0.8F}, .density_per_m = 0.03F};
+    const float through = std::exp(-std::pow(0.03F * distance_m, 2.0F));
+    const Vec3f expected = frame.fog->color * (1.0F - through) + Vec3f{0.9F, 0.1F, 0.1F} * through;
+    expect_near(center(frame), srgb_from_linear(expected), 1);
+}
+
+TEST_F(PictureGl, ToneCurveRisesStaysBelowOneAndAgreesWithTheCpu) {
+    int before = -1;
+    for (const float light : {0.01F, 0.05F, 0.18F, 0.5F, 1.0F, 2.0F, 5.0F, 20.0F}) {
+        RenderFrame frame = wall(unlit(Vec3f{light}));
+        frame.post = Post{.exposure = 1.0F};
+        const Pixel pixel = center(frame);
+        EXPECT_GT(pixel.r, before);
+        EXPECT_LE(pixel.r, 255);
+        expect_near(pixel, srgb_from_linear(tone_mapped(Vec3f{light}, 1.0F)), 1);
+        before = pixel.r;
+    }
+}
+
+TEST_F(PictureGl, BloomTakesTheSamePathToTheScreen) {
+    // An even picture blooms into itself: HDR image, six levels and tone map change nothing.
+    RenderFrame frame = wall(unlit({0.6F, 0.3F, 0.1F}));
+    frame.post = Post{.exposure = 1.5F};
+    const Pixel direct = center(frame);
+    frame.post->bloom = 0.2F;
+    const Pixel bloomed = center(frame);
+    EXPECT_NEAR(direct.r, bloomed.r, 2);
+    EXPECT_NEAR(direct.g, bloomed.g, 2);
+    EXPECT_NEAR(direct.b, bloomed.b, 2);
+}
+
+TEST_F(PictureGl, GlassBlendsOverWhatIsBehind) {
+    RenderFrame frame = wall(unlit({1.0F, 1.0F, 1.0F}));
+    const auto glass = library_.add_material({.name = "glass",
+                                              .shading = assets::Shading::Unlit,
+                                              .base_color = Vec3f{0.0F},
+                                              .alpha = 0.5F,
+                                              .alpha_mode = assets::AlphaMode::Blend});
+    add_box(frame, {4.0F, 4.0F, 0.1F}, {0.0F, 0.0F, -1.0F}, glass);
+    EXPECT_NEAR(center(frame).r, 128, 1);
+}
+
+/// Ground, a box of 2 m on it, and a sun whose shadow of the box can be computed.
+class ShadowGl : public PictureGl {
+protected:
+    static constexpr std::uint32_t kSide_px = 300;
+    static constexpr float kHalf_m = 6.0F;
+
+    void SetUp() override {
+        PictureGl::SetUp();
+        frame_ = empty_frame(kSide_px, kSide_px);
+        // From high above with a narrow lens: nearly a map.
+        frame_.camera = camera_at({0.0F, 60.0F, 0.0F}, Vec3f{0.0F});
+        frame_.camera.fov_y_rad = 2.0F * std::atan(kHalf_m / 60.0F);
+        add_box(frame_, {40.0F, 1.0F, 40.0F}, {0.0F, -0.5F, 0.0F}, matt(Vec3f{0.8F}));
+        add_box(frame_, Vec3f{2.0F}, {0.0F, 1.0F, 0.0F}, matt({0.8F, 0.1F, 0.1F}));
+        frame_.sun = DirectionalLight{.direction_world = glm::normalize(Vec3f{1.0F, -1.0F, 0.0F}),
+                                      .radiance = Vec3f{3.0F}};
+        frame_.sun_shadow = SunShadow{.size_px = 2048, .distance_m = 80.0F};
+    }
+
+    /// How bright the ground is at (x, z), 0 to 255.
+    int ground(const assets::ImageData& image, float x, float z) const {
+        const auto pixel = [](float at_m) {
+            return static_cast<std::uint32_t>((at_m + kHalf_m) / (2.0F * kHalf_m) * kSide_px);
+        };
+        return pixel_at(image, pixel(x), pixel(z)).g;
+    }
+
+    RenderFrame frame_;
+};
+
+TEST_F(ShadowGl, LiesWhereGeometryPutsIt) {
+    // 45 degrees: the box from x = -1 to 1, 2 m high, shades the ground from its foot at x = 1
+    // to x = 3. The map's texel is under 7 cm here.
+    const auto image = draw(frame_);
+    const int lit = ground(image, -3.0F, 0.0F);
+    const int shaded = ground(image, 2.0F, 0.0F);
+    EXPECT_GT(lit, 180);
+    EXPECT_LT(shaded, 20);
+    for (const float x : {1.15F, 1.5F, 2.8F}) EXPECT_EQ(ground(image, x, 0.0F), shaded) << x;
+    for (const float x : {3.2F, 4.0F, -1.2F}) EXPECT_NEAR(ground(image, x, 0.0F), lit, 3) << x;
+    EXPECT_EQ(ground(image, 2.0F, 0.85F), shaded);
+    EXPECT_NEAR(ground(image, 2.0F, 1.2F), lit, 3);
+}
+
+TEST_F(ShadowGl, LeavesNoSpecksOnWhatTheSunShinesOn) {
+    // Acne would darken single pixels of the lit ground, at any height of the sun.
+    for (const float height : {0.25F, 0.6F, 3.0F}) {
+        frame_.sun->direction_world = glm::normalize(Vec3f{1.0F, -height, 0.37F});
+        const auto image = draw(frame_);
+        const int lit = ground(image, -5.0F, -5.0F);
+        for (float z = -5.5F; z < 5.5F; z += 0.1F) {
+            for (float x = -5.5F; x < -1.3F; x += 0.1F) {
+                ASSERT_NEAR(ground(image, x, z), lit, 4) << x << ' ' << z << ' ' << height;
+            }
+        }
+    }
+}
+
+TEST_F(ShadowGl, EndsWithItsDistance) {
+    frame_.sun_shadow->distance_m = 30.0F;  // the ground is 60 m off
+    const auto image = draw(frame_);
+    EXPECT_NEAR(ground(image, 2.0F, 0.0F), ground(image, -3.0F, 0.0F), 3);
+}
+
+TEST_F(PictureGl, FlashlightLightsItsConeAndCastsItsOwnShadow) {
+    RenderFrame frame = wall(matt(Vec3f{0.8F}), 6.0F);
+    frame.width_px = 301;
+    frame.height_px = 301;
+    frame.flashlight = Flashlight{.position_world = Vec3f{0.0F},
+                                  .direction_world = {0.0F, 0.0F, -1.0F},
+                                  .intensity = Vec3f{60.0F},
+                                  .radius_m = 30.0F,
+                                  .inner_rad = 0.15F,
+                                  .outer_rad = 0.3F};
+    const auto x_at = [](float angle_rad) {
+        const float ndc = std::tan(angle_rad) / std::tan(radians_from_degrees(30.0F));
+        return static_cast<std::uint32_t>((ndc * 0.5F + 0.5F) * 301.0F);
+    };
+    auto image = draw(frame);
+    const int middle = pixel_at(image, 150, 150).r;
+    EXPECT_GT(middle, 120);
+    EXPECT_GT(pixel_at(image, x_at(0.1F), 150).r, 100);
+    EXPECT_EQ(pixel_at(image, x_at(0.31F), 150).r, 0);
+    EXPECT_EQ(pixel_at(image, x_at(-0.31F), 150).r, 0);
+
+    // A small box half way throws a shadow twice its size. Seen from the eye, 0.3 m above the
+    // hand, part of that shadow shows below the box.
+    frame.flashlight->position_world = {0.0F, 0.3F, 0.0F};
+    add_box(frame, Vec3f{0.3F}, {0.0F, 0.0F, -3.0F}, matt(Vec3f{0.8F}));
+    image = draw(frame);
+    // The shadow on the wall at 6 m: centred on y = 0.3 - 0.3 * 6 / 3 = -0.3.
+    const float angle = std::atan(0.42F / 6.0F);
+    const std::uint32_t below = 300 - x_at(angle);
+    EXPECT_LT(pixel_at(image, 150, 300 - below).r, 20);
+    EXPECT_GT(pixel_at(image, 150, below).r, 60);
+}
+
+TEST_F(PictureGl, LightAtTheEyeMakesNoSpecks) {
+    // V = H exactly: the power in Schlick's term would see a negative number.
+    const auto shiny = library_.add_material(
+        {.name = "shiny", .base_color = Vec3f{0.9F}, .roughness = 0.05F, .metallic = 1.0F});
+    RenderFrame frame = wall(shiny, 3.0F);
+    frame.width_px = 201;
+    frame.height_px = 201;
+    frame.flashlight = Flashlight{.position_world = Vec3f{0.0F},
+                                  .direction_world = {0.0F, 0.0F, -1.0F},
+                                  .intensity = Vec3f{2000.0F},
+                                  .outer_rad = 1.2F};
+    const auto image = draw(frame);
+    for (std::uint32_t y = 95; y < 106; ++y) {
+        for (std::uint32_t x = 95; x < 106; ++x) EXPECT_GT(pixel_at(image, x, y).r, 100);
+    }
+}
+
+TEST_F(PictureGl, PointLightFallsWithTheSquareAndEndsAtItsRadius) {
+    RenderFrame frame = wall(matt(Vec3f{1.0F}), 2.0F);
+    frame.lights.push_back(
+        {.position_world = {0.0F, 0.0F, 0.0F}, .intensity = Vec3f{4.0F}, .radius_m = 100.0F});
+    // 4 cd at 2 m: irradiance 1; a matt white wall sends out 1 / pi, and mirrors little.
+    EXPECT_NEAR(center(frame).r, code_of(glm::one_over_pi<float>()), 6);
+    frame.lights[0].radius_m = 1.9F;
+    EXPECT_EQ(center(frame).r, 0);
+}
+
+TEST_F(PictureGl, NearestEightOfManyLightsAreTaken) {
+    RenderFrame frame = wall(matt(Vec3f{1.0F}), 2.0F);
+    for (int i = 0; i < 300; ++i) {
+        frame.lights.push_back({.position_world = {0.0F, 0.0F, 500.0F + static_cast<float>(i)},
+                                .intensity = Vec3f{1.0F},
+                                .radius_m = 10.0F});
+    }
+    EXPECT_EQ(center(frame).r, 0);
+    frame.lights[200].position_world = Vec3f{0.0F};
+    EXPECT_GT(center(frame).r, 40);
+}
+
+}  // namespace
+}  // namespace plumbline::render

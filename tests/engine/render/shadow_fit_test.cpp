@@ -1,0 +1,106 @@
+#include "engine/render/shadow_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace plumbline::render {
+namespace {
+
+constexpr std::uint32_t kSize_px = 1024;
+constexpr float kDistance_m = 60.0F;
+const Vec3f kSun = glm::normalize(Vec3f{-0.4F, -1.0F, -0.3F});
+
+ViewShape view_at(const Vec3f& position, const Vec3f& forward) {
+    return {.position_world = position,
+            .forward_world = glm::normalize(forward),
+            .fov_y_rad = radians_from_degrees(60.0F),
+            .aspect = 16.0F / 9.0F};
+}
+
+Vec3f clip_of(const SunShadowFit& fit, const Vec3f& point_world) {
+    return Vec3f{fit.clip_from_world * Vec4f{point_world, 1.0F}};
+}
+
+TEST(SunShadowFit, CoversAllInSightWithinTheDistance) {
+    for (int step = 0; step < 40; ++step) {
+        const float angle = 0.4F * static_cast<float>(step);
+        const ViewShape view = view_at({3.7F * static_cast<float>(step), 1.7F, -2.0F},
+                                       {std::sin(angle), 0.3F * std::cos(angle), std::cos(angle)});
+        const SunShadowFit fit = fit_sun_shadow(view, kSun, kDistance_m, kSize_px);
+        const Vec3f right = glm::normalize(glm::cross(view.forward_world, Vec3f{0.0F, 1.0F, 0.0F}));
+        const Vec3f up = glm::cross(right, view.forward_world);
+        const float tan_y = std::tan(view.fov_y_rad * 0.5F);
+        for (const float x : {-1.0F, 0.0F, 1.0F}) {
+            for (const float y : {-1.0F, 0.0F, 1.0F}) {
+                const Vec3f ray = glm::normalize(
+                    view.forward_world + right * (x * tan_y * view.aspect) + up * (y * tan_y));
+                for (const float distance_m : {0.0F, 30.0F, kDistance_m}) {
+                    const Vec3f clip = clip_of(fit, view.position_world + ray * distance_m);
+                    EXPECT_LE(std::abs(clip.x), 1.0F);
+                    EXPECT_LE(std::abs(clip.y), 1.0F);
+                    EXPECT_LE(std::abs(clip.z), 1.0F);
+                }
+            }
+        }
+    }
+}
+
+TEST(SunShadowFit, MovesByWholeTexelsOnly) {
+    const SunShadowFit first =
+        fit_sun_shadow(view_at(Vec3f{0.0F}, {0.0F, 0.0F, -1.0F}), kSun, kDistance_m, kSize_px);
+    for (int step = 1; step < 60; ++step) {
+        const SunShadowFit fit = fit_sun_shadow(
+            view_at({0.731F * static_cast<float>(step), 0.0F, 0.0F}, {0.0F, 0.0F, -1.0F}),
+            kSun,
+            kDistance_m,
+            kSize_px);
+        EXPECT_FLOAT_EQ(fit.texel_m, first.texel_m);
+        const Vec3f shift_px = (clip_of(fit, Vec3f{0.0F}) - clip_of(first, Vec3f{0.0F})) *
+                               (static_cast<float>(kSize_px) * 0.5F);
+        EXPECT_NEAR(shift_px.x, std::round(shift_px.x), 2e-2F);
+        EXPECT_NEAR(shift_px.y, std::round(shift_px.y), 2e-2F);
+    }
+}
+
+TEST(SunShadowFit, StaysPutWhileTheCameraMovesLittle) {
+    // A step is an eighth of the map: on a 120 m walk of 600 frames the map moves a dozen times.
+    int moves = 0;
+    Mat4f before{0.0F};
+    for (int step = 0; step < 600; ++step) {
+        const SunShadowFit fit = fit_sun_shadow(
+            view_at({0.2F * static_cast<float>(step), 1.7F, 0.0F}, {0.0F, 0.0F, -1.0F}),
+            kSun,
+            kDistance_m,
+            kSize_px);
+        if (fit.clip_from_world != before) ++moves;
+        before = fit.clip_from_world;
+    }
+    EXPECT_GE(moves, 8);
+    EXPECT_LE(moves, 40);
+}
+
+TEST(SunShadowFit, PutsWhatIsNearerTheLightInFront) {
+    const SunShadowFit fit = fit_sun_shadow(
+        view_at(Vec3f{0.0F}, {0.0F, 0.0F, -1.0F}), {0.0F, -1.0F, 0.0F}, kDistance_m, kSize_px);
+    EXPECT_LT(clip_of(fit, {0.0F, 5.0F, 0.0F}).z, clip_of(fit, {0.0F, 0.0F, 0.0F}).z);
+}
+
+TEST(SpotShadowFit, SeesTheWholeConeAndNotMuchMore) {
+    const float outer_rad = 0.38F;
+    const Vec3f position{1.0F, 2.0F, 3.0F};
+    const Vec3f direction = glm::normalize(Vec3f{0.2F, -0.5F, -1.0F});
+    const Mat4f clip_from_world = fit_spot_shadow(position, direction, outer_rad, 30.0F);
+    const Vec3f side = glm::normalize(glm::cross(direction, Vec3f{0.0F, 1.0F, 0.0F}));
+    const auto reach = [&](float angle_rad) {
+        const Vec3f ray = direction * std::cos(angle_rad) + side * std::sin(angle_rad);
+        const Vec4f clip = clip_from_world * Vec4f{position + ray * 10.0F, 1.0F};
+        return std::max(std::abs(clip.x), std::abs(clip.y)) / clip.w;
+    };
+    EXPECT_NEAR(reach(0.0F), 0.0F, 1e-5F);
+    EXPECT_LT(reach(outer_rad), 1.0F);
+    EXPECT_GT(reach(outer_rad + 0.05F), 1.0F);
+}
+
+}  // namespace
+}  // namespace plumbline::render
