@@ -1,6 +1,7 @@
 #include "game/simulate_cli.h"
 
 #include "engine/core/limits.h"
+#include "engine/core/log.h"
 #include "engine/core/nearest_name.h"
 
 #include <CLI/CLI.hpp>
@@ -20,6 +21,11 @@ constexpr double kLongestRun_s = 1e6;
 
 /// The solver, or a complaint that names the nearest one.
 void take_solver(const std::string& name, std::optional<physics::Solver>& solver) {
+    if (name == "small_step") {
+        log_warning("--solver: \"small_step\" is not built yet; bullet_si is used");
+        solver = physics::Solver::BulletSi;
+        return;
+    }
     solver = physics::solver_from_name(name);
     if (solver) return;
     std::vector<std::string_view> known;

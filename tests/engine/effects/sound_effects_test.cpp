@@ -27,7 +27,7 @@ scene::SurfaceTable loud_surfaces() {
     table.surfaces[0].step_sounds = {sound_file("step_grass_1.ogg")};
     table.surfaces.push_back(
         {.name = "wood",
-         .density_kgpm3 = 10,
+         .density_kgpm3 = 1,
          .impact_sounds = {sound_file("impact_wood_0.ogg"), sound_file("impact_wood_1.ogg")}});
     return table;
 }
@@ -64,7 +64,7 @@ TEST(ImpactSounds, SoundOnceWhereSomethingLands) {
     const std::vector<audio::SoundCue> cues = cues_of_a_drop(1);
     ASSERT_FALSE(cues.empty());
     EXPECT_NE(cues[0].sound, assets::SoundId{});
-    EXPECT_NEAR(cues[0].position_world.y, 0.0F, 0.05F);
+    EXPECT_NEAR(cues[0].position_world.y, 0.0F, 0.08F) << "4.4 m/s are 7 cm a step";
     EXPECT_GE(cues[0].pitch, 0.92F);
     EXPECT_LE(cues[0].pitch, 1.08F);
     EXPECT_LE(cues.size(), 3U) << "a resting cube is silent";
