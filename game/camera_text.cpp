@@ -13,7 +13,8 @@ scene::ViewPoint view_of(const Vec3& eye_m, const Quat& orientation, Real fov_y_
     scene::ViewPoint view;
     view.world_from_camera = {.position = eye_m, .orientation = orientation};
     const Vec3 hand_offset{0.25_r, -0.3_r, -0.2_r};
-    view.world_from_hand = {.position = eye_m + orientation * hand_offset, .orientation = orientation};
+    view.world_from_hand = {.position = eye_m + orientation * hand_offset,
+                            .orientation = orientation};
     view.fov_y_rad = fov_y_rad;
     return view;
 }
@@ -31,7 +32,8 @@ std::optional<scene::ViewPoint> parse_camera(const std::string& text, Real fov_y
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         char comma = ',';
         if (i > 0) stream >> comma;
-        if (!(stream >> numbers[i]) || comma != ',' || !std::isfinite(numbers[i])) return std::nullopt;
+        if (!(stream >> numbers[i]) || comma != ',' || !std::isfinite(numbers[i]))
+            return std::nullopt;
     }
     if (stream.peek() != std::istringstream::traits_type::eof()) return std::nullopt;
     const auto real = [&](std::size_t i) { return static_cast<Real>(numbers[i]); };

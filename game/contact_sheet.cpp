@@ -15,7 +15,9 @@ constexpr std::uint32_t kShrink = 3;
 constexpr std::uint32_t kGap_px = 6;
 
 /// The mean of the kShrink x kShrink pixels whose corner is (x, y).
-std::array<std::uint8_t, 3> mean_at(const assets::ImageData& picture, std::uint32_t x, std::uint32_t y) {
+std::array<std::uint8_t, 3> mean_at(const assets::ImageData& picture,
+                                    std::uint32_t x,
+                                    std::uint32_t y) {
     std::array<std::uint32_t, 3> sum{};
     for (std::uint32_t dy = 0; dy < kShrink; ++dy) {
         for (std::uint32_t dx = 0; dx < kShrink; ++dx) {
@@ -24,14 +26,16 @@ std::array<std::uint8_t, 3> mean_at(const assets::ImageData& picture, std::uint3
         }
     }
     std::array<std::uint8_t, 3> mean{};
-    for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<std::uint8_t>(sum[c] / (kShrink * kShrink));
+    for (std::size_t c = 0; c < 3; ++c)
+        mean[c] = static_cast<std::uint8_t>(sum[c] / (kShrink * kShrink));
     return mean;
 }
 
 }  // namespace
 
 assets::ImageData contact_sheet(const std::vector<assets::ImageData>& pictures) {
-    assets::ImageData sheet{.width = 1, .height = 1, .format = assets::PixelFormat::Rgb8, .bytes = {}};
+    assets::ImageData sheet{
+        .width = 1, .height = 1, .format = assets::PixelFormat::Rgb8, .bytes = {}};
     const std::uint32_t width = pictures.empty() ? 0 : pictures.front().width / kShrink;
     const std::uint32_t height = pictures.empty() ? 0 : pictures.front().height / kShrink;
     const auto count = static_cast<std::uint32_t>(pictures.size());
@@ -46,7 +50,8 @@ assets::ImageData contact_sheet(const std::vector<assets::ImageData>& pictures) 
         for (std::uint32_t y = 0; y < height; ++y) {
             for (std::uint32_t x = 0; x < width; ++x) {
                 const auto mean = mean_at(pictures[i], x * kShrink, y * kShrink);
-                const std::size_t to = (static_cast<std::size_t>(top + y) * sheet.width + left + x) * 3;
+                const std::size_t to =
+                    (static_cast<std::size_t>(top + y) * sheet.width + left + x) * 3;
                 std::ranges::copy(mean, sheet.bytes.begin() + static_cast<std::ptrdiff_t>(to));
             }
         }
@@ -59,7 +64,8 @@ std::vector<scene::ViewDescription> tour_stops(const scene::SceneDescription& sc
     const scene::ViewPoint first = first_view(scene);
     const Vec3 eye = first.world_from_camera.position;
     Vec3 target = scene.camera.target_m;
-    if (!scene.has_camera && scene.player) target = eye + first.world_from_camera.orientation * Vec3{0, 0, -6};
+    if (!scene.has_camera && scene.player)
+        target = eye + first.world_from_camera.orientation * Vec3{0, 0, -6};
     std::vector<scene::ViewDescription> stops;
     constexpr int kStops = 6;
     for (int i = 0; i < kStops; ++i) {

@@ -78,17 +78,22 @@ void add_other_commands(CLI::App& app, Words& words) {
 }
 
 /// "plumbline garden.toml --seconds 3" means play: the word is put in where no command stands.
-std::vector<std::string> with_command(int argc, char** argv, const CLI::App& app) {
+std::vector<std::string> with_command(int argc, char** argv) {
+    constexpr std::array<std::string_view, 10> kCommands{"play",
+                                                         "render",
+                                                         "tour",
+                                                         "simulate",
+                                                         "explain",
+                                                         "controls",
+                                                         "check",
+                                                         "--help",
+                                                         "-h",
+                                                         "--version"};
     std::vector<std::string> words(argv + 1, argv + argc);
-    const auto is_command = [&](const std::string& word) {
-        return app.get_subcommand_no_throw(word) != nullptr;
-    };
-    const auto only_asks = [](const std::string& word) {
-        return word == "--help" || word == "-h" || word == "--version";
-    };
-    if (std::ranges::none_of(words, is_command) && std::ranges::none_of(words, only_asks)) {
-        words.insert(words.begin(), "play");
-    }
+    const bool has_command = std::ranges::any_of(words, [&](const std::string& word) {
+        return std::ranges::find(kCommands, word) != kCommands.end();
+    });
+    if (!has_command) words.insert(words.begin(), "play");
     std::ranges::reverse(words);  // CLI11 takes them from the back
     return words;
 }
@@ -116,7 +121,7 @@ int run_program(int argc, char** argv) {
     add_simulate(app, words.simulate);
     add_other_commands(app, words);
     try {
-        app.parse(with_command(argc, argv, app));
+        app.parse(with_command(argc, argv));
     } catch (const CLI::ParseError& error) {
         return static_cast<int>(answer_parse_error(app, error));
     }

@@ -12,13 +12,13 @@ struct RenderOptions {
     std::string scene;
     std::filesystem::path out;
     std::string size;
-    double at_s{0};                 ///< simulated seconds before the picture
-    std::string camera;             ///< x,y,z,yaw,pitch; degrees
+    double at_s{0};      ///< simulated seconds before the picture
+    std::string camera;  ///< x,y,z,yaw,pitch; degrees
     std::string shading;
-    std::uint64_t frames{1};        ///< one fixed step before each frame after the first
+    std::uint64_t frames{1};  ///< one fixed step before each frame after the first
     std::filesystem::path report;
     bool flashlight{false};
-    bool fog{false};                ///< switched on even where the scene has none
+    bool fog{false};  ///< switched on even where the scene has none
 };
 
 ExitCode run_render(const RenderOptions& options, const CommonOptions& common);

@@ -85,7 +85,7 @@ color = [0.26, 0.3, 0.36]
 [flashlight]
 
 [post]
-exposure = 0.95
+exposure = 1.2
 bloom = 0.04""")
 
 heading("where the tour takes its pictures")
@@ -126,7 +126,7 @@ entity("fountain", (0, 0.03, 3.2), model='"models/fountain.glb"',
 heading("trees")
 TRUNK = ['kind = "static"', "shape = { compound = [ { cylinder = [0.2, 3.4], position_m = [0, 1.7, 0] } ] }"]
 TREES = [("oak", -9.5, 6.5, 1.0, 40), ("linden", 9.8, -6.5, 1.15, 120), ("linden", -7.2, -11.0, 1.1, 200),
-         ("oak", 12.2, 10.5, 0.95, 300), ("linden", -19.5, -3.0, 1.35, 15), ("oak", 5.5, -19.0, 1.2, 75), ("linden", 20.0, -13.0, 1.4, 260)]
+         ("oak", 12.2, 10.5, 0.95, 300), ("oak", 5.5, -19.0, 1.2, 75), ("linden", 20.0, -13.0, 1.4, 260)]
 for i, (kind, x, z, scale, turn) in enumerate(TREES):
     rustle = '{ file = "sounds/loop_leaves.ogg", loop = true, gain = 0.25, radius_m = 9 }'
     entity(f"tree_{i + 1}", (x, 0, z), model=f'"models/tree_{kind}.glb"', rotation_deg=f"[0, {turn}, 0]",
@@ -148,7 +148,7 @@ def bed(x0, x1, z0, z1, kinds, count):
         t = (i + 0.5) / count
         x, z = (x0 + 0.3 + (w - 0.6) * t, cz + rng.uniform(-1, 1) * max(0, d / 2 - 0.3)) if w > d else (cx + rng.uniform(-1, 1) * max(0, w / 2 - 0.3), z0 + 0.3 + (d - 0.6) * t)
         s = rng.uniform(0.8, 1.1)
-        entity(f"bed_{beds}_{kind}_{i + 1}", (x, 0.12, z), model=f'"models/flowers_{kind}.glb"', rotation_deg=f"[0, {rng.randrange(360)}, 0]", scale=vec(s, s, s))
+        entity(f"bed_{beds}_{kind}_{i + 1}", (x, 0.12, z), model=f'"models/flowers_{kind}.glb"', rotation_deg=f"[0, {rng.randrange(360)}, 0]", scale=vec(s, s, s), casts_shadow="false")
 
 
 bed(-3.7, -0.95, -3.05, -2.15, ["lavender", "tulip", "daisy"], 6)
@@ -216,8 +216,7 @@ for row in range(3):
         entity(f"brick_{row}_{i}", (-6.6 + 0.27 * (i + row / 2), 0.033 + 0.066 * row, -0.9), prefab='"brick"')
 for i in range(3):
     entity(f"plank_{i + 1}", (-7.2, 0.021 + 0.042 * i, 0.6 + 0.03 * i), prefab='"plank"', rotation_deg=f"[0, {4 * i}, 0]")
-for i in range(14):
-    angle = math.radians(-70 + 10 * i)
-    entity(f"domino_{i + 1}", (3.0 * math.sin(angle), 0, 3.2 + 3.0 * math.cos(angle)), prefab='"domino"', rotation_deg=f"[0, {math.degrees(angle) + 90:.0f}, 0]")
+for i in range(12):
+    entity(f"domino_{i + 1}", (-8.2 + 0.06 * i, 0.4, 12.6 - 0.42 * i), prefab='"domino"', rotation_deg=f"[0, {-6 - 1.5 * i:.1f}, 0]")
 
 print("\n".join(out))
