@@ -122,7 +122,8 @@ struct Character::Impl {
     // --- character_walk.cpp
     void walk(const Vec3& wish_velocity);
     void slide_on_ground(Vec3 way);
-    bool step_up(const Vec3& way, const CapsuleContact& riser);
+    bool step_up(const Vec3& way);
+    bool try_step(const Vec3& way);
     std::optional<Support> find_ground(Vec3d& feet, Real reach_m) const;
     bool drop_to_ground();
     void stand_on(const Support& support);

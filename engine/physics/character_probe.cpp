@@ -8,8 +8,10 @@ namespace {
 
 // Grazing hits would ask for an endless way back to restore the skin.
 constexpr Real kLeastCosine = 0.05_r;
-constexpr Real kAside_m = 0.01_r;    // how far behind an edge its face is looked for
-constexpr Real kProbe_m = 0.05_r;    // and how far above and below
+// How far behind an edge its face is looked for: Bullet rounds the edges of large boxes by up to
+// 4 cm; the last one looks at the near side, for ridges.
+constexpr std::array<Real, 3> kAsides_m{0.01_r, 0.05_r, -0.01_r};
+constexpr Real kProbe_m = 0.06_r;    // and how far above and below
 constexpr Real kSameFace = 0.998_r;  // cosine of 3.6 degrees: more than rays' normals are off
 
 CapsuleShape query_capsule(const CharacterDef& def, Real height_m) {
@@ -153,19 +155,14 @@ Support CapsuleProbe::support_of(const CapsuleContact& contact, const Vec3d& fee
     if (contact.normal.y > 0.99995_r || distance < 1e-4_r) return support;
     // The round foot touches edges at any angle; what counts is the face behind the edge. Within a
     // face the contact's own normal is the better known one.
-    for (const Real side : {Real{1}, Real{-1}}) {
-        const Vec3 above = contact.point + outward * (side * kAside_m / distance);
+    for (const Real aside_m : kAsides_m) {
+        const Vec3 above = contact.point + outward * (aside_m / distance);
         const auto hit = ray(above + kUp * kProbe_m, above - kUp * kProbe_m);
         if (!hit || hit->normal_world.y <= 0) continue;
         if (glm::dot(hit->normal_world, contact.normal) > kSameFace) return support;
-        const bool walkable = hit->normal_world.y >= cos_limit;
-        if (!walkable && side > 0) {
-            support.walkable = false;  // unless the other side carries
-            continue;
-        }
-        if (!walkable) continue;
+        support.walkable = hit->normal_world.y >= cos_limit;
+        if (!support.walkable) continue;
         support.face_normal = hit->normal_world;
-        support.walkable = true;
         support.edge = true;
         return support;
     }

@@ -12,6 +12,8 @@ constexpr Real kGroundAcceleration_mps2 = 40;
 constexpr Real kStepTolerance_m = 0.01_r;
 constexpr Real kRaise_m = 0.01_r;
 constexpr Real kLeastStepForward_m = 0.006_r;  // must exceed the skin, or the foot falls back
+constexpr Real kTight_m = 2e-4_r;
+constexpr Real kEdgeAside_m = 0.01_r;
 constexpr int kSlides = 5;
 
 /// A level way, tilted onto a plane.
@@ -87,7 +89,7 @@ void Character::Impl::slide_on_ground(Vec3 way) {
             tread = support.face_normal;  // a ramp begins or ends
             continue;
         }
-        if (hit->user != kCharacterMark && step_up(way, *hit)) return;
+        if (hit->user != kCharacterMark && step_up(way)) return;
         const Real away_mps = push(*hit, wanted);
         const Vec3 wall = upright(hit->normal);
         if (wall == Vec3{0, 0, 0}) break;
@@ -99,9 +101,17 @@ void Character::Impl::slide_on_ground(Vec3 way) {
     }
 }
 
-bool Character::Impl::step_up(const Vec3& way, const CapsuleContact& riser) {
+bool Character::Impl::step_up(const Vec3& way) {
+    // The pace is enough to roll over most edges. A foot that would fall back beside the riser has
+    // to come out of the skin first.
     const Real length = glm::length(way);
     if (length < 1e-4_r) return false;
+    return try_step(way) ||
+           (length < kLeastStepForward_m && try_step(way * (kLeastStepForward_m / length)));
+}
+
+bool Character::Impl::try_step(const Vec3& way) {
+    const Real length = glm::length(way);
     const Real below_tread = std::max(ground.point.y - static_cast<Real>(feet.y), Real{0});
     Real lift = def.step_up_m + below_tread + kStepTolerance_m;
     if (const auto ceiling = probe.sweep(feet, kUp * lift)) lift = ceiling->travel_m;
@@ -110,9 +120,7 @@ bool Character::Impl::step_up(const Vec3& way, const CapsuleContact& riser) {
     Vec3d high = feet + Vec3d(kUp * lift);
     const Vec3d before = high;
     PlaneSet planes;
-    // Rolling over an edge needs no more than the pace; leaving the floor beside a riser does.
-    const Real least = riser.normal.y < 0.3_r ? kLeastStepForward_m : Real{0};
-    Vec3 rest = way * (std::max(length, least) / length);
+    Vec3 rest = way;
     for (int i = 0; i < kSlides && glm::length(rest) > 1e-6_r; ++i) {
         const auto hit = probe.sweep(high, rest);
         const Real share = hit ? hit->travel_m / glm::length(rest) : Real{1};
@@ -133,11 +141,11 @@ bool Character::Impl::step_up(const Vec3& way, const CapsuleContact& riser) {
     if (height > def.step_up_m + kStepTolerance_m || !may_step_on(support->body, height)) {
         return false;
     }
-    const auto tight = probe.touches(landed, -kTouch_m);
+    const auto tight = probe.touches(landed, -kTight_m);
     if (!tight.empty() && !gives_way_to_us(tight.front().body)) return false;
     // The round foot may be half-way up an edge; is there headroom for the rest?
-    const Real still_to_rise = support->point.y - static_cast<Real>(landed.y);
-    if (still_to_rise > kTouch_m && probe.sweep(landed, kUp * still_to_rise)) return false;
+    const Vec3 over = support->point + way * (kEdgeAside_m / length);
+    if (probe.ray(over + kUp * kEdgeAside_m, over + kUp * probe.height_m())) return false;
     eye_offset_m -= static_cast<Real>(landed.y - feet.y);
     feet = landed;
     stand_on(*support);
