@@ -2,7 +2,9 @@
 //
 // Knows nothing of entities, drawing or sound: callers copy states out after a step.
 // Does not interpolate and has no clock: see core/frame_clock.h for who does.
-// Not thread-safe. One PhysicsWorld per scene. Same calls in the same order give the same bits.
+// Not thread-safe. One PhysicsWorld per scene. How two materials combine is set for the whole
+// process (Bullet keeps it in global pointers) and is the same for every world. Same calls in the
+// same order give the same bits.
 #pragma once
 
 #include "engine/core/diagnostics.h"
@@ -82,6 +84,8 @@ public:
     Result<ShapeId> create_shape(const ShapeDef& def, std::vector<std::string>* notes = nullptr);
 
     // --- bodies
+    // Numbers that are not finite are taken as they come: a dynamic body that gets one is
+    // quarantined before the next step, others do not obey the call.
     BodyId create_body(const BodyDef& def);
     void destroy_body(BodyId id);  ///< what rested on it wakes
     bool contains(BodyId id) const;
@@ -99,6 +103,7 @@ public:
     void set_pose(BodyId id, const Pose& world_from_body);
     /// Where a kinematic body is to be at the end of the next step; it gets the velocity for it.
     void move_kinematic(BodyId id, const Pose& world_from_body);
+    /// Of the body's origin. A kinematic body keeps it until told otherwise. Speeds end at 10^4 m/s.
     void set_velocity(BodyId id, const Vec3& velocity_mps, const Vec3& angular_velocity_radps);
     void apply_force(BodyId id, const Vec3& force_N);  ///< at the centre of mass, next step only
     void apply_force_at(BodyId id, const Vec3& force_N, const Vec3& point_world);
@@ -136,15 +141,18 @@ public:
     double max_penetration_m() const;       ///< deepest contact point of the latest step; 0 if none
 
     // --- questions
+    /// The first body met from outside; one that the ray starts in is not met.
     std::optional<RayHit> cast_ray(const Vec3& from_world,
                                    const Vec3& to_world,
                                    const QueryFilter& filter = {}) const;
-    /// Moves a convex shape along a straight line; meshes and compounds may be hit, not swept.
+    /// Moves a convex shape along a straight line; meshes and compounds may be hit, not swept. Stops
+    /// within 0.01 mm of touching. Overlap at the start stops it at fraction 0 only on a way deeper.
     std::optional<SweepHit> sweep(ShapeId shape,
                                   const Pose& from,
                                   const Vec3& to_position_world,
                                   const QueryFilter& filter = {}) const;
-    /// Bodies within `margin_m` of a convex shape, deepest first.
+    /// Bodies within `margin_m` of a convex shape, deepest first; a body of several pieces or
+    /// triangles may be listed several times.
     std::vector<OverlapHit> overlaps(ShapeId shape,
                                      const Pose& pose,
                                      Real margin_m,

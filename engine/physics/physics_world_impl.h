@@ -56,7 +56,6 @@ struct ShapeRecord {
     bool mass_frame_is_body{true};
     bool static_only{false};
     bool mesh{false};
-    double volume_m3{0};
     Vec3d inertia_per_kg{0, 0, 0};  ///< principal
     std::vector<Core> cores;
 };

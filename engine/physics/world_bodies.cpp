@@ -76,10 +76,6 @@ std::unique_ptr<btRigidBody> make_rigid(const BodyRecord& record,
     auto rigid = std::make_unique<btRigidBody>(info);
     // Gyroscopic torque and gravity are the step's business (step_world.cpp), not Bullet's.
     rigid->setFlags(BT_DISABLE_WORLD_GRAVITY);
-    if (def.rolling_friction > 0) {
-        rigid->setAnisotropicFriction({1, 1, 1},
-                                      btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION);
-    }
     if (def.kind == BodyKind::Kinematic) {
         rigid->setCollisionFlags(
             (rigid->getCollisionFlags() & ~btCollisionObject::CF_STATIC_OBJECT) |
@@ -192,7 +188,10 @@ BodyId PhysicsWorld::create_body(const BodyDef& def) {
     if (sound && def.kind != BodyKind::Static) {
         set_velocity_of_origin(record, def.velocity_mps, def.angular_velocity_radps);
     }
-    if (!sound) impl_->poison(record);
+    if (!sound) {
+        record.poisoned = true;
+        impl_->poisoned.push_back(id);
+    }
     if (def.contact_events) set_contact_events(id, true);
     return id;
 }

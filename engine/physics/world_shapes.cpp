@@ -42,7 +42,6 @@ bool centred_and_straight(const SolidMass& mass) {
 }
 
 void weigh(ShapeRecord& record, const SolidMass& mass, const PrincipalFrame& principal) {
-    record.volume_m3 = mass.volume_m3;
     record.inertia_per_kg = principal.inertia / mass.volume_m3;
     record.mass_frame_is_body = record.body_from_mass.position == Vec3{0, 0, 0} &&
                                 record.body_from_mass.orientation == kNoRotation;

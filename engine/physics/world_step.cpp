@@ -45,7 +45,8 @@ bool is_sound(const btRigidBody& rigid) {
 }  // namespace
 
 void PhysicsWorld::Impl::poison(BodyRecord& record) {
-    if (record.poisoned || !record.in_world) return;
+    // What does not move by itself stays sound: the call that would spoil it is just not obeyed.
+    if (record.poisoned || !record.in_world || record.kind != BodyKind::Dynamic) return;
     record.poisoned = true;
     poisoned.push_back(record.id);
 }

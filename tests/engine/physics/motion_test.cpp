@@ -120,6 +120,19 @@ TEST(Quarantine, BodyStaysWhereItLastWasSound) {
     EXPECT_FALSE(test.world.contains(body));
 }
 
+TEST(Quarantine, GroundAndPlatformsDoNotObeyNonsense) {
+    TestWorld test;
+    const BodyId ground = test.ground();
+    const BodyId lift = test.add(BoxShape{}, {3, 0, 0}, {.kind = BodyKind::Kinematic});
+    const BodyId box = test.add(BoxShape{}, {0, 0.5_r, 0});
+    test.world.set_pose(ground, {.position = {kNan, 0, 0}});
+    test.world.move_kinematic(lift, {.position = {0, kNan, 0}});
+    test.run(0.5);
+    EXPECT_TRUE(test.world.quarantined().empty());
+    EXPECT_NEAR(test.at(box).y, 0.5, 0.01);
+    EXPECT_EQ(test.at(lift), Vec3d(3, 0, 0));
+}
+
 TEST(Quarantine, BodiesFlungOutOfTheWorldAreTakenOut) {
     TestWorld test;
     const BodyId far = test.add(BoxShape{}, {0, 0, 0});
