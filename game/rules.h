@@ -31,6 +31,8 @@ public:
     /// Messages since the last call are handed over.
     scene::HudContent hud(const scene::Simulation& simulation) override;
 
+    bool holds() const override { return grab_.holding(); }
+
     MoveMode mode() const { return mode_; }
     const Player* player() const { return player_ ? &*player_ : nullptr; }
     const Things& things() const { return things_; }

@@ -32,6 +32,7 @@ ExitCode run(platform::Window& window,
         // Simulation: the only lines that change the world.
         parts.do_requests();
         parts.stepper.run(time.steps, parts.latch, parts.report);
+        if (time.steps > 0) parts.let_go_of_nothing();
 
         // Extraction: the world is read, blended and copied into plain data.
         const scene::ViewPoint view = parts.view(time.blend);

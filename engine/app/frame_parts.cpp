@@ -47,7 +47,7 @@ FrameParts::FrameParts(platform::Window& window,
       def_(def),
       overlay_(window, def.config.ui_scale),
       start_s_(window.now_s()) {
-    controls_.parts.hud = true;
+    latch.set_label_lookup(platform::printed_key_name);
     if (def.sound) {
         mixer_ =
             std::make_unique<audio::Mixer>(audio::MixerDef{.device = def.audio_device,
@@ -132,6 +132,10 @@ void FrameParts::do_requests() {
     }
     if (controls_.quit) closing_ = true;
     controls_.clear_requests();
+}
+
+void FrameParts::let_go_of_nothing() {
+    if (!session_.game->holds()) latch.release(Action::Grab);
 }
 
 scene::ViewPoint FrameParts::view(Real blend) const {

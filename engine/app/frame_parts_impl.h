@@ -22,6 +22,7 @@ public:
     bool ended(double now_s) const;
     void take_input(const InputSnapshot& input);
     void do_requests();  ///< reset, reload, pictures, recordings: what frame actions asked for
+    void let_go_of_nothing();  ///< ends a toggled grab whose hand is empty
     scene::ViewPoint view(Real blend) const;
     render::RenderFrame extract(const scene::ViewPoint& view, Real blend);
     void draw_overlay(const render::RenderFrame& frame);

@@ -38,6 +38,7 @@ private:
     BindingsDef def_;
     input::Bindings current_;
     Diagnostics faults_;
+    std::size_t layer_count_{0};
     std::unique_ptr<platform::FileWatch> watch_;
 };
 

@@ -48,6 +48,8 @@ public:
                            float pending_yaw_rad,
                            float pending_pitch_rad) const = 0;
     virtual std::span<const FootstepEvent> footsteps() const { return {}; }
+    /// Something is in the player's hand: a toggled grab that finds or keeps nothing is let go.
+    virtual bool holds() const { return false; }
     virtual HudContent hud(const Simulation&) { return {}; }
 };
 
