@@ -11,7 +11,7 @@ constexpr Real kGroundAcceleration_mps2 = 40;
 // Steps may be a little higher than asked: contact points are exact to about a millimetre.
 constexpr Real kStepTolerance_m = 0.01_r;
 constexpr Real kRaise_m = 0.01_r;
-constexpr Real kLeastStepForward_m = 0.006_r;  // must exceed the skin, or the foot falls back
+constexpr Real kBeyondSkin_m = 0.006_r;
 constexpr Real kTight_m = 2e-4_r;
 constexpr Real kEdgeAside_m = 0.01_r;
 constexpr int kSlides = 5;
@@ -95,9 +95,12 @@ void Character::Impl::slide_on_ground(Vec3 way) {
         if (wall == Vec3{0, 0, 0}) break;
         planes.add({wall, away_mps * dt});
         if (away_mps > 0) pushed = hit->body;
-        velocity = planes.limited(velocity * dt) / dt;
         way = planes.limited(way);
-        if (glm::dot(way, first) <= 0) break;
+        velocity = planes.limited(wanted * dt) / dt;
+        if (glm::dot(way, first) <= 0 || glm::dot(velocity, first) <= 0) {
+            velocity = {0, 0, 0};  // caught in a corner: no swinging from wall to wall
+            break;
+        }
     }
 }
 
@@ -106,8 +109,7 @@ bool Character::Impl::step_up(const Vec3& way) {
     // to come out of the skin first.
     const Real length = glm::length(way);
     if (length < 1e-4_r) return false;
-    return try_step(way) ||
-           (length < kLeastStepForward_m && try_step(way * (kLeastStepForward_m / length)));
+    return try_step(way) || try_step(way * (1 + kBeyondSkin_m / length));
 }
 
 bool Character::Impl::try_step(const Vec3& way) {
@@ -130,13 +132,17 @@ bool Character::Impl::try_step(const Vec3& way) {
         if (wall == Vec3{0, 0, 0}) break;
         planes.add({wall, 0});
         rest = planes.limited(rest * (1 - share));
+        if (glm::dot(rest, way) <= 0) break;
     }
     const Real progress = glm::dot(Vec3(high - before), way) / length;
-    if (progress < std::min(0.05_r * length + 1e-4_r, kLeastStepForward_m / 2)) return false;
+    if (progress < std::min(0.05_r * length + 1e-4_r, kBeyondSkin_m / 2)) return false;
 
     Vec3d landed = high;
     const auto support = find_ground(landed, lift + kStepTolerance_m);
     if (!support || !support->walkable) return false;
+    // On the same floor it was no step: walls and corners are for sliding.
+    const bool rises = landed.y - feet.y > 1e-3;
+    if (!rises && progress < 0.9_r * length) return false;
     const Real height = support->point.y - ground.point.y;
     if (height > def.step_up_m + kStepTolerance_m || !may_step_on(support->body, height)) {
         return false;
