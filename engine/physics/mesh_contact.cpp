@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <new>
 #include <vector>
 
@@ -68,6 +69,7 @@ public:
         point.m_positionWorldOnA = on_convex;
         point.m_positionWorldOnB = on_mesh;
         btAdjustInternalEdgeContacts(point, m_body1Wrap, m_body0Wrap, part_, index_);
+        if (!plausible(point)) return;
         found_.push_back({.normal = point.m_normalWorldOnB,
                           .on_mesh = point.m_positionWorldOnB,
                           .on_convex = on_convex,
@@ -75,6 +77,26 @@ public:
     }
 
 private:
+    /// Inside a face only the face's own normal makes sense. Where a flat thing lies on a face the
+    /// overlaps along and across differ by rounding alone, and the wrong one may win.
+    bool plausible(const btManifoldPoint& point) const {
+        const auto& triangle =
+            static_cast<const btTriangleShape&>(*m_body1Wrap->getCollisionShape());
+        btVector3 face;
+        triangle.calcNormal(face);
+        const btVector3 normal =
+            m_body1Wrap->getWorldTransform().getBasis().transpose() * point.m_normalWorldOnB;
+        if (std::abs(normal.dot(face)) > kSameFace) return true;
+        const btScalar rim = m_manifoldPtr->getContactBreakingThreshold();
+        for (int i = 0; i < 3; ++i) {
+            const btVector3& a = triangle.m_vertices1[i];
+            const btVector3 inward =
+                face.cross((triangle.m_vertices1[(i + 1) % 3] - a).normalized());
+            if (inward.dot(point.m_localPointB - a) < rim) return true;
+        }
+        return false;
+    }
+
     std::vector<Candidate>& found_;
     int part_{-1};
     int index_{-1};
