@@ -65,7 +65,7 @@ vec3 sun_light(Surface s, float eye_distance_m) {
     float lit = 1.0;
 #ifdef PL_SUN_SHADOW
     vec3 at = surface_sun_shadow;
-    lit = shadow_4_taps(sun_shadow_map, vec3(at.xy, min(at.z, 1.0)), frame.sun_radiance.w);
+    lit = sun_shadow(sun_shadow_map, vec3(at.xy, min(at.z, 1.0)), frame.sun_radiance.w);
     // The last tenth of the distance fades the shadow out.
     lit = mix(lit, 1.0, clamp(eye_distance_m * frame.to_sun_world.w * 10.0 - 9.0, 0.0, 1.0));
 #endif
@@ -89,7 +89,7 @@ vec3 flashlight_light(Surface s) {
     // A real torch throws a faint ring around a brighter middle.
     float cookie = cone * cone * (0.85 + 0.15 * cos(cone * 18.0) * (1.0 - cone));
     vec3 at = surface_flashlight_shadow.xyz / max(surface_flashlight_shadow.w, 1e-4);
-    float lit = shadow_2_taps(flashlight_shadow_map, vec3(at.xy, min(at.z, 1.0)), frame.ambient.w);
+    float lit = flashlight_shadow(flashlight_shadow_map, vec3(at.xy, min(at.z, 1.0)), frame.ambient.w);
     float falloff = windowed_falloff(distance2, frame.flashlight_position.w);
     return reflected(s, to_light, frame.flashlight_intensity.rgb * (cookie * lit * falloff));
 }

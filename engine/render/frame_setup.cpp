@@ -57,6 +57,8 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     scene.sky.want(new_frame.sky ? new_frame.sky->folder : std::filesystem::path{});
     scene.materials.update();
     features = frame_features_of(new_frame, post.ready());
+    const FeatureSet shadowed = feature::kSunShadow | feature::kFlashlight;
+    if (!is_software_gl && (features & shadowed) != 0) features |= feature::kSoftShadows;
 
     const Camera& camera = new_frame.camera;
     const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);

@@ -54,11 +54,9 @@ void make_alike(std::vector<assets::ImageData>& faces) {
     }
 }
 
-/// Halved until no side is over kReflectionSide.
+/// Averaged down to about kReflectionSide.
 RadianceImage small_face(const assets::ImageData& image) {
-    RadianceImage face = radiance_of(image);
-    while (face.width > kReflectionSide) face = halved(face);
-    return face;
+    return radiance_of(image, std::max(image.width / kReflectionSide, 1U));
 }
 
 /// Each channel divided by its average over all directions.

@@ -36,6 +36,12 @@ Result<GlInfo> load_gl(GlLoader loader) {
     return info;
 }
 
+/// Mesa's renderers that draw on the CPU: there every shadow lookup costs milliseconds.
+bool draws_in_software(const GlInfo& info) {
+    return info.renderer.find("llvmpipe") != std::string::npos ||
+           info.renderer.find("softpipe") != std::string::npos;
+}
+
 GLenum polygon_mode(FillMode mode) {
     switch (mode) {
         case FillMode::Filled:
@@ -74,6 +80,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader,
     gl::listen_to_driver();
     auto impl = std::make_unique<Impl>(target, shader_folder, library);
     impl->gl = std::move(*info);
+    impl->is_software_gl = draws_in_software(impl->gl);
     const auto compiled = impl->scene.shaders.compile(
         kMeshShader, feature::kUnlit | feature::kVertexColor | feature::kEncode);
     if (!compiled) return compiled.error();

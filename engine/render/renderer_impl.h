@@ -21,6 +21,7 @@ struct Renderer::Impl {
 
     PresentTarget target;
     GlInfo gl{};
+    bool is_software_gl{false};
     SceneResources scene;
 
     // The frame between begin() and end(); null outside.

@@ -34,9 +34,10 @@ inline constexpr FeatureSet kToneMap = 1U << 22U;  ///< exposure and tone curve 
 inline constexpr FeatureSet kEncode = 1U << 23U;   ///< sRGB in this shader
 inline constexpr FeatureSet kBloom = 1U << 24U;
 inline constexpr FeatureSet kKeepDepth = 1U << 25U;
+inline constexpr FeatureSet kSoftShadows = 1U << 26U;  ///< more taps: where lookups are cheap
 }  // namespace feature
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 21> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 22> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -58,6 +59,7 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 21> kFeatur
     {feature::kEncode, "PL_ENCODE"},
     {feature::kBloom, "PL_BLOOM"},
     {feature::kKeepDepth, "PL_KEEP_DEPTH"},
+    {feature::kSoftShadows, "PL_SOFT_SHADOWS"},
 }};
 
 }  // namespace plumbline::render

@@ -73,12 +73,23 @@ void for_each_pixel(std::span<const RadianceImage> faces, Fn&& fn) {
 
 }  // namespace
 
-RadianceImage radiance_of(const assets::ImageData& image) {
-    RadianceImage radiance{.width = image.width, .height = image.height, .pixels = {}};
-    radiance.pixels.resize(std::size_t{image.width} * image.height);
-    for (std::size_t i = 0; i < radiance.pixels.size(); ++i) {
-        radiance.pixels[i] = {
-            component(image, i, 0), component(image, i, 1), component(image, i, 2)};
+RadianceImage radiance_of(const assets::ImageData& image, std::uint32_t block) {
+    RadianceImage radiance{
+        .width = image.width / block, .height = image.height / block, .pixels = {}};
+    radiance.pixels.reserve(std::size_t{radiance.width} * radiance.height);
+    const float share = 1.0F / static_cast<float>(block * block);
+    for (std::uint32_t y = 0; y < radiance.height; ++y) {
+        for (std::uint32_t x = 0; x < radiance.width; ++x) {
+            Vec3f sum{0.0F};
+            for (std::uint32_t i = 0; i < block * block; ++i) {
+                const std::size_t pixel =
+                    std::size_t{y * block + i / block} * image.width + x * block + i % block;
+                sum += Vec3f{component(image, pixel, 0),
+                             component(image, pixel, 1),
+                             component(image, pixel, 2)};
+            }
+            radiance.pixels.push_back(sum * share);
+        }
     }
     return radiance;
 }

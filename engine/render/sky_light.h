@@ -18,8 +18,9 @@ struct RadianceImage {
     std::vector<Vec3f> pixels;
 };
 
-/// 8-bit images are decoded from sRGB.
-RadianceImage radiance_of(const assets::ImageData& image);
+/// 8-bit images are decoded from sRGB. With `block` > 1, each pixel is the average of a square of
+/// that many pixels each way; what is left at the right and lower edges is cut.
+RadianceImage radiance_of(const assets::ImageData& image, std::uint32_t block = 1);
 
 /// A quarter of the pixels, averaged; odd edges are cut.
 RadianceImage halved(const RadianceImage& image);

@@ -3,6 +3,11 @@
 #include <glad/gl.h>
 
 namespace plumbline::render::gl {
+namespace {
+
+constexpr double kLongestPass_ms = 1e4;
+
+}  // namespace
 
 PassTimers::Scope::Scope(PassTimers& timers, std::string_view name)
     : timers_(timers), name_(name), start_s_(thread_cpu_s()) {
@@ -49,7 +54,9 @@ void PassTimers::collect(Ring& ring) {
         GLuint64 elapsed_ns = 0;
         glGetQueryObjectui64v(ring.queries[slot].name(), GL_QUERY_RESULT, &elapsed_ns);
         ring.waiting[slot] = false;
-        ring.latest_ms = static_cast<double>(elapsed_ns) * 1e-6;
+        // Software GL's first query of a kind can read as hours: it ended before it began.
+        const double elapsed_ms = static_cast<double>(elapsed_ns) * 1e-6;
+        if (elapsed_ms < kLongestPass_ms) ring.latest_ms = elapsed_ms;
     }
 }
 

@@ -12,7 +12,8 @@ namespace plumbline::render {
 namespace {
 
 constexpr FeatureSet kLightFeatures = feature::kSun | feature::kSunShadow | feature::kFlashlight |
-                                      feature::kLocalLights | feature::kSkyLight;
+                                      feature::kLocalLights | feature::kSkyLight |
+                                      feature::kSoftShadows;
 
 float distance_to(const Aabb& box, const Vec3f& point) {
     return glm::distance(point, glm::clamp(point, box.min, box.max));

@@ -121,7 +121,8 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
                                          kSun | kSunShadow,
                                          kFlashlight,
                                          kLocalLights,
-                                         kSun | kSunShadow | kFlashlight | kLocalLights};
+                                         kSun | kSunShadow | kFlashlight | kLocalLights,
+                                         kSun | kSunShadow | kFlashlight | kSoftShadows};
     const std::vector<FeatureSet> air{0, kFog, kSkyLight, kFog | kSkyLight};
     const std::vector<FeatureSet> output{0, kEncode, kEncode | kToneMap};
     for (const FeatureSet material : material_variants()) {
