@@ -151,25 +151,33 @@ void Character::Impl::note_pin() {
 
 void Character::Impl::restore_gaps() {
     // Sweeps know the first thing in the way; what is passed at a flat angle may come too close.
-    for (int pass = 0; pass < 4; ++pass) {
-        const CapsuleContact* nearest = nullptr;
-        const auto touches = probe.touches(feet, -1e-4_r);
-        for (const CapsuleContact& touch : touches) {
-            const bool underfoot = footing == Footing::Ground &&
-                                   (touch.normal.y >= cos_limit ||
-                                    (touch.body == ground.body &&
-                                     glm::dot(touch.normal, ground.contact_normal) > 0.98_r));
-            const bool deep = touch.gap_m < -2 * kSkin_m;  // give_way() brings it out gently
-            if (underfoot || deep || gives_way_to_us(touch.body)) continue;
-            nearest = &touch;
-            break;
-        }
-        if (nearest == nullptr) return;
+    std::array<LimitPlane, kPasses> walls{};
+    std::size_t count = 0;
+    Real worst = 0;
+    for (const CapsuleContact& touch : probe.touches(feet, 0)) {
+        const bool underfoot =
+            footing == Footing::Ground &&
+            (touch.normal.y >= cos_limit ||
+             (touch.body == ground.body && glm::dot(touch.normal, ground.contact_normal) > 0.98_r));
+        const bool deep = touch.gap_m < -2 * kSkin_m;  // give_way() brings it out gently
+        if (underfoot || deep || gives_way_to_us(touch.body) || count == walls.size()) continue;
         const Vec3 out = footing == Footing::Ground
-                             ? normalize_or(level(nearest->normal), Vec3{0, 0, 0})
-                             : nearest->normal;
-        if (move_swept(out * -nearest->gap_m, nearest->body) < 1e-5_r) return;
+                             ? normalize_or(level(touch.normal), Vec3{0, 0, 0})
+                             : touch.normal;
+        walls[count++] = {.normal = out, .room_m = -touch.gap_m};
+        worst = std::max(worst, -touch.gap_m);
     }
+    if (worst < 1e-4_r) return;
+    // The least way out of all of them together; one after the other they would only take turns.
+    Vec3 out{0, 0, 0};
+    for (int pass = 0; pass < 2 * kPasses; ++pass) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const Real missing = walls[i].room_m - glm::dot(out, walls[i].normal);
+            if (missing > 0) out += walls[i].normal * missing;
+        }
+    }
+    const Real length = glm::length(out);
+    move_swept(length > 4 * kSkin_m ? out * (4 * kSkin_m / length) : out, {});
 }
 
 bool Character::Impl::escape() {

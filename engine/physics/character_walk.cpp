@@ -11,6 +11,7 @@ constexpr Real kGroundAcceleration_mps2 = 40;
 // Steps may be a little higher than asked: contact points are exact to about a millimetre.
 constexpr Real kStepTolerance_m = 0.01_r;
 constexpr Real kRaise_m = 0.01_r;
+constexpr Real kLeastWay_m = 2e-4_r;
 constexpr Real kBeyondSkin_m = 0.006_r;
 constexpr Real kTight_m = 2e-4_r;
 constexpr Real kEdgeAside_m = 0.01_r;
@@ -83,6 +84,7 @@ void Character::Impl::slide_on_ground(Vec3 way) {
         feet += Vec3d(tilted * share);
         planes.consume(way * share);
         way *= 1 - share;
+        if (glm::length(way) < kLeastWay_m) break;  // the next step decides what this is
         const Support support = probe.support_of(*hit, feet);
         if (support.walkable && !support.edge && support.face_normal.y > 0.1_r &&
             may_step_on(hit->body, hit->point.y - ground.point.y)) {
@@ -108,7 +110,6 @@ bool Character::Impl::step_up(const Vec3& way) {
     // The pace is enough to roll over most edges. A foot that would fall back beside the riser has
     // to come out of the skin first.
     const Real length = glm::length(way);
-    if (length < 1e-4_r) return false;
     return try_step(way) || try_step(way * (1 + kBeyondSkin_m / length));
 }
 
