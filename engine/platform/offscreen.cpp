@@ -95,9 +95,15 @@ Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create() {
         impl->display = display;
         return std::unique_ptr<OffscreenContext>(new OffscreenContext(std::move(impl)));
     }
+    auto hidden = Window::open({.vsync = false, .visible = false});
+    if (hidden) {
+        impl->hidden_window = std::move(*hidden);
+        return std::unique_ptr<OffscreenContext>(new OffscreenContext(std::move(impl)));
+    }
     return Error{
         "no off-screen OpenGL 3.3 context: EGL offers none here (install libegl-mesa0 and "
-        "libgl1-mesa-dri for software drawing)",
+        "libgl1-mesa-dri for software drawing) and a hidden window failed too: " +
+            hidden.error().message,
         ExitCode::NoDisplay};
 }
 
