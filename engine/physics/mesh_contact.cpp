@@ -7,6 +7,7 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
 #include <BulletCollision/CollisionShapes/btConvexPolyhedron.h>
+#include <BulletCollision/CollisionShapes/btTriangleInfoMap.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
 #include <algorithm>
@@ -77,8 +78,9 @@ public:
     }
 
 private:
-    /// Inside a face only the face's own normal makes sense. Where a flat thing lies on a face the
-    /// overlaps along and across differ by rounding alone, and the wrong one may win.
+    /// Away from a face's own normal only an edge or corner that sticks out can press. Where a flat
+    /// thing lies on a face, the overlaps along and across differ by rounding alone; the wrong one
+    /// may win, and edge repair leaves normals alone that are level with the face.
     bool plausible(const btManifoldPoint& point) const {
         const auto& triangle =
             static_cast<const btTriangleShape&>(*m_body1Wrap->getCollisionShape());
@@ -90,11 +92,27 @@ private:
         const btScalar rim = m_manifoldPtr->getContactBreakingThreshold();
         for (int i = 0; i < 3; ++i) {
             const btVector3& a = triangle.m_vertices1[i];
-            const btVector3 inward =
-                face.cross((triangle.m_vertices1[(i + 1) % 3] - a).normalized());
-            if (inward.dot(point.m_localPointB - a) < rim) return true;
+            const btVector3& b = triangle.m_vertices1[(i + 1) % 3];
+            const btVector3 inward = face.cross((b - a).normalized());
+            if (inward.dot(point.m_localPointB - a) < rim && sticks_out(i)) return true;
         }
         return false;
+    }
+
+    /// Whether the triangle's i-th edge is a rim or a ridge, not a seam or a valley.
+    bool sticks_out(int i) const {
+        const auto& mesh = static_cast<const btBvhTriangleMeshShape&>(
+            *m_body1Wrap->getCollisionObject()->getCollisionShape());
+        const btTriangleInfo* info = mesh.getTriangleInfoMap()->find(
+            btHashInt((part_ << (31 - MAX_NUM_PARTS_IN_BITS)) | index_));
+        if (info == nullptr) return true;  // no neighbours at all
+        const std::array<btScalar, 3> angles{
+            info->m_edgeV0V1Angle, info->m_edgeV1V2Angle, info->m_edgeV2V0Angle};
+        constexpr std::array<int, 3> kConvex{
+            TRI_INFO_V0V1_CONVEX, TRI_INFO_V1V2_CONVEX, TRI_INFO_V2V0_CONVEX};
+        const auto edge = static_cast<std::size_t>(i);
+        if (angles[edge] >= SIMD_2_PI) return true;
+        return (info->m_flags & kConvex[edge]) != 0 && angles[edge] != 0;
     }
 
     std::vector<Candidate>& found_;
