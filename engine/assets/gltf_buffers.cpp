@@ -159,9 +159,7 @@ void make_dense(GltfCheck& check,
                 const Json& source,
                 const std::string& where) {
     const std::size_t element = element_bytes(accessor);
-    std::size_t total = element * accessor.count;
-    for (const std::string& buffer : check.buffers) total += buffer.size();
-    if (total > limits::kModelFileBytes) {
+    if (check.buffer_bytes + element * accessor.count > limits::kModelFileBytes) {
         check.fail("{}: written out it passes {} bytes", where, limits::kModelFileBytes);
         return;
     }
@@ -221,13 +219,13 @@ std::size_t add_buffer(GltfCheck& check, std::string bytes) {
     check.clean["bufferViews"].push_back(
         Json{{"buffer", buffer}, {"byteOffset", 0}, {"byteLength", size}});
     check.buffers.push_back(std::move(bytes));
+    check.buffer_bytes += size;
     check.views.push_back({.buffer = buffer, .offset = 0, .size = size});
     return check.views.size() - 1;
 }
 
 void check_buffers(GltfCheck& check, std::optional<std::string_view> binary) {
     const Json& list = check.objects("buffers", limits::kReferencedFiles);
-    std::size_t total = 0;
     for (std::size_t i = 0; i < list.size() && !check.failed(); ++i) {
         const std::string where = fmt::format("buffers[{}]", i);
         const std::size_t size = check.whole(list[i], "byteLength", where).value_or(0);
@@ -246,8 +244,8 @@ void check_buffers(GltfCheck& check, std::optional<std::string_view> binary) {
         if (bytes.size() < size) {
             check.fail("{} has {} bytes; its byteLength says {}", where, bytes.size(), size);
         }
-        total += size;
-        if (total > limits::kModelFileBytes) {
+        check.buffer_bytes += size;
+        if (check.buffer_bytes > limits::kModelFileBytes) {
             check.fail("its buffers have more than {} bytes", limits::kModelFileBytes);
         }
         bytes.resize(size);

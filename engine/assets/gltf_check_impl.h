@@ -50,6 +50,7 @@ struct GltfCheck {
     std::string fault{};
     Json clean{};
     std::vector<std::string> buffers{};
+    std::size_t buffer_bytes{0};  ///< of all of them
     std::vector<GltfView> views{};
     std::vector<GltfAccessor> accessors{};
     std::vector<std::size_t> vertex_counts{};  ///< by mesh, what is kept of it

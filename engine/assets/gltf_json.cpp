@@ -83,6 +83,44 @@ std::string nesting_fault(std::string_view text) {
     return {};
 }
 
+/// Stops at a key that its object has already. A pass of its own: the parser's callbacks, which
+/// could do this while it builds, walk all earlier siblings after every value.
+class KeyWatch final : public nlohmann::json_sax<Json> {
+public:
+    std::string repeated;
+
+    bool null() override { return true; }
+    bool boolean(bool /*value*/) override { return true; }
+    bool number_integer(number_integer_t /*value*/) override { return true; }
+    bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
+    bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
+    bool string(string_t& /*value*/) override { return true; }
+    bool binary(binary_t& /*value*/) override { return true; }
+    bool start_array(std::size_t /*size*/) override { return true; }
+    bool end_array() override { return true; }
+    bool start_object(std::size_t /*size*/) override {
+        keys_.emplace_back();
+        return true;
+    }
+    bool end_object() override {
+        keys_.pop_back();
+        return true;
+    }
+    bool key(string_t& key) override {
+        if (keys_.back().insert(key).second) return true;
+        repeated = key;
+        return false;
+    }
+    bool parse_error(std::size_t /*place*/,
+                     const std::string& /*token*/,
+                     const Json::exception& /*fault*/) override {
+        return false;  // the pass that builds the document reports it
+    }
+
+private:
+    std::vector<std::set<std::string>> keys_;
+};
+
 /// The parser's own words without its prefix "[json.exception.…] ".
 std::string_view plain_words(std::string_view what) {
     const std::size_t bracket = what.find("] ");
@@ -111,22 +149,13 @@ Result<Json> parse_json(std::string_view text, const std::string& name) {
     const std::string fault = nesting_fault(text);
     if (!fault.empty()) return model_error(name, fault);
 
-    std::string repeated;
-    std::vector<std::set<std::string>> keys;
-    const auto watch = [&](int /*depth*/, Json::parse_event_t event, Json& parsed) {
-        if (event == Json::parse_event_t::object_start) keys.emplace_back();
-        if (event == Json::parse_event_t::object_end) keys.pop_back();
-        if (event == Json::parse_event_t::key && repeated.empty()) {
-            const auto& key = parsed.get_ref<const std::string&>();
-            if (!keys.back().insert(key).second) repeated = key;
-        }
-        return true;
-    };
     try {
-        Json document = Json::parse(text.begin(), text.end(), watch);
-        if (!repeated.empty()) {
-            return model_error(name, fmt::format("its JSON has the key \"{}\" twice", repeated));
+        KeyWatch watch;
+        if (!Json::sax_parse(text.begin(), text.end(), &watch) && !watch.repeated.empty()) {
+            return model_error(name,
+                               fmt::format("its JSON has the key \"{}\" twice", watch.repeated));
         }
+        Json document = Json::parse(text.begin(), text.end());
         if (!document.is_object()) return model_error(name, "its JSON is not an object");
         return document;
     } catch (const std::exception& thrown) {

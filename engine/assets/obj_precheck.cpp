@@ -9,7 +9,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <set>
+#include <map>
 
 namespace plumbline::assets {
 namespace {
@@ -34,7 +34,7 @@ struct ObjReader {
     std::size_t bad_faces{0};
     std::size_t other_elements{0};
     std::vector<MaterialData> materials{};
-    std::set<std::string> missing{};
+    std::map<std::string, std::size_t> numbers{};  ///< of materials, by name
     std::string fault{};
 
     void read_vector(char kind, std::string_view rest) {
@@ -112,23 +112,22 @@ struct ObjReader {
         }
     }
 
-    void use_material(const std::string& wanted) {
-        const auto found =
-            std::find_if(materials.begin(), materials.end(), [&](const MaterialData& material) {
-                return material.name == wanted;
-            });
-        const auto number = found - materials.begin();
-        if (found == materials.end()) {
-            if (materials.size() >= limits::kModelMaterials) {
-                fault = fmt::format("it has more than {} materials", limits::kModelMaterials);
-                return;
-            }
-            if (missing.insert(wanted).second) {
-                log_warning("model {}: no file has its material \"{}\"; it is plain", name, wanted);
-            }
-            materials.push_back({.name = wanted.empty() ? "default" : wanted});
+    /// The first material of a name counts.
+    void add_material(MaterialData material) {
+        numbers.emplace(material.name, materials.size());
+        materials.push_back(std::move(material));
+        if (materials.size() > limits::kModelMaterials) {
+            fault = fmt::format("it has more than {} materials", limits::kModelMaterials);
         }
-        fmt::format_to(std::back_inserter(clean), "usemtl {}\n", number);
+    }
+
+    void use_material(std::string wanted) {
+        if (wanted.empty()) wanted = "default";
+        if (!numbers.contains(wanted)) {
+            log_warning("model {}: no file has its material \"{}\"; it is plain", name, wanted);
+            add_material({.name = wanted});
+        }
+        fmt::format_to(std::back_inserter(clean), "usemtl {}\n", numbers[wanted]);
     }
 
     /// The whole rest of the line is one name, spaces and all.
@@ -145,7 +144,7 @@ struct ObjReader {
             fault = read.error().message;
             return;
         }
-        for (MaterialData& material : *read) materials.push_back(std::move(material));
+        for (MaterialData& material : *read) add_material(std::move(material));
     }
 
     void read_line(std::string_view line) {
