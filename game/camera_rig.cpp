@@ -29,7 +29,7 @@ Real clamped_pitch(Real pitch_rad) {
 
 Real travel_of(const Actions& actions, Action action) {
     if (!actions.is_held(action)) return 0;
-    const Real amount = static_cast<Real>(actions.amount_of(action));
+    const Real amount = Real{actions.amount_of(action)};
     // Keys may come without an amount; sticks always carry theirs.
     return amount > 0 && amount < 1 ? amount : Real{1};
 }

@@ -97,8 +97,8 @@ Aim PlaygroundGame::aim() const {
 void PlaygroundGame::act(scene::Simulation& simulation, const Actions& actions) {
     look_.begin_step();
     look_turns_held_ = grab_.holding() && actions.is_held(Action::RotateHeld);
-    const Real yaw = static_cast<Real>(actions.look_yaw_rad);
-    const Real pitch = static_cast<Real>(actions.look_pitch_rad);
+    const Real yaw = Real{actions.look_yaw_rad};
+    const Real pitch = Real{actions.look_pitch_rad};
     if (!look_turns_held_) {
         look_.turn(yaw, pitch);
     } else if (std::isfinite(yaw) && std::isfinite(pitch)) {
@@ -177,8 +177,8 @@ scene::ViewPoint PlaygroundGame::view(const scene::Simulation&,
                                       Real blend,
                                       float pending_yaw_rad,
                                       float pending_pitch_rad) const {
-    const Real yaw = look_turns_held_ ? Real{0} : static_cast<Real>(pending_yaw_rad);
-    const Real pitch = look_turns_held_ ? Real{0} : static_cast<Real>(pending_pitch_rad);
+    const Real yaw = look_turns_held_ ? Real{0} : Real{pending_yaw_rad};
+    const Real pitch = look_turns_held_ ? Real{0} : Real{pending_pitch_rad};
     const Quat orientation = look_.orientation(blend, yaw, pitch);
     const Pose camera = looking(eye_m(blend, orientation), orientation);
     return {.world_from_camera = camera,
