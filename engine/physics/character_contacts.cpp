@@ -154,7 +154,7 @@ void Character::Impl::restore_gaps() {
     std::array<LimitPlane, kPasses> walls{};
     std::size_t count = 0;
     Real worst = 0;
-    for (const CapsuleContact& touch : probe.touches(feet, 0)) {
+    for (const CapsuleContact& touch : probe.touches(feet, kTouch_m)) {
         const bool underfoot =
             footing == Footing::Ground &&
             (touch.normal.y >= cos_limit ||
