@@ -188,11 +188,11 @@ std::optional<Support> Character::Impl::find_ground(Vec3d& from, Real reach_m) c
 }
 
 bool Character::Impl::drop_to_ground() {
-    const Real below_tread = std::max(ground.point.y - static_cast<Real>(feet.y), Real{0});
-    const Real reach = def.step_up_m + kStepTolerance_m - std::min(below_tread, def.step_up_m / 2);
+    // Measured from tread to tread: the round foot may already hang half-way down an edge.
+    const Real most = def.step_up_m + kStepTolerance_m;
     Vec3d landed = feet;
-    const auto support = find_ground(landed, reach);
-    if (!support) return false;
+    const auto support = find_ground(landed, most);
+    if (!support || ground.point.y - support->point.y > most) return false;
     if (!support->walkable) {
         // A steep face may be in the way while the other foot still stands.
         for (const CapsuleContact& touch : probe.touches(feet, kTouch_m)) {

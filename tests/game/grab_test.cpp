@@ -151,7 +151,7 @@ TEST(Grab, FreezesAndFreesWhatIsHeldOrLookedAt) {
     EXPECT_EQ(place(play), there) << "hangs in the air";
     play.step(press({Action::Freeze}));
     play.run(1);
-    EXPECT_LT(place(play).y, there.y - 0.2) << "falls again";
+    EXPECT_LT(place(play).y, there.y - 0.2_r) << "falls again";
 }
 
 }  // namespace
