@@ -6,6 +6,7 @@
 
 include(Warnings)
 include(Sanitizers)
+include(Precompiled)
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
@@ -22,6 +23,7 @@ function(plumbline_target_settings target)
     plumbline_warnings(${target})
     plumbline_sanitizers(${target})
     target_link_libraries(${target} PUBLIC glm::glm fmt::fmt)
+    plumbline_use_precompiled(${target})
 endfunction()
 
 function(plumbline_module name)
