@@ -48,7 +48,9 @@ TEST_P(CharacterAmongAtRate, TurnsWithARotatingPlatform) {
         const Vec3 local = transform_point(invert(next), state.feet_position_m);
         // It starts at once: one step of surprise, then exact.
         if (i == 2) anchor = local;
-        if (i > 2) ASSERT_LT(glm::distance(local, anchor), 1e-4) << "after " << angle << " rad";
+        if (i > 2) {
+            ASSERT_LT(glm::distance(local, anchor), 1e-4) << "after " << angle << " rad";
+        }
     }
     EXPECT_NEAR(yaw, rate_radps * 10, 2e-3);
 }
@@ -182,7 +184,7 @@ TEST_P(CharacterAmongAtRate, ComesOutOfAWallItStartsIn) {
         fastest = std::max(fastest, glm::distance(stage.feet(), before) / stage.dt);
         ++steps;
     }
-    EXPECT_LT(steps * stage.dt, 0.5);
+    EXPECT_LT(stage.seconds(steps), 0.5);
     EXPECT_LT(fastest, 5);
     stage.rest(0.5_r);
     EXPECT_NEAR(stage.feet().x, -0.1, 2e-3);
@@ -199,9 +201,11 @@ TEST_P(CharacterAmongAtRate, IsPushedAlongByAMovingWall) {
         Pose next = wall.pose;
         next.position.x += 2 * stage.dt;
         wall.step(next);
-        if (i > 2) ASSERT_LT(stage.depth(), 5e-3);
+        if (i > 2) {
+            ASSERT_LT(stage.depth(), 5e-3);
+        }
     }
-    EXPECT_NEAR(stage.feet().x, wall.pose.position.x + 0.5 + kRadius, 5e-3);
+    EXPECT_NEAR(stage.feet().x, wall.pose.position.x + 0.5_r + kRadius, 5e-3);
     EXPECT_NEAR(stage.feet().y, 0, 1e-3);
 }
 
@@ -277,7 +281,7 @@ TEST_P(CharacterAmongAtRate, PushesTenKilogramsAndNotTenTonnes) {
             EXPECT_LT(stage.feet().z, -4);
         } else {
             EXPECT_NEAR(stage.at(box).z, -1.5, 2e-3);
-            EXPECT_NEAR(stage.feet().z, -1.5 + 0.4 + kRadius, 0.01);
+            EXPECT_NEAR(stage.feet().z, -1.5_r + 0.4_r + kRadius, 0.01);
         }
         EXPECT_NEAR(stage.at(box).y, 0.4, 0.02);
     }

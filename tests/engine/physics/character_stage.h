@@ -39,6 +39,8 @@ struct Stage : TestWorld {
     const CharacterState& rest(Real seconds) { return walk(seconds, {0, 0, 0}); }
     int steps_in(Real seconds) const { return static_cast<int>(std::lround(seconds / dt)); }
     Vec3 feet() const { return person->state().feet_position_m; }
+    /// Seconds that so many steps take.
+    double seconds(int steps) const { return steps * world.def().step_s; }
     /// How deep the person, standing upright, is in anything.
     Real depth() const {
         const Pose pose{.position = feet() + Vec3{0, person->def().height_m / 2, 0}};

@@ -18,15 +18,15 @@ TEST_P(CharacterAtRate, FallsAsGalileoSays) {
     stage.ground();
     stage.enter({0, 5, 0});
     const double landing_s = std::sqrt(2 * 5.0 / kG);
-    for (int i = 1; i * stage.dt < landing_s; ++i) {
-        const double t = i * static_cast<double>(stage.dt);
+    for (int i = 1; stage.seconds(i) < landing_s; ++i) {
+        const double t = stage.seconds(i);
         ASSERT_NEAR(stage.step().feet_position_m.y, 5 - 0.5 * kG * t * t, 1e-4) << "at " << t;
         ASSERT_EQ(stage.person->state().footing, Footing::Air);
     }
     const CharacterState& landed = stage.step();
     EXPECT_EQ(landed.footing, Footing::Ground);
     EXPECT_NEAR(landed.feet_position_m.y, 0, 1e-4);
-    EXPECT_NEAR(landed.landing_speed_mps, std::sqrt(2 * kG * 5), kG * stage.dt);
+    EXPECT_NEAR(landed.landing_speed_mps, std::sqrt(2 * kG * 5), kG * stage.seconds(1));
     EXPECT_EQ(stage.step().landing_speed_mps, 0);
 }
 
@@ -39,8 +39,8 @@ TEST_P(CharacterAtRate, JumpsAsHighAtEveryRate) {
     const double start_mps = std::sqrt(2 * kG * 1.0);
     Real apex = 0;
     stage.step({.jump = true});
-    for (int i = 1; i * stage.dt < 0.85_r; ++i) {
-        const double t = i * static_cast<double>(stage.dt);
+    for (int i = 1; stage.seconds(i) < 0.85; ++i) {
+        const double t = stage.seconds(i);
         ASSERT_NEAR(stage.feet().y, start_mps * t - 0.5 * kG * t * t, 1e-4);
         apex = std::max(apex, stage.feet().y);
         stage.step();
@@ -243,7 +243,7 @@ TEST_P(CharacterAtRate, KeepsTheEyeSmoothOnStairs) {
     EXPECT_NEAR(feet_y, 6 * 0.18, 1e-3);
     EXPECT_GT(largest_feet, 1.5_r * largest_eye) << "the feet do jump";
     // Six steps of 0.18 m in 1 s rise at 1.1 m/s on average; the eye never faster than twice that.
-    EXPECT_LT(largest_eye, 2.2 * stage.dt + 1e-3);
+    EXPECT_LT(largest_eye, 2.2 * stage.seconds(1) + 1e-3);
     stage.rest(1);
     EXPECT_NEAR(stage.person->state().eye_position_m.y - stage.feet().y, 1.65, 1e-3);
 }
@@ -295,7 +295,7 @@ TEST_P(CharacterAtRate, CeilingsStopAJump) {
     }
     EXPECT_NEAR(highest, 2.2, 1e-3);
     // Up 0.4 m at 4.43 m/s, then 0.4 m of free fall.
-    EXPECT_NEAR(airborne * stage.dt, 0.102 + 0.286, 2 * stage.dt);
+    EXPECT_NEAR(stage.seconds(airborne), 0.102 + 0.286, stage.seconds(2));
 }
 
 // --- C10
@@ -370,7 +370,9 @@ TEST(Character, CrouchesSmoothlyAndStandsUpAgain) {
         const Real now = stage.person->state().eye_position_m.y;
         ASSERT_LT(std::abs(now - eye), 0.7_r / 0.18_r * stage.dt + 1e-4_r);
         eye = now;
-        if (i == 29) EXPECT_NEAR(eye, 0.95, 1e-3);
+        if (i == 29) {
+            EXPECT_NEAR(eye, 0.95, 1e-3);
+        }
     }
     EXPECT_NEAR(eye, 1.65, 1e-3);
     EXPECT_FALSE(stage.person->state().crouched);
