@@ -14,8 +14,8 @@ struct TextFault {
     int column{0};
 };
 
-/// Refuses text nested deeper, keys with more dotted parts or lines longer than limits.h allows.
-/// Says nothing about syntax: that is the parser's.
+/// Refuses text nested deeper, keys with more dotted parts or lines longer than limits.h allows, and
+/// table headers that the parser would stumble over. All other syntax is the parser's.
 std::optional<TextFault> prescan_toml(std::string_view text);
 
 }  // namespace plumbline::scene

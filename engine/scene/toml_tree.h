@@ -30,8 +30,8 @@ using TomlTable = std::vector<TomlEntry>;
 struct TomlDate {};
 
 struct TomlNode {
-    std::variant<bool, std::int64_t, double, std::string, TomlDate, TomlArray, TomlTable> value{
-        false};
+    // No initialiser: it would need TomlEntry, which needs TomlNode. Starts as false all the same.
+    std::variant<bool, std::int64_t, double, std::string, TomlDate, TomlArray, TomlTable> value;
     Place place{};
 
     const TomlTable* table() const { return std::get_if<TomlTable>(&value); }

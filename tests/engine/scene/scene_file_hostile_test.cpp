@@ -61,7 +61,7 @@ TEST_F(SceneFileHostile, DeepNesting) {
                 fmt::format("scene.toml:1:{}: error: nested deeper than {}",
                             3 * limits::kTextNesting + 5,
                             limits::kTextNesting));
-    expect_only(load(repeated("[\n", 200'000)),
+    expect_only(load("a = [" + repeated("\n[", 200'000)),
                 fmt::format("scene.toml:{}:1: error: nested deeper than {}",
                             limits::kTextNesting + 1,
                             limits::kTextNesting));
@@ -87,6 +87,34 @@ TEST_F(SceneFileHostile, DotsInTextsAndCommentsAreNoKeys) {
     EXPECT_TRUE(load("# a.b.c.d.e.f [[[[ \n[scene]\ntitle = \"a.b.c.d.e.f [[[\"\n"
                      "description = '''a.b.c.d.e\n[[[[[[ ''''' # d.e.f.g.h.i\n")
                     .scene.ok());
+}
+
+// Each of these is undefined behaviour in toml++ 3.3, so the pre-scan must catch it.
+TEST_F(SceneFileHostile, WhatTheParserWouldStumbleOver) {
+    const std::string name = "expected a table's name after [";
+    const std::string ascii = "a letter that is not ASCII; only texts and comments may hold them";
+    const std::string slash = "a backslash before a letter that is not ASCII";
+    expect_only(load("[*]"), "scene.toml:1:2: error: " + name);
+    expect_only(load("  [\n"), "scene.toml:1:4: error: " + name);
+    expect_only(load("a = 1\n[[ = "), "scene.toml:2:4: error: " + name);
+    expect_only(load("[[["), "scene.toml:1:3: error: " + name);
+    expect_only(load("\xEF\xBB\xBF[.]"), "scene.toml:1:5: error: " + name);
+    expect_only(load("a = [}"), "scene.toml:1:6: error: } does not close [");
+    expect_only(load("a = {]"), "scene.toml:1:6: error: ] does not close {");
+    expect_only(load("\xC3\xA4 = 1"), "scene.toml:1:1: error: " + ascii);
+    expect_only(load("a = 1\xC2\xA0"), "scene.toml:1:6: error: " + ascii);
+    expect_only(load("a = 0'''\xC3\xA4'''"), "scene.toml:1:9: error: " + ascii);
+    expect_only(load("a = \"\\\xC3\xA4\""), "scene.toml:1:6: error: " + slash);
+    expect_only(load("a = \"\"\"\\ \n\n \xC3\xA4\"\"\""), "scene.toml:1:8: error: " + slash);
+}
+
+TEST_F(SceneFileHostile, LettersOfAllLanguagesInTextsAndComments) {
+    const Outcome outcome = load(
+        "# \xC3\xA4\n[scene]\ntitle = \"\xC3\xA4\" # \xC3\xA4\n"
+        "description = \"\"\"\n\xC3\xA4\\\n  x\"\"\"\n");
+    ASSERT_TRUE(outcome.scene.ok());
+    EXPECT_EQ(outcome.scene->title, "\xC3\xA4");
+    EXPECT_EQ(outcome.scene->description, "\xC3\xA4x");
 }
 
 TEST_F(SceneFileHostile, LongLines) {
