@@ -55,7 +55,8 @@ public:
     void extract(const scene::Simulation& simulation,
                  const scene::ViewPoint&,
                  render::RenderFrame& frame) override {
-        frame.sky = render::Sky{.folder = simulation.description().sky->folder};
+        frame.sky = render::Sky{.folder = simulation.description().sky->folder,
+                                .brightness = simulation.switches.light_scale};
         ++work_.calls;
     }
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }

@@ -55,7 +55,7 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
 
     size_targets();
     scene.sky.want(new_frame.sky ? new_frame.sky->folder : std::filesystem::path{});
-    scene.materials.update();
+    scene.materials.update(new_frame.shading);
     features = frame_features_of(new_frame, post.ready());
     const FeatureSet shadowed = feature::kSunShadow | feature::kFlashlight;
     if (!is_software_gl && (features & shadowed) != 0) features |= feature::kSoftShadows;
@@ -83,7 +83,7 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
         for (std::size_t i = 0; i < kSkyCoefficients; ++i) {
             block.sky_light[i] = Vec4f{scene.sky.light()[i] * new_frame.ambient, 0.0F};
         }
-        block.tone.w = scene.sky.exposure();
+        block.tone.w = scene.sky.exposure() * new_frame.sky->brightness;
     }
     set_up_light();
     if (new_frame.flashlight) set_up_flashlight(*new_frame.flashlight);

@@ -80,30 +80,29 @@ GpuMaterials::GpuMaterials(const assets::AssetLibrary& library, GpuTextures& tex
     stride_ = (sizeof(MaterialBlock) + step - 1) / step * step;
 }
 
-void GpuMaterials::update() {
+void GpuMaterials::update(std::optional<assets::Shading> shading) {
     const std::size_t count = library_.material_count() + 1;
-    if (features_.size() == count) return;
-    features_.clear();
+    if (materials_.size() == count && shading_ == shading) return;
+    shading_ = shading;
+    materials_.clear();
     std::vector<std::byte> bytes(count * stride_);
     for (std::uint32_t id = 0; id < count; ++id) {
-        const assets::MaterialData material =
+        assets::MaterialData material =
             id == 0 ? assets::MaterialData{} : library_.material(assets::MaterialId{id});
+        if (shading) material.shading = *shading;
         const MaterialBlock block = block_of(material);
         std::memcpy(bytes.data() + id * stride_, &block, sizeof(block));
-        features_.push_back(features_of(material));
+        materials_.push_back({.features = features_of(material),
+                              .textures = textures_of(material),
+                              .normal_map = material.normal_map});
     }
     blocks_.upload(bytes.data(), bytes.size());
 }
 
-FeatureSet GpuMaterials::features(assets::MaterialId id) const {
-    return features_[id.value];
-}
-
 void GpuMaterials::bind(assets::MaterialId id) {
     gl::bind_uniforms(kMaterialBinding, blocks_, id.value * stride_, sizeof(MaterialBlock));
-    if (id.value == 0) return;
-    const assets::MaterialData& material = library_.material(id);
-    for (const TextureRequest& request : textures_of(material)) {
+    const Entry& material = materials_[id.value];
+    for (const TextureRequest& request : material.textures) {
         TextureUnit unit = kBaseColorUnit;
         if (request.content == MipContent::Data) {
             unit = request.file == material.normal_map ? kNormalUnit : kOrmUnit;
@@ -113,7 +112,7 @@ void GpuMaterials::bind(assets::MaterialId id) {
 }
 
 void GpuMaterials::clear() {
-    features_.clear();
+    materials_.clear();
 }
 
 }  // namespace plumbline::render

@@ -7,6 +7,8 @@
 #include "engine/render/shader_features.h"
 
 #include <cstddef>
+#include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace plumbline::render {
@@ -21,8 +23,12 @@ public:
     GpuMaterials(const assets::AssetLibrary& library, GpuTextures& textures);
 
     /// Uploads materials that the library has got since the last call. Once a frame.
-    void update();
-    FeatureSet features(assets::MaterialId id) const;
+    /// `shading`: over every material's own.
+    void update(std::optional<assets::Shading> shading);
+    FeatureSet features(assets::MaterialId id) const { return materials_[id.value].features; }
+    const std::vector<TextureRequest>& textures(assets::MaterialId id) const {
+        return materials_[id.value].textures;
+    }
     /// Makes the material's numbers and images what the next draw reads.
     void bind(assets::MaterialId id);
     void clear();
@@ -32,7 +38,13 @@ private:
     GpuTextures& textures_;
     gl::Buffer blocks_;
     std::size_t stride_{0};
-    std::vector<FeatureSet> features_;  ///< by id; [0]: what draws without a material get
+    struct Entry {
+        FeatureSet features{0};
+        std::vector<TextureRequest> textures;
+        std::filesystem::path normal_map;
+    };
+    std::optional<assets::Shading> shading_;
+    std::vector<Entry> materials_;  ///< by id; [0]: what draws without a material get
 };
 
 }  // namespace plumbline::render

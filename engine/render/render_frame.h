@@ -74,6 +74,7 @@ struct Fog {
 
 struct Sky {
     std::filesystem::path folder;  ///< six faces px nx py ny pz nz
+    float brightness{1.0F};        ///< 1: as the picture is; below: dusk
 };
 
 struct Post {

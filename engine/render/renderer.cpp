@@ -102,8 +102,9 @@ void Renderer::prepare(const RenderFrame& frame) {
         for (std::uint32_t i = 0; i < item.material_count; ++i) {
             if (item.materials[i].value == 0) continue;
             const auto& material = r.scene.library.material(item.materials[i]);
-            for (auto& request : textures_of(material)) textures.push_back(std::move(request));
-            variants.insert(variant_of(features_of(material), r.features));
+            const auto& wanted = r.scene.materials.textures(item.materials[i]);
+            textures.insert(textures.end(), wanted.begin(), wanted.end());
+            variants.insert(variant_of(r.scene.materials.features(item.materials[i]), r.features));
             has_mask = has_mask || material.alpha_mode == assets::AlphaMode::Mask;
         }
     }
