@@ -65,13 +65,15 @@ class Playground {
 public:
     assets::AssetLibrary library;  // outlives the simulation, which refers to it
 
-    explicit Playground(const scene::SceneDescription& scene = meadow(), int step_hz = 60) {
+    explicit Playground(const scene::SceneDescription& scene = meadow(),
+                        int step_hz = 60,
+                        const std::filesystem::path& assets = "no such folder") {
         scene::SurfaceTable surfaces;
         surfaces.surfaces.push_back({.name = "default"});
         auto built = scene::build_simulation(scene, {.step_hz = step_hz}, library, surfaces);
         EXPECT_TRUE(built.ok()) << (built.ok() ? "" : built.error().message);
         simulation = std::move(*built);
-        game = std::make_unique<PlaygroundGame>(*simulation, "no such folder");
+        game = std::make_unique<PlaygroundGame>(*simulation, assets);
         run(0.5);
         messages();
     }

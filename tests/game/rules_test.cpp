@@ -96,6 +96,29 @@ TEST(Rules, EveryThingCanBeDropped) {
     }
 }
 
+TEST(Rules, TheShippedThingsAreDroppedInScenesThatDoNotKnowThem) {
+    Playground play(meadow(), 60, PL_SOURCE_DIR "/assets");
+    for (std::size_t i = 0; i < kThingCount; ++i) {
+        ASSERT_FALSE(play.game->things().thing(i).description.origin.file.empty())
+            << kThingNames[i] << " is not in things.toml";
+        play.step(press({static_cast<Action>(static_cast<std::size_t>(Action::Select1) + i)}));
+        play.step(press({Action::Drop}));
+        play.run(0.8);
+        play.step(look(0.8F, 0.0F));
+    }
+    EXPECT_EQ(play.thing_count(), kThingCount);
+    play.run(3);
+    for (auto [entity, dropped, place, visual] :
+         play.simulation->registry
+             .view<const scene::Dropped, const scene::Placement, const scene::Visual>()) {
+        static_cast<void>(dropped);
+        EXPECT_GT(place.world_from_body.position.y, -0.01);
+        EXPECT_LT(place.world_from_body.position.y, 1) << "at rest on the ground";
+        EXPECT_FALSE(visual.materials.empty()) << play.simulation->describe(entity);
+    }
+    EXPECT_TRUE(play.simulation->warnings().empty()) << play.simulation->warnings().front();
+}
+
 TEST(Rules, AHeldKeyDropsSixASecond) {
     for (const int hz : {30, 60, 240}) {
         Playground play(meadow(), hz);
