@@ -210,9 +210,9 @@ struct ViewDescription {
     std::string name;
     Vec3 position_m{0, 0, 0};
     Vec3 target_m{0, 0, -1};
-    Real wait_s{0};            ///< simulated before the picture, after the stop before
+    Real wait_s{0};  ///< simulated before the picture, after the stop before
     bool flashlight{false};
-    float light_scale{1.0F};   ///< of sun and sky: below 1 is dusk
+    float light_scale{1.0F};  ///< of sun and sky: below 1 is dusk
 };
 
 struct SceneDescription {
