@@ -1,12 +1,10 @@
 #include "game/command_line.h"
 
 #include "engine/core/log.h"
-#include "engine/core/nearest_name.h"
 
 #include <CLI/CLI.hpp>
 
 #include <charconv>
-#include <iostream>
 
 namespace plumbline::game {
 namespace {
@@ -16,21 +14,6 @@ bool parse_side(std::string_view text, int& side) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
     return error == std::errc{} && end == text.data() + text.size() && side >= 1 &&
            side <= kLargest;
-}
-
-/// Option and command names that the person may have meant, across the commands in use.
-std::vector<std::string> known_words(const CLI::App& app) {
-    std::vector<std::string> words;
-    const auto add_options = [&](const CLI::App& of) {
-        for (const CLI::Option* option : of.get_options()) {
-            for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
-        }
-    };
-    add_options(app);
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-        if (command->parsed()) add_options(*command);
-    }
-    return words;
 }
 
 }  // namespace
@@ -66,24 +49,6 @@ app::BindingsDef bindings_def(const CommonOptions& options, const DataFolders& f
             .profile = options.profile,
             .command_line = options.binds,
             .safe = options.safe};
-}
-
-ExitCode answer_parse_error(const CLI::App& app, const CLI::ParseError& error) {
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-        app.exit(error);  // --help and --version
-        return ExitCode::Good;
-    }
-    std::string line = error.what();
-    const std::vector<std::string> unknown = app.remaining(true);
-    if (!unknown.empty()) {
-        line = "unknown option \"" + unknown.front() + "\"";
-        const std::vector<std::string> words = known_words(app);
-        const std::vector<std::string_view> views(words.begin(), words.end());
-        const std::string_view nearest = nearest_name(unknown.front(), views);
-        if (!nearest.empty()) line += "; the nearest is \"" + std::string(nearest) + "\"";
-    }
-    std::cerr << "plumbline: " << line << "\nplumbline --help lists commands and options\n";
-    return ExitCode::BadUsage;
 }
 
 bool parse_size(const std::string& text, int& width, int& height) {

@@ -13,7 +13,6 @@
 
 namespace CLI {
 class App;
-class ParseError;
 }  // namespace CLI
 
 namespace plumbline::game {
@@ -35,9 +34,6 @@ void apply_log_level(const CommonOptions& options);
 /// Where the user's own settings are: --config, else the XDG folder; empty with --safe.
 std::filesystem::path user_settings_folder(const CommonOptions& options);
 app::BindingsDef bindings_def(const CommonOptions& options, const DataFolders& folders);
-
-/// Prints help or the one-line complaint, naming the nearest option or command for unknown words.
-ExitCode answer_parse_error(const CLI::App& app, const CLI::ParseError& error);
 
 /// "1280x720" to two numbers in 1…16384; false when it is none.
 bool parse_size(const std::string& text, int& width, int& height);

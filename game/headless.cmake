@@ -2,6 +2,7 @@
 foreach(suffix "" "_f64")
     set(target plumbline_simulate${suffix})
     add_library(${target} STATIC
+        parse_error.h parse_error.cpp
         simulate_cli.h simulate_cli.cpp
         simulate_command.h simulate_command.cpp)
     plumbline_target_settings(${target})

@@ -2,6 +2,7 @@
 
 #include "game/command_line.h"
 #include "game/other_commands.h"
+#include "game/parse_error.h"
 #include "game/play_command.h"
 #include "game/render_command.h"
 #include "game/simulate_cli.h"

@@ -28,7 +28,7 @@ app::AppConfig read_config(const CommonOptions& common, const DataFolders& folde
 ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return refuse(folders.error());
-    const Result<std::filesystem::path> scene = app::find_scene(options.scene, *folders);
+    const Result<std::filesystem::path> scene = scene::find_scene(options.scene, folders->assets);
     if (!scene) return refuse(scene.error());
     app::PlayDef play{.config = read_config(common, *folders),
                       .shader_folder = folders->shaders,

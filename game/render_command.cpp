@@ -36,7 +36,7 @@ Result<Studio> open_studio(const std::string& scene_name,
                            std::optional<assets::Shading> shading) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
-    const Result<std::filesystem::path> scene = app::find_scene(scene_name, *folders);
+    const Result<std::filesystem::path> scene = scene::find_scene(scene_name, folders->assets);
     if (!scene) return scene.error();
     int width = 1280;
     int height = 720;

@@ -29,17 +29,6 @@ ExitCode refuse(const Error& error) {
 }
 
 /// A file, or a name below assets/scenes.
-Result<fs::path> find_scene(const std::string& name, const DataFolders& folders) {
-    const fs::path scenes = folders.assets / "scenes";
-    std::error_code ignored;
-    for (const fs::path& candidate :
-         {fs::path(name), scenes / name, scenes / (name + ".toml"), fs::path(name + ".toml")}) {
-        if (fs::is_regular_file(candidate, ignored)) return candidate;
-    }
-    return Error{fmt::format("there is no scene \"{}\" here or in {}", name, scenes.string()),
-                 ExitCode::Refused};
-}
-
 /// What is loaded for one run. The library outlives the simulation.
 struct World {
     assets::AssetLibrary library;
@@ -49,7 +38,7 @@ struct World {
 Result<Done> load(const SimulateOptions& options, World& world) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
-    const Result<fs::path> file = find_scene(options.scene, *folders);
+    const Result<fs::path> file = scene::find_scene(options.scene, folders->assets);
     if (!file) return file.error();
     Diagnostics faults;
     const scene::SurfaceTable surfaces =

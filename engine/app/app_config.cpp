@@ -3,6 +3,7 @@
 #include "engine/core/files.h"
 #include "engine/core/limits.h"
 #include "engine/core/nearest_name.h"
+#include "engine/core/toml_prescan.h"
 
 #include <fmt/format.h>
 
@@ -113,6 +114,14 @@ void apply_layer(const std::filesystem::path& path, AppConfig& config, Diagnosti
     const Result<std::string> text = read_file(path, limits::kConfigFileBytes);
     if (!text) {
         faults.add({.severity = Severity::Warning, .file = file, .message = text.error().message});
+        return;
+    }
+    if (const std::optional<TextFault> fault = prescan_toml(*text)) {
+        faults.add({.severity = Severity::Warning,
+                    .file = file,
+                    .line = fault->line,
+                    .column = fault->column,
+                    .message = fault->message + "; the whole file is ignored"});
         return;
     }
     toml::table parsed;

@@ -2,10 +2,7 @@
 
 #include "engine/core/log.h"
 
-#include <fmt/format.h>
-
 namespace plumbline::app {
-namespace fs = std::filesystem;
 namespace {
 
 void log_faults(const Diagnostics& faults) {
@@ -59,19 +56,6 @@ Result<Done> Session::reload() {
     Result<Done> built = build();
     if (!built) description = std::move(before);
     return built;
-}
-
-Result<fs::path> find_scene(const std::string& name, const DataFolders& folders) {
-    const fs::path scenes = folders.assets / "scenes";
-    std::error_code ignored;
-    for (const fs::path& candidate :
-         {fs::path(name), scenes / name, scenes / (name + ".toml"), fs::path(name + ".toml")}) {
-        if (fs::exists(candidate, ignored) && !fs::is_directory(candidate, ignored))
-            return candidate;
-    }
-    return Error{
-        .message = fmt::format("there is no scene \"{}\" here or in {}", name, scenes.string()),
-        .exit_code = ExitCode::Refused};
 }
 
 }  // namespace plumbline::app

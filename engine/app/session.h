@@ -52,7 +52,4 @@ private:
     SessionDef def_;
 };
 
-/// SCENE as people name it: a path, or a name below assets/scenes with or without ".toml".
-Result<std::filesystem::path> find_scene(const std::string& name, const DataFolders& folders);
-
 }  // namespace plumbline::app

@@ -1,7 +1,8 @@
 #include "engine/input/bindings_layer.h"
 
+#include "engine/core/limits.h"
 #include "engine/core/nearest_name.h"
-#include "engine/input/text_scan.h"
+#include "engine/core/toml_prescan.h"
 #include "engine/input/tuning_keys.h"
 
 #include <fmt/format.h>
@@ -279,9 +280,12 @@ std::optional<LayerContent> read_layer(const BindingLayer& layer,
                     {},
                     fmt::format("{}. The whole file is left out.", why)});
     };
-    const ScanFault scan = scan_text(layer.text);
-    if (!scan.message.empty()) {
-        refuse({scan.line, scan.column}, scan.message);
+    if (layer.text.size() > limits::kConfigFileBytes) {
+        refuse({}, fmt::format("larger than {} bytes", limits::kConfigFileBytes));
+        return std::nullopt;
+    }
+    if (const std::optional<TextFault> fault = prescan_toml(layer.text)) {
+        refuse({fault->line, fault->column}, fault->message);
         return std::nullopt;
     }
     try {

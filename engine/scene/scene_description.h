@@ -79,7 +79,7 @@ struct FogDescription {
 };
 
 struct FlashlightDescription {
-    float intensity{20.0F};
+    float intensity{30.0F};
     Vec3f color{1.0F, 0.95F, 0.85F};
     float radius_m{30.0F};
     float inner_deg{12.0F};

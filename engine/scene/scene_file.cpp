@@ -293,4 +293,23 @@ Result<SceneDescription> load_scene(const fs::path& file,
     return std::move(*scene);
 }
 
+Result<std::filesystem::path> find_scene(const std::string& name,
+                                         const std::filesystem::path& assets_folder) {
+    const std::filesystem::path scenes = assets_folder / "scenes";
+    std::error_code ignored;
+    for (const std::filesystem::path& candidate : {std::filesystem::path(name),
+                                                   scenes / name,
+                                                   scenes / (name + ".toml"),
+                                                   std::filesystem::path(name + ".toml")}) {
+        // What is there but no file, a FIFO say, gets its own message from the reader.
+        if (std::filesystem::exists(candidate, ignored) &&
+            !std::filesystem::is_directory(candidate, ignored)) {
+            return candidate;
+        }
+    }
+    return Error{
+        .message = fmt::format("there is no scene \"{}\" here or in {}", name, scenes.string()),
+        .exit_code = ExitCode::Refused};
+}
+
 }  // namespace plumbline::scene

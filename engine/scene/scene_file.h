@@ -17,4 +17,8 @@ Result<SceneDescription> load_scene(const std::filesystem::path& file,
                                     const std::filesystem::path& assets_folder,
                                     Diagnostics& faults);
 
+/// SCENE as people name it: a path, or a name below assets/scenes with or without ".toml".
+Result<std::filesystem::path> find_scene(const std::string& name,
+                                         const std::filesystem::path& assets_folder);
+
 }  // namespace plumbline::scene

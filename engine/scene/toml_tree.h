@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/scene/toml_prescan.h"
+#include "engine/core/toml_prescan.h"
 
 #include <cstdint>
 #include <string>

@@ -43,7 +43,9 @@ TEST(ActionTape, GivesBackEveryBitOfARandomSitting) {
         EXPECT_EQ(player->reset_before(step), step == 100);
         EXPECT_TRUE(same(player->actions_of(step), made[step])) << "step " << step;
         const std::optional<std::uint64_t> hash = player->hash_after(step + 1);
-        if ((step + 1) % 60 == 0) EXPECT_EQ(hash, step * 7919);
+        if ((step + 1) % 60 == 0) {
+            EXPECT_EQ(hash, step * 7919);
+        }
     }
     EXPECT_TRUE(player->ended(500));
     EXPECT_FALSE(player->ended(499));

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace plumbline::scene {
+namespace plumbline {
 
 /// What is wrong and where; line and column count from 1.
 struct TextFault {
@@ -18,4 +18,4 @@ struct TextFault {
 /// table headers that the parser would stumble over. All other syntax is the parser's.
 std::optional<TextFault> prescan_toml(std::string_view text);
 
-}  // namespace plumbline::scene
+}  // namespace plumbline

@@ -1,4 +1,4 @@
-#include "engine/scene/toml_prescan.h"
+#include "engine/core/toml_prescan.h"
 
 #include "engine/core/limits.h"
 
@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace plumbline::scene {
+namespace plumbline {
 namespace {
 
 constexpr std::string_view kNotAscii =
@@ -184,4 +184,4 @@ std::optional<TextFault> prescan_toml(std::string_view text) {
     return Scanner(text).scan();
 }
 
-}  // namespace plumbline::scene
+}  // namespace plumbline
