@@ -17,7 +17,7 @@ def main():
         report = folder / "report.json"
         bindings = folder / "config" / "plumbline" / "bindings.toml"
         bindings.parent.mkdir(parents=True)
-        game = Program([program_file, "play", "garden", "--size", "640x360", "--report", str(report)],
+        game = Program([program_file, "play", "playroom", "--size", "480x270", "--report", str(report)],
                        environment, folder / "log.txt")
         try:
             play(game, bindings)
@@ -34,7 +34,7 @@ def snap(game, name):
 
 
 def play(game, bindings):
-    game.do("mousemove", 320, 180)
+    game.do("mousemove", 240, 135)
     game.do("windowfocus", game.window)
     time.sleep(3)
     snap(game, "1_start")
@@ -74,9 +74,10 @@ def play(game, bindings):
     time.sleep(1)
     snap(game, "6_statistics")
     game.press("Escape")
-    time.sleep(1)
+    time.sleep(2)
     snap(game, "7_menu")
-    game.press("Down", 3, 0.5)
+    game.press("Down", 3, 0.7)
+    snap(game, "8_quit_is_chosen")
     game.press("space")
 
 

@@ -24,7 +24,8 @@ GlFormat format_of(assets::PixelFormat format) {
         case assets::PixelFormat::Rgba8:
             return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
         case assets::PixelFormat::Rgb16F:
-            return {GL_RGB16F, GL_RGB, GL_HALF_FLOAT, 8};
+            // Half the memory of half floats, and no bands in a clear sky: nine bits a colour.
+            return {GL_RGB9_E5, GL_RGB, GL_HALF_FLOAT, 4};
     }
     return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
 }

@@ -245,8 +245,9 @@ TEST(Bindings, HostileNestingNeverReachesTheParser) {  // D10
 }
 
 TEST(Bindings, LimitsHoldToTheByte) {  // D11
-    const std::string line = "[walk]\njump = [\"k\"]\n#";
-    const std::string fits = line + std::string(256 * 1024 - line.size(), 'x');
+    std::string fits = "[walk]\njump = [\"k\"]\n";
+    while (fits.size() + 64 < 256 * 1024) fits += "#" + std::string(62, 'x') + "\n";
+    fits += "#" + std::string(256 * 1024 - 1 - fits.size(), 'x');
     EXPECT_EQ(words(Loaded(fits).bindings, Action::Jump), "k");
     EXPECT_EQ(words(Loaded(fits + "x").bindings, Action::Jump), "space pad.a");
     const std::string nest_32 = "[walk]\nforward = " + std::string(32, '[') + std::string(32, ']');
