@@ -40,15 +40,19 @@ json to_json(const Actions& actions) {
 
 Actions actions_from(const json& line) {
     Actions actions;
-    for (const json& name : line.value("held", json::array())) {
+    // Named, because a range over a member of a temporary would outlive it.
+    const json held = line.value("held", json::array());
+    const json pressed = line.value("pressed", json::object());
+    const json amounts = line.value("amount", json::object());
+    for (const json& name : held) {
         const auto action = action_from_name(name.get<std::string>());
         if (action) actions.held[static_cast<std::size_t>(*action)] = true;
     }
-    for (const auto& [name, count] : line.value("pressed", json::object()).items()) {
+    for (const auto& [name, count] : pressed.items()) {
         const auto action = action_from_name(name);
         if (action) actions.pressed[static_cast<std::size_t>(*action)] = count.get<std::uint8_t>();
     }
-    for (const auto& [name, amount] : line.value("amount", json::object()).items()) {
+    for (const auto& [name, amount] : amounts.items()) {
         const auto action = action_from_name(name);
         if (action) actions.amount[static_cast<std::size_t>(*action)] = amount.get<float>();
     }
