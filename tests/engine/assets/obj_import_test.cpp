@@ -2,6 +2,8 @@
 
 #include "tests/engine/assets/fixture.h"
 
+#include <fmt/format.h>
+
 namespace plumbline::assets::test {
 namespace {
 
@@ -52,7 +54,7 @@ TEST(ObjImport, finds_materials_and_textures_through_folders_backslashes_and_spa
 
 TEST(ObjImport, lets_v_run_down_the_image_and_shares_vertices) {
     const Import import =
-        import_bytes(std::string(kSquare) + "f 1/1/1 2/2/1 3/3/1 4/4/1\n", "a.obj");
+        import_bytes(fmt::format("{}f 1/1/1 2/2/1 3/3/1 4/4/1\n", kSquare), "a.obj");
     ASSERT_TRUE(import.ok()) << import.error();
     EXPECT_EQ(import.mesh().vertices.size(), 4U);
     EXPECT_EQ(import.mesh().indices.size(), 6U);
@@ -83,7 +85,7 @@ TEST(ObjImport, takes_a_plain_material_where_the_library_is_missing) {
 }
 
 TEST(ObjImport, takes_the_plain_material_for_faces_before_any_usemtl) {
-    const Import import = import_bytes(std::string(kSquare) + "f 1 2 3\n", "a.obj");
+    const Import import = import_bytes(fmt::format("{}f 1 2 3\n", kSquare), "a.obj");
     ASSERT_TRUE(import.ok()) << import.error();
     ASSERT_EQ(import.materials().size(), 1U);
     EXPECT_EQ(import.materials()[0].name, "default");
