@@ -74,6 +74,7 @@ void FrameParts::say_faults() {
 }
 
 void FrameParts::take_input(const InputSnapshot& input) {
+    overlay_.take_input(input);
     if (bindings_.reload_if_changed(input.now_s)) {
         latch.set_bindings(bindings_.current());
         overlay_.say("controls read again", input.now_s);

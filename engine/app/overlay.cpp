@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
+#include <vector>
 
 namespace plumbline::app {
 namespace {
@@ -34,6 +35,7 @@ void load_font(float scale) {
 }  // namespace
 
 struct Overlay::Impl {
+    std::vector<int> tapped_keys;  // shown as down although they are up again
     std::deque<panels::Message> messages;
     double started_s{-1.0};
 };
@@ -57,6 +59,19 @@ Overlay::~Overlay() {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
+}
+
+void Overlay::take_input(const InputSnapshot& input) {
+    ImGuiIO& io = ImGui::GetIO();
+    const auto is_down = [&](int key) { return input.keys[static_cast<std::size_t>(key)]; };
+    for (const int key : impl_->tapped_keys) io.KeysDown[key] = is_down(key);
+    impl_->tapped_keys.clear();
+    for (const DeviceEvent& event : input.events) {
+        if (event.kind != DeviceEventKind::Key || !event.pressed) continue;
+        if (event.code < 0 || event.code >= kKeyCount || is_down(event.code)) continue;
+        io.KeysDown[event.code] = true;
+        impl_->tapped_keys.push_back(event.code);
+    }
 }
 
 void Overlay::say(std::string message, double now_s) {

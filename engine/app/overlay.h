@@ -48,6 +48,10 @@ public:
     Overlay(const Overlay&) = delete;
     Overlay& operator=(const Overlay&) = delete;
 
+    /// Once a frame, after the window was polled: a key that went down and up between two frames
+    /// counts as down for one.
+    void take_input(const InputSnapshot& input);
+
     /// A line that fades after some seconds.
     void say(std::string message, double now_s);
 
