@@ -85,8 +85,7 @@ color = [0.26, 0.3, 0.36]
 [flashlight]
 
 [post]
-exposure = 1.2
-bloom = 0.04""")
+exposure = 1.2""")
 
 heading("where the tour takes its pictures")
 for name, position, target, extra in [
@@ -215,7 +214,7 @@ for row in range(3):
     for i in range(4 - row):
         entity(f"brick_{row}_{i}", (-6.6 + 0.27 * (i + row / 2), 0.033 + 0.066 * row, -0.9), prefab='"brick"')
 for i in range(3):
-    entity(f"plank_{i + 1}", (-7.2, 0.021 + 0.042 * i, 0.6 + 0.03 * i), prefab='"plank"', rotation_deg=f"[0, {4 * i}, 0]")
+    entity(f"plank_{i + 1}", (-7.2 + 0.1 * i, 0.021, 0.6 + 0.3 * i), prefab='"plank"', rotation_deg=f"[0, {5 * i}, 0]")
 for i in range(12):
     entity(f"domino_{i + 1}", (-8.2 + 0.06 * i, 0.4, 12.6 - 0.42 * i), prefab='"domino"', rotation_deg=f"[0, {-6 - 1.5 * i:.1f}, 0]")
 
