@@ -221,6 +221,9 @@ void Renderer::end() {
     Impl& r = *impl_;
     r.stats.passes = r.timers.timings();
     r.frame = nullptr;
+    // Nobody presents an off-screen picture: without this, frames would pile up in the driver,
+    // with their memory, and the time of a frame would be that of asking for it.
+    if (r.target == PresentTarget::Offscreen) glFinish();
 }
 
 void Renderer::forget_scene() {
