@@ -94,7 +94,7 @@ for name, position, target, extra in [
     ("flower_bed", (-4.6, 0.75, -0.6), (-1.8, 0.55, -2.7), ""),
     ("crates", (8.6, 1.6, 6.4), (6.1, 0.7, 2.3), ""),
     ("from_above", (13.5, 9.5, 15.0), (-1.0, 0.2, -1.5), ""),
-    ("shed_with_flashlight", (-8.1, 1.6, -5.4), (-11.4, 0.9, -8.6), "flashlight = true\nlight_scale = 0.06\n"),
+    ("shed_with_flashlight", (-10.9, 1.6, -5.3), (-11.7, 0.85, -9.2), "flashlight = true\nlight_scale = 0.06\n"),
 ]:
     put(f'\n[[view]]\nname = "{name}"\nposition_m = {vec(*position)}\ntarget_m = {vec(*target)}\n{extra}'.rstrip())
 
@@ -119,7 +119,7 @@ for i in range(8):
 parts += ["{ cylinder = [0.22, 1.2], position_m = [0, 0.6, 0] }", "{ cylinder = [0.74, 0.16], position_m = [0, 1.42, 0] }",
           "{ cylinder = [0.11, 0.7], position_m = [0, 1.8, 0] }"]
 entity("fountain", (0, 0.03, 3.2), model='"models/fountain.glb"',
-       sound='{ file = "sounds/loop_fountain.ogg", loop = true, gain = 0.7, radius_m = 14 }',
+       sound='{ file = "sounds/loop_fountain.ogg", loop = true, gain = 1.0, radius_m = 14 }',
        body=['kind = "static"', "friction = 0.6", "shape = { compound = [\n    " + ",\n    ".join(parts) + ",\n] }"])
 
 heading("trees")
