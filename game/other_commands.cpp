@@ -67,7 +67,7 @@ ExitCode run_explain(const std::string& scene_name, bool as_json) {
     if (!session) return refuse(session.error());
     scene::Simulation& simulation = *(*session)->simulation;
     const auto steps = static_cast<std::uint64_t>(kExplained_s / simulation.step_s());
-    const scene::ViewPoint view = first_view((*session)->description);
+    const scene::ViewPoint view = first_view(simulation.description());
 
     Result<std::unique_ptr<app::OffscreenRun>> run = app::OffscreenRun::create(
         **session, {.shader_folder = folders->shaders, .width_px = 640, .height_px = 360});

@@ -85,7 +85,7 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
     if (!studio) return refuse(studio.error());
     scene::Simulation& simulation = *studio->session->simulation;
 
-    scene::ViewPoint view = first_view(studio->session->description);
+    scene::ViewPoint view = first_view(simulation.description());
     if (!options.camera.empty()) {
         const std::optional<scene::ViewPoint> asked = parse_camera(options.camera, view.fov_y_rad);
         if (!asked)
@@ -126,7 +126,7 @@ ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
         return refuse(
             {.message = fmt::format("cannot make {}: {}", options.out.string(), failed.message())});
 
-    const scene::SceneDescription& scene = studio->session->description;
+    const scene::SceneDescription& scene = studio->session->simulation->description();
     std::vector<assets::ImageData> pictures;
     for (const scene::ViewDescription& stop : tour_stops(scene)) {
         scene::LiveSwitches& switches = studio->session->simulation->switches;

@@ -226,6 +226,7 @@ struct SceneDescription {
     std::optional<PlayerDescription> player{};
     CameraDescription camera{};
     bool has_camera{false};
+    bool frames_everything{false};          ///< the camera moves back until all is in view: models
     Vec3f clear_color{0.6F, 0.65F, 0.85F};  ///< [camera] clear_color
     std::optional<SunDescription> sun{};
     std::optional<SkyDescription> sky{};

@@ -6,6 +6,7 @@ SceneDescription scene_of_model(const std::filesystem::path& file,
                                 const std::filesystem::path& root) {
     const Origin origin{.file = file.filename().string()};
     SceneDescription scene;
+    scene.frames_everything = true;
     scene.file = file;
     scene.title = file.stem().string();
     scene.description = "a model on a ground plane";

@@ -91,6 +91,7 @@ public:
     std::vector<audio::SoundCue> cues;  ///< asked for since the last frame took them
 
     const SceneDescription& description() const { return description_; }
+    void set_camera(const CameraDescription& camera) { description_.camera = camera; }
     const SurfaceTable& surfaces() const { return surfaces_; }
     assets::AssetLibrary& library() { return library_; }
     const assets::AssetLibrary& library() const { return library_; }
