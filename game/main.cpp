@@ -1,5 +1,6 @@
 // The program `plumbline`: words on the command line to commands.
 
+#include "engine/core/process_memory.h"
 #include "game/command_line.h"
 #include "game/other_commands.h"
 #include "game/parse_error.h"
@@ -8,7 +9,6 @@
 #include "game/simulate_cli.h"
 
 #include <CLI/CLI.hpp>
-#include <malloc.h>
 
 #include <algorithm>
 #include <array>
@@ -112,10 +112,7 @@ ExitCode run_command(const CLI::App& app, const Words& words) {
 }
 
 int run_program(int argc, char** argv) {
-    // Loading passes hundreds of megabytes of pixels through the heap. A fixed threshold gives each
-    // large block back to the system when it is freed; by default glibc learns to keep them, which
-    // costs the garden 40 MiB of resident memory.
-    mallopt(M_MMAP_THRESHOLD, 128 * 1024);
+    return_large_blocks_early();
     CLI::App app("Plumbline: a physics playground that shows what accuracy costs", "plumbline");
     app.set_version_flag("--version", version_text());
     app.require_subcommand(1);

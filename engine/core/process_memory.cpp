@@ -1,5 +1,6 @@
 #include "engine/core/process_memory.h"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 namespace plumbline {
@@ -8,6 +9,10 @@ std::size_t peak_resident_bytes() {
     rusage usage{};
     if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+void return_large_blocks_early() {
+    mallopt(M_MMAP_THRESHOLD, 128 * 1024);
 }
 
 }  // namespace plumbline
