@@ -18,7 +18,8 @@ struct SolverName {
     Solver solver;
     std::string_view name;
 };
-constexpr std::array<SolverName, 4> kSolverNames{{{Solver::BulletSi, "bullet_si"},
+constexpr std::array<SolverName, 5> kSolverNames{{{Solver::SmallStep, "small_step"},
+                                                  {Solver::BulletSi, "bullet_si"},
                                                   {Solver::BulletNncg, "bullet_nncg"},
                                                   {Solver::BulletDantzig, "bullet_dantzig"},
                                                   {Solver::BulletPgs, "bullet_pgs"}}};
@@ -94,6 +95,7 @@ PhysicsWorld::Impl::Impl(const WorldDef& world_def) : def(world_def) {
 
     // The solver counts into the world's cost, which does not exist yet: into ours, then.
     switch (def.solver) {
+        case Solver::SmallStep:
         case Solver::BulletSi: {
             auto made = std::make_unique<CountingSolver<btSequentialImpulseConstraintSolver>>(cost);
             made->setRandSeed(def.seed);

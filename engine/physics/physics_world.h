@@ -24,7 +24,13 @@
 namespace plumbline::physics {
 
 /// Constraint solvers by the names that scenes and the command line use.
-enum class Solver : std::uint8_t { BulletSi, BulletNncg, BulletDantzig, BulletPgs };
+enum class Solver : std::uint8_t {
+    SmallStep,  ///< ours: soft sub-stepped contacts, joints solved directly (docs/PHYSICS.md)
+    BulletSi,
+    BulletNncg,
+    BulletDantzig,
+    BulletPgs,
+};
 
 std::string_view solver_name(Solver solver);  ///< "bullet_si"
 std::optional<Solver> solver_from_name(std::string_view name);
@@ -32,8 +38,11 @@ std::optional<Solver> solver_from_name(std::string_view name);
 struct WorldDef {
     Vec3 gravity_mps2{0, -9.81_r, 0};
     double step_s{1.0 / 60.0};  ///< one fixed step; > 0
-    int substeps{1};            ///< each step is this many whole steps of step_s / substeps
-    int iterations{10};         ///< solver sweeps per substep; >= 1
+    /// bullet_*: each step is this many whole steps. small_step: the least sub-steps an island gets.
+    int substeps{1};
+    /// small_step: the most sub-steps an island gets; at most `substeps`: exactly `substeps`.
+    int substeps_max{0};
+    int iterations{10};  ///< solver sweeps per substep; >= 1
     Solver solver{Solver::BulletSi};
     std::uint32_t seed{0};  ///< of the solver's own shuffling, where it has any
 };

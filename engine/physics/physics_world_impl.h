@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/slot_map.h"
+#include "engine/physics/joint_impl.h"
 #include "engine/physics/mass.h"
 #include "engine/physics/mesh_contact_impl.h"
 #include "engine/physics/physics_world.h"
@@ -71,11 +72,14 @@ struct BodyRecord {
     bool can_sleep{true};
     bool contact_events{false};
     bool frozen{false};
-    bool in_world{false};    ///< false once quarantined
-    bool poisoned{false};    ///< somebody gave it a non-finite number: out before the next step
-    bool has_target{false};  ///< kinematic: move_kinematic was called for the next step
-    bool driven{false};      ///< kinematic: its velocity is that of the last move_kinematic
-    bool forced{false};      ///< a force or torque of the caller acts in the next step
+    bool in_world{false};      ///< false once quarantined
+    bool poisoned{false};      ///< somebody gave it a non-finite number: out before the next step
+    bool has_target{false};    ///< kinematic: move_kinematic was called for the next step
+    bool driven{false};        ///< kinematic: its velocity is that of the last move_kinematic
+    bool forced{false};        ///< a force or torque of the caller acts in the next step
+    bool awake{true};          ///< small_step: steps move it
+    double still_s{0};         ///< small_step: for how long it has been slow enough to sleep
+    std::uint32_t slumber{0};  ///< small_step: bodies that fell asleep together share it; 0: awake
 
     Pose body_from_mass{};
     bool mass_frame_is_body{true};
@@ -134,6 +138,7 @@ struct PhysicsWorld::Impl {
 
     SlotMap<ShapeId, std::unique_ptr<ShapeRecord>> shapes;
     SlotMap<BodyId, std::unique_ptr<BodyRecord>> bodies;
+    SlotMap<JointId, std::unique_ptr<JointRecord>> joints;
     std::vector<BodyId> poisoned;  ///< to be taken out before the next step
     std::vector<BodyId> quarantined;
     std::size_t event_bodies{0};  ///< how many bodies asked for contact events

@@ -2,6 +2,7 @@
 #include "engine/physics/bullet_convert_impl.h"
 #include "engine/physics/convex_query_impl.h"
 #include "engine/physics/physics_world_impl.h"
+#include "engine/physics/small_step/rotation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,25 +13,9 @@ namespace {
 /// Turns slower than this gain less than 1e-6 rad/s2 from the gyroscopic torque.
 constexpr double kGyroSpin_radps = 1e-3;
 
-/// Spins are followed in pieces of at most this turn: a top at 300 rad/s turns 5 rad in a step.
-constexpr double kTurnPerPiece_rad = 0.25;
-constexpr double kMaxTurnPieces = 16;
-
 btQuaternion turn_by(const btVector3& spin, btScalar step_s) {
-    const btScalar rate = spin.length();
-    const btScalar half = btScalar(0.5) * rate * step_s;
-    // sin(x)/x by its series where the quotient would lose digits.
-    const btScalar scale = half < btScalar(1e-3) ? btScalar(0.5) * step_s * (1 - half * half / 6)
-                                                 : std::sin(half) / rate;
-    return {spin.x() * scale, spin.y() * scale, spin.z() * scale, std::cos(half)};
-}
-
-Quatd turn_by(const Vec3d& spin, double step_s) {
-    const double rate = glm::length(spin);
-    const double half = 0.5 * rate * step_s;
-    const double scale =
-        half < 1e-4 ? 0.5 * step_s * (1.0 - half * half / 6.0) : std::sin(half) / rate;
-    return {std::cos(half), spin.x * scale, spin.y * scale, spin.z * scale};
+    const Quat q = plumbline::physics::turn_by(from_bullet(spin), step_s);
+    return {q.x, q.y, q.z, q.w};
 }
 
 btMatrix3x3 turned(const btMatrix3x3& basis, const btVector3& spin, btScalar step_s) {
@@ -53,19 +38,6 @@ btMatrix3x3 basis_of(const Quatd& q) {
     const auto at = [&m](int row, int column) { return static_cast<btScalar>(m[column][row]); };
     return {
         at(0, 0), at(0, 1), at(0, 2), at(1, 0), at(1, 1), at(1, 2), at(2, 0), at(2, 1), at(2, 2)};
-}
-
-/// One piece of q' = spin(q) q at fourth order: Celledoni, Marthinsen and Owren's commutator-free
-/// scheme (2003), whose stages are turns and never leave the unit quaternions.
-template <class SpinAt>
-Quatd turned_once(const Quatd& q, double h, const SpinAt& spin_at) {
-    const Vec3d k1 = spin_at(q);
-    const Quatd q2 = turn_by(k1, 0.5 * h) * q;
-    const Vec3d k2 = spin_at(q2);
-    const Vec3d k3 = spin_at(turn_by(k2, 0.5 * h) * q);
-    const Vec3d k4 = spin_at(turn_by(k3 - 0.5 * k1, h) * q2);
-    const Quatd first = turn_by((3.0 * k1 + 2.0 * k2 + 2.0 * k3 - k4) / 12.0, h) * q;
-    return glm::normalize(turn_by((-k1 + 2.0 * k2 + 2.0 * k3 + 3.0 * k4) / 12.0, h) * first);
 }
 
 }  // namespace
@@ -217,23 +189,17 @@ bool StepWorld::feels_gyro(const BodyRecord& record) const {
                static_cast<btScalar>(kGyroSpin_radps * kGyroSpin_radps);
 }
 
-/// Turning that keeps the angular momentum: the spin is what the momentum means at the orientation
-/// reached. The gyroscopic torque is in it; nothing is added to the solver.
+/// The gyroscopic torque is in the turning; nothing is added to the solver.
 void StepWorld::turn_freely(BodyRecord& record, double h) {
     btRigidBody& rigid = *record.rigid;
     Flight& flight = record.flight;
-    Quatd q = flight.going ? flight.orientation : double_quat(rigid.getWorldTransform().getBasis());
-    const Vec3d spin =
-        flight.going ? flight.spin_radps : double_from_bullet(rigid.getAngularVelocity());
-    const Vec3d momentum = q * (record.inertia_kgm2 * (glm::conjugate(q) * spin));
-    const auto spin_at = [&](const Quatd& turned_to) {
-        return turned_to * ((glm::conjugate(turned_to) * momentum) / record.inertia_kgm2);
-    };
-    const double pieces =
-        std::clamp(std::ceil(glm::length(spin) * h / kTurnPerPiece_rad), 1.0, kMaxTurnPieces);
-    for (int i = 0; i < static_cast<int>(pieces); ++i) q = turned_once(q, h / pieces, spin_at);
-    flight.orientation = q;
-    flight.spin_radps = spin_at(q);
+    const FreeTurn start = flight.going
+                               ? FreeTurn{flight.orientation, flight.spin_radps}
+                               : FreeTurn{double_quat(rigid.getWorldTransform().getBasis()),
+                                          double_from_bullet(rigid.getAngularVelocity())};
+    const FreeTurn end = turned_freely(start, record.inertia_kgm2, h);
+    flight.orientation = end.orientation;
+    flight.spin_radps = end.spin_radps;
     btTransform to = rigid.getWorldTransform();
     to.setBasis(basis_of(flight.orientation));
     rigid.setCenterOfMassTransform(to);

@@ -1,0 +1,48 @@
+// Bodies that push each other, as one step finds them, and what solves them. Private.
+#pragma once
+
+#include "engine/physics/joint_impl.h"
+#include "engine/physics/physics_world.h"
+
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace plumbline::physics {
+
+/// Dynamic bodies connected by touching pairs and joints. Static and kinematic bodies bound an
+/// island and belong to none. Everything is in an order that only ids decide.
+struct Island {
+    std::vector<BodyRecord*> bodies;               ///< dynamic, awake
+    std::vector<btPersistentManifold*> manifolds;  ///< with at least one point
+    std::vector<JointRecord*> joints;              ///< not broken
+};
+
+/// What solving an island needs to know of the step.
+struct IslandStep {
+    double step_s{1.0 / 60.0};
+    Vec3d gravity_mps2{0, 0, 0};
+    int substeps_least{1};
+    int substeps_most{1};
+    int iterations{1};  ///< sweeps of bias and of relaxation per sub-step
+    WorldFeatures features{};
+    StepCost* cost{nullptr};
+    FeatureUse* use{nullptr};
+};
+
+/// Solves islands that touch or are joined: moves the bodies (Bullet's transforms and
+/// BodyRecord::flight), leaves velocities, impulses on the manifold points and joint states.
+class IslandSolver {
+public:
+    IslandSolver();
+    ~IslandSolver();
+    void solve(Island& island, const IslandStep& step);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace plumbline::physics

@@ -1,0 +1,67 @@
+// A joint between two bodies, or a body and the world, as it is asked for and as a step left it.
+#pragma once
+
+#include "engine/physics/body.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace plumbline::physics {
+
+struct JointTag;
+using JointId = Id<JointTag>;
+
+enum class JointKind : std::uint8_t {
+    Ball,      ///< the anchors coincide
+    Hinge,     ///< ... and the bodies turn about one axis only
+    Slider,    ///< the bodies move along one axis only and do not turn
+    Fixed,     ///< as if glued
+    Cone,      ///< a ball joint whose axis stays within a cone; twist may be bounded too
+    Distance,  ///< the anchors keep a distance, or one between limits
+    Spring,    ///< the anchors are pulled towards a distance
+};
+
+/// Drives a hinge or a slider towards a speed with at most a torque or force.
+struct JointMotor {
+    Real target{0};  ///< rad/s or m/s, of a against b
+    Real max{0};     ///< N m or N; >= 0
+};
+
+/// A joint as it is asked for, with the bodies where they are now. Copied.
+///
+/// Angles and displacements are of a against b along `axis_world`, right-handed, zero at creation.
+struct JointDef {
+    JointKind kind{JointKind::Ball};
+    BodyId a{};
+    BodyId b{};  ///< null: the world
+    Vec3 anchor_a_world{0, 0, 0};
+    Vec3 anchor_b_world{0, 0, 0};  ///< same as a's but for Distance and Spring
+    Vec3 axis_world{0, 1, 0};      ///< unit: Hinge, Slider, Cone
+    /// rad (Hinge), m (Slider, Distance: of the distance), rad (Cone: the larger magnitude is the
+    /// angle at most between a's axis and b's). None: free; Distance: the distance at creation.
+    std::optional<std::array<Real, 2>> limits{};
+    std::optional<std::array<Real, 2>> twist_limits{};  ///< rad, Cone only
+    std::optional<JointMotor> motor{};                  ///< Hinge, Slider
+    Real stiffness_Npm{0};                              ///< Spring
+    Real damping_Nspm{0};                               ///< Spring
+    std::optional<Real> rest_length_m{};  ///< Spring, Distance; none: the distance at creation
+    bool collide{false};                  ///< whether a and b still touch each other
+    Real break_N{0};                      ///< breaks when it carried more over a step; 0: never
+    std::uint64_t user{0};                ///< the caller's own mark
+};
+
+/// What the latest step left of a joint.
+struct JointState {
+    /// How far the joint is from what it forbids: the gap between the anchors (m) or, where it is
+    /// more, the misalignment in rad times 1 m; limits count once they are passed.
+    double error_m{0};
+    Real force_N{0};  ///< mean over the step of what it carried, without torques
+    Real torque_Nm{0};
+    /// rad (Hinge), m (Slider: displacement; Distance, Spring: length), rad (Cone: the angle
+    /// between the axes); 0 else.
+    Real position{0};
+    bool broken{false};  ///< carries nothing any more
+};
+
+}  // namespace plumbline::physics

@@ -1,0 +1,53 @@
+// A body as the small-step solver sees it during one step. Knows nothing of Bullet.
+#pragma once
+
+#include "engine/core/math.h"
+
+#include <cstdint>
+
+namespace plumbline::physics {
+
+/// A symmetric 3x3 matrix by its six numbers.
+struct SymmetricMat3 {
+    Real xx{0}, xy{0}, xz{0}, yy{0}, yz{0}, zz{0};
+
+    Vec3 operator*(const Vec3& v) const {
+        return {xx * v.x + xy * v.y + xz * v.z,
+                xy * v.x + yy * v.y + yz * v.z,
+                xz * v.x + yz * v.y + zz * v.z};
+    }
+};
+
+/// Everything the sweeps touch is in the first 64 bytes (float32). Velocities are of the centre of
+/// mass, world axes. Positions are changes since the step's start, so that float32 keeps its digits
+/// far from the origin; the pose at the start stands in `Start`.
+struct alignas(64) SolverBody {
+    Vec3 velocity_mps{0, 0, 0};
+    Real inverse_mass{0};  ///< 1/kg; 0: static or kinematic
+    Vec3 spin_radps{0, 0, 0};
+    SymmetricMat3 inverse_inertia{};  ///< world axes, 1/(kg m2)
+
+    Vec3 moved_m{0, 0, 0};            ///< centre of mass, since the step's start
+    Quat turned{kNoRotation};         ///< since the step's start: world_from_body = turned * start
+    Vec3 acceleration_mps2{0, 0, 0};  ///< gravity and the callers' forces
+    Vec3 angular_acceleration_radps2{0, 0, 0};  ///< the callers' torques
+
+    /// The pose at the step's start and what the inertia is made from, in double precision.
+    Vec3d start_position_m{0, 0, 0};
+    Quatd start_orientation{1, 0, 0, 0};
+    Vec3d inertia_kgm2{0, 0, 0};  ///< principal, body axes; 0: immovable
+    bool round_inertia{true};     ///< all three moments equal: inverse_inertia never changes
+
+    bool movable() const { return inverse_mass > 0; }
+    Vec3 velocity_at(const Vec3& arm) const { return velocity_mps + glm::cross(spin_radps, arm); }
+    /// `arm` from the centre of mass, world axes.
+    void push(const Vec3& impulse_Ns, const Vec3& arm) {
+        velocity_mps += impulse_Ns * inverse_mass;
+        spin_radps += inverse_inertia * glm::cross(arm, impulse_Ns);
+    }
+};
+
+/// Index of the body that stands for the static world in every island's array: never moves.
+inline constexpr std::uint32_t kWorldBody = 0;
+
+}  // namespace plumbline::physics
