@@ -32,6 +32,16 @@ struct IslandStep {
     FeatureUse* use{nullptr};
 };
 
+/// The normal impulse at a contact point over the whole step, N s. `m_appliedImpulse` and its two
+/// lateral brothers hold mean forces of the latest sub-step in N instead: what the next step starts
+/// from, however long its sub-steps are. Bullet leaves this field to solvers and keeps it.
+inline btScalar frame_impulse_Ns(const btManifoldPoint& point) {
+    return point.m_prevRHS;
+}
+inline void set_frame_impulse(btManifoldPoint& point, btScalar impulse_Ns) {
+    point.m_prevRHS = impulse_Ns;
+}
+
 /// Solves islands that touch or are joined: moves the bodies (Bullet's transforms and
 /// BodyRecord::flight), leaves velocities, impulses on the manifold points and joint states.
 class IslandSolver {

@@ -32,6 +32,13 @@ struct alignas(64) SolverBody {
     Vec3 acceleration_mps2{0, 0, 0};  ///< gravity and the callers' forces
     Vec3 angular_acceleration_radps2{0, 0, 0};  ///< the callers' torques
 
+    /// What gravity, callers' forces and the impulses of the sub-step before (warm start) change in
+    /// this sub-step: forces that act all along it, so that positions take half of their effect.
+    Vec3 steady_mps{0, 0, 0};
+    Vec3 steady_radps{0, 0, 0};
+    Real linear_keep{1};  ///< share of speed that damping leaves after a sub-step
+    Real angular_keep{1};
+
     /// The pose at the step's start and what the inertia is made from, in double precision.
     Vec3d start_position_m{0, 0, 0};
     Quatd start_orientation{1, 0, 0, 0};

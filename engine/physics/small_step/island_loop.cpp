@@ -1,0 +1,104 @@
+#include "engine/physics/small_step/island_loop.h"
+
+#include "engine/physics/small_step/rotation.h"
+
+namespace plumbline::physics {
+namespace {
+
+/// Slower turns than this gain nothing that shows from the gyroscopic torque.
+constexpr Real kGyroSpin_radps = 1e-2_r;
+
+}  // namespace
+
+void IslandLoop::clear() {
+    bodies.assign(1, SolverBody{});
+    contacts.clear();
+    joints.clear();
+}
+
+LoopReport IslandLoop::run(const LoopSettings& settings) {
+    settings_ = settings;
+    report_ = {};
+    const double h = settings.step_s / settings.substeps;
+    h_ = static_cast<Real>(h);
+    contacts.begin_step(bodies, h_, settings.push_mps);
+    impacts_.begin_step(contacts, bodies, 2 * settings.gravity_mps2 * h_ + 1e-3_r);
+    if (!joints.empty()) joint_system_.start(bodies, joints, h, settings.joint_method);
+    for (int i = 0; i < settings.substeps; ++i) substep();
+    if (!joints.empty()) {
+        joint_system_.finish(settings.step_s);
+        report_.max_joint_error_m = joint_system_.work().max_error_m;
+        report_.row_solves += joint_system_.work().row_solves;
+    }
+    report_.row_solves += contacts.row_solves();
+    return report_;
+}
+
+void IslandLoop::substep() {
+    if (impacts_.needed()) report_.blows += impacts_.run();
+    apply_steady_forces();
+    if (!joints.empty()) joint_system_.push_springs(static_cast<double>(h_) / 2);
+    solve_velocities();
+    move();
+    if (!joints.empty()) {
+        joint_system_.correct_positions();
+        joint_system_.push_springs(static_cast<double>(h_) / 2);
+        joint_system_.refresh();
+    }
+    relax();
+    contacts.end_substep();
+}
+
+void IslandLoop::apply_steady_forces() {
+    for (SolverBody& body : bodies) {
+        body.steady_mps = body.acceleration_mps2 * h_;
+        body.steady_radps = body.angular_acceleration_radps2 * h_;
+    }
+    contacts.warm_start();
+    for (SolverBody& body : bodies) {
+        if (!body.movable()) continue;
+        body.velocity_mps = body.velocity_mps * body.linear_keep + body.steady_mps;
+        body.spin_radps = body.spin_radps * body.angular_keep + body.steady_radps;
+    }
+}
+
+void IslandLoop::solve_velocities() {
+    for (int i = 0; i < settings_.iterations; ++i) {
+        contacts.solve_with_bias();
+        if (!joints.empty()) joint_system_.solve_velocities();
+    }
+}
+
+void IslandLoop::relax() {
+    for (int i = 0; i < settings_.iterations; ++i) {
+        contacts.relax();
+        if (!joints.empty()) joint_system_.solve_velocities();
+    }
+}
+
+/// Forces that act all through the sub-step move a body by half of what their speed would: flight
+/// is exact, sliding and rolling are second order.
+void IslandLoop::move() {
+    const Real half = h_ / 2;
+    for (SolverBody& body : bodies) {
+        body.moved_m += body.velocity_mps * h_ - body.steady_mps * half;
+        turn(body);
+    }
+}
+
+void IslandLoop::turn(SolverBody& body) const {
+    const bool gyroscopic =
+        settings_.gyroscopic_torque && body.movable() && !body.round_inertia &&
+        glm::dot(body.spin_radps, body.spin_radps) > kGyroSpin_radps * kGyroSpin_radps;
+    if (!gyroscopic) {
+        const Vec3 mean = body.spin_radps - body.steady_radps * Real{0.5};
+        body.turned = glm::normalize(turn_by(mean, h_) * body.turned);
+        return;
+    }
+    const FreeTurn start{Quatd(body.turned) * body.start_orientation, Vec3d(body.spin_radps)};
+    const FreeTurn end = turned_freely(start, body.inertia_kgm2, static_cast<double>(h_));
+    body.turned = Quat(end.orientation * glm::conjugate(body.start_orientation));
+    body.spin_radps = Vec3(end.spin_radps);
+}
+
+}  // namespace plumbline::physics
