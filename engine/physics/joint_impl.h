@@ -19,7 +19,13 @@ struct JointRecord {
     JointDef def{};
     SolverJoint solver{};  ///< geometry and warm start; `a` and `b` are filled in every step
     JointState state{};
-    std::unique_ptr<btTypedConstraint> bullet;  ///< only with bullet_* solvers
+
+    // Only with bullet_* solvers.
+    std::unique_ptr<btTypedConstraint> bullet;
+    btJointFeedback feedback{};  ///< what the latest substep carried
+    Vec3d carried_Ns{0, 0, 0};   ///< on a, so far in the running step
+    Vec3d carried_Nms{0, 0, 0};  ///< about a's anchor
+    bool solved{false};          ///< in some substep of the running step
 };
 
 }  // namespace plumbline::physics

@@ -47,9 +47,11 @@ void install_global_callbacks() {
     gCalculateCombinedSpinningFrictionCallback = combined_spinning_friction;
 }
 
-/// Groups must agree both ways, and something must be able to give way.
+/// Groups must agree both ways, something must be able to give way, and no joint forbids it.
 class PairFilter final : public btOverlapFilterCallback {
 public:
+    explicit PairFilter(const ExemptPairs& exempt) : exempt_(exempt) {}
+
     bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
         const auto& object_a = *static_cast<const btCollisionObject*>(a->m_clientObject);
         const auto& object_b = *static_cast<const btCollisionObject*>(b->m_clientObject);
@@ -59,8 +61,12 @@ public:
         const BodyRecord& record_a = record_of(object_a);
         const BodyRecord& record_b = record_of(object_b);
         return (record_a.group & record_b.collides_with) != 0 &&
-               (record_b.group & record_a.collides_with) != 0;
+               (record_b.group & record_a.collides_with) != 0 &&
+               !exempt_.contains(record_a.id, record_b.id);
     }
+
+private:
+    const ExemptPairs& exempt_;
 };
 
 }  // namespace
@@ -88,7 +94,7 @@ PhysicsWorld::Impl::Impl(const WorldDef& world_def) : def(world_def) {
     configuration = std::make_unique<btDefaultCollisionConfiguration>();
     dispatcher = std::make_unique<btCollisionDispatcher>(configuration.get());
     mesh_contacts = std::make_unique<MeshContacts>(*dispatcher);
-    pair_filter = std::make_unique<PairFilter>();
+    pair_filter = std::make_unique<PairFilter>(exempt_pairs);
     pairs = std::make_unique<btHashedOverlappingPairCache>();
     pairs->setOverlapFilterCallback(pair_filter.get());
     broadphase = std::make_unique<btDbvtBroadphase>(pairs.get());
@@ -188,6 +194,7 @@ Energy PhysicsWorld::energy() const {
                          0.5 * glm::dot(record->inertia_kgm2, spin * spin);
         sum.potential_J -= record->mass_kg * glm::dot(gravity, x);
     });
+    sum.potential_J += impl_->elastic_energy_J();
     return sum;
 }
 

@@ -12,6 +12,7 @@
 #include "engine/core/result.h"
 #include "engine/physics/body.h"
 #include "engine/physics/contact.h"
+#include "engine/physics/joint.h"
 #include "engine/physics/query.h"
 
 #include <cstdint>
@@ -77,7 +78,8 @@ struct FeatureUse {
 
 struct Energy {
     double kinetic_J{0};
-    double potential_J{0};  ///< m*g*h above the plane through the origin, against gravity
+    /// m*g*h above the plane through the origin, against gravity, and what springs hold.
+    double potential_J{0};
 };
 
 class PhysicsWorld {
@@ -96,7 +98,7 @@ public:
     // Numbers that are not finite are taken as they come: a dynamic body that gets one is
     // quarantined before the next step, others do not obey the call.
     BodyId create_body(const BodyDef& def);
-    void destroy_body(BodyId id);  ///< what rested on it wakes
+    void destroy_body(BodyId id);  ///< its joints go too; what rested on it wakes
     bool contains(BodyId id) const;
     std::size_t body_count() const;
     std::size_t awake_count() const;
@@ -126,6 +128,21 @@ public:
     void set_contact_events(BodyId id, bool listed);
     void wake(BodyId id);
 
+    // --- joints; they go with either body, also when it is quarantined
+    /// Holds two bodies, or one and the world, as they are now. Both wake. Refused: no body that
+    /// could ever move, a body and itself, an axis without direction, limits that cross, numbers
+    /// that are not finite or of the wrong sign.
+    Result<JointId> create_joint(const JointDef& def);
+    void destroy_joint(JointId id);  ///< both bodies wake
+    bool contains(JointId id) const;
+    std::size_t joint_count() const;  ///< broken ones included
+    /// As asked for, with the motor as it is now.
+    const JointDef& joint_def(JointId id) const;
+    const JointState& joint_state(JointId id) const;
+    /// Hinge and slider: drives it, or with none lets it go. Both bodies wake. Other kinds, and
+    /// numbers that are not finite or a negative maximum, change nothing.
+    void set_joint_motor(JointId id, const std::optional<JointMotor>& motor);
+
     // --- time
     /// One fixed step. Bodies whose state is not finite are taken out first, counted and left
     /// where they last were finite; the rest goes on as if they had not been there.
@@ -142,12 +159,16 @@ public:
     const FeatureUse& feature_use() const;
     /// Bodies taken out for a non-finite state, in the order it happened.
     std::span<const BodyId> quarantined() const;
+    /// Joints that broke in the latest step, in the order of their ids. They stay, and carry
+    /// nothing, until destroyed.
+    std::span<const JointId> broken_joints() const;
 
     // --- totals; they walk all bodies
     Energy energy() const;
     Vec3d momentum_kgmps() const;
     Vec3d angular_momentum_kgm2ps() const;  ///< about the world's origin
     double max_penetration_m() const;       ///< deepest contact point of the latest step; 0 if none
+    double max_joint_error_m() const;       ///< of joints that are not broken
 
     // --- questions
     /// The first body met from outside; one that the ray starts in is not met.

@@ -11,8 +11,10 @@
 #include <BulletDynamics/MLCPSolvers/btMLCPSolverInterface.h>
 #include <btBulletDynamicsCommon.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 class btTriangleIndexVertexArray;
@@ -30,6 +32,27 @@ inline constexpr Real kMaxDistance_m = 1e6_r;
 struct Core {
     Vec3 center_m{0, 0, 0};  ///< mass frame
     Real radius_m{0};
+};
+
+/// Pairs of bodies that joints keep from touching. Several joints may ask for the same pair.
+class ExemptPairs {
+public:
+    void add(BodyId a, BodyId b) { ++counts_[key(a, b)]; }
+    void remove(BodyId a, BodyId b) {
+        const auto found = counts_.find(key(a, b));
+        if (found != counts_.end() && --found->second == 0) counts_.erase(found);
+    }
+    bool contains(BodyId a, BodyId b) const {
+        return !counts_.empty() && counts_.contains(key(a, b));
+    }
+
+private:
+    // Joints go with their bodies, so an index alone tells which body is meant.
+    static std::uint64_t key(BodyId a, BodyId b) {
+        const auto [low, high] = std::minmax(a.index, b.index);
+        return (std::uint64_t{high} << 32U) | low;
+    }
+    std::unordered_map<std::uint64_t, std::uint32_t> counts_;  // looked up, never walked
 };
 
 /// Triangles as Bullet reads them; it keeps pointers into these.
@@ -80,6 +103,7 @@ struct BodyRecord {
     bool awake{true};          ///< small_step: steps move it
     double still_s{0};         ///< small_step: for how long it has been slow enough to sleep
     std::uint32_t slumber{0};  ///< small_step: bodies that fell asleep together share it; 0: awake
+    std::vector<JointId> joints;  ///< that hold it, broken ones included, in order of creation
 
     Pose body_from_mass{};
     bool mass_frame_is_body{true};
@@ -118,6 +142,8 @@ struct PhysicsWorld::Impl {
     void enter_world(BodyRecord& record);
     /// Wakes what touches the body, then takes it out of Bullet's world.
     void leave_world(BodyRecord& record);
+    void wake(BodyRecord& record);
+    /// What touches the body or is joined to it.
     void wake_neighbours(const BodyRecord& record);
     void quarantine(BodyRecord& record);
     void poison(BodyRecord& record);
@@ -129,6 +155,7 @@ struct PhysicsWorld::Impl {
     std::unique_ptr<btDefaultCollisionConfiguration> configuration;
     std::unique_ptr<MeshContacts> mesh_contacts;
     std::unique_ptr<btCollisionDispatcher> dispatcher;
+    ExemptPairs exempt_pairs;
     std::unique_ptr<btOverlapFilterCallback> pair_filter;
     std::unique_ptr<btOverlappingPairCache> pairs;
     std::unique_ptr<btDbvtBroadphase> broadphase;
@@ -141,6 +168,8 @@ struct PhysicsWorld::Impl {
     SlotMap<JointId, std::unique_ptr<JointRecord>> joints;
     std::vector<BodyId> poisoned;  ///< to be taken out before the next step
     std::vector<BodyId> quarantined;
+    std::vector<JointId> broken_joints;  ///< by the latest step
+    bool bullet_joints{true};            ///< joints are Bullet's constraints, not an island's rows
     std::size_t event_bodies{0};  ///< how many bodies asked for contact events
 
     StepCost cost{};
@@ -153,7 +182,29 @@ struct PhysicsWorld::Impl {
     void settle_bodies();
     void gather_events(bool all, std::vector<ContactEvent>& out) const;
     void finish_events();
+
+    // --- world_joints.cpp
+    /// Why there can be no such joint; empty: there can.
+    std::string fault_of(const JointDef& joint) const;
+    JointId add_joint(const JointDef& joint);
+    void remove_joint(JointId id);
+    void remove_joints_of(const BodyRecord& record);
+    /// Ends what the joint does: it carries nothing any more and its bodies may touch.
+    void detach_joint(JointRecord& joint);
+    void wake_ends(const JointRecord& joint);
+    /// Before the first substep: what a moving kinematic body holds wakes.
+    void prepare_joints();
+    /// After a substep: adds up what Bullet's joints carried.
+    void gather_joint_loads(double substep_s);
+    /// After the step: forces and errors of Bullet's joints; any joint that carried too much breaks.
+    void settle_joints();
+    double elastic_energy_J() const;
 };
+
+/// Whether forces can move the body now.
+inline bool pushable(const BodyRecord& record) {
+    return record.kind == BodyKind::Dynamic && record.in_world && !record.frozen;
+}
 
 /// The record behind a Bullet object of ours.
 inline BodyRecord& record_of(const btCollisionObject& object) {

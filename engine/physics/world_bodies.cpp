@@ -98,11 +98,6 @@ void set_velocity_of_origin(BodyRecord& record, const Vec3& velocity, const Vec3
     record.flight.going = false;
 }
 
-/// Whether the body can be pushed now.
-bool pushable(const BodyRecord& record) {
-    return record.kind == BodyKind::Dynamic && record.in_world && !record.frozen;
-}
-
 }  // namespace
 
 btTransform PhysicsWorld::Impl::world_from_mass(const BodyRecord& record,
@@ -131,15 +126,19 @@ void PhysicsWorld::Impl::enter_world(BodyRecord& record) {
     }
 }
 
+void PhysicsWorld::Impl::wake(BodyRecord& record) {
+    if (pushable(record)) record.rigid->activate(true);
+}
+
 void PhysicsWorld::Impl::wake_neighbours(const BodyRecord& record) {
     for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
         const btPersistentManifold& manifold = *dispatcher->getManifoldByIndexInternal(i);
         const bool first = manifold.getBody0() == record.rigid.get();
         if (!first && manifold.getBody1() != record.rigid.get()) continue;
         const auto* other = first ? manifold.getBody1() : manifold.getBody0();
-        BodyRecord& neighbour = record_of(*other);
-        if (pushable(neighbour)) neighbour.rigid->activate(true);
+        wake(record_of(*other));
     }
+    for (const JointId id : record.joints) wake_ends(*joints.get(id));
 }
 
 void PhysicsWorld::Impl::leave_world(BodyRecord& record) {
@@ -200,6 +199,7 @@ void PhysicsWorld::destroy_body(BodyId id) {
     if (!impl_->bodies.contains(id)) return;
     BodyRecord& record = impl_->body(id);
     set_contact_events(id, false);
+    impl_->remove_joints_of(record);
     impl_->leave_world(record);
     impl_->bodies.erase(id);
 }
@@ -355,8 +355,7 @@ void PhysicsWorld::set_contact_events(BodyId id, bool listed) {
 }
 
 void PhysicsWorld::wake(BodyId id) {
-    BodyRecord& record = impl_->body(id);
-    if (pushable(record)) record.rigid->activate(true);
+    impl_->wake(impl_->body(id));
 }
 
 }  // namespace plumbline::physics

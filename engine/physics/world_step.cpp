@@ -53,6 +53,7 @@ void PhysicsWorld::Impl::poison(BodyRecord& record) {
 
 void PhysicsWorld::Impl::quarantine(BodyRecord& record) {
     if (!record.in_world) return;
+    remove_joints_of(record);
     leave_world(record);
     record.rigid->clearForces();
     record.rigid->setLinearVelocity({0, 0, 0});
@@ -82,11 +83,14 @@ void PhysicsWorld::step() {
     const auto substep_s = static_cast<btScalar>(impl.def.step_s / impl.def.substeps);
 
     impl.prepare_bodies(step_s);
+    impl.prepare_joints();
     for (int i = 0; i < impl.def.substeps; ++i) {
         world.last_substep = i + 1 == impl.def.substeps;
         world.advance(substep_s);
+        impl.gather_joint_loads(impl.def.step_s / impl.def.substeps);
     }
     impl.settle_bodies();
+    impl.settle_joints();
     if (world.want_contacts)
         impl.finish_events();
     else
