@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes assets/scenes/bench/peers/*.toml, the scenes that other physics engines were measured on.
 
-    python3 assets/source/make_peer_scenes.py [FOLDER]
+    python3 assets/source/make_peer_scenes.py
 
 SI units, +Y up, the ground's top at y = 0. Mass and inertia are written out, nothing sleeps, so
 that every engine gets the same bodies. The order of the bodies is part of the scene: stock Bullet
@@ -10,7 +10,6 @@ solves in that order.
 import math
 import pathlib
 import random
-import sys
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "scenes" / "bench" / "peers"
 
@@ -317,7 +316,6 @@ def scenes():
 
 
 if __name__ == "__main__":
-    FOLDER = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else FOLDER
     FOLDER.mkdir(parents=True, exist_ok=True)
     for made in scenes():
         made.write(FOLDER)
