@@ -18,6 +18,16 @@ struct Island {
     std::vector<BodyRecord*> bodies;               ///< dynamic, awake
     std::vector<btPersistentManifold*> manifolds;  ///< with at least one point
     std::vector<JointRecord*> joints;              ///< not broken
+    bool supported{false};  ///< something that bounds it touches or holds it
+    bool carried{false};    ///< ... and moves: a kinematic body
+
+    void clear() {
+        bodies.clear();
+        manifolds.clear();
+        joints.clear();
+        supported = false;
+        carried = false;
+    }
 };
 
 /// What solving an island needs to know of the step.
@@ -36,10 +46,10 @@ struct IslandStep {
 /// lateral brothers hold mean forces of the latest sub-step in N instead: what the next step starts
 /// from, however long its sub-steps are. Bullet leaves this field to solvers and keeps it.
 inline btScalar frame_impulse_Ns(const btManifoldPoint& point) {
-    return point.m_prevRHS;
+    return point.m_contactMotion1;
 }
 inline void set_frame_impulse(btManifoldPoint& point, btScalar impulse_Ns) {
-    point.m_prevRHS = impulse_Ns;
+    point.m_contactMotion1 = impulse_Ns;
 }
 
 /// Solves islands that touch or are joined: moves the bodies (Bullet's transforms and
@@ -48,6 +58,7 @@ class IslandSolver {
 public:
     IslandSolver();
     ~IslandSolver();
+    void begin_step();  ///< before the islands of a step
     void solve(Island& island, const IslandStep& step);
 
 private:

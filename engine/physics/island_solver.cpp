@@ -1,5 +1,6 @@
 // From Bullet's manifolds and our records to the small-step loop, and back.
 #include "engine/physics/bullet_convert_impl.h"
+#include "engine/physics/contact_bridge_impl.h"
 #include "engine/physics/island_impl.h"
 #include "engine/physics/physics_world_impl.h"
 #include "engine/physics/small_step/island_loop.h"
@@ -10,9 +11,6 @@ namespace plumbline::physics {
 namespace {
 
 constexpr Real kPush_mps = 3;
-
-/// A side of cylinders is round only where it is touched across their axis.
-constexpr btScalar kAcrossAxis = btScalar(0.02);
 
 Quatd double_orientation(const btMatrix3x3& basis) {
     btQuaternion q;
@@ -62,65 +60,17 @@ SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double
     return body;
 }
 
-/// The radius with which a shape touches along `normal_world`: of balls, capsules and the sides of
-/// cylinders; 0 for all else.
-Real rounding_of(const btCollisionObject& object, int child, const btVector3& normal_world) {
-    const btCollisionShape* shape = object.getCollisionShape();
-    btMatrix3x3 basis = object.getWorldTransform().getBasis();
-    if (shape->isCompound()) {
-        const auto& compound = static_cast<const btCompoundShape&>(*shape);
-        if (compound.getNumChildShapes() == 1) child = 0;
-        if (child < 0 || child >= compound.getNumChildShapes()) return 0;
-        shape = compound.getChildShape(child);
-        basis *= compound.getChildTransform(child).getBasis();
-    }
-    switch (shape->getShapeType()) {
-        case SPHERE_SHAPE_PROXYTYPE:
-            return static_cast<const btSphereShape*>(shape)->getRadius();
-        case CAPSULE_SHAPE_PROXYTYPE:
-            return static_cast<const btCapsuleShape*>(shape)->getRadius();
-        case CYLINDER_SHAPE_PROXYTYPE: {
-            const auto& cylinder = static_cast<const btCylinderShape&>(*shape);
-            const btVector3 axis = basis.getColumn(cylinder.getUpAxis());
-            return std::abs(axis.dot(normal_world)) < kAcrossAxis ? cylinder.getRadius() : Real{0};
-        }
-        default:
-            return 0;
-    }
-}
-
-ContactPoint point_of(const btManifoldPoint& from,
-                      const btCollisionObject& object_a,
-                      const btCollisionObject& object_b,
-                      Real h) {
-    ContactPoint point;
-    const btVector3& normal = from.m_normalWorldOnB;
-    point.radius_a = rounding_of(object_a, from.m_index0, normal);
-    point.radius_b = rounding_of(object_b, from.m_index1, normal);
-    point.offset_a = from_bullet(from.getPositionWorldOnA() + normal * point.radius_a -
-                                 object_a.getWorldTransform().getOrigin());
-    point.offset_b = from_bullet(from.getPositionWorldOnB() - normal * point.radius_b -
-                                 object_b.getWorldTransform().getOrigin());
-    point.start_separation_m = from.getDistance();
-    point.normal_Ns = from.m_appliedImpulse * h;
-    point.tangent_Ns[0] = from.m_appliedImpulseLateral1 * h;
-    point.tangent_Ns[1] = from.m_appliedImpulseLateral2 * h;
-    return point;
-}
-
 }  // namespace
 
 struct IslandSolver::Impl {
     IslandLoop loop;
-    std::vector<BodyRecord*> records;      ///< of loop.bodies; null: the world
-    std::vector<btManifoldPoint*> points;  ///< of loop.contacts.points
+    ContactBridge bridge;
+    std::vector<BodyRecord*> records;  ///< of loop.bodies; null: the world
 
-    std::uint32_t index_of(const btCollisionObject& object, const IslandStep& step, double h);
+    std::uint32_t index_of(const btCollisionObject& object);
     void add_body(BodyRecord& record, const SolverBody& body);
-    void add_manifold(btPersistentManifold& manifold, const IslandStep& step, double h);
-    void add_joint(JointRecord& joint, const IslandStep& step, double h);
+    void add_joint(const JointRecord& joint);
     void write_bodies();
-    void write_points(double h);
     void write_joints(Island& island, double step_s);
 };
 
@@ -134,9 +84,7 @@ void IslandSolver::Impl::add_body(BodyRecord& record, const SolverBody& body) {
 }
 
 /// Kinematic bodies that move join the island when something of it touches them.
-std::uint32_t IslandSolver::Impl::index_of(const btCollisionObject& object,
-                                           const IslandStep&,
-                                           double) {
+std::uint32_t IslandSolver::Impl::index_of(const btCollisionObject& object) {
     if (object.getCompanionId() >= 0) return static_cast<std::uint32_t>(object.getCompanionId());
     BodyRecord& record = record_of(object);
     if (record.kind != BodyKind::Kinematic) return kWorldBody;
@@ -147,44 +95,10 @@ std::uint32_t IslandSolver::Impl::index_of(const btCollisionObject& object,
     return static_cast<std::uint32_t>(object.getCompanionId());
 }
 
-void IslandSolver::Impl::add_manifold(btPersistentManifold& manifold,
-                                      const IslandStep& step,
-                                      double h) {
-    const btCollisionObject& object_a = *manifold.getBody0();
-    const btCollisionObject& object_b = *manifold.getBody1();
-    const std::uint32_t a = index_of(object_a, step, h);
-    const std::uint32_t b = index_of(object_b, step, h);
-    for (int i = 0; i < manifold.getNumContacts(); ++i) {
-        btManifoldPoint& from = manifold.getContactPoint(i);
-        const Vec3 normal = from_bullet(from.m_normalWorldOnB);
-        std::vector<ContactGroup>& groups = loop.contacts.groups;
-        if (i == 0 || groups.back().normal != normal) {
-            ContactGroup group;
-            group.a = a;
-            group.b = b;
-            group.first = static_cast<std::uint32_t>(loop.contacts.points.size());
-            group.normal = normal;
-            btVector3 tangent[2];
-            btPlaneSpace1(from.m_normalWorldOnB, tangent[0], tangent[1]);
-            group.tangent[0] = from_bullet(tangent[0]);
-            group.tangent[1] = from_bullet(tangent[1]);
-            group.friction = from.m_combinedFriction;
-            group.restitution = from.m_combinedRestitution;
-            group.rolling_m = from.m_combinedRollingFriction;
-            group.spinning_m = from.m_combinedSpinningFriction;
-            group.bounded = !loop.bodies[a].movable() || !loop.bodies[b].movable();
-            groups.push_back(group);
-        }
-        ++groups.back().count;
-        loop.contacts.points.push_back(point_of(from, object_a, object_b, static_cast<Real>(h)));
-        points.push_back(&from);
-    }
-}
-
-void IslandSolver::Impl::add_joint(JointRecord& joint, const IslandStep& step, double h) {
+void IslandSolver::Impl::add_joint(const JointRecord& joint) {
     SolverJoint entry = joint.solver;
-    entry.a = index_of(*joint.a->rigid, step, h);
-    entry.b = joint.b != nullptr ? index_of(*joint.b->rigid, step, h) : kWorldBody;
+    entry.a = index_of(*joint.a->rigid);
+    entry.b = joint.b != nullptr ? index_of(*joint.b->rigid) : kWorldBody;
     loop.joints.push_back(entry);
 }
 
@@ -208,17 +122,6 @@ void IslandSolver::Impl::write_bodies() {
     }
 }
 
-void IslandSolver::Impl::write_points(double h) {
-    const Real per_s = static_cast<Real>(1 / h);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const ContactPoint& point = loop.contacts.points[i];
-        points[i]->m_appliedImpulse = point.normal_Ns * per_s;
-        points[i]->m_appliedImpulseLateral1 = point.tangent_Ns[0] * per_s;
-        points[i]->m_appliedImpulseLateral2 = point.tangent_Ns[1] * per_s;
-        set_frame_impulse(*points[i], point.total_Ns);
-    }
-}
-
 void IslandSolver::Impl::write_joints(Island& island, double step_s) {
     for (std::size_t i = 0; i < island.joints.size(); ++i) {
         JointRecord& joint = *island.joints[i];
@@ -232,16 +135,26 @@ void IslandSolver::Impl::write_joints(Island& island, double step_s) {
     }
 }
 
+void IslandSolver::begin_step() {
+    impl_->bridge.begin_step();
+}
+
 void IslandSolver::solve(Island& island, const IslandStep& step) {
     Impl& impl = *impl_;
     impl.loop.clear();
     impl.records.assign(1, nullptr);
-    impl.points.clear();
+    impl.bridge.begin_island();
     const int substeps = std::max(step.substeps_least, step.substeps_most);
     const double h = step.step_s / substeps;
     for (BodyRecord* record : island.bodies) impl.add_body(*record, dynamic_body(*record, step, h));
-    for (btPersistentManifold* manifold : island.manifolds) impl.add_manifold(*manifold, step, h);
-    for (JointRecord* joint : island.joints) impl.add_joint(*joint, step, h);
+    for (btPersistentManifold* manifold : island.manifolds) {
+        impl.bridge.add(*manifold,
+                        impl.index_of(*manifold->getBody0()),
+                        impl.index_of(*manifold->getBody1()),
+                        static_cast<Real>(h),
+                        impl.loop.contacts);
+    }
+    for (const JointRecord* joint : island.joints) impl.add_joint(*joint);
 
     const LoopReport report =
         impl.loop.run({.step_s = step.step_s,
@@ -251,10 +164,10 @@ void IslandSolver::solve(Island& island, const IslandStep& step) {
                        .push_mps = kPush_mps,
                        .gyroscopic_torque = step.features.gyroscopic_torque});
     impl.write_bodies();
-    impl.write_points(h);
+    impl.bridge.write_back(impl.loop.contacts, static_cast<Real>(h));
     impl.write_joints(island, step.step_s);
     step.cost->row_solves += report.row_solves;
-    step.cost->contacts += static_cast<std::uint32_t>(impl.points.size());
+    step.cost->contacts += impl.bridge.point_count();
 }
 
 }  // namespace plumbline::physics

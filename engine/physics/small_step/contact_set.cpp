@@ -1,13 +1,20 @@
 #include "engine/physics/small_step/contact_set.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plumbline::physics {
 namespace {
 
 /// Shares of 1/h at which contacts are as stiff as sweeps still hold stable, and their damping.
-constexpr Real kContactFrequency = 0.125_r;
+constexpr Real kContactFrequency = 0.18_r;
 constexpr Real kContactDamping = 10;
+/// Four points on a face are one more than it takes to hold a body: what keeps the rigid matrix
+/// from being singular, as a share of its diagonal.
+constexpr Real kRedundancy = 0.01_r;
+constexpr int kProjectedSweeps = 8;  ///< within a block, where some points press and some do not
+
+using Matrix = std::array<Lanes, kLanes>;
 
 Real mass_along(const SolverBody& a,
                 const SolverBody& b,
@@ -33,181 +40,376 @@ Vec3 turned_back_change(const Quat& q, const Vec3& v) {
     return q.w * t + glm::cross(axis, t);
 }
 
+/// Inverse of a symmetric positive definite matrix by Gauss-Jordan without pivoting.
+Matrix inverse_of(Matrix m) {
+    Matrix inverse{};
+    for (std::size_t i = 0; i < kLanes; ++i) inverse[i][i] = 1;
+    for (std::size_t pivot = 0; pivot < kLanes; ++pivot) {
+        const Real scale = 1 / m[pivot][pivot];
+        for (std::size_t k = 0; k < kLanes; ++k) {
+            m[pivot][k] *= scale;
+            inverse[pivot][k] *= scale;
+        }
+        for (std::size_t row = 0; row < kLanes; ++row) {
+            if (row == pivot) continue;
+            const Real share = m[row][pivot];
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                m[row][k] -= share * m[pivot][k];
+                inverse[row][k] -= share * inverse[pivot][k];
+            }
+        }
+    }
+    return inverse;
+}
+
+/// sum over axes of direction[axis] * lanes[axis]
+Lanes dot_lanes(const Vec3& direction, const LaneVec3& vectors) {
+    Lanes result;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        result[i] =
+            direction.x * vectors[0][i] + direction.y * vectors[1][i] + direction.z * vectors[2][i];
+    }
+    return result;
+}
+
+Vec3 weighted_sum(const LaneVec3& vectors, const Lanes& weights) {
+    Vec3 result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Lanes& values = vectors[static_cast<std::size_t>(axis)];
+        result[axis] = (values[0] * weights[0] + values[1] * weights[1]) +
+                       (values[2] * weights[2] + values[3] * weights[3]);
+    }
+    return result;
+}
+
+Lanes opening_speeds(const ContactBlock& block, const SolverBody& a, const SolverBody& b) {
+    const Real along = glm::dot(block.normal, a.velocity_mps - b.velocity_mps);
+    const Lanes of_a = dot_lanes(a.spin_radps, block.angular_a);
+    const Lanes of_b = dot_lanes(b.spin_radps, block.angular_b);
+    Lanes speeds;
+    for (std::size_t i = 0; i < kLanes; ++i) speeds[i] = along + of_a[i] - of_b[i];
+    return speeds;
+}
+
+/// The impulses that make A*change + wanted + compliance*impulse = 0 where they press, by
+/// projected Gauss-Seidel within the block.
+Lanes projected(const ContactBlock& block, const Lanes& wanted, const Lanes& compliance) {
+    Lanes next = block.normal_Ns;
+    Lanes residual = wanted;
+    for (int sweep = 0; sweep < kProjectedSweeps; ++sweep) {
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const Real error = residual[i] + compliance[i] * next[i];
+            const Real better =
+                std::max(next[i] - error / (block.response[i][i] + compliance[i]), Real{0});
+            const Real change = better - next[i];
+            next[i] = better;
+            for (std::size_t k = 0; k < kLanes; ++k) residual[k] += block.response[i][k] * change;
+        }
+    }
+    return next;
+}
+
+Lanes product(const Matrix& m, const Lanes& v) {
+    Lanes result{};
+    for (std::size_t k = 0; k < kLanes; ++k) {
+        for (std::size_t i = 0; i < kLanes; ++i) result[i] += m[k][i] * v[k];  // m is symmetric
+    }
+    return result;
+}
+
+bool all_press(const Lanes& impulses, int count) {
+    Real least = impulses[0];
+    for (int i = 1; i < count; ++i) least = std::min(least, impulses[static_cast<std::size_t>(i)]);
+    return least >= 0;
+}
+
+void press(ContactBlock& block, SolverBody& a, SolverBody& b, const Lanes& next) {
+    Lanes change;
+    for (std::size_t i = 0; i < kLanes; ++i) change[i] = next[i] - block.normal_Ns[i];
+    block.normal_Ns = next;
+    const Vec3 along = block.normal * sum_of(change);
+    a.velocity_mps += along * a.inverse_mass;
+    b.velocity_mps -= along * b.inverse_mass;
+    a.spin_radps += a.inverse_inertia * weighted_sum(block.angular_a, change);
+    b.spin_radps -= b.inverse_inertia * weighted_sum(block.angular_b, change);
+}
+
 }  // namespace
 
 void ContactSet::begin_step(std::span<SolverBody> bodies, Real h, Real push_mps) {
     bodies_ = bodies;
     h_ = h;
     push_mps_ = push_mps;
-    row_solves_ = 0;
-    any_restitution_ = false;
+    row_solves = 0;
     const Real stiff_hz = kContactFrequency / h;
     between_movable_ = softness_of(stiff_hz, kContactDamping, h);
     against_immovable_ = softness_of(2 * stiff_hz, kContactDamping / 2, h);
 
     order_.clear();
-    for (std::uint32_t i = 0; i < groups.size(); ++i) {
-        if (!groups[i].bounded) order_.push_back(i);
+    for (std::uint32_t i = 0; i < blocks.size(); ++i) {
+        if (!blocks[i].against_immovable) order_.push_back(i);
     }
-    for (std::uint32_t i = 0; i < groups.size(); ++i) {
-        if (groups[i].bounded) order_.push_back(i);
+    for (std::uint32_t i = 0; i < blocks.size(); ++i) {
+        if (blocks[i].against_immovable) order_.push_back(i);
     }
-    for (const ContactGroup& group : groups) {
-        const SolverBody& a = bodies[group.a];
-        const SolverBody& b = bodies[group.b];
-        any_restitution_ = any_restitution_ || group.restitution > 0;
-        for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
-            ContactPoint& point = points[i];
-            point.arm_a = point.offset_a - group.normal * point.radius_a;
-            point.arm_b = point.offset_b + group.normal * point.radius_b;
-            point.normal_mass = mass_along(a, b, point.arm_a, point.arm_b, group.normal);
-            for (int t = 0; t < 2; ++t) {
-                point.tangent_mass[t] =
-                    mass_along(a, b, point.arm_a, point.arm_b, group.tangent[t]);
-            }
+    for (ContactBlock& block : blocks) prepare(block);
+}
+
+void ContactSet::prepare(ContactBlock& block) const {
+    const SolverBody& a = bodies_[block.a];
+    const SolverBody& b = bodies_[block.b];
+    block.against_immovable = !a.movable() || !b.movable();
+    const Softness& soft = block.against_immovable ? against_immovable_ : between_movable_;
+    LaneVec3 gain_a;
+    LaneVec3 gain_b;
+    for (int i = 0; i < kLanes; ++i) {
+        const bool used = i < block.count;
+        const Vec3 angular_a = used ? glm::cross(block.arm_a(i), block.normal) : Vec3{0, 0, 0};
+        const Vec3 angular_b = used ? glm::cross(block.arm_b(i), block.normal) : Vec3{0, 0, 0};
+        set_lane(block.angular_a, i, angular_a);
+        set_lane(block.angular_b, i, angular_b);
+        set_lane(gain_a, i, a.inverse_inertia * angular_a);
+        set_lane(gain_b, i, b.inverse_inertia * angular_b);
+    }
+    const Real linear = a.inverse_mass + b.inverse_mass;
+    Matrix soft_matrix;
+    Matrix rigid_matrix;
+    for (int i = 0; i < kLanes; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        const bool used = i < block.count;
+        const Lanes of_a = dot_lanes(lane(block.angular_a, i), gain_a);
+        const Lanes of_b = dot_lanes(lane(block.angular_b, i), gain_b);
+        for (int k = 0; k < kLanes; ++k) {
+            const auto column = static_cast<std::size_t>(k);
+            const Real coupled = linear + of_a[column] + of_b[column];
+            block.response[row][column] = used && k < block.count ? coupled : Real(i == k);
         }
+        // share = A / (A + compliance) turns softness into the compliance of the row.
+        block.compliance[row] =
+            block.response[row][row] * soft.decay / std::max(soft.mass_share, 1e-6_r);
+        soft_matrix[row] = rigid_matrix[row] = block.response[row];
+        soft_matrix[row][row] += block.compliance[row];
+        rigid_matrix[row][row] *= 1 + kRedundancy * Real(block.count > 1);
     }
+    block.soft_mass = inverse_of(soft_matrix);
+    block.rigid_mass = inverse_of(rigid_matrix);
+    if (block.friction > 0) prepare_friction(block);
+}
+
+void ContactSet::prepare_friction(ContactBlock& block) const {
+    const SolverBody& a = bodies_[block.a];
+    const SolverBody& b = bodies_[block.b];
+    const Real load = sum_of(block.normal_Ns);
+    Lanes weights{};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.count); ++i)
+        weights[i] = load > 0 ? block.normal_Ns[i] / load : 1 / static_cast<Real>(block.count);
+    const Vec3 below = block.normal * block.radius_a;
+    const Vec3 above = block.normal * block.radius_b;
+    block.center_a = weighted_sum(block.offset_a, weights) - below;
+    block.center_b = weighted_sum(block.offset_b, weights) + above;
+    block.twist_arm_m = 0;
+    for (int i = 0; i < block.count; ++i) {
+        block.twist_arm_m +=
+            weights[static_cast<std::size_t>(i)] * glm::length(block.arm_a(i) - block.center_a);
+    }
+    for (int t = 0; t < 2; ++t) {
+        block.tangent_mass[t] = mass_along(a, b, block.center_a, block.center_b, block.tangent[t]);
+    }
+    const Real moment = inverse_moment_along(a, b, block.normal);
+    block.twist_mass = moment > 0 ? 1 / moment : Real{0};
 }
 
 void ContactSet::warm_start() {
     for (const std::uint32_t index : order_) {
-        const ContactGroup& group = groups[index];
-        SolverBody& a = bodies_[group.a];
-        SolverBody& b = bodies_[group.b];
-        for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
-            const ContactPoint& point = points[i];
-            const Vec3 impulse = group.normal * point.normal_Ns +
-                                 group.tangent[0] * point.tangent_Ns[0] +
-                                 group.tangent[1] * point.tangent_Ns[1];
-            const Vec3 torque_a = glm::cross(point.arm_a, impulse) + point.rolling_Nms;
-            const Vec3 torque_b = glm::cross(point.arm_b, impulse) + point.rolling_Nms;
-            a.steady_mps += impulse * a.inverse_mass;
-            a.steady_radps += a.inverse_inertia * torque_a;
-            b.steady_mps -= impulse * b.inverse_mass;
-            b.steady_radps -= b.inverse_inertia * torque_b;
-        }
+        const ContactBlock& block = blocks[index];
+        SolverBody& a = bodies_[block.a];
+        SolverBody& b = bodies_[block.b];
+        const Vec3 rub =
+            block.tangent[0] * block.tangent_Ns[0] + block.tangent[1] * block.tangent_Ns[1];
+        const Vec3 impulse = block.normal * sum_of(block.normal_Ns) + rub;
+        const Vec3 turning = block.normal * block.twist_Nms + block.rolling_Nms;
+        const Vec3 torque_a = weighted_sum(block.angular_a, block.normal_Ns) +
+                              glm::cross(block.center_a, rub) + turning;
+        const Vec3 torque_b = weighted_sum(block.angular_b, block.normal_Ns) +
+                              glm::cross(block.center_b, rub) + turning;
+        a.steady_mps += impulse * a.inverse_mass;
+        a.steady_radps += a.inverse_inertia * torque_a;
+        b.steady_mps -= impulse * b.inverse_mass;
+        b.steady_radps -= b.inverse_inertia * torque_b;
     }
 }
 
-/// Separation of each point now; where a ball touches, the arms follow it.
-void ContactSet::place(const ContactGroup& group) {
-    const SolverBody& a = bodies_[group.a];
-    const SolverBody& b = bodies_[group.b];
+void ContactSet::place(ContactBlock& block) const {
+    const SolverBody& a = bodies_[block.a];
+    const SolverBody& b = bodies_[block.b];
     const Vec3 moved = a.moved_m - b.moved_m;
-    const Real along = glm::dot(group.normal, moved);
-    const Vec3 turn_a = turned_back_change(a.turned, group.normal);
-    const Vec3 turn_b = turned_back_change(b.turned, group.normal);
-    for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
-        ContactPoint& point = points[i];
-        point.separation_m = point.start_separation_m + along + glm::dot(turn_a, point.offset_a) -
-                             glm::dot(turn_b, point.offset_b);
-        if (point.radius_a > 0) {
-            // The ball of a moved over b: the point on b is where the ball is now.
-            point.arm_b = point.offset_b + group.normal * point.radius_b + moved;
-        } else if (point.radius_b > 0) {
-            point.arm_a = point.offset_a - moved;
+    const Real along = glm::dot(block.normal, moved);
+    const Lanes of_a = dot_lanes(turned_back_change(a.turned, block.normal), block.offset_a);
+    const Lanes of_b = dot_lanes(turned_back_change(b.turned, block.normal), block.offset_b);
+    for (std::size_t i = 0; i < kLanes; ++i)
+        block.separation_m[i] = block.start_separation_m[i] + along + of_a[i] - of_b[i];
+    if (!block.rounded()) return;
+    // The ball moved over the other side: what touches it there is where the ball is now.
+    for (int i = 0; i < block.count; ++i) {
+        if (block.radius_a > 0) {
+            set_lane(block.angular_b, i, glm::cross(block.arm_b(i) + moved, block.normal));
+        } else {
+            set_lane(block.angular_a, i, glm::cross(block.arm_a(i) - moved, block.normal));
         }
     }
 }
 
-template <ContactSet::Pass pass>
-void ContactSet::solve(ContactGroup& group) {
-    SolverBody& a = bodies_[group.a];
-    SolverBody& b = bodies_[group.b];
-    const Softness& soft = group.bounded ? against_immovable_ : between_movable_;
-    place(group);
-    for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
-        ContactPoint& point = points[i];
-        Real bias = 0;
-        Real share = 1;
-        Real decay = 0;
-        if (point.separation_m > 0) {
-            // A bouncy point that does not touch yet is the impact pass's: what looks ahead into
-            // the next sub-step would eat the speed before the impact is seen.
-            if (pass == Pass::Relax && group.restitution > 0 && point.normal_Ns == 0) continue;
-            bias = point.separation_m / h_;
-        } else if (pass == Pass::Bias) {
-            bias = std::max(soft.mass_share * soft.bias_per_s * point.separation_m, -push_mps_);
-            share = soft.mass_share;
-            decay = soft.decay;
-        }
-        const Vec3 relative = a.velocity_at(point.arm_a) - b.velocity_at(point.arm_b);
-        const Real speed = glm::dot(relative, group.normal);
-        const Real change = -point.normal_mass * (share * speed + bias) - decay * point.normal_Ns;
-        const Real next = std::max(point.normal_Ns + change, Real{0});
-        const Vec3 impulse = group.normal * (next - point.normal_Ns);
-        point.normal_Ns = next;
-        a.push(impulse, point.arm_a);
-        b.push(-impulse, point.arm_b);
-
-        if (pass == Pass::Bias) continue;
-        if (group.friction > 0) {
-            const Vec3 slip = a.velocity_at(point.arm_a) - b.velocity_at(point.arm_b);
-            Real t0 =
-                point.tangent_Ns[0] - point.tangent_mass[0] * glm::dot(slip, group.tangent[0]);
-            Real t1 =
-                point.tangent_Ns[1] - point.tangent_mass[1] * glm::dot(slip, group.tangent[1]);
-            const Real limit = group.friction * point.normal_Ns;
-            const Real length = std::sqrt(t0 * t0 + t1 * t1);
-            if (length > limit) {
-                t0 *= limit / length;
-                t1 *= limit / length;
-            }
-            const Vec3 rub = group.tangent[0] * (t0 - point.tangent_Ns[0]) +
-                             group.tangent[1] * (t1 - point.tangent_Ns[1]);
-            point.tangent_Ns[0] = t0;
-            point.tangent_Ns[1] = t1;
-            a.push(rub, point.arm_a);
-            b.push(-rub, point.arm_b);
-        }
-        if (group.rolling_m > 0 || group.spinning_m > 0) solve_rolling(group, point, a, b);
+void ContactSet::solve_with_bias(ContactBlock& block) {
+    SolverBody& a = bodies_[block.a];
+    SolverBody& b = bodies_[block.b];
+    const Softness& soft = block.against_immovable ? against_immovable_ : between_movable_;
+    place(block);
+    Lanes wanted = opening_speeds(block, a, b);
+    Lanes compliance;
+    bool all_overlap = true;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const bool overlaps = block.separation_m[i] <= 0;
+        all_overlap = all_overlap && (overlaps || static_cast<int>(i) >= block.count);
+        wanted[i] += overlaps ? std::max(soft.bias_per_s * block.separation_m[i], -push_mps_)
+                              : block.separation_m[i] / h_;
+        compliance[i] = overlaps ? block.compliance[i] : Real{0};
     }
-    row_solves_ += group.count * (pass == Pass::Bias ? 1U : 3U);
+    Lanes next;
+    bool solved = false;
+    if (all_overlap) {
+        Lanes error;
+        for (std::size_t i = 0; i < kLanes; ++i)
+            error[i] = static_cast<int>(i) < block.count
+                           ? wanted[i] + compliance[i] * block.normal_Ns[i]
+                           : Real{0};
+        const Lanes change = product(block.soft_mass, error);
+        for (std::size_t i = 0; i < kLanes; ++i) next[i] = block.normal_Ns[i] - change[i];
+        solved = all_press(next, block.count);
+    }
+    if (!solved) next = projected(block, wanted, compliance);
+    press(block, a, b, next);
+}
+
+void ContactSet::relax(ContactBlock& block) {
+    SolverBody& a = bodies_[block.a];
+    SolverBody& b = bodies_[block.b];
+    place(block);
+    Lanes wanted = opening_speeds(block, a, b);
+    bool all_overlap = true;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const bool used = static_cast<int>(i) < block.count;
+        if (block.separation_m[i] <= 0) continue;
+        all_overlap = all_overlap && !used;
+        // A bouncy point that does not touch yet is the impact pass's: what looks ahead into the
+        // next sub-step would eat the speed before the impact is seen.
+        const bool bouncy = block.restitution > 0 && block.normal_Ns[i] == 0;
+        wanted[i] = bouncy ? kNoPoint_m : wanted[i] + block.separation_m[i] / h_;
+    }
+    Lanes next;
+    bool solved = false;
+    if (all_overlap) {
+        for (std::size_t i = static_cast<std::size_t>(block.count); i < kLanes; ++i) wanted[i] = 0;
+        const Lanes change = product(block.rigid_mass, wanted);
+        for (std::size_t i = 0; i < kLanes; ++i) next[i] = block.normal_Ns[i] - change[i];
+        solved = all_press(next, block.count);
+    }
+    if (!solved) next = projected(block, wanted, Lanes{});
+    press(block, a, b, next);
+    if (block.friction > 0) rub(block);
+    if (block.rolling_m > 0 || block.spinning_m > 0) resist_rolling(block);
+}
+
+/// Coulomb friction of the whole block: a force at the centre of the load and a twist about it, as
+/// much as stops the slip, within the ellipsoid that approximates their common limit (Goyal, Ruina
+/// and Papadopoulos, Planar sliding with dry friction, 1991).
+void ContactSet::rub(ContactBlock& block) {
+    SolverBody& a = bodies_[block.a];
+    SolverBody& b = bodies_[block.b];
+    Vec3 center_a = block.center_a;
+    Vec3 center_b = block.center_b;
+    if (block.radius_a > 0) {
+        center_b += a.moved_m - b.moved_m;
+    } else if (block.radius_b > 0) {
+        center_a += b.moved_m - a.moved_m;
+    }
+    const Vec3 slip = a.velocity_at(center_a) - b.velocity_at(center_b);
+    Real next[2];
+    for (int t = 0; t < 2; ++t)
+        next[t] = block.tangent_Ns[t] - block.tangent_mass[t] * glm::dot(slip, block.tangent[t]);
+    const Real limit = block.friction * sum_of(block.normal_Ns);
+    const Real twist_limit = limit * block.twist_arm_m;
+    Real twist = 0;
+    if (twist_limit > 0) {
+        const Real spin = glm::dot(a.spin_radps - b.spin_radps, block.normal);
+        twist = block.twist_Nms - block.twist_mass * spin;
+    }
+    const Real twist_share = twist_limit > 0 ? twist / twist_limit : Real{0};
+    const Real squared = next[0] * next[0] + next[1] * next[1];
+    const Real used = squared + twist_share * twist_share * limit * limit;
+    if (used > limit * limit) {
+        const Real kept = limit / std::sqrt(used);
+        next[0] *= kept;
+        next[1] *= kept;
+        twist *= kept;
+    }
+    const Vec3 force = block.tangent[0] * (next[0] - block.tangent_Ns[0]) +
+                       block.tangent[1] * (next[1] - block.tangent_Ns[1]);
+    const Vec3 turning = block.normal * (twist - block.twist_Nms);
+    block.tangent_Ns[0] = next[0];
+    block.tangent_Ns[1] = next[1];
+    block.twist_Nms = twist;
+    a.velocity_mps += force * a.inverse_mass;
+    b.velocity_mps -= force * b.inverse_mass;
+    a.spin_radps += a.inverse_inertia * (glm::cross(center_a, force) + turning);
+    b.spin_radps -= b.inverse_inertia * (glm::cross(center_b, force) + turning);
 }
 
 /// Resistance to rolling and to spinning: torques of at most a length times the load.
-void ContactSet::solve_rolling(const ContactGroup& group,
-                               ContactPoint& point,
-                               SolverBody& a,
-                               SolverBody& b) {
+void ContactSet::resist_rolling(ContactBlock& block) {
+    SolverBody& a = bodies_[block.a];
+    SolverBody& b = bodies_[block.b];
     const Vec3 relative = a.spin_radps - b.spin_radps;
+    const Real load = sum_of(block.normal_Ns);
     const auto bounded = [&](const Vec3& spin, const Vec3& held, Real limit) {
         const Real speed = glm::length(spin);
         Vec3 wanted = held;
         if (speed > 0) {
-            const Vec3 axis = spin / speed;
-            const Real inverse = inverse_moment_along(a, b, axis);
+            const Real inverse = inverse_moment_along(a, b, spin / speed);
             if (inverse > 0) wanted -= spin / inverse;
         }
         const Real length = glm::length(wanted);
         return length > limit ? wanted * (limit / length) : wanted;
     };
-    const Vec3 held_spin = group.normal * glm::dot(point.rolling_Nms, group.normal);
-    const Vec3 spin = group.normal * glm::dot(relative, group.normal);
+    const Vec3 held_spin = block.normal * glm::dot(block.rolling_Nms, block.normal);
+    const Vec3 spin = block.normal * glm::dot(relative, block.normal);
     const Vec3 next =
-        bounded(spin, held_spin, group.spinning_m * point.normal_Ns) +
-        bounded(relative - spin, point.rolling_Nms - held_spin, group.rolling_m * point.normal_Ns);
-    const Vec3 change = next - point.rolling_Nms;
-    point.rolling_Nms = next;
+        bounded(spin, held_spin, block.spinning_m * load) +
+        bounded(relative - spin, block.rolling_Nms - held_spin, block.rolling_m * load);
+    const Vec3 change = next - block.rolling_Nms;
+    block.rolling_Nms = next;
     a.spin_radps += a.inverse_inertia * change;
     b.spin_radps -= b.inverse_inertia * change;
-    row_solves_ += 3;
-}
-
-template <ContactSet::Pass pass>
-void ContactSet::sweep() {
-    for (const std::uint32_t index : order_) solve<pass>(groups[index]);
-}
-
-void ContactSet::end_substep() {
-    for (ContactPoint& point : points) point.total_Ns += point.normal_Ns;
+    row_solves += 3;
 }
 
 void ContactSet::solve_with_bias() {
-    sweep<Pass::Bias>();
+    for (const std::uint32_t index : order_) {
+        solve_with_bias(blocks[index]);
+        row_solves += static_cast<std::uint64_t>(blocks[index].count);
+    }
 }
+
 void ContactSet::relax() {
-    sweep<Pass::Relax>();
+    for (const std::uint32_t index : order_) {
+        relax(blocks[index]);
+        row_solves += static_cast<std::uint64_t>(blocks[index].count) + 3;
+    }
+}
+
+void ContactSet::end_substep() {
+    for (ContactBlock& block : blocks) {
+        for (std::size_t i = 0; i < kLanes; ++i) block.total_Ns[i] += block.normal_Ns[i];
+    }
 }
 
 }  // namespace plumbline::physics

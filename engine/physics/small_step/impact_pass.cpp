@@ -11,6 +11,15 @@ constexpr int kInnerSweeps = 12;  // over the points of one pair
 /// Points nearer than this are taken as touching, m: rounding of a separation.
 constexpr Real kTouching_m = 1e-6_r;
 
+Real mass_along(const SolverBody& body, const Vec3& arm, const Vec3& direction) {
+    const Vec3 turn = glm::cross(arm, direction);
+    return body.inverse_mass + glm::dot(turn, body.inverse_inertia * turn);
+}
+
+Vec3 pull_at(const SolverBody& body, const Vec3& arm) {
+    return body.acceleration_mps2 + glm::cross(body.angular_acceleration_radps2, arm);
+}
+
 }  // namespace
 
 void ImpactPass::begin_step(ContactSet& contacts,
@@ -20,13 +29,12 @@ void ImpactPass::begin_step(ContactSet& contacts,
     bodies_ = bodies;
     threshold_mps_ = threshold_mps;
     pairs_.clear();
-    if (!contacts.any_restitution()) return;
-    const std::vector<ContactGroup>& groups = contacts.groups;
-    for (std::uint32_t i = 0; i < groups.size();) {
+    const std::vector<ContactBlock>& blocks = contacts.blocks;
+    for (std::uint32_t i = 0; i < blocks.size();) {
         std::uint32_t end = i + 1;
-        while (end < groups.size() && groups[end].a == groups[i].a && groups[end].b == groups[i].b)
+        while (end < blocks.size() && blocks[end].a == blocks[i].a && blocks[end].b == blocks[i].b)
             ++end;
-        if (groups[i].restitution > 0) pairs_.push_back({i, end - i});
+        if (blocks[i].restitution > 0) pairs_.push_back({i, end - i});
         i = end;
     }
 }
@@ -36,28 +44,28 @@ bool ImpactPass::gather(const Pair& pair) {
     blows_.clear();
     bool fast = false;
     const Real h = contacts_->substep_s();
-    for (std::uint32_t g = pair.first_group; g < pair.first_group + pair.group_count; ++g) {
-        const ContactGroup& group = contacts_->groups[g];
-        contacts_->place(group);
-        const SolverBody& a = bodies_[group.a];
-        const SolverBody& b = bodies_[group.b];
-        for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
-            const ContactPoint& point = contacts_->points[i];
+    for (std::uint32_t at = pair.first_block; at < pair.first_block + pair.block_count; ++at) {
+        ContactBlock& block = contacts_->blocks[at];
+        contacts_->place(block);
+        const SolverBody& a = bodies_[block.a];
+        const SolverBody& b = bodies_[block.b];
+        const Vec3 moved = block.rounded() ? a.moved_m - b.moved_m : Vec3{0, 0, 0};
+        for (int i = 0; i < block.count; ++i) {
+            Blow blow{.block = at, .lane = i, .arm_a = block.arm_a(i), .arm_b = block.arm_b(i)};
+            (block.radius_a > 0 ? blow.arm_b : blow.arm_a) += block.radius_a > 0 ? moved : -moved;
             const Real speed =
-                glm::dot(a.velocity_at(point.arm_a) - b.velocity_at(point.arm_b), group.normal);
-            const Vec3 pull =
-                a.acceleration_mps2 + glm::cross(a.angular_acceleration_radps2, point.arm_a) -
-                b.acceleration_mps2 - glm::cross(b.angular_acceleration_radps2, point.arm_b);
-            const Real opening_mps2 = glm::dot(pull, group.normal);
+                glm::dot(a.velocity_at(blow.arm_a) - b.velocity_at(blow.arm_b), block.normal);
+            const Real opening_mps2 =
+                glm::dot(pull_at(a, blow.arm_a) - pull_at(b, blow.arm_b), block.normal);
+            const Real separation = block.separation_m[static_cast<std::size_t>(i)];
             const Real reached_mps = std::min(speed, speed + opening_mps2 * h);
-            if (point.separation_m + h * reached_mps > kTouching_m) continue;
-            Blow blow{.point = i, .group = g};
+            if (separation + h * reached_mps > kTouching_m) continue;
             if (speed < -threshold_mps_) {
                 fast = true;
                 // Energy along the normal, from here to the surface and back.
-                const Real fall = -2 * opening_mps2 * point.separation_m;
+                const Real fall = -2 * opening_mps2 * separation;
                 const Real at_surface = std::max(speed * speed + fall, Real{0});
-                const Real e = group.restitution;
+                const Real e = block.restitution;
                 blow.target_mps = std::sqrt(std::max(e * e * at_surface - fall, Real{0}));
             }
             blows_.push_back(blow);
@@ -66,48 +74,63 @@ bool ImpactPass::gather(const Pair& pair) {
     return fast;
 }
 
-void ImpactPass::solve_friction(Blow& blow) {
-    const ContactGroup& group = contacts_->groups[blow.group];
-    const ContactPoint& point = contacts_->points[blow.point];
-    SolverBody& a = bodies_[group.a];
-    SolverBody& b = bodies_[group.b];
-    const Vec3 slip = a.velocity_at(point.arm_a) - b.velocity_at(point.arm_b);
-    Real next[2];
-    for (int t = 0; t < 2; ++t) {
-        next[t] = blow.tangent_Ns[t] - point.tangent_mass[t] * glm::dot(slip, group.tangent[t]);
+void ImpactPass::weigh_blows() {
+    for (Blow& blow : blows_) {
+        const ContactBlock& block = contacts_->blocks[blow.block];
+        const SolverBody& a = bodies_[block.a];
+        const SolverBody& b = bodies_[block.b];
+        const auto mass = [&](const Vec3& direction) {
+            return 1 /
+                   (mass_along(a, blow.arm_a, direction) + mass_along(b, blow.arm_b, direction));
+        };
+        blow.normal_mass = mass(block.normal);
+        for (int t = 0; t < 2; ++t) blow.tangent_mass[t] = mass(block.tangent[t]);
     }
-    const Real limit = group.friction * blow.normal_Ns;
+}
+
+void ImpactPass::solve_friction(Blow& blow) {
+    const ContactBlock& block = contacts_->blocks[blow.block];
+    SolverBody& a = bodies_[block.a];
+    SolverBody& b = bodies_[block.b];
+    const Vec3 slip = a.velocity_at(blow.arm_a) - b.velocity_at(blow.arm_b);
+    Real next[2];
+    for (int t = 0; t < 2; ++t)
+        next[t] = blow.tangent_Ns[t] - blow.tangent_mass[t] * glm::dot(slip, block.tangent[t]);
+    const Real limit = block.friction * blow.normal_Ns;
     const Real length = std::hypot(next[0], next[1]);
     const Real kept = length > limit ? limit / length : Real{1};
     Vec3 rub{0, 0, 0};
     for (int t = 0; t < 2; ++t) {
-        rub += group.tangent[t] * (next[t] * kept - blow.tangent_Ns[t]);
+        rub += block.tangent[t] * (next[t] * kept - blow.tangent_Ns[t]);
         blow.tangent_Ns[t] = next[t] * kept;
     }
-    a.push(rub, point.arm_a);
-    b.push(-rub, point.arm_b);
+    a.push(rub, blow.arm_a);
+    b.push(-rub, blow.arm_b);
 }
 
 void ImpactPass::solve_blows() {
+    weigh_blows();
     const int sweeps = blows_.size() > 1 ? kInnerSweeps : 1;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         for (Blow& blow : blows_) {
-            const ContactGroup& group = contacts_->groups[blow.group];
-            const ContactPoint& point = contacts_->points[blow.point];
-            SolverBody& a = bodies_[group.a];
-            SolverBody& b = bodies_[group.b];
+            const ContactBlock& block = contacts_->blocks[blow.block];
+            SolverBody& a = bodies_[block.a];
+            SolverBody& b = bodies_[block.b];
             const Real speed =
-                glm::dot(a.velocity_at(point.arm_a) - b.velocity_at(point.arm_b), group.normal);
+                glm::dot(a.velocity_at(blow.arm_a) - b.velocity_at(blow.arm_b), block.normal);
             const Real next =
-                std::max(blow.normal_Ns + point.normal_mass * (blow.target_mps - speed), Real{0});
-            const Vec3 impulse = group.normal * (next - blow.normal_Ns);
+                std::max(blow.normal_Ns + blow.normal_mass * (blow.target_mps - speed), Real{0});
+            const Vec3 impulse = block.normal * (next - blow.normal_Ns);
             blow.normal_Ns = next;
-            a.push(impulse, point.arm_a);
-            b.push(-impulse, point.arm_b);
-            if (group.friction > 0) solve_friction(blow);
+            a.push(impulse, blow.arm_a);
+            b.push(-impulse, blow.arm_b);
+            if (block.friction > 0) solve_friction(blow);
         }
     }
-    for (const Blow& blow : blows_) contacts_->points[blow.point].total_Ns += blow.normal_Ns;
+    for (const Blow& blow : blows_) {
+        contacts_->blocks[blow.block].total_Ns[static_cast<std::size_t>(blow.lane)] +=
+            blow.normal_Ns;
+    }
 }
 
 std::uint32_t ImpactPass::run() {
@@ -122,7 +145,7 @@ std::uint32_t ImpactPass::run() {
         }
         if (!any) break;
     }
-    contacts_->row_solves_ += blows;
+    contacts_->row_solves += blows;
     return blows;
 }
 

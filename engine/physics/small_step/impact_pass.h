@@ -24,19 +24,24 @@ public:
 
 private:
     struct Pair {
-        std::uint32_t first_group{0};
-        std::uint32_t group_count{0};
+        std::uint32_t first_block{0};
+        std::uint32_t block_count{0};
     };
     /// A point of the pair at hand.
     struct Blow {
-        std::uint32_t point{0};
-        std::uint32_t group{0};
+        std::uint32_t block{0};
+        int lane{0};
+        Vec3 arm_a{0, 0, 0};
+        Vec3 arm_b{0, 0, 0};
+        Real normal_mass{0};
+        Real tangent_mass[2]{0, 0};
         Real target_mps{0};  ///< along the normal, after
         Real normal_Ns{0};
         Real tangent_Ns[2]{0, 0};
     };
 
     bool gather(const Pair& pair);
+    void weigh_blows();
     void solve_blows();
     void solve_friction(Blow& blow);
 

@@ -12,7 +12,7 @@ constexpr Real kGyroSpin_radps = 1e-2_r;
 
 void IslandLoop::clear() {
     bodies.assign(1, SolverBody{});
-    contacts.clear();
+    contacts.blocks.clear();
     joints.clear();
 }
 
@@ -30,7 +30,7 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
         report_.max_joint_error_m = joint_system_.work().max_error_m;
         report_.row_solves += joint_system_.work().row_solves;
     }
-    report_.row_solves += contacts.row_solves();
+    report_.row_solves += contacts.row_solves;
     return report_;
 }
 

@@ -1,0 +1,63 @@
+// Bullet's contact manifolds as blocks of the small-step solver, and the impulses back. Private.
+#pragma once
+
+#include "engine/physics/small_step/contact_set.h"
+
+#include <btBulletDynamicsCommon.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace plumbline::physics {
+
+/// What carries over from step to step stands on the manifold points as mean forces (N), so that it
+/// fits sub-steps of any length. Points that come anew while their pair goes on pressing (a ball
+/// that rolled on, a box that slid on) share what the pair's lost points carried.
+class ContactBridge {
+public:
+    /// Before the islands of a step.
+    void begin_step();
+    /// Before one island.
+    void begin_island() { entries_.clear(); }
+    /// Appends the manifold's blocks. `a`, `b`: the bodies' places in the island; `h`: sub-step, s.
+    void add(btPersistentManifold& manifold,
+             std::uint32_t a,
+             std::uint32_t b,
+             Real h,
+             ContactSet& contacts);
+    /// Impulses and totals back to the points.
+    void write_back(const ContactSet& contacts, Real h);
+
+    /// Contact points added since begin_island().
+    std::uint32_t point_count() const { return static_cast<std::uint32_t>(entries_.size()); }
+
+private:
+    struct Entry {
+        btManifoldPoint* point{nullptr};
+        std::uint32_t block{0};
+        std::uint32_t lane{0};
+        std::uint32_t load{0};  ///< its pair's place in loads_
+    };
+    /// What a pair carried in a step, N; world axes.
+    struct PairLoad {
+        const btPersistentManifold* manifold{nullptr};
+        Real normal_N{0};
+        Vec3 friction_N{0, 0, 0};
+    };
+
+    void start_block(const btManifoldPoint& from,
+                     const btCollisionObject& object_a,
+                     const btCollisionObject& object_b,
+                     ContactBlock& block) const;
+    void carry_over(btPersistentManifold& manifold,
+                    Real h,
+                    ContactSet& contacts,
+                    std::size_t first_block,
+                    std::size_t first_entry) const;
+
+    std::vector<Entry> entries_;
+    std::vector<PairLoad> last_loads_;
+    std::vector<PairLoad> loads_;
+};
+
+}  // namespace plumbline::physics

@@ -1,0 +1,83 @@
+// The touching points of one pair of bodies that share a normal, as the solver's rows.
+//
+// Up to four points, one to a lane: what the sweeps do four times stands in arrays of four, which
+// compilers turn into vector instructions. The points' normal impulses are solved together; their
+// friction is one force and one twist at the centre of the load.
+#pragma once
+
+#include "engine/physics/small_step/solver_body.h"
+
+#include <array>
+#include <cstdint>
+
+namespace plumbline::physics {
+
+inline constexpr int kLanes = 4;
+using Lanes = std::array<Real, kLanes>;
+using LaneVec3 = std::array<Lanes, 3>;  ///< x of all lanes, y of all lanes, z of all lanes
+
+inline Vec3 lane(const LaneVec3& vectors, int i) {
+    const auto at = static_cast<std::size_t>(i);
+    return {vectors[0][at], vectors[1][at], vectors[2][at]};
+}
+inline void set_lane(LaneVec3& vectors, int i, const Vec3& value) {
+    const auto at = static_cast<std::size_t>(i);
+    for (std::size_t axis = 0; axis < 3; ++axis) vectors[axis][at] = value[static_cast<int>(axis)];
+}
+inline Real sum_of(const Lanes& values) {
+    return (values[0] + values[1]) + (values[2] + values[3]);
+}
+
+/// A separation no lane without a point can ever close.
+inline constexpr Real kNoPoint_m = 1e6_r;
+
+struct alignas(16) ContactBlock {
+    std::uint32_t a{kWorldBody};
+    std::uint32_t b{kWorldBody};
+    std::int32_t count{0};  ///< lanes in use
+    bool against_immovable{false};
+    Vec3 normal{0, 1, 0};  ///< from b to a
+    /// A rounded side (ball, capsule, side of a cylinder) is the ball that touches: `offset` is its
+    /// centre and its surface is `radius` nearer to the other body. Other sides have radius 0.
+    Real radius_a{0};
+    Real radius_b{0};
+
+    // Filled by ContactSet::begin_step().
+    LaneVec3 angular_a{};  ///< arm x normal
+    LaneVec3 angular_b{};
+    Lanes separation_m{};
+    Lanes compliance{};                      ///< of soft rows, 1/kg
+    std::array<Lanes, kLanes> soft_mass{};   ///< all points overlapping, with bias
+    std::array<Lanes, kLanes> rigid_mass{};  ///< all points pressing, without
+
+    // Geometry at the step's start, world axes.
+    LaneVec3 offset_a{};  ///< centre of mass to the point or the centre of the ball
+    LaneVec3 offset_b{};
+    Lanes start_separation_m{kNoPoint_m, kNoPoint_m, kNoPoint_m, kNoPoint_m};
+
+    Lanes normal_Ns{};  ///< of the present sub-step
+    Lanes total_Ns{};   ///< summed over the step
+
+    // Friction: at the centre of the load, limited together by an ellipsoid.
+    Vec3 tangent[2]{};
+    Vec3 center_a{0, 0, 0};  ///< arms of the centre
+    Vec3 center_b{0, 0, 0};
+    Real tangent_mass[2]{0, 0};
+    Real twist_mass{0};
+    Real twist_arm_m{0};  ///< mean distance of the load from its centre
+    Real tangent_Ns[2]{0, 0};
+    Real twist_Nms{0};
+    Vec3 rolling_Nms{0, 0, 0};
+    Real friction{0};
+    Real restitution{0};
+    Real rolling_m{0};   ///< torque against rolling per newton pressed
+    Real spinning_m{0};  ///< ... against spinning about the normal
+
+    std::array<Lanes, kLanes> response{};  ///< A: change of closing speed per impulse, 1/kg
+
+    bool rounded() const { return radius_a > 0 || radius_b > 0; }
+    Vec3 arm_a(int i) const { return lane(offset_a, i) - normal * radius_a; }
+    Vec3 arm_b(int i) const { return lane(offset_b, i) + normal * radius_b; }
+};
+
+}  // namespace plumbline::physics
