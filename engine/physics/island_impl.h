@@ -59,7 +59,7 @@ public:
     IslandSolver();
     ~IslandSolver();
     void begin_step();  ///< before the islands of a step
-    void solve(Island& island, const IslandStep& step);
+    IslandReport solve(Island& island, const IslandStep& step);
 
 private:
     struct Impl;

@@ -4,13 +4,16 @@
 #include "engine/physics/island_impl.h"
 #include "engine/physics/physics_world_impl.h"
 #include "engine/physics/small_step/island_loop.h"
+#include "engine/physics/small_step/substep_choice.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumbline::physics {
 namespace {
 
 constexpr Real kPush_mps = 3;
+constexpr int kHoldSteps = 30;  ///< after the last step that asked for as many sub-steps
 
 Quatd double_orientation(const btMatrix3x3& basis) {
     btQuaternion q;
@@ -65,7 +68,12 @@ SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double
 struct IslandSolver::Impl {
     IslandLoop loop;
     ContactBridge bridge;
+    SubstepChooser chooser;
     std::vector<BodyRecord*> records;  ///< of loop.bodies; null: the world
+
+    SubstepChoice choose(const Island& island, const IslandStep& step);
+    void hold(const Island& island, const IslandStep& step, SubstepChoice& choice) const;
+    void gather(Island& island, const IslandStep& step, double h);
 
     std::uint32_t index_of(const btCollisionObject& object);
     void add_body(BodyRecord& record, const SolverBody& body);
@@ -139,26 +147,93 @@ void IslandSolver::begin_step() {
     impl_->bridge.begin_step();
 }
 
-void IslandSolver::solve(Island& island, const IslandStep& step) {
-    Impl& impl = *impl_;
-    impl.loop.clear();
-    impl.records.assign(1, nullptr);
-    impl.bridge.begin_island();
-    const int substeps = std::max(step.substeps_least, step.substeps_most);
-    const double h = step.step_s / substeps;
-    for (BodyRecord* record : island.bodies) impl.add_body(*record, dynamic_body(*record, step, h));
-    for (btPersistentManifold* manifold : island.manifolds) {
-        impl.bridge.add(*manifold,
-                        impl.index_of(*manifold->getBody0()),
-                        impl.index_of(*manifold->getBody1()),
-                        static_cast<Real>(h),
-                        impl.loop.contacts);
+/// What the contacts carried in the latest step; a new one is taken to carry the heavier body.
+SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep& step) {
+    chooser.begin(island.bodies.size(), step.step_s);
+    if (step.substeps_most <= step.substeps_least)
+        return chooser.choose(step.substeps_least, step.substeps_most);
+    for (std::size_t i = 0; i < island.bodies.size(); ++i)
+        island.bodies[i]->rigid->setCompanionId(static_cast<int>(i));
+    const auto gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2));
+    for (const btPersistentManifold* manifold : island.manifolds) {
+        const btCollisionObject& a = *manifold->getBody0();
+        const btCollisionObject& b = *manifold->getBody1();
+        Real load_N = 0;
+        for (int i = 0; i < manifold->getNumContacts(); ++i)
+            load_N += manifold->getContactPoint(i).m_appliedImpulse;
+        Real size_m = 1e6_r;
+        Real inverse_mass = 0;
+        Real heaviest_kg = 0;
+        for (const btCollisionObject* object : {&a, &b}) {
+            const BodyRecord& record = record_of(*object);
+            if (object->getCompanionId() < 0) continue;
+            inverse_mass += record.rigid->getInvMass();
+            heaviest_kg = std::max(heaviest_kg, 1 / record.rigid->getInvMass());
+            if (record.smallest_core_m > 0) size_m = std::min(size_m, 2 * record.smallest_core_m);
+        }
+        if (load_N == 0) load_N = heaviest_kg * gravity_mps2;
+        chooser.add_contact(
+            a.getCompanionId(), b.getCompanionId(), load_N, 1 / inverse_mass, size_m);
     }
-    for (const JointRecord* joint : island.joints) impl.add_joint(*joint);
+    for (const JointRecord* joint : island.joints) {
+        Real spin_radps = joint->a->rigid->getAngularVelocity().length();
+        Real size_m = std::max(2 * joint->a->smallest_core_m, 1e-3_r);
+        if (joint->b != nullptr) {
+            spin_radps = std::max(spin_radps, joint->b->rigid->getAngularVelocity().length());
+            size_m = std::max(size_m, 2 * joint->b->smallest_core_m);
+        }
+        chooser.add_joint(spin_radps, static_cast<Real>(joint->state.error_m) / size_m);
+    }
+    SubstepChoice choice = chooser.choose(step.substeps_least, step.substeps_most);
+    hold(island, step, choice);
+    return choice;
+}
 
+/// Fewer sub-steps only after a while of asking for fewer: contacts give way a little when the
+/// number changes, and it should not change with every blow.
+void IslandSolver::Impl::hold(const Island& island,
+                              const IslandStep& step,
+                              SubstepChoice& choice) const {
+    int had = 0;
+    int for_steps = 0;
+    for (const BodyRecord* record : island.bodies) {
+        if (record->substeps < had) continue;
+        for_steps = record->substeps > had ? record->substeps_held
+                                           : std::min(for_steps, record->substeps_held);
+        had = record->substeps;
+    }
+    had = std::min(had, step.substeps_most);
+    const bool held = choice.substeps < had && for_steps < kHoldSteps;
+    if (held) choice = {had, SubstepReason::Held};
+    for (BodyRecord* record : island.bodies) {
+        record->substeps = choice.substeps;
+        record->substeps_held = held ? for_steps + 1 : 0;
+    }
+}
+
+void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h) {
+    loop.clear();
+    records.assign(1, nullptr);
+    bridge.begin_island();
+    for (BodyRecord* record : island.bodies) add_body(*record, dynamic_body(*record, step, h));
+    for (btPersistentManifold* manifold : island.manifolds) {
+        bridge.add(*manifold,
+                   index_of(*manifold->getBody0()),
+                   index_of(*manifold->getBody1()),
+                   static_cast<Real>(h),
+                   loop.contacts);
+    }
+    for (const JointRecord* joint : island.joints) add_joint(*joint);
+}
+
+IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
+    Impl& impl = *impl_;
+    const SubstepChoice choice = impl.choose(island, step);
+    const double h = step.step_s / choice.substeps;
+    impl.gather(island, step, h);
     const LoopReport report =
         impl.loop.run({.step_s = step.step_s,
-                       .substeps = substeps,
+                       .substeps = choice.substeps,
                        .iterations = step.iterations,
                        .gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2)),
                        .push_mps = kPush_mps,
@@ -168,6 +243,12 @@ void IslandSolver::solve(Island& island, const IslandStep& step) {
     impl.write_joints(island, step.step_s);
     step.cost->row_solves += report.row_solves;
     step.cost->contacts += impl.bridge.point_count();
+    return {.user = island.bodies.empty() ? 0 : island.bodies.front()->user,
+            .bodies = static_cast<std::uint32_t>(island.bodies.size()),
+            .contacts = impl.bridge.point_count(),
+            .joints = static_cast<std::uint32_t>(island.joints.size()),
+            .substeps = choice.substeps,
+            .reason = reason_name(choice.reason)};
 }
 
 }  // namespace plumbline::physics

@@ -1,14 +1,14 @@
 #include "engine/physics/small_step/contact_set.h"
 
+#include "engine/physics/small_step/substep_choice.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace plumbline::physics {
 namespace {
 
-/// Shares of 1/h at which contacts are as stiff as sweeps still hold stable, and their damping.
-constexpr Real kContactFrequency = 0.18_r;
-constexpr Real kContactDamping = 10;
+constexpr Real kContactDamping = 10;  ///< ratio: far above 1, sinking in never swings back
 /// Four points on a face are one more than it takes to hold a body: what keeps the rigid matrix
 /// from being singular, as a share of its diagonal.
 constexpr Real kRedundancy = 0.01_r;
@@ -16,7 +16,7 @@ constexpr int kProjectedSweeps = 8;  ///< within a block, where some points pres
 
 using Matrix = std::array<Lanes, kLanes>;
 
-Real mass_along(const SolverBody& a,
+inline Real mass_along(const SolverBody& a,
                 const SolverBody& b,
                 const Vec3& arm_a,
                 const Vec3& arm_b,
@@ -29,12 +29,12 @@ Real mass_along(const SolverBody& a,
     return inverse > 0 ? 1 / inverse : Real{0};
 }
 
-Real inverse_moment_along(const SolverBody& a, const SolverBody& b, const Vec3& axis) {
+inline Real inverse_moment_along(const SolverBody& a, const SolverBody& b, const Vec3& axis) {
     return glm::dot(axis, a.inverse_inertia * axis) + glm::dot(axis, b.inverse_inertia * axis);
 }
 
 /// R(q)^T v - v without the cancellation of the two terms.
-Vec3 turned_back_change(const Quat& q, const Vec3& v) {
+inline Vec3 turned_back_change(const Quat& q, const Vec3& v) {
     const Vec3 axis{-q.x, -q.y, -q.z};
     const Vec3 t = Real{2} * glm::cross(axis, v);
     return q.w * t + glm::cross(axis, t);
@@ -63,7 +63,7 @@ Matrix inverse_of(Matrix m) {
 }
 
 /// sum over axes of direction[axis] * lanes[axis]
-Lanes dot_lanes(const Vec3& direction, const LaneVec3& vectors) {
+inline Lanes dot_lanes(const Vec3& direction, const LaneVec3& vectors) {
     Lanes result;
     for (std::size_t i = 0; i < kLanes; ++i) {
         result[i] =
@@ -72,7 +72,7 @@ Lanes dot_lanes(const Vec3& direction, const LaneVec3& vectors) {
     return result;
 }
 
-Vec3 weighted_sum(const LaneVec3& vectors, const Lanes& weights) {
+inline Vec3 weighted_sum(const LaneVec3& vectors, const Lanes& weights) {
     Vec3 result;
     for (int axis = 0; axis < 3; ++axis) {
         const Lanes& values = vectors[static_cast<std::size_t>(axis)];
@@ -82,7 +82,7 @@ Vec3 weighted_sum(const LaneVec3& vectors, const Lanes& weights) {
     return result;
 }
 
-Lanes opening_speeds(const ContactBlock& block, const SolverBody& a, const SolverBody& b) {
+inline Lanes opening_speeds(const ContactBlock& block, const SolverBody& a, const SolverBody& b) {
     const Real along = glm::dot(block.normal, a.velocity_mps - b.velocity_mps);
     const Lanes of_a = dot_lanes(a.spin_radps, block.angular_a);
     const Lanes of_b = dot_lanes(b.spin_radps, block.angular_b);
@@ -109,7 +109,7 @@ Lanes projected(const ContactBlock& block, const Lanes& wanted, const Lanes& com
     return next;
 }
 
-Lanes product(const Matrix& m, const Lanes& v) {
+inline Lanes product(const Matrix& m, const Lanes& v) {
     Lanes result{};
     for (std::size_t k = 0; k < kLanes; ++k) {
         for (std::size_t i = 0; i < kLanes; ++i) result[i] += m[k][i] * v[k];  // m is symmetric
@@ -117,13 +117,13 @@ Lanes product(const Matrix& m, const Lanes& v) {
     return result;
 }
 
-bool all_press(const Lanes& impulses, int count) {
+inline bool all_press(const Lanes& impulses, int count) {
     Real least = impulses[0];
     for (int i = 1; i < count; ++i) least = std::min(least, impulses[static_cast<std::size_t>(i)]);
     return least >= 0;
 }
 
-void press(ContactBlock& block, SolverBody& a, SolverBody& b, const Lanes& next) {
+inline void press(ContactBlock& block, SolverBody& a, SolverBody& b, const Lanes& next) {
     Lanes change;
     for (std::size_t i = 0; i < kLanes; ++i) change[i] = next[i] - block.normal_Ns[i];
     block.normal_Ns = next;
