@@ -20,4 +20,18 @@ private:
     double start_s_;
 };
 
+/// CPU milliseconds of the calling thread, lap after lap.
+class LapTimer {
+public:
+    void start() { start_s_ = thread_cpu_s(); }
+    double lap_ms() {
+        const double lap_start_s = start_s_;
+        start();
+        return (start_s_ - lap_start_s) * 1e3;
+    }
+
+private:
+    double start_s_{0};
+};
+
 }  // namespace plumbline

@@ -64,6 +64,7 @@ struct StepCost {
     double total_ms{0};           ///< whole step; the rest is "other"
     std::uint64_t row_solves{0};  ///< constraint rows times sweeps: work without a clock
     std::uint32_t contacts{0};    ///< contact points
+    std::uint32_t pairs{0};       ///< small_step: pairs of bodies looked at for contact points
 };
 
 /// How often the optional parts of the latest step really ran.
@@ -74,6 +75,16 @@ struct FeatureUse {
     double sweep_ms{0};
     double gyro_ms{0};
     double events_ms{0};
+};
+
+/// Who got how many sub-steps in the latest step, and why. small_step only.
+struct IslandReport {
+    std::uint64_t user{0};  ///< mark of its first body
+    std::uint32_t bodies{0};
+    std::uint32_t contacts{0};  ///< points
+    std::uint32_t joints{0};
+    int substeps{0};
+    std::string_view reason;  ///< "least", "load", "height", "turning", "error", "held", "fixed"
 };
 
 struct Energy {
@@ -125,6 +136,8 @@ public:
         BodyId id,
         bool frozen);  ///< a frozen body stands as if static and keeps its mass for later
     bool frozen(BodyId id) const;
+    void set_friction(BodyId id, Real friction);        ///< wakes it and what touches it
+    void set_restitution(BodyId id, Real restitution);  ///< 0…1; wakes likewise
     void set_contact_events(BodyId id, bool listed);
     void wake(BodyId id);
 
@@ -149,14 +162,21 @@ public:
     void step();
     void set_features(const WorldFeatures& features);
     const WorldDef& def() const;
+    /// Another solver, rate or gravity from the next step on. Ids, bodies, shapes, joints and what is
+    /// frozen or taken out stay; contact points are found anew, and everything wakes: what follows
+    /// is, bit for bit, what a new world made from the present states would do.
+    void reconfigure(const WorldDef& def);
 
     // --- what the latest step left; spans are overwritten by the next
-    /// Touching pairs, in a reproducible order.
+    /// Touching pairs, in a reproducible order. With small_step those asleep are not listed, and
+    /// have not begun anew when they wake.
     std::span<const ContactEvent> contacts() const;
     /// Every touching pair whether or not a body asked for events, for state files; not free.
     std::vector<ContactEvent> all_contacts() const;
     const StepCost& cost() const;
     const FeatureUse& feature_use() const;
+    /// Islands that were solved, in the order of their first bodies. small_step only.
+    std::span<const IslandReport> islands() const;
     /// Bodies taken out for a non-finite state, in the order it happened.
     std::span<const BodyId> quarantined() const;
     /// Joints that broke in the latest step, in the order of their ids. They stay, and carry

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "engine/core/slot_map.h"
+#include "engine/physics/island_sleep_impl.h"
 #include "engine/physics/joint_impl.h"
 #include "engine/physics/mass.h"
 #include "engine/physics/mesh_contact_impl.h"
+#include "engine/physics/pair_list_impl.h"
 #include "engine/physics/physics_world.h"
 #include "engine/physics/step_world_impl.h"
 
@@ -100,10 +102,19 @@ struct BodyRecord {
     bool has_target{false};    ///< kinematic: move_kinematic was called for the next step
     bool driven{false};        ///< kinematic: its velocity is that of the last move_kinematic
     bool forced{false};        ///< a force or torque of the caller acts in the next step
-    bool awake{true};          ///< small_step: steps move it
-    double still_s{0};         ///< small_step: for how long it has been slow enough to sleep
+    bool awake{false};         ///< small_step: steps move it
+    bool box_stale{false};     ///< small_step: somebody changed its motion since the last step
+    int substeps{0};         ///< small_step: of its island in the latest step
+    int substeps_held{0};    ///< small_step: steps since its island really asked for as many
     std::uint32_t slumber{0};  ///< small_step: bodies that fell asleep together share it; 0: awake
     std::vector<JointId> joints;  ///< that hold it, broken ones included, in order of creation
+
+    Rest rest{};               ///< small_step
+    std::vector<Pair*> pairs;  ///< small_step: by the other body's id
+    std::uint32_t row{0};      ///< small_step: among the awake bodies, while islands are built
+    Real jolt_mps{0};          ///< small_step: what this step's blows may do to its speed
+    Real radius_m{0};          ///< of the farthest point from the centre of mass
+    Real touch_m{0};           ///< points count as near up to this distance
 
     Pose body_from_mass{};
     bool mass_frame_is_body{true};
@@ -129,6 +140,8 @@ struct BodyRecord {
     Flight flight{};
 };
 
+class SmallStepWorld;
+
 struct PhysicsWorld::Impl {
     explicit Impl(const WorldDef& world_def);
     ~Impl();
@@ -145,6 +158,9 @@ struct PhysicsWorld::Impl {
     void wake(BodyRecord& record);
     /// What touches the body or is joined to it.
     void wake_neighbours(const BodyRecord& record);
+    void change_material(BodyRecord& record);
+    template <class Fn>
+    void each_manifold_of(const BodyRecord& record, Fn&& fn);
     void quarantine(BodyRecord& record);
     void poison(BodyRecord& record);
     void place(BodyRecord& record, const btTransform& world_from_mass);
@@ -162,6 +178,7 @@ struct PhysicsWorld::Impl {
     std::unique_ptr<btMLCPSolverInterface> pivot_solver;
     std::unique_ptr<btConstraintSolver> solver;
     std::unique_ptr<StepWorld> world;
+    std::unique_ptr<SmallStepWorld> small;  ///< steps the world; none: Bullet does
 
     SlotMap<ShapeId, std::unique_ptr<ShapeRecord>> shapes;
     SlotMap<BodyId, std::unique_ptr<BodyRecord>> bodies;
@@ -170,7 +187,7 @@ struct PhysicsWorld::Impl {
     std::vector<BodyId> quarantined;
     std::vector<JointId> broken_joints;  ///< by the latest step
     bool bullet_joints{true};            ///< joints are Bullet's constraints, not an island's rows
-    std::size_t event_bodies{0};  ///< how many bodies asked for contact events
+    std::size_t event_bodies{0};         ///< how many bodies asked for contact events
 
     StepCost cost{};
     FeatureUse use{};
@@ -178,10 +195,24 @@ struct PhysicsWorld::Impl {
     std::vector<ContactEvent> gathered;               ///< of the running step, not yet merged
     std::vector<std::pair<BodyId, BodyId>> touching;  ///< event pairs of the step before
 
+    // --- world_rebuild.cpp
+    void check_def() const;
+    void build_engine();
+    void build_solver();
+    /// Takes bodies and joints out of Bullet's world, and that down.
+    void take_engine_down();
+    /// What the world's rate and gravity make of a body's numbers.
+    void suit_to_world(BodyRecord& record) const;
+
+    void advance_bullet(bool want_contacts);
+    void advance_small(bool want_contacts);
     void prepare_bodies(Real step_s);
     void settle_bodies();
+    template <class Fn>
+    void each_moving(Fn&& fn);
     void gather_events(bool all, std::vector<ContactEvent>& out) const;
     void finish_events();
+    bool sleeps_on(const std::pair<BodyId, BodyId>& pair) const;
 
     // --- world_joints.cpp
     /// Why there can be no such joint; empty: there can.
@@ -204,6 +235,15 @@ struct PhysicsWorld::Impl {
 /// Whether forces can move the body now.
 inline bool pushable(const BodyRecord& record) {
     return record.kind == BodyKind::Dynamic && record.in_world && !record.frozen;
+}
+
+/// small_step: whether forces could move the body and steps do not.
+inline bool sleeps(const BodyRecord& record) {
+    return pushable(record) && !record.awake;
+}
+
+inline bool by_id(const BodyRecord* a, const BodyRecord* b) {
+    return a->id < b->id;
 }
 
 /// The record behind a Bullet object of ours.

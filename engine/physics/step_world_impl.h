@@ -8,7 +8,8 @@
 // - boxes around bodies are brought up to date after moving, so that queries see the new poses
 #pragma once
 
-#include "engine/physics/physics_world.h"
+#include "engine/core/stopwatch.h"
+#include "engine/physics/body_motion_impl.h"
 
 #include <btBulletDynamicsCommon.h>
 
@@ -18,16 +19,6 @@
 namespace plumbline::physics {
 
 struct BodyRecord;
-
-/// The state of a body that nothing touches, carried in double precision from substep to substep:
-/// rounding each substep to float32 would cost 1e-5 m within a second at 240 Hz.
-struct Flight {
-    Vec3d position_m{0, 0, 0};
-    Vec3d velocity_mps{0, 0, 0};
-    Quatd orientation{1, 0, 0, 0};
-    Vec3d spin_radps{0, 0, 0};
-    bool going{false};  ///< Bullet's own numbers are the ones below, rounded
-};
 
 class StepWorld final : public btDiscreteDynamicsWorld {
 public:
@@ -57,19 +48,12 @@ protected:
 
 private:
     bool flew_free(const BodyRecord& record, btScalar step_s) const;
-    bool feels_gyro(const BodyRecord& record) const;
-    bool moves_past_itself(const BodyRecord& record) const;
-    void fly(BodyRecord& record, double step_s);
     void slide(BodyRecord& record, btScalar step_s);
-    void carry(BodyRecord& record, btScalar step_s);
-    void turn_freely(BodyRecord& record, double step_s);
-    void stop_at_hit(BodyRecord& record, btScalar step_s);
-    double lap_ms();
 
     Vec3d gravity_mps2_;
     std::vector<BodyRecord*> turning_;
     std::vector<BodyRecord*> swept_;
-    double lap_start_s_{0};
+    LapTimer laps_;
 };
 
 }  // namespace plumbline::physics

@@ -1,6 +1,7 @@
 // Bodies: made, moved, pushed, frozen and taken out.
 #include "engine/physics/bullet_convert_impl.h"
 #include "engine/physics/physics_world_impl.h"
+#include "engine/physics/small_step_world_impl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +13,6 @@ namespace {
 /// 1 cm/s, but a thing that slides that slowly is about to stop); bodies in the air never sleep.
 constexpr btScalar kSleepSpeed_mps = btScalar(0.05);
 constexpr btScalar kSleepSpin_radps = btScalar(0.1);
-
-btScalar kept_after(double damping_per_s, double step_s) {
-    return static_cast<btScalar>(std::exp(-damping_per_s * step_s));
-}
 
 bool nearly_equal(const Vec3d& inertia) {
     const double largest = std::max({inertia.x, inertia.y, inertia.z});
@@ -118,32 +115,20 @@ void PhysicsWorld::Impl::enter_world(BodyRecord& record) {
     // The pair filter reads the record; Bullet's own two masks must only not say no.
     record.in_world = true;
     world->addRigidBody(record.rigid.get(), -1, -1);
-    if (record.kind == BodyKind::Dynamic && !record.frozen) {
+    record.rigid->setDeactivationTime(0);
+    if (small) {
+        small->enter(record);
+    } else if (pushable(record)) {
         record.rigid->forceActivationState(record.can_sleep ? ACTIVE_TAG : DISABLE_DEACTIVATION);
-        record.rigid->setDeactivationTime(0);
     } else {
         record.rigid->forceActivationState(ISLAND_SLEEPING);
     }
 }
 
-void PhysicsWorld::Impl::wake(BodyRecord& record) {
-    if (pushable(record)) record.rigid->activate(true);
-}
-
-void PhysicsWorld::Impl::wake_neighbours(const BodyRecord& record) {
-    for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
-        const btPersistentManifold& manifold = *dispatcher->getManifoldByIndexInternal(i);
-        const bool first = manifold.getBody0() == record.rigid.get();
-        if (!first && manifold.getBody1() != record.rigid.get()) continue;
-        const auto* other = first ? manifold.getBody1() : manifold.getBody0();
-        wake(record_of(*other));
-    }
-    for (const JointId id : record.joints) wake_ends(*joints.get(id));
-}
-
 void PhysicsWorld::Impl::leave_world(BodyRecord& record) {
     if (!record.in_world) return;
     wake_neighbours(record);
+    if (small) small->leave(record);
     world->removeRigidBody(record.rigid.get());
     record.in_world = false;
 }
@@ -164,17 +149,13 @@ BodyId PhysicsWorld::create_body(const BodyDef& def) {
     record.can_sleep = def.can_sleep;
     record.linear_damping_per_s = static_cast<double>(def.linear_damping_per_s);
     record.angular_damping_per_s = static_cast<double>(def.angular_damping_per_s);
-    const double substep_s = impl_->def.step_s / impl_->def.substeps;
-    record.linear_keep = kept_after(record.linear_damping_per_s, substep_s);
-    record.angular_keep = kept_after(record.angular_damping_per_s, substep_s);
     weigh(record, def, shape);
     btCollisionShape* collision = fitted_shape(record, shape);
     record.rigid = make_rigid(record, def, collision);
     record.rigid->setUserPointer(&record);
-    if (def.kind == BodyKind::Dynamic) {
-        record.weight_N =
-            to_bullet(impl_->def.gravity_mps2) * static_cast<btScalar>(record.mass_kg);
-    }
+    record.radius_m = collision->getAngularMotionDisc();
+    record.touch_m = collision->getContactBreakingThreshold(gContactBreakingThreshold);
+    impl_->suit_to_world(record);
 
     const BodyId id = impl_->bodies.insert(std::move(owned));
     record.id = id;
@@ -186,6 +167,7 @@ BodyId PhysicsWorld::create_body(const BodyDef& def) {
     impl_->enter_world(record);
     if (sound && def.kind != BodyKind::Static) {
         set_velocity_of_origin(record, def.velocity_mps, def.angular_velocity_radps);
+        if (impl_->small && def.kind == BodyKind::Kinematic) impl_->small->stir(record);
     }
     if (!sound) {
         record.poisoned = true;
@@ -206,14 +188,6 @@ void PhysicsWorld::destroy_body(BodyId id) {
 
 bool PhysicsWorld::contains(BodyId id) const {
     return impl_->bodies.contains(id);
-}
-
-std::size_t PhysicsWorld::awake_count() const {
-    std::size_t count = 0;
-    impl_->bodies.each([&count](BodyId, const std::unique_ptr<BodyRecord>& record) {
-        if (pushable(*record) && record->rigid->isActive()) ++count;
-    });
-    return count;
 }
 
 BodyState PhysicsWorld::state(BodyId id) const {
@@ -262,6 +236,7 @@ void PhysicsWorld::set_pose(BodyId id, const Pose& world_from_body) {
     impl_->wake_neighbours(record);
     impl_->place(record, impl_->world_from_mass(record, world_from_body));
     record.has_target = false;
+    if (impl_->small) impl_->small->wake_overlapping(record);
     wake(id);
 }
 
@@ -272,6 +247,7 @@ void PhysicsWorld::move_kinematic(BodyId id, const Pose& world_from_body) {
     if (!is_finite(world_from_body)) return impl_->poison(record);
     record.target = impl_->world_from_mass(record, world_from_body);
     record.has_target = true;
+    if (impl_->small) impl_->small->stir(record);
 }
 
 void PhysicsWorld::set_velocity(BodyId id,
@@ -283,6 +259,7 @@ void PhysicsWorld::set_velocity(BodyId id,
     if (record.kind == BodyKind::Static || !record.in_world || record.frozen) return;
     set_velocity_of_origin(record, velocity_mps, angular_velocity_radps);
     record.driven = false;
+    if (impl_->small && record.kind == BodyKind::Kinematic) impl_->small->stir(record);
     wake(id);
 }
 
@@ -352,10 +329,6 @@ void PhysicsWorld::set_contact_events(BodyId id, bool listed) {
     if (record.contact_events == listed) return;
     record.contact_events = listed;
     listed ? ++impl_->event_bodies : --impl_->event_bodies;
-}
-
-void PhysicsWorld::wake(BodyId id) {
-    impl_->wake(impl_->body(id));
 }
 
 }  // namespace plumbline::physics

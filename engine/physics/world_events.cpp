@@ -1,8 +1,10 @@
 // Contact events: Bullet's manifolds, one line per touching pair.
 #include "engine/physics/bullet_convert_impl.h"
 #include "engine/physics/physics_world_impl.h"
+#include "engine/physics/small_step_world_impl.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace plumbline::physics {
 namespace {
@@ -12,18 +14,27 @@ Vec3 velocity_at(const BodyRecord& record, const btVector3& point) {
     return from_bullet(record.velocity_before + record.spin_before.cross(arm));
 }
 
+/// Normal impulse of a point over the latest substep (bullet_*) or step (small_step).
+using ImpulseAt = btScalar (*)(const btManifoldPoint&);
+
+btScalar applied_impulse_Ns(const btManifoldPoint& point) {
+    return point.getAppliedImpulse();
+}
+
 /// The pair's line from one manifold; false when its points only come near.
-bool describe(const btPersistentManifold& manifold, ContactEvent& event) {
+bool describe(const btPersistentManifold& manifold, ImpulseAt impulse_at, ContactEvent& event) {
     const btManifoldPoint* hardest = nullptr;
+    btScalar most_Ns = 0;
     bool touches = false;
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
         const btManifoldPoint& point = manifold.getContactPoint(p);
-        touches = touches || point.getDistance() <= 0 || point.getAppliedImpulse() > 0;
-        event.impulse_Ns += point.getAppliedImpulse();
-        if (hardest == nullptr || point.getAppliedImpulse() > hardest->getAppliedImpulse() ||
-            (point.getAppliedImpulse() == hardest->getAppliedImpulse() &&
-             point.getDistance() < hardest->getDistance())) {
+        const btScalar impulse_Ns = impulse_at(point);
+        touches = touches || point.getDistance() <= 0 || impulse_Ns > 0;
+        event.impulse_Ns += impulse_Ns;
+        if (hardest == nullptr || impulse_Ns > most_Ns ||
+            (impulse_Ns == most_Ns && point.getDistance() < hardest->getDistance())) {
             hardest = &point;
+            most_Ns = impulse_Ns;
         }
     }
     if (!touches) return false;
@@ -88,26 +99,52 @@ std::vector<ContactEvent> merged(std::vector<ContactEvent> list) {
 }  // namespace
 
 void PhysicsWorld::Impl::gather_events(bool all, std::vector<ContactEvent>& out) const {
-    for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
-        const btPersistentManifold& manifold = *dispatcher->getManifoldByIndexInternal(i);
-        if (manifold.getNumContacts() == 0) continue;
+    const ImpulseAt impulse_at = small ? frame_impulse_Ns : applied_impulse_Ns;
+    const auto gather = [&](const btPersistentManifold& manifold) {
+        if (manifold.getNumContacts() == 0) return;
         if (!all && !record_of(*manifold.getBody0()).contact_events &&
             !record_of(*manifold.getBody1()).contact_events) {
-            continue;
+            return;
         }
         ContactEvent event;
-        if (describe(manifold, event)) out.push_back(event);
+        if (describe(manifold, impulse_at, event)) out.push_back(event);
+    };
+    if (small && !all) {
+        for (const btPersistentManifold* manifold : small->touching()) gather(*manifold);
+        return;
+    }
+    for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
+        gather(*dispatcher->getManifoldByIndexInternal(i));
     }
 }
 
+/// Whether the pair is still there and neither body moved: then it touches as it did.
+bool PhysicsWorld::Impl::sleeps_on(const std::pair<BodyId, BodyId>& pair) const {
+    const auto* a = bodies.find(pair.first);
+    const auto* b = bodies.find(pair.second);
+    return a != nullptr && b != nullptr && !(*a)->awake && !(*b)->awake && (*a)->in_world &&
+           (*b)->in_world;
+}
+
 void PhysicsWorld::Impl::finish_events() {
+    if (small && small->touching().empty()) return;  // who touched sleeps on
     events = merged(std::move(gathered));
     gathered.clear();
     for (ContactEvent& event : events) {
         event.began = !std::binary_search(touching.begin(), touching.end(), pair_of(event));
     }
-    touching.clear();
-    for (const ContactEvent& event : events) touching.push_back(pair_of(event));
+    std::vector<std::pair<BodyId, BodyId>> now;
+    for (const ContactEvent& event : events) now.push_back(pair_of(event));
+    if (small) {
+        const auto listed = static_cast<std::ptrdiff_t>(now.size());
+        std::copy_if(
+            touching.begin(), touching.end(), std::back_inserter(now), [&](const auto& pair) {
+                return sleeps_on(pair) &&
+                       !std::binary_search(now.begin(), now.begin() + listed, pair);
+            });
+        std::inplace_merge(now.begin(), now.begin() + listed, now.end());
+    }
+    touching = std::move(now);
 }
 
 std::vector<ContactEvent> PhysicsWorld::all_contacts() const {

@@ -2,6 +2,7 @@
 #include "engine/core/stopwatch.h"
 #include "engine/physics/bullet_convert_impl.h"
 #include "engine/physics/physics_world_impl.h"
+#include "engine/physics/small_step_world_impl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,36 @@ bool is_sound(const btRigidBody& rigid) {
            std::isfinite(w.length2());
 }
 
+void prepare_kinematic(BodyRecord& record, btScalar step_s) {
+    btRigidBody& rigid = *record.rigid;
+    if (record.has_target) {
+        btVector3 velocity;
+        btVector3 spin;
+        btTransformUtil::calculateVelocity(
+            rigid.getWorldTransform(), record.target, step_s, velocity, spin);
+        rigid.setLinearVelocity(velocity);
+        rigid.setAngularVelocity(spin);
+    } else if (record.driven) {
+        rigid.setLinearVelocity({0, 0, 0});
+        rigid.setAngularVelocity({0, 0, 0});
+    }
+    record.driven = record.has_target;
+    const bool still = rigid.getLinearVelocity().isZero() && rigid.getAngularVelocity().isZero();
+    // An awake kinematic body keeps all it touches awake.
+    rigid.forceActivationState(still ? ISLAND_SLEEPING : ACTIVE_TAG);
+}
+
+void prepare_dynamic(BodyRecord& record, btScalar step_s) {
+    btRigidBody& rigid = *record.rigid;
+    rigid.applyCentralForce(record.weight_N);
+    if (record.forced) limit_force(record, step_s);
+    const btVector3 velocity = limited(rigid.getLinearVelocity(), kMaxSpeed_mps);
+    if (velocity != rigid.getLinearVelocity()) {
+        rigid.setLinearVelocity(velocity);
+        record.flight.going = false;
+    }
+}
+
 }  // namespace
 
 void PhysicsWorld::Impl::poison(BodyRecord& record) {
@@ -64,7 +95,6 @@ void PhysicsWorld::Impl::quarantine(BodyRecord& record) {
 
 void PhysicsWorld::step() {
     Impl& impl = *impl_;
-    StepWorld& world = *impl.world;
     const double started_s = thread_cpu_s();
     for (const BodyId id : impl.poisoned) {
         if (impl.bodies.contains(id)) impl.quarantine(impl.body(id));
@@ -73,86 +103,87 @@ void PhysicsWorld::step() {
 
     impl.cost = {};
     impl.use = {};
-    world.cost = {};
-    world.use = {};
-    world.features = impl.features;
-    world.want_contacts = impl.features.contact_events && impl.event_bodies > 0;
     impl.gathered.clear();
     impl.events.clear();
-    const auto step_s = static_cast<btScalar>(impl.def.step_s);
-    const auto substep_s = static_cast<btScalar>(impl.def.step_s / impl.def.substeps);
-
-    impl.prepare_bodies(step_s);
-    impl.prepare_joints();
-    for (int i = 0; i < impl.def.substeps; ++i) {
-        world.last_substep = i + 1 == impl.def.substeps;
-        world.advance(substep_s);
-        impl.gather_joint_loads(impl.def.step_s / impl.def.substeps);
-    }
-    impl.settle_bodies();
-    impl.settle_joints();
-    if (world.want_contacts)
+    const bool want_contacts = impl.features.contact_events && impl.event_bodies > 0;
+    if (impl.small)
+        impl.advance_small(want_contacts);
+    else
+        impl.advance_bullet(want_contacts);
+    if (want_contacts)
         impl.finish_events();
     else
         impl.touching.clear();
-
-    const StepCost counted = impl.cost;
-    impl.cost = world.cost;
-    impl.cost.row_solves = counted.row_solves;
-    impl.cost.contacts = counted.contacts;
-    impl.use = world.use;
     impl.use.events = static_cast<std::uint32_t>(impl.events.size());
     impl.cost.total_ms = (thread_cpu_s() - started_s) * 1e3;
 }
 
+void PhysicsWorld::Impl::advance_bullet(bool want_contacts) {
+    world->cost = {};
+    world->use = {};
+    world->features = features;
+    world->want_contacts = want_contacts;
+    prepare_bodies(static_cast<btScalar>(def.step_s));
+    prepare_joints();
+    for (int i = 0; i < def.substeps; ++i) {
+        world->last_substep = i + 1 == def.substeps;
+        world->advance(static_cast<btScalar>(def.step_s / def.substeps));
+        gather_joint_loads(def.step_s / def.substeps);
+    }
+    settle_bodies();
+    settle_joints();
+    const StepCost counted = cost;
+    cost = world->cost;
+    cost.row_solves = counted.row_solves;
+    cost.contacts = counted.contacts;
+    use = world->use;
+}
+
+void PhysicsWorld::Impl::advance_small(bool want_contacts) {
+    small->begin_step();
+    broken_joints.clear();
+    if (small->idle()) return;
+    prepare_bodies(static_cast<btScalar>(def.step_s));
+    prepare_joints();
+    small->cost = {};
+    small->use = {};
+    small->step(features, want_contacts);
+    settle_bodies();
+    settle_joints();
+    cost = small->cost;
+    use = small->use;
+}
+
+template <class Fn>
+void PhysicsWorld::Impl::each_moving(Fn&& fn) {
+    if (small) {
+        for (BodyRecord* record : small->awake()) fn(*record);
+        for (BodyRecord* record : small->carriers()) fn(*record);
+        return;
+    }
+    const auto& moving = world->getNonStaticRigidBodies();
+    for (int i = 0; i < moving.size(); ++i) fn(record_of(*moving[i]));
+}
+
 /// Gravity, the callers' forces and the way of kinematic bodies, before the first substep.
 void PhysicsWorld::Impl::prepare_bodies(Real step_s) {
-    const auto& moving = world->getNonStaticRigidBodies();
-    for (int i = 0; i < moving.size(); ++i) {
-        btRigidBody& rigid = *moving[i];
-        BodyRecord& record = record_of(rigid);
-        if (record.kind == BodyKind::Kinematic) {
-            if (record.has_target) {
-                btVector3 velocity;
-                btVector3 spin;
-                btTransformUtil::calculateVelocity(
-                    rigid.getWorldTransform(), record.target, step_s, velocity, spin);
-                rigid.setLinearVelocity(velocity);
-                rigid.setAngularVelocity(spin);
-            } else if (record.driven) {
-                rigid.setLinearVelocity({0, 0, 0});
-                rigid.setAngularVelocity({0, 0, 0});
-            }
-            record.driven = record.has_target;
-            const bool still =
-                rigid.getLinearVelocity().isZero() && rigid.getAngularVelocity().isZero();
-            // An awake kinematic body keeps all it touches awake.
-            rigid.forceActivationState(still ? ISLAND_SLEEPING : ACTIVE_TAG);
-            continue;
-        }
-        if (!rigid.isActive()) continue;
-        rigid.applyCentralForce(record.weight_N);
-        if (record.forced) limit_force(record, step_s);
-        const btVector3 velocity = limited(rigid.getLinearVelocity(), kMaxSpeed_mps);
-        if (velocity != rigid.getLinearVelocity()) {
-            rigid.setLinearVelocity(velocity);
-            record.flight.going = false;
-        }
-    }
+    each_moving([step_s](BodyRecord& record) {
+        if (record.kind == BodyKind::Kinematic)
+            prepare_kinematic(record, step_s);
+        else if (record.rigid->isActive())
+            prepare_dynamic(record, step_s);
+    });
 }
 
 /// Clears forces and takes out what the step made non-finite.
 void PhysicsWorld::Impl::settle_bodies() {
     std::vector<BodyRecord*> broken;
-    const auto& moving = world->getNonStaticRigidBodies();
-    for (int i = 0; i < moving.size(); ++i) {
-        btRigidBody& rigid = *moving[i];
-        BodyRecord& record = record_of(rigid);
-        rigid.clearForces();
+    each_moving([&broken](BodyRecord& record) {
+        record.rigid->clearForces();
         record.forced = false;
         record.has_target = false;
-        if (!is_sound(rigid)) broken.push_back(&record);
-    }
+        if (!is_sound(*record.rigid)) broken.push_back(&record);
+    });
     for (BodyRecord* record : broken) {
         const btTransform last = record->before;
         quarantine(*record);

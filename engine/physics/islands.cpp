@@ -1,0 +1,108 @@
+#include "engine/physics/islands_impl.h"
+#include "engine/physics/physics_world_impl.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace plumbline::physics {
+namespace {
+
+constexpr std::uint32_t kNoIsland = std::numeric_limits<std::uint32_t>::max();
+
+const BodyRecord& first_of(const btPersistentManifold& manifold) {
+    return record_of(*manifold.getBody0());
+}
+const BodyRecord& second_of(const btPersistentManifold& manifold) {
+    return record_of(*manifold.getBody1());
+}
+
+bool is_member(const BodyRecord* record) {
+    return record != nullptr && pushable(*record);
+}
+
+/// What bounds an island and moves by itself.
+bool is_carrier(const BodyRecord& record) {
+    return record.kind == BodyKind::Kinematic && record.awake;
+}
+
+}  // namespace
+
+void DisjointSets::reset(std::size_t count) {
+    parent_.resize(count);
+    std::iota(parent_.begin(), parent_.end(), 0U);
+}
+
+std::uint32_t DisjointSets::find(std::uint32_t member) {
+    while (parent_[member] != member) {
+        parent_[member] = parent_[parent_[member]];
+        member = parent_[member];
+    }
+    return member;
+}
+
+void DisjointSets::join(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+}
+
+Island& IslandBuilder::island_of(std::uint32_t body) {
+    return islands_[number_[sets_.find(body)]];
+}
+
+/// What holds an island from outside. `partner` is a dynamic member of it or none of its own.
+void IslandBuilder::note_partner(std::uint32_t body, const BodyRecord* partner) {
+    if (is_member(partner)) return;
+    Island& island = island_of(body);
+    island.supported = true;
+    if (partner != nullptr && is_carrier(*partner)) island.carried = true;
+}
+
+void IslandBuilder::build(std::span<BodyRecord* const> bodies,
+                          std::span<btPersistentManifold* const> manifolds,
+                          std::span<JointRecord* const> joints) {
+    sets_.reset(bodies.size());
+    held_.assign(bodies.size(), 0);
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) bodies[i]->row = i;
+    const auto tie = [this](const BodyRecord* a, const BodyRecord* b) {
+        if (is_member(a)) held_[a->row] = 1;
+        if (is_member(b)) held_[b->row] = 1;
+        if (is_member(a) && is_member(b)) sets_.join(a->row, b->row);
+    };
+    for (const btPersistentManifold* manifold : manifolds) {
+        tie(&first_of(*manifold), &second_of(*manifold));
+    }
+    for (const JointRecord* joint : joints) tie(joint->a, joint->b);
+
+    number_.assign(bodies.size(), kNoIsland);
+    free_.clear();
+    count_ = 0;
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        if (held_[i] == 0) {
+            free_.push_back(bodies[i]);
+            continue;
+        }
+        std::uint32_t& number = number_[sets_.find(i)];
+        if (number == kNoIsland) {
+            number = static_cast<std::uint32_t>(count_++);
+            if (islands_.size() < count_) islands_.emplace_back();
+            islands_[number].clear();
+        }
+        islands_[number].bodies.push_back(bodies[i]);
+    }
+    for (btPersistentManifold* manifold : manifolds) {
+        const BodyRecord* a = &first_of(*manifold);
+        const BodyRecord* b = &second_of(*manifold);
+        const BodyRecord* member = is_member(a) ? a : b;
+        island_of(member->row).manifolds.push_back(manifold);
+        note_partner(member->row, member == a ? b : a);
+    }
+    for (JointRecord* joint : joints) {
+        const BodyRecord* member = is_member(joint->a) ? joint->a : joint->b;
+        island_of(member->row).joints.push_back(joint);
+        note_partner(member->row, member == joint->a ? joint->b : joint->a);
+    }
+}
+
+}  // namespace plumbline::physics

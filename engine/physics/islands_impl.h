@@ -1,0 +1,49 @@
+// Which bodies push each other: islands by union-find. Private to the physics module.
+#pragma once
+
+#include "engine/physics/island_impl.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace plumbline::physics {
+
+/// Sets of numbers 0 … n-1. The smallest number of a set stands for it.
+class DisjointSets {
+public:
+    void reset(std::size_t count);
+    std::uint32_t find(std::uint32_t member);
+    void join(std::uint32_t a, std::uint32_t b);
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+/// Builds a step's islands and keeps their memory for the next step.
+class IslandBuilder {
+public:
+    /// `bodies` are the awake dynamic ones in the order of their ids; `manifolds` touch at least
+    /// one of them; `joints` hold at least one of them. Orders are kept within each island;
+    /// islands come by their first body.
+    void build(std::span<BodyRecord* const> bodies,
+               std::span<btPersistentManifold* const> manifolds,
+               std::span<JointRecord* const> joints);
+
+    std::span<Island> islands() { return {islands_.data(), count_}; }
+    /// Bodies that nothing touches or holds, in the order of their ids.
+    std::span<BodyRecord* const> free_bodies() const { return free_; }
+
+private:
+    Island& island_of(std::uint32_t body);
+    void note_partner(std::uint32_t body, const BodyRecord* partner);
+
+    DisjointSets sets_;
+    std::vector<std::uint8_t> held_;     ///< by body: touched or joined
+    std::vector<std::uint32_t> number_;  ///< by body that stands for a set: of its island
+    std::vector<Island> islands_;        ///< more than count_ of them, to keep their memory
+    std::size_t count_{0};
+    std::vector<BodyRecord*> free_;
+};
+
+}  // namespace plumbline::physics

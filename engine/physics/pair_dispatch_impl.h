@@ -1,0 +1,78 @@
+// Contact points of one pair of bodies, found by Bullet's algorithms. Private to the physics module.
+//
+// Points are found before bodies touch when they close fast enough to meet within the step. What is
+// farther than that is dropped again at once, so slow pairs keep Bullet's distances.
+#pragma once
+
+#include "engine/physics/pair_list_impl.h"
+
+#include <btBulletDynamicsCommon.h>
+
+#include <vector>
+
+namespace plumbline::physics {
+
+/// Makes manifolds that reach as far as the pair at work.
+class PairDispatcher final : public btCollisionDispatcher {
+public:
+    explicit PairDispatcher(btCollisionConfiguration* configuration)
+        : btCollisionDispatcher(configuration) {}
+
+    btPersistentManifold* getNewManifold(const btCollisionObject* a,
+                                         const btCollisionObject* b) override;
+    /// Who walks the pairs decides; algorithms ask again while they are made.
+    bool needsCollision(const btCollisionObject*, const btCollisionObject*) override {
+        return true;
+    }
+
+    btScalar reach_m{0};
+};
+
+/// What meeting needs to know of the step.
+struct MeetStep {
+    btScalar step_s{0};
+    btScalar fall_m{0};  ///< what gravity adds to any motion within the step, at most
+};
+
+/// What the blows of this step may do to the speeds of the two bodies.
+struct Blow {
+    btScalar to_a_mps{0};
+    btScalar to_b_mps{0};
+};
+
+class PairMeeting {
+public:
+    PairMeeting(PairDispatcher& dispatcher, const btDispatcherInfo& info)
+        : dispatcher_(dispatcher), info_(info) {}
+
+    void begin_step(const MeetStep& step) { step_ = step; }
+
+    /// How far apart points must be found so that none is missed, if the bodies' velocities may
+    /// change by `jolt_mps` against each other within the step.
+    btScalar reach_of(const Pair& pair, btScalar jolt_mps) const;
+    /// Finds the pair's points within `reach_m` and keeps those that the bodies can close.
+    void meet(Pair& pair, btScalar reach_m, btScalar jolt_mps);
+    /// Forgets the points of bodies whose boxes have parted.
+    void part(Pair& pair);
+    /// The blow of a pair that meets within this step faster than it rests.
+    Blow blow_of(const Pair& pair) const;
+    /// The pair's manifolds that have points, in an order that does not depend on addresses.
+    void list_manifolds(const Pair& pair, std::vector<btPersistentManifold*>& list) const;
+
+private:
+    void collide(Pair& pair);
+    void drop_unreachable(btPersistentManifold& manifold, btScalar base_m, btScalar jolt_mps) const;
+    btScalar closing_mps(const btPersistentManifold& manifold, const btManifoldPoint& point) const;
+
+    PairDispatcher& dispatcher_;
+    const btDispatcherInfo& info_;
+    MeetStep step_{};
+    mutable btManifoldArray manifolds_;
+};
+
+/// Whether the boxes that the broad phase holds overlap.
+bool boxes_overlap(const Pair& pair);
+/// Whether the broad phase may forget the pair: it will find it again when either body moves on.
+bool boxes_are_far(const Pair& pair);
+
+}  // namespace plumbline::physics

@@ -1,0 +1,102 @@
+#include "engine/physics/pair_list_impl.h"
+#include "engine/physics/physics_world_impl.h"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+namespace {
+
+/// Where the pair with `other` is or would be among the record's, by the other's id.
+std::vector<Pair*>::iterator place_of(BodyRecord& record, const BodyRecord& other) {
+    return std::lower_bound(
+        record.pairs.begin(), record.pairs.end(), other.id, [&record](const Pair* pair, BodyId id) {
+            return partner(*pair, record).id < id;
+        });
+}
+
+bool is_pair_with(const BodyRecord& record,
+                  std::vector<Pair*>::iterator place,
+                  const BodyRecord& other) {
+    return place != record.pairs.end() && &partner(**place, record) == &other;
+}
+
+BodyRecord& record_of(const btBroadphaseProxy& proxy) {
+    return physics::record_of(*static_cast<const btCollisionObject*>(proxy.m_clientObject));
+}
+
+bool is_ball(const BodyRecord& record) {
+    return record.rigid->getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+}
+
+bool is_single(const BodyRecord& record) {
+    return !record.rigid->getCollisionShape()->isCompound();
+}
+
+}  // namespace
+
+PairList::PairList(btDispatcher& dispatcher) : dispatcher_(dispatcher) {}
+
+PairList::~PairList() {
+    for (Pair& pair : pool_) forget_algorithm(pair);
+}
+
+btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
+                                               btBroadphaseProxy* second) {
+    if (!needsBroadphaseCollision(first, second)) return nullptr;
+    BodyRecord* a = &record_of(*first);
+    BodyRecord* b = &record_of(*second);
+    if (b->id < a->id) std::swap(a, b);
+    // Searching the shorter list: the ground has a pair with everybody.
+    BodyRecord& few = a->pairs.size() < b->pairs.size() ? *a : *b;
+    BodyRecord& other = &few == a ? *b : *a;
+    const auto place = place_of(few, other);
+    if (is_pair_with(few, place, other)) return nullptr;
+
+    Pair* pair = nullptr;
+    if (free_.empty()) {
+        pair = &pool_.emplace_back();
+    } else {
+        pair = free_.back();
+        free_.pop_back();
+    }
+    *pair = {.a = a,
+             .b = b,
+             .base_m = std::min(a->touch_m, b->touch_m),
+             .round = (is_ball(*a) && is_single(*b)) || (is_ball(*b) && is_single(*a))};
+    few.pairs.insert(place, pair);
+    other.pairs.insert(place_of(other, few), pair);
+    ++size_;
+    return nullptr;
+}
+
+void PairList::forget_algorithm(Pair& pair) {
+    if (pair.algorithm == nullptr) return;
+    pair.algorithm->~btCollisionAlgorithm();
+    dispatcher_.freeCollisionAlgorithm(pair.algorithm);
+    pair.algorithm = nullptr;
+}
+
+void PairList::remove(Pair& pair) {
+    forget_algorithm(pair);
+    pair.a->pairs.erase(place_of(*pair.a, *pair.b));
+    pair.b->pairs.erase(place_of(*pair.b, *pair.a));
+    free_.push_back(&pair);
+    --size_;
+}
+
+void* PairList::removeOverlappingPair(btBroadphaseProxy* first,
+                                      btBroadphaseProxy* second,
+                                      btDispatcher*) {
+    BodyRecord& a = record_of(*first);
+    BodyRecord& b = record_of(*second);
+    const auto place = place_of(a, b);
+    if (is_pair_with(a, place, b)) remove(**place);
+    return nullptr;
+}
+
+void PairList::removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy, btDispatcher*) {
+    BodyRecord& record = record_of(*proxy);
+    while (!record.pairs.empty()) remove(*record.pairs.back());
+}
+
+}  // namespace plumbline::physics
