@@ -14,6 +14,7 @@ namespace {
 
 constexpr Real kPush_mps = 3;
 constexpr int kHoldSteps = 30;  ///< after the last step that asked for as many sub-steps
+constexpr double kFarFewer = 0.67;
 
 Quatd double_orientation(const btMatrix3x3& basis) {
     btQuaternion q;
@@ -189,8 +190,8 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
     return choice;
 }
 
-/// Fewer sub-steps only after a while of asking for fewer: contacts give way a little when the
-/// number changes, and it should not change with every blow.
+/// Fewer sub-steps only after a while of asking for far fewer: contacts give way a little when the
+/// number changes, and that must not make them ask for more again.
 void IslandSolver::Impl::hold(const Island& island,
                               const IslandStep& step,
                               SubstepChoice& choice) const {
@@ -203,7 +204,8 @@ void IslandSolver::Impl::hold(const Island& island,
         had = record->substeps;
     }
     had = std::min(had, step.substeps_most);
-    const bool held = choice.substeps < had && for_steps < kHoldSteps;
+    const bool far_fewer = kFarFewer * static_cast<double>(had) >= choice.substeps;
+    const bool held = choice.substeps < had && (!far_fewer || for_steps < kHoldSteps);
     if (held) choice = {had, SubstepReason::Held};
     for (BodyRecord* record : island.bodies) {
         record->substeps = choice.substeps;

@@ -17,10 +17,10 @@ constexpr int kProjectedSweeps = 8;  ///< within a block, where some points pres
 using Matrix = std::array<Lanes, kLanes>;
 
 inline Real mass_along(const SolverBody& a,
-                const SolverBody& b,
-                const Vec3& arm_a,
-                const Vec3& arm_b,
-                const Vec3& direction) {
+                       const SolverBody& b,
+                       const Vec3& arm_a,
+                       const Vec3& arm_b,
+                       const Vec3& direction) {
     const Vec3 turn_a = glm::cross(arm_a, direction);
     const Vec3 turn_b = glm::cross(arm_b, direction);
     const Real inverse = a.inverse_mass + b.inverse_mass +
@@ -136,10 +136,11 @@ inline void press(ContactBlock& block, SolverBody& a, SolverBody& b, const Lanes
 
 }  // namespace
 
-void ContactSet::begin_step(std::span<SolverBody> bodies, Real h, Real push_mps) {
+void ContactSet::begin_step(std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps) {
     bodies_ = bodies;
     h_ = h;
     push_mps_ = push_mps;
+    bounce_mps_ = bounce_mps;
     row_solves = 0;
     const Real stiff_hz = kContactFrequency / h;
     between_movable_ = softness_of(stiff_hz, kContactDamping, h);
@@ -265,11 +266,13 @@ void ContactSet::solve_with_bias(ContactBlock& block) {
     const Softness& soft = block.against_immovable ? against_immovable_ : between_movable_;
     place(block);
     Lanes wanted = opening_speeds(block, a, b);
-    Lanes compliance;
+    Lanes compliance{};
     bool all_overlap = true;
     for (std::size_t i = 0; i < kLanes; ++i) {
         const bool overlaps = block.separation_m[i] <= 0;
         all_overlap = all_overlap && (overlaps || static_cast<int>(i) >= block.count);
+        // What bounced below the surface is on its way out already, at the speed it should have.
+        if (overlaps && block.restitution > 0 && wanted[i] > bounce_mps_) continue;
         wanted[i] += overlaps ? std::max(soft.bias_per_s * block.separation_m[i], -push_mps_)
                               : block.separation_m[i] / h_;
         compliance[i] = overlaps ? block.compliance[i] : Real{0};
@@ -358,8 +361,13 @@ void ContactSet::rub(ContactBlock& block) {
     block.tangent_Ns[0] = next[0];
     block.tangent_Ns[1] = next[1];
     block.twist_Nms = twist;
-    a.velocity_mps += force * a.inverse_mass;
-    b.velocity_mps -= force * b.inverse_mass;
+    const Vec3 change_a = force * a.inverse_mass;
+    const Vec3 change_b = force * b.inverse_mass;
+    a.velocity_mps += change_a;
+    b.velocity_mps -= change_b;
+    // Friction that is new in this sub-step acted in all of it: its half of the way.
+    a.moved_m += change_a * (h_ / 2);
+    b.moved_m -= change_b * (h_ / 2);
     a.spin_radps += a.inverse_inertia * (glm::cross(center_a, force) + turning);
     b.spin_radps -= b.inverse_inertia * (glm::cross(center_b, force) + turning);
 }

@@ -19,8 +19,8 @@ public:
     std::vector<ContactBlock> blocks;
 
     /// Masses and the order of the sweeps. `h` is the sub-step; `push_mps` the fastest that overlap
-    /// pushes bodies apart.
-    void begin_step(std::span<SolverBody> bodies, Real h, Real push_mps);
+    /// pushes bodies apart, `bounce_mps` the slowest blow that restitution acts on.
+    void begin_step(std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps);
     /// Adds the impulses that the blocks hold to the bodies' steady change.
     void warm_start();
     void solve_with_bias();
@@ -47,6 +47,7 @@ private:
     Softness against_immovable_{};
     Real h_{0};
     Real push_mps_{3};
+    Real bounce_mps_{0};
 };
 
 }  // namespace plumbline::physics

@@ -7,6 +7,8 @@ namespace {
 
 /// Slower turns than this gain nothing that shows from the gyroscopic torque.
 constexpr Real kGyroSpin_radps = 1e-2_r;
+/// Without gravity slower blows do not bounce.
+constexpr Real kSlowestBounce_mps = 1e-3_r;
 
 }  // namespace
 
@@ -21,8 +23,9 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     report_ = {};
     const double h = settings.step_s / settings.substeps;
     h_ = static_cast<Real>(h);
-    contacts.begin_step(bodies, h_, settings.push_mps);
-    impacts_.begin_step(contacts, bodies, 2 * settings.gravity_mps2 * h_ + 1e-3_r);
+    const Real bounce_mps = 2 * settings.gravity_mps2 * h_ + kSlowestBounce_mps;
+    contacts.begin_step(bodies, h_, settings.push_mps, bounce_mps);
+    impacts_.begin_step(contacts, bodies, bounce_mps);
     if (!joints.empty()) joint_system_.start(bodies, joints, h, settings.joint_method);
     for (int i = 0; i < settings.substeps; ++i) substep();
     if (!joints.empty()) {
