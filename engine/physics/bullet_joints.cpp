@@ -136,20 +136,24 @@ public:
         const Line line = present_line();
         write(*info, 0, line);
         if (joint_.kind == JointKind::Spring) return pull(*info, line);
-        if (!has_two_rows()) {
+        if (!has_range()) {
             const Real length = joint_.limits ? (*joint_.limits)[0] : joint_.rest_length_m;
             info->m_constraintError[0] = info->fps * info->erp * (length - line.length);
             return;
         }
-        const auto [low, high] = *joint_.limits;
         // As with the other limits: one that is ahead may be reached, not passed.
-        info->m_constraintError[0] =
-            (low - line.length) * info->fps * (line.length < low ? info->erp : btScalar(1));
-        info->m_lowerLimit[0] = 0;
-        write(*info, info->rowskip, line);
-        info->m_constraintError[info->rowskip] =
+        const auto [low, high] = *joint_.limits;
+        int at = 0;
+        if (has_two_rows()) {
+            info->m_constraintError[0] =
+                (low - line.length) * info->fps * (line.length < low ? info->erp : btScalar(1));
+            info->m_lowerLimit[0] = 0;
+            at = info->rowskip;
+            write(*info, at, line);
+        }
+        info->m_constraintError[at] =
             (high - line.length) * info->fps * (line.length > high ? info->erp : btScalar(1));
-        info->m_upperLimit[info->rowskip] = 0;
+        info->m_upperLimit[at] = 0;
     }
 
     void setParam(int, btScalar, int) override {}
@@ -163,9 +167,11 @@ private:
         btScalar length;
     };
 
-    bool has_two_rows() const {
+    /// The first row may be that of the lower limit; a rope, from 0 up, has only the upper one.
+    bool has_range() const {
         return joint_.kind == JointKind::Distance && has_limits_of_both_sides(joint_.limits);
     }
+    bool has_two_rows() const { return has_range() && (*joint_.limits)[0] > 0; }
 
     Line present_line() const {
         Line line;
@@ -309,14 +315,14 @@ void drive_bullet_joint(JointRecord& joint) {
 void prepare_bullet_joint(JointRecord& joint) {
     joint.carried_Ns = {0, 0, 0};
     joint.carried_Nms = {0, 0, 0};
-    joint.solved = false;
+    joint.solved_s = 0;
     if (joint.solver.kind == JointKind::Hinge)
         static_cast<SixAxes&>(*joint.bullet).follow(joint.solver.position);
 }
 
 void gather_bullet_joint(JointRecord& joint, double substep_s) {
     if (!was_solved(joint)) return;
-    joint.solved = true;
+    joint.solved_s += substep_s;
     const btRigidBody& a = *joint.a->rigid;
     const bool first = &joint.bullet->getRigidBodyA() == &a;
     const btJointFeedback& load = joint.feedback;

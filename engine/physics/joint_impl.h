@@ -25,7 +25,7 @@ struct JointRecord {
     btJointFeedback feedback{};  ///< what the latest substep carried
     Vec3d carried_Ns{0, 0, 0};   ///< on a, so far in the running step
     Vec3d carried_Nms{0, 0, 0};  ///< about a's anchor
-    bool solved{false};          ///< in some substep of the running step
+    double solved_s{0};  ///< for how much of the running step; less where sleep cut it short
 };
 
 }  // namespace plumbline::physics

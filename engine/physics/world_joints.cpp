@@ -191,9 +191,10 @@ void PhysicsWorld::Impl::settle_joints() {
     joints.each([this](JointId id, std::unique_ptr<JointRecord>& record) {
         JointRecord& joint = *record;
         if (joint.state.broken) return;
-        if (joint.bullet && joint.solved) {
-            joint.state.force_N = static_cast<Real>(glm::length(joint.carried_Ns) / def.step_s);
-            joint.state.torque_Nm = static_cast<Real>(glm::length(joint.carried_Nms) / def.step_s);
+        if (joint.bullet && joint.solved_s > 0) {
+            const double time_s = joint.solved_s;
+            joint.state.force_N = static_cast<Real>(glm::length(joint.carried_Ns) / time_s);
+            joint.state.torque_Nm = static_cast<Real>(glm::length(joint.carried_Nms) / time_s);
             measure(joint);
         }
         if (joint.def.break_N > 0 && joint.state.force_N > joint.def.break_N)

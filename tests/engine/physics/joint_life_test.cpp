@@ -1,0 +1,340 @@
+// Joints come, break and go, and wake what they hold; bad ones are refused.
+#include "tests/engine/physics/joint_bench.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace plumbline::physics {
+namespace {
+
+constexpr Real kNan = std::numeric_limits<Real>::quiet_NaN();
+constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+const BodyDef kBody{.kind = BodyKind::Dynamic, .mass_kg = 2};
+const BoxShape kRod{.size_m = {0.1_r, 1, 0.1_r}};
+
+std::string name_of(const testing::TestParamInfo<JointBar>& info) {
+    return info.param.name;
+}
+
+class JointLife : public JointTest {};
+INSTANTIATE_TEST_SUITE_P(Solvers, JointLife, testing::ValuesIn(kJointBars), name_of);
+
+TEST_P(JointLife, BreaksAtItsLoadOnceAndForGood) {
+    TestWorld test(bar().world());
+    const BodyId rod = test.add(kRod, {0, -0.5_r, 0}, kBody);
+    const JointId pivot = join(test, {.a = rod, .break_N = 50, .user = 7});
+    const JointId other = join(test,
+                               {.a = test.add(kRod, {5, -0.5_r, 0}, kBody),
+                                .anchor_a_world = {5, 0, 0},
+                                .break_N = 50});
+    test.run(1);
+    EXPECT_TRUE(test.world.broken_joints().empty());
+    // 1 N more with every step: 2 kg weigh 19.62 N, so the 31st is too much.
+    int steps = 0;
+    while (test.world.broken_joints().empty() && steps < 100) {
+        test.world.apply_force(rod, {0, -static_cast<Real>(++steps), 0});
+        test.world.step();
+    }
+    EXPECT_EQ(steps, 31);
+    ASSERT_EQ(test.world.broken_joints().size(), 1U);
+    EXPECT_EQ(test.world.broken_joints()[0], pivot);
+    EXPECT_TRUE(test.world.joint_state(pivot).broken);
+    EXPECT_NEAR(force_N(test, pivot), 2 * kG + 31, 0.01);
+    EXPECT_EQ(test.world.joint_def(pivot).user, 7U);
+    EXPECT_FALSE(test.world.joint_state(other).broken);
+
+    const double start_m = test.at(rod).y;
+    test.run(1);
+    EXPECT_TRUE(test.world.broken_joints().empty()) << "said once";
+    EXPECT_TRUE(test.world.contains(pivot)) << "and kept until destroyed";
+    EXPECT_NEAR(test.at(rod).y, start_m - 0.5 * kG, 0.01);
+    EXPECT_EQ(test.world.joint_count(), 2U);
+    test.world.destroy_joint(pivot);
+    EXPECT_EQ(test.world.joint_count(), 1U);
+}
+
+TEST_P(JointLife, KeepsItsBodiesFromTouchingUnlessAsked) {
+    for (const bool collide : {false, true}) {
+        TestWorld test(bar().world({0, 0, 0}));
+        const BodyId a = test.add(BoxShape{}, {0, 0, 0}, kBody);
+        const BodyId b = test.add(BoxShape{}, {0.9_r, 0, 0}, kBody);
+        join(test,
+             {.kind = JointKind::Hinge,
+              .a = a,
+              .b = b,
+              .anchor_a_world = {0.45_r, 0, 0},
+              .collide = collide});
+        test.run(0.1);
+        EXPECT_EQ(test.world.all_contacts().size(), collide ? 1U : 0U);
+    }
+}
+
+TEST_P(JointLife, TouchingEndsAndReturnsWithTheJoint) {
+    TestWorld test(bar().world());
+    test.ground();
+    const BodyId low = test.add(BoxShape{}, {0, 0.5_r, 0}, kBody);
+    const BodyId high = test.add(BoxShape{}, {0, 1.5_r, 0}, kBody);
+    test.run(1);
+    EXPECT_EQ(test.world.all_contacts().size(), 2U);
+    const JointDef def{
+        .kind = JointKind::Fixed, .a = high, .b = low, .anchor_a_world = {0, 1, 0}, .break_N = 100};
+    const JointId first = join(test, def);
+    const JointId second = join(test, def);
+    test.run(0.2);
+    EXPECT_EQ(test.world.all_contacts().size(), 1U) << "no stale points between the two";
+    EXPECT_NEAR(force_N(test, first) + force_N(test, second), 2 * kG, 0.5)
+        << "the joints carry the upper one";
+    test.world.destroy_joint(first);
+    test.run(0.1);
+    EXPECT_EQ(test.world.all_contacts().size(), 1U) << "the other still forbids it";
+    // Torn off sideways: broken joints let the bodies touch again.
+    test.world.apply_impulse(high, {0, -30, 0});
+    test.world.step();
+    EXPECT_TRUE(test.world.joint_state(second).broken);
+    test.run(0.5);
+    EXPECT_EQ(test.world.all_contacts().size(), 2U);
+    EXPECT_NEAR(test.at(high).y, 1.5, 0.05);
+}
+
+TEST_P(JointLife, SleepersWakeWithTheirJoints) {
+    TestWorld test(bar().world());
+    const BodyId upper = test.add(kRod, {0, -0.5_r, 0}, kBody);
+    const BodyId lower = test.add(kRod, {0, -1.5_r, 0}, kBody);
+    const JointId top = join(test, {.kind = JointKind::Hinge, .a = upper});
+    const JointId middle = join(
+        test, {.kind = JointKind::Hinge, .a = lower, .b = upper, .anchor_a_world = {0, -1, 0}});
+    const auto sleep = [&] {
+        test.run(6);
+        EXPECT_EQ(test.world.awake_count(), 0U);
+    };
+    sleep();
+    EXPECT_NEAR(force_N(test, top), 4 * kG, 0.01) << "as it last was";
+    test.world.set_joint_motor(middle, JointMotor{.target = 0, .max = 1});
+    EXPECT_EQ(test.world.awake_count(), 2U);
+    sleep();
+    const JointId extra = join(test,
+                               {.kind = JointKind::Distance,
+                                .a = lower,
+                                .anchor_a_world = {0, -2, 0},
+                                .anchor_b_world = {2, -2, 0}});
+    EXPECT_GE(test.world.awake_count(), 1U);
+    sleep();
+    test.world.destroy_joint(extra);
+    EXPECT_GE(test.world.awake_count(), 1U);
+    sleep();
+    test.world.destroy_joint(top);
+    const double start_m = test.at(lower).y;
+    test.run(0.5);
+    EXPECT_NEAR(test.at(lower).y, start_m - 0.5 * kG * 0.25, 0.1) << "falls at once";
+}
+
+TEST_P(JointLife, ASleeperFollowsWhatCarriesIt) {
+    TestWorld test(bar().world());
+    const BodyId hook = test.add(BoxShape{}, {0, 0.5_r, 0}, {.kind = BodyKind::Kinematic});
+    const BodyId rod = test.add(kRod, {0, -0.5_r, 0}, kBody);
+    const JointId pivot = join(test, {.kind = JointKind::Fixed, .a = rod, .b = hook});
+    test.run(6);
+    ASSERT_EQ(test.world.awake_count(), 0U);
+    for (int i = 1; i <= 60; ++i) {
+        test.world.move_kinematic(hook,
+                                  {.position = {0, 0.5_r + static_cast<Real>(i) / 60.0_r, 0}});
+        test.world.step();
+    }
+    EXPECT_NEAR(test.at(rod).y, 0.5, 0.1);
+    EXPECT_LE(test.world.joint_state(pivot).error_m, 0.1);
+}
+
+TEST_P(JointLife, GoesWithEitherBody) {
+    TestWorld test(bar().world());
+    const BodyId a = test.add(kRod, {0, -0.5_r, 0}, kBody);
+    const BodyId b = test.add(kRod, {0, -1.5_r, 0}, kBody);
+    const BodyId c = test.add(kRod, {0, -2.5_r, 0}, kBody);
+    const JointId top = join(test, {.a = a});
+    const JointId upper = join(test, {.a = b, .b = a, .anchor_a_world = {0, -1, 0}});
+    const JointId lower = join(test, {.a = c, .b = b, .anchor_a_world = {0, -2, 0}});
+    test.run(6);
+    test.world.destroy_body(b);
+    EXPECT_TRUE(test.world.contains(top));
+    EXPECT_FALSE(test.world.contains(upper));
+    EXPECT_FALSE(test.world.contains(lower));
+    EXPECT_EQ(test.world.awake_count(), 2U) << "both neighbours wake";
+    test.run(0.5);
+    EXPECT_NEAR(test.at(c).y, -2.5 - 0.5 * kG * 0.25, 0.01);
+    EXPECT_NEAR(force_N(test, top), 2 * kG, 0.01);
+    test.world.destroy_joint(upper);  // stale: ignored
+    EXPECT_EQ(test.world.joint_count(), 1U);
+}
+
+TEST_P(JointLife, APoisonedBodyTakesItsJointsAndNoMore) {
+    TestWorld test(bar().world());
+    const BodyId a = test.add(kRod, {0, -0.5_r, 0}, kBody);
+    const BodyId b = test.add(kRod, {0, -1.5_r, 0}, kBody);
+    const JointId top = join(test, {.a = a});
+    const JointId between = join(test, {.a = b, .b = a, .anchor_a_world = {0, -1, 0}});
+    test.run(0.5);
+    test.world.set_velocity(b, {kNan, 0, 0}, {0, 0, 0});
+    test.run(1);
+    ASSERT_EQ(test.world.quarantined().size(), 1U);
+    EXPECT_FALSE(test.world.contains(between));
+    EXPECT_NEAR(force_N(test, top), 2 * kG, 0.01);
+    EXPECT_FALSE(test.world.create_joint({.a = b}).ok());
+}
+
+TEST_P(JointLife, HoldsWhileABodyIsFrozen) {
+    TestWorld test(bar().world());
+    const BodyId a = test.add(kRod, {0, -0.5_r, 0}, kBody);
+    const BodyId b = test.add(kRod, {0, -1.5_r, 0}, kBody);
+    join(test, {.kind = JointKind::Fixed, .a = a});
+    const JointId between = join(test, {.a = b, .b = a, .anchor_a_world = {0, -1, 0}});
+    test.run(0.5);
+    test.world.set_frozen(a, true);
+    test.run(1);
+    EXPECT_NEAR(force_N(test, between), 2 * kG, 0.01);
+    EXPECT_NEAR(test.at(b).y, -1.5, 1e-3);
+    test.world.set_frozen(b, true);
+    test.run(0.1);
+    EXPECT_NEAR(test.at(b).y, -1.5, 1e-3);
+    test.world.set_frozen(a, false);
+    test.world.set_frozen(b, false);
+    test.run(1);
+    EXPECT_NEAR(force_N(test, between), 2 * kG, 0.01);
+    EXPECT_NEAR(test.at(b).y, -1.5, 1e-2);
+}
+
+TEST_P(JointLife, ATeleportedBodyIsPulledBack) {
+    TestWorld test(bar().world());
+    BodyDef damped = kBody;
+    damped.linear_damping_per_s = 2;
+    damped.angular_damping_per_s = 2;
+    const BodyId a = test.add(kRod, {0, -0.5_r, 0}, damped);
+    const BodyId b = test.add(kRod, {0, -1.5_r, 0}, damped);
+    join(test, {.a = a});
+    join(test, {.a = b, .b = a, .anchor_a_world = {0, -1, 0}});
+    test.run(6);
+    test.world.set_pose(b, {.position = {3, -1.5_r, 0}});
+    EXPECT_EQ(test.world.awake_count(), 2U) << "both ends wake";
+    test.world.step();
+    EXPECT_GT(test.world.max_joint_error_m(), 0.1);
+    double fastest_mps = 0;
+    for (int i = 0; i < 600; ++i) {
+        test.world.step();
+        fastest_mps = std::max(fastest_mps, glm::length(test.velocity(b)));
+    }
+    EXPECT_LT(test.world.max_joint_error_m(), 0.01);
+    EXPECT_LT(fastest_mps, 200);
+    EXPECT_TRUE(test.world.quarantined().empty());
+}
+
+TEST_P(JointLife, SameCallsSameBits) {
+    const auto run = [&](std::size_t ballast) {
+        std::vector<std::vector<char>> junk(ballast, std::vector<char>(555));
+        TestWorld test(bar().world());
+        test.ground();
+        std::vector<BodyId> ids;
+        BodyId last{};
+        for (int i = 0; i < 6; ++i) {
+            const Real x = static_cast<Real>(i);
+            ids.push_back(test.add(BoxShape{.size_m = {0.9_r, 0.2_r, 0.4_r}}, {x, 3, 0}, kBody));
+            const auto kind = static_cast<JointKind>(i);
+            const Vec3 anchor{x - 0.5_r, 3, 0};
+            join(test,
+                 {.kind = kind,
+                  .a = ids.back(),
+                  .b = last,
+                  .anchor_a_world = anchor,
+                  .anchor_b_world = anchor - Vec3{0.4_r, 0, 0},
+                  .break_N = 150});
+            last = ids.back();
+        }
+        test.run(4);
+        return test.hash(ids);
+    };
+    EXPECT_EQ(run(0), run(0));
+    EXPECT_EQ(run(0), run(1000));
+}
+
+struct BadJoint {
+    const char* says;
+    std::function<void(JointDef&)> spoil;
+};
+
+TEST(JointFaults, AreRefusedByWhatIsWrong) {
+    TestWorld test;
+    const BodyId body = test.add(BoxShape{}, {0, 5, 0}, kBody);
+    const BodyId wall = test.ground();
+    const BodyId cart = test.add(BoxShape{}, {0, 9, 0}, {.kind = BodyKind::Kinematic});
+    const BodyId gone = test.add(BoxShape{}, {0, 9, 0}, kBody);
+    test.world.destroy_body(gone);
+    const BadJoint cases[] = {
+        {"a is no body", [](JointDef& def) { def.a = {}; }},
+        {"a is no body", [&](JointDef& def) { def.a = gone; }},
+        {"b is no body", [&](JointDef& def) { def.b = gone; }},
+        {"joined to itself", [&](JointDef& def) { def.b = body; }},
+        {"neither body can move", [&](JointDef& def) { def.a = wall; }},
+        {"neither body can move",
+         [&](JointDef& def) {
+             def.a = wall;
+             def.b = cart;
+         }},
+        {"anchors must be finite", [](JointDef& def) { def.anchor_a_world.x = kNan; }},
+        {"anchors must be finite", [](JointDef& def) { def.anchor_b_world.z = kInfinity; }},
+        {"axis has no direction",
+         [](JointDef& def) {
+             def.axis_world = {0, 0, 0};
+         }},
+        {"axis must be finite", [](JointDef& def) { def.axis_world.y = kNan; }},
+        {"limits cross",
+         [](JointDef& def) {
+             def.limits = {{1, 0.5_r}};
+         }},
+        {"limits must be finite",
+         [](JointDef& def) {
+             def.limits = {{kNan, 1}};
+         }},
+        {"twist limits cross",
+         [](JointDef& def) {
+             def.twist_limits = {{1, -1}};
+         }},
+        {"motor needs", [](JointDef& def) { def.motor = JointMotor{.target = 1, .max = -1}; }},
+        {"motor needs", [](JointDef& def) { def.motor = JointMotor{.target = kNan, .max = 1}; }},
+        {"stiffness and damping", [](JointDef& def) { def.stiffness_Npm = -1; }},
+        {"stiffness and damping", [](JointDef& def) { def.damping_Nspm = kInfinity; }},
+        {"rest length", [](JointDef& def) { def.rest_length_m = -1.0_r; }},
+        {"breaking force", [](JointDef& def) { def.break_N = kNan; }},
+        {"use a ball joint", [](JointDef& def) { def.kind = JointKind::Distance; }},
+        {"below 0",
+         [](JointDef& def) {
+             def.kind = JointKind::Distance;
+             def.limits = {{-1, 1}};
+         }},
+    };
+    for (const BadJoint& bad : cases) {
+        JointDef def{.kind = JointKind::Hinge, .a = body};
+        bad.spoil(def);
+        const Result<JointId> made = test.world.create_joint(def);
+        ASSERT_FALSE(made.ok()) << bad.says;
+        EXPECT_NE(made.error().message.find(bad.says), std::string::npos) << made.error().message;
+    }
+    EXPECT_EQ(test.world.joint_count(), 0U);
+    // The axis of a joint that has none may be anything.
+    EXPECT_TRUE(test.world.create_joint({.a = body, .axis_world = {0, 0, 0}}).ok());
+}
+
+TEST(JointFaults, AMotorThatIsNoneChangesNothing) {
+    TestWorld test(weightless());
+    const BodyId wheel = test.add(CylinderShape{}, {0, 0, 0}, kBody);
+    const JointId hinge =
+        join(test, {.kind = JointKind::Hinge, .a = wheel, .motor = JointMotor{1, 5}});
+    const JointId ball = join(test, {.a = wheel});
+    test.world.set_joint_motor(hinge, JointMotor{.target = kNan, .max = 1});
+    test.world.set_joint_motor(hinge, JointMotor{.target = 1, .max = -1});
+    test.world.set_joint_motor(ball, JointMotor{.target = 1, .max = 1});
+    ASSERT_TRUE(test.world.joint_def(hinge).motor.has_value());
+    EXPECT_EQ(test.world.joint_def(hinge).motor->max, Real{5});
+    EXPECT_FALSE(test.world.joint_def(ball).motor.has_value());
+    test.run(2);
+    EXPECT_NEAR(test.spin(wheel).y, 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace plumbline::physics
