@@ -61,15 +61,15 @@ struct JointWork {
 /// One island's joints through the sub-steps of one step. Reused from step to step: what depends
 /// only on which joint holds which bodies is kept while it does not change.
 ///
-/// Order of a sub-step of h seconds, in an island that touches nothing:
-///     kick(h/2) of the bodies' accelerations, by the caller
-///     push_springs(h/2); solve_velocities(h);
-///     bodies move for h, by the caller
-///     correct_positions(h)
-///     kick(h/2), push_springs(h/2)
-///     refresh(); solve_velocities(h)
-/// An island with contacts kicks once with h before its sweeps, alternates contact sweeps with
-/// solve_velocities(), and ends its relax sweeps with refresh() and solve_velocities().
+/// Order of a sub-step of h seconds, all of it even without a single spring or limit:
+///     the bodies' accelerations change the velocities for h, by the caller, who notes the change in
+///     steady_mps and steady_radps
+///     push_springs(h/2); solve_velocities(), which contact sweeps may alternate with
+///     bodies move by their velocity less half of the steady change, by the caller
+///     correct_positions(); push_springs(h/2); refresh()
+///     solve_velocities(), which relax sweeps may alternate with
+/// The same without steady changes: accelerations for h/2 at the start, and for h/2 again before
+/// the last solve. Both are second order.
 class JointSystem {
 public:
     JointSystem();
@@ -82,7 +82,8 @@ public:
                std::span<SolverJoint> joints,
                double substep_s,
                JointMethod method);
-    /// Springs and their damping, as velocity changes over `duration_s`.
+    /// Springs and their damping, as velocity changes over `duration_s`, half a sub-step. The first
+    /// of the two begins the sub-step.
     void push_springs(double duration_s);
     /// Velocities that the joints allow: limits and motors swept, then all rows exactly.
     void solve_velocities();
@@ -93,6 +94,8 @@ public:
     /// Impulse totals, errors and warm-start numbers into the joints.
     void finish(double step_s);
 
+    /// Direct becomes Iterative where the factor would fill in too much: nets of thousands.
+    JointMethod method_used() const;
     const JointWork& work() const;
 
 private:

@@ -1,0 +1,288 @@
+#include "engine/physics/small_step/joint_direct.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+/// Added to the diagonal, of its mean: redundant rows and closed loops still factor.
+constexpr double kRegularisation = 1e-9;
+/// Rounds of trying steps of the bounds: all wrong ones at once, then one by one.
+constexpr int kRoundsOfAll = 4;
+constexpr int kMostRounds = 16;
+constexpr int kPositionIterations = 2;
+/// Errors below it, m or rad, are rounding.
+constexpr double kNoError = 1e-12;
+
+Vec3d masked(const Vec3d& v, std::uint8_t active) {
+    if (active == 0b111) return v;
+    return {(active & 1) != 0 ? v.x : 0, (active & 2) != 0 ? v.y : 0, (active & 4) != 0 ? v.z : 0};
+}
+
+void mask(Block3& block, std::uint8_t rows, std::uint8_t columns) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        block.row[i] = ((rows >> i) & 1) != 0 ? masked(block.row[i], columns) : Vec3d{0, 0, 0};
+    }
+}
+
+/// Rows that are not active, or that move nothing, get a one of their own.
+void mask(Symmetric3& s, std::uint8_t active) {
+    if ((active & 1) == 0 || !(s.xx > 0)) s.xx = 1, s.xy = 0, s.xz = 0;
+    if ((active & 2) == 0 || !(s.yy > 0)) s.yy = 1, s.xy = 0, s.yz = 0;
+    if ((active & 4) == 0 || !(s.zz > 0)) s.zz = 1, s.xz = 0, s.yz = 0;
+}
+
+void take_half_of_steady(JointGroup& group, double sign) {
+    for (JointBody& body : group.bodies) {
+        if (!body.movable) continue;
+        body.velocity_mps -= sign * 0.5 * Vec3d(body.body->steady_mps);
+        body.spin_radps -= sign * 0.5 * Vec3d(body.body->steady_radps);
+    }
+}
+
+/// Rows that have all of a constant impulse or none of it get what they lack.
+void push_constant_bounds(JointGroup& group, std::span<JointBound> bounds) {
+    for (JointBound& bound : bounds) {
+        if (bound.at_bound() || bound.impulse == bound.constant_impulse()) continue;
+        Vec3d change{0, 0, 0};
+        change[bound.row] = bound.constant_impulse() - bound.impulse;
+        bound.impulse = bound.constant_impulse();
+        group.rows[bound.node].push(group.bodies, change);
+        group.impulses[bound.node] += change;
+    }
+}
+
+/// Whether a bound was on a wrong step. In late rounds only the first wrong one changes, so that
+/// none chase each other.
+bool settle(JointGroup& group, std::span<JointBound> bounds, int round) {
+    bool changed = false;
+    for (JointBound& bound : bounds) {
+        const double speed = bound.at_bound()
+                                 ? bound.wanted_speed()
+                                 : group.rows[bound.node].speeds(group.bodies)[bound.row];
+        if (!bound.settle(speed)) continue;
+        group.set_active(bound);
+        changed = true;
+        if (round >= kRoundsOfAll) break;
+    }
+    return changed;
+}
+
+}  // namespace
+
+void DirectJoints::start(const JointGroup& group) {
+    matrix_.fit(group.topology->pattern);
+    const std::size_t count = group.rows.size();
+    floor_.resize(count);
+    x_.resize(count);
+    wanted_.assign(count, Vec3d{0, 0, 0});
+    held_.assign(count, Vec3d{0, 0, 0});
+}
+
+void DirectJoints::factor(const JointGroup& group) {
+    for (const JointComponent& component : group.topology->components) {
+        assemble(group, component, matrix_);
+        matrix_.factor(component.first_node, component.last_node, floor_);
+    }
+}
+
+void DirectJoints::assemble(const JointGroup& group,
+                            const JointComponent& component,
+                            BlockLdlt& matrix) {
+    const JointTopology& topology = *group.topology;
+    for (std::uint32_t i = component.first_node; i < component.last_node; ++i) {
+        const JointRows& rows = group.rows[i];
+        Symmetric3& own = matrix.diagonal[i];
+        own = own_coupling(rows, group.bodies);
+        const double more = kRegularisation / 3 * (own.xx + own.yy + own.zz);
+        floor_[i] = more > 0 ? more / 2 : 1;
+        own.xx += more;
+        own.yy += more;
+        own.zz += more;
+        if (&matrix == &spring_matrix_) own.xx += compliance_[i];
+        if (rows.kind != NodeKind::Point) mask(own, rows.active);
+    }
+    matrix.clear_below(component.first_node, component.last_node);
+    for (std::uint32_t t = component.first_term; t < component.last_term; ++t) {
+        const JointTerm& term = topology.terms[t];
+        const JointRows& row = group.rows[term.row];
+        const JointRows& column = group.rows[term.column];
+        const JointBody& body = group.bodies[term.row_is_b ? row.b : row.a];
+        Block3 block = coupling(row, term.row_is_b, column, term.column_is_b, body);
+        if ((row.active & column.active) != 0b111) mask(block, row.active, column.active);
+        add(matrix.below[term.block], block);
+    }
+}
+
+void DirectJoints::solve_velocities(JointGroup& group) {
+    for (const JointComponent& component : group.topology->components) {
+        solve_component(group, component);
+    }
+}
+
+void DirectJoints::solve_component(JointGroup& group, const JointComponent& component) {
+    const std::span<JointBound> bounds = group.bounds_of(component);
+    for (int round = 0; round < kMostRounds; ++round) {
+        push_constant_bounds(group, bounds);
+        for (const JointBound& bound : bounds) {
+            wanted_[bound.node][bound.row] = bound.at_bound() ? bound.wanted_speed() : 0;
+        }
+        for (std::uint32_t i = component.first_node; i < component.last_node; ++i) {
+            const JointRows& rows = group.rows[i];
+            x_[i] = masked(wanted_[i] - rows.speeds(group.bodies), rows.active);
+        }
+        matrix_.solve(component.first_node, component.last_node, x_);
+        push_solution(group, component);
+        if (bounds.empty()) return;
+        for (JointBound& bound : bounds) bound.impulse += x_[bound.node][bound.row];
+        if (!settle(group, bounds, round)) return;
+        assemble(group, component, matrix_);
+        matrix_.factor(component.first_node, component.last_node, floor_);
+    }
+}
+
+void DirectJoints::push_solution(JointGroup& group, const JointComponent& component) {
+    for (std::uint32_t i = component.first_node; i < component.last_node; ++i) {
+        group.rows[i].push(group.bodies, x_[i]);
+        group.impulses[i] += x_[i];
+    }
+    group.row_solves += 3 * (component.last_node - component.first_node);
+}
+
+void DirectJoints::correct_positions(JointGroup& group) {
+    hold_positions(group);
+    for (int i = 0; i < kPositionIterations; ++i) {
+        if (gather_errors(group) < kNoError) break;
+        solve_all(group, matrix_);
+        displace(group, true);
+    }
+    if (group.anything_left_over) {
+        // No speed comes of this: it would be given back at another pose, as energy.
+        for (std::size_t i = 0; i < group.rows.size(); ++i) {
+            const Vec3d left_over = JointGroup::come_back(group.left_over[i], group.substep_s);
+            held_[i] += left_over - group.left_over[i];
+            group.left_over[i] = left_over;
+        }
+        gather_errors(group);
+        solve_all(group, matrix_);
+        displace(group, false);
+    }
+    for (JointBody& body : group.bodies) {
+        body.update_inertia();
+        body.spin_radps += body.inverse_inertia * body.twisted_in_all_kgm2 / group.substep_s;
+        body.twisted_in_all_kgm2 = {0, 0, 0};
+    }
+}
+
+void DirectJoints::hold_positions(JointGroup& group) {
+    if (group.anything_left_over) held_ = group.left_over;
+    for (const JointBound& bound : group.bounds) {
+        held_[bound.node][bound.row] =
+            bound.at_bound() ? bound.wanted_position(group.substep_s) : 0;
+    }
+}
+
+/// Leaves what is to be put right in x_; the largest of it.
+double DirectJoints::gather_errors(const JointGroup& group) {
+    double largest = 0;
+    for (std::size_t i = 0; i < group.rows.size(); ++i) {
+        const JointRows& rows = group.rows[i];
+        x_[i] = masked(held_[i] - rows.errors(group.bodies), rows.active);
+        largest =
+            std::max(largest, std::max({std::abs(x_[i].x), std::abs(x_[i].y), std::abs(x_[i].z)}));
+    }
+    return largest;
+}
+
+void DirectJoints::solve_all(JointGroup& group, const BlockLdlt& matrix) {
+    matrix.solve(0, static_cast<std::uint32_t>(group.rows.size()), x_);
+    group.row_solves += 3 * group.rows.size();
+}
+
+void DirectJoints::displace(JointGroup& group, bool with_velocities) {
+    const double per_substep = 1 / group.substep_s;
+    for (std::size_t i = 0; i < group.rows.size(); ++i) {
+        group.rows[i].displace(group.bodies, x_[i]);
+        if (with_velocities) group.impulses[i] += x_[i] * per_substep;
+    }
+    for (JointBody& body : group.bodies) {
+        if (body.movable) {
+            body.displace();
+            if (with_velocities) {
+                body.velocity_mps += body.pushed_kgm * (body.inverse_mass * per_substep);
+                body.twisted_in_all_kgm2 += body.twisted_kgm2;
+            }
+        }
+        body.pushed_kgm = {0, 0, 0};
+        body.twisted_kgm2 = {0, 0, 0};
+    }
+    if (!with_velocities) return;
+    for (JointBound& bound : group.bounds) {
+        bound.impulse += x_[bound.node][bound.row] * per_substep;
+    }
+}
+
+void DirectJoints::solve_with_springs(JointGroup& group, std::span<const Vec3d> bias) {
+    spring_matrix_.fit(group.topology->pattern);
+    for (const JointComponent& component : group.topology->components) {
+        assemble(group, component, spring_matrix_);
+        spring_matrix_.factor(component.first_node, component.last_node, floor_);
+    }
+    take_half_of_steady(group, 1);
+    for (const JointBound& bound : group.bounds) {
+        wanted_[bound.node][bound.row] = bound.at_bound() ? bound.wanted_speed() : 0;
+    }
+    for (std::size_t i = 0; i < group.rows.size(); ++i) {
+        const JointRows& rows = group.rows[i];
+        x_[i] = masked(wanted_[i] - bias[i] - rows.speeds(group.bodies), rows.active);
+    }
+    take_half_of_steady(group, -1);
+    solve_all(group, spring_matrix_);
+}
+
+void DirectJoints::push_springs(JointGroup& group,
+                                std::span<JointSpring> springs,
+                                double duration_s) {
+    compliance_.assign(group.rows.size(), 0.0);
+    bias_.assign(group.rows.size(), Vec3d{0, 0, 0});
+    for (const JointSpring& spring : springs) {
+        const StiffRow row = stiff_row(spring, SpringLine(spring).length_m, duration_s);
+        compliance_[spring.node] = row.compliance;
+        bias_[spring.node].x = row.bias_mps;
+        group.rows[spring.node].active = 0b001;
+    }
+    solve_with_springs(group, bias_);
+    for (JointSpring& spring : springs) {
+        const double impulse = x_[spring.node].x;
+        const double speed = -bias_[spring.node].x - compliance_[spring.node] * impulse;
+        keep_stiff_share(spring, SpringLine(spring).length_m, speed, duration_s);
+        group.rows[spring.node].active = 0;
+        group.rows[spring.node].push(group.bodies, {impulse, 0, 0});
+        group.impulses[spring.node].x += impulse;
+    }
+}
+
+void DirectJoints::damp_springs(JointGroup& group,
+                                std::span<JointSpring> springs,
+                                double duration_s) {
+    compliance_.assign(group.rows.size(), 0.0);
+    bias_.assign(group.rows.size(), Vec3d{0, 0, 0});
+    bool any = false;
+    for (const JointSpring& spring : springs) {
+        if (!(spring.damping_Nspm > 0)) continue;
+        any = true;
+        compliance_[spring.node] = 1 / (duration_s * spring.damping_Nspm);
+        group.rows[spring.node].active = 0b001;
+    }
+    if (!any) return;
+    solve_with_springs(group, bias_);
+    for (const JointSpring& spring : springs) {
+        const double impulse = x_[spring.node].x;
+        group.rows[spring.node].active = 0;
+        group.rows[spring.node].push(group.bodies, {impulse, 0, 0});
+        group.impulses[spring.node].x += impulse;
+    }
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,46 @@
+// Joints solved exactly: one sparse factorisation a sub-step (docs/PHYSICS.md).
+#pragma once
+
+#include "engine/physics/small_step/block_ldlt.h"
+#include "engine/physics/small_step/joint_group.h"
+#include "engine/physics/small_step/joint_spring.h"
+
+namespace plumbline::physics {
+
+class DirectJoints {
+public:
+    /// Room for the group's topology.
+    void start(const JointGroup& group);
+    /// The factor at the rows' latest refresh.
+    void factor(const JointGroup& group);
+    /// Velocities that all rows allow. Rows with bounds find their step by trying.
+    void solve_velocities(JointGroup& group);
+    /// Bodies that moved are put back on the joints; velocities get what that took.
+    void correct_positions(JointGroup& group);
+    /// The push of stiff springs before the motion, in view of what the joints will make of it.
+    void push_springs(JointGroup& group, std::span<JointSpring> springs, double duration_s);
+    /// Their damping after the motion.
+    void damp_springs(JointGroup& group, std::span<JointSpring> springs, double duration_s);
+
+private:
+    /// Where x_ stands for impulses along the rows.
+    void assemble(const JointGroup& group, const JointComponent& component, BlockLdlt& matrix);
+    void solve_component(JointGroup& group, const JointComponent& component);
+    void push_solution(JointGroup& group, const JointComponent& component);
+    void hold_positions(JointGroup& group);
+    double gather_errors(const JointGroup& group);
+    void solve_all(JointGroup& group, const BlockLdlt& matrix);
+    void displace(JointGroup& group, bool with_velocities);
+    void solve_with_springs(JointGroup& group, std::span<const Vec3d> bias);
+
+    BlockLdlt matrix_;
+    BlockLdlt spring_matrix_;
+    std::vector<double> floor_;       // of pivots
+    std::vector<Vec3d> x_;            // right-hand sides, then impulses along the rows
+    std::vector<Vec3d> wanted_;       // speeds of the rows that are at a bound
+    std::vector<Vec3d> held_;         // errors that positions are corrected to
+    std::vector<double> compliance_;  // of stiff springs, by node; 0: none
+    std::vector<Vec3d> bias_;
+};
+
+}  // namespace plumbline::physics

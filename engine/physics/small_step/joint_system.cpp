@@ -1,0 +1,225 @@
+#include "engine/physics/small_step/joint_system.h"
+
+#include "engine/core/assert.h"
+#include "engine/physics/small_step/joint_direct.h"
+#include "engine/physics/small_step/joint_geometry.h"
+#include "engine/physics/small_step/joint_iterative.h"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+
+struct JointSystem::Impl {
+    /// Where the present sub-step is.
+    enum class Phase : std::uint8_t {
+        Ready,   ///< rows are those of the poses; the next push of springs begins a sub-step
+        Pushed,  ///< forces are in the velocities, nothing has moved
+        Moved,   ///< positions are corrected, rows are still those of before
+    };
+
+    TopologyCache topologies;
+    JointGroup group;
+    DirectJoints direct;
+    IterativeJoints iterative;
+    std::vector<JointSpring> soft_springs;
+    std::vector<JointSpring> stiff_springs;
+    std::vector<JointForm> forms;
+    std::vector<double> spring_load;
+    std::vector<bool> stiff;
+    JointMethod method{JointMethod::Direct};
+    Phase phase{Phase::Ready};
+    double damping_due_s{0};
+    JointWork work;
+
+    bool is_direct() const { return method == JointMethod::Direct; }
+    void find_forms(std::span<const SolverBody> bodies);
+    void list_springs();
+    void begin_substep();
+    void push_springs(double duration_s);
+    void finish_joint(std::size_t index, double step_s);
+};
+
+void JointSystem::Impl::find_forms(std::span<const SolverBody> bodies) {
+    const auto is_spring = [](const SolverJoint& joint) { return joint.kind == JointKind::Spring; };
+    const bool any_spring = std::ranges::any_of(group.joints, is_spring);
+    if (any_spring) {
+        find_stiff_springs(bodies, group.joints, group.substep_s, spring_load, stiff);
+    }
+    forms.clear();
+    for (std::size_t i = 0; i < group.joints.size(); ++i) {
+        forms.push_back(form_of(group.joints[i], any_spring && stiff[i]));
+    }
+}
+
+void JointSystem::Impl::list_springs() {
+    soft_springs.clear();
+    stiff_springs.clear();
+    const auto add = [&](std::size_t index, std::vector<JointSpring>& list) -> JointSpring& {
+        const SolverJoint& joint = group.joints[index];
+        const auto [a, b] = group.topology->sides[index];
+        return list.emplace_back(
+            JointSpring{.joint = static_cast<std::uint32_t>(index),
+                        .a = &group.bodies[a],
+                        .b = &group.bodies[b],
+                        .anchor_in_a = joint.anchor_in_a,
+                        .anchor_in_b = joint.anchor_in_b,
+                        .stiffness_Npm = static_cast<double>(joint.stiffness_Npm),
+                        .damping_Nspm = static_cast<double>(joint.damping_Nspm),
+                        .rest_m = static_cast<double>(joint.rest_length_m)});
+    };
+    for (std::size_t i = 0; i < group.joints.size(); ++i) {
+        if (group.joints[i].kind != JointKind::Spring) continue;
+        if (forms[i].places == NodeKind::None) add(i, soft_springs);
+    }
+    for (std::uint32_t node = 0; node < group.topology->nodes.size(); ++node) {
+        const std::uint32_t joint = group.topology->nodes[node].joint;
+        if (group.joints[joint].kind == JointKind::Spring) add(joint, stiff_springs).node = node;
+    }
+}
+
+void JointSystem::Impl::begin_substep() {
+    for (JointBound& bound : group.bounds) {
+        if (is_direct()) bound.before_motion(group.substep_s);
+    }
+    if (!is_direct()) iterative.warm_start(group);
+}
+
+void JointSystem::Impl::push_springs(double duration_s) {
+    const bool after_motion = phase == Phase::Moved;
+    for (std::size_t i = 0; i < soft_springs.size(); ++i) {
+        // Backwards after the motion: a sub-step looks the same from its end.
+        const std::size_t index = after_motion ? soft_springs.size() - 1 - i : i;
+        push_soft_spring(soft_springs[index], group.substep_s, duration_s, after_motion, group);
+    }
+    if (stiff_springs.empty()) return;
+    if (after_motion) {
+        for (const JointSpring& spring : stiff_springs) repeat_stiff_spring(spring, group);
+        damping_due_s = duration_s;
+    } else if (is_direct()) {
+        direct.push_springs(group, stiff_springs, duration_s);
+    } else {
+        for (JointSpring& spring : stiff_springs) push_stiff_spring(spring, duration_s, group);
+    }
+}
+
+void JointSystem::Impl::finish_joint(std::size_t index, double step_s) {
+    SolverJoint& joint = group.joints[index];
+    joint.total_impulse_Ns = group.totals[index].impulse_Ns;
+    joint.total_angular_impulse_Nms = group.totals[index].angular_impulse_Nms;
+    const JointBody& a = group.bodies[group.topology->sides[index][0]];
+    const JointBody& b = group.bodies[group.topology->sides[index][1]];
+    if (joint.kind == JointKind::Ball) {
+        joint.error_m = glm::length((b.position_m - a.position_m) +
+                                    (b.axes * joint.anchor_in_b - a.axes * joint.anchor_in_a));
+    } else {
+        const JointFit fit =
+            joint_error(joint, {a.position_m, a.orientation}, {b.position_m, b.orientation});
+        joint.error_m = fit.error_m;
+        joint.position = fit.position;
+    }
+    work.max_error_m = std::max(work.max_error_m, joint.error_m);
+    static_cast<void>(step_s);
+}
+
+JointSystem::JointSystem() : impl_(std::make_unique<Impl>()) {}
+JointSystem::~JointSystem() = default;
+JointSystem::JointSystem(JointSystem&&) noexcept = default;
+JointSystem& JointSystem::operator=(JointSystem&&) noexcept = default;
+
+void JointSystem::start(std::span<SolverBody> bodies,
+                        std::span<SolverJoint> joints,
+                        double substep_s,
+                        JointMethod method) {
+    Impl& impl = *impl_;
+    JointGroup& group = impl.group;
+    impl.work = {};
+    impl.phase = Impl::Phase::Ready;
+    group.row_solves = 0;
+    group.substep_s = substep_s;
+    group.joints = joints;
+    impl.find_forms(bodies);
+    group.topology = &impl.topologies.of(bodies, joints, impl.forms);
+    impl.method = group.topology->too_dear ? JointMethod::Iterative : method;
+    group.start(bodies);
+    impl.list_springs();
+    if (impl.is_direct()) {
+        impl.direct.start(group);
+        impl.direct.factor(group);
+    } else {
+        impl.iterative.start(group);
+    }
+}
+
+void JointSystem::push_springs(double duration_s) {
+    Impl& impl = *impl_;
+    impl.group.read_velocities();
+    if (impl.phase == Impl::Phase::Ready) {
+        impl.begin_substep();
+        impl.phase = Impl::Phase::Pushed;
+    }
+    impl.push_springs(duration_s);
+    impl.group.write_velocities();
+}
+
+void JointSystem::solve_velocities() {
+    Impl& impl = *impl_;
+    impl.group.read_velocities();
+    if (impl.is_direct()) {
+        impl.direct.solve_velocities(impl.group);
+    } else {
+        impl.iterative.sweep(impl.group, impl.phase == Impl::Phase::Pushed);
+    }
+    impl.group.write_velocities();
+}
+
+void JointSystem::correct_positions() {
+    Impl& impl = *impl_;
+    for (JointBody& body : impl.group.bodies) body.read_pose();
+    impl.phase = Impl::Phase::Moved;
+    if (!impl.is_direct()) {
+        for (JointBody& body : impl.group.bodies) body.update_inertia();
+        return;
+    }
+    impl.group.read_velocities();
+    impl.direct.correct_positions(impl.group);
+    impl.group.write_velocities();
+    for (const JointBody& body : impl.group.bodies) body.write_pose();
+}
+
+void JointSystem::refresh() {
+    Impl& impl = *impl_;
+    PL_ASSERT(impl.phase == Impl::Phase::Moved, "correct_positions() before refresh()");
+    impl.phase = Impl::Phase::Ready;
+    impl.group.refresh();
+    if (!impl.is_direct()) {
+        impl.iterative.refresh(impl.group);
+        return;
+    }
+    impl.direct.factor(impl.group);
+    if (impl.damping_due_s <= 0) return;
+    impl.group.read_velocities();
+    impl.direct.damp_springs(impl.group, impl.stiff_springs, impl.damping_due_s);
+    impl.group.write_velocities();
+    impl.damping_due_s = 0;
+}
+
+void JointSystem::finish(double step_s) {
+    Impl& impl = *impl_;
+    impl.group.collect_totals();
+    for (std::size_t i = 0; i < impl.group.joints.size(); ++i) impl.finish_joint(i, step_s);
+    for (const JointBound& bound : impl.group.bounds) {
+        bound.keep(impl.group.joints[bound.joint_index], impl.group.substep_s);
+    }
+    if (!impl.is_direct()) impl.iterative.finish(impl.group);
+    impl.work.row_solves = impl.group.row_solves;
+}
+
+JointMethod JointSystem::method_used() const {
+    return impl_->method;
+}
+
+const JointWork& JointSystem::work() const {
+    return impl_->work;
+}
+
+}  // namespace plumbline::physics
