@@ -132,9 +132,8 @@ def pyramid():
     scene = Scene("pyramid", "A pyramid of 210 cubes, 20 wide", (6, 9, 26), (0, 7, 0))
     scene.cubes()
     for row in range(20):
-        count = 20 - row
-        scene.array(f"row_{row}", "cube", (-(count - 1) / 2 * 1.05, 0.5 + row, 0.0), (count, 1, 1),
-                    (1.05, 1.0, 1.0))
+        for i in range(20 - row):
+            scene.entity(f"cube_{row}_{i}", "cube", ((i - (19 - row) / 2) * 1.05, 0.5 + row, 0.0))
     return scene
 
 

@@ -28,6 +28,24 @@ std::unique_ptr<btCollisionShape> bullet_shape(const physics::ShapeDef& def) {
     return hull;
 }
 
+/// How two materials combine, which Bullet keeps in global pointers.
+struct Combiners {
+    CalculateCombinedCallback friction{gCalculateCombinedFrictionCallback};
+    CalculateCombinedCallback restitution{gCalculateCombinedRestitutionCallback};
+    CalculateCombinedCallback rolling{gCalculateCombinedRollingFrictionCallback};
+    CalculateCombinedCallback spinning{gCalculateCombinedSpinningFrictionCallback};
+
+    void install() const {
+        gCalculateCombinedFrictionCallback = friction;
+        gCalculateCombinedRestitutionCallback = restitution;
+        gCalculateCombinedRollingFrictionCallback = rolling;
+        gCalculateCombinedSpinningFrictionCallback = spinning;
+    }
+};
+
+/// Bullet's own: read before the first PhysicsWorld puts in ours.
+const Combiners kStock;
+
 class BareWorld final : public SteppedWorld {
 public:
     BareWorld(const PeerScene& scene, double step_s)
@@ -43,7 +61,12 @@ public:
     BareWorld(const BareWorld&) = delete;
     BareWorld& operator=(const BareWorld&) = delete;
 
-    void step() override { world_.stepSimulation(step_s_, 0); }
+    void step() override {
+        const Combiners others;
+        kStock.install();
+        world_.stepSimulation(step_s_, 0);
+        others.install();
+    }
 
     void read(std::vector<BodyView>& views) const override {
         for (std::size_t i = 0; i < bodies_.size(); ++i) {

@@ -11,7 +11,6 @@ namespace plumbline::bench {
 namespace {
 
 constexpr double kFall_m = 0.45;    ///< a body that sank or strayed by more has fallen
-constexpr double kMoved_m = 0.1;    ///< a body that moved by more is out of place
 constexpr double kSettled_s = 1.0;  ///< penetration and creep count from here on
 constexpr double kEnd_s = 2.0;      ///< the last stretch, for the rms speed
 
@@ -38,7 +37,7 @@ public:
         if (!settled) settled_ = views;
         watch_places(time_s, settled, views);
         watch_overlaps(settled, views);
-        if (time_s > end_s_ - kEnd_s + 1e-9) add_speeds(views);
+        if (time_s > end_s_ - kEnd_s - 1e-9) add_speeds(views);
         last_ = views;
     }
 
@@ -52,13 +51,14 @@ public:
             {"sag_mm", (start_[top_].position.y - last_[top_].position.y) * 1e3},
             {"drift_h_all", drift_m_},
             {"drift_h_after1s", creep_m_},
-            {"moved", static_cast<double>(moved())},
+            {"moved", static_cast<double>(moved(kFall_m))},
+            {"moved_10cm", static_cast<double>(moved(0.1))},
             {"pen_max", deepest_m_},
             {"pen_max_all", deepest_ever_m_},
             {"pen_final", final_.deepest_m},
             {"pen_mean_final",
              final_.pairs > 0 ? final_.sum_m / static_cast<double>(final_.pairs) : 0.0},
-            {"mean_sumsq_pen", samples_ > 0 ? squares_m2_ / static_cast<double>(samples_) : 0.0},
+            {"mean_sumsq_pen", squares_m2_ / static_cast<double>(samples_)},
             {"vrms_end",
              speeds_ > 0 ? std::sqrt(speed_squares_ / static_cast<double>(speeds_)) : 0},
             {"KE_end_J", kinetic_J()},
@@ -102,10 +102,10 @@ private:
         }
     }
 
-    std::size_t moved() const {
+    std::size_t moved(double by_m) const {
         std::size_t count = 0;
         for (std::size_t i = 0; i < last_.size(); ++i) {
-            if (glm::length(last_[i].position - start_[i].position) > kMoved_m) ++count;
+            if (glm::length(last_[i].position - start_[i].position) > by_m) ++count;
         }
         return count;
     }
@@ -147,7 +147,7 @@ private:
     double deepest_ever_m_{0};
     Overlaps final_{};
     double squares_m2_{0};
-    std::size_t samples_{0};
+    std::size_t samples_{1};  ///< with the start, at which nothing overlaps
     double speed_squares_{0};
     std::size_t speeds_{0};
 };

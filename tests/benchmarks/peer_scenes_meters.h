@@ -46,7 +46,7 @@ std::unique_ptr<Meter> make_meter(const PeerScene& scene, double end_s);
 
 // One family each, for make_meter().
 std::unique_ptr<Meter> make_heap_meter(const PeerScene& scene, double end_s);
-std::unique_ptr<Meter> make_chain_meter(const PeerScene& scene);
+std::unique_ptr<Meter> make_chain_meter(const PeerScene& scene, double end_s);
 std::unique_ptr<Meter> make_bounce_meter(const PeerScene& scene);
 std::unique_ptr<Meter> make_roll_meter(const PeerScene& scene);
 std::unique_ptr<Meter> make_spin_meter(const PeerScene& scene);
