@@ -13,7 +13,8 @@ namespace plumbline::game {
 
 namespace {
 
-constexpr std::array kSolvers{physics::Solver::BulletSi,
+constexpr std::array kSolvers{physics::Solver::SmallStep,
+                              physics::Solver::BulletSi,
                               physics::Solver::BulletNncg,
                               physics::Solver::BulletDantzig,
                               physics::Solver::BulletPgs};
@@ -21,11 +22,6 @@ constexpr double kLongestRun_s = 1e6;
 
 /// The solver, or a complaint that names the nearest one.
 void take_solver(const std::string& name, std::optional<physics::Solver>& solver) {
-    if (name == "small_step") {
-        log_warning("--solver: \"small_step\" is not built yet; bullet_si is used");
-        solver = physics::Solver::BulletSi;
-        return;
-    }
     solver = physics::solver_from_name(name);
     if (solver) return;
     std::vector<std::string_view> known;
@@ -57,10 +53,10 @@ CLI::App* add_simulate(CLI::App& app, SimulateOptions& options) {
     simulate->add_option_function<std::string>(
         "--solver",
         [&options](const std::string& name) { take_solver(name, options.solver); },
-        "bullet_si, bullet_nncg, bullet_dantzig or bullet_pgs");
+        "small_step, bullet_si, bullet_nncg, bullet_dantzig or bullet_pgs");
     simulate->add_option("--hz", options.step_hz, "Steps a second")
         ->check(CLI::Range(limits::kStepHzMin, limits::kStepHzMax));
-    simulate->add_option("--substeps", options.substeps, "Parts of each step")
+    simulate->add_option("--substeps", options.substeps, "Parts of each step, exactly")
         ->check(CLI::Range(1, 1'000));
     simulate->add_option("--iterations", options.iterations, "Solver sweeps")
         ->check(CLI::Range(1, 10'000));

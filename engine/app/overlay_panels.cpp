@@ -183,7 +183,7 @@ void draw_stats(const OverlayInput& input) {
         cost.integrate_ms));
     text(fmt::format("{:.0f} Hz x {}   {} bodies, {} awake   {} contacts   {:.2f} s lost",
                      1.0 / input.simulation.step_s(),
-                     input.simulation.physics.def().substeps,
+                     most_substeps(input.simulation.physics),
                      input.simulation.physics.body_count(),
                      input.simulation.physics.awake_count(),
                      cost.contacts,

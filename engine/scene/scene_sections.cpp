@@ -1,31 +1,20 @@
 // [scene] [world] [accuracy] [player] [camera] [goal] [effects.*] and the calls for the rest.
 #include "engine/core/limits.h"
 #include "engine/core/nearest_name.h"
+#include "engine/scene/accuracy.h"
 #include "engine/scene/scene_parts.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace plumbline::scene {
 namespace {
 
 constexpr Range kYaw_deg{-36'000, 36'000, "degrees from -36000 to 36000"};
 constexpr Range kPitch_deg{-90, 90, "degrees from -90 to 90"};
-
-struct Preset {
-    std::string_view name;
-    int step_hz;
-    int substeps;
-    int iterations;
-};
-// What the names mean for Bullet's solvers. docs/SCENE-FORMAT.md has the same table.
-constexpr std::array<Preset, 5> kPresets{{{"draft", 60, 1, 4},
-                                          {"balanced", 60, 1, 10},
-                                          {"precise", 120, 1, 20},
-                                          {"reference", 240, 4, 50},
-                                          {"auto", 60, 1, 10}}};
 
 // Names of effects that may carry a table of settings.
 constexpr std::array<std::string_view, 11> kEffects{"sun_shadow",
@@ -123,18 +112,28 @@ void LoadContext::note_not_built(const Place& place, std::string what) {
     not_built.push_back(std::move(what));
 }
 
+namespace {
+
+std::optional<int> optional_integer(TableReader& table, std::string_view key, int most) {
+    if (!table.has(key)) return {};
+    return table.integer(key, 1, 1, most);
+}
+
+}  // namespace
+
 Accuracy read_accuracy(TableReader& table) {
-    std::array<std::string_view, kPresets.size()> names{};
-    std::ranges::transform(kPresets, names.begin(), &Preset::name);
+    std::vector<std::string_view> names;
+    for (const Preset& preset : presets()) names.push_back(preset.name);
     constexpr std::size_t kBalanced = 1;
-    const Preset& preset = kPresets[table.choice("preset", kBalanced, names)];
+    const Preset& preset = presets()[table.choice("preset", kBalanced, names)];
 
     Accuracy accuracy;
     accuracy.preset = preset.name;
     accuracy.step_hz =
         table.integer("step_hz", preset.step_hz, limits::kStepHzMin, limits::kStepHzMax);
-    accuracy.substeps = table.integer("substeps", preset.substeps, 1, 64);
-    accuracy.iterations = table.integer("iterations", preset.iterations, 1, 1000);
+    accuracy.substeps = optional_integer(table, "substeps", 64);
+    accuracy.substeps_max = optional_integer(table, "substeps_max", 64);
+    accuracy.iterations = optional_integer(table, "iterations", 1000);
     constexpr Range kTolerance{1e-9, 1, "a relative error above 0, up to 1"};
     if (const auto tolerance = table.optional_number("tolerance", kTolerance))
         accuracy.tolerance = static_cast<double>(*tolerance);
@@ -143,27 +142,19 @@ Accuracy read_accuracy(TableReader& table) {
                       "no study of this scene is at hand; the numbers of \"balanced\" are used");
     }
 
-    using physics::Solver;
-    constexpr std::array<std::string_view, 5> kSolverNames{
-        "small_step", "bullet_si", "bullet_nncg", "bullet_dantzig", "bullet_pgs"};
-    constexpr std::array<Solver, 5> kSolvers{Solver::BulletSi,
-                                             Solver::BulletSi,
-                                             Solver::BulletNncg,
-                                             Solver::BulletDantzig,
-                                             Solver::BulletPgs};
-    const std::size_t chosen = table.choice("solver", 1, kSolverNames);
-    accuracy.solver = kSolvers[chosen];
-    if (chosen == 0) {
-        // Its substeps cost a fraction of Bullet's whole steps and its one iteration is not
-        // Bullet's: the numbers do not carry over, so the preset's are used.
-        accuracy.substeps = preset.substeps;
-        accuracy.iterations = preset.iterations;
-        table.warning("solver",
-                      fmt::format("\"small_step\" is not built yet; bullet_si is used, with "
-                                  "substeps = {} and iterations = {} of preset \"{}\"",
-                                  accuracy.substeps,
-                                  accuracy.iterations,
-                                  preset.name));
+    constexpr std::array kSolvers{physics::Solver::SmallStep,
+                                  physics::Solver::BulletSi,
+                                  physics::Solver::BulletNncg,
+                                  physics::Solver::BulletDantzig,
+                                  physics::Solver::BulletPgs};
+    std::array<std::string_view, kSolvers.size()> solver_names{};
+    std::ranges::transform(kSolvers, solver_names.begin(), physics::solver_name);
+    accuracy.solver = kSolvers[table.choice("solver", 0, solver_names)];
+    if (accuracy.substeps && accuracy.substeps_max && *accuracy.substeps > *accuracy.substeps_max) {
+        table.error("substeps_max",
+                    fmt::format("{} is below substeps = {}; expected at least as many",
+                                *accuracy.substeps_max,
+                                *accuracy.substeps));
     }
     return accuracy;
 }

@@ -1,0 +1,56 @@
+#include "engine/scene/accuracy.h"
+
+#include <algorithm>
+#include <array>
+
+namespace plumbline::scene {
+namespace {
+
+// docs/SCENE-FORMAT.md has the same table.
+constexpr std::array<Preset, 5> kPresets{{{"draft", 60, 1, 4, 1, 1, 4},
+                                          {"balanced", 60, 2, 16, 1, 1, 10},
+                                          {"precise", 120, 4, 32, 1, 1, 20},
+                                          {"reference", 240, 8, 64, 2, 4, 50},
+                                          {"auto", 60, 2, 16, 1, 1, 10}}};
+constexpr const Preset& kBalanced = kPresets[1];
+
+}  // namespace
+
+std::span<const Preset> presets() {
+    return kPresets;
+}
+
+const Preset& preset_of(std::string_view name) {
+    const auto found = std::ranges::find(kPresets, name, &Preset::name);
+    return found != kPresets.end() ? *found : kBalanced;
+}
+
+physics::WorldDef world_def(const SceneDescription& description,
+                            const SimulationOverrides& overrides) {
+    const Accuracy& accuracy = description.accuracy;
+    const Preset& preset = preset_of(accuracy.preset);
+    const physics::Solver solver = overrides.solver.value_or(accuracy.solver);
+    const bool small = solver == physics::Solver::SmallStep;
+    const bool same_kind = small == (accuracy.solver == physics::Solver::SmallStep);
+    const Accuracy own = same_kind ? accuracy : Accuracy{};
+
+    physics::WorldDef def{
+        .gravity_mps2 = description.gravity_mps2,
+        .step_s = 1.0 / static_cast<double>(overrides.step_hz.value_or(accuracy.step_hz)),
+        .substeps = own.substeps.value_or(small ? preset.small_least : preset.bullet_substeps),
+        .iterations =
+            own.iterations.value_or(small ? preset.small_iterations : preset.bullet_iterations),
+        .solver = solver,
+        .seed = static_cast<std::uint32_t>(overrides.seed)};
+    if (small) {
+        // A number of sub-steps alone means exactly so many.
+        def.substeps_max =
+            own.substeps_max.value_or(own.substeps ? *own.substeps : preset.small_most);
+        def.substeps = std::min(def.substeps, def.substeps_max);
+    }
+    if (overrides.substeps) def.substeps = def.substeps_max = *overrides.substeps;
+    if (overrides.iterations) def.iterations = *overrides.iterations;
+    return def;
+}
+
+}  // namespace plumbline::scene

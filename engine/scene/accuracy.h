@@ -1,0 +1,42 @@
+// What the presets of [accuracy] mean for each kind of solver.
+#pragma once
+
+#include "engine/physics/physics_world.h"
+#include "engine/scene/scene_description.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace plumbline::scene {
+
+/// Settings that the command line may put over the scene's own.
+struct SimulationOverrides {
+    std::optional<physics::Solver> solver{};
+    std::optional<int> step_hz{};
+    std::optional<int> substeps{};  ///< exactly so many
+    std::optional<int> iterations{};
+    std::uint64_t seed{1};
+};
+
+/// A word for a set of numbers. small_step chooses the sub-steps of each island between two bounds;
+/// for bullet_* a sub-step is a whole step of Bullet's.
+struct Preset {
+    std::string_view name;
+    int step_hz;
+    int small_least;
+    int small_most;
+    int small_iterations;
+    int bullet_substeps;
+    int bullet_iterations;
+};
+std::span<const Preset> presets();
+/// "balanced" for names that are none.
+const Preset& preset_of(std::string_view name);
+
+/// The world that a scene asks for. Numbers that the scene gives for one kind of solver do not
+/// carry over when the command line chooses the other kind: the preset's are used.
+physics::WorldDef world_def(const SceneDescription& description,
+                            const SimulationOverrides& overrides);
+
+}  // namespace plumbline::scene
