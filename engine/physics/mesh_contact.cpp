@@ -47,8 +47,9 @@ class Collector final : public btManifoldResult {
 public:
     Collector(const btCollisionObjectWrapper* convex,
               const btCollisionObjectWrapper* mesh,
+              btScalar rim,
               std::vector<Candidate>& found)
-        : btManifoldResult(convex, mesh), found_(found) {}
+        : btManifoldResult(convex, mesh), rim_(rim), found_(found) {}
 
     void meet(const btCollisionObjectWrapper* triangle, int part, int index) {
         setBody1Wrap(triangle);
@@ -89,12 +90,11 @@ private:
         const btVector3 normal =
             m_body1Wrap->getWorldTransform().getBasis().transpose() * point.m_normalWorldOnB;
         if (std::abs(normal.dot(face)) > kSameFace) return true;
-        const btScalar rim = m_manifoldPtr->getContactBreakingThreshold();
         for (int i = 0; i < 3; ++i) {
             const btVector3& a = triangle.m_vertices1[i];
             const btVector3& b = triangle.m_vertices1[(i + 1) % 3];
             const btVector3 inward = face.cross((b - a).normalized());
-            if (inward.dot(point.m_localPointB - a) < rim && sticks_out(i)) return true;
+            if (inward.dot(point.m_localPointB - a) < rim_ && sticks_out(i)) return true;
         }
         return false;
     }
@@ -115,6 +115,7 @@ private:
         return (info->m_flags & kConvex[edge]) != 0 && angles[edge] != 0;
     }
 
+    btScalar rim_;  ///< as near an edge a point is on it
     std::vector<Candidate>& found_;
     int part_{-1};
     int index_{-1};
@@ -143,8 +144,8 @@ std::vector<Candidate> four_of(const std::vector<Candidate>& points) {
 /// Takes points out of the manifold that are not among the new ones.
 void forget_others(btPersistentManifold& manifold,
                    const std::vector<Candidate>& points,
-                   const btTransform& world_from_convex) {
-    const btScalar near = manifold.getContactBreakingThreshold();
+                   const btTransform& world_from_convex,
+                   btScalar near) {
     for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
         const btVector3& old = manifold.getContactPoint(i).m_localPointA;
         const bool found = std::any_of(points.begin(), points.end(), [&](const Candidate& point) {
@@ -210,14 +211,15 @@ public:
                     const btCollisionObjectWrapper& convex,
                     const btCollisionObjectWrapper& mesh,
                     const btDispatcherInfo& info,
-                    btScalar reach)
+                    btScalar reach,
+                    btScalar near)
         : dispatcher_(dispatcher),
           scratch_(scratch),
           convex_(convex),
           mesh_(mesh),
           info_(info),
           reach_(reach),
-          collector_(&convex, &mesh, found) {
+          collector_(&convex, &mesh, near, found) {
         collector_.setPersistentManifold(&scratch);
     }
 
@@ -302,11 +304,16 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* first,
         manifolds_[0] =
             m_dispatcher->getNewManifold(convex.getCollisionObject(), mesh.getCollisionObject());
     }
+    // Fast pairs look farther than the distance within which points are the same.
     const btScalar reach = manifolds_[0]->getContactBreakingThreshold();
+    const btScalar near =
+        std::min(convex.getCollisionObject()->getCollisionShape()->getContactBreakingThreshold(
+                     gContactBreakingThreshold),
+                 reach);
     const bool by_faces = meets_by_faces(*convex.getCollisionShape());
     btDispatcherInfo piece_info = info;
     piece_info.m_enableSatConvex = by_faces;
-    TriangleVisitor visitor(*m_dispatcher, *manifolds_[0], convex, mesh, piece_info, reach);
+    TriangleVisitor visitor(*m_dispatcher, *manifolds_[0], convex, mesh, piece_info, reach, near);
 
     const btTransform mesh_from_convex =
         mesh.getWorldTransform().inverse() * convex.getWorldTransform();
@@ -333,7 +340,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* first,
         found.erase(found.begin(), rest);
         btPersistentManifold* manifold = manifold_for(normal, taken, convex, mesh);
         const std::vector<Candidate> best = four_of(points);
-        if (by_faces) forget_others(*manifold, best, convex.getWorldTransform());
+        if (by_faces) forget_others(*manifold, best, convex.getWorldTransform(), near);
         result->setPersistentManifold(manifold);
         for (const Candidate& point : best) {
             result->addContactPoint(point.normal, point.on_mesh, point.distance);

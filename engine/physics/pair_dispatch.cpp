@@ -25,8 +25,37 @@ btScalar spin_mps(const BodyRecord& record) {
     return moves(record) ? record.rigid->getAngularVelocity().length() * record.radius_m : 0;
 }
 
-btScalar inverse_mass(const BodyRecord& record) {
-    return record.rigid->getInvMass();
+/// How much of a blow's change of speed `record` takes. What is backed gives way to nothing.
+btScalar share_of(const BodyRecord& record, const BodyRecord& other) {
+    const btScalar own = record.rigid->getInvMass();
+    const btScalar others = other.jolt.backed ? btScalar(0) : other.rigid->getInvMass();
+    return own > 0 ? own / (own + others) : btScalar(0);
+}
+
+bool is_backing(const BodyRecord& record) {
+    return record.jolt.backed || record.rigid->getInvMass() <= 0;
+}
+
+btScalar jolt_mps(const Pair& pair) {
+    return pair.a->jolt.change_mps.length() + pair.b->jolt.change_mps.length();
+}
+
+/// How fast the bodies come together at a point, after whatever blows either may get.
+btScalar closing_mps(const btPersistentManifold& manifold, const btManifoldPoint& point) {
+    const auto& a = static_cast<const btRigidBody&>(*manifold.getBody0());
+    const auto& b = static_cast<const btRigidBody&>(*manifold.getBody1());
+    const btVector3 va =
+        a.getVelocityInLocalPoint(point.getPositionWorldOnA() - a.getWorldTransform().getOrigin());
+    const btVector3 vb =
+        b.getVelocityInLocalPoint(point.getPositionWorldOnB() - b.getWorldTransform().getOrigin());
+    const btVector3& normal = point.m_normalWorldOnB;
+    return (vb - va).dot(normal) +
+           std::max(btScalar(0), -record_of(a).jolt.change_mps.dot(normal)) +
+           std::max(btScalar(0), record_of(b).jolt.change_mps.dot(normal));
+}
+
+void keep_larger(Jolt& jolt, const btVector3& change, bool backed) {
+    if (change.length2() > jolt.change_mps.length2()) jolt = {change, backed, false};
 }
 
 /// A ball has one point on anything convex; those that it rolled away from are no contact. The new
@@ -52,7 +81,87 @@ void mark_old(btPersistentManifold& manifold) {
     }
 }
 
+/// Puts points into manifolds as Bullet does, but takes two for one only when they are as near as
+/// those of slow pairs: a long reach must not melt the corners of a box into one.
+class Result final : public btManifoldResult {
+public:
+    Result(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b, btScalar merge_m)
+        : btManifoldResult(a, b), merge_m_(merge_m) {}
+
+    void addContactPoint(const btVector3& normal,
+                         const btVector3& on_b,
+                         btScalar distance) override {
+        btPersistentManifold& manifold = *m_manifoldPtr;
+        if (distance > manifold.getContactBreakingThreshold()) return;
+        const btVector3 on_a = on_b + normal * distance;
+        btManifoldPoint point(manifold.getBody0()->getWorldTransform().invXform(on_a),
+                              manifold.getBody1()->getWorldTransform().invXform(on_b),
+                              normal,
+                              distance);
+        point.m_positionWorldOnA = on_a;
+        point.m_positionWorldOnB = on_b;
+        const bool swapped = manifold.getBody0() != m_body0Wrap->getCollisionObject();
+        point.m_partId0 = swapped ? m_partId1 : m_partId0;
+        point.m_partId1 = swapped ? m_partId0 : m_partId1;
+        point.m_index0 = swapped ? m_index1 : m_index0;
+        point.m_index1 = swapped ? m_index0 : m_index1;
+        combine_materials(manifold, point);
+        const int same = same_point(manifold, point);
+        if (same >= 0)
+            manifold.replaceContactPoint(point, same);
+        else
+            manifold.addManifoldPoint(point);
+    }
+
+private:
+    int same_point(const btPersistentManifold& manifold, const btManifoldPoint& point) const {
+        int nearest = -1;
+        btScalar least = merge_m_ * merge_m_;
+        for (int i = 0; i < manifold.getNumContacts(); ++i) {
+            const btScalar away =
+                manifold.getContactPoint(i).m_localPointA.distance2(point.m_localPointA);
+            if (away >= least) continue;
+            least = away;
+            nearest = i;
+        }
+        return nearest;
+    }
+
+    btScalar merge_m_;
+};
+
+bool is_plane(const btCollisionObject& object) {
+    return object.getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE;
+}
+
+/// Points on a plane slide along with the body: each is a corner of it, wherever it goes. Bullet
+/// would find one of them again in a step and drop those that went too far.
+void slide_along_plane(btPersistentManifold& manifold) {
+    const bool first = is_plane(*manifold.getBody0());
+    const btTransform& plane =
+        (first ? manifold.getBody0() : manifold.getBody1())->getWorldTransform();
+    const btTransform& body =
+        (first ? manifold.getBody1() : manifold.getBody0())->getWorldTransform();
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        btManifoldPoint& point = manifold.getContactPoint(i);
+        const btVector3 on_body = body(first ? point.m_localPointB : point.m_localPointA);
+        btVector3& local = first ? point.m_localPointA : point.m_localPointB;
+        const btVector3 off = on_body - plane(local);
+        const btVector3& normal = point.m_normalWorldOnB;
+        local = plane.invXform(plane(local) + off - normal * off.dot(normal));
+    }
+}
+
 }  // namespace
+
+void combine_materials(const btPersistentManifold& manifold, btManifoldPoint& point) {
+    const btCollisionObject* a = manifold.getBody0();
+    const btCollisionObject* b = manifold.getBody1();
+    point.m_combinedFriction = gCalculateCombinedFrictionCallback(a, b);
+    point.m_combinedRestitution = gCalculateCombinedRestitutionCallback(a, b);
+    point.m_combinedRollingFriction = gCalculateCombinedRollingFrictionCallback(a, b);
+    point.m_combinedSpinningFriction = gCalculateCombinedSpinningFrictionCallback(a, b);
+}
 
 btPersistentManifold* PairDispatcher::getNewManifold(const btCollisionObject* a,
                                                      const btCollisionObject* b) {
@@ -61,29 +170,33 @@ btPersistentManifold* PairDispatcher::getNewManifold(const btCollisionObject* a,
     return manifold;
 }
 
-btScalar PairMeeting::reach_of(const Pair& pair, btScalar jolt_mps) const {
+btScalar PairMeeting::reach_of(const Pair& pair) const {
     const BodyRecord& a = *pair.a;
     const BodyRecord& b = *pair.b;
     const btVector3 apart = a.rigid->getLinearVelocity() - b.rigid->getLinearVelocity();
-    const btScalar speed = apart.length() + spin_mps(a) + spin_mps(b) + jolt_mps;
+    const btScalar speed = apart.length() + spin_mps(a) + spin_mps(b) + jolt_mps(pair);
     const btScalar way = speed * step_.step_s + step_.fall_m;
     // Resting bodies keep the distances at which Bullet merges and keeps points.
     if (2 * way <= pair.base_m) return pair.base_m;
     return pair.base_m + std::min(way, unswept_m(a) + unswept_m(b));
 }
 
-void PairMeeting::meet(Pair& pair, btScalar reach_m, btScalar jolt_mps) {
+void PairMeeting::meet(Pair& pair) {
+    const btScalar reach_m = reach_of(pair);
     dispatcher_.reach_m = reach_m;
     manifolds_.resize(0);
-    if (pair.algorithm != nullptr && (pair.round || reach_m != pair.reach_m)) {
+    if (pair.algorithm != nullptr && (pair.round || pair.flat || reach_m != pair.reach_m)) {
         pair.algorithm->getAllContactManifolds(manifolds_);
         for (int i = 0; i < manifolds_.size(); ++i) {
             manifolds_[i]->setContactBreakingThreshold(reach_m);
-            if (pair.round) mark_old(*manifolds_[i]);
+            if (pair.round)
+                mark_old(*manifolds_[i]);
+            else if (pair.flat)
+                slide_along_plane(*manifolds_[i]);
         }
     }
     pair.reach_m = reach_m;
-    pair.jolt_mps = jolt_mps;
+    pair.jolt_mps = jolt_mps(pair);
     collide(pair);
 
     manifolds_.resize(0);
@@ -92,7 +205,7 @@ void PairMeeting::meet(Pair& pair, btScalar reach_m, btScalar jolt_mps) {
     for (int i = 0; i < manifolds_.size(); ++i) {
         btPersistentManifold& manifold = *manifolds_[i];
         if (pair.round) keep_new_points(manifold);
-        if (reach_m > pair.base_m) drop_unreachable(manifold, pair.base_m, jolt_mps);
+        if (reach_m > pair.base_m) drop_unreachable(manifold, pair.base_m);
         pair.touches = pair.touches || manifold.getNumContacts() > 0;
     }
 }
@@ -108,7 +221,7 @@ void PairMeeting::collide(Pair& pair) {
         pair.algorithm =
             dispatcher_.findAlgorithm(&first, &second, nullptr, BT_CONTACT_POINT_ALGORITHMS);
     }
-    btManifoldResult result(&first, &second);
+    Result result(&first, &second, pair.base_m);
     // Two balls are the only shapes that look at nothing else. Compounds must not see it: they
     // would throw the points of their children away.
     const bool balls = a.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE &&
@@ -117,27 +230,22 @@ void PairMeeting::collide(Pair& pair) {
     pair.algorithm->processCollision(&first, &second, info_, &result);
 }
 
-btScalar PairMeeting::closing_mps(const btPersistentManifold& manifold,
-                                  const btManifoldPoint& point) const {
-    const auto& a = static_cast<const btRigidBody&>(*manifold.getBody0());
-    const auto& b = static_cast<const btRigidBody&>(*manifold.getBody1());
-    const btVector3 va =
-        a.getVelocityInLocalPoint(point.getPositionWorldOnA() - a.getWorldTransform().getOrigin());
-    const btVector3 vb =
-        b.getVelocityInLocalPoint(point.getPositionWorldOnB() - b.getWorldTransform().getOrigin());
-    return (vb - va).dot(point.m_normalWorldOnB);
-}
-
-void PairMeeting::drop_unreachable(btPersistentManifold& manifold,
-                                   btScalar base_m,
-                                   btScalar jolt_mps) const {
+void PairMeeting::drop_unreachable(btPersistentManifold& manifold, btScalar base_m) const {
     for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
         const btManifoldPoint& point = manifold.getContactPoint(i);
-        const btScalar closing = std::max(btScalar(0), closing_mps(manifold, point) + jolt_mps);
-        if (point.getDistance() > base_m + closing * step_.step_s + step_.fall_m) {
+        const btScalar closing = std::max(btScalar(0), closing_mps(manifold, point));
+        const btScalar drift2 =
+            (point.getPositionWorldOnA() - point.getPositionWorldOnB()).length2() -
+            point.getDistance() * point.getDistance();
+        if (point.getDistance() > base_m + closing * step_.step_s + step_.fall_m ||
+            drift2 > base_m * base_m) {
             manifold.removeContactPoint(i);
         }
     }
+}
+
+bool PairMeeting::knows_less(const Pair& pair) const {
+    return 2 * (jolt_mps(pair) - pair.jolt_mps) * step_.step_s > pair.base_m;
 }
 
 void PairMeeting::part(Pair& pair) {
@@ -151,24 +259,29 @@ void PairMeeting::part(Pair& pair) {
 }
 
 Blow PairMeeting::blow_of(const Pair& pair) const {
-    if (!pair.touches || pair.reach_m <= pair.base_m) return {};
+    Blow blow;
+    if (!pair.touches || pair.reach_m <= pair.base_m) return blow;
     manifolds_.resize(0);
     pair.algorithm->getAllContactManifolds(manifolds_);
-    btScalar change = 0;
     for (int m = 0; m < manifolds_.size(); ++m) {
         const btPersistentManifold& manifold = *manifolds_[m];
+        const BodyRecord& a = record_of(*manifold.getBody0());
+        const BodyRecord& b = record_of(*manifold.getBody1());
         for (int i = 0; i < manifold.getNumContacts(); ++i) {
             const btManifoldPoint& point = manifold.getContactPoint(i);
             const btScalar closing = closing_mps(manifold, point);
-            if (closing * step_.step_s <= std::max(point.getDistance(), btScalar(0))) continue;
-            change = std::max(change, closing * (1 + point.m_combinedRestitution));
+            const btScalar change = closing * (1 + point.m_combinedRestitution);
+            if (closing * step_.step_s <= std::max(point.getDistance(), btScalar(0)) ||
+                2 * change * step_.step_s <= pair.base_m) {
+                continue;
+            }
+            const btVector3 push = point.m_normalWorldOnB * change;
+            keep_larger(&a == pair.a ? blow.on_a : blow.on_b, push * share_of(a, b), is_backing(b));
+            keep_larger(
+                &a == pair.a ? blow.on_b : blow.on_a, -push * share_of(b, a), is_backing(a));
         }
     }
-    if (2 * change * step_.step_s <= pair.base_m) return {};
-    const btScalar sum = inverse_mass(*pair.a) + inverse_mass(*pair.b);
-    if (sum <= 0) return {};
-    return {.to_a_mps = change * inverse_mass(*pair.a) / sum,
-            .to_b_mps = change * inverse_mass(*pair.b) / sum};
+    return blow;
 }
 
 void PairMeeting::list_manifolds(const Pair& pair, std::vector<btPersistentManifold*>& list) const {

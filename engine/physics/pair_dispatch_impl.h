@@ -34,10 +34,10 @@ struct MeetStep {
     btScalar fall_m{0};  ///< what gravity adds to any motion within the step, at most
 };
 
-/// What the blows of this step may do to the speeds of the two bodies.
+/// The blow of a pair that meets within the step.
 struct Blow {
-    btScalar to_a_mps{0};
-    btScalar to_b_mps{0};
+    Jolt on_a;
+    Jolt on_b;
 };
 
 class PairMeeting {
@@ -47,11 +47,12 @@ public:
 
     void begin_step(const MeetStep& step) { step_ = step; }
 
-    /// How far apart points must be found so that none is missed, if the bodies' velocities may
-    /// change by `jolt_mps` against each other within the step.
-    btScalar reach_of(const Pair& pair, btScalar jolt_mps) const;
-    /// Finds the pair's points within `reach_m` and keeps those that the bodies can close.
-    void meet(Pair& pair, btScalar reach_m, btScalar jolt_mps);
+    /// How far apart points must be found so that none is missed, with the jolts known so far.
+    btScalar reach_of(const Pair& pair) const;
+    /// Finds the pair's points within its reach and keeps those that the bodies can close.
+    void meet(Pair& pair);
+    /// Whether jolts since the pair's latest look let its bodies come noticeably farther.
+    bool knows_less(const Pair& pair) const;
     /// Forgets the points of bodies whose boxes have parted.
     void part(Pair& pair);
     /// The blow of a pair that meets within this step faster than it rests.
@@ -61,14 +62,16 @@ public:
 
 private:
     void collide(Pair& pair);
-    void drop_unreachable(btPersistentManifold& manifold, btScalar base_m, btScalar jolt_mps) const;
-    btScalar closing_mps(const btPersistentManifold& manifold, const btManifoldPoint& point) const;
+    void drop_unreachable(btPersistentManifold& manifold, btScalar base_m) const;
 
     PairDispatcher& dispatcher_;
     const btDispatcherInfo& info_;
     MeetStep step_{};
     mutable btManifoldArray manifolds_;
 };
+
+/// What the materials of the two bodies make at a point between them.
+void combine_materials(const btPersistentManifold& manifold, btManifoldPoint& point);
 
 /// Whether the boxes that the broad phase holds overlap.
 bool boxes_overlap(const Pair& pair);

@@ -16,6 +16,14 @@ namespace plumbline::physics {
 
 struct BodyRecord;
 
+/// What the blows of a step may do to a body's velocity: others that it did not move towards may
+/// then be in its way.
+struct Jolt {
+    btVector3 change_mps{0, 0, 0};  ///< the largest
+    bool backed{false};             ///< ... from what does not give way
+    bool spread{false};             ///< its pairs have been looked at again
+};
+
 /// Two bodies that may touch. `a` has the lower id.
 struct Pair {
     BodyRecord* a{nullptr};
@@ -23,10 +31,11 @@ struct Pair {
     btCollisionAlgorithm* algorithm{nullptr};  ///< holds the manifolds; none until boxes overlap
     btScalar base_m{0};                        ///< points of a slow pair count up to this distance
     btScalar reach_m{0};                       ///< and those of the latest step up to this one
-    btScalar jolt_mps{0};                      ///< change of speed that the latest look allowed for
+    btScalar jolt_mps{0};                      ///< of both bodies, as the latest look knew it
     std::uint32_t seen{0};                     ///< the walk that looked at it last
     bool touches{false};                       ///< has contact points
     bool round{false};                         ///< a ball: its points are new in every step
+    bool flat{false};                          ///< one of them is a plane
 };
 
 inline BodyRecord& partner(const Pair& pair, const BodyRecord& record) {

@@ -4,6 +4,7 @@
 #include "engine/physics/physics_world_impl.h"
 #include "engine/physics/small_step_world_impl.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -132,6 +133,12 @@ double PhysicsWorld::max_penetration_m() const {
         }
     }
     return deepest;
+}
+
+int most_substeps(const PhysicsWorld& world) {
+    int most = world.def().substeps;
+    for (const IslandReport& island : world.islands()) most = std::max(most, island.substeps);
+    return most;
 }
 
 }  // namespace plumbline::physics

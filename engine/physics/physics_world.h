@@ -168,8 +168,7 @@ public:
     void reconfigure(const WorldDef& def);
 
     // --- what the latest step left; spans are overwritten by the next
-    /// Touching pairs, in a reproducible order. With small_step those asleep are not listed, and
-    /// have not begun anew when they wake.
+    /// Touching pairs, in a reproducible order. Those that sleep are listed as they fell asleep.
     std::span<const ContactEvent> contacts() const;
     /// Every touching pair whether or not a body asked for events, for state files; not free.
     std::vector<ContactEvent> all_contacts() const;
@@ -215,5 +214,8 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+/// The most sub-steps that any island got in the latest step; what is asked for where none was.
+int most_substeps(const PhysicsWorld& world);
 
 }  // namespace plumbline::physics

@@ -104,15 +104,15 @@ struct BodyRecord {
     bool forced{false};        ///< a force or torque of the caller acts in the next step
     bool awake{false};         ///< small_step: steps move it
     bool box_stale{false};     ///< small_step: somebody changed its motion since the last step
-    int substeps{0};         ///< small_step: of its island in the latest step
-    int substeps_held{0};    ///< small_step: steps since its island really asked for as many
+    int substeps{0};           ///< small_step: of its island in the latest step
+    int substeps_held{0};      ///< small_step: steps since its island really asked for as many
     std::uint32_t slumber{0};  ///< small_step: bodies that fell asleep together share it; 0: awake
     std::vector<JointId> joints;  ///< that hold it, broken ones included, in order of creation
 
     Rest rest{};               ///< small_step
     std::vector<Pair*> pairs;  ///< small_step: by the other body's id
     std::uint32_t row{0};      ///< small_step: among the awake bodies, while islands are built
-    Real jolt_mps{0};          ///< small_step: what this step's blows may do to its speed
+    Jolt jolt{};               ///< small_step
     Real radius_m{0};          ///< of the farthest point from the centre of mass
     Real touch_m{0};           ///< points count as near up to this distance
 
@@ -188,12 +188,12 @@ struct PhysicsWorld::Impl {
     std::vector<JointId> broken_joints;  ///< by the latest step
     bool bullet_joints{true};            ///< joints are Bullet's constraints, not an island's rows
     std::size_t event_bodies{0};         ///< how many bodies asked for contact events
+    bool events_asleep{false};           ///< small_step: all that is listed sleeps
 
     StepCost cost{};
     FeatureUse use{};
     std::vector<ContactEvent> events;
-    std::vector<ContactEvent> gathered;               ///< of the running step, not yet merged
-    std::vector<std::pair<BodyId, BodyId>> touching;  ///< event pairs of the step before
+    std::vector<ContactEvent> gathered;  ///< of the running step, not yet merged
 
     // --- world_rebuild.cpp
     void check_def() const;
@@ -212,7 +212,7 @@ struct PhysicsWorld::Impl {
     void each_moving(Fn&& fn);
     void gather_events(bool all, std::vector<ContactEvent>& out) const;
     void finish_events();
-    bool sleeps_on(const std::pair<BodyId, BodyId>& pair) const;
+    bool sleeps_on(const ContactEvent& event) const;
 
     // --- world_joints.cpp
     /// Why there can be no such joint; empty: there can.

@@ -35,7 +35,7 @@ void SmallStepWorld::look_at(BodyRecord& body) {
         if (pair.seen != walk_) {
             pair.seen = walk_;
             if (boxes_overlap(pair)) {
-                look(pair, 0);
+                look(pair);
                 if (pair.touches) met_.push_back(&pair);
             } else {
                 if (pair.touches) meeting_.part(pair);
@@ -49,23 +49,22 @@ void SmallStepWorld::look_at(BodyRecord& body) {
     }
 }
 
-void SmallStepWorld::look(Pair& pair, btScalar jolt_mps) {
+void SmallStepWorld::look(Pair& pair) {
     ++cost.pairs;
-    meeting_.meet(pair, meeting_.reach_of(pair, jolt_mps), jolt_mps);
+    meeting_.meet(pair);
     if (!pair.touches) return;
     if (sleeps(*pair.a)) wake(*pair.a);
     if (sleeps(*pair.b)) wake(*pair.b);
     const Blow blow = meeting_.blow_of(pair);
-    strike(*pair.a, blow.to_a_mps);
-    strike(*pair.b, blow.to_b_mps);
+    strike(*pair.a, blow.on_a);
+    strike(*pair.b, blow.on_b);
 }
 
-/// A body that is about to be stopped or knocked away may meet others than those it moves towards.
-void SmallStepWorld::strike(BodyRecord& record, btScalar change_mps) {
-    if (change_mps <= record.jolt_mps) return;
-    if (record.jolt_mps == 0 || std::find(struck_.begin(), struck_.end(), &record) == struck_.end())
-        struck_.push_back(&record);
-    record.jolt_mps = change_mps;
+/// Every body hands its blow on once.
+void SmallStepWorld::strike(BodyRecord& record, const Jolt& blow) {
+    if (record.jolt.spread || blow.change_mps.length2() <= record.jolt.change_mps.length2()) return;
+    if (record.jolt.change_mps.isZero()) struck_.push_back(&record);
+    record.jolt = blow;
 }
 
 /// Looks again, farther, at the pairs of bodies that were struck. Whether any was.
@@ -73,13 +72,13 @@ bool SmallStepWorld::spread_blows() {
     if (struck_.empty()) return false;
     met_in_order_ = false;
     for (int round = 0; round < kBlowRounds && !struck_.empty(); ++round) {
-        std::vector<BodyRecord*> now;
-        std::swap(now, struck_);
-        std::sort(now.begin(), now.end(), by_id);
-        for (BodyRecord* record : now) {
+        std::swap(spreading_, struck_);
+        struck_.clear();
+        std::sort(spreading_.begin(), spreading_.end(), by_id);
+        for (BodyRecord* record : spreading_) record->jolt.spread = true;
+        for (BodyRecord* record : spreading_) {
             for (Pair* pair : record->pairs) {
-                const btScalar jolt = pair->a->jolt_mps + pair->b->jolt_mps;
-                if (jolt > pair->jolt_mps && boxes_overlap(*pair)) look(*pair, jolt);
+                if (boxes_overlap(*pair) && meeting_.knows_less(*pair)) look(*pair);
             }
         }
     }

@@ -24,7 +24,7 @@ void note_before(BodyRecord& record) {
     record.before = record.rigid->getWorldTransform();
     record.velocity_before = record.rigid->getLinearVelocity();
     record.spin_before = record.rigid->getAngularVelocity();
-    record.jolt_mps = 0;
+    record.jolt = {};
 }
 
 }  // namespace

@@ -75,8 +75,8 @@ private:
 
     void meet_pairs();
     void look_at(BodyRecord& body);
-    void look(Pair& pair, btScalar jolt_mps);
-    void strike(BodyRecord& record, btScalar change_mps);
+    void look(Pair& pair);
+    void strike(BodyRecord& record, const Jolt& blow);
     bool spread_blows();
     void list_touching();
     void list_joints();
@@ -106,6 +106,7 @@ private:
     bool met_in_order_{true};
     std::vector<Pair*> met_;  ///< with points
     std::vector<BodyRecord*> struck_;
+    std::vector<BodyRecord*> spreading_;
     std::vector<btPersistentManifold*> touching_;
     std::vector<JointRecord*> joined_;
     std::vector<BodyRecord*> turning_;

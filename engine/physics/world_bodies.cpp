@@ -329,6 +329,7 @@ void PhysicsWorld::set_contact_events(BodyId id, bool listed) {
     if (record.contact_events == listed) return;
     record.contact_events = listed;
     listed ? ++impl_->event_bodies : --impl_->event_bodies;
+    impl_->events_asleep = false;
 }
 
 }  // namespace plumbline::physics

@@ -4,7 +4,6 @@
 #include "engine/physics/small_step_world_impl.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace plumbline::physics {
 namespace {
@@ -118,33 +117,39 @@ void PhysicsWorld::Impl::gather_events(bool all, std::vector<ContactEvent>& out)
     }
 }
 
-/// Whether the pair is still there and neither body moved: then it touches as it did.
-bool PhysicsWorld::Impl::sleeps_on(const std::pair<BodyId, BodyId>& pair) const {
-    const auto* a = bodies.find(pair.first);
-    const auto* b = bodies.find(pair.second);
-    return a != nullptr && b != nullptr && !(*a)->awake && !(*b)->awake && (*a)->in_world &&
-           (*b)->in_world;
+/// Whether the pair sleeps and is still asked for: then it touches as it did.
+bool PhysicsWorld::Impl::sleeps_on(const ContactEvent& event) const {
+    const auto* a = bodies.find(event.a);
+    const auto* b = bodies.find(event.b);
+    if (a == nullptr || b == nullptr) return false;
+    return !(*a)->awake && !(*b)->awake && (*a)->in_world && (*b)->in_world &&
+           ((*a)->contact_events || (*b)->contact_events);
 }
 
 void PhysicsWorld::Impl::finish_events() {
-    if (small && small->touching().empty()) return;  // who touched sleeps on
+    const bool idle = small && small->idle();
+    if (idle && events_asleep) return;  // nothing that was listed changed
+    events_asleep = idle;
+    std::vector<ContactEvent> before = std::move(events);
     events = merged(std::move(gathered));
     gathered.clear();
+    const auto earlier = [](const ContactEvent& x, const ContactEvent& y) {
+        return pair_of(x) < pair_of(y);
+    };
     for (ContactEvent& event : events) {
-        event.began = !std::binary_search(touching.begin(), touching.end(), pair_of(event));
+        event.began = !std::binary_search(before.begin(), before.end(), event, earlier);
     }
-    std::vector<std::pair<BodyId, BodyId>> now;
-    for (const ContactEvent& event : events) now.push_back(pair_of(event));
-    if (small) {
-        const auto listed = static_cast<std::ptrdiff_t>(now.size());
-        std::copy_if(
-            touching.begin(), touching.end(), std::back_inserter(now), [&](const auto& pair) {
-                return sleeps_on(pair) &&
-                       !std::binary_search(now.begin(), now.begin() + listed, pair);
-            });
-        std::inplace_merge(now.begin(), now.begin() + listed, now.end());
+    if (!small) return;
+    const auto listed = static_cast<std::ptrdiff_t>(events.size());
+    for (ContactEvent& event : before) {
+        if (!sleeps_on(event)) continue;
+        if (std::binary_search(events.begin(), events.begin() + listed, event, earlier)) continue;
+        event.closing_speed_mps = 0;
+        event.sliding_speed_mps = 0;
+        event.began = false;
+        events.push_back(event);
     }
-    touching = std::move(now);
+    std::inplace_merge(events.begin(), events.begin() + listed, events.end(), earlier);
 }
 
 std::vector<ContactEvent> PhysicsWorld::all_contacts() const {

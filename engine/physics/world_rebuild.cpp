@@ -183,7 +183,7 @@ void PhysicsWorld::reconfigure(const WorldDef& def) {
     impl.def = def;
     impl.check_def();
     impl.build_engine();
-    impl.touching.clear();
+    impl.events.clear();
 
     auto kept = states.begin();
     impl.bodies.each([&](BodyId id, std::unique_ptr<BodyRecord>& record) {

@@ -104,7 +104,6 @@ void PhysicsWorld::step() {
     impl.cost = {};
     impl.use = {};
     impl.gathered.clear();
-    impl.events.clear();
     const bool want_contacts = impl.features.contact_events && impl.event_bodies > 0;
     if (impl.small)
         impl.advance_small(want_contacts);
@@ -113,7 +112,7 @@ void PhysicsWorld::step() {
     if (want_contacts)
         impl.finish_events();
     else
-        impl.touching.clear();
+        impl.events.clear();
     impl.use.events = static_cast<std::uint32_t>(impl.events.size());
     impl.cost.total_ms = (thread_cpu_s() - started_s) * 1e3;
 }

@@ -1,4 +1,5 @@
 // Who is awake, and what wakes whom.
+#include "engine/physics/pair_dispatch_impl.h"
 #include "engine/physics/physics_world_impl.h"
 #include "engine/physics/small_step_world_impl.h"
 
@@ -9,12 +10,8 @@ namespace {
 
 /// Points that were found before the material changed hold numbers of the old one.
 void combine_anew(btPersistentManifold& manifold) {
-    const btCollisionObject* a = manifold.getBody0();
-    const btCollisionObject* b = manifold.getBody1();
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
-        btManifoldPoint& point = manifold.getContactPoint(i);
-        point.m_combinedFriction = btManifoldResult::calculateCombinedFriction(a, b);
-        point.m_combinedRestitution = btManifoldResult::calculateCombinedRestitution(a, b);
+        combine_materials(manifold, manifold.getContactPoint(i));
     }
 }
 
