@@ -65,6 +65,10 @@ public:
         }
         return mean;
     }
+    std::optional<SubstepsGiven> given() const {
+        if (island_bodies_ <= 0) return {};
+        return SubstepsGiven{island_substeps_ / island_bodies_, most_substeps_};
+    }
     bool has_phases() const { return counts_phases_; }
 
     std::vector<Metric> metrics() const {
@@ -98,6 +102,12 @@ private:
             asleep_from_s_ = now_s;
         }
         if (!meter_ || !due) return;
+        for (const physics::IslandReport& island : world_->islands()) {
+            const double bodies{static_cast<double>(island.bodies)};
+            island_bodies_ += bodies;
+            island_substeps_ += bodies * island.substeps;
+            most_substeps_ = std::max(most_substeps_, island.substeps);
+        }
         world_->read(views_);
         meter_->sample(now_s, views_);
     }
@@ -120,6 +130,9 @@ private:
     double asleep_from_s_{0};
     double asleep_cpu_s_{0};
     long asleep_steps_{0};
+    double island_bodies_{0};
+    double island_substeps_{0};
+    int most_substeps_{0};
 };
 
 double median_of(std::vector<double> values) {
@@ -157,7 +170,10 @@ Result<Done> run_round(const PeerScene& scene,
         times[i].ms.push_back(lanes[i].ms_per_frame());
         if (results.front().variant.bare)
             times[i].ratios.push_back(lanes[i].ms_per_frame() / lanes.front().ms_per_frame());
-        if (first) results[i].metrics = lanes[i].metrics();
+        if (first) {
+            results[i].metrics = lanes[i].metrics();
+            results[i].given = lanes[i].given();
+        }
         if (lanes[i].has_phases()) results[i].phases = lanes[i].phases();
     }
     return Done{};

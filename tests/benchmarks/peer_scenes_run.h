@@ -32,12 +32,19 @@ struct Phases {
     double other{0};
 };
 
+/// Sub-steps that islands got, of the steps that were looked at.
+struct SubstepsGiven {
+    double mean{0};  ///< over bodies
+    int most{0};
+};
+
 struct VariantResult {
     Variant variant;
     double ms_per_frame{0};         ///< median of the rounds
     std::optional<double> ratio{};  ///< to bare, median of the rounds
     double ratio_min{0};
     double ratio_max{0};
+    std::optional<SubstepsGiven> given{};
     std::optional<Phases> phases{};  ///< of the last round
     std::vector<Metric> metrics;     ///< of the first round
 };

@@ -115,6 +115,9 @@ public:
     }
     bool all_asleep() const override { return simulation_->physics.awake_count() == 0; }
     const physics::StepCost* cost() const override { return &simulation_->physics.cost(); }
+    std::span<const physics::IslandReport> islands() const override {
+        return simulation_->physics.islands();
+    }
 
 private:
     const PeerScene& scene_;

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,8 @@ public:
     virtual bool all_asleep() const = 0;
     /// Of the latest step; null where nobody counts.
     virtual const physics::StepCost* cost() const { return nullptr; }
+    /// Sub-steps by island in the latest step; empty where nobody says.
+    virtual std::span<const physics::IslandReport> islands() const { return {}; }
 
 protected:
     SteppedWorld() = default;
