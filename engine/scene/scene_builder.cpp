@@ -147,6 +147,10 @@ Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& des
         const Result<Done> made = build_array(array, simulation->builder());
         if (!made) return made.error();
     }
+    for (const JointDescription& joint : description.joints) {
+        const Result<Done> made = simulation->add_joint(joint);
+        if (!made) return made.error();
+    }
     warn_of_overlaps(*simulation);
     warn_of_lights(*simulation);
     if (description.frames_everything) frame_everything(*simulation);

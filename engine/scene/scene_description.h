@@ -6,6 +6,7 @@
 #include "engine/core/math.h"
 #include "engine/core/pose.h"
 #include "engine/physics/body.h"
+#include "engine/physics/joint.h"
 #include "engine/physics/physics_world.h"
 #include "engine/physics/shape.h"
 
@@ -30,9 +31,11 @@ std::string to_string(const Origin& origin);
 struct Accuracy {
     std::string preset{"balanced"};  ///< draft | balanced | precise | reference | auto
     int step_hz{60};
-    int substeps{1};
-    int iterations{10};
-    physics::Solver solver{physics::Solver::BulletSi};
+    // What the file says itself; the rest is the preset's (accuracy.h).
+    std::optional<int> substeps{};      ///< alone: exactly so many
+    std::optional<int> substeps_max{};  ///< small_step: an island gets from `substeps` to these
+    std::optional<int> iterations{};
+    physics::Solver solver{physics::Solver::SmallStep};
     std::optional<double> tolerance{};
 };
 
@@ -184,9 +187,8 @@ struct ArrayDescription {
     Vec3 spacing_m{1, 1, 1};
 };
 
-enum class JointKind : std::uint8_t { Ball, Hinge, Slider, Fixed, Cone, Distance, Spring };
+using physics::JointKind;
 
-/// Parsed and checked now; built when joints exist.
 struct JointDescription {
     std::string name;
     JointKind kind{JointKind::Ball};
@@ -196,7 +198,8 @@ struct JointDescription {
     Vec3 anchor_b_m{0, 0, 0};
     Vec3 axis{0, 1, 0};
     std::optional<std::array<Real, 2>> limits{};  ///< rad or m
-    std::optional<std::array<Real, 2>> motor{};   ///< target, max
+    std::optional<std::array<Real, 2>> twist{};   ///< rad
+    std::optional<physics::JointMotor> motor{};
     Real stiffness_Npm{0};
     Real damping_Nspm{0};
     std::optional<Real> rest_length_m{};

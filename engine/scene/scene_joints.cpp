@@ -1,4 +1,5 @@
-// [[joint]]: read and checked; built when the physics module has joints.
+// [[joint]]: read and checked.
+#include "engine/core/limits.h"
 #include "engine/core/nearest_name.h"
 #include "engine/scene/scene_names.h"
 #include "engine/scene/scene_parts.h"
@@ -115,21 +116,49 @@ std::optional<std::array<Real, 2>> read_pair(TableReader& table,
     return std::array<Real, 2>{static_cast<Real>(*low), static_cast<Real>(*high)};
 }
 
+/// A lower and an upper bound, as the file writes them.
+std::optional<std::array<Real, 2>> read_bounds(TableReader& table,
+                                               std::string_view key,
+                                               const Range& range) {
+    const auto bounds = read_pair(table, key, range);
+    if (bounds && (*bounds)[0] > (*bounds)[1]) {
+        table.error(
+            key,
+            fmt::format("{} is above {}; expected [lower, upper]", (*bounds)[0], (*bounds)[1]));
+    }
+    return bounds;
+}
+
+void make_radians(std::optional<std::array<Real, 2>>& bounds) {
+    if (!bounds) return;
+    for (Real& bound : *bounds) bound = radians_from_degrees(bound);
+}
+
 void read_limits(TableReader& table, JointDescription& joint) {
     constexpr Range kAngle_deg{-360, 360, "degrees from -360 to 360"};
+    constexpr Range kTwist_deg{-180, 180, "degrees from -180 to 180"};
     constexpr Range kDistance_m{0, 1e4, "a length from 0 to 10000 m"};
     const Range range = turns(joint.kind)                   ? kAngle_deg
                         : joint.kind == JointKind::Distance ? kDistance_m
                                                             : kCoordinate_m;
-    joint.limits = read_pair(table, "limits", range);
-    if (!joint.limits) return;
-    auto& [low, high] = *joint.limits;
-    if (low > high)
-        table.error("limits", fmt::format("{} is above {}; expected [lower, upper]", low, high));
-    if (turns(joint.kind)) {
-        low = radians_from_degrees(low);
-        high = radians_from_degrees(high);
+    joint.limits = read_bounds(table, "limits", range);
+    if (turns(joint.kind)) make_radians(joint.limits);
+    if (joint.kind != JointKind::Cone) return;
+    joint.twist = read_bounds(table, "twist", kTwist_deg);
+    make_radians(joint.twist);
+}
+
+/// One row along a line needs a line.
+void check_length(TableReader& table, const JointDescription& joint) {
+    constexpr double kShortest_m = limits::kSizeMin_m;
+    if (joint.kind != JointKind::Distance || joint.limits) return;
+    if (joint.rest_length_m) {
+        if (static_cast<double>(*joint.rest_length_m) < kShortest_m)
+            table.error("rest_length_m", "too short to keep; use kind = \"ball\"");
+        return;
     }
+    if (glm::distance(Vec3d{joint.anchor_a_m}, Vec3d{joint.anchor_b_m}) < kShortest_m)
+        table.error("anchor_b_m", "the anchors are on one spot; use kind = \"ball\", or limits");
 }
 
 void read_drive(TableReader& table, JointDescription& joint) {
@@ -137,8 +166,8 @@ void read_drive(TableReader& table, JointDescription& joint) {
         constexpr Range kTarget{-1e4, 1e4, "rad/s or m/s from -10000 to 10000"};
         if (!motor->has("target")) motor->error("target", "missing; expected rad/s or m/s");
         if (!motor->has("max")) motor->error("max", "missing; expected N m or N");
-        joint.motor = std::array<Real, 2>{motor->number("target", Real{0}, kTarget),
-                                          motor->number("max", Real{0}, kForce)};
+        joint.motor = physics::JointMotor{.target = motor->number("target", Real{0}, kTarget),
+                                          .max = motor->number("max", Real{0}, kForce)};
         motor->finish();
     }
     joint.stiffness_Npm = table.number("stiffness_Npm", Real{0}, kForce);
@@ -161,6 +190,7 @@ void warn_of_unused(TableReader& table, JointKind kind) {
     if (!has_axis(kind)) unused("axis");
     if (!has_limits(kind)) unused("limits");
     if (!has_motor(kind)) unused("motor");
+    if (kind != JointKind::Cone) unused("twist");
     if (has_two_anchors(kind)) {
         unused("anchor_m");
     } else {
@@ -188,6 +218,7 @@ JointDescription read_joint(TableReader& table, const SceneNames& names) {
     joint.axis = Vec3(table.direction("axis", Vec3d(joint.axis)));
     read_limits(table, joint);
     read_drive(table, joint);
+    if (a.good && b.good) check_length(table, joint);
     if (joint.kind == JointKind::Spring && !table.has("stiffness_Npm"))
         table.error("stiffness_Npm", "missing; expected N per m");
     warn_of_unused(table, joint.kind);
@@ -202,7 +233,6 @@ void read_joints(TableReader& root, SceneDescription& scene, LoadContext& contex
     if (nodes.empty()) return;
     const SceneNames names(scene, context);
     std::map<std::string, Place> places;
-    std::vector<std::string> shown_names;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const std::string path = fmt::format("joint[{}]", i);
         TableReader table(nodes[i], path, context.faults);
@@ -215,10 +245,8 @@ void read_joints(TableReader& root, SceneDescription& scene, LoadContext& contex
                                     shown(joint.name),
                                     brief(other->second)));
         }
-        shown_names.push_back(shown(joint.name));
         scene.joints.push_back(std::move(joint));
     }
-    context.note_not_built(nodes.front().place, fmt::format("joints: {}", listed(shown_names)));
 }
 
 }  // namespace plumbline::scene

@@ -18,17 +18,6 @@ constexpr Real kSweptShare = 0.9_r;
 /// Slower turning than this the physics leaves without gyroscopic torque too.
 constexpr Real kSpinning_radps = 1e-3_r;
 
-physics::WorldDef world_def(const SceneDescription& description,
-                            const SimulationOverrides& overrides) {
-    const Accuracy& accuracy = description.accuracy;
-    return {.gravity_mps2 = description.gravity_mps2,
-            .step_s = 1.0 / static_cast<double>(overrides.step_hz.value_or(accuracy.step_hz)),
-            .substeps = overrides.substeps.value_or(accuracy.substeps),
-            .iterations = overrides.iterations.value_or(accuracy.iterations),
-            .solver = overrides.solver.value_or(accuracy.solver),
-            .seed = static_cast<std::uint32_t>(overrides.seed)};
-}
-
 bool is_below(const std::optional<Real>& height_m, const Vec3& position) {
     return height_m && position.y < *height_m;
 }
@@ -98,6 +87,7 @@ void Simulation::step() {
     }
     sync_placements();
     report_quarantined();
+    report_broken_joints();
 }
 
 void Simulation::destroy_marked() {
@@ -203,7 +193,10 @@ std::uint64_t Simulation::state_hash() const {
 }
 
 void Simulation::update_motion_demand() {
-    const auto substep_s = static_cast<Real>(step_s_ / physics.def().substeps);
+    // small_step looks for contacts once a step, bullet_* in each of its parts.
+    const physics::WorldDef& world = physics.def();
+    const int looks = world.solver == physics::Solver::SmallStep ? 1 : world.substeps;
+    const auto substep_s = static_cast<Real>(step_s_ / looks);
     MotionDemand demand;
     // Who is named stays named while it qualifies, so that the callers' list does not flicker.
     const auto name = [](ecs::Entity& named, ecs::Entity before, ecs::Entity entity) {

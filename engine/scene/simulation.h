@@ -8,6 +8,7 @@
 #include "engine/core/result.h"
 #include "engine/ecs/registry.h"
 #include "engine/physics/physics_world.h"
+#include "engine/scene/accuracy.h"
 #include "engine/scene/components.h"
 #include "engine/scene/scene_description.h"
 #include "engine/scene/surfaces.h"
@@ -24,15 +25,6 @@
 namespace plumbline::scene {
 
 class EntityBuilder;
-
-/// Settings that the command line may put over the scene's own.
-struct SimulationOverrides {
-    std::optional<physics::Solver> solver{};
-    std::optional<int> step_hz{};
-    std::optional<int> substeps{};
-    std::optional<int> iterations{};
-    std::uint64_t seed{1};
-};
 
 /// Live switches that play may flip; effects read them.
 struct LiveSwitches {
@@ -55,6 +47,12 @@ struct MovingBody {
     physics::ContinuousCollision ccd{physics::ContinuousCollision::Auto};
     bool spherical_inertia{true};
     bool awake{true};  ///< after the latest step
+};
+
+/// A joint of the scene file.
+struct SceneJoint {
+    std::string name;
+    physics::JointId joint{};
 };
 
 /// Bodies that need an optional part of the physics in the next step: one of each, or null.
@@ -104,6 +102,12 @@ public:
     /// destroyed since the latest step may still be listed: ask physics.contains().
     std::span<const MovingBody> moving_bodies() const { return moving_; }
 
+    /// In file order. Those whose bodies went are still listed: ask physics.contains().
+    std::span<const SceneJoint> joints() const { return joints_; }
+    /// Joins bodies as the file says. Refused: bodies that are not there, and what
+    /// PhysicsWorld::create_joint() refuses; the message names file and line.
+    Result<Done> add_joint(const JointDescription& description);
+
     const std::vector<std::string>& warnings() const { return warnings_; }
     void add_warning(std::string text) { warnings_.push_back(std::move(text)); }
 
@@ -152,6 +156,8 @@ private:
     void move_along_paths();
     void sync_placements();
     void report_quarantined();
+    void report_broken_joints();
+    Result<physics::BodyId> end_of_joint(const std::string& name) const;
     void forget_destroyed();
 
     SceneDescription description_;
@@ -164,6 +170,7 @@ private:
     std::size_t quarantined_reported_{0};
     bool bodies_destroyed_{false};
     std::vector<MovingBody> moving_;
+    std::vector<SceneJoint> joints_;
     MotionDemand demand_{};
     physics::WorldFeatures features_{};
     std::vector<std::string> warnings_;

@@ -18,7 +18,7 @@ void add_totals(JsonText& json, const Simulation& simulation) {
     json.key("momentum_kgmps").vector(simulation.physics.momentum_kgmps());
     json.key("angular_momentum_kgm2ps").vector(simulation.physics.angular_momentum_kgm2ps());
     json.key("max_penetration_m").number(simulation.physics.max_penetration_m());
-    json.key("max_joint_error_m").number(0.0);
+    json.key("max_joint_error_m").number(simulation.physics.max_joint_error_m());
 }
 
 void add_bodies(JsonText& json, const Simulation& simulation) {
@@ -48,6 +48,39 @@ void add_contacts(JsonText& json, const Simulation& simulation) {
         json.key("a").text(simulation.name_of_mark(contact.user_a));
         json.key("b").text(simulation.name_of_mark(contact.user_b));
         json.key("impulse_Ns").number(contact.impulse_Ns);
+        json.end_object();
+    }
+    json.end_array();
+}
+
+void add_joints(JsonText& json, const Simulation& simulation) {
+    json.key("joints").begin_array();
+    for (const SceneJoint& joint : simulation.joints()) {
+        if (!simulation.physics.contains(joint.joint)) continue;
+        const physics::JointState& state = simulation.physics.joint_state(joint.joint);
+        json.begin_object();
+        json.key("name").text(joint.name);
+        json.key("error_m").number(state.error_m);
+        json.key("force_N").number(state.force_N);
+        json.key("torque_Nm").number(state.torque_Nm);
+        json.key("position").number(state.position);
+        json.key("broken").boolean(state.broken);
+        json.end_object();
+    }
+    json.end_array();
+}
+
+/// Who got how many sub-steps in the latest step, and why. small_step only.
+void add_islands(JsonText& json, const Simulation& simulation) {
+    json.key("islands").begin_array();
+    for (const physics::IslandReport& island : simulation.physics.islands()) {
+        json.begin_object();
+        json.key("first").text(simulation.name_of_mark(island.user));
+        json.key("bodies").number(island.bodies);
+        json.key("contacts").number(island.contacts);
+        json.key("joints").number(island.joints);
+        json.key("substeps").number(island.substeps);
+        json.key("why").text(island.reason);
         json.end_object();
     }
     json.end_array();
@@ -113,7 +146,8 @@ std::string state_json(const Simulation& simulation,
     json.key("time_s").number(simulation.time_s());
     json.key("steps").number(simulation.steps());
     json.key("step_s").number(simulation.step_s());
-    json.key("substeps").number(world.substeps);
+    json.key("substeps").number(physics::most_substeps(simulation.physics));
+    json.key("iterations").number(world.iterations);
     json.key("solver").text(physics::solver_name(world.solver));
     json.key("precision").text(kPrecisionName);
     json.key("hash").text(hex_of(simulation.state_hash()));
@@ -126,7 +160,8 @@ std::string state_json(const Simulation& simulation,
     json.end_array();
     add_bodies(json, simulation);
     add_contacts(json, simulation);
-    json.key("joints").begin_array().end_array();
+    add_joints(json, simulation);
+    add_islands(json, simulation);
     json.key("cost");
     add_cost(json, costs);
     json.key("effects").raw(effects_json);

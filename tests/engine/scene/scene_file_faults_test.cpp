@@ -101,14 +101,14 @@ TEST_F(SceneFileFaults, JointFaults) {
     expect_first(base + "a=\"a\"\nb=\"world\"\nanchor_m=[0,0,0]",
                  "scene.toml:5:1: error: joint[0].kind: missing; expected one of ball, hinge");
     expect_first(base + "kind=\"ball\"\na=\"world\"\nb=\"a\"\nanchor_m=[0,0,0]",
-                 "scene.toml:5:1: warning: checked but not built yet");
+                 "scene.toml:7:3: error: joint[0].a: \"world\" can only be b");
     expect_first(base + "kind=\"spring\"\na=\"a\"\nb=\"world\"\nanchor_b_m=[0,1,0]",
                  "scene.toml:5:1: error: joint[0].stiffness_Npm: missing; expected N per m");
     const Outcome unused =
         load(base + "kind=\"ball\"\na=\"a\"\nb=\"world\"\nanchor_m=[0,0,0]\nlimits=[0,1]");
-    ASSERT_EQ(unused.faults.size(), 2U);
+    ASSERT_EQ(unused.faults.size(), 1U);
     EXPECT_EQ(
-        unused.faults[1],
+        unused.faults[0],
         "scene.toml:10:8: warning: joint[0].limits: a joint of kind ball does not use it; ignored");
     EXPECT_TRUE(unused.scene.ok());
 }

@@ -1,0 +1,61 @@
+// The joints of a running scene: made from their descriptions, reported when they break.
+#include "engine/scene/simulation.h"
+
+#include <fmt/format.h>
+
+namespace plumbline::scene {
+
+Result<physics::BodyId> Simulation::end_of_joint(const std::string& name) const {
+    const ecs::Entity entity = find(name);
+    const BodyRef* ref = entity ? registry.find<BodyRef>(entity) : nullptr;
+    if (ref != nullptr) return ref->body;
+    return Error{fmt::format("\"{}\" has no body to hold on to", name), ExitCode::Refused};
+}
+
+Result<Done> Simulation::add_joint(const JointDescription& description) {
+    const auto refuse = [&description](const std::string& why) {
+        return Error{
+            fmt::format("{}: joint {}: {}", to_string(description.origin), description.name, why),
+            ExitCode::Refused};
+    };
+    const Result<physics::BodyId> a = end_of_joint(description.a);
+    if (!a) return refuse(a.error().message);
+    Result<physics::BodyId> b = physics::BodyId{};
+    if (description.b != "world") b = end_of_joint(description.b);
+    if (!b) return refuse(b.error().message);
+
+    const Result<physics::JointId> made =
+        physics.create_joint({.kind = description.kind,
+                              .a = *a,
+                              .b = *b,
+                              .anchor_a_world = description.anchor_a_m,
+                              .anchor_b_world = description.anchor_b_m,
+                              .axis_world = description.axis,
+                              .limits = description.limits,
+                              .twist_limits = description.twist,
+                              .motor = description.motor,
+                              .stiffness_Npm = description.stiffness_Npm,
+                              .damping_Nspm = description.damping_Nspm,
+                              .rest_length_m = description.rest_length_m,
+                              .collide = description.collide,
+                              .break_N = description.break_N,
+                              .user = joints_.size()});
+    if (!made) return refuse(made.error().message);
+    joints_.push_back({.name = description.name, .joint = *made});
+    return Done{};
+}
+
+void Simulation::report_broken_joints() {
+    for (const physics::JointId joint : physics.broken_joints()) {
+        const physics::JointDef& def = physics.joint_def(joint);
+        // What the game joins carries marks of its own.
+        const bool named = def.user < joints_.size() && joints_[def.user].joint == joint;
+        add_warning(fmt::format("joint {} broke at {:.3f} s: {:.0f} N > {:.0f} N",
+                                named ? joints_[def.user].name : "of the game",
+                                time_s(),
+                                physics.joint_state(joint).force_N,
+                                def.break_N));
+    }
+}
+
+}  // namespace plumbline::scene
