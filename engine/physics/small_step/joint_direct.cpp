@@ -12,6 +12,11 @@ constexpr double kRegularisation = 1e-9;
 constexpr int kRoundsOfAll = 4;
 constexpr int kMostRounds = 16;
 constexpr int kPositionIterations = 2;
+constexpr int kMostPositionIterations = 8;
+/// More than two iterations are made for errors above it.
+constexpr double kGoodError = 1e-7;
+/// ... and rows are made anew when an iteration leaves more than this of the error before it.
+constexpr double kConverging = 0.2;
 /// Errors below it, m or rad, are rounding.
 constexpr double kNoError = 1e-12;
 
@@ -73,6 +78,7 @@ bool settle(JointGroup& group, std::span<JointBound> bounds, int round) {
 
 void DirectJoints::start(const JointGroup& group) {
     matrix_.fit(group.topology->pattern);
+    stiffness_.start(group);
     const std::size_t count = group.rows.size();
     floor_.resize(count);
     x_.resize(count);
@@ -152,11 +158,7 @@ void DirectJoints::push_solution(JointGroup& group, const JointComponent& compon
 
 void DirectJoints::correct_positions(JointGroup& group) {
     hold_positions(group);
-    for (int i = 0; i < kPositionIterations; ++i) {
-        if (gather_errors(group) < kNoError) break;
-        solve_all(group, matrix_);
-        displace(group, true);
-    }
+    converge(group);
     if (group.anything_left_over) {
         // No speed comes of this: it would be given back at another pose, as energy.
         for (std::size_t i = 0; i < group.rows.size(); ++i) {
@@ -168,10 +170,35 @@ void DirectJoints::correct_positions(JointGroup& group) {
         solve_all(group, matrix_);
         displace(group, false);
     }
+    stiffness_.lower(group);
     for (JointBody& body : group.bodies) {
         body.update_inertia();
         body.spin_radps += body.inverse_inertia * body.twisted_in_all_kgm2 / group.substep_s;
         body.twisted_in_all_kgm2 = {0, 0, 0};
+    }
+}
+
+/// Two iterations with rows and factor of before the motion, further ones where errors are large;
+/// where that does not help, with rows at the poses reached.
+void DirectJoints::converge(JointGroup& group) {
+    double before = 0;
+    for (int i = 0; i < kMostPositionIterations; ++i) {
+        const double error = gather_errors(group);
+        if (error < kNoError || (i >= kPositionIterations && error < kGoodError)) return;
+        if (i >= kPositionIterations && error > kConverging * before) {
+            group.collect_totals();
+            for (JointRows& rows : group.rows) rows.refresh(group.bodies);
+            factor(group);
+        }
+        solve_all(group, matrix_);
+        if (i == 0 && stiffness_.raise(group, x_)) {
+            factor(group);
+            gather_errors(group);
+            solve_all(group, matrix_);
+        }
+        displace(group, true);
+        if (i == kPositionIterations - 1 && error * error < kGoodError * before) return;
+        before = error;
     }
 }
 

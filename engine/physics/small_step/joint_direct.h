@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/physics/small_step/block_ldlt.h"
-#include "engine/physics/small_step/joint_group.h"
+#include "engine/physics/small_step/geometric_stiffness.h"
 #include "engine/physics/small_step/joint_spring.h"
 
 namespace plumbline::physics {
@@ -30,9 +30,11 @@ private:
     void hold_positions(JointGroup& group);
     double gather_errors(const JointGroup& group);
     void solve_all(JointGroup& group, const BlockLdlt& matrix);
+    void converge(JointGroup& group);
     void displace(JointGroup& group, bool with_velocities);
     void solve_with_springs(JointGroup& group, std::span<const Vec3d> bias);
 
+    GeometricStiffness stiffness_;
     BlockLdlt matrix_;
     BlockLdlt spring_matrix_;
     std::vector<double> floor_;       // of pivots

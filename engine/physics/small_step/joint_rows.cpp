@@ -86,9 +86,8 @@ JointBody JointBody::of(SolverBody& body) {
     made.inverse_moments = {inverse_or_zero(body.inertia_kgm2.x),
                             inverse_or_zero(body.inertia_kgm2.y),
                             inverse_or_zero(body.inertia_kgm2.z)};
+    made.moments = body.inertia_kgm2;
     made.round = body.round_inertia;
-    const Vec3d& inverse = made.inverse_moments;
-    made.inverse_inertia = {inverse.x, 0, 0, inverse.y, 0, inverse.z};
     return made;
 }
 
@@ -116,7 +115,11 @@ void JointBody::write_pose() const {
 }
 
 void JointBody::update_inertia() {
-    if (round) return;
+    if (!movable) return;
+    if (round) {
+        inverse_inertia = {inverse_moments.x, 0, 0, inverse_moments.y, 0, inverse_moments.z};
+        return;
+    }
     inverse_inertia = in_world(inverse_moments, axes);
     const auto real = [](double value) { return static_cast<Real>(value); };
     body->inverse_inertia = {real(inverse_inertia.xx),
@@ -125,6 +128,13 @@ void JointBody::update_inertia() {
                              real(inverse_inertia.yy),
                              real(inverse_inertia.yz),
                              real(inverse_inertia.zz)};
+}
+
+void JointBody::slow_down(const Vec3d& kept, double duration_s) {
+    const Vec3d slower = axes * (kept * axes.transposed_times(spin_radps));
+    orientation = small_turn((slower - spin_radps) * duration_s) * orientation;
+    axes = rows_of(orientation);
+    spin_radps = slower;
 }
 
 void JointBody::displace() {
@@ -173,8 +183,7 @@ void JointRows::refresh(std::span<const JointBody> bodies) {
     if (kind == NodeKind::Point) {
         arm_a = body_a.axes * anchor_in_a;
         arm_b = body_b.axes * anchor_in_b;
-        response_a = spin_from_impulse(body_a.inverse_inertia, -arm_a);
-        response_b = spin_from_impulse(body_b.inverse_inertia, arm_b);
+        update_responses(bodies);
         return;
     }
     switch (kind) {
@@ -194,8 +203,19 @@ void JointRows::refresh(std::span<const JointBody> bodies) {
             refresh_swing(body_a, body_b);
             break;
     }
-    response_a = inertia_times_transposed(body_a.inverse_inertia, angular_a);
-    response_b = inertia_times_transposed(body_b.inverse_inertia, angular_b);
+    update_responses(bodies);
+}
+
+void JointRows::update_responses(std::span<const JointBody> bodies) {
+    const Symmetric3& inertia_a = bodies[a].inverse_inertia;
+    const Symmetric3& inertia_b = bodies[b].inverse_inertia;
+    if (kind == NodeKind::Point) {
+        response_a = spin_from_impulse(inertia_a, -arm_a);
+        response_b = spin_from_impulse(inertia_b, arm_b);
+        return;
+    }
+    response_a = inertia_times_transposed(inertia_a, angular_a);
+    response_b = inertia_times_transposed(inertia_b, angular_b);
 }
 
 void JointRows::refresh_across(const JointBody& body_a, const JointBody& body_b) {

@@ -24,7 +24,8 @@ struct JointBody {
     Vec3d twisted_kgm2{0, 0, 0};
     Vec3d twisted_in_all_kgm2{0, 0, 0};
 
-    Vec3d inverse_moments{0, 0, 0};  ///< body axes
+    Vec3d moments{0, 0, 0};          ///< body axes
+    Vec3d inverse_moments{0, 0, 0};  ///< of what joints feel: geometric_stiffness.h
     bool round{true};
     bool movable{false};
     SolverBody* body{nullptr};
@@ -37,6 +38,8 @@ struct JointBody {
     void write_pose() const;
     /// The world inertia at the pose.
     void update_inertia();
+    /// Leaves these shares of the spin about the body's axes, in the way since `duration_s` too.
+    void slow_down(const Vec3d& kept, double duration_s);
     /// Moves by what pushed and twisted say.
     void displace();
     Vec3d velocity_at(const Vec3d& arm) const { return velocity_mps + glm::cross(spin_radps, arm); }
@@ -72,6 +75,8 @@ struct JointRows {
     static JointRows of(const JointNode& node, const SolverJoint& joint);
     /// Arms, J and responses at the bodies' poses.
     void refresh(std::span<const JointBody> bodies);
+    /// What impulses do to the spins, after the bodies' inertia changed.
+    void update_responses(std::span<const JointBody> bodies);
     /// Errors of the rows at the bodies' poses; of bounded rows, the position.
     Vec3d errors(std::span<const JointBody> bodies) const;
     /// J v, of all rows whether active or not.
