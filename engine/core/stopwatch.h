@@ -20,10 +20,11 @@ private:
     double start_s_;
 };
 
-/// CPU milliseconds of the calling thread, lap after lap.
+/// Milliseconds on the wall, lap after lap: thirty times cheaper to read than a thread's CPU time,
+/// which would be half the cost of a step with one body.
 class LapTimer {
 public:
-    void start() { start_s_ = thread_cpu_s(); }
+    void start() { start_s_ = wall_s(); }
     double lap_ms() {
         const double lap_start_s = start_s_;
         start();

@@ -10,31 +10,52 @@ namespace {
 
 /// A side of cylinders is round only where it is touched across their axis.
 constexpr btScalar kAcrossAxis = btScalar(0.02);
+/// How fast the lasting load follows what a step carried, down and up: blows hardly count.
+constexpr Real kFallShare = 0.25_r;
+constexpr Real kRiseShare = 0.02_r;
+constexpr std::uint32_t kKnown_steps = 10;  ///< fewer say more of the first blow
 
-/// The radius with which a shape touches along `normal_world`: of balls, capsules and the sides of
-/// cylinders; 0 for all else.
-Real rounding_of(const btCollisionObject& object, int child, const btVector3& normal_world) {
+/// A rounded side: the ball that touches. Radius 0 for all sides that are not.
+struct Rounding {
+    Real radius_m{0};
+    btVector3 center{0, 0, 0};  ///< world
+};
+
+/// Balls, capsules and the sides of cylinders. The centre is put on the shape's own centre or axis:
+/// contact points are known to a few micrometres only, and a ball pressed beside its centre turns.
+Rounding rounding_of(const btCollisionObject& object,
+                     int child,
+                     const btVector3& on_surface,
+                     const btVector3& outward) {
     const btCollisionShape* shape = object.getCollisionShape();
-    btMatrix3x3 basis = object.getWorldTransform().getBasis();
+    btTransform at = object.getWorldTransform();
     if (shape->isCompound()) {
         const auto& compound = static_cast<const btCompoundShape&>(*shape);
         if (compound.getNumChildShapes() == 1) child = 0;
-        if (child < 0 || child >= compound.getNumChildShapes()) return 0;
+        if (child < 0 || child >= compound.getNumChildShapes()) return {};
         shape = compound.getChildShape(child);
-        basis *= compound.getChildTransform(child).getBasis();
+        at *= compound.getChildTransform(child);
     }
+    const auto on_axis = [&](int up, Real radius_m) {
+        const btVector3 axis = at.getBasis().getColumn(up);
+        const btVector3 near = on_surface - outward * radius_m;
+        return Rounding{radius_m, at.getOrigin() + axis * axis.dot(near - at.getOrigin())};
+    };
     switch (shape->getShapeType()) {
         case SPHERE_SHAPE_PROXYTYPE:
-            return static_cast<const btSphereShape*>(shape)->getRadius();
-        case CAPSULE_SHAPE_PROXYTYPE:
-            return static_cast<const btCapsuleShape*>(shape)->getRadius();
+            return {static_cast<const btSphereShape*>(shape)->getRadius(), at.getOrigin()};
+        case CAPSULE_SHAPE_PROXYTYPE: {
+            const auto& capsule = static_cast<const btCapsuleShape&>(*shape);
+            return on_axis(capsule.getUpAxis(), capsule.getRadius());
+        }
         case CYLINDER_SHAPE_PROXYTYPE: {
             const auto& cylinder = static_cast<const btCylinderShape&>(*shape);
-            const btVector3 axis = basis.getColumn(cylinder.getUpAxis());
-            return std::abs(axis.dot(normal_world)) < kAcrossAxis ? cylinder.getRadius() : Real{0};
+            const btVector3 axis = at.getBasis().getColumn(cylinder.getUpAxis());
+            if (std::abs(axis.dot(outward)) >= kAcrossAxis) return {};
+            return on_axis(cylinder.getUpAxis(), cylinder.getRadius());
         }
         default:
-            return 0;
+            return {};
     }
 }
 
@@ -50,16 +71,27 @@ void ContactBridge::begin_step() {
     entries_.clear();
 }
 
-void ContactBridge::start_block(const btManifoldPoint& from,
-                                const btCollisionObject& object_a,
-                                const btCollisionObject& object_b,
-                                ContactBlock& block) const {
-    const btVector3& normal = from.m_normalWorldOnB;
-    block.normal = from_bullet(normal);
-    block.radius_a = rounding_of(object_a, from.m_index0, normal);
-    block.radius_b = rounding_of(object_b, from.m_index1, normal);
+void ContactBridge::begin_island() {
+    entries_.clear();
+    island_loads_ = loads_.size();
+}
+
+const ContactBridge::PairLoad* ContactBridge::last_load(
+    const btPersistentManifold& manifold) const {
+    const auto slot = static_cast<std::size_t>(std::max(manifold.m_companionIdA, 0));
+    if (slot >= last_loads_.size() || last_loads_[slot].manifold != &manifold) return nullptr;
+    return &last_loads_[slot];
+}
+
+Real ContactBridge::lasting_load_N(const btPersistentManifold& manifold) const {
+    const PairLoad* last = last_load(manifold);
+    return last != nullptr && last->age >= kKnown_steps ? last->lasting_N : Real{0};
+}
+
+void ContactBridge::start_block(const btManifoldPoint& from, ContactBlock& block) const {
+    block.normal = from_bullet(from.m_normalWorldOnB);
     btVector3 tangent[2];
-    btPlaneSpace1(normal, tangent[0], tangent[1]);
+    btPlaneSpace1(from.m_normalWorldOnB, tangent[0], tangent[1]);
     block.tangent[0] = from_bullet(tangent[0]);
     block.tangent[1] = from_bullet(tangent[1]);
     block.friction = from.m_combinedFriction;
@@ -82,20 +114,24 @@ void ContactBridge::add(btPersistentManifold& manifold,
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
         btManifoldPoint& from = manifold.getContactPoint(i);
         const btVector3& normal = from.m_normalWorldOnB;
+        const btVector3& on_a = from.getPositionWorldOnA();
+        const btVector3& on_b = from.getPositionWorldOnB();
+        const Rounding ball_a = rounding_of(object_a, from.m_index0, on_a, -normal);
+        const Rounding ball_b = rounding_of(object_b, from.m_index1, on_b, normal);
         if (i == 0 || contacts.blocks.back().normal != from_bullet(normal)) {
             ContactBlock& block = contacts.blocks.emplace_back();
             block.a = a;
             block.b = b;
-            start_block(from, object_a, object_b, block);
+            block.radius_a = ball_a.radius_m;
+            block.radius_b = ball_b.radius_m;
+            start_block(from, block);
         }
         ContactBlock& block = contacts.blocks.back();
         const auto at = static_cast<std::size_t>(block.count);
-        set_lane(block.offset_a,
-                 block.count,
-                 from_bullet(from.getPositionWorldOnA() + normal * block.radius_a - center_a));
-        set_lane(block.offset_b,
-                 block.count,
-                 from_bullet(from.getPositionWorldOnB() - normal * block.radius_b - center_b));
+        const btVector3 offset_a = (ball_a.radius_m > 0 ? ball_a.center : on_a) - center_a;
+        const btVector3 offset_b = (ball_b.radius_m > 0 ? ball_b.center : on_b) - center_b;
+        set_lane(block.offset_a, block.count, from_bullet(offset_a));
+        set_lane(block.offset_b, block.count, from_bullet(offset_b));
         block.start_separation_m[at] = from.getDistance();
         block.normal_Ns[at] = from.m_appliedImpulse * h;
         block.tangent_Ns[0] += from.m_appliedImpulseLateral1 * h;
@@ -108,8 +144,12 @@ void ContactBridge::add(btPersistentManifold& manifold,
                             .load = static_cast<std::uint32_t>(loads_.size())});
     }
     carry_over(manifold, h, contacts, first_block, first_entry);
+    const PairLoad* last = last_load(manifold);
+    PairLoad load{.manifold = &manifold};
+    if (last != nullptr) load.lasting_N = last->lasting_N;
+    if (last != nullptr) load.age = last->age;
     manifold.m_companionIdA = static_cast<int>(loads_.size());
-    loads_.push_back({.manifold = &manifold});
+    loads_.push_back(load);
 }
 
 void ContactBridge::carry_over(btPersistentManifold& manifold,
@@ -117,10 +157,10 @@ void ContactBridge::carry_over(btPersistentManifold& manifold,
                                ContactSet& contacts,
                                std::size_t first_block,
                                std::size_t first_entry) const {
-    const auto slot = static_cast<std::size_t>(std::max(manifold.m_companionIdA, 0));
-    if (slot >= last_loads_.size() || last_loads_[slot].manifold != &manifold) return;
-    Real lost_N = last_loads_[slot].normal_N;
-    Vec3 lost_friction_N = last_loads_[slot].friction_N;
+    const PairLoad* last = last_load(manifold);
+    if (last == nullptr) return;
+    Real lost_N = last->normal_N;
+    Vec3 lost_friction_N = last->friction_N;
     int fresh = 0;
     for (std::size_t i = first_entry; i < entries_.size(); ++i) {
         const btManifoldPoint& point = *entries_[i].point;
@@ -158,6 +198,13 @@ void ContactBridge::write_back(const ContactSet& contacts, Real h) {
         load.normal_N += point.m_appliedImpulse;
         load.friction_N += block.tangent[0] * point.m_appliedImpulseLateral1 +
                            block.tangent[1] * point.m_appliedImpulseLateral2;
+    }
+    for (std::size_t i = island_loads_; i < loads_.size(); ++i) {
+        PairLoad& load = loads_[i];
+        ++load.age;
+        const bool first = load.age == 1;
+        const Real share = first ? 1 : load.normal_N < load.lasting_N ? kFallShare : kRiseShare;
+        load.lasting_N += share * (load.normal_N - load.lasting_N);
     }
 }
 

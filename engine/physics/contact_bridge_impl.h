@@ -18,7 +18,7 @@ public:
     /// Before the islands of a step.
     void begin_step();
     /// Before one island.
-    void begin_island() { entries_.clear(); }
+    void begin_island();
     /// Appends the manifold's blocks. `a`, `b`: the bodies' places in the island; `h`: sub-step, s.
     void add(btPersistentManifold& manifold,
              std::uint32_t a,
@@ -27,6 +27,9 @@ public:
              ContactSet& contacts);
     /// Impulses and totals back to the points.
     void write_back(const ContactSet& contacts, Real h);
+
+    /// What the pair goes on carrying between blows; 0 while it is new.
+    Real lasting_load_N(const btPersistentManifold& manifold) const;
 
     /// Contact points added since begin_island().
     std::uint32_t point_count() const { return static_cast<std::uint32_t>(entries_.size()); }
@@ -42,13 +45,13 @@ private:
     struct PairLoad {
         const btPersistentManifold* manifold{nullptr};
         Real normal_N{0};
+        Real lasting_N{0};  ///< what it goes on carrying between blows
         Vec3 friction_N{0, 0, 0};
+        std::uint32_t age{0};  ///< steps
     };
 
-    void start_block(const btManifoldPoint& from,
-                     const btCollisionObject& object_a,
-                     const btCollisionObject& object_b,
-                     ContactBlock& block) const;
+    const PairLoad* last_load(const btPersistentManifold& manifold) const;
+    void start_block(const btManifoldPoint& from, ContactBlock& block) const;
     void carry_over(btPersistentManifold& manifold,
                     Real h,
                     ContactSet& contacts,
@@ -58,6 +61,7 @@ private:
     std::vector<Entry> entries_;
     std::vector<PairLoad> last_loads_;
     std::vector<PairLoad> loads_;
+    std::size_t island_loads_{0};  ///< where the island's own begin in loads_
 };
 
 }  // namespace plumbline::physics

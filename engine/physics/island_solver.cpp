@@ -30,7 +30,7 @@ SymmetricMat3 symmetric(const btMatrix3x3& m) {
         .xx = m[0][0], .xy = m[0][1], .xz = m[0][2], .yy = m[1][1], .yz = m[1][2], .zz = m[2][2]};
 }
 
-SolverBody kinematic_body(const BodyRecord& record) {
+SolverBody immovable_body(const BodyRecord& record) {
     SolverBody body;
     body.velocity_mps = from_bullet(record.rigid->getLinearVelocity());
     body.spin_radps = from_bullet(record.rigid->getAngularVelocity());
@@ -41,7 +41,7 @@ SolverBody kinematic_body(const BodyRecord& record) {
 
 SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double h) {
     const btRigidBody& rigid = *record.rigid;
-    SolverBody body = kinematic_body(record);
+    SolverBody body = immovable_body(record);
     body.inverse_mass = rigid.getInvMass();
     body.inverse_inertia = symmetric(rigid.getInvInertiaTensorWorld());
     body.inertia_kgm2 = record.inertia_kgm2;
@@ -77,6 +77,7 @@ struct IslandSolver::Impl {
     void gather(Island& island, const IslandStep& step, double h);
 
     std::uint32_t index_of(const btCollisionObject& object);
+    std::uint32_t posed_index_of(const btCollisionObject& object);
     void add_body(BodyRecord& record, const SolverBody& body);
     void add_joint(const JointRecord& joint);
     void write_bodies();
@@ -95,19 +96,25 @@ void IslandSolver::Impl::add_body(BodyRecord& record, const SolverBody& body) {
 /// Kinematic bodies that move join the island when something of it touches them.
 std::uint32_t IslandSolver::Impl::index_of(const btCollisionObject& object) {
     if (object.getCompanionId() >= 0) return static_cast<std::uint32_t>(object.getCompanionId());
-    BodyRecord& record = record_of(object);
-    if (record.kind != BodyKind::Kinematic) return kWorldBody;
-    const btRigidBody& rigid = *record.rigid;
-    if (rigid.getLinearVelocity().isZero() && rigid.getAngularVelocity().isZero())
+    const btRigidBody& rigid = *record_of(object).rigid;
+    if (record_of(object).kind != BodyKind::Kinematic ||
+        (rigid.getLinearVelocity().isZero() && rigid.getAngularVelocity().isZero())) {
         return kWorldBody;
-    add_body(record, kinematic_body(record));
+    }
+    return posed_index_of(object);
+}
+
+/// A joint's anchor is in its body's frame: bodies that stand still have a place of their own too.
+std::uint32_t IslandSolver::Impl::posed_index_of(const btCollisionObject& object) {
+    BodyRecord& record = record_of(object);
+    if (object.getCompanionId() < 0) add_body(record, immovable_body(record));
     return static_cast<std::uint32_t>(object.getCompanionId());
 }
 
 void IslandSolver::Impl::add_joint(const JointRecord& joint) {
     SolverJoint entry = joint.solver;
-    entry.a = index_of(*joint.a->rigid);
-    entry.b = joint.b != nullptr ? index_of(*joint.b->rigid) : kWorldBody;
+    entry.a = posed_index_of(*joint.a->rigid);
+    entry.b = joint.b != nullptr ? posed_index_of(*joint.b->rigid) : kWorldBody;
     loop.joints.push_back(entry);
 }
 
@@ -148,7 +155,7 @@ void IslandSolver::begin_step() {
     impl_->bridge.begin_step();
 }
 
-/// What the contacts carried in the latest step; a new one is taken to carry the heavier body.
+/// What the contacts carried lately; a new one is taken to carry the heavier body.
 SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep& step) {
     chooser.begin(island.bodies.size(), step.step_s);
     if (step.substeps_most <= step.substeps_least)
@@ -159,9 +166,7 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
     for (const btPersistentManifold* manifold : island.manifolds) {
         const btCollisionObject& a = *manifold->getBody0();
         const btCollisionObject& b = *manifold->getBody1();
-        Real load_N = 0;
-        for (int i = 0; i < manifold->getNumContacts(); ++i)
-            load_N += manifold->getContactPoint(i).m_appliedImpulse;
+        Real load_N = bridge.lasting_load_N(*manifold);
         Real size_m = 1e6_r;
         Real inverse_mass = 0;
         Real heaviest_kg = 0;

@@ -75,6 +75,11 @@ struct alignas(16) ContactBlock {
 
     std::array<Lanes, kLanes> response{};  ///< A: change of closing speed per impulse, 1/kg
 
+    /// Whether friction or rolling resistance still holds an impulse.
+    bool rubs() const {
+        return tangent_Ns[0] != 0 || tangent_Ns[1] != 0 || twist_Nms != 0 ||
+               rolling_Nms != Vec3{0, 0, 0};
+    }
     bool rounded() const { return radius_a > 0 || radius_b > 0; }
     Vec3 arm_a(int i) const { return lane(offset_a, i) - normal * radius_a; }
     Vec3 arm_b(int i) const { return lane(offset_b, i) + normal * radius_b; }

@@ -12,7 +12,7 @@ constexpr Real kContactDamping = 10;  ///< ratio: far above 1, sinking in never 
 /// Four points on a face are one more than it takes to hold a body: what keeps the rigid matrix
 /// from being singular, as a share of its diagonal.
 constexpr Real kRedundancy = 0.01_r;
-constexpr int kProjectedSweeps = 8;  ///< within a block, where some points press and some do not
+constexpr int kProjectedSweeps = 4;  ///< within a block, where some points press and some do not
 
 using Matrix = std::array<Lanes, kLanes>;
 
@@ -117,6 +117,14 @@ inline Lanes product(const Matrix& m, const Lanes& v) {
     return result;
 }
 
+/// Nothing presses and nothing closes fast enough to press.
+inline bool stays_apart(const ContactBlock& block, const Lanes& wanted) {
+    bool apart = true;
+    for (std::size_t i = 0; i < kLanes; ++i)
+        apart = apart && wanted[i] >= 0 && block.normal_Ns[i] == 0;
+    return apart;
+}
+
 inline bool all_press(const Lanes& impulses, int count) {
     Real least = impulses[0];
     for (int i = 1; i < count; ++i) least = std::min(least, impulses[static_cast<std::size_t>(i)]);
@@ -132,6 +140,13 @@ inline void press(ContactBlock& block, SolverBody& a, SolverBody& b, const Lanes
     b.velocity_mps -= along * b.inverse_mass;
     a.spin_radps += a.inverse_inertia * weighted_sum(block.angular_a, change);
     b.spin_radps -= b.inverse_inertia * weighted_sum(block.angular_b, change);
+}
+
+/// A new push of `gained_mps` along `normal` holds against what would have moved the body into the
+/// contact all through the sub-step: nothing is left of that to take half of the way for.
+inline void hold_against(SolverBody& body, const Vec3& normal, Real gained_mps) {
+    const Real pressing_mps = -glm::dot(body.steady_mps, normal);
+    body.steady_mps += normal * std::max(std::min(gained_mps, pressing_mps), Real{0});
 }
 
 }  // namespace
@@ -277,6 +292,7 @@ void ContactSet::solve_with_bias(ContactBlock& block) {
                               : block.separation_m[i] / h_;
         compliance[i] = overlaps ? block.compliance[i] : Real{0};
     }
+    if (stays_apart(block, wanted)) return;
     Lanes next;
     bool solved = false;
     if (all_overlap) {
@@ -290,7 +306,12 @@ void ContactSet::solve_with_bias(ContactBlock& block) {
         solved = all_press(next, block.count);
     }
     if (!solved) next = projected(block, wanted, compliance);
+    const Real gained_Ns = sum_of(next) - sum_of(block.normal_Ns);
     press(block, a, b, next);
+    if (gained_Ns > 0) {
+        hold_against(a, block.normal, gained_Ns * a.inverse_mass);
+        hold_against(b, -block.normal, gained_Ns * b.inverse_mass);
+    }
 }
 
 void ContactSet::relax(ContactBlock& block) {
@@ -308,6 +329,7 @@ void ContactSet::relax(ContactBlock& block) {
         const bool bouncy = block.restitution > 0 && block.normal_Ns[i] == 0;
         wanted[i] = bouncy ? kNoPoint_m : wanted[i] + block.separation_m[i] / h_;
     }
+    if (stays_apart(block, wanted) && !block.rubs()) return;
     Lanes next;
     bool solved = false;
     if (all_overlap) {

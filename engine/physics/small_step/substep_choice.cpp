@@ -10,6 +10,8 @@ namespace {
 /// Sag of the most loaded contact, and of all on average, as shares of the bodies' size.
 constexpr double kDeepestShare = 2e-3;
 constexpr double kMeanShare = 5e-4;
+/// Smaller bodies may sink in by the shares of this size: nobody sees a tenth of a millimetre.
+constexpr double kSmallest_m = 0.5;
 constexpr double kSubstepsPerLevel = 0.4;
 constexpr double kTurn_rad = 0.08;    ///< of jointed bodies in one sub-step
 constexpr double kJointError = 1e-3;  ///< share of the bodies' size
@@ -38,7 +40,7 @@ void SubstepChooser::add_contact(int a, int b, Real load_N, Real reduced_mass_kg
         2 * static_cast<double>(kPi * kContactFrequency) * (bounded ? 2 : 1) / step_s_;
     const double sag =
         static_cast<double>(load_N) / (static_cast<double>(reduced_mass_kg) * omega * omega);
-    const double share = sag / std::max(static_cast<double>(size_m), 1e-6);
+    const double share = sag / std::max(static_cast<double>(size_m), kSmallest_m);
     deepest_share_ = std::max(deepest_share_, share);
     sum_of_shares_ += share;
 }
