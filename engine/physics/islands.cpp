@@ -1,9 +1,7 @@
 #include "engine/physics/islands_impl.h"
 #include "engine/physics/physics_world_impl.h"
 
-#include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace plumbline::physics {
 namespace {
@@ -27,25 +25,6 @@ bool is_carrier(const BodyRecord& record) {
 }
 
 }  // namespace
-
-void DisjointSets::reset(std::size_t count) {
-    parent_.resize(count);
-    std::iota(parent_.begin(), parent_.end(), 0U);
-}
-
-std::uint32_t DisjointSets::find(std::uint32_t member) {
-    while (parent_[member] != member) {
-        parent_[member] = parent_[parent_[member]];
-        member = parent_[member];
-    }
-    return member;
-}
-
-void DisjointSets::join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-}
 
 Island& IslandBuilder::island_of(std::uint32_t body) {
     return islands_[number_[sets_.find(body)]];

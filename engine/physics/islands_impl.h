@@ -2,23 +2,13 @@
 #pragma once
 
 #include "engine/physics/island_impl.h"
+#include "engine/physics/small_step/disjoint_sets.h"
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace plumbline::physics {
-
-/// Sets of numbers 0 … n-1. The smallest number of a set stands for it.
-class DisjointSets {
-public:
-    void reset(std::size_t count);
-    std::uint32_t find(std::uint32_t member);
-    void join(std::uint32_t a, std::uint32_t b);
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 /// Builds a step's islands and keeps their memory for the next step.
 class IslandBuilder {

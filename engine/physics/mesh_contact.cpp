@@ -72,13 +72,27 @@ public:
         point.m_positionWorldOnB = on_mesh;
         btAdjustInternalEdgeContacts(point, m_body1Wrap, m_body0Wrap, part_, index_);
         if (!plausible(point)) return;
+        if (point.m_normalWorldOnB != normal) touch_along_normal(point, on_mesh);
         found_.push_back({.normal = point.m_normalWorldOnB,
                           .on_mesh = point.m_positionWorldOnB,
-                          .on_convex = on_convex,
+                          .on_convex = point.m_positionWorldOnA,
                           .distance = point.getDistance()});
     }
 
 private:
+    /// A ball touches where its normal says: under its middle on a floor, not at the seam ahead of
+    /// it, where the point would brake its rolling.
+    void touch_along_normal(btManifoldPoint& point, const btVector3& on_mesh) const {
+        if (m_body0Wrap->getCollisionShape()->getShapeType() != SPHERE_SHAPE_PROXYTYPE) return;
+        const auto& ball = static_cast<const btSphereShape&>(*m_body0Wrap->getCollisionShape());
+        const btVector3& normal = point.m_normalWorldOnB;
+        const btVector3 lowest =
+            m_body0Wrap->getWorldTransform().getOrigin() - normal * ball.getRadius();
+        point.m_distance1 = (lowest - on_mesh).dot(normal);
+        point.m_positionWorldOnA = lowest;
+        point.m_positionWorldOnB = lowest - normal * point.m_distance1;
+    }
+
     /// Away from a face's own normal only an edge or corner that sticks out can press. Where a flat
     /// thing lies on a face, the overlaps along and across differ by rounding alone; the wrong one
     /// may win, and edge repair leaves normals alone that are level with the face.

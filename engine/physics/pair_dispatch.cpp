@@ -130,28 +130,6 @@ private:
     btScalar merge_m_;
 };
 
-bool is_plane(const btCollisionObject& object) {
-    return object.getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE;
-}
-
-/// Points on a plane slide along with the body: each is a corner of it, wherever it goes. Bullet
-/// would find one of them again in a step and drop those that went too far.
-void slide_along_plane(btPersistentManifold& manifold) {
-    const bool first = is_plane(*manifold.getBody0());
-    const btTransform& plane =
-        (first ? manifold.getBody0() : manifold.getBody1())->getWorldTransform();
-    const btTransform& body =
-        (first ? manifold.getBody1() : manifold.getBody0())->getWorldTransform();
-    for (int i = 0; i < manifold.getNumContacts(); ++i) {
-        btManifoldPoint& point = manifold.getContactPoint(i);
-        const btVector3 on_body = body(first ? point.m_localPointB : point.m_localPointA);
-        btVector3& local = first ? point.m_localPointA : point.m_localPointB;
-        const btVector3 off = on_body - plane(local);
-        const btVector3& normal = point.m_normalWorldOnB;
-        local = plane.invXform(plane(local) + off - normal * off.dot(normal));
-    }
-}
-
 }  // namespace
 
 void combine_materials(const btPersistentManifold& manifold, btManifoldPoint& point) {
@@ -185,14 +163,11 @@ void PairMeeting::meet(Pair& pair) {
     const btScalar reach_m = reach_of(pair);
     dispatcher_.reach_m = reach_m;
     manifolds_.resize(0);
-    if (pair.algorithm != nullptr && (pair.round || pair.flat || reach_m != pair.reach_m)) {
+    if (pair.algorithm != nullptr && (pair.round || reach_m != pair.reach_m)) {
         pair.algorithm->getAllContactManifolds(manifolds_);
         for (int i = 0; i < manifolds_.size(); ++i) {
             manifolds_[i]->setContactBreakingThreshold(reach_m);
-            if (pair.round)
-                mark_old(*manifolds_[i]);
-            else if (pair.flat)
-                slide_along_plane(*manifolds_[i]);
+            if (pair.round) mark_old(*manifolds_[i]);
         }
     }
     pair.reach_m = reach_m;

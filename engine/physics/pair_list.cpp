@@ -28,10 +28,6 @@ bool is_ball(const BodyRecord& record) {
     return record.rigid->getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
 }
 
-bool is_plane(const BodyRecord& record) {
-    return record.rigid->getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE;
-}
-
 bool is_single(const BodyRecord& record) {
     return !record.rigid->getCollisionShape()->isCompound();
 }
@@ -66,8 +62,7 @@ btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
     *pair = {.a = a,
              .b = b,
              .base_m = std::min(a->touch_m, b->touch_m),
-             .round = (is_ball(*a) && is_single(*b)) || (is_ball(*b) && is_single(*a)),
-             .flat = is_plane(*a) || is_plane(*b)};
+             .round = (is_ball(*a) && is_single(*b)) || (is_ball(*b) && is_single(*a))};
     few.pairs.insert(place, pair);
     other.pairs.insert(place_of(other, few), pair);
     ++size_;

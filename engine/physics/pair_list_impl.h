@@ -35,7 +35,6 @@ struct Pair {
     std::uint32_t seen{0};                     ///< the walk that looked at it last
     bool touches{false};                       ///< has contact points
     bool round{false};                         ///< a ball: its points are new in every step
-    bool flat{false};                          ///< one of them is a plane
 };
 
 inline BodyRecord& partner(const Pair& pair, const BodyRecord& record) {

@@ -189,6 +189,7 @@ struct PhysicsWorld::Impl {
     bool bullet_joints{true};            ///< joints are Bullet's constraints, not an island's rows
     std::size_t event_bodies{0};         ///< how many bodies asked for contact events
     bool events_asleep{false};           ///< small_step: all that is listed sleeps
+    bool slept_through{false};           ///< small_step: nothing moved in the latest step
 
     StepCost cost{};
     FeatureUse use{};

@@ -127,9 +127,8 @@ bool PhysicsWorld::Impl::sleeps_on(const ContactEvent& event) const {
 }
 
 void PhysicsWorld::Impl::finish_events() {
-    const bool idle = small && small->idle();
-    if (idle && events_asleep) return;  // nothing that was listed changed
-    events_asleep = idle;
+    if (slept_through && events_asleep) return;  // nothing that is listed changed
+    events_asleep = slept_through;
     std::vector<ContactEvent> before = std::move(events);
     events = merged(std::move(gathered));
     gathered.clear();

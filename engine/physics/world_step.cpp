@@ -141,7 +141,8 @@ void PhysicsWorld::Impl::advance_bullet(bool want_contacts) {
 void PhysicsWorld::Impl::advance_small(bool want_contacts) {
     small->begin_step();
     broken_joints.clear();
-    if (small->idle()) return;
+    slept_through = small->idle();
+    if (slept_through) return;
     prepare_bodies(static_cast<btScalar>(def.step_s));
     prepare_joints();
     small->cost = {};

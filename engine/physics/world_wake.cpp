@@ -8,10 +8,13 @@
 namespace plumbline::physics {
 namespace {
 
-/// Points that were found before the material changed hold numbers of the old one.
+/// Points that were found before the material changed hold its numbers, and friction that it bore.
 void combine_anew(btPersistentManifold& manifold) {
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
-        combine_materials(manifold, manifold.getContactPoint(i));
+        btManifoldPoint& point = manifold.getContactPoint(i);
+        combine_materials(manifold, point);
+        point.m_appliedImpulseLateral1 = 0;
+        point.m_appliedImpulseLateral2 = 0;
     }
 }
 

@@ -64,6 +64,14 @@ inline WorldDef at_hz(int hz, int substeps = 1) {
     return {.step_s = 1.0 / hz, .substeps = substeps};
 }
 
+/// Our solver with a fixed number of sub-steps.
+inline WorldDef in_small_steps(int substeps = 4) {
+    return {.substeps = substeps,
+            .substeps_max = substeps,
+            .iterations = 1,
+            .solver = Solver::SmallStep};
+}
+
 inline WorldDef weightless() {
     return {.gravity_mps2 = {0, 0, 0}};
 }

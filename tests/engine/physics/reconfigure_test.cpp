@@ -1,0 +1,157 @@
+// Another solver, rate or gravity in the middle of a run.
+#include "tests/engine/physics/test_world.h"
+
+#include <cmath>
+#include <limits>
+
+namespace plumbline::physics {
+namespace {
+
+constexpr int kThings = 30;
+
+BodyDef thing(int i) {
+    return {.kind = BodyKind::Dynamic,
+            .mass_kg = 1.0_r + static_cast<Real>(i % 4),
+            .center_of_mass_m = i % 5 == 0 ? std::optional<Vec3>{{0, -0.1_r, 0}} : std::nullopt,
+            .friction = 0.6_r,
+            .restitution = i % 3 == 0 ? 0.4_r : 0.0_r,
+            .angular_damping_per_s = i % 2 == 0 ? 0.3_r : 0.0_r};
+}
+
+ShapeDef shape_of(int i) {
+    if (i % 3 == 0) return SphereShape{.radius_m = 0.4_r};
+    if (i % 3 == 1) return BoxShape{.size_m = {1, 0.5_r, 0.7_r}};
+    return CapsuleShape{.radius_m = 0.3_r, .height_m = 0.6_r};
+}
+
+struct Heap {
+    explicit Heap(const WorldDef& def) : test(def) { test.ground(0.6_r); }
+
+    void drop() {
+        for (int i = 0; i < kThings; ++i) {
+            const auto n = static_cast<Real>(i);
+            ids.push_back(
+                test.add(shape_of(i), {std::sin(n), 1 + 0.6_r * n, std::cos(3 * n)}, thing(i)));
+        }
+    }
+    /// The same bodies where `other` left them.
+    void copy(const Heap& other) {
+        for (int i = 0; i < kThings; ++i) {
+            const BodyState state = other.test.world.state(other.ids[static_cast<std::size_t>(i)]);
+            BodyDef def = thing(i);
+            def.shape = test.shape(shape_of(i));
+            def.world_from_body = state.world_from_body;
+            def.velocity_mps = state.velocity_mps;
+            def.angular_velocity_radps = state.angular_velocity_radps;
+            ids.push_back(test.world.create_body(def));
+        }
+    }
+    std::uint64_t hash_after(int steps) {
+        for (int i = 0; i < steps; ++i) test.world.step();
+        return test.hash(ids);
+    }
+
+    TestWorld test;
+    std::vector<BodyId> ids;
+};
+
+TEST(Reconfigure, GoesOnAsANewWorldWouldFromTheSameStates) {
+    std::vector<WorldDef> defs;
+    for (const Solver solver :
+         {Solver::SmallStep, Solver::BulletSi, Solver::BulletNncg, Solver::BulletDantzig}) {
+        defs.push_back({.substeps = 3, .substeps_max = 3, .iterations = 4, .solver = solver});
+    }
+    defs.push_back({.gravity_mps2 = {0, -1.62_r, 0.1_r}, .solver = Solver::BulletSi});
+    defs.push_back({.gravity_mps2 = {0, 3, 0}, .step_s = 1.0 / 100, .solver = Solver::SmallStep});
+    for (std::size_t from = 0; from < defs.size(); ++from) {
+        for (std::size_t to = 0; to < defs.size(); ++to) {
+            SCOPED_TRACE(from * 10 + to);
+            Heap changed(defs[from]);
+            changed.drop();
+            changed.hash_after(70);
+            Heap fresh(defs[to]);
+            fresh.copy(changed);
+            changed.test.world.reconfigure(defs[to]);
+            EXPECT_EQ(changed.test.world.def().solver, defs[to].solver);
+            ASSERT_EQ(changed.hash_after(0), changed.test.hash(changed.ids));
+            ASSERT_EQ(changed.hash_after(60), fresh.hash_after(60));
+        }
+    }
+}
+
+TEST(Reconfigure, FlightStaysOnItsParabola) {
+    TestWorld test(in_small_steps());
+    const BodyId ball = test.add(
+        SphereShape{}, {0, 50, 0}, {.kind = BodyKind::Dynamic, .velocity_mps = {3, 10, 0}});
+    test.run(0.5);
+    WorldDef fine = in_small_steps(2);
+    fine.step_s = 1.0 / 240;
+    test.world.reconfigure(fine);
+    test.run(0.5);
+    EXPECT_NEAR(test.at(ball).x, 3.0, 1e-5);
+    EXPECT_NEAR(test.at(ball).y, 50 + 10 - 0.5 * kG, 2e-5);
+}
+
+TEST(Reconfigure, NewGravityReachesSleepers) {
+    TestWorld test(in_small_steps());
+    test.ground();
+    const BodyId box = test.add(BoxShape{}, {0, 0.5_r, 0});
+    test.run(2.0);
+    ASSERT_FALSE(test.world.state(box).awake);
+    WorldDef up = in_small_steps();
+    up.gravity_mps2 = {0, 2, 0};
+    test.world.reconfigure(up);
+    test.run(1.0);
+    EXPECT_NEAR(test.velocity(box).y, 2.0, 0.01);
+}
+
+TEST(Reconfigure, KeepsWhatIsFrozenTakenOutOrOnItsWay) {
+    TestWorld test(in_small_steps());
+    test.ground();
+    const BodyId frozen = test.add(BoxShape{}, {0, 5, 0});
+    const BodyId poisoned = test.add(BoxShape{}, {4, 5, 0});
+    const BodyId lift = test.add(BoxShape{}, {8, 5, 0}, {.kind = BodyKind::Kinematic});
+    test.world.set_frozen(frozen, true);
+    test.world.apply_force(poisoned, {std::numeric_limits<Real>::quiet_NaN(), 0, 0});
+    test.world.step();
+    ASSERT_EQ(test.world.quarantined().size(), 1U);
+    const Vec3d left_at = test.at(poisoned);
+    test.world.move_kinematic(lift, {.position = {8, 5.1_r, 0}});
+    test.world.reconfigure({.solver = Solver::BulletSi});
+    test.world.step();
+    EXPECT_NEAR(test.at(lift).y, 5.1, 1e-6);
+    test.world.reconfigure(in_small_steps());
+    test.run(1.0);
+    EXPECT_TRUE(test.world.frozen(frozen));
+    EXPECT_EQ(test.at(frozen), (Vec3d{0, 5, 0}));
+    EXPECT_EQ(test.at(poisoned), left_at);
+    EXPECT_EQ(test.world.quarantined().size(), 1U);
+    test.world.set_frozen(frozen, false);
+    test.run(0.5);
+    EXPECT_LT(test.at(frozen).y, 4.0);
+}
+
+TEST(Reconfigure, JointsHoldOn) {
+    for (const Solver to : {Solver::BulletSi, Solver::SmallStep}) {
+        for (const Solver from : {Solver::BulletSi, Solver::SmallStep}) {
+            WorldDef def = in_small_steps();
+            def.solver = from;
+            TestWorld test(def);
+            const BodyId bob = test.add(SphereShape{.radius_m = 0.1_r}, {1, 5, 0});
+            ASSERT_TRUE(test.world
+                            .create_joint({.kind = JointKind::Ball,
+                                           .a = bob,
+                                           .anchor_a_world = {0, 5, 0},
+                                           .anchor_b_world = {0, 5, 0}})
+                            .ok());
+            test.run(0.4);
+            def.solver = to;
+            test.world.reconfigure(def);
+            test.run(2.0);
+            EXPECT_NEAR(glm::length(test.at(bob) - Vec3d{0, 5, 0}), 1.0, 0.05);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace plumbline::physics
