@@ -101,7 +101,8 @@ void cast_at(const btConvexShape& moving,
 
 bool BodyFilter::sees(const BodyRecord& record) const {
     return &record != ignored && &record != also_ignored && (record.group & collides_with) != 0 &&
-           (group & record.collides_with) != 0;
+           (group & record.collides_with) != 0 &&
+           (ignored == nullptr || !kept_apart(*ignored, record));
 }
 
 std::optional<ClosestPoints> closest_points(const btConvexShape& a,

@@ -33,7 +33,7 @@ struct CastHit {
 struct BodyFilter {
     std::uint32_t group{~0U};
     std::uint32_t collides_with{~0U};
-    const BodyRecord* ignored{nullptr};
+    const BodyRecord* ignored{nullptr};  ///< and what joints keep it from touching
     const BodyRecord* also_ignored{nullptr};
 
     bool sees(const BodyRecord& record) const;

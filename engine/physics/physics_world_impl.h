@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 class btTriangleIndexVertexArray;
@@ -34,27 +33,6 @@ inline constexpr Real kMaxDistance_m = 1e6_r;
 struct Core {
     Vec3 center_m{0, 0, 0};  ///< mass frame
     Real radius_m{0};
-};
-
-/// Pairs of bodies that joints keep from touching. Several joints may ask for the same pair.
-class ExemptPairs {
-public:
-    void add(BodyId a, BodyId b) { ++counts_[key(a, b)]; }
-    void remove(BodyId a, BodyId b) {
-        const auto found = counts_.find(key(a, b));
-        if (found != counts_.end() && --found->second == 0) counts_.erase(found);
-    }
-    bool contains(BodyId a, BodyId b) const {
-        return !counts_.empty() && counts_.contains(key(a, b));
-    }
-
-private:
-    // Joints go with their bodies, so an index alone tells which body is meant.
-    static std::uint64_t key(BodyId a, BodyId b) {
-        const auto [low, high] = std::minmax(a.index, b.index);
-        return (std::uint64_t{high} << 32U) | low;
-    }
-    std::unordered_map<std::uint64_t, std::uint32_t> counts_;  // looked up, never walked
 };
 
 /// Triangles as Bullet reads them; it keeps pointers into these.
@@ -108,6 +86,8 @@ struct BodyRecord {
     int substeps_held{0};      ///< small_step: steps since its island really asked for as many
     std::uint32_t slumber{0};  ///< small_step: bodies that fell asleep together share it; 0: awake
     std::vector<JointId> joints;  ///< that hold it, broken ones included, in order of creation
+    /// Bodies that joints keep it from touching, once for each such joint.
+    std::vector<const BodyRecord*> apart;
 
     Rest rest{};               ///< small_step
     std::vector<Pair*> pairs;  ///< small_step: by the other body's id
@@ -171,7 +151,6 @@ struct PhysicsWorld::Impl {
     std::unique_ptr<btDefaultCollisionConfiguration> configuration;
     std::unique_ptr<MeshContacts> mesh_contacts;
     std::unique_ptr<btCollisionDispatcher> dispatcher;
-    ExemptPairs exempt_pairs;
     std::unique_ptr<btOverlapFilterCallback> pair_filter;
     std::unique_ptr<btOverlappingPairCache> pairs;
     std::unique_ptr<btDbvtBroadphase> broadphase;
@@ -245,6 +224,13 @@ inline bool sleeps(const BodyRecord& record) {
 
 inline bool by_id(const BodyRecord* a, const BodyRecord* b) {
     return a->id < b->id;
+}
+
+/// Whether a joint keeps the two from touching.
+inline bool kept_apart(const BodyRecord& a, const BodyRecord& b) {
+    const bool a_has_fewer = a.apart.size() < b.apart.size();
+    const auto& list = a_has_fewer ? a.apart : b.apart;
+    return std::find(list.begin(), list.end(), a_has_fewer ? &b : &a) != list.end();
 }
 
 /// The record behind a Bullet object of ours.

@@ -11,7 +11,8 @@ namespace plumbline::physics {
 /// Which bodies a query sees.
 struct QueryFilter {
     std::uint32_t collides_with{~0U};  ///< groups seen
-    BodyId ignored{};                  ///< one body not seen, e.g. the one that asks
+    /// One body not seen, e.g. the one that asks; nor are those that a joint keeps it from touching.
+    BodyId ignored{};
     BodyId also_ignored{};
 };
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumbline::physics {
@@ -90,6 +91,11 @@ void measure(JointRecord& joint) {
     joint.state.position = static_cast<Real>(fit.position);
 }
 
+void forget_one(std::vector<const BodyRecord*>& list, const BodyRecord* body) {
+    const auto found = std::find(list.begin(), list.end(), body);
+    if (found != list.end()) list.erase(found);
+}
+
 bool is_moving_kinematic(const BodyRecord* record) {
     return record != nullptr && record->kind == BodyKind::Kinematic && record->in_world &&
            record->rigid->isActive();
@@ -123,7 +129,8 @@ JointId PhysicsWorld::Impl::add_joint(const JointDef& joint_def) {
     joint.a->joints.push_back(id);
     if (joint.b != nullptr) joint.b->joints.push_back(id);
     if (joint.b != nullptr && !joint.def.collide) {
-        exempt_pairs.add(joint.a->id, joint.b->id);
+        joint.a->apart.push_back(joint.b);
+        joint.b->apart.push_back(joint.a);
         // With the pair goes its manifold: old contact points would press on.
         pairs->removeOverlappingPair(joint.a->rigid->getBroadphaseProxy(),
                                      joint.b->rigid->getBroadphaseProxy(),
@@ -143,7 +150,8 @@ void PhysicsWorld::Impl::detach_joint(JointRecord& joint) {
         joint.bullet.reset();
     }
     if (joint.b == nullptr || joint.def.collide) return;
-    exempt_pairs.remove(joint.a->id, joint.b->id);
+    forget_one(joint.a->apart, joint.b);
+    forget_one(joint.b->apart, joint.a);
     // The broad phase looks for pairs only where boxes moved: what is near already must be told. It
     // drops the pair again if the two are apart.
     pairs->addOverlappingPair(joint.a->rigid->getBroadphaseProxy(),

@@ -40,8 +40,6 @@ void install_global_callbacks() {
 /// Groups must agree both ways, something must be able to give way, and no joint forbids it.
 class PairFilter final : public btOverlapFilterCallback {
 public:
-    explicit PairFilter(const ExemptPairs& exempt) : exempt_(exempt) {}
-
     bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
         const auto& object_a = *static_cast<const btCollisionObject*>(a->m_clientObject);
         const auto& object_b = *static_cast<const btCollisionObject*>(b->m_clientObject);
@@ -51,12 +49,8 @@ public:
         const BodyRecord& record_a = record_of(object_a);
         const BodyRecord& record_b = record_of(object_b);
         return (record_a.group & record_b.collides_with) != 0 &&
-               (record_b.group & record_a.collides_with) != 0 &&
-               !exempt_.contains(record_a.id, record_b.id);
+               (record_b.group & record_a.collides_with) != 0 && !kept_apart(record_a, record_b);
     }
-
-private:
-    const ExemptPairs& exempt_;
 };
 
 btScalar kept_after(double damping_per_s, double duration_s) {
@@ -88,7 +82,7 @@ void PhysicsWorld::Impl::build_engine() {
         pairs = std::make_unique<btHashedOverlappingPairCache>();
     }
     mesh_contacts = std::make_unique<MeshContacts>(*dispatcher);
-    pair_filter = std::make_unique<PairFilter>(exempt_pairs);
+    pair_filter = std::make_unique<PairFilter>();
     pairs->setOverlapFilterCallback(pair_filter.get());
     broadphase = std::make_unique<btDbvtBroadphase>(pairs.get());
     build_solver();

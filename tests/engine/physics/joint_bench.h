@@ -40,6 +40,19 @@ struct JointBar {
 // Bullet's conjugate-gradient solver is not here: it throws joints apart whose rows act on each
 // other, a slider between two free bodies or a ball joint on a long arm, within a few steps.
 inline const JointBar kJointBars[] = {
+    {.name = "small_step",
+     .solver = Solver::SmallStep,
+     .substeps = 4,
+     .period = 5e-5,
+     .spring_period = 1e-4,
+     .energy = 1e-3,
+     .swing_gap_m = 1e-6,
+     .rod_m = 1e-5,
+     .rest_m = 1e-5,
+     .limit_rad = 1e-3,
+     .cone_rad = 2e-3,
+     .load = 1e-4,
+     .drive = 1e-4},
     {.name = "bullet_si",
      .solver = Solver::BulletSi,
      .substeps = 1,

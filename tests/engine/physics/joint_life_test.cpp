@@ -23,10 +23,9 @@ TEST_P(JointLife, BreaksAtItsLoadOnceAndForGood) {
     TestWorld test(bar().world());
     const BodyId rod = test.add(kRod, {0, -0.5_r, 0}, kBody);
     const JointId pivot = join(test, {.a = rod, .break_N = 50, .user = 7});
-    const JointId other = join(test,
-                               {.a = test.add(kRod, {5, -0.5_r, 0}, kBody),
-                                .anchor_a_world = {5, 0, 0},
-                                .break_N = 50});
+    const JointId other = join(
+        test,
+        {.a = test.add(kRod, {5, -0.5_r, 0}, kBody), .anchor_a_world = {5, 0, 0}, .break_N = 50});
     test.run(1);
     EXPECT_TRUE(test.world.broken_joints().empty());
     // 1 N more with every step: 2 kg weigh 19.62 N, so the 31st is too much.
@@ -96,6 +95,22 @@ TEST_P(JointLife, TouchingEndsAndReturnsWithTheJoint) {
     EXPECT_NEAR(test.at(high).y, 1.5, 0.05);
 }
 
+TEST_P(JointLife, FastLinksAreNotStoppedByEachOther) {
+    // Faster than their own size a step, so continuous collision sweeps them; they overlap.
+    TestWorld test(bar().world({0, 0, 0}));
+    const BodyId a = test.add(BoxShape{.size_m = {0.2_r, 0.2_r, 0.2_r}}, {0, 0, 0}, kBody);
+    const BodyId b = test.add(BoxShape{.size_m = {0.2_r, 0.2_r, 0.2_r}}, {0.15_r, 0, 0}, kBody);
+    const JointId joint = join(test, {.kind = JointKind::Fixed, .a = a, .b = b});
+    test.world.set_velocity(a, {20, 0, 0}, {0, 0, 0});
+    test.world.set_velocity(b, {20, 0, 0}, {0, 0, 0});
+    test.run(1);
+    EXPECT_NEAR(test.at(a).x, 20, 1e-4);
+    EXPECT_LT(test.world.joint_state(joint).error_m, 1e-5);
+    EXPECT_TRUE(
+        test.world.overlaps(test.shape(BoxShape{}), {.position = {20, 0, 0}}, 0, {.ignored = a})
+            .empty());
+}
+
 TEST_P(JointLife, SleepersWakeWithTheirJoints) {
     TestWorld test(bar().world());
     const BodyId upper = test.add(kRod, {0, -0.5_r, 0}, kBody);
@@ -142,6 +157,19 @@ TEST_P(JointLife, ASleeperFollowsWhatCarriesIt) {
     }
     EXPECT_NEAR(test.at(rod).y, 0.5, 0.1);
     EXPECT_LE(test.world.joint_state(pivot).error_m, 0.1);
+}
+
+TEST_P(JointLife, HoldsOnToWhatStandsStill) {
+    TestWorld test(bar().world());
+    BodyDef post{.world_from_body = {.orientation = quat_from_euler_deg({20, 30, 40})}};
+    const BodyId stand = test.add(BoxShape{}, {3, 2, 1}, post);
+    const BodyId rod = test.add(kRod, {3, 0.5_r, 1}, kBody);
+    const JointId pivot =
+        join(test, {.kind = JointKind::Hinge, .a = rod, .b = stand, .anchor_a_world = {3, 1, 1}});
+    test.run(3);
+    EXPECT_NEAR(force_N(test, pivot), 2 * kG, 0.01);
+    EXPECT_NEAR(test.at(rod).y, 0.5, 0.01);
+    EXPECT_NEAR(test.at(rod).x, 3, 0.01);
 }
 
 TEST_P(JointLife, GoesWithEitherBody) {
