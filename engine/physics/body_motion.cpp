@@ -135,35 +135,54 @@ bool moves_past_itself(const BodyRecord& record) {
     return path.length2() > record.smallest_core_m * record.smallest_core_m;
 }
 
-void stop_at_hit(const btCollisionWorld& world, BodyRecord& record, btScalar duration_s) {
+btScalar share_before_hit(const btCollisionWorld& world,
+                          const BodyRecord& record,
+                          std::uint32_t unseen_group) {
     // Smaller than the core, so that a body sliding fast over a floor is not stopped by it.
     constexpr btScalar kShare = btScalar(0.8);
-    btRigidBody& rigid = *record.rigid;
-    const btTransform to = rigid.getWorldTransform();
+    const btTransform to = record.rigid->getWorldTransform();
     btScalar reached = 1;
     for (const Core& core : record.cores) {
         const btVector3 center = to_bullet(core.center_m);
         const btVector3 from_point = record.before(center);
         const btVector3 motion = to(center) - from_point;
         btSphereShape ball(core.radius_m * kShare);
-        const auto hit = cast_among(
-            world,
-            ball,
-            btTransform(btMatrix3x3::getIdentity(), from_point),
-            motion,
-            {.group = record.group, .collides_with = record.collides_with, .ignored = &record});
+        const auto hit = cast_among(world,
+                                    ball,
+                                    btTransform(btMatrix3x3::getIdentity(), from_point),
+                                    motion,
+                                    {.group = record.group,
+                                     .collides_with = record.collides_with,
+                                     .ignored = &record,
+                                     .unseen_group = unseen_group});
         if (!hit) continue;
         const btScalar approach = -hit->normal.dot(motion);
         const btScalar back = core.radius_m * (1 - kShare) / approach;
         reached = std::min(reached, std::max(btScalar(0), hit->fraction - back));
     }
+    return reached;
+}
+
+void stop_at_hit(const btCollisionWorld& world, BodyRecord& record, btScalar duration_s) {
+    const btScalar reached = share_before_hit(world, record, 0);
     if (reached >= 1) return;
+    btRigidBody& rigid = *record.rigid;
+    const btTransform to = rigid.getWorldTransform();
     record.flight.going = false;
     btTransform stopped = record.before;
     stopped.setOrigin(record.before.getOrigin().lerp(to.getOrigin(), reached));
     stopped.setBasis(
         turned(record.before.getBasis(), rigid.getAngularVelocity(), duration_s * reached));
     rigid.setCenterOfMassTransform(stopped);
+}
+
+void stop_part_way(BodyRecord& record, btScalar share) {
+    const btTransform& to = record.rigid->getWorldTransform();
+    record.flight.going = false;
+    btTransform stopped = record.before;
+    stopped.setOrigin(record.before.getOrigin().lerp(to.getOrigin(), share));
+    stopped.setRotation(record.before.getRotation().slerp(to.getRotation(), share).normalized());
+    record.rigid->setCenterOfMassTransform(stopped);
 }
 
 }  // namespace plumbline::physics

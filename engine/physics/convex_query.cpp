@@ -102,7 +102,8 @@ void cast_at(const btConvexShape& moving,
 bool BodyFilter::sees(const BodyRecord& record) const {
     return &record != ignored && &record != also_ignored && (record.group & collides_with) != 0 &&
            (group & record.collides_with) != 0 &&
-           (ignored == nullptr || !kept_apart(*ignored, record));
+           (ignored == nullptr || !kept_apart(*ignored, record)) &&
+           (unseen_group == 0 || record.sweep_group != unseen_group);
 }
 
 std::optional<ClosestPoints> closest_points(const btConvexShape& a,

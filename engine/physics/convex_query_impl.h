@@ -35,6 +35,7 @@ struct BodyFilter {
     std::uint32_t collides_with{~0U};
     const BodyRecord* ignored{nullptr};  ///< and what joints keep it from touching
     const BodyRecord* also_ignored{nullptr};
+    std::uint32_t unseen_group{0};  ///< BodyRecord::sweep_group; 0: none
 
     bool sees(const BodyRecord& record) const;
 };

@@ -88,6 +88,7 @@ struct BodyRecord {
     std::vector<JointId> joints;  ///< that hold it, broken ones included, in order of creation
     /// Bodies that joints keep it from touching, once for each such joint.
     std::vector<const BodyRecord*> apart;
+    std::uint32_t sweep_group{0};  ///< bodies that stop together share it; 0: stops alone
 
     Rest rest{};               ///< small_step
     std::vector<Pair*> pairs;  ///< small_step: by the other body's id

@@ -31,6 +31,7 @@ void note_before(BodyRecord& record) {
 
 SmallStepWorld::SmallStepWorld(const SmallStepParts& parts)
     : parts_(parts),
+      sweep_(parts.joints),
       meeting_(parts.dispatcher, parts.world.getDispatchInfo()),
       gravity_mps2_(static_cast<double>(glm::length(parts.def.gravity_mps2))),
       step_s_(static_cast<btScalar>(parts.def.step_s)) {
@@ -248,11 +249,12 @@ void SmallStepWorld::move_carriers() {
 
 void SmallStepWorld::stop_swept_bodies() {
     if (!features_.continuous_collision) return;
+    sweep_.begin_step();
     std::uint32_t swept = 0;
     for (BodyRecord* record : awake_) {
         if (!moves_past_itself(*record)) continue;
         if (swept++ == 0) cost.integrate_ms += laps_.lap_ms();
-        stop_at_hit(parts_.world, *record, step_s_);
+        sweep_.stop_at_hit(parts_.world, *record, step_s_);
     }
     if (swept == 0) return;
     use.swept_bodies += swept;

@@ -10,6 +10,7 @@
 #include "engine/core/stopwatch.h"
 #include "engine/physics/island_sleep_impl.h"
 #include "engine/physics/islands_impl.h"
+#include "engine/physics/joint_sweep_impl.h"
 #include "engine/physics/pair_dispatch_impl.h"
 #include "engine/physics/step_world_impl.h"
 
@@ -89,6 +90,7 @@ private:
     void lay_down(const Island& island);
 
     SmallStepParts parts_;
+    JointSweep sweep_;
     PairMeeting meeting_;
     IslandBuilder builder_;
     IslandSolver solver_;

@@ -26,6 +26,7 @@ struct JointBar {
     double rest_m;         ///< of a beam fixed at one end
     double limit_rad;      ///< past a hinge's limit, hit at 3 rad/s
     double cone_rad;       ///< past a cone's or twist's, hit at 2 rad/s
+    double crash_m;        ///< of a train that stops from 40 m/s
     double load;           ///< relative, of forces and torques at rest
     double drive;          ///< relative, of speeds under a motor
 
@@ -51,6 +52,7 @@ inline const JointBar kJointBars[] = {
      .rest_m = 1e-5,
      .limit_rad = 1e-3,
      .cone_rad = 2e-3,
+     .crash_m = 1e-3,
      .load = 1e-4,
      .drive = 1e-4},
     {.name = "bullet_si",
@@ -64,6 +66,7 @@ inline const JointBar kJointBars[] = {
      .rest_m = 2e-3,
      .limit_rad = 1e-4,
      .cone_rad = 0.04,
+     .crash_m = 1,
      .load = 1e-5,
      .drive = 1e-5},
     {.name = "bullet_si_8",
@@ -77,6 +80,7 @@ inline const JointBar kJointBars[] = {
      .rest_m = 5e-5,
      .limit_rad = 1e-4,
      .cone_rad = 0.005,
+     .crash_m = 1,
      .load = 1e-5,
      .drive = 1e-5},
     {.name = "bullet_dantzig",
@@ -90,6 +94,7 @@ inline const JointBar kJointBars[] = {
      .rest_m = 1e-5,
      .limit_rad = 5e-4,
      .cone_rad = 0.04,
+     .crash_m = 1,
      .load = 1e-5,
      .drive = 1e-5},
     {.name = "bullet_pgs",
@@ -103,6 +108,7 @@ inline const JointBar kJointBars[] = {
      .rest_m = 2e-3,
      .limit_rad = 1e-4,
      .cone_rad = 0.04,
+     .crash_m = 1,
      .load = 1e-5,
      .drive = 1e-5},
 };

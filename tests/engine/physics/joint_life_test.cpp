@@ -2,6 +2,7 @@
 #include "tests/engine/physics/joint_bench.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace plumbline::physics {
@@ -109,6 +110,31 @@ TEST_P(JointLife, FastLinksAreNotStoppedByEachOther) {
     EXPECT_TRUE(
         test.world.overlaps(test.shape(BoxShape{}), {.position = {20, 0, 0}}, 0, {.ignored = a})
             .empty());
+}
+
+TEST_P(JointLife, AFastPairStopsAtAThinWallTogether) {
+    TestWorld test(bar().world({0, 0, 0}));
+    test.add(BoxShape{.size_m = {0.02_r, 4, 4}}, {5, 0, 0}, {.kind = BodyKind::Static});
+    std::array<BodyId, 3> train;
+    for (std::size_t i = 0; i < train.size(); ++i) {
+        const Real x = 0.3_r * static_cast<Real>(i);
+        train[i] = test.add(BoxShape{.size_m = {0.2_r, 0.2_r, 0.2_r}}, {x, 0, 0}, kBody);
+        test.world.set_velocity(train[i], {40, 0, 0}, {0, 0, 0});
+        if (i > 0) {
+            join(test,
+                 {.kind = JointKind::Fixed,
+                  .a = train[i],
+                  .b = train[i - 1],
+                  .anchor_a_world = {x, 0, 0}});
+        }
+    }
+    double error_m = 0;
+    for (int i = 0; i < 60; ++i) {
+        test.world.step();
+        error_m = std::max(error_m, test.world.max_joint_error_m());
+        for (const BodyId body : train) EXPECT_LT(test.at(body).x, 5);
+    }
+    EXPECT_LT(error_m, bar().crash_m);
 }
 
 TEST_P(JointLife, SleepersWakeWithTheirJoints) {
