@@ -85,13 +85,17 @@ void mark_old(btPersistentManifold& manifold) {
 /// those of slow pairs: a long reach must not melt the corners of a box into one.
 class Result final : public btManifoldResult {
 public:
-    Result(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b, btScalar merge_m)
-        : btManifoldResult(a, b), merge_m_(merge_m) {}
+    Result(const btCollisionObjectWrapper* a,
+           const btCollisionObjectWrapper* b,
+           btScalar merge_m,
+           const btVector3& pressed_m)
+        : btManifoldResult(a, b), merge_m_(merge_m), pressed_m_(pressed_m) {}
 
     void addContactPoint(const btVector3& normal,
                          const btVector3& on_b,
-                         btScalar distance) override {
+                         btScalar pressed_distance) override {
         btPersistentManifold& manifold = *m_manifoldPtr;
+        const btScalar distance = pressed_distance - normal.dot(pressed_m_);
         if (distance > manifold.getContactBreakingThreshold()) return;
         const btVector3 on_a = on_b + normal * distance;
         btManifoldPoint point(manifold.getBody0()->getWorldTransform().invXform(on_a),
@@ -128,7 +132,25 @@ private:
     }
 
     btScalar merge_m_;
+    btVector3 pressed_m_;  ///< by how much the first body was moved for the search
 };
+
+/// Bullet's boxes have no points before they overlap, so one that slides or rocks by a hair loses
+/// corners and finds them again every step. Two that touched are looked at a little nearer than
+/// they are: by this much along the last normal.
+btVector3 press_of_boxes(const Pair& pair, const btPersistentManifold& manifold) {
+    constexpr btScalar kShare = btScalar(0.01);  // of the smaller box's inner radius
+    constexpr btScalar kMost_m = btScalar(0.002);
+    if (manifold.getNumContacts() == 0) return {0, 0, 0};
+    if (pair.a->rigid->getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE ||
+        pair.b->rigid->getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE) {
+        return {0, 0, 0};
+    }
+    const btScalar core_m = std::min(pair.a->smallest_core_m, pair.b->smallest_core_m);
+    const btScalar press_m = std::min(kShare * core_m, kMost_m);
+    const btVector3& normal = manifold.getContactPoint(0).m_normalWorldOnB;
+    return normal * (manifold.getBody0() == pair.a->rigid.get() ? -press_m : press_m);
+}
 
 }  // namespace
 
@@ -149,6 +171,7 @@ btPersistentManifold* PairDispatcher::getNewManifold(const btCollisionObject* a,
 }
 
 btScalar PairMeeting::reach_of(const Pair& pair) const {
+    if (pair.blind) return pair.base_m;
     const BodyRecord& a = *pair.a;
     const BodyRecord& b = *pair.b;
     const btVector3 apart = a.rigid->getLinearVelocity() - b.rigid->getLinearVelocity();
@@ -188,15 +211,22 @@ void PairMeeting::meet(Pair& pair) {
 void PairMeeting::collide(Pair& pair) {
     const btCollisionObject& a = *pair.a->rigid;
     const btCollisionObject& b = *pair.b->rigid;
-    const btCollisionObjectWrapper first(
-        nullptr, a.getCollisionShape(), &a, a.getWorldTransform(), -1, -1);
+    btTransform pressed = a.getWorldTransform();
+    btVector3 pressed_m(0, 0, 0);
+    if (pair.algorithm != nullptr) {
+        manifolds_.resize(0);
+        pair.algorithm->getAllContactManifolds(manifolds_);
+        if (manifolds_.size() == 1) pressed_m = press_of_boxes(pair, *manifolds_[0]);
+        pressed.setOrigin(pressed.getOrigin() + pressed_m);
+    }
+    const btCollisionObjectWrapper first(nullptr, a.getCollisionShape(), &a, pressed, -1, -1);
     const btCollisionObjectWrapper second(
         nullptr, b.getCollisionShape(), &b, b.getWorldTransform(), -1, -1);
     if (pair.algorithm == nullptr) {
         pair.algorithm =
             dispatcher_.findAlgorithm(&first, &second, nullptr, BT_CONTACT_POINT_ALGORITHMS);
     }
-    Result result(&first, &second, pair.base_m);
+    Result result(&first, &second, pair.base_m, pressed_m);
     // Two balls are the only shapes that look at nothing else. Compounds must not see it: they
     // would throw the points of their children away.
     const bool balls = a.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE &&
@@ -220,7 +250,7 @@ void PairMeeting::drop_unreachable(btPersistentManifold& manifold, btScalar base
 }
 
 bool PairMeeting::knows_less(const Pair& pair) const {
-    return 2 * (jolt_mps(pair) - pair.jolt_mps) * step_.step_s > pair.base_m;
+    return !pair.blind && 2 * (jolt_mps(pair) - pair.jolt_mps) * step_.step_s > pair.base_m;
 }
 
 void PairMeeting::part(Pair& pair) {
@@ -268,15 +298,13 @@ void PairMeeting::list_manifolds(const Pair& pair, std::vector<btPersistentManif
 }
 
 bool boxes_overlap(const Pair& pair) {
-    const btBroadphaseProxy& a = *pair.a->rigid->getBroadphaseProxy();
-    const btBroadphaseProxy& b = *pair.b->rigid->getBroadphaseProxy();
+    const btBroadphaseProxy& a = *pair.box_a;
+    const btBroadphaseProxy& b = *pair.box_b;
     return TestAabbAgainstAabb2(a.m_aabbMin, a.m_aabbMax, b.m_aabbMin, b.m_aabbMax);
 }
 
 bool boxes_are_far(const Pair& pair) {
-    const auto& a = static_cast<const btDbvtProxy&>(*pair.a->rigid->getBroadphaseProxy());
-    const auto& b = static_cast<const btDbvtProxy&>(*pair.b->rigid->getBroadphaseProxy());
-    return !Intersect(a.leaf->volume, b.leaf->volume);
+    return !Intersect(pair.box_a->leaf->volume, pair.box_b->leaf->volume);
 }
 
 }  // namespace plumbline::physics

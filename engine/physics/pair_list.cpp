@@ -6,22 +6,26 @@
 namespace plumbline::physics {
 namespace {
 
-/// Where the pair with `other` is or would be among the record's, by the other's id.
-std::vector<Pair*>::iterator place_of(BodyRecord& record, const BodyRecord& other) {
+using Links = std::vector<PairLink>;
+
+/// Where the pair with `other` is or would be among the record's.
+Links::iterator place_of(BodyRecord& record, BodyId other) {
     return std::lower_bound(
-        record.pairs.begin(), record.pairs.end(), other.id, [&record](const Pair* pair, BodyId id) {
-            return partner(*pair, record).id < id;
+        record.pairs.begin(), record.pairs.end(), other, [](const PairLink& link, BodyId id) {
+            return link.other < id;
         });
 }
 
-bool is_pair_with(const BodyRecord& record,
-                  std::vector<Pair*>::iterator place,
-                  const BodyRecord& other) {
-    return place != record.pairs.end() && &partner(**place, record) == &other;
+bool is_pair_with(const BodyRecord& record, Links::iterator place, BodyId other) {
+    return place != record.pairs.end() && place->other == other;
 }
 
 BodyRecord& record_of(const btBroadphaseProxy& proxy) {
     return physics::record_of(*static_cast<const btCollisionObject*>(proxy.m_clientObject));
+}
+
+bool is_box(const BodyRecord& record) {
+    return record.rigid->getCollisionShape()->getShapeType() == BOX_SHAPE_PROXYTYPE;
 }
 
 bool is_ball(const BodyRecord& record) {
@@ -43,14 +47,14 @@ PairList::~PairList() {
 btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
                                                btBroadphaseProxy* second) {
     if (!needsBroadphaseCollision(first, second)) return nullptr;
-    BodyRecord* a = &record_of(*first);
-    BodyRecord* b = &record_of(*second);
-    if (b->id < a->id) std::swap(a, b);
+    if (record_of(*second).id < record_of(*first).id) std::swap(first, second);
+    BodyRecord& a = record_of(*first);
+    BodyRecord& b = record_of(*second);
     // Searching the shorter list: the ground has a pair with everybody.
-    BodyRecord& few = a->pairs.size() < b->pairs.size() ? *a : *b;
-    BodyRecord& other = &few == a ? *b : *a;
-    const auto place = place_of(few, other);
-    if (is_pair_with(few, place, other)) return nullptr;
+    BodyRecord& few = a.pairs.size() < b.pairs.size() ? a : b;
+    BodyRecord& many = &few == &a ? b : a;
+    const auto place = place_of(few, many.id);
+    if (is_pair_with(few, place, many.id)) return nullptr;
 
     Pair* pair = nullptr;
     if (free_.empty()) {
@@ -59,12 +63,15 @@ btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
         pair = free_.back();
         free_.pop_back();
     }
-    *pair = {.a = a,
-             .b = b,
-             .base_m = std::min(a->touch_m, b->touch_m),
-             .round = (is_ball(*a) && is_single(*b)) || (is_ball(*b) && is_single(*a))};
-    few.pairs.insert(place, pair);
-    other.pairs.insert(place_of(other, few), pair);
+    *pair = {.a = &a,
+             .b = &b,
+             .box_a = static_cast<const btDbvtProxy*>(first),
+             .box_b = static_cast<const btDbvtProxy*>(second),
+             .base_m = std::min(a.touch_m, b.touch_m),
+             .round = (is_ball(a) && is_single(b)) || (is_ball(b) && is_single(a)),
+             .blind = is_box(a) && is_box(b)};
+    few.pairs.insert(place, {many.id, pair});
+    many.pairs.insert(place_of(many, few.id), {few.id, pair});
     ++size_;
     return nullptr;
 }
@@ -78,8 +85,8 @@ void PairList::forget_algorithm(Pair& pair) {
 
 void PairList::remove(Pair& pair) {
     forget_algorithm(pair);
-    pair.a->pairs.erase(place_of(*pair.a, *pair.b));
-    pair.b->pairs.erase(place_of(*pair.b, *pair.a));
+    pair.a->pairs.erase(place_of(*pair.a, pair.b->id));
+    pair.b->pairs.erase(place_of(*pair.b, pair.a->id));
     free_.push_back(&pair);
     --size_;
 }
@@ -88,15 +95,15 @@ void* PairList::removeOverlappingPair(btBroadphaseProxy* first,
                                       btBroadphaseProxy* second,
                                       btDispatcher*) {
     BodyRecord& a = record_of(*first);
-    BodyRecord& b = record_of(*second);
+    const BodyId b = record_of(*second).id;
     const auto place = place_of(a, b);
-    if (is_pair_with(a, place, b)) remove(**place);
+    if (is_pair_with(a, place, b)) remove(*place->pair);
     return nullptr;
 }
 
 void PairList::removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy, btDispatcher*) {
     BodyRecord& record = record_of(*proxy);
-    while (!record.pairs.empty()) remove(*record.pairs.back());
+    while (!record.pairs.empty()) remove(*record.pairs.back().pair);
 }
 
 }  // namespace plumbline::physics

@@ -28,6 +28,8 @@ struct Jolt {
 struct Pair {
     BodyRecord* a{nullptr};
     BodyRecord* b{nullptr};
+    const btDbvtProxy* box_a{nullptr};
+    const btDbvtProxy* box_b{nullptr};
     btCollisionAlgorithm* algorithm{nullptr};  ///< holds the manifolds; none until boxes overlap
     btScalar base_m{0};                        ///< points of a slow pair count up to this distance
     btScalar reach_m{0};                       ///< and those of the latest step up to this one
@@ -35,11 +37,18 @@ struct Pair {
     std::uint32_t seen{0};                     ///< the walk that looked at it last
     bool touches{false};                       ///< has contact points
     bool round{false};                         ///< a ball: its points are new in every step
+    bool blind{false};  ///< two boxes: Bullet finds nothing before they overlap
 };
 
 inline BodyRecord& partner(const Pair& pair, const BodyRecord& record) {
     return pair.a == &record ? *pair.b : *pair.a;
 }
+
+/// A pair as one of its bodies lists it.
+struct PairLink {
+    BodyId other{};
+    Pair* pair{nullptr};
+};
 
 class PairList final : public btOverlappingPairCache {
 public:

@@ -90,12 +90,12 @@ struct BodyRecord {
     std::vector<const BodyRecord*> apart;
     std::uint32_t sweep_group{0};  ///< bodies that stop together share it; 0: stops alone
 
-    Rest rest{};               ///< small_step
-    std::vector<Pair*> pairs;  ///< small_step: by the other body's id
-    std::uint32_t row{0};      ///< small_step: among the awake bodies, while islands are built
-    Jolt jolt{};               ///< small_step
-    Real radius_m{0};          ///< of the farthest point from the centre of mass
-    Real touch_m{0};           ///< points count as near up to this distance
+    Rest rest{};                  ///< small_step
+    std::vector<PairLink> pairs;  ///< small_step: by the other body's id
+    std::uint32_t row{0};         ///< small_step: among the awake bodies, while islands are built
+    Jolt jolt{};                  ///< small_step
+    Real radius_m{0};             ///< of the farthest point from the centre of mass
+    Real touch_m{0};              ///< points count as near up to this distance
 
     Pose body_from_mass{};
     bool mass_frame_is_body{true};

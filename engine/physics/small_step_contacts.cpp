@@ -31,7 +31,7 @@ void SmallStepWorld::meet_pairs() {
 
 void SmallStepWorld::look_at(BodyRecord& body) {
     for (std::size_t i = 0; i < body.pairs.size();) {
-        Pair& pair = *body.pairs[i];
+        Pair& pair = *body.pairs[i].pair;
         if (pair.seen != walk_) {
             pair.seen = walk_;
             if (boxes_overlap(pair)) {
@@ -77,8 +77,8 @@ bool SmallStepWorld::spread_blows() {
         std::sort(spreading_.begin(), spreading_.end(), by_id);
         for (BodyRecord* record : spreading_) record->jolt.spread = true;
         for (BodyRecord* record : spreading_) {
-            for (Pair* pair : record->pairs) {
-                if (boxes_overlap(*pair) && meeting_.knows_less(*pair)) look(*pair);
+            for (const PairLink& link : record->pairs) {
+                if (boxes_overlap(*link.pair) && meeting_.knows_less(*link.pair)) look(*link.pair);
             }
         }
     }
@@ -91,10 +91,11 @@ void SmallStepWorld::list_touching() {
     if (!met_in_order_) {
         met_.clear();
         for (const BodyRecord* record : awake_) {
-            for (Pair* pair : record->pairs) {
-                const BodyRecord& other = partner(*pair, *record);
-                const bool listed = pushable(other) && other.id < record->id;
-                if (pair->touches && !listed) met_.push_back(pair);
+            for (const PairLink& link : record->pairs) {
+                if (!link.pair->touches) continue;
+                const bool listed =
+                    link.other < record->id && pushable(partner(*link.pair, *record));
+                if (!listed) met_.push_back(link.pair);
             }
         }
     }

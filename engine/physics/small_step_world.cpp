@@ -80,15 +80,15 @@ void SmallStepWorld::rouse(BodyRecord& record) {
 }
 
 void SmallStepWorld::wake_touching(const BodyRecord& record) {
-    for (const Pair* pair : record.pairs) {
-        if (pair->touches) wake(partner(*pair, record));
+    for (const PairLink& link : record.pairs) {
+        if (link.pair->touches) wake(partner(*link.pair, record));
     }
 }
 
 void SmallStepWorld::wake_overlapping(const BodyRecord& record) {
-    for (const Pair* pair : record.pairs) {
-        BodyRecord& other = partner(*pair, record);
-        if (sleeps(other) && boxes_overlap(*pair)) wake(other);
+    for (const PairLink& link : record.pairs) {
+        BodyRecord& other = partner(*link.pair, record);
+        if (sleeps(other) && boxes_overlap(*link.pair)) wake(other);
     }
 }
 
