@@ -7,6 +7,7 @@
 #include "engine/physics/small_step/substep_choice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace plumbline::physics {
@@ -14,7 +15,8 @@ namespace {
 
 constexpr Real kPush_mps = 3;
 constexpr int kHoldSteps = 30;  ///< after the last step that asked for as many sub-steps
-constexpr double kFarFewer = 0.67;
+constexpr double kFarFewer = 0.75;
+constexpr int kMostSubsteps = 64;
 
 Quatd double_orientation(const btMatrix3x3& basis) {
     btQuaternion q;
@@ -200,13 +202,19 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
 void IslandSolver::Impl::hold(const Island& island,
                               const IslandStep& step,
                               SubstepChoice& choice) const {
-    int had = 0;
-    int for_steps = 0;
+    // What most of the bodies had: a few that join from a harder island do not decide.
+    std::array<int, kMostSubsteps + 1> bodies_with{};
+    for (const BodyRecord* record : island.bodies)
+        ++bodies_with[static_cast<std::size_t>(std::min(record->substeps, kMostSubsteps))];
+    int had = kMostSubsteps;
+    for (auto more = static_cast<std::size_t>(bodies_with.back());
+         had > 0 && 2 * more < island.bodies.size();) {
+        --had;
+        more += static_cast<std::size_t>(bodies_with[static_cast<std::size_t>(had)]);
+    }
+    int for_steps = kHoldSteps;
     for (const BodyRecord* record : island.bodies) {
-        if (record->substeps < had) continue;
-        for_steps = record->substeps > had ? record->substeps_held
-                                           : std::min(for_steps, record->substeps_held);
-        had = record->substeps;
+        if (record->substeps == had) for_steps = std::min(for_steps, record->substeps_held);
     }
     had = std::min(had, step.substeps_most);
     const bool far_fewer = kFarFewer * static_cast<double>(had) >= choice.substeps;

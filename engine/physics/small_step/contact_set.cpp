@@ -13,6 +13,8 @@ constexpr Real kContactDamping = 10;  ///< ratio: far above 1, sinking in never 
 /// from being singular, as a share of its diagonal.
 constexpr Real kRedundancy = 0.01_r;
 constexpr int kProjectedSweeps = 4;  ///< within a block, where some points press and some do not
+constexpr int kRubRounds = 3;   ///< of normals and friction, where what sticks changed by much ...
+constexpr Real kMuch = 0.02_r;  ///< ... as a share of its limit
 
 using Matrix = std::array<Lanes, kLanes>;
 
@@ -62,6 +64,12 @@ Matrix inverse_of(Matrix m) {
     return inverse;
 }
 
+Matrix reciprocals_of(const Matrix& diagonal) {
+    Matrix inverse{};
+    for (std::size_t i = 0; i < kLanes; ++i) inverse[i][i] = 1 / diagonal[i][i];
+    return inverse;
+}
+
 /// sum over axes of direction[axis] * lanes[axis]
 inline Lanes dot_lanes(const Vec3& direction, const LaneVec3& vectors) {
     Lanes result;
@@ -95,6 +103,11 @@ inline Lanes opening_speeds(const ContactBlock& block, const SolverBody& a, cons
 /// projected Gauss-Seidel within the block.
 Lanes projected(const ContactBlock& block, const Lanes& wanted, const Lanes& compliance) {
     Lanes next = block.normal_Ns;
+    if (block.count == 1) {
+        const Real error = wanted[0] + compliance[0] * next[0];
+        next[0] = std::max(next[0] - error / (block.response[0][0] + compliance[0]), Real{0});
+        return next;
+    }
     Lanes residual = wanted;
     for (int sweep = 0; sweep < kProjectedSweeps; ++sweep) {
         for (std::size_t i = 0; i < kLanes; ++i) {
@@ -207,8 +220,8 @@ void ContactSet::prepare(ContactBlock& block) const {
         soft_matrix[row][row] += block.compliance[row];
         rigid_matrix[row][row] *= 1 + kRedundancy * Real(block.count > 1);
     }
-    block.soft_mass = inverse_of(soft_matrix);
-    block.rigid_mass = inverse_of(rigid_matrix);
+    block.soft_mass = block.count > 1 ? inverse_of(soft_matrix) : reciprocals_of(soft_matrix);
+    block.rigid_mass = block.count > 1 ? inverse_of(rigid_matrix) : reciprocals_of(rigid_matrix);
     if (block.friction > 0) prepare_friction(block);
 }
 
@@ -315,9 +328,20 @@ void ContactSet::solve_with_bias(ContactBlock& block) {
 }
 
 void ContactSet::relax(ContactBlock& block) {
+    place(block);
+    // Friction turns a body about its centre, which loads other points than before: where it did
+    // so, both are solved again.
+    for (int round = 0; round < kRubRounds; ++round) {
+        if (!carry(block)) return;
+        if (block.friction <= 0 || !rub(block)) break;
+    }
+    if (block.rolling_m > 0 || block.spinning_m > 0) resist_rolling(block);
+}
+
+/// Normal impulses without bias. False: the bodies are apart and nothing holds them any more.
+bool ContactSet::carry(ContactBlock& block) {
     SolverBody& a = bodies_[block.a];
     SolverBody& b = bodies_[block.b];
-    place(block);
     Lanes wanted = opening_speeds(block, a, b);
     bool all_overlap = true;
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -329,7 +353,7 @@ void ContactSet::relax(ContactBlock& block) {
         const bool bouncy = block.restitution > 0 && block.normal_Ns[i] == 0;
         wanted[i] = bouncy ? kNoPoint_m : wanted[i] + block.separation_m[i] / h_;
     }
-    if (stays_apart(block, wanted) && !block.rubs()) return;
+    if (stays_apart(block, wanted) && !block.rubs()) return false;
     Lanes next;
     bool solved = false;
     if (all_overlap) {
@@ -340,14 +364,15 @@ void ContactSet::relax(ContactBlock& block) {
     }
     if (!solved) next = projected(block, wanted, Lanes{});
     press(block, a, b, next);
-    if (block.friction > 0) rub(block);
-    if (block.rolling_m > 0 || block.spinning_m > 0) resist_rolling(block);
+    row_solves += static_cast<std::uint64_t>(block.count);
+    return true;
 }
 
 /// Coulomb friction of the whole block: a force at the centre of the load and a twist about it, as
 /// much as stops the slip, within the ellipsoid that approximates their common limit (Goyal, Ruina
-/// and Papadopoulos, Planar sliding with dry friction, 1991).
-void ContactSet::rub(ContactBlock& block) {
+/// and Papadopoulos, Planar sliding with dry friction, 1991). Returns whether what
+/// sticks changed by much.
+bool ContactSet::rub(ContactBlock& block) {
     SolverBody& a = bodies_[block.a];
     SolverBody& b = bodies_[block.b];
     Vec3 center_a = block.center_a;
@@ -371,7 +396,8 @@ void ContactSet::rub(ContactBlock& block) {
     const Real twist_share = twist_limit > 0 ? twist / twist_limit : Real{0};
     const Real squared = next[0] * next[0] + next[1] * next[1];
     const Real used = squared + twist_share * twist_share * limit * limit;
-    if (used > limit * limit) {
+    const bool slides = used > limit * limit;
+    if (slides) {
         const Real kept = limit / std::sqrt(used);
         next[0] *= kept;
         next[1] *= kept;
@@ -380,6 +406,7 @@ void ContactSet::rub(ContactBlock& block) {
     const Vec3 force = block.tangent[0] * (next[0] - block.tangent_Ns[0]) +
                        block.tangent[1] * (next[1] - block.tangent_Ns[1]);
     const Vec3 turning = block.normal * (twist - block.twist_Nms);
+    const bool changed = !slides && glm::dot(force, force) > kMuch * kMuch * limit * limit;
     block.tangent_Ns[0] = next[0];
     block.tangent_Ns[1] = next[1];
     block.twist_Nms = twist;
@@ -392,6 +419,8 @@ void ContactSet::rub(ContactBlock& block) {
     b.moved_m -= change_b * (h_ / 2);
     a.spin_radps += a.inverse_inertia * (glm::cross(center_a, force) + turning);
     b.spin_radps -= b.inverse_inertia * (glm::cross(center_b, force) + turning);
+    row_solves += 3;
+    return changed;
 }
 
 /// Resistance to rolling and to spinning: torques of at most a length times the load.
@@ -432,7 +461,6 @@ void ContactSet::solve_with_bias() {
 void ContactSet::relax() {
     for (const std::uint32_t index : order_) {
         relax(blocks[index]);
-        row_solves += static_cast<std::uint64_t>(blocks[index].count) + 3;
     }
 }
 

@@ -38,7 +38,8 @@ private:
     void prepare_friction(ContactBlock& block) const;
     void solve_with_bias(ContactBlock& block);
     void relax(ContactBlock& block);
-    void rub(ContactBlock& block);
+    bool carry(ContactBlock& block);
+    bool rub(ContactBlock& block);
     void resist_rolling(ContactBlock& block);
 
     std::span<SolverBody> bodies_;

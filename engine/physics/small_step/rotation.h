@@ -13,9 +13,13 @@ template <class T>
 glm::qua<T> turn_by(const glm::vec<3, T>& spin_radps, T duration_s) {
     const T rate = glm::length(spin_radps);
     const T half = T(0.5) * rate * duration_s;
-    // sin(x)/x by its series where the quotient would lose digits.
-    const T scale =
-        half < T(1e-3) ? T(0.5) * duration_s * (1 - half * half / 6) : std::sin(half) / rate;
+    // By their series where sin(x)/x would lose digits: most bodies turn that slowly.
+    if (half < T(1e-3)) {
+        const T scale = T(0.5) * duration_s * (1 - half * half / 6);
+        return {
+            1 - half * half / 2, spin_radps.x * scale, spin_radps.y * scale, spin_radps.z * scale};
+    }
+    const T scale = std::sin(half) / rate;
     return {std::cos(half), spin_radps.x * scale, spin_radps.y * scale, spin_radps.z * scale};
 }
 
