@@ -81,6 +81,17 @@ void warn_of_overlaps(Simulation& simulation) {
                     deepest_m));
 }
 
+/// Two of Bullet's solvers are known to lose joints; whoever chose one should know.
+void warn_of_joints(Simulation& simulation) {
+    if (simulation.joints().empty()) return;
+    const physics::Solver solver = simulation.physics.def().solver;
+    if (solver == physics::Solver::BulletNncg)
+        simulation.add_warning("bullet_nncg throws some joints between free bodies apart");
+    if (solver == physics::Solver::BulletDantzig && simulation.joints().size() > 1)
+        simulation.add_warning(
+            "bullet_dantzig throws off bodies that are held twice over, as by two hinges");
+}
+
 void warn_of_lights(Simulation& simulation) {
     std::size_t lights = 0;
     simulation.registry.view<const PointLight>().each(
@@ -151,6 +162,7 @@ Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& des
         const Result<Done> made = simulation->add_joint(joint);
         if (!made) return made.error();
     }
+    warn_of_joints(*simulation);
     warn_of_overlaps(*simulation);
     warn_of_lights(*simulation);
     if (description.frames_everything) frame_everything(*simulation);

@@ -147,6 +147,22 @@ TEST(SimulationJoints, PotentialEnergyHoldsTheSprings) {
     EXPECT_NEAR(state_of(run)["energy_J"]["potential"].get<double>(), 0.5 * 200 * 4, 1e-3);
 }
 
+TEST(SimulationJoints, WarnOfSolversThatLoseThem) {
+    SceneDescription scene = scene_of({cube("a", {0, 5, 0}), cube("b", {2, 5, 0})});
+    const auto warnings = [&scene](physics::Solver solver) {
+        Running run(scene, test::plain_surfaces(), {.solver = solver});
+        return run->warnings().size();
+    };
+    EXPECT_EQ(warnings(physics::Solver::BulletNncg), 0U);
+    scene.joints = {hung("first", "a", {0, 6, 0})};
+    EXPECT_EQ(warnings(physics::Solver::BulletSi), 0U);
+    EXPECT_EQ(warnings(physics::Solver::BulletNncg), 1U);
+    EXPECT_EQ(warnings(physics::Solver::BulletDantzig), 0U);
+    scene.joints.push_back(hung("second", "a", {0, 4, 0}));
+    EXPECT_EQ(warnings(physics::Solver::BulletDantzig), 1U);
+    EXPECT_EQ(warnings(physics::Solver::BulletPgs), 0U);
+}
+
 TEST(SimulationJoints, RefuseWhatCannotBe) {
     SceneDescription scene = scene_of(
         {cube("a", {0, 5, 0}), test::box("post", {0, 2, 0}, {1, 1, 1}, physics::BodyKind::Static)});
