@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
 #include <algorithm>
+#include <array>
 
 namespace plumbline::physics {
 namespace {
@@ -135,6 +136,11 @@ private:
     btVector3 pressed_m_;  ///< by how much the first body was moved for the search
 };
 
+bool are_boxes(const Pair& pair) {
+    return pair.a->rigid->getCollisionShape()->getShapeType() == BOX_SHAPE_PROXYTYPE &&
+           pair.b->rigid->getCollisionShape()->getShapeType() == BOX_SHAPE_PROXYTYPE;
+}
+
 /// Bullet's boxes have no points before they overlap, so one that slides or rocks by a hair loses
 /// corners and finds them again every step. Two that touched are looked at a little nearer than
 /// they are: by this much along the last normal.
@@ -142,15 +148,55 @@ btVector3 press_of_boxes(const Pair& pair, const btPersistentManifold& manifold)
     constexpr btScalar kShare = btScalar(0.01);  // of the smaller box's inner radius
     constexpr btScalar kMost_m = btScalar(0.002);
     if (manifold.getNumContacts() == 0) return {0, 0, 0};
-    if (pair.a->rigid->getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE ||
-        pair.b->rigid->getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE) {
-        return {0, 0, 0};
-    }
     const btScalar core_m = std::min(pair.a->smallest_core_m, pair.b->smallest_core_m);
     const btScalar press_m = std::min(kShare * core_m, kMost_m);
     const btVector3& normal = manifold.getContactPoint(0).m_normalWorldOnB;
     return normal * (manifold.getBody0() == pair.a->rigid.get() ? -press_m : press_m);
 }
+
+/// Two boxes find all their points in one go. The old ones are taken out before, or they would
+/// crowd out the new ones of a box that slides on; what they carried goes to the new point that is
+/// nearest on either box.
+class OldPoints {
+public:
+    void take(btPersistentManifold& manifold) {
+        count_ = manifold.getNumContacts();
+        for (int i = 0; i < count_; ++i)
+            points_[static_cast<std::size_t>(i)] = manifold.getContactPoint(i);
+        while (manifold.getNumContacts() > 0)
+            manifold.removeContactPoint(manifold.getNumContacts() - 1);
+    }
+    void give(btPersistentManifold& manifold, btScalar near_m) const {
+        for (int i = 0; i < manifold.getNumContacts(); ++i) {
+            btManifoldPoint& point = manifold.getContactPoint(i);
+            const btManifoldPoint* old = nearest(point, near_m);
+            if (old == nullptr) continue;
+            point.m_appliedImpulse = old->m_appliedImpulse;
+            point.m_appliedImpulseLateral1 = old->m_appliedImpulseLateral1;
+            point.m_appliedImpulseLateral2 = old->m_appliedImpulseLateral2;
+            point.m_prevRHS = old->m_prevRHS;
+            point.m_lifeTime = old->m_lifeTime + 1;
+        }
+    }
+
+private:
+    const btManifoldPoint* nearest(const btManifoldPoint& point, btScalar near_m) const {
+        const btManifoldPoint* found = nullptr;
+        btScalar least = near_m * near_m;
+        for (int i = 0; i < count_; ++i) {
+            const btManifoldPoint& old = points_[static_cast<std::size_t>(i)];
+            const btScalar away2 = std::min(old.m_localPointA.distance2(point.m_localPointA),
+                                            old.m_localPointB.distance2(point.m_localPointB));
+            if (away2 >= least) continue;
+            least = away2;
+            found = &old;
+        }
+        return found;
+    }
+
+    std::array<btManifoldPoint, MANIFOLD_CACHE_SIZE> points_{};
+    int count_{0};
+};
 
 }  // namespace
 
@@ -179,7 +225,8 @@ btScalar PairMeeting::reach_of(const Pair& pair) const {
     const btScalar way = speed * step_.step_s + step_.fall_m;
     // Resting bodies keep the distances at which Bullet merges and keeps points.
     if (2 * way <= pair.base_m) return pair.base_m;
-    return pair.base_m + std::min(way, unswept_m(a) + unswept_m(b));
+    // Points of round shapes are found at any distance; what others reach no further for is swept.
+    return pair.base_m + (pair.round ? way : std::min(way, unswept_m(a) + unswept_m(b)));
 }
 
 void PairMeeting::meet(Pair& pair) {
@@ -213,11 +260,17 @@ void PairMeeting::collide(Pair& pair) {
     const btCollisionObject& b = *pair.b->rigid;
     btTransform pressed = a.getWorldTransform();
     btVector3 pressed_m(0, 0, 0);
-    if (pair.algorithm != nullptr) {
+    OldPoints old_points;
+    btPersistentManifold* of_boxes = nullptr;
+    if (pair.algorithm != nullptr && are_boxes(pair)) {
         manifolds_.resize(0);
         pair.algorithm->getAllContactManifolds(manifolds_);
-        if (manifolds_.size() == 1) pressed_m = press_of_boxes(pair, *manifolds_[0]);
+        if (manifolds_.size() == 1) of_boxes = manifolds_[0];
+    }
+    if (of_boxes != nullptr) {
+        pressed_m = press_of_boxes(pair, *of_boxes);
         pressed.setOrigin(pressed.getOrigin() + pressed_m);
+        old_points.take(*of_boxes);
     }
     const btCollisionObjectWrapper first(nullptr, a.getCollisionShape(), &a, pressed, -1, -1);
     const btCollisionObjectWrapper second(
@@ -233,6 +286,7 @@ void PairMeeting::collide(Pair& pair) {
                        b.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
     result.m_closestPointDistanceThreshold = balls ? pair.reach_m : btScalar(0);
     pair.algorithm->processCollision(&first, &second, info_, &result);
+    if (of_boxes != nullptr) old_points.give(*of_boxes, pair.base_m);
 }
 
 void PairMeeting::drop_unreachable(btPersistentManifold& manifold, btScalar base_m) const {

@@ -36,7 +36,8 @@ struct alignas(16) ContactBlock {
     std::uint32_t b{kWorldBody};
     std::int32_t count{0};  ///< lanes in use
     bool against_immovable{false};
-    Vec3 normal{0, 1, 0};  ///< from b to a
+    Vec3 normal{0, 1, 0};        ///< from b to a
+    Vec3 start_normal{0, 1, 0};  ///< at the step's start
     /// A rounded side (ball, capsule, side of a cylinder) is the ball that touches: `offset` is its
     /// centre and its surface is `radius` nearer to the other body. Other sides have radius 0.
     Real radius_a{0};
@@ -80,6 +81,7 @@ struct alignas(16) ContactBlock {
         return tangent_Ns[0] != 0 || tangent_Ns[1] != 0 || twist_Nms != 0 ||
                rolling_Nms != Vec3{0, 0, 0};
     }
+    bool balls() const { return radius_a > 0 && radius_b > 0 && count == 1; }
     bool rounded() const { return radius_a > 0 || radius_b > 0; }
     Vec3 arm_a(int i) const { return lane(offset_a, i) - normal * radius_a; }
     Vec3 arm_b(int i) const { return lane(offset_b, i) + normal * radius_b; }

@@ -13,7 +13,7 @@ constexpr Real kContactDamping = 10;  ///< ratio: far above 1, sinking in never 
 /// from being singular, as a share of its diagonal.
 constexpr Real kRedundancy = 0.01_r;
 constexpr int kProjectedSweeps = 4;  ///< within a block, where some points press and some do not
-constexpr int kRubRounds = 3;   ///< of normals and friction, where what sticks changed by much ...
+constexpr int kRubRounds = 6;   ///< of normals and friction, where what sticks changed by much ...
 constexpr Real kMuch = 0.02_r;  ///< ... as a share of its limit
 
 using Matrix = std::array<Lanes, kLanes>;
@@ -185,6 +185,7 @@ void ContactSet::begin_step(std::span<SolverBody> bodies, Real h, Real push_mps,
 }
 
 void ContactSet::prepare(ContactBlock& block) const {
+    block.start_normal = block.normal;
     const SolverBody& a = bodies_[block.a];
     const SolverBody& b = bodies_[block.b];
     block.against_immovable = !a.movable() || !b.movable();
@@ -268,7 +269,31 @@ void ContactSet::warm_start() {
     }
 }
 
+/// Two balls: the normal turns with the line between their centres.
+void ContactSet::place_balls(ContactBlock& block) const {
+    const SolverBody& a = bodies_[block.a];
+    const SolverBody& b = bodies_[block.b];
+    const Vec3 offset_a = a.turned * lane(block.offset_a, 0);
+    const Vec3 offset_b = b.turned * lane(block.offset_b, 0);
+    const Real reach_m = block.radius_a + block.radius_b;
+    const Vec3 apart = block.start_normal * (reach_m + block.start_separation_m[0]) + a.moved_m -
+                       b.moved_m + (offset_a - lane(block.offset_a, 0)) -
+                       (offset_b - lane(block.offset_b, 0));
+    const Real distance = glm::length(apart);
+    if (distance <= 0) return;
+    block.normal = apart / distance;
+    block.separation_m[0] = distance - reach_m;
+    block.center_a = offset_a - block.normal * block.radius_a;
+    block.center_b = offset_b + block.normal * block.radius_b;
+    set_lane(block.angular_a, 0, glm::cross(block.center_a, block.normal));
+    set_lane(block.angular_b, 0, glm::cross(block.center_b, block.normal));
+    const Vec3 along = block.tangent[0] - block.normal * glm::dot(block.normal, block.tangent[0]);
+    block.tangent[0] = normalize_or(along, block.tangent[1]);
+    block.tangent[1] = glm::cross(block.normal, block.tangent[0]);
+}
+
 void ContactSet::place(ContactBlock& block) const {
+    if (block.balls()) return place_balls(block);
     const SolverBody& a = bodies_[block.a];
     const SolverBody& b = bodies_[block.b];
     const Vec3 moved = a.moved_m - b.moved_m;
@@ -377,7 +402,9 @@ bool ContactSet::rub(ContactBlock& block) {
     SolverBody& b = bodies_[block.b];
     Vec3 center_a = block.center_a;
     Vec3 center_b = block.center_b;
-    if (block.radius_a > 0) {
+    if (block.balls()) {
+        // place_balls() left them where they are
+    } else if (block.radius_a > 0) {
         center_b += a.moved_m - b.moved_m;
     } else if (block.radius_b > 0) {
         center_a += b.moved_m - a.moved_m;

@@ -34,6 +34,7 @@ public:
     Real substep_s() const { return h_; }
 
 private:
+    void place_balls(ContactBlock& block) const;
     void prepare(ContactBlock& block) const;
     void prepare_friction(ContactBlock& block) const;
     void solve_with_bias(ContactBlock& block);

@@ -62,16 +62,34 @@ bool ImpactPass::gather(const Pair& pair) {
             if (separation + h * reached_mps > kTouching_m) continue;
             if (speed < -threshold_mps_) {
                 fast = true;
-                // Energy along the normal, from here to the surface and back.
-                const Real fall = -2 * opening_mps2 * separation;
-                const Real at_surface = std::max(speed * speed + fall, Real{0});
-                const Real e = block.restitution;
-                blow.target_mps = std::sqrt(std::max(e * e * at_surface - fall, Real{0}));
+                aim(block, separation, speed, opening_mps2, blow);
             }
             blows_.push_back(blow);
         }
     }
     return fast;
+}
+
+/// The speed after, and for balls where and when they meet: tau from s + v tau + a tau^2 / 2 = 0.
+/// A ball is put where the parabola of its way out begins, so that after the sub-step it is where
+/// and as fast as if it had bounced at tau. Other shapes bounce here, with the energy that they
+/// would have had at the surface.
+void ImpactPass::aim(const ContactBlock& block,
+                     Real separation_m,
+                     Real speed_mps,
+                     Real opening_mps2,
+                     Blow& blow) const {
+    const Real fall = -2 * opening_mps2 * separation_m;
+    const Real at_surface = std::sqrt(std::max(speed_mps * speed_mps + fall, Real{0}));
+    const Real out_mps = block.restitution * at_surface;
+    if (!block.rounded() || block.count != 1 || separation_m < 0) {
+        blow.target_mps = std::sqrt(std::max(out_mps * out_mps - fall, Real{0}));
+        return;
+    }
+    const Real tau_s =
+        std::min(2 * separation_m / (at_surface - speed_mps), contacts_->substep_s());
+    blow.target_mps = out_mps - opening_mps2 * tau_s;
+    blow.shift_m = opening_mps2 * tau_s * tau_s / 2 - out_mps * tau_s - separation_m;
 }
 
 void ImpactPass::weigh_blows() {
@@ -128,6 +146,12 @@ void ImpactPass::solve_blows() {
         }
     }
     for (const Blow& blow : blows_) {
+        const ContactBlock& struck = contacts_->blocks[blow.block];
+        SolverBody& a = bodies_[struck.a];
+        SolverBody& b = bodies_[struck.b];
+        const Vec3 shift = struck.normal * (blow.shift_m / (a.inverse_mass + b.inverse_mass));
+        a.moved_m += shift * a.inverse_mass;
+        b.moved_m -= shift * b.inverse_mass;
         contacts_->blocks[blow.block].total_Ns[static_cast<std::size_t>(blow.lane)] +=
             blow.normal_Ns;
     }

@@ -36,11 +36,17 @@ private:
         Real normal_mass{0};
         Real tangent_mass[2]{0, 0};
         Real target_mps{0};  ///< along the normal, after
+        Real shift_m{0};     ///< along the normal: where a bounce at the surface would have begun
         Real normal_Ns{0};
         Real tangent_Ns[2]{0, 0};
     };
 
     bool gather(const Pair& pair);
+    void aim(const ContactBlock& block,
+             Real separation_m,
+             Real speed_mps,
+             Real opening_mps2,
+             Blow& blow) const;
     void weigh_blows();
     void solve_blows();
     void solve_friction(Blow& blow);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kDeepestShare = 3e-3;
 constexpr double kMeanShare = 1.5e-3;
 /// Smaller bodies may sink in by the shares of this size: nobody sees a tenth of a millimetre.
-constexpr double kSmallest_m = 0.5;
+constexpr double kSmallest_m = 0.3;
 constexpr double kSubstepsPerLevel = 0.4;
 constexpr double kTurn_rad = 0.08;    ///< of jointed bodies in one sub-step
 constexpr double kJointError = 1e-3;  ///< share of the bodies' size
