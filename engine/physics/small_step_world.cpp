@@ -44,6 +44,7 @@ SmallStepWorld::SmallStepWorld(const SmallStepParts& parts)
 void SmallStepWorld::enter(BodyRecord& record) {
     record.awake = false;
     record.slumber = 0;
+    record.sweep_group = 0;
     if (pushable(record)) {
         rouse(record);
         return;
