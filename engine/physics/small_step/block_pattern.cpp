@@ -3,6 +3,7 @@
 #include "engine/core/assert.h"
 
 #include <algorithm>
+#include <compare>
 #include <set>
 #include <utility>
 
@@ -15,7 +16,7 @@ using Neighbours = std::vector<std::vector<std::uint32_t>>;
 class Elimination {
 public:
     Elimination(Neighbours neighbours, std::span<const std::uint32_t> weights)
-        : neighbours_(std::move(neighbours)), weights_(weights), degree_(neighbours_.size()) {}
+        : neighbours_(std::move(neighbours)), weights_(weights), places_(neighbours_.size()) {}
 
     EliminationOrder run(double most_multiply_adds) {
         const auto count = static_cast<std::uint32_t>(neighbours_.size());
@@ -26,7 +27,7 @@ public:
             result_.component_begin.push_back(static_cast<std::uint32_t>(result_.order.size()));
             queue_component(i, seen);
             while (!queue_.empty() && !result_.too_dear) {
-                eliminate(queue_.begin()->second);
+                eliminate(queue_.begin()->vertex);
                 result_.too_dear = result_.multiply_adds > most_multiply_adds;
             }
         }
@@ -35,6 +36,15 @@ public:
     }
 
 private:
+    /// Of equals, the one whose neighbourhood has not changed for longest goes first: a chain is
+    /// eliminated from both ends, in two strands that a processor works on at the same time.
+    struct Place {
+        std::uint32_t degree{0};
+        std::uint32_t changed{0};
+        std::uint32_t vertex{0};
+        auto operator<=>(const Place&) const = default;
+    };
+
     std::uint32_t degree_of(std::uint32_t vertex) const {
         std::uint32_t sum = 0;
         for (const std::uint32_t other : neighbours_[vertex]) sum += weights_[other];
@@ -46,8 +56,8 @@ private:
         seen[first] = true;
         for (std::size_t i = 0; i < reached.size(); ++i) {
             const std::uint32_t vertex = reached[i];
-            degree_[vertex] = degree_of(vertex);
-            queue_.emplace(degree_[vertex], vertex);
+            places_[vertex] = {degree_of(vertex), 0, vertex};
+            queue_.insert(places_[vertex]);
             for (const std::uint32_t other : neighbours_[vertex]) {
                 if (!seen[other]) reached.push_back(other);
                 seen[other] = true;
@@ -56,18 +66,18 @@ private:
     }
 
     void eliminate(std::uint32_t vertex) {
-        queue_.erase({degree_[vertex], vertex});
+        queue_.erase(places_[vertex]);
         std::vector<std::uint32_t>& clique = neighbours_[vertex];
-        double below = degree_[vertex];
+        double below = places_[vertex].degree;
         for (std::uint32_t i = 0; i < weights_[vertex]; ++i) {
             const double rows = below + (weights_[vertex] - 1 - i);
             result_.multiply_adds += rows + rows * (rows + 1) / 2;
         }
         for (const std::uint32_t other : clique) {
             join(other, vertex, clique);
-            queue_.erase({degree_[other], other});
-            degree_[other] = degree_of(other);
-            queue_.emplace(degree_[other], other);
+            queue_.erase(places_[other]);
+            places_[other] = {degree_of(other), ++changes_, other};
+            queue_.insert(places_[other]);
         }
         result_.order.push_back(vertex);
         result_.later[vertex] = std::move(clique);
@@ -87,8 +97,9 @@ private:
 
     Neighbours neighbours_;
     std::span<const std::uint32_t> weights_;
-    std::vector<std::uint32_t> degree_;
-    std::set<std::pair<std::uint32_t, std::uint32_t>> queue_;  // degree, vertex
+    std::vector<Place> places_;  // by vertex
+    std::set<Place> queue_;
+    std::uint32_t changes_{0};
     std::vector<std::uint32_t> merged_;
     EliminationOrder result_;
 };

@@ -17,7 +17,7 @@ struct EliminationOrder {
     bool too_dear{false};                           ///< stopped: the rest is not valid
 };
 
-/// Minimum degree, the first of equals first, one connected component after the other. `weights`
+/// Minimum degree, one connected component after the other. `weights`
 /// are the blocks a vertex stands for. Gives up once more than `most_multiply_adds` are needed.
 EliminationOrder minimum_degree_order(std::vector<std::vector<std::uint32_t>> neighbours,
                                       std::span<const std::uint32_t> weights,

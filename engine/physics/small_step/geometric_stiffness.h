@@ -23,13 +23,25 @@ public:
     void lower(JointGroup& group);
 
 private:
-    /// What the body needs about the axis with this moment.
-    double wanted_moment(std::size_t body, double moment, double substep_s) const;
-    void add_pull(const JointRows& rows, const Vec3d& force_on_b);
+    /// A node whose force pulls at arms, and how far from each of the bodies' axes it does.
+    struct Pull {
+        std::uint32_t node{0};
+        Vec3d lever_a_m{0, 0, 0};
+        Vec3d lever_b_m{0, 0, 0};
+    };
 
-    std::vector<double> stiffness_Nm_;  // by body
-    std::vector<double> pivot_kgm2_;    // by body: what turning it moves besides itself
+    bool find_stiffness(const JointGroup& group, std::span<const Vec3d> corrections);
+    bool is_too_fast() const;
+    void find_pivots(const JointGroup& group);
+    /// What the body needs about one of its axes.
+    double wanted_moment(const JointGroup& group, std::size_t body, int axis) const;
+
+    std::vector<Pull> pulls_;
+    std::vector<Vec3d> stiffness_Nm_;  // by body, about its axes
+    std::vector<Vec3d> limit_Nm_;      // what a sub-step can follow
+    std::vector<double> pivot_kgm2_;   // by body: what turning it moves besides itself
     std::vector<std::uint32_t> joints_at_;
+    bool raised_{false};  // some body has more inertia than its own
 };
 
 }  // namespace plumbline::physics

@@ -29,7 +29,7 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     if (!joints.empty()) joint_system_.start(bodies, joints, h, settings.joint_method);
     for (int i = 0; i < settings.substeps; ++i) substep();
     if (!joints.empty()) {
-        joint_system_.finish(settings.step_s);
+        joint_system_.finish();
         report_.max_joint_error_m = joint_system_.work().max_error_m;
         report_.row_solves += joint_system_.work().row_solves;
     }
@@ -66,6 +66,7 @@ void IslandLoop::apply_steady_forces() {
 }
 
 void IslandLoop::solve_velocities() {
+    if (contacts.blocks.empty() && !joint_system_.solves_before_motion()) return;
     for (int i = 0; i < settings_.iterations; ++i) {
         contacts.solve_with_bias();
         if (!joints.empty()) joint_system_.solve_velocities();

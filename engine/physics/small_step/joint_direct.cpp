@@ -18,7 +18,7 @@ constexpr double kGoodError = 1e-7;
 /// ... and rows are made anew when an iteration leaves more than this of the error before it.
 constexpr double kConverging = 0.2;
 /// Errors below it, m or rad, are rounding.
-constexpr double kNoError = 1e-12;
+constexpr double kNoError = 1e-10;
 
 Vec3d masked(const Vec3d& v, std::uint8_t active) {
     if (active == 0b111) return v;
@@ -115,7 +115,7 @@ void DirectJoints::assemble(const JointGroup& group,
         const JointRows& row = group.rows[term.row];
         const JointRows& column = group.rows[term.column];
         const JointBody& body = group.bodies[term.row_is_b ? row.b : row.a];
-        Block3 block = coupling(row, term.row_is_b, column, term.column_is_b, body);
+        Block3 block = coupling(row, term.row_is_b, column, term.column_is_b, body.inverse_mass);
         if ((row.active & column.active) != 0b111) mask(block, row.active, column.active);
         add(matrix.below[term.block], block);
     }
@@ -157,6 +157,7 @@ void DirectJoints::push_solution(JointGroup& group, const JointComponent& compon
 }
 
 void DirectJoints::correct_positions(JointGroup& group) {
+    for (JointBody& body : group.bodies) body.note_momentum();
     hold_positions(group);
     converge(group);
     if (group.anything_left_over) {
@@ -170,12 +171,11 @@ void DirectJoints::correct_positions(JointGroup& group) {
         solve_all(group, matrix_);
         displace(group, false);
     }
-    stiffness_.lower(group);
     for (JointBody& body : group.bodies) {
         body.update_inertia();
-        body.spin_radps += body.inverse_inertia * body.twisted_in_all_kgm2 / group.substep_s;
-        body.twisted_in_all_kgm2 = {0, 0, 0};
+        body.set_spin(group.substep_s);
     }
+    stiffness_.lower(group);
 }
 
 /// Two iterations with rows and factor of before the motion, further ones where errors are large;
@@ -250,66 +250,81 @@ void DirectJoints::displace(JointGroup& group, bool with_velocities) {
     }
 }
 
-void DirectJoints::solve_with_springs(JointGroup& group, std::span<const Vec3d> bias) {
+/// Leaves the springs' impulses, in view of what the joints will make of them, in x_.
+void DirectJoints::solve_springs(JointGroup& group) {
     spring_matrix_.fit(group.topology->pattern);
     for (const JointComponent& component : group.topology->components) {
         assemble(group, component, spring_matrix_);
         spring_matrix_.factor(component.first_node, component.last_node, floor_);
     }
-    take_half_of_steady(group, 1);
     for (const JointBound& bound : group.bounds) {
         wanted_[bound.node][bound.row] = bound.at_bound() ? bound.wanted_speed() : 0;
     }
     for (std::size_t i = 0; i < group.rows.size(); ++i) {
         const JointRows& rows = group.rows[i];
-        x_[i] = masked(wanted_[i] - bias[i] - rows.speeds(group.bodies), rows.active);
+        x_[i] = masked(wanted_[i] - bias_[i] - rows.speeds(group.bodies), rows.active);
     }
-    take_half_of_steady(group, -1);
     solve_all(group, spring_matrix_);
+}
+
+/// Only what the springs themselves give: the joints' part is found once all forces are in.
+void DirectJoints::push_springs_only(JointGroup& group, std::span<const JointSpring> springs) {
+    for (const JointSpring& spring : springs) {
+        const Vec3d impulse{group.rows[spring.node].is_active(0) ? x_[spring.node].x : 0.0, 0, 0};
+        group.rows[spring.node].push(group.bodies, impulse);
+        group.impulses[spring.node] += impulse;
+        group.rows[spring.node].active = 0;
+    }
+}
+
+void DirectJoints::damp_springs(JointGroup& group, std::span<const JointSpring> springs) {
+    bool any = false;
+    for (const JointSpring& spring : springs) {
+        const double inverse_mass = SpringLine(spring).inverse_mass;
+        if (!(spring.damping_Nspm > 0) || !(inverse_mass > 0)) continue;
+        any = true;
+        bias_[spring.node].x = 0;
+        compliance_[spring.node] = damping_row(spring, inverse_mass, group.substep_s).compliance;
+        group.rows[spring.node].active = 0b001;
+    }
+    if (!any) return;
+    const std::vector<JointBody>& bodies = group.bodies;
+    now_.assign(bodies.size(), StartOfSubstep{});
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        now_[i] = {bodies[i].velocity_mps, bodies[i].spin_radps};
+        const StartOfSubstep start = start_of_substep(bodies[i], group.substep_s);
+        group.bodies[i].velocity_mps = start.velocity_mps;
+        group.bodies[i].spin_radps = start.spin_radps;
+    }
+    solve_springs(group);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        group.bodies[i].velocity_mps = now_[i].velocity_mps;
+        group.bodies[i].spin_radps = now_[i].spin_radps;
+    }
+    push_springs_only(group, springs);
 }
 
 void DirectJoints::push_springs(JointGroup& group,
                                 std::span<JointSpring> springs,
                                 double duration_s) {
+    if (springs.empty()) return;
     compliance_.assign(group.rows.size(), 0.0);
     bias_.assign(group.rows.size(), Vec3d{0, 0, 0});
+    damp_springs(group, springs);
     for (const JointSpring& spring : springs) {
-        const StiffRow row = stiff_row(spring, SpringLine(spring).length_m, duration_s);
-        compliance_[spring.node] = row.compliance;
+        if (!(spring.stiffness_Npm > 0)) continue;
+        const StiffRow row = push_row(spring, SpringLine(spring), duration_s);
         bias_[spring.node].x = row.bias_mps;
+        compliance_[spring.node] = row.compliance;
         group.rows[spring.node].active = 0b001;
     }
-    solve_with_springs(group, bias_);
+    take_half_of_steady(group, 1);
+    solve_springs(group);
+    take_half_of_steady(group, -1);
     for (JointSpring& spring : springs) {
-        const double impulse = x_[spring.node].x;
-        const double speed = -bias_[spring.node].x - compliance_[spring.node] * impulse;
-        keep_stiff_share(spring, SpringLine(spring).length_m, speed, duration_s);
-        group.rows[spring.node].active = 0;
-        group.rows[spring.node].push(group.bodies, {impulse, 0, 0});
-        group.impulses[spring.node].x += impulse;
+        spring.kept_Ns = group.rows[spring.node].is_active(0) ? x_[spring.node].x : 0;
     }
-}
-
-void DirectJoints::damp_springs(JointGroup& group,
-                                std::span<JointSpring> springs,
-                                double duration_s) {
-    compliance_.assign(group.rows.size(), 0.0);
-    bias_.assign(group.rows.size(), Vec3d{0, 0, 0});
-    bool any = false;
-    for (const JointSpring& spring : springs) {
-        if (!(spring.damping_Nspm > 0)) continue;
-        any = true;
-        compliance_[spring.node] = 1 / (duration_s * spring.damping_Nspm);
-        group.rows[spring.node].active = 0b001;
-    }
-    if (!any) return;
-    solve_with_springs(group, bias_);
-    for (const JointSpring& spring : springs) {
-        const double impulse = x_[spring.node].x;
-        group.rows[spring.node].active = 0;
-        group.rows[spring.node].push(group.bodies, {impulse, 0, 0});
-        group.impulses[spring.node].x += impulse;
-    }
+    push_springs_only(group, springs);
 }
 
 }  // namespace plumbline::physics

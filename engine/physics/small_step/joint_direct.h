@@ -17,13 +17,11 @@ public:
     void solve_velocities(JointGroup& group);
     /// Bodies that moved are put back on the joints; velocities get what that took.
     void correct_positions(JointGroup& group);
-    /// The push of stiff springs before the motion, in view of what the joints will make of it.
+    /// The damping of stiff springs and their push before the motion, in view of what the joints
+    /// will make of it.
     void push_springs(JointGroup& group, std::span<JointSpring> springs, double duration_s);
-    /// Their damping after the motion.
-    void damp_springs(JointGroup& group, std::span<JointSpring> springs, double duration_s);
 
 private:
-    /// Where x_ stands for impulses along the rows.
     void assemble(const JointGroup& group, const JointComponent& component, BlockLdlt& matrix);
     void solve_component(JointGroup& group, const JointComponent& component);
     void push_solution(JointGroup& group, const JointComponent& component);
@@ -32,7 +30,9 @@ private:
     void solve_all(JointGroup& group, const BlockLdlt& matrix);
     void converge(JointGroup& group);
     void displace(JointGroup& group, bool with_velocities);
-    void solve_with_springs(JointGroup& group, std::span<const Vec3d> bias);
+    void solve_springs(JointGroup& group);
+    void damp_springs(JointGroup& group, std::span<const JointSpring> springs);
+    void push_springs_only(JointGroup& group, std::span<const JointSpring> springs);
 
     GeometricStiffness stiffness_;
     BlockLdlt matrix_;
@@ -42,7 +42,8 @@ private:
     std::vector<Vec3d> wanted_;       // speeds of the rows that are at a bound
     std::vector<Vec3d> held_;         // errors that positions are corrected to
     std::vector<double> compliance_;  // of stiff springs, by node; 0: none
-    std::vector<Vec3d> bias_;
+    std::vector<Vec3d> bias_;         // of stiff springs, by node
+    std::vector<StartOfSubstep> now_;
 };
 
 }  // namespace plumbline::physics

@@ -74,14 +74,12 @@ void IterativeJoints::refresh(const JointGroup& group) {
 }
 
 void IterativeJoints::warm_start(JointGroup& group) {
-    const auto steady = [&](double sign) {
-        for (const JointBody& body : group.bodies) {
-            if (!body.movable) continue;
-            body.body->steady_mps += Vec3(sign * body.velocity_mps);
-            body.body->steady_radps += Vec3(sign * body.spin_radps);
-        }
-    };
-    steady(-1);
+    // First order all through: half of a force's way would only be taken back by the soft joints.
+    for (const JointBody& body : group.bodies) {
+        if (!body.movable) continue;
+        body.body->steady_mps = {0, 0, 0};
+        body.body->steady_radps = {0, 0, 0};
+    }
     for (std::size_t i = 0; i < group.rows.size(); ++i) {
         group.rows[i].push(group.bodies, accumulated_[i]);
         group.impulses[i] += accumulated_[i];
@@ -89,13 +87,12 @@ void IterativeJoints::warm_start(JointGroup& group) {
     for (JointBound& bound : group.bounds) {
         const double warm = bound.impulse;
         bound.before_motion(group.substep_s);
+        bound.impulse = warm;
         Vec3d along{0, 0, 0};
         along[bound.row] = warm;
-        bound.impulse = warm;
         group.rows[bound.node].push(group.bodies, along);
         group.impulses[bound.node] += along;
     }
-    steady(1);
 }
 
 void IterativeJoints::sweep(JointGroup& group, bool with_bias) {

@@ -11,7 +11,7 @@ public:
     void start(JointGroup& group);
     /// Effective masses at the rows' latest refresh.
     void refresh(const JointGroup& group);
-    /// Applies the impulses of the sub-step before, as steady forces.
+    /// Applies the impulses of the sub-step before. Bodies on joints lose their steady change.
     void warm_start(JointGroup& group);
     /// One sweep. With bias before the bodies move, without it ("relax") after.
     void sweep(JointGroup& group, bool with_bias);

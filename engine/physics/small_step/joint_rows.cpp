@@ -18,13 +18,6 @@ double inverse_or_zero(double value) {
     return value > 0 ? 1 / value : 0;
 }
 
-/// The product of the matrix that takes a spin to `spin x arm` and m.
-Block3 spin_times(const Vec3d& arm, const Block3& m) {
-    return {{arm.z * m.row[1] - arm.y * m.row[2],
-             arm.x * m.row[2] - arm.z * m.row[0],
-             arm.y * m.row[0] - arm.x * m.row[1]}};
-}
-
 /// What an impulse at the arm does to the spin, as a matrix.
 Block3 spin_from_impulse(const Symmetric3& inertia, const Vec3d& arm) {
     return {{glm::cross(Vec3d{inertia.xx, inertia.xy, inertia.xz}, arm),
@@ -38,6 +31,11 @@ Block3 inertia_times_transposed(const Symmetric3& inertia, const Block3& m) {
     return {{Vec3d{columns.row[0].x, columns.row[1].x, columns.row[2].x},
              Vec3d{columns.row[0].y, columns.row[1].y, columns.row[2].y},
              Vec3d{columns.row[0].z, columns.row[1].z, columns.row[2].z}}};
+}
+
+/// A quaternion that is of unit length but for float32's rounding, without a root.
+Quatd renormalized(const Quatd& q) {
+    return q * (1.5 - 0.5 * glm::dot(q, q));
 }
 
 Block3 negated(const Block3& m) {
@@ -71,10 +69,6 @@ Vec3d turn_of(const Quatd& rotation) {
     return sine * (2.0 * std::atan2(length, sign * rotation.w) / length);
 }
 
-Vec3d gap_from_a_to_b(const JointRows& rows, const JointBody& a, const JointBody& b) {
-    return (b.position_m - a.position_m) + (b.axes * rows.anchor_in_b - a.axes * rows.anchor_in_a);
-}
-
 }  // namespace
 
 JointBody JointBody::of(SolverBody& body) {
@@ -83,10 +77,8 @@ JointBody JointBody::of(SolverBody& body) {
     made.movable = body.movable();
     if (!made.movable) return made;
     made.inverse_mass = static_cast<double>(body.inverse_mass);
-    made.inverse_moments = {inverse_or_zero(body.inertia_kgm2.x),
-                            inverse_or_zero(body.inertia_kgm2.y),
-                            inverse_or_zero(body.inertia_kgm2.z)};
     made.moments = body.inertia_kgm2;
+    made.set_felt_moments(made.moments);
     made.round = body.round_inertia;
     return made;
 }
@@ -104,7 +96,7 @@ void JointBody::write_velocities() const {
 
 void JointBody::read_pose() {
     position_m = body->start_position_m + Vec3d(body->moved_m);
-    orientation = glm::normalize(Quatd(body->turned) * body->start_orientation);
+    orientation = renormalized(Quatd(body->turned) * body->start_orientation);
     axes = rows_of(orientation);
 }
 
@@ -130,11 +122,33 @@ void JointBody::update_inertia() {
                              real(inverse_inertia.zz)};
 }
 
+void JointBody::set_felt_moments(const Vec3d& felt) {
+    felt_moments = felt;
+    inverse_moments = {inverse_or_zero(felt.x), inverse_or_zero(felt.y), inverse_or_zero(felt.z)};
+}
+
 void JointBody::slow_down(const Vec3d& kept, double duration_s) {
     const Vec3d slower = axes * (kept * axes.transposed_times(spin_radps));
     orientation = small_turn((slower - spin_radps) * duration_s) * orientation;
     axes = rows_of(orientation);
     spin_radps = slower;
+    note_momentum();
+}
+
+void JointBody::note_momentum() {
+    if (!movable || round) return;
+    momentum_Nms = axes * (felt_moments * axes.transposed_times(spin_radps));
+}
+
+void JointBody::set_spin(double substep_s) {
+    const Vec3d added = twisted_in_all_kgm2 / substep_s;
+    twisted_in_all_kgm2 = {0, 0, 0};
+    if (!movable) return;
+    if (round) {
+        spin_radps += inverse_moments * added;
+    } else {
+        spin_radps = inverse_inertia * (momentum_Nms + added);
+    }
 }
 
 void JointBody::displace() {
@@ -177,21 +191,15 @@ JointRows JointRows::of(const JointNode& node, const SolverJoint& joint) {
     return rows;
 }
 
-void JointRows::refresh(std::span<const JointBody> bodies) {
+void JointRows::refresh_others(std::span<const JointBody> bodies) {
     const JointBody& body_a = bodies[a];
     const JointBody& body_b = bodies[b];
-    if (kind == NodeKind::Point) {
-        arm_a = body_a.axes * anchor_in_a;
-        arm_b = body_b.axes * anchor_in_b;
-        update_responses(bodies);
-        return;
-    }
     switch (kind) {
         case NodeKind::Across:
             refresh_across(body_a, body_b);
             break;
         case NodeKind::Length:
-            refresh_length(body_a, body_b);
+            refresh_length(bodies);
             break;
         case NodeKind::Align:
             refresh_align(body_a, body_b);
@@ -203,7 +211,6 @@ void JointRows::refresh(std::span<const JointBody> bodies) {
             refresh_swing(body_a, body_b);
             break;
     }
-    update_responses(bodies);
 }
 
 void JointRows::update_responses(std::span<const JointBody> bodies) {
@@ -230,12 +237,14 @@ void JointRows::refresh_across(const JointBody& body_a, const JointBody& body_b)
     }
 }
 
-void JointRows::refresh_length(const JointBody& body_a, const JointBody& body_b) {
+void JointRows::refresh_length(std::span<const JointBody> bodies) {
+    const JointBody& body_a = bodies[a];
+    const JointBody& body_b = bodies[b];
     arm_a = body_a.axes * anchor_in_a;
     arm_b = body_b.axes * anchor_in_b;
-    const Vec3d gap = gap_from_a_to_b(*this, body_a, body_b);
-    const double length = glm::length(gap);
-    if (length > kNoLength_m) linear.row[0] = gap / length;
+    const Vec3d between = gap(bodies);
+    const double length = glm::length(between);
+    if (length > kNoLength_m) linear.row[0] = between / length;
     if (linear.row[0] == Vec3d{0, 0, 0}) linear.row[0] = body_b.axes * frame_in_b.row[0];
     angular_a.row[0] = glm::cross(linear.row[0], arm_a);
     angular_b.row[0] = glm::cross(arm_b, linear.row[0]);
@@ -268,19 +277,16 @@ void JointRows::refresh_swing(const JointBody& body_a, const JointBody& body_b) 
     angular_b = negated(angular_a);
 }
 
-Vec3d JointRows::errors(std::span<const JointBody> bodies) const {
+Vec3d JointRows::other_errors(std::span<const JointBody> bodies) const {
     const JointBody& body_a = bodies[a];
     const JointBody& body_b = bodies[b];
     switch (kind) {
-        case NodeKind::Point:
-            return gap_from_a_to_b(*this, body_a, body_b);
         case NodeKind::Across: {
-            const Vec3d gap = gap_from_a_to_b(*this, body_a, body_b);
-            const Vec3d seen = frame_in_b * Vec3d{body_b.axes.transposed_times(gap)};
+            const Vec3d seen = frame_in_b * Vec3d{body_b.axes.transposed_times(gap(bodies))};
             return {seen.y, seen.z, -seen.x};
         }
         case NodeKind::Length: {
-            const double length = glm::length(gap_from_a_to_b(*this, body_a, body_b));
+            const double length = glm::length(gap(bodies));
             return {bounded != 0 ? length : length - rest_m, 0, 0};
         }
         case NodeKind::Align:
@@ -316,41 +322,6 @@ double JointRows::twist(const JointBody& body_a, const JointBody& body_b) const 
     return unwrapped(2.0 * std::atan2(turned.x, turned.w), near_rad);
 }
 
-Vec3d JointRows::speeds(std::span<const JointBody> bodies) const {
-    const JointBody& body_a = bodies[a];
-    const JointBody& body_b = bodies[b];
-    if (kind == NodeKind::Point) return body_b.velocity_at(arm_b) - body_a.velocity_at(arm_a);
-    return linear * (body_b.velocity_mps - body_a.velocity_mps) + angular_a * body_a.spin_radps +
-           angular_b * body_b.spin_radps;
-}
-
-void JointRows::push(std::span<JointBody> bodies, const Vec3d& impulse) const {
-    JointBody& body_a = bodies[a];
-    JointBody& body_b = bodies[b];
-    const Vec3d force = kind == NodeKind::Point ? impulse : linear.transposed_times(impulse);
-    body_a.velocity_mps -= force * body_a.inverse_mass;
-    body_b.velocity_mps += force * body_b.inverse_mass;
-    body_a.spin_radps += response_a * impulse;
-    body_b.spin_radps += response_b * impulse;
-}
-
-void JointRows::displace(std::span<JointBody> bodies, const Vec3d& impulse) const {
-    JointBody& body_a = bodies[a];
-    JointBody& body_b = bodies[b];
-    if (kind == NodeKind::Point) {
-        body_a.pushed_kgm -= impulse;
-        body_b.pushed_kgm += impulse;
-        body_a.twisted_kgm2 -= glm::cross(arm_a, impulse);
-        body_b.twisted_kgm2 += glm::cross(arm_b, impulse);
-        return;
-    }
-    const Vec3d force = linear.transposed_times(impulse);
-    body_a.pushed_kgm -= force;
-    body_b.pushed_kgm += force;
-    body_a.twisted_kgm2 += angular_a.transposed_times(impulse);
-    body_b.twisted_kgm2 += angular_b.transposed_times(impulse);
-}
-
 Vec3d JointRows::force_on_a(const Vec3d& impulse) const {
     return kind == NodeKind::Point ? -impulse : -linear.transposed_times(impulse);
 }
@@ -361,36 +332,26 @@ Vec3d JointRows::torque_on_a(const Vec3d& impulse) const {
     return places ? Vec3d{0, 0, 0} : angular_a.transposed_times(impulse);
 }
 
-Block3 coupling(const JointRows& row,
-                bool row_is_b,
-                const JointRows& column,
-                bool column_is_b,
-                const JointBody& body) {
-    const double mass = row_is_b == column_is_b ? body.inverse_mass : -body.inverse_mass;
-    const Block3& response = column_is_b ? column.response_b : column.response_a;
-    Block3 block;
-    if (row.kind == NodeKind::Point) {
-        block = spin_times(row_is_b ? row.arm_b : -row.arm_a, response);
-        if (column.kind == NodeKind::Point) {
-            block.row[0].x += mass;
-            block.row[1].y += mass;
-            block.row[2].z += mass;
-            return block;
-        }
-    } else {
-        block = product(row_is_b ? row.angular_b : row.angular_a, response);
-    }
+Block3 coupling_of_others(const JointRows& row,
+                          bool row_is_b,
+                          const JointRows& column,
+                          bool column_is_b,
+                          double inverse_mass) {
     constexpr Block3 kUnit{{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}};
-    const Block3& rows = row.kind == NodeKind::Point ? kUnit : row.linear;
+    const bool row_is_point = row.kind == NodeKind::Point;
+    const Block3& response = column_is_b ? column.response_b : column.response_a;
+    Block3 block = row_is_point ? spin_times(row_is_b ? row.arm_b : -row.arm_a, response)
+                                : product(row_is_b ? row.angular_b : row.angular_a, response);
+    const Block3& rows = row_is_point ? kUnit : row.linear;
     const Block3& columns = column.kind == NodeKind::Point ? kUnit : column.linear;
     const Block3 linear = times_transposed(rows, columns);
-    for (std::size_t i = 0; i < 3; ++i) block.row[i] += linear.row[i] * mass;
+    for (std::size_t i = 0; i < 3; ++i) block.row[i] += linear.row[i] * inverse_mass;
     return block;
 }
 
-Symmetric3 own_coupling(const JointRows& rows, std::span<const JointBody> bodies) {
-    const Block3 a = coupling(rows, false, rows, false, bodies[rows.a]);
-    const Block3 b = coupling(rows, true, rows, true, bodies[rows.b]);
+Symmetric3 own_coupling_of_others(const JointRows& rows, std::span<const JointBody> bodies) {
+    const Block3 a = coupling(rows, false, rows, false, bodies[rows.a].inverse_mass);
+    const Block3 b = coupling(rows, true, rows, true, bodies[rows.b].inverse_mass);
     return {a.row[0].x + b.row[0].x,
             a.row[0].y + b.row[0].y,
             a.row[0].z + b.row[0].z,

@@ -10,6 +10,8 @@ namespace {
 /// damping rate * sub-step, to be followed explicitly; 4 would be unstable.
 constexpr double kMostExplicit = 0.25;
 constexpr double kNoLength_m = 1e-9;
+/// Decays over a sub-step up to this are followed exactly.
+constexpr double kExactDecay = 0.5;
 
 /// At most what an impulse at the anchor changes the anchor's velocity by, whatever its direction.
 double most_inverse_mass(const SolverBody& body, const Vec3d& anchor) {
@@ -139,32 +141,66 @@ void push_soft_spring(const JointSpring& spring,
     if (!after_motion) damp();
 }
 
-void push_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group) {
+StiffRow push_row(const JointSpring& spring, const SpringLine& line, double duration_s) {
+    // The force is that of the middle of the motion, stiffness * (extension + duration * speed).
+    const double extension_m = line.length_m - spring.rest_m;
+    double per_speed = spring.stiffness_Npm * duration_s;
+    // Where damping wins, bodies creep: the speed at which both are equal is what moves them.
+    const double damping = spring.damping_Nspm;
+    if (damping * damping * line.inverse_mass > 4 * spring.stiffness_Npm) per_speed += damping;
+    return {.bias_mps = spring.stiffness_Npm * extension_m / per_speed,
+            .compliance = 1 / (duration_s * per_speed)};
+}
+
+StiffRow damping_row(const JointSpring& spring, double inverse_mass, double substep_s) {
+    const double decay = spring.damping_Nspm * inverse_mass * substep_s;
+    // The exact decay of two free bodies; implicit Euler where it is nearly all in one sub-step:
+    // bodies that joints make heavier must not be stopped as if they were light.
+    const double compliance = decay < kExactDecay ? inverse_mass / std::expm1(decay)
+                                                  : 1 / (spring.damping_Nspm * substep_s);
+    return {.bias_mps = 0, .compliance = compliance};
+}
+
+StartOfSubstep start_of_substep(const JointBody& body, double substep_s) {
+    StartOfSubstep start{body.velocity_mps, body.spin_radps};
+    if (!body.movable) return start;
+    const SolverBody& of = *body.body;
+    const bool steady = of.steady_mps != Vec3{0, 0, 0} || of.steady_radps != Vec3{0, 0, 0};
+    const auto half = static_cast<Real>(substep_s / 2);
+    start.velocity_mps -= Vec3d(steady ? of.steady_mps : of.acceleration_mps2 * half);
+    start.spin_radps -= Vec3d(steady ? of.steady_radps : of.angular_acceleration_radps2 * half);
+    return start;
+}
+
+void damp_stiff_spring(const JointSpring& spring, JointGroup& group) {
     const SpringLine line(spring);
-    if (!(line.inverse_mass > 0)) return;
-    const StiffRow row = stiff_row(spring, line.length_m, duration_s);
-    const double speed = line.mean_speed(spring);
-    const double impulse = -(speed + row.bias_mps) / (line.inverse_mass + row.compliance);
-    keep_stiff_share(spring, line.length_m, speed + line.inverse_mass * impulse, duration_s);
+    if (!(line.inverse_mass > 0) || !(spring.damping_Nspm > 0)) return;
+    const auto at = [&](const JointBody& body, const Vec3d& arm) {
+        const StartOfSubstep start = start_of_substep(body, group.substep_s);
+        return start.velocity_mps + glm::cross(start.spin_radps, arm);
+    };
+    const double speed =
+        glm::dot(line.direction, at(*spring.b, line.arm_b) - at(*spring.a, line.arm_a));
+    const StiffRow row = damping_row(spring, line.inverse_mass, group.substep_s);
+    const double impulse = -speed / (line.inverse_mass + row.compliance);
     line.push(spring, impulse);
     add_to_totals(spring, line, impulse, group);
+}
+
+void push_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group) {
+    const SpringLine line(spring);
+    if (!(line.inverse_mass > 0) || !(spring.stiffness_Npm > 0)) return;
+    const StiffRow row = push_row(spring, line, duration_s);
+    spring.kept_Ns =
+        -(line.mean_speed(spring) + row.bias_mps) / (line.inverse_mass + row.compliance);
+    line.push(spring, spring.kept_Ns);
+    add_to_totals(spring, line, spring.kept_Ns, group);
 }
 
 void repeat_stiff_spring(const JointSpring& spring, JointGroup& group) {
     const SpringLine line(spring);
     line.push(spring, spring.kept_Ns);
     add_to_totals(spring, line, spring.kept_Ns, group);
-}
-
-StiffRow stiff_row(const JointSpring& spring, double length_m, double duration_s) {
-    const double per_speed = spring.stiffness_Npm * duration_s + spring.damping_Nspm;
-    return {.bias_mps = spring.stiffness_Npm * (length_m - spring.rest_m) / per_speed,
-            .compliance = 1 / (duration_s * per_speed)};
-}
-
-void keep_stiff_share(JointSpring& spring, double length_m, double mean_speed, double duration_s) {
-    spring.kept_Ns =
-        duration_s * spring.stiffness_Npm * (spring.rest_m - length_m - duration_s * mean_speed);
 }
 
 }  // namespace plumbline::physics

@@ -3,7 +3,8 @@
 // Soft ones (a sub-step is a small part of their period) push explicitly, half before the bodies
 // move and half after, with a force that makes the period of two free bodies right; their damping
 // is the exact decay between those pushes. Stiff ones follow the implicit midpoint rule, solved
-// together with the joints: it keeps the energy at any stiffness. Their damping is implicit.
+// together with the joints: it keeps the energy at any stiffness. Their damping comes before it and
+// only ever takes energy.
 #pragma once
 
 #include "engine/physics/small_step/joint_group.h"
@@ -20,7 +21,7 @@ struct JointSpring {
     double stiffness_Npm{0};
     double damping_Nspm{0};
     double rest_m{0};
-    double kept_Ns{0};  ///< stiff: the spring's share of the first push; the second repeats it
+    double kept_Ns{0};  ///< stiff: the push before the motion, which the one after repeats
 };
 
 /// A spring at its bodies' poses: its direction and what the bodies are along it.
@@ -55,19 +56,28 @@ void push_soft_spring(const JointSpring& spring,
                       double duration_s,
                       bool after_motion,
                       JointGroup& group);
-/// A stiff spring's implicit push before the motion as a row: A impulse + compliance * impulse =
+/// A stiff spring as a row: an impulse along it with A impulse + compliance * impulse =
 /// -(speed + bias).
 struct StiffRow {
     double bias_mps{0};
     double compliance{0};  ///< 1/kg
 };
-StiffRow stiff_row(const JointSpring& spring, double length_m, double duration_s);
-/// Remembers what the push gave the spring, without its damping. `mean_speed` is the one after it.
-void keep_stiff_share(JointSpring& spring, double length_m, double mean_speed, double duration_s);
+/// Its push before the motion; `speed` is the mean one, of the motion.
+StiffRow push_row(const JointSpring& spring, const SpringLine& line, double duration_s);
+/// Its damping over a whole sub-step, of the speed the sub-step began with. Not to be asked for
+/// without damping.
+StiffRow damping_row(const JointSpring& spring, double inverse_mass, double substep_s);
+/// The velocity that the sub-step began with: without what the caller's accelerations did since.
+struct StartOfSubstep {
+    Vec3d velocity_mps{0, 0, 0};
+    Vec3d spin_radps{0, 0, 0};
+};
+StartOfSubstep start_of_substep(const JointBody& body, double substep_s);
 
-/// A stiff spring by itself, for a half push before the motion.
+/// A stiff spring by itself: its damping, its half push before the motion.
+void damp_stiff_spring(const JointSpring& spring, JointGroup& group);
 void push_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group);
-/// The half push after the motion; without the damping.
+/// The half push after the motion.
 void repeat_stiff_spring(const JointSpring& spring, JointGroup& group);
 
 }  // namespace plumbline::physics

@@ -28,7 +28,6 @@ struct JointSystem::Impl {
     std::vector<bool> stiff;
     JointMethod method{JointMethod::Direct};
     Phase phase{Phase::Ready};
-    double damping_due_s{0};
     JointWork work;
 
     bool is_direct() const { return method == JointMethod::Direct; }
@@ -36,7 +35,7 @@ struct JointSystem::Impl {
     void list_springs();
     void begin_substep();
     void push_springs(double duration_s);
-    void finish_joint(std::size_t index, double step_s);
+    void finish_joint(std::size_t index);
 };
 
 void JointSystem::Impl::find_forms(std::span<const SolverBody> bodies) {
@@ -91,18 +90,19 @@ void JointSystem::Impl::push_springs(double duration_s) {
         const std::size_t index = after_motion ? soft_springs.size() - 1 - i : i;
         push_soft_spring(soft_springs[index], group.substep_s, duration_s, after_motion, group);
     }
-    if (stiff_springs.empty()) return;
     if (after_motion) {
         for (const JointSpring& spring : stiff_springs) repeat_stiff_spring(spring, group);
-        damping_due_s = duration_s;
     } else if (is_direct()) {
         direct.push_springs(group, stiff_springs, duration_s);
     } else {
-        for (JointSpring& spring : stiff_springs) push_stiff_spring(spring, duration_s, group);
+        for (JointSpring& spring : stiff_springs) {
+            damp_stiff_spring(spring, group);
+            push_stiff_spring(spring, duration_s, group);
+        }
     }
 }
 
-void JointSystem::Impl::finish_joint(std::size_t index, double step_s) {
+void JointSystem::Impl::finish_joint(std::size_t index) {
     SolverJoint& joint = group.joints[index];
     joint.total_impulse_Ns = group.totals[index].impulse_Ns;
     joint.total_angular_impulse_Nms = group.totals[index].angular_impulse_Nms;
@@ -118,7 +118,6 @@ void JointSystem::Impl::finish_joint(std::size_t index, double step_s) {
         joint.position = fit.position;
     }
     work.max_error_m = std::max(work.max_error_m, joint.error_m);
-    static_cast<void>(step_s);
 }
 
 JointSystem::JointSystem() : impl_(std::make_unique<Impl>()) {}
@@ -191,27 +190,26 @@ void JointSystem::refresh() {
     PL_ASSERT(impl.phase == Impl::Phase::Moved, "correct_positions() before refresh()");
     impl.phase = Impl::Phase::Ready;
     impl.group.refresh();
-    if (!impl.is_direct()) {
+    if (impl.is_direct()) {
+        impl.direct.factor(impl.group);
+    } else {
         impl.iterative.refresh(impl.group);
-        return;
     }
-    impl.direct.factor(impl.group);
-    if (impl.damping_due_s <= 0) return;
-    impl.group.read_velocities();
-    impl.direct.damp_springs(impl.group, impl.stiff_springs, impl.damping_due_s);
-    impl.group.write_velocities();
-    impl.damping_due_s = 0;
 }
 
-void JointSystem::finish(double step_s) {
+void JointSystem::finish() {
     Impl& impl = *impl_;
     impl.group.collect_totals();
-    for (std::size_t i = 0; i < impl.group.joints.size(); ++i) impl.finish_joint(i, step_s);
+    for (std::size_t i = 0; i < impl.group.joints.size(); ++i) impl.finish_joint(i);
     for (const JointBound& bound : impl.group.bounds) {
         bound.keep(impl.group.joints[bound.joint_index], impl.group.substep_s);
     }
     if (!impl.is_direct()) impl.iterative.finish(impl.group);
     impl.work.row_solves = impl.group.row_solves;
+}
+
+bool JointSystem::solves_before_motion() const {
+    return !impl_->is_direct() || !impl_->group.bounds.empty();
 }
 
 JointMethod JointSystem::method_used() const {

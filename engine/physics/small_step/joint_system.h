@@ -92,7 +92,10 @@ public:
     /// Jacobians, world inertias and factor at the present poses.
     void refresh();
     /// Impulse totals, errors and warm-start numbers into the joints.
-    void finish(double step_s);
+    void finish();
+    /// Whether velocities must be solved before the bodies move in an island that touches nothing.
+    /// If not, correct_positions() finds the same impulses, and the solve may be left out.
+    bool solves_before_motion() const;
 
     /// Direct becomes Iterative where the factor would fill in too much: nets of thousands.
     JointMethod method_used() const;
