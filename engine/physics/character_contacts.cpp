@@ -51,7 +51,7 @@ Real Character::Impl::push(const CapsuleContact& hit, const Vec3& wanted_velocit
         Vec3 point = hit.point;
         point.y = std::clamp((low.y + high.y) / 2, foot, foot + 0.8_r * probe.height_m());
         world.wake(hit.body);
-        world.apply_impulse_at(hit.body, into * impulse, point);
+        push(hit.body, into * impulse, point);
     }
     return std::clamp(away, Real{0}, wanted);
 }

@@ -93,13 +93,21 @@ void Character::Impl::press_down() {
         world.kind(ground.body) != BodyKind::Dynamic || world.frozen(ground.body)) {
         return;
     }
-    // As an impulse: Bullet's friction does not see the torque of forces that act off centre, and a
-    // crate with a person at its edge would creep away.
     const Real mass = world.mass_properties(ground.body).mass_kg;
     const Real shared = def.mass_kg * mass / (def.mass_kg + mass);
     const Real impulse = def.mass_kg * gravity_mps2 * dt + shared * landing_speed_mps;
     world.wake(ground.body);
-    world.apply_impulse_at(ground.body, -kUp * impulse, ground.point);
+    push(ground.body, -kUp * impulse, ground.point);
+}
+
+/// As a force all through the step; for Bullet's solvers as a blow, because their friction does not
+/// see the torque of forces off centre, and a crate with a person at its edge would creep away.
+void Character::Impl::push(BodyId body, const Vec3& impulse_Ns, const Vec3& point_world) {
+    if (world.def().solver == Solver::SmallStep) {
+        world.apply_force_at(body, impulse_Ns / dt, point_world);
+    } else {
+        world.apply_impulse_at(body, impulse_Ns, point_world);
+    }
 }
 
 }  // namespace plumbline::physics

@@ -59,6 +59,21 @@ Rounding rounding_of(const btCollisionObject& object,
     }
 }
 
+/// A body's side of a contact point: the point, or the centre of the ball that touches there.
+struct Side {
+    Real radius_m{0};
+    Vec3 offset_m{0, 0, 0};  ///< from the centre of mass, world axes
+};
+
+Side side_of(const btCollisionObject& object,
+             int child,
+             const btVector3& on_surface,
+             const btVector3& outward) {
+    const Rounding ball = rounding_of(object, child, on_surface, outward);
+    const btVector3& place = ball.radius_m > 0 ? ball.center : on_surface;
+    return {ball.radius_m, from_bullet(place - object.getWorldTransform().getOrigin())};
+}
+
 bool is_new(const btManifoldPoint& point) {
     return point.m_appliedImpulse == 0 && point.getLifeTime() <= 1;
 }
@@ -88,12 +103,12 @@ Real ContactBridge::lasting_load_N(const btPersistentManifold& manifold) const {
     return last != nullptr && last->age >= kKnown_steps ? last->lasting_N : Real{0};
 }
 
-void ContactBridge::start_block(const btManifoldPoint& from, ContactBlock& block) const {
-    block.normal = from_bullet(from.m_normalWorldOnB);
+void ContactBridge::start_block(const btManifoldPoint& from,
+                                bool swapped,
+                                ContactBlock& block) const {
     btVector3 tangent[2];
     btPlaneSpace1(from.m_normalWorldOnB, tangent[0], tangent[1]);
-    block.tangent[0] = from_bullet(tangent[0]);
-    block.tangent[1] = from_bullet(tangent[1]);
+    for (int t = 0; t < 2; ++t) block.tangent[t] = from_bullet(swapped ? -tangent[t] : tangent[t]);
     block.friction = from.m_combinedFriction;
     block.restitution = from.m_combinedRestitution;
     block.rolling_m = from.m_combinedRollingFriction;
@@ -107,31 +122,31 @@ void ContactBridge::add(btPersistentManifold& manifold,
                         ContactSet& contacts) {
     const btCollisionObject& object_a = *manifold.getBody0();
     const btCollisionObject& object_b = *manifold.getBody1();
-    const btVector3& center_a = object_a.getWorldTransform().getOrigin();
-    const btVector3& center_b = object_b.getWorldTransform().getOrigin();
+    // What gives way to nothing is always a block's b.
+    const bool swapped = static_cast<const btRigidBody&>(object_a).getInvMass() == 0;
+    if (swapped) std::swap(a, b);
     const std::size_t first_block = contacts.blocks.size();
     const std::size_t first_entry = entries_.size();
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
         btManifoldPoint& from = manifold.getContactPoint(i);
         const btVector3& normal = from.m_normalWorldOnB;
-        const btVector3& on_a = from.getPositionWorldOnA();
-        const btVector3& on_b = from.getPositionWorldOnB();
-        const Rounding ball_a = rounding_of(object_a, from.m_index0, on_a, -normal);
-        const Rounding ball_b = rounding_of(object_b, from.m_index1, on_b, normal);
-        if (i == 0 || contacts.blocks.back().normal != from_bullet(normal)) {
+        Side side_a = side_of(object_a, from.m_index0, from.getPositionWorldOnA(), -normal);
+        Side side_b = side_of(object_b, from.m_index1, from.getPositionWorldOnB(), normal);
+        if (swapped) std::swap(side_a, side_b);
+        const Vec3 facing = from_bullet(swapped ? -normal : normal);
+        if (i == 0 || contacts.blocks.back().normal != facing) {
             ContactBlock& block = contacts.blocks.emplace_back();
             block.a = a;
             block.b = b;
-            block.radius_a = ball_a.radius_m;
-            block.radius_b = ball_b.radius_m;
-            start_block(from, block);
+            block.normal = facing;
+            block.radius_a = side_a.radius_m;
+            block.radius_b = side_b.radius_m;
+            start_block(from, swapped, block);
         }
         ContactBlock& block = contacts.blocks.back();
         const auto at = static_cast<std::size_t>(block.count);
-        const btVector3 offset_a = (ball_a.radius_m > 0 ? ball_a.center : on_a) - center_a;
-        const btVector3 offset_b = (ball_b.radius_m > 0 ? ball_b.center : on_b) - center_b;
-        set_lane(block.offset_a, block.count, from_bullet(offset_a));
-        set_lane(block.offset_b, block.count, from_bullet(offset_b));
+        set_lane(block.offset_a, block.count, side_a.offset_m);
+        set_lane(block.offset_b, block.count, side_b.offset_m);
         block.start_separation_m[at] = from.getDistance();
         block.normal_Ns[at] = from.m_appliedImpulse * h;
         block.tangent_Ns[0] += from.m_appliedImpulseLateral1 * h;

@@ -51,7 +51,7 @@ private:
     };
 
     const PairLoad* last_load(const btPersistentManifold& manifold) const;
-    void start_block(const btManifoldPoint& from, ContactBlock& block) const;
+    void start_block(const btManifoldPoint& from, bool swapped, ContactBlock& block) const;
     void carry_over(btPersistentManifold& manifold,
                     Real h,
                     ContactSet& contacts,

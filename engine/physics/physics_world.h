@@ -40,11 +40,11 @@ struct WorldDef {
     Vec3 gravity_mps2{0, -9.81_r, 0};
     double step_s{1.0 / 60.0};  ///< one fixed step; > 0
     /// bullet_*: each step is this many whole steps. small_step: the least sub-steps an island gets.
-    int substeps{1};
+    int substeps{2};
     /// small_step: the most sub-steps an island gets; at most `substeps`: exactly `substeps`.
-    int substeps_max{0};
-    int iterations{10};  ///< solver sweeps per substep; >= 1
-    Solver solver{Solver::BulletSi};
+    int substeps_max{16};
+    int iterations{1};  ///< solver sweeps per substep; >= 1
+    Solver solver{Solver::SmallStep};
     std::uint32_t seed{0};  ///< of the solver's own shuffling, where it has any
 };
 

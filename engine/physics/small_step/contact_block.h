@@ -36,6 +36,7 @@ struct alignas(16) ContactBlock {
     std::uint32_t b{kWorldBody};
     std::int32_t count{0};  ///< lanes in use
     bool against_immovable{false};
+    bool carried{false};         ///< b turns and gives way to nothing
     Vec3 normal{0, 1, 0};        ///< from b to a
     Vec3 start_normal{0, 1, 0};  ///< at the step's start
     /// A rounded side (ball, capsule, side of a cylinder) is the ball that touches: `offset` is its

@@ -189,6 +189,7 @@ void ContactSet::prepare(ContactBlock& block) const {
     const SolverBody& a = bodies_[block.a];
     const SolverBody& b = bodies_[block.b];
     block.against_immovable = !a.movable() || !b.movable();
+    block.carried = !block.rounded() && !b.movable() && b.spin_radps != Vec3{0, 0, 0};
     const Softness& soft = block.against_immovable ? against_immovable_ : between_movable_;
     LaneVec3 gain_a;
     LaneVec3 gain_b;
@@ -349,6 +350,10 @@ void ContactSet::solve_with_bias(ContactBlock& block) {
     if (gained_Ns > 0) {
         hold_against(a, block.normal, gained_Ns * a.inverse_mass);
         hold_against(b, -block.normal, gained_Ns * b.inverse_mass);
+    } else {
+        // What is taken back of the impulse before, of a blow that is over, did not act either.
+        a.steady_mps += block.normal * (gained_Ns * a.inverse_mass);
+        b.steady_mps -= block.normal * (gained_Ns * b.inverse_mass);
     }
 }
 
@@ -373,10 +378,11 @@ bool ContactSet::carry(ContactBlock& block) {
         const bool used = static_cast<int>(i) < block.count;
         if (block.separation_m[i] <= 0) continue;
         all_overlap = all_overlap && !used;
-        // A bouncy point that does not touch yet is the impact pass's: what looks ahead into the
-        // next sub-step would eat the speed before the impact is seen.
-        const bool bouncy = block.restitution > 0 && block.normal_Ns[i] == 0;
-        wanted[i] = bouncy ? kNoPoint_m : wanted[i] + block.separation_m[i] / h_;
+        // A point that does not touch yet is left to the next sub-step, which looks ahead itself: to
+        // do it here as well would eat the speed of what is to bounce, and would let a body be
+        // pushed by a carrier that comes to a stop at it.
+        const bool touches = block.normal_Ns[i] > 0;
+        wanted[i] = touches ? wanted[i] + block.separation_m[i] / h_ : kNoPoint_m;
     }
     if (stays_apart(block, wanted) && !block.rubs()) return false;
     Lanes next;
@@ -402,6 +408,12 @@ bool ContactSet::rub(ContactBlock& block) {
     SolverBody& b = bodies_[block.b];
     Vec3 center_a = block.center_a;
     Vec3 center_b = block.center_b;
+    if (block.carried) {
+        // The place goes round with what carries it.
+        const Vec3 shift = b.turned * block.center_b - block.center_b;
+        center_a += shift + b.moved_m - a.moved_m;
+        center_b += shift;
+    }
     if (block.balls()) {
         // place_balls() left them where they are
     } else if (block.radius_a > 0) {

@@ -31,7 +31,12 @@ struct JointBar {
     double drive;          ///< relative, of speeds under a motor
 
     WorldDef world(const Vec3& gravity_mps2 = {0, -9.81_r, 0}) const {
-        return {.gravity_mps2 = gravity_mps2, .substeps = substeps, .solver = solver};
+        const bool small = solver == Solver::SmallStep;
+        return {.gravity_mps2 = gravity_mps2,
+                .substeps = substeps,
+                .substeps_max = substeps,
+                .iterations = small ? 1 : 10,
+                .solver = solver};
     }
     friend std::ostream& operator<<(std::ostream& out, const JointBar& bar) {
         return out << bar.name;
