@@ -140,6 +140,7 @@ btScalar share_before_hit(const btCollisionWorld& world,
                           std::uint32_t unseen_group) {
     // Smaller than the core, so that a body sliding fast over a floor is not stopped by it.
     constexpr btScalar kShare = btScalar(0.8);
+    constexpr btScalar kInside = btScalar(1e-3);
     const btTransform to = record.rigid->getWorldTransform();
     btScalar reached = 1;
     for (const Core& core : record.cores) {
@@ -157,7 +158,8 @@ btScalar share_before_hit(const btCollisionWorld& world,
                                      .unseen_group = unseen_group});
         if (!hit) continue;
         const btScalar approach = -hit->normal.dot(motion);
-        const btScalar back = core.radius_m * (1 - kShare) / approach;
+        // A hair inside: Bullet's boxes have no contact before they overlap.
+        const btScalar back = core.radius_m * (1 - kShare - kInside) / approach;
         reached = std::min(reached, std::max(btScalar(0), hit->fraction - back));
     }
     return reached;

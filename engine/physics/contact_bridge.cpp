@@ -159,10 +159,13 @@ void ContactBridge::add(btPersistentManifold& manifold,
                             .load = static_cast<std::uint32_t>(loads_.size())});
     }
     carry_over(manifold, h, contacts, first_block, first_entry);
-    const PairLoad* last = last_load(manifold);
     PairLoad load{.manifold = &manifold};
-    if (last != nullptr) load.lasting_N = last->lasting_N;
-    if (last != nullptr) load.age = last->age;
+    if (const PairLoad* last = last_load(manifold)) {
+        load.lasting_N = last->lasting_N;
+        load.age = last->age;
+        ContactBlock& first = contacts.blocks[first_block];
+        if (first.rolling_m > 0 || first.spinning_m > 0) first.rolling_Nms = last->rolling_Nm * h;
+    }
     manifold.m_companionIdA = static_cast<int>(loads_.size());
     loads_.push_back(load);
 }
@@ -211,6 +214,8 @@ void ContactBridge::write_back(const ContactSet& contacts, Real h) {
         set_frame_impulse(point, block.total_Ns[entry.lane]);
         PairLoad& load = loads_[entry.load];
         load.normal_N += point.m_appliedImpulse;
+        if (entry.lane == 0 && load.rolling_Nm == Vec3{0, 0, 0})
+            load.rolling_Nm = block.rolling_Nms * per_s;
         load.friction_N += block.tangent[0] * point.m_appliedImpulseLateral1 +
                            block.tangent[1] * point.m_appliedImpulseLateral2;
     }

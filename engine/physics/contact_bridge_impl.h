@@ -47,7 +47,8 @@ private:
         Real normal_N{0};
         Real lasting_N{0};  ///< what it goes on carrying between blows
         Vec3 friction_N{0, 0, 0};
-        std::uint32_t age{0};  ///< steps
+        Vec3 rolling_Nm{0, 0, 0};  ///< on the first block's a
+        std::uint32_t age{0};      ///< steps
     };
 
     const PairLoad* last_load(const btPersistentManifold& manifold) const;

@@ -363,9 +363,10 @@ void ContactSet::relax(ContactBlock& block) {
     // so, both are solved again.
     for (int round = 0; round < kRubRounds; ++round) {
         if (!carry(block)) return;
-        if (block.friction <= 0 || !rub(block)) break;
+        bool changed = block.friction > 0 && rub(block);
+        if (block.rolling_m > 0 || block.spinning_m > 0) changed |= resist_rolling(block);
+        if (!changed) return;
     }
-    if (block.rolling_m > 0 || block.spinning_m > 0) resist_rolling(block);
 }
 
 /// Normal impulses without bias. False: the bodies are apart and nothing holds them any more.
@@ -462,8 +463,9 @@ bool ContactSet::rub(ContactBlock& block) {
     return changed;
 }
 
-/// Resistance to rolling and to spinning: torques of at most a length times the load.
-void ContactSet::resist_rolling(ContactBlock& block) {
+/// Resistance to rolling and to spinning: torques of at most a length times the load. Returns
+/// whether what holds changed by much.
+bool ContactSet::resist_rolling(ContactBlock& block) {
     SolverBody& a = bodies_[block.a];
     SolverBody& b = bodies_[block.b];
     const Vec3 relative = a.spin_radps - b.spin_radps;
@@ -488,6 +490,9 @@ void ContactSet::resist_rolling(ContactBlock& block) {
     a.spin_radps += a.inverse_inertia * change;
     b.spin_radps -= b.inverse_inertia * change;
     row_solves += 3;
+    const Real limit = std::max(block.rolling_m, block.spinning_m) * load;
+    const bool holds = glm::dot(next, next) < limit * limit * (1 - kMuch);
+    return holds && glm::dot(change, change) > kMuch * kMuch * limit * limit;
 }
 
 void ContactSet::solve_with_bias() {

@@ -41,7 +41,7 @@ private:
     void relax(ContactBlock& block);
     bool carry(ContactBlock& block);
     bool rub(ContactBlock& block);
-    void resist_rolling(ContactBlock& block);
+    bool resist_rolling(ContactBlock& block);
 
     std::span<SolverBody> bodies_;
     std::vector<std::uint32_t> order_;  ///< of blocks in a sweep

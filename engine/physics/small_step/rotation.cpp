@@ -4,8 +4,8 @@ namespace plumbline::physics {
 namespace {
 
 /// Spins are followed in pieces of at most this turn: a top at 300 rad/s turns 5 rad in a step.
-constexpr double kTurnPerPiece_rad = 0.25;
-constexpr double kMaxTurnPieces = 16;
+constexpr double kTurnPerPiece_rad = 0.1;
+constexpr double kMaxTurnPieces = 128;
 
 template <class SpinAt>
 Quatd turned_once(const Quatd& q, double h, const SpinAt& spin_at) {
