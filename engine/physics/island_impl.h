@@ -37,6 +37,7 @@ struct IslandStep {
     int substeps_least{1};
     int substeps_most{1};
     int iterations{1};  ///< sweeps of bias and of relaxation per sub-step
+    JointMethod joints{JointMethod::Direct};
     WorldFeatures features{};
     StepCost* cost{nullptr};
     FeatureUse* use{nullptr};

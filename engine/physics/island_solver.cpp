@@ -252,7 +252,8 @@ IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
                        .iterations = step.iterations,
                        .gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2)),
                        .push_mps = kPush_mps,
-                       .gyroscopic_torque = step.features.gyroscopic_torque});
+                       .gyroscopic_torque = step.features.gyroscopic_torque,
+                       .joint_method = step.joints});
     impl.write_bodies();
     impl.bridge.write_back(impl.loop.contacts, static_cast<Real>(h));
     impl.write_joints(island, step.step_s);

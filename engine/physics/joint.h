@@ -28,6 +28,12 @@ struct JointMotor {
     Real max{0};     ///< N m or N; >= 0
 };
 
+/// How small_step solves the joints of an island.
+enum class JointMethod : std::uint8_t {
+    Direct,     ///< one sparse factorisation a sub-step, exact
+    Iterative,  ///< one block after the other, soft as h allows: cheaper for nets of thousands
+};
+
 /// A joint as it is asked for, with the bodies where they are now. Copied.
 ///
 /// Angles and displacements are of a against b along `axis_world`, right-handed, zero at creation.

@@ -45,6 +45,7 @@ struct WorldDef {
     int substeps_max{16};
     int iterations{1};  ///< solver sweeps per substep; >= 1
     Solver solver{Solver::SmallStep};
+    JointMethod joints{JointMethod::Direct};  ///< small_step only
     std::uint32_t seed{0};  ///< of the solver's own shuffling, where it has any
 };
 

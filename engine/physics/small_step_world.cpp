@@ -202,6 +202,8 @@ void SmallStepWorld::refresh_box(BodyRecord& record) {
         low[axis] += std::min(way[axis], btScalar(0)) - rim;
         high[axis] += std::max(way[axis], btScalar(0)) + rim;
     }
+    // As Bullet does: what is out of all bounds, or not a number, is taken out after the step.
+    if (!((high - low).length2() < btScalar(1e12))) return;
     parts_.world.getBroadphase()->setAabb(
         rigid.getBroadphaseProxy(), low, high, &parts_.dispatcher);
 }
@@ -214,11 +216,15 @@ void SmallStepWorld::solve_islands() {
                           .substeps_least = parts_.def.substeps,
                           .substeps_most = std::max(parts_.def.substeps, parts_.def.substeps_max),
                           .iterations = parts_.def.iterations,
+                          .joints = parts_.def.joints,
                           .features = features_,
                           .cost = &cost,
                           .use = &use};
     solver_.begin_step();
-    for (Island& island : builder_.islands()) reports.push_back(solver_.solve(island, step));
+    for (Island& island : builder_.islands()) {
+        reports.push_back(solver_.solve(island, step));
+        take_back_if_not_finite(island);
+    }
 }
 
 void SmallStepWorld::move_free_bodies() {

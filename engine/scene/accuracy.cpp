@@ -41,6 +41,7 @@ physics::WorldDef world_def(const SceneDescription& description,
         .iterations =
             own.iterations.value_or(small ? preset.small_iterations : preset.bullet_iterations),
         .solver = solver,
+        .joints = accuracy.joints,
         .seed = static_cast<std::uint32_t>(overrides.seed)};
     if (small) {
         // A number of sub-steps alone means exactly so many.

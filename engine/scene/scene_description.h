@@ -36,6 +36,7 @@ struct Accuracy {
     std::optional<int> substeps_max{};  ///< small_step: an island gets from `substeps` to these
     std::optional<int> iterations{};
     physics::Solver solver{physics::Solver::SmallStep};
+    physics::JointMethod joints{physics::JointMethod::Direct};
     std::optional<double> tolerance{};
 };
 

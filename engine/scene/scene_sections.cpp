@@ -150,6 +150,8 @@ Accuracy read_accuracy(TableReader& table) {
     std::array<std::string_view, kSolvers.size()> solver_names{};
     std::ranges::transform(kSolvers, solver_names.begin(), physics::solver_name);
     accuracy.solver = kSolvers[table.choice("solver", 0, solver_names)];
+    constexpr std::array<std::string_view, 2> kMethods{"direct", "iterative"};
+    accuracy.joints = static_cast<physics::JointMethod>(table.choice("joints", 0, kMethods));
     if (accuracy.substeps && accuracy.substeps_max && *accuracy.substeps > *accuracy.substeps_max) {
         table.error("substeps_max",
                     fmt::format("{} is below substeps = {}; expected at least as many",

@@ -5,6 +5,7 @@
 // friction is one force and one twist at the centre of the load.
 #pragma once
 
+#include "engine/physics/small_step/softness.h"
 #include "engine/physics/small_step/solver_body.h"
 
 #include <array>
@@ -28,6 +29,33 @@ inline Real sum_of(const Lanes& values) {
     return (values[0] + values[1]) + (values[2] + values[3]);
 }
 
+using LaneMatrix = std::array<Lanes, kLanes>;
+
+/// sum over axes of direction[axis] * lanes[axis]
+inline Lanes dot_lanes(const Vec3& direction, const LaneVec3& vectors) {
+    Lanes result;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        result[i] =
+            direction.x * vectors[0][i] + direction.y * vectors[1][i] + direction.z * vectors[2][i];
+    }
+    return result;
+}
+
+inline Vec3 weighted_sum(const LaneVec3& vectors, const Lanes& weights) {
+    Vec3 result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Lanes& values = vectors[static_cast<std::size_t>(axis)];
+        result[axis] = (values[0] * weights[0] + values[1] * weights[1]) +
+                       (values[2] * weights[2] + values[3] * weights[3]);
+    }
+    return result;
+}
+
+/// 1/(kg m2): of both bodies about an axis.
+inline Real inverse_moment_along(const SolverBody& a, const SolverBody& b, const Vec3& axis) {
+    return glm::dot(axis, a.inverse_inertia * axis) + glm::dot(axis, b.inverse_inertia * axis);
+}
+
 /// A separation no lane without a point can ever close.
 inline constexpr Real kNoPoint_m = 1e6_r;
 
@@ -44,13 +72,13 @@ struct alignas(16) ContactBlock {
     Real radius_a{0};
     Real radius_b{0};
 
-    // Filled by ContactSet::begin_step().
+    // Filled by prepare().
     LaneVec3 angular_a{};  ///< arm x normal
     LaneVec3 angular_b{};
     Lanes separation_m{};
-    Lanes compliance{};                      ///< of soft rows, 1/kg
-    std::array<Lanes, kLanes> soft_mass{};   ///< all points overlapping, with bias
-    std::array<Lanes, kLanes> rigid_mass{};  ///< all points pressing, without
+    Lanes compliance{};       ///< of soft rows, 1/kg
+    LaneMatrix soft_mass{};   ///< all points overlapping, with bias
+    LaneMatrix rigid_mass{};  ///< all points pressing, without
 
     // Geometry at the step's start, world axes.
     LaneVec3 offset_a{};  ///< centre of mass to the point or the centre of the ball
@@ -75,7 +103,7 @@ struct alignas(16) ContactBlock {
     Real rolling_m{0};   ///< torque against rolling per newton pressed
     Real spinning_m{0};  ///< ... against spinning about the normal
 
-    std::array<Lanes, kLanes> response{};  ///< A: change of closing speed per impulse, 1/kg
+    LaneMatrix response{};  ///< A: change of closing speed per impulse, 1/kg
 
     /// Whether friction or rolling resistance still holds an impulse.
     bool rubs() const {
@@ -87,5 +115,9 @@ struct alignas(16) ContactBlock {
     Vec3 arm_a(int i) const { return lane(offset_a, i) - normal * radius_a; }
     Vec3 arm_b(int i) const { return lane(offset_b, i) + normal * radius_b; }
 };
+
+/// Arms, masses and the centre of friction from the block's geometry and impulses. `a` and `b` are
+/// its bodies, `soft` how overlap gives way.
+void prepare(ContactBlock& block, const SolverBody& a, const SolverBody& b, const Softness& soft);
 
 }  // namespace plumbline::physics

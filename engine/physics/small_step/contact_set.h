@@ -35,8 +35,6 @@ public:
 
 private:
     void place_balls(ContactBlock& block) const;
-    void prepare(ContactBlock& block) const;
-    void prepare_friction(ContactBlock& block) const;
     void solve_with_bias(ContactBlock& block);
     void relax(ContactBlock& block);
     bool carry(ContactBlock& block);

@@ -14,12 +14,6 @@
 
 namespace plumbline::physics {
 
-/// How an island's joints are solved.
-enum class JointMethod : std::uint8_t {
-    Direct,     ///< one sparse factorisation a sub-step, exact
-    Iterative,  ///< one block after the other, soft as h allows: cheaper for nets of thousands
-};
-
 /// A joint during one step: bodies by their index in the island's array.
 ///
 /// The frames' x axis is the joint's axis; both frames coincide at creation. Frame and anchor are
