@@ -151,7 +151,7 @@ struct Character::Impl {
     void begin_ride();
     void carry();
     void press_down();
-    void push(BodyId body, const Vec3& impulse_Ns, const Vec3& point_world);
+    void push(BodyId pushed, const Vec3& impulse_Ns, const Vec3& point_world);
 
     // --- character.cpp
     void change_posture(bool crouch);

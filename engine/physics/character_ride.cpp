@@ -102,11 +102,11 @@ void Character::Impl::press_down() {
 
 /// As a force all through the step; for Bullet's solvers as a blow, because their friction does not
 /// see the torque of forces off centre, and a crate with a person at its edge would creep away.
-void Character::Impl::push(BodyId body, const Vec3& impulse_Ns, const Vec3& point_world) {
+void Character::Impl::push(BodyId pushed, const Vec3& impulse_Ns, const Vec3& point_world) {
     if (world.def().solver == Solver::SmallStep) {
-        world.apply_force_at(body, impulse_Ns / dt, point_world);
+        world.apply_force_at(pushed, impulse_Ns / dt, point_world);
     } else {
-        world.apply_impulse_at(body, impulse_Ns, point_world);
+        world.apply_impulse_at(pushed, impulse_Ns, point_world);
     }
 }
 
