@@ -10,14 +10,25 @@ namespace {
 
 constexpr Real kContactDamping = 10;  ///< ratio: far above 1, sinking in never swings back
 constexpr int kProjectedSweeps = 4;   ///< within a block, where some points press and some do not
-constexpr int kRubRounds = 6;   ///< of normals and friction, where what sticks changed by much ...
-constexpr Real kMuch = 0.02_r;  ///< ... as a share of its limit
+constexpr int kRubRounds = 6;  ///< of normals and friction, where what sticks changed by much ...
+constexpr Real kOneSpot = 1e-4_r;  ///< nearer centres, as a share of the radii, have no direction
+constexpr Real kShove = 0.05_r;    ///< of the fastest push: more is deep overlap
+constexpr Real kMuch = 0.02_r;     ///< ... as a share of its limit
 
 /// R(q)^T v - v without the cancellation of the two terms.
 inline Vec3 turned_back_change(const Quat& q, const Vec3& v) {
     const Vec3 axis{-q.x, -q.y, -q.z};
     const Vec3 t = Real{2} * glm::cross(axis, v);
     return q.w * t + glm::cross(axis, t);
+}
+
+/// The n-th of directions that are spread evenly over the sphere (Fibonacci's).
+Vec3 direction_of(std::uint32_t n) {
+    constexpr std::uint32_t kDirections = 1021;
+    const Real height = 1 - (2 * static_cast<Real>(n % kDirections) + 1) / kDirections;
+    const Real around = std::sqrt(1 - height * height);
+    const Real angle = static_cast<Real>(n % kDirections) * 2.39996323_r;  // golden angle
+    return {around * std::cos(angle), height, around * std::sin(angle)};
 }
 
 inline Lanes opening_speeds(const ContactBlock& block, const SolverBody& a, const SolverBody& b) {
@@ -149,8 +160,9 @@ void ContactSet::place_balls(ContactBlock& block) const {
                        b.moved_m + (offset_a - lane(block.offset_a, 0)) -
                        (offset_b - lane(block.offset_b, 0));
     const Real distance = glm::length(apart);
-    if (distance <= 0) return;
-    block.normal = apart / distance;
+    // Balls on one spot part in directions that differ from pair to pair.
+    block.normal =
+        distance > reach_m * kOneSpot ? apart / distance : direction_of(block.a * 7919U + block.b);
     block.separation_m[0] = distance - reach_m;
     block.center_a = offset_a - block.normal * block.radius_a;
     block.center_b = offset_b + block.normal * block.radius_b;
@@ -195,8 +207,9 @@ void ContactSet::solve_with_bias(ContactBlock& block) {
         all_overlap = all_overlap && (overlaps || static_cast<int>(i) >= block.count);
         // What bounced below the surface is on its way out already, at the speed it should have.
         if (overlaps && block.restitution > 0 && wanted[i] > bounce_mps_) continue;
-        wanted[i] += overlaps ? std::max(soft.bias_per_s * block.separation_m[i], -push_mps_)
-                              : block.separation_m[i] / h_;
+        const Real bias = soft.bias_per_s * block.separation_m[i];
+        wanted[i] += overlaps ? std::max(bias, -push_mps_) : block.separation_m[i] / h_;
+        if (overlaps && bias < -kShove * push_mps_) a.shoved = b.shoved = true;
         compliance[i] = overlaps ? block.compliance[i] : Real{0};
     }
     if (stays_apart(block, wanted)) return;

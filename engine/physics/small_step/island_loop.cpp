@@ -2,6 +2,8 @@
 
 #include "engine/physics/small_step/rotation.h"
 
+#include <algorithm>
+
 namespace plumbline::physics {
 namespace {
 
@@ -27,7 +29,9 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     contacts.begin_step(bodies, h_, settings.push_mps, bounce_mps);
     impacts_.begin_step(contacts, bodies, bounce_mps);
     if (!joints.empty()) joint_system_.start(bodies, joints, h, settings.joint_method);
+    for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
     for (int i = 0; i < settings.substeps; ++i) substep();
+    for (SolverBody& body : bodies) calm(body);
     if (!joints.empty()) {
         joint_system_.finish();
         report_.max_joint_error_m = joint_system_.work().max_error_m;
@@ -35,6 +39,15 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     }
     report_.row_solves += contacts.row_solves;
     return report_;
+}
+
+/// Many bodies in one place push each other in rows, and what each pair may give adds up: none
+/// leaves faster than one pair may push, or than it came.
+void IslandLoop::calm(SolverBody& body) const {
+    if (!body.shoved || !body.movable()) return;
+    const Real most = std::max(settings_.push_mps, body.start_speed_mps);
+    const Real speed = glm::length(body.velocity_mps);
+    if (speed > most) body.velocity_mps *= most / speed;
 }
 
 void IslandLoop::substep() {

@@ -42,6 +42,7 @@ public:
     LoopReport run(const LoopSettings& settings);
 
 private:
+    void calm(SolverBody& body) const;
     void substep();
     void apply_steady_forces();
     void move();

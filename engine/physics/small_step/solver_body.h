@@ -43,7 +43,9 @@ struct alignas(64) SolverBody {
     Vec3d start_position_m{0, 0, 0};
     Quatd start_orientation{1, 0, 0, 0};
     Vec3d inertia_kgm2{0, 0, 0};  ///< principal, body axes; 0: immovable
-    bool round_inertia{true};     ///< all three moments equal: inverse_inertia never changes
+    bool shoved{false};           ///< deep overlap pushed it in this step
+    Real start_speed_mps{0};
+    bool round_inertia{true};  ///< all three moments equal: inverse_inertia never changes
 
     bool movable() const { return inverse_mass > 0; }
     Vec3 velocity_at(const Vec3& arm) const { return velocity_mps + glm::cross(spin_radps, arm); }
