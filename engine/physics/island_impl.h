@@ -6,6 +6,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <limits>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -18,8 +19,8 @@ struct Island {
     std::vector<BodyRecord*> bodies;               ///< dynamic, awake
     std::vector<btPersistentManifold*> manifolds;  ///< with at least one point
     std::vector<JointRecord*> joints;              ///< not broken
-    bool supported{false};  ///< something that bounds it touches or holds it
-    bool carried{false};    ///< ... and moves: a kinematic body
+    bool supported{false};                         ///< something that bounds it touches or holds it
+    bool carried{false};                           ///< ... and moves: a kinematic body
 
     void clear() {
         bodies.clear();
@@ -52,6 +53,9 @@ inline btScalar frame_impulse_Ns(const btManifoldPoint& point) {
 inline void set_frame_impulse(btManifoldPoint& point, btScalar impulse_Ns) {
     point.m_contactMotion1 = impulse_Ns;
 }
+
+/// A manifold's m_companionIdA while the solver remembers nothing of it.
+inline constexpr int kUnknownToSolver = std::numeric_limits<int>::max();
 
 /// Solves islands that touch or are joined: moves the bodies (Bullet's transforms and
 /// BodyRecord::flight), leaves velocities, impulses on the manifold points and joint states.

@@ -1,6 +1,8 @@
 #include "engine/physics/islands_impl.h"
 #include "engine/physics/physics_world_impl.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace plumbline::physics {
@@ -24,7 +26,64 @@ bool is_carrier(const BodyRecord& record) {
     return record.kind == BodyKind::Kinematic && record.awake;
 }
 
+/// Nothing that callers may do makes bodies faster than this; comparisons with NaN are false.
+bool is_sane(const btRigidBody& rigid) {
+    constexpr btScalar kSpeed = 4 * kMaxSpeed_mps;
+    constexpr btScalar kSpin = 4 * kMaxSpin_radps;
+    return rigid.getLinearVelocity().length2() <= kSpeed * kSpeed &&
+           rigid.getAngularVelocity().length2() <= kSpin * kSpin &&
+           std::isfinite(rigid.getWorldTransform().getOrigin().length2() +
+                         rigid.getWorldTransform().getBasis()[0].length2());
+}
+
+btScalar speed_before(const BodyRecord& record) {
+    return record.velocity_before.length() + record.spin_before.length() * record.radius_m;
+}
+
+void stand_as_before(BodyRecord& record) {
+    record.flight.going = false;
+    record.rigid->setCenterOfMassTransform(record.before);
+    record.rigid->setLinearVelocity(record.velocity_before);
+    record.rigid->setAngularVelocity(record.spin_before);
+}
+
+void forget_impulses(btPersistentManifold& manifold) {
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        btManifoldPoint& point = manifold.getContactPoint(i);
+        point.m_appliedImpulse = 0;
+        point.m_appliedImpulseLateral1 = 0;
+        point.m_appliedImpulseLateral2 = 0;
+        point.m_prevRHS = 0;
+        set_frame_impulse(point, 0);
+    }
+    manifold.m_companionIdA = kUnknownToSolver;
+}
+
 }  // namespace
+
+bool take_back_if_insane(const Island& island) {
+    const bool sound = std::all_of(island.bodies.begin(), island.bodies.end(), [](auto* record) {
+        return is_sane(*record->rigid);
+    });
+    if (sound) return false;
+    BodyRecord* fastest = island.bodies.front();
+    for (BodyRecord* record : island.bodies) {
+        stand_as_before(*record);
+        if (speed_before(*record) > speed_before(*fastest)) fastest = record;
+    }
+    for (btPersistentManifold* manifold : island.manifolds) forget_impulses(*manifold);
+    for (JointRecord* joint : island.joints) {
+        SolverJoint& solver = joint->solver;
+        solver.bounded_impulse = {};
+        solver.impulse = {};
+        solver.error_m = 0;
+        solver.position = 0;
+        joint->state = {};
+    }
+    constexpr btScalar kNone = std::numeric_limits<btScalar>::quiet_NaN();
+    fastest->rigid->setLinearVelocity({kNone, kNone, kNone});
+    return true;
+}
 
 Island& IslandBuilder::island_of(std::uint32_t body) {
     return islands_[number_[sets_.find(body)]];

@@ -1,3 +1,4 @@
+#include "engine/physics/island_impl.h"
 #include "engine/physics/pair_dispatch_impl.h"
 #include "engine/physics/physics_world_impl.h"
 
@@ -213,6 +214,7 @@ btPersistentManifold* PairDispatcher::getNewManifold(const btCollisionObject* a,
                                                      const btCollisionObject* b) {
     btPersistentManifold* manifold = btCollisionDispatcher::getNewManifold(a, b);
     manifold->setContactBreakingThreshold(reach_m);
+    manifold->m_companionIdA = kUnknownToSolver;  // memory may be that of one it knew
     return manifold;
 }
 

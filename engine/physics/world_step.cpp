@@ -71,6 +71,11 @@ void prepare_dynamic(BodyRecord& record, btScalar step_s) {
         rigid.setLinearVelocity(velocity);
         record.flight.going = false;
     }
+    const btVector3 spin = limited(rigid.getAngularVelocity(), kMaxSpin_radps);
+    if (spin != rigid.getAngularVelocity()) {
+        rigid.setAngularVelocity(spin);
+        record.flight.going = false;
+    }
 }
 
 }  // namespace

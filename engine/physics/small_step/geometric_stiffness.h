@@ -7,6 +7,7 @@
 // (Tournier et al., Stable Constrained Dynamics, 2015; Andrews et al., Geometric Stiffness for
 // Real-time Constrained Multibody Dynamics, 2017), and lose spin in proportion when they get it:
 // implicit Euler for what can't be resolved anyway. Everything slower is left exactly as it is.
+// The same goes for the mass of bodies between rods (Distance): there the stiffness is f / length.
 #pragma once
 
 #include "engine/physics/small_step/joint_group.h"
@@ -15,12 +16,16 @@ namespace plumbline::physics {
 
 class GeometricStiffness {
 public:
-    void start(const JointGroup& group);
+    /// In view of the forces that the joints kept from the step before (SolverJoint::impulse).
+    /// Bodies change without losing speed: they were like this when that step ended.
+    void start(JointGroup& group);
     /// In view of the impulses of the sub-step so far and of position corrections (impulse times
     /// the sub-step) about to be made. Whether any body changed: then the rows' responses did.
     bool raise(JointGroup& group, std::span<const Vec3d> corrections);
-    /// Gives the inertia back that the impulses of the sub-step do not ask for.
+    /// Gives back what the impulses of the sub-step do not ask for.
     void lower(JointGroup& group);
+    /// As JointWork.
+    double unresolved() const { return unresolved_; }
 
 private:
     /// A node whose force pulls at arms, and how far from each of the bodies' axes it does.
@@ -28,20 +33,36 @@ private:
         std::uint32_t node{0};
         Vec3d lever_a_m{0, 0, 0};
         Vec3d lever_b_m{0, 0, 0};
+        Vec3d force_N{0, 0, 0};  ///< on b
+    };
+    /// A body's stiffness by what pulls at it, and what a sub-step can follow.
+    struct Load {
+        Vec3d turning_Nm{0, 0, 0};  ///< about its axes
+        double across_Npm{0};       ///< across rods and ropes
+        Vec3d turning_limit_Nm{0, 0, 0};
+        double across_limit_Npm{0};
+        double pivot_kgm2{0};  ///< what turning it moves besides itself
+        std::uint32_t joints{0};
     };
 
-    bool find_stiffness(const JointGroup& group, std::span<const Vec3d> corrections);
-    bool is_too_fast() const;
+    void list_pulls(const JointGroup& group);
     void find_pivots(const JointGroup& group);
-    /// What the body needs about one of its axes.
+    bool find_stiffness(const JointGroup& group);
+    bool is_too_fast() const;
+    /// What the body needs about one of its axes; what mass.
     double wanted_moment(const JointGroup& group, std::size_t body, int axis) const;
+    double wanted_mass(const JointGroup& group, std::size_t body) const;
+    bool raise_moments(JointGroup& group, std::size_t body, bool slow_down);
+    bool raise_mass(JointGroup& group, std::size_t body, bool slow_down);
+    /// The velocity of what a body is tied to across, weighed by how hard.
+    Vec3d velocity_around(const JointGroup& group, std::size_t body) const;
+
+    void note_unresolved();
 
     std::vector<Pull> pulls_;
-    std::vector<Vec3d> stiffness_Nm_;  // by body, about its axes
-    std::vector<Vec3d> limit_Nm_;      // what a sub-step can follow
-    std::vector<double> pivot_kgm2_;   // by body: what turning it moves besides itself
-    std::vector<std::uint32_t> joints_at_;
-    bool raised_{false};  // some body has more inertia than its own
+    std::vector<Load> loads_;  // by body
+    bool raised_{false};       // some body is more than itself
+    double unresolved_{0};
 };
 
 }  // namespace plumbline::physics

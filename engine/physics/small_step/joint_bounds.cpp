@@ -65,6 +65,15 @@ double JointBound::wanted_position(double substep_s) const {
     return position + wanted_speed() * substep_s;
 }
 
+double JointBound::bounded_way(double deviation, double substep_s) {
+    return std::clamp(deviation, -kPush_mps * substep_s, kPush_mps * substep_s);
+}
+
+void JointBound::let_go() {
+    position = std::clamp(0.0, lower, upper);
+    if (step == BoundStep::Lower || step == BoundStep::Upper) step = BoundStep::Forward;
+}
+
 void JointBound::before_motion(double substep_s) {
     impulse = 0;
     slowest = std::min((lower - position) / substep_s, kPush_mps);

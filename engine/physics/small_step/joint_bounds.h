@@ -47,7 +47,11 @@ struct JointBound {
     double constant_impulse() const;
     /// Where the row is to be after the sub-step's motion, when at_bound().
     double wanted_position(double substep_s) const;
+    /// What is to be put right of a deviation from it at once: a bounded way.
+    static double bounded_way(double deviation, double substep_s);
 
+    /// As if it were between its limits: the position means nothing now.
+    void let_go();
     /// The bodies are about to move: passed limits are come back to, at a bounded speed.
     void before_motion(double substep_s);
     /// They have moved: what is past a limit only has to stop.

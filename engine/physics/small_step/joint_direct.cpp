@@ -31,6 +31,14 @@ void mask(Block3& block, std::uint8_t rows, std::uint8_t columns) {
     }
 }
 
+void bound_ways(std::uint8_t rows, double substep_s, Vec3d& deviation) {
+    for (int i = 0; i < 3; ++i) {
+        if (((rows >> i) & 1) != 0) {
+            deviation[i] = JointBound::bounded_way(deviation[i], substep_s);
+        }
+    }
+}
+
 /// Rows that are not active, or that move nothing, get a one of their own.
 void mask(Symmetric3& s, std::uint8_t active) {
     if ((active & 1) == 0 || !(s.xx > 0)) s.xx = 1, s.xy = 0, s.xz = 0;
@@ -76,7 +84,7 @@ bool settle(JointGroup& group, std::span<JointBound> bounds, int round) {
 
 }  // namespace
 
-void DirectJoints::start(const JointGroup& group) {
+void DirectJoints::start(JointGroup& group) {
     matrix_.fit(group.topology->pattern);
     stiffness_.start(group);
     const std::size_t count = group.rows.size();
@@ -84,6 +92,7 @@ void DirectJoints::start(const JointGroup& group) {
     x_.resize(count);
     wanted_.assign(count, Vec3d{0, 0, 0});
     held_.assign(count, Vec3d{0, 0, 0});
+    factor(group);
 }
 
 void DirectJoints::factor(const JointGroup& group) {
@@ -216,6 +225,7 @@ double DirectJoints::gather_errors(const JointGroup& group) {
     for (std::size_t i = 0; i < group.rows.size(); ++i) {
         const JointRows& rows = group.rows[i];
         x_[i] = masked(held_[i] - rows.errors(group.bodies), rows.active);
+        if (rows.bounded != 0) bound_ways(rows.bounded, group.substep_s, x_[i]);
         largest =
             std::max(largest, std::max({std::abs(x_[i].x), std::abs(x_[i].y), std::abs(x_[i].z)}));
     }

@@ -9,8 +9,8 @@ namespace plumbline::physics {
 
 class DirectJoints {
 public:
-    /// Room for the group's topology.
-    void start(const JointGroup& group);
+    /// Room for the group's topology, and the factor at its start.
+    void start(JointGroup& group);
     /// The factor at the rows' latest refresh.
     void factor(const JointGroup& group);
     /// Velocities that all rows allow. Rows with bounds find their step by trying.
@@ -20,6 +20,8 @@ public:
     /// The damping of stiff springs and their push before the motion, in view of what the joints
     /// will make of it.
     void push_springs(JointGroup& group, std::span<JointSpring> springs, double duration_s);
+    /// As JointWork.
+    double unresolved() const { return stiffness_.unresolved(); }
 
 private:
     void assemble(const JointGroup& group, const JointComponent& component, BlockLdlt& matrix);

@@ -47,6 +47,10 @@ void JointGroup::read_bounds() {
     for (JointBound& bound : bounds) {
         JointRows& row = rows[bound.node];
         bound.position = row.errors(bodies)[bound.row];
+        if (!row.has_position(bound.row, bodies)) {
+            bound.let_go();
+            set_active(bound);
+        }
         if (row.kind == NodeKind::Align || bound.row == 2) row.near_rad = bound.position;
         const Symmetric3 inverse = own_coupling(row, bodies);
         const double own = bound.row == 0 ? inverse.xx : bound.row == 1 ? inverse.yy : inverse.zz;

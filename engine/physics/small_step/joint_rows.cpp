@@ -76,7 +76,8 @@ JointBody JointBody::of(SolverBody& body) {
     made.body = &body;
     made.movable = body.movable();
     if (!made.movable) return made;
-    made.inverse_mass = static_cast<double>(body.inverse_mass);
+    made.own_inverse_mass = static_cast<double>(body.inverse_mass);
+    made.inverse_mass = made.own_inverse_mass;
     made.moments = body.inertia_kgm2;
     made.set_felt_moments(made.moments);
     made.round = body.round_inertia;
@@ -243,8 +244,8 @@ void JointRows::refresh_length(std::span<const JointBody> bodies) {
     arm_a = body_a.axes * anchor_in_a;
     arm_b = body_b.axes * anchor_in_b;
     const Vec3d between = gap(bodies);
-    const double length = glm::length(between);
-    if (length > kNoLength_m) linear.row[0] = between / length;
+    length_m = glm::length(between);
+    if (length_m > kNoLength_m) linear.row[0] = between / length_m;
     if (linear.row[0] == Vec3d{0, 0, 0}) linear.row[0] = body_b.axes * frame_in_b.row[0];
     angular_a.row[0] = glm::cross(linear.row[0], arm_a);
     angular_b.row[0] = glm::cross(arm_b, linear.row[0]);
@@ -314,6 +315,12 @@ Vec3d JointRows::swing_errors(const JointBody& body_a, const JointBody& body_b) 
     const double cosine = glm::dot(axis_a, axis_b);
     const double swing = std::atan2(glm::length(glm::cross(axis_a, axis_b)), cosine);
     return {swing, 0, (bounded & 0b100) != 0 ? twist(body_a, body_b) : 0.0};
+}
+
+bool JointRows::has_position(int row, std::span<const JointBody> bodies) const {
+    if (kind != NodeKind::Swing || fixed_swing || row != 2) return true;
+    return glm::dot(bodies[a].axes * axis_in_a, bodies[b].axes * frame_in_b.row[0]) >
+           kNoTwistCosine;
 }
 
 double JointRows::twist(const JointBody& body_a, const JointBody& body_b) const {

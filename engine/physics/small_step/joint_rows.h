@@ -13,7 +13,7 @@ namespace plumbline::physics {
 struct JointBody {
     Vec3d velocity_mps{0, 0, 0};
     Vec3d spin_radps{0, 0, 0};
-    double inverse_mass{0};
+    double inverse_mass{0};        ///< what joints feel: geometric_stiffness.h
     Symmetric3 inverse_inertia{};  ///< world axes
     Vec3d position_m{0, 0, 0};
     Block3 axes{};  ///< rotation matrix, world from body
@@ -25,6 +25,7 @@ struct JointBody {
     Vec3d twisted_in_all_kgm2{0, 0, 0};
     Vec3d momentum_Nms{0, 0, 0};
 
+    double own_inverse_mass{0};
     Vec3d moments{0, 0, 0};          ///< body axes
     Vec3d felt_moments{0, 0, 0};     ///< what joints feel: geometric_stiffness.h
     Vec3d inverse_moments{0, 0, 0};  ///< of felt_moments; 0 where they are 0
@@ -76,6 +77,7 @@ struct JointRows {
     Quatd turn_in_a{1, 0, 0, 0};
     Quatd turn_in_b{1, 0, 0, 0};
     double rest_m{0};
+    double length_m{0};       ///< Length: at the latest refresh
     double near_rad{0};       ///< the twist about the axis is the one nearest to it
     bool fixed_swing{false};  ///< cone without any opening: Align's two rows hold
 
@@ -96,6 +98,8 @@ struct JointRows {
     Vec3d errors(std::span<const JointBody> bodies) const {
         return kind == NodeKind::Point ? gap(bodies) : other_errors(bodies);
     }
+    /// Whether a bounded row means anything: a twist does not where the axes are nearly opposite.
+    bool has_position(int row, std::span<const JointBody> bodies) const;
     /// J v, of all rows whether active or not.
     Vec3d speeds(std::span<const JointBody> bodies) const {
         const JointBody& body_a = bodies[a];

@@ -28,6 +28,7 @@ struct JointSystem::Impl {
     std::vector<bool> stiff;
     JointMethod method{JointMethod::Direct};
     Phase phase{Phase::Ready};
+    int substeps{0};
     JointWork work;
 
     bool is_direct() const { return method == JointMethod::Direct; }
@@ -36,6 +37,7 @@ struct JointSystem::Impl {
     void begin_substep();
     void push_springs(double duration_s);
     void finish_joint(std::size_t index);
+    void keep_forces();
 };
 
 void JointSystem::Impl::find_forms(std::span<const SolverBody> bodies) {
@@ -77,6 +79,7 @@ void JointSystem::Impl::list_springs() {
 }
 
 void JointSystem::Impl::begin_substep() {
+    ++substeps;
     for (JointBound& bound : group.bounds) {
         if (is_direct()) bound.before_motion(group.substep_s);
     }
@@ -99,6 +102,23 @@ void JointSystem::Impl::push_springs(double duration_s) {
             damp_stiff_spring(spring, group);
             push_stiff_spring(spring, duration_s, group);
         }
+    }
+}
+
+/// The mean force on b and torque, where the iterative method and the next step's geometric
+/// stiffness look for them.
+void JointSystem::Impl::keep_forces() {
+    if (substeps == 0) return;
+    const double per_second = -1 / (substeps * group.substep_s);
+    for (std::size_t i = 0; i < group.joints.size(); ++i) {
+        const Vec3d force = group.totals[i].impulse_Ns * per_second;
+        const Vec3d torque = group.totals[i].angular_impulse_Nms * per_second;
+        group.joints[i].impulse = {static_cast<Real>(force.x),
+                                   static_cast<Real>(force.y),
+                                   static_cast<Real>(force.z),
+                                   static_cast<Real>(torque.x),
+                                   static_cast<Real>(torque.y),
+                                   static_cast<Real>(torque.z)};
     }
 }
 
@@ -133,6 +153,7 @@ void JointSystem::start(std::span<SolverBody> bodies,
     JointGroup& group = impl.group;
     impl.work = {};
     impl.phase = Impl::Phase::Ready;
+    impl.substeps = 0;
     group.row_solves = 0;
     group.substep_s = substep_s;
     group.joints = joints;
@@ -143,7 +164,6 @@ void JointSystem::start(std::span<SolverBody> bodies,
     impl.list_springs();
     if (impl.is_direct()) {
         impl.direct.start(group);
-        impl.direct.factor(group);
     } else {
         impl.iterative.start(group);
     }
@@ -204,7 +224,12 @@ void JointSystem::finish() {
     for (const JointBound& bound : impl.group.bounds) {
         bound.keep(impl.group.joints[bound.joint_index], impl.group.substep_s);
     }
-    if (!impl.is_direct()) impl.iterative.finish(impl.group);
+    if (impl.is_direct()) {
+        impl.keep_forces();
+        impl.work.unresolved = impl.direct.unresolved();
+    } else {
+        impl.iterative.finish(impl.group);
+    }
     impl.work.row_solves = impl.group.row_solves;
 }
 

@@ -36,8 +36,9 @@ struct SolverJoint {
 
     // Kept by the caller from step to step.
     std::array<Real, 3> bounded_impulse{0, 0, 0};  ///< warm start of limits and motor, per second
-    std::array<Real, 6> impulse{
-        0, 0, 0, 0, 0, 0};  ///< warm start of the iterative method, per second
+    /// Per second: warm start of the iterative method; with the direct one the mean force on b and
+    /// torque, by which the next step knows how hard bodies are pulled.
+    std::array<Real, 6> impulse{0, 0, 0, 0, 0, 0};
 
     // Left by finish().
     Vec3d total_impulse_Ns{0, 0, 0};  ///< on a, over the step
@@ -50,6 +51,9 @@ struct SolverJoint {
 struct JointWork {
     std::uint64_t row_solves{0};
     double max_error_m{0};
+    /// How many times too long a sub-step was for the fastest swinging of light bodies that joints
+    /// pull hard: such bodies were slowed down and lost energy. 0: nothing was too fast.
+    double unresolved{0};
 };
 
 /// One island's joints through the sub-steps of one step. Reused from step to step: what depends

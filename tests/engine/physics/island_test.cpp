@@ -126,6 +126,32 @@ struct Heap {
     }
 };
 
+TEST(Islands, WhoeverIsFlungTakesNobodyAlong) {
+    Heap heap;
+    heap.run(200);
+    PhysicsWorld& world = heap.test.world;
+    const auto tie = world.create_joint({.kind = JointKind::Ball,
+                                         .a = heap.ids[7],
+                                         .b = heap.ids[8],
+                                         .anchor_a_world = Vec3(heap.test.at(heap.ids[7])),
+                                         .anchor_b_world = Vec3(heap.test.at(heap.ids[7]))});
+    ASSERT_TRUE(tie.ok());
+    for (int i = 0; i < 20; ++i) {
+        world.apply_force(heap.ids[7], {1e9_r, -1e9_r, 0});
+        heap.run(1);
+    }
+    heap.run(200);
+    // Those two may have left; nobody else is lost, and what lay on the ground still does.
+    EXPECT_LE(world.quarantined().size(), 2U);
+    int on_the_ground = 0;
+    for (const BodyId id : heap.ids) {
+        const Vec3d at = heap.test.at(id);
+        EXPECT_TRUE(std::isfinite(at.x + at.y + at.z));
+        if (at.y > 0 && glm::length(at) < 60) ++on_the_ground;
+    }
+    EXPECT_GE(on_the_ground, 20);
+}
+
 TEST(Islands, SameCallsGiveTheSameBits) {
     Heap once;
     Heap again;
