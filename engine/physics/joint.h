@@ -43,9 +43,10 @@ struct JointDef {
     BodyId b{};  ///< null: the world
     Vec3 anchor_a_world{0, 0, 0};
     Vec3 anchor_b_world{0, 0, 0};  ///< same as a's but for Distance and Spring
-    Vec3 axis_world{0, 1, 0};      ///< unit: Hinge, Slider, Cone
-    /// rad (Hinge), m (Slider, Distance: of the distance), rad (Cone: the larger magnitude is the
-    /// angle at most between a's axis and b's). None: free; Distance: the distance at creation.
+    Vec3 axis_world{0, 1, 0};      ///< Hinge, Slider, Cone; any length but 0
+    /// rad (Hinge, which counts its turns: any range), m (Slider, Distance: of the distance), rad
+    /// (Cone: the larger magnitude is the angle at most between a's axis and b's). None: free;
+    /// Distance: rest_length_m.
     std::optional<std::array<Real, 2>> limits{};
     std::optional<std::array<Real, 2>> twist_limits{};  ///< rad, Cone only
     std::optional<JointMotor> motor{};                  ///< Hinge, Slider
