@@ -46,7 +46,7 @@ struct WorldDef {
     int iterations{1};  ///< solver sweeps per substep; >= 1
     Solver solver{Solver::SmallStep};
     JointMethod joints{JointMethod::Direct};  ///< small_step only
-    std::uint32_t seed{0};  ///< of the solver's own shuffling, where it has any
+    std::uint32_t seed{0};                    ///< of the solver's own shuffling, where it has any
 };
 
 /// Optional behaviour of the world. Each costs nothing while off (effects decide).

@@ -93,8 +93,7 @@ public:
     void step() { world_.step(); }
 
 private:
-    PhysicsWorld world_{
-        WorldDef{.substeps = 1, .iterations = 10, .solver = Solver::BulletSi}};
+    PhysicsWorld world_{WorldDef{.substeps = 1, .iterations = 10, .solver = Solver::BulletSi}};
 };
 
 void pile(benchmark::State& state, bool sleep) {
