@@ -1,4 +1,5 @@
 // What a valid scene says is what the description holds.
+#include "engine/scene/accuracy.h"
 #include "tests/engine/scene/scene_file_fixture.h"
 
 namespace plumbline::scene {
@@ -22,9 +23,9 @@ TEST_F(SceneFileTest, EmptyFileGivesTheDefaults) {
     EXPECT_FALSE(scene.kill_below_m);
     EXPECT_EQ(scene.accuracy.preset, "balanced");
     EXPECT_EQ(scene.accuracy.step_hz, 60);
-    EXPECT_EQ(scene.accuracy.substeps, 1);
-    EXPECT_EQ(scene.accuracy.iterations, 10);
-    EXPECT_EQ(scene.accuracy.solver, physics::Solver::BulletSi);
+    EXPECT_FALSE(scene.accuracy.substeps);
+    EXPECT_FALSE(scene.accuracy.iterations);
+    EXPECT_EQ(scene.accuracy.solver, physics::Solver::SmallStep);
     EXPECT_FALSE(scene.player);
     EXPECT_FALSE(scene.has_camera);
     EXPECT_FALSE(scene.sun);
@@ -107,7 +108,7 @@ tolerance = 0.02
     const Accuracy& accuracy = outcome.scene->accuracy;
     EXPECT_EQ(accuracy.preset, "precise");
     EXPECT_EQ(accuracy.step_hz, 120);
-    EXPECT_EQ(accuracy.substeps, 1);
+    EXPECT_FALSE(accuracy.substeps);
     EXPECT_EQ(accuracy.iterations, 33);
     EXPECT_EQ(accuracy.solver, physics::Solver::BulletDantzig);
     EXPECT_NEAR(accuracy.tolerance.value_or(0), 0.02, 1e-6);
@@ -119,8 +120,8 @@ TEST_F(SceneFileTest, PresetsGetFinerFromDraftToReference) {
         const Outcome outcome = load(fmt::format("[accuracy]\npreset = \"{}\"\n", preset));
         ASSERT_TRUE(outcome.scene.ok());
         EXPECT_TRUE(outcome.faults.empty());
-        const Accuracy& a = outcome.scene->accuracy;
-        const double work = static_cast<double>(a.step_hz) * a.substeps * a.iterations;
+        const physics::WorldDef def = world_def(*outcome.scene, {});
+        const double work = def.substeps * def.iterations / def.step_s;
         EXPECT_GT(work, last) << preset;
         last = work;
     }
@@ -138,15 +139,29 @@ TEST_F(SceneFileTest, SolversByName) {
     }
 }
 
-TEST_F(SceneFileTest, SmallStepFallsBackToThePresetsNumbers) {
+TEST_F(SceneFileTest, NumbersOfTheFileGoBeforeThePresets) {
     const Outcome outcome =
         load("[accuracy]\nstep_hz = 120\nsubsteps = 4\niterations = 1\nsolver = \"small_step\"\n");
     ASSERT_TRUE(outcome.scene.ok());
-    EXPECT_EQ(outcome.scene->accuracy.solver, physics::Solver::BulletSi);
-    EXPECT_EQ(outcome.scene->accuracy.step_hz, 120);
-    EXPECT_EQ(outcome.scene->accuracy.substeps, 1);
-    EXPECT_EQ(outcome.scene->accuracy.iterations, 10);
-    ASSERT_EQ(outcome.faults.size(), 1U);
+    EXPECT_EQ(outcome.scene->accuracy.solver, physics::Solver::SmallStep);
+    const physics::WorldDef def = world_def(*outcome.scene, {});
+    EXPECT_DOUBLE_EQ(def.step_s, 1.0 / 120);
+    EXPECT_EQ(def.substeps, 4);
+    EXPECT_EQ(def.substeps_max, 4) << "a number alone means exactly so many";
+    EXPECT_EQ(def.iterations, 1);
+    EXPECT_TRUE(outcome.faults.empty());
+}
+
+TEST_F(SceneFileTest, NumbersDoNotCarryOverToTheOtherKindOfSolver) {
+    const Outcome outcome = load("[accuracy]\nsubsteps = 4\nsubsteps_max = 8\niterations = 1\n");
+    ASSERT_TRUE(outcome.scene.ok());
+    const physics::WorldDef own = world_def(*outcome.scene, {});
+    EXPECT_EQ(own.substeps, 4);
+    EXPECT_EQ(own.substeps_max, 8);
+    const physics::WorldDef other =
+        world_def(*outcome.scene, {.solver = physics::Solver::BulletSi});
+    EXPECT_EQ(other.substeps, 1);
+    EXPECT_EQ(other.iterations, 10);
 }
 
 TEST_F(SceneFileTest, LightAndAir) {

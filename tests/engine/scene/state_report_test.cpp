@@ -97,7 +97,7 @@ TEST_F(StateReport, HasEveryFieldOfTheContract) {
     }
     EXPECT_EQ(state_["scene"], "test.toml");
     EXPECT_EQ(state_["steps"], 5);
-    EXPECT_EQ(state_["solver"], "bullet_si");
+    EXPECT_EQ(state_["solver"], "small_step");
     EXPECT_EQ(state_["precision"], kPrecisionName);
     EXPECT_EQ(state_["lost_time_s"], 0.25);
     EXPECT_EQ(state_["hash"], hex_of(run_->state_hash()));
