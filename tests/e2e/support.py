@@ -52,8 +52,8 @@ class Program:
         for _ in range(300):
             if self.process.poll() is not None:
                 raise AssertionError("the program ended early:\n" + self.log())
-            # Not --onlyvisible: the name is enough, and the window shows a moment later.
-            found = subprocess.run(["xdotool", "search", "--name", "Plumbline"], env=self.environment,
+            # A window that does not show yet cannot take the focus.
+            found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Plumbline"], env=self.environment,
                                    capture_output=True, text=True).stdout.split()
             if found:
                 return found[-1]

@@ -15,7 +15,7 @@ constexpr double kSmallest_m = 0.2;
 constexpr double kSubstepsPerLevel = 0.4;
 constexpr double kTurn_rad = 0.08;    ///< of jointed bodies in one sub-step
 constexpr double kJointError = 1e-3;  ///< share of the bodies' size
-constexpr std::array<int, 16> kSizes{1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 24, 32, 48, 64};
+constexpr std::array<int, 14> kSizes{1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 24, 32, 48, 64};
 
 }  // namespace
 
