@@ -218,7 +218,7 @@ TEST(JointMotion, SwingingBodyKeepsItsMomentumAboutAFreeJoint) {
     rig.run(10, kFrame_s, 4);
     const auto [linear_after, angular_after] = momenta();
     EXPECT_LT(glm::length(linear_after - linear), kFloat32 ? 1e-4 : 1e-12);
-    EXPECT_LT(glm::length(angular_after - angular), kFloat32 ? 2e-3 : 2e-3);
+    EXPECT_LT(glm::length(angular_after - angular), 2e-3);
     EXPECT_NEAR(rig.energy() / energy, 1, 2e-3);
 }
 
