@@ -1,0 +1,101 @@
+// What a study found, as plain data: measured by the runners, read by the report, the tables and
+// `preset = "auto"`.
+#pragma once
+
+#include "engine/study/setting.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline::study {
+
+/// How far a reference can be trusted (docs/ACCURACY.md). T4 says consistent, not right.
+enum class Tier {
+    ClosedForm,      ///< T1
+    TwoIntegrators,  ///< T2: independent high-order integrators that agree to 1e-10
+    Conserved,       ///< T3: a conserved quantity, or a symmetry
+    SelfConverged,   ///< T4: the same engine in float64 at a far smaller step, shown to converge
+    Spread,          ///< T5: no truth: how far perturbed copies lie apart
+};
+std::string_view tier_name(Tier tier);  ///< "T1 closed form"
+
+/// One number that is held against the reference. Errors are relative to `scale`, so 0.01 is 1 %.
+struct Metric {
+    std::string name;   ///< "height at 2 s"
+    std::string scale;  ///< what 1 means: "the way fallen, 19.62 m"
+};
+
+enum class RunStatus { Done, NotFinite, Exploded, TimedOut, Crashed, Refused };
+std::string_view status_name(RunStatus status);
+
+/// Thread CPU time of stepping only. All zero where nothing ran.
+struct RunCost {
+    double ms_per_s_min{0};  ///< CPU ms per simulated second, least of the repeats
+    double ms_per_s_median{0};
+    double ms_per_s_max{0};
+    int repeats{0};
+    double step_ms_median{0};
+    double step_ms_p99{0};
+    /// Clock-free, exactly repeatable: row solves + contact points looked after, per simulated second.
+    double work_per_s{0};
+};
+
+/// One setting, measured.
+struct Point {
+    Setting setting;
+    RunStatus status{RunStatus::Done};
+    std::string why;             ///< of a status other than Done
+    std::vector<double> errors;  ///< one per metric; empty unless Done
+    RunCost cost;
+};
+
+/// The Euler floor: what a semi-implicit Euler body is off by at a step, whatever the solver does.
+struct FloorPoint {
+    double step_s{0};
+    double error{0};
+};
+
+enum class Trend { Converges, Stalls, Diverges, Exact, TooFew };
+std::string_view trend_name(Trend trend);  ///< "converges"
+
+/// What turning one knob does to the first metric's error, the others held still.
+struct KnobVerdict {
+    std::string knob;  ///< "step rate", "sub-steps", "iterations"
+    physics::Solver solver{physics::Solver::SmallStep};
+    std::string held;  ///< the rest of the setting, as text
+    Trend trend{Trend::TooFew};
+    std::optional<double> order;   ///< median of log2(e(2h)/e(h)) over the halvings
+    std::optional<double> theory;  ///< where theory gives one
+    int halvings{0};
+};
+
+/// Everything found out about one scenario or one scene.
+struct Subject {
+    std::string id;  ///< "A20 e=0.5", or the scene's path
+    std::string title;
+    std::string set_up;     ///< one or two plain sentences
+    std::string reference;  ///< formula or method, with its source
+    Tier tier{Tier::ClosedForm};
+    std::string peer_scene;  ///< name in assets/data/peers.csv, or empty
+    std::vector<Metric> metrics;
+    std::vector<FloorPoint> euler_floor;  ///< of the first metric; empty where it has no meaning
+    std::vector<Point> points;
+    std::vector<KnobVerdict> verdicts;
+    std::vector<std::string>
+        notes;  ///< "chaotic: 16 perturbed copies", "reference converged to 1e-6"
+};
+
+/// One study: what the JSON file and the page hold.
+struct Findings {
+    std::string command;     ///< to repeat it
+    std::string machine;     ///< processor, cores
+    std::string build;       ///< version, compiler, type
+    std::string made_on;     ///< "2026-11-21"
+    bool complete{true};     ///< false: interrupted, what was done by then
+    double clock_spread{0};  ///< (median-min)/min over all points' repeats, median of them
+    std::vector<Subject> subjects;
+};
+
+}  // namespace plumbline::study

@@ -1,0 +1,47 @@
+// Runs in worker processes: `plumbline study-worker` and `plumbline-f64 study-worker` read one job a
+// line and answer with one line each. A run that crashes or hangs takes its worker along, not the
+// study; float64 is another program; and Bullet's packaged build has unguarded static state, so two
+// worlds never step at once in one process.
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/study/setting.h"
+
+#include <functional>
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumbline::study {
+
+/// `kind` names the function that does it (worker.cpp has the table); `body` is its JSON object.
+struct Job {
+    std::string kind;
+    std::string body;
+    Precision precision{Precision::Float32};
+    double limit_s{120};  ///< wall time; beyond it the worker is killed and the answer is TimedOut
+};
+
+enum class AnswerStatus { Done, Failed, TimedOut, Crashed };
+
+struct Answer {
+    AnswerStatus status{AnswerStatus::Done};
+    std::string body;  ///< JSON of the job's kind when Done, a message otherwise
+};
+
+/// Jobs are handed out in order to as many workers at once; `done` is called on the calling thread
+/// as each ends. Stops early, and returns false, when interrupted (core/interrupt.h): jobs that had
+/// not ended have no call. Refused: the programs are not beside this one.
+Result<bool> run_jobs(std::span<const Job> jobs,
+                      int workers,
+                      const std::function<void(std::size_t job, const Answer& answer)>& done);
+
+/// What `study-worker` does: answers jobs from `in` until it ends. Returns when it has.
+void serve_jobs(std::istream& in, std::ostream& out);
+
+/// Cores that this process may use; at least 1.
+int default_workers();
+
+}  // namespace plumbline::study
