@@ -13,4 +13,4 @@ target_compile_options(plumbline_simulate_f64 PRIVATE -Wno-useless-cast)
 
 add_executable(plumbline-f64 main_f64.cpp)
 plumbline_target_settings(plumbline-f64)
-target_link_libraries(plumbline-f64 PRIVATE plumbline_simulate_f64 CLI11::CLI11)
+target_link_libraries(plumbline-f64 PRIVATE plumbline_simulate_f64 plumbline::study_f64 CLI11::CLI11)

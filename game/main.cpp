@@ -1,6 +1,7 @@
 // The program `plumbline`: words on the command line to commands.
 
 #include "engine/core/process_memory.h"
+#include "engine/study/worker.h"
 #include "game/command_line.h"
 #include "game/other_commands.h"
 #include "game/parse_error.h"
@@ -75,19 +76,21 @@ void add_other_commands(CLI::App& app, Words& words) {
     explain->add_option("scene", words.explained_scene, "As for play")->required();
     explain->add_flag("--json", words.explain_as_json, "As JSON");
     app.add_subcommand("controls", "What every action is bound to, and where that was said");
+    app.add_subcommand("study-worker", "Answers the jobs of a study")->group("");
     CLI::App* check = app.add_subcommand("check", "Names every fault of scenes and config files");
     check->add_option("files", words.checked, "Scenes or config files")->required();
 }
 
 /// "plumbline garden.toml --seconds 3" means play: the word is put in where no command stands.
 std::vector<std::string> with_command(int argc, char** argv) {
-    constexpr std::array<std::string_view, 10> kCommands{"play",
+    constexpr std::array<std::string_view, 11> kCommands{"play",
                                                          "render",
                                                          "tour",
                                                          "simulate",
                                                          "explain",
                                                          "controls",
                                                          "check",
+                                                         "study-worker",
                                                          "--help",
                                                          "-h",
                                                          "--version"};
@@ -107,6 +110,10 @@ ExitCode run_command(const CLI::App& app, const Words& words) {
     if (app.got_subcommand("simulate")) return run_simulate(words.simulate);
     if (app.got_subcommand("explain"))
         return run_explain(words.explained_scene, words.explain_as_json);
+    if (app.got_subcommand("study-worker")) {
+        study::run_study_worker();
+        return ExitCode::Good;
+    }
     if (app.got_subcommand("controls")) return run_controls(words.common);
     return run_check(words.checked);
 }

@@ -2,6 +2,7 @@
 // what the precision changes.
 
 #include "engine/core/log.h"
+#include "engine/study/worker.h"
 #include "game/parse_error.h"
 #include "game/simulate_cli.h"
 
@@ -21,6 +22,7 @@ int run_program(int argc, char** argv) {
     app.add_flag("--quiet", quiet, "Says only what went wrong");
     SimulateOptions options;
     add_simulate(app, options);
+    app.add_subcommand("study-worker", "Answers the jobs of a study")->group("");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -28,6 +30,10 @@ int run_program(int argc, char** argv) {
     }
     if (verbose) set_log_level(LogLevel::Debug);
     if (quiet) set_log_level(LogLevel::Error);
+    if (app.got_subcommand("study-worker")) {
+        study::run_study_worker();
+        return static_cast<int>(ExitCode::Good);
+    }
     return static_cast<int>(run_simulate(options));
 }
 

@@ -50,6 +50,7 @@ physics::WorldDef world_def(const SceneDescription& description,
         def.substeps = std::min(def.substeps, def.substeps_max);
     }
     if (overrides.substeps) def.substeps = def.substeps_max = *overrides.substeps;
+    if (overrides.substeps_max) def.substeps_max = *overrides.substeps_max;
     if (overrides.iterations) def.iterations = *overrides.iterations;
     return def;
 }

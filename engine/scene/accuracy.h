@@ -14,7 +14,8 @@ namespace plumbline::scene {
 struct SimulationOverrides {
     std::optional<physics::Solver> solver{};
     std::optional<int> step_hz{};
-    std::optional<int> substeps{};  ///< exactly so many
+    std::optional<int> substeps{};  ///< exactly so many, or the least if there is a most
+    std::optional<int> substeps_max{};
     std::optional<int> iterations{};
     std::uint64_t seed{1};
 };

@@ -1,0 +1,69 @@
+#include "engine/study/setting.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline::study {
+namespace {
+
+using physics::Solver;
+
+/// Where islands choose their sub-steps, the least that the preset "balanced" gives them.
+int least_substeps(const Setting& setting) {
+    return std::min(scene::preset_of("balanced").small_least, setting.substeps_max);
+}
+
+bool on_demand(const Setting& setting) {
+    return setting.solver == Solver::SmallStep && setting.substeps <= 0;
+}
+
+}  // namespace
+
+std::string_view precision_name(Precision precision) {
+    return precision == Precision::Float32 ? "float32" : "float64";
+}
+
+std::string setting_text(const Setting& setting) {
+    const std::string substeps =
+        on_demand(setting) ? fmt::format("{}-{}", least_substeps(setting), setting.substeps_max)
+                           : fmt::format("{}", std::max(1, setting.substeps));
+    std::string text = fmt::format(
+        "{} {} Hz x {}", physics::solver_name(setting.solver), setting.step_hz, substeps);
+    if (setting.solver != Solver::SmallStep || setting.iterations != 1)
+        text += fmt::format(", {} it", setting.iterations);
+    return fmt::format("{}, {}", text, precision_name(setting.precision));
+}
+
+std::string accuracy_lines(const Setting& setting) {
+    std::string lines = fmt::format(
+        "solver = \"{}\"\nstep_hz = {}\n", physics::solver_name(setting.solver), setting.step_hz);
+    if (on_demand(setting)) {
+        lines += fmt::format(
+            "substeps = {}\nsubsteps_max = {}\n", least_substeps(setting), setting.substeps_max);
+    } else {
+        lines += fmt::format("substeps = {}\n", std::max(1, setting.substeps));
+    }
+    return fmt::format("{}iterations = {}\n", lines, setting.iterations);
+}
+
+physics::WorldDef world_def(const Setting& setting) {
+    const int substeps =
+        on_demand(setting) ? least_substeps(setting) : std::max(1, setting.substeps);
+    return {.step_s = 1.0 / setting.step_hz,
+            .substeps = substeps,
+            .substeps_max = on_demand(setting) ? setting.substeps_max : substeps,
+            .iterations = setting.iterations,
+            .solver = setting.solver};
+}
+
+scene::SimulationOverrides overrides(const Setting& setting) {
+    const physics::WorldDef def = world_def(setting);
+    return {.solver = def.solver,
+            .step_hz = setting.step_hz,
+            .substeps = def.substeps,
+            .substeps_max = def.substeps_max,
+            .iterations = def.iterations};
+}
+
+}  // namespace plumbline::study

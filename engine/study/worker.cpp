@@ -1,0 +1,88 @@
+#include "engine/study/worker.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <fstream>
+#include <iostream>
+
+namespace plumbline::study {
+namespace {
+
+using nlohmann::json;
+
+// A row per kind of job.
+constexpr std::array<JobKind, 0> kJobKinds{};
+
+constexpr std::string_view kDone = "done";
+constexpr std::string_view kFailed = "failed";
+
+std::string answer_line(std::string_view status, const std::string& body) {
+    // Text that is no UTF-8 must not end the worker.
+    return json{{"status", status}, {"body", body}}.dump(
+        -1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string failed(const std::string& why) {
+    return answer_line(kFailed, why);
+}
+
+std::string answer_to(std::span<const JobKind> kinds, const std::string& line) {
+    const json job = json::parse(line, nullptr, false);
+    if (!job.is_object() || !job.contains("kind") || !job["kind"].is_string() ||
+        !job.contains("body") || !job["body"].is_string())
+        return failed("expected a job: {\"kind\": text, \"body\": text} on one line");
+    const std::string kind = job["kind"];
+    const auto found = std::ranges::find(kinds, kind, &JobKind::name);
+    if (found == kinds.end())
+        return failed(fmt::format("there is no job of the kind \"{}\"", kind));
+    try {
+        return answer_line(kDone, found->run(job["body"].get<std::string>()));
+    } catch (const std::exception& fault) {
+        return failed(fmt::format("{}: {}", kind, fault.what()));
+    }
+}
+
+}  // namespace
+
+std::span<const JobKind> job_kinds() {
+    return kJobKinds;
+}
+
+void serve_jobs(std::span<const JobKind> kinds, std::istream& in, std::ostream& out) {
+    std::string line;
+    while (std::getline(in, line) && out) out << answer_to(kinds, line) << '\n' << std::flush;
+}
+
+void serve_jobs(std::istream& in, std::ostream& out) {
+    serve_jobs(job_kinds(), in, out);
+}
+
+void run_study_worker() {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const int answers = dup(STDOUT_FILENO);
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+    std::ofstream out(fmt::format("/proc/self/fd/{}", answers));
+    serve_jobs(std::cin, out);
+}
+
+std::string job_line(const Job& job) {
+    return json{{"kind", job.kind}, {"body", job.body}}.dump(
+        -1, ' ', false, json::error_handler_t::replace);
+}
+
+Result<Answer> parse_answer_line(const std::string& line) {
+    const json answer = json::parse(line, nullptr, false);
+    if (!answer.is_object() || !answer.contains("status") || !answer.contains("body") ||
+        !answer["body"].is_string())
+        return Error{.message = "a worker answered with something that is no answer"};
+    return Answer{.status = answer["status"] == kDone ? AnswerStatus::Done : AnswerStatus::Failed,
+                  .body = answer["body"]};
+}
+
+}  // namespace plumbline::study

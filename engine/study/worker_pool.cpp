@@ -1,0 +1,176 @@
+#include "engine/study/worker_pool.h"
+
+#include "engine/core/interrupt.h"
+#include "engine/core/stopwatch.h"
+#include "engine/study/worker.h"
+#include "engine/study/worker_process_impl.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <csignal>
+#include <optional>
+#include <thread>
+
+namespace plumbline::study {
+namespace {
+
+constexpr double kLongestWait_s = 0.2;  // until the interrupt flag is looked at again
+
+/// One place for a job at work. It keeps a worker of each precision that it has needed.
+class Slot {
+public:
+    explicit Slot(const WorkerPrograms& programs) : programs_(programs) {}
+
+    bool busy() const { return job_.has_value(); }
+    std::size_t job() const { return *job_; }
+    int answers() const { return worker()->answers(); }
+    double left_s() const { return deadline_s_ - wall_s(); }
+
+    Result<Done> give(std::size_t index, const Job& job) {
+        precision_ = job.precision;
+        if (!worker()) {
+            Result<WorkerProcess> started = WorkerProcess::start(
+                precision_ == Precision::Float32 ? programs_.float32 : programs_.float64,
+                programs_.arguments);
+            if (!started) return started.error();
+            worker().emplace(std::move(*started));
+        }
+        // A worker that does not read has ended: its pipe's end says so, and how.
+        worker()->send(job_line(job));
+        job_ = index;
+        received_.clear();
+        deadline_s_ = wall_s() + job.limit_s;
+        return Done{};
+    }
+
+    /// After poll() found something to read: the answer, if it is whole or there will be none.
+    std::optional<Answer> receive() {
+        const bool open = worker()->receive(received_);
+        const std::size_t line_end = received_.find('\n');
+        if (line_end != std::string::npos) {
+            job_.reset();
+            Result<Answer> answer = parse_answer_line(received_.substr(0, line_end));
+            if (answer) return *answer;
+            worker().reset();
+            return Answer{.status = AnswerStatus::Failed, .body = answer.error().message};
+        }
+        if (open) return std::nullopt;
+        job_.reset();
+        Answer crashed{.status = AnswerStatus::Crashed,
+                       .body = fmt::format("the worker {}", worker()->end())};
+        worker().reset();
+        return crashed;
+    }
+
+    Answer give_up(double limit_s) {
+        job_.reset();
+        worker().reset();
+        return {.status = AnswerStatus::TimedOut,
+                .body = fmt::format("no answer within {:g} s", limit_s)};
+    }
+
+private:
+    std::optional<WorkerProcess>& worker() {
+        return workers_[static_cast<std::size_t>(precision_)];
+    }
+    const std::optional<WorkerProcess>& worker() const {
+        return workers_[static_cast<std::size_t>(precision_)];
+    }
+
+    const WorkerPrograms& programs_;
+    std::array<std::optional<WorkerProcess>, 2> workers_;
+    Precision precision_{Precision::Float32};
+    std::optional<std::size_t> job_;
+    std::string received_;
+    double deadline_s_{0};
+};
+
+Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Job> jobs) {
+    for (const Precision precision : {Precision::Float32, Precision::Float64}) {
+        const std::filesystem::path& program =
+            precision == Precision::Float32 ? programs.float32 : programs.float64;
+        std::error_code error;
+        const bool needed = std::ranges::find(jobs, precision, &Job::precision) != jobs.end();
+        if (needed && !std::filesystem::is_regular_file(program, error))
+            return Error{.message = fmt::format("{} runs need the program {}, which is not there",
+                                                precision_name(precision),
+                                                program.string())};
+    }
+    return Done{};
+}
+
+/// Waits until a busy slot has something to say, a limit is near, or a moment has passed.
+void wait_for_answers(std::vector<Slot>& slots, std::vector<pollfd>& waiting) {
+    waiting.clear();
+    double wait_s = kLongestWait_s;
+    for (const Slot& slot : slots) {
+        if (!slot.busy()) continue;
+        waiting.push_back({.fd = slot.answers(), .events = POLLIN, .revents = 0});
+        wait_s = std::clamp(slot.left_s(), 0.0, wait_s);
+    }
+    if (poll(waiting.data(), waiting.size(), static_cast<int>(wait_s * 1e3) + 1) < 0) {
+        for (pollfd& each : waiting) each.revents = 0;
+    }
+}
+
+}  // namespace
+
+WorkerPrograms sibling_programs() {
+    std::error_code error;
+    const std::filesystem::path folder =
+        std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    return {.float32 = folder / "plumbline", .float64 = folder / "plumbline-f64"};
+}
+
+Result<bool> run_jobs(const WorkerPrograms& programs,
+                      std::span<const Job> jobs,
+                      int workers,
+                      const std::function<void(std::size_t job, const Answer& answer)>& done) {
+    if (Result<Done> there = check_programs(programs, jobs); !there) return there.error();
+    // A worker that ended must show as a failed write, not end us.
+    std::signal(SIGPIPE, SIG_IGN);
+    const auto slot_count = static_cast<std::size_t>(std::max(1, workers));
+    std::vector<Slot> slots;
+    slots.reserve(slot_count);
+    for (std::size_t i = 0; i < std::min(slot_count, jobs.size()); ++i)
+        slots.emplace_back(programs);
+
+    std::vector<pollfd> waiting;
+    std::size_t next = 0;
+    std::size_t ended = 0;
+    while (ended < jobs.size()) {
+        for (Slot& slot : slots) {
+            if (slot.busy() || next == jobs.size()) continue;
+            if (Result<Done> given = slot.give(next, jobs[next]); !given) return given.error();
+            ++next;
+        }
+        wait_for_answers(slots, waiting);
+        if (interrupted()) return false;
+        std::size_t place = 0;
+        for (Slot& slot : slots) {
+            if (!slot.busy()) continue;
+            const std::size_t job = slot.job();
+            std::optional<Answer> answer;
+            if (waiting[place++].revents != 0) answer = slot.receive();
+            if (!answer && slot.left_s() <= 0) answer = slot.give_up(jobs[job].limit_s);
+            if (!answer) continue;
+            ++ended;
+            done(job, *answer);
+        }
+    }
+    return true;
+}
+
+Result<bool> run_jobs(std::span<const Job> jobs,
+                      int workers,
+                      const std::function<void(std::size_t job, const Answer& answer)>& done) {
+    return run_jobs(sibling_programs(), jobs, workers, done);
+}
+
+int default_workers() {
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace plumbline::study

@@ -1,0 +1,26 @@
+// The parent's side of the study: workers as child processes, given jobs and waited for.
+#pragma once
+
+#include "engine/study/job.h"
+
+#include <array>
+#include <filesystem>
+
+namespace plumbline::study {
+
+/// What to start for jobs of each precision, and with which words behind it.
+struct WorkerPrograms {
+    std::filesystem::path float32;
+    std::filesystem::path float64;
+    std::vector<std::string> arguments{"study-worker"};
+};
+/// plumbline and plumbline-f64 beside the running program.
+WorkerPrograms sibling_programs();
+
+/// As run_jobs, with other programs.
+Result<bool> run_jobs(const WorkerPrograms& programs,
+                      std::span<const Job> jobs,
+                      int workers,
+                      const std::function<void(std::size_t job, const Answer& answer)>& done);
+
+}  // namespace plumbline::study
