@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kIncludeDepth = 16;
 constexpr std::array<std::string_view, 3> kModelExtensions{".glb", ".gltf", ".obj"};
 // Everything that a scene may hold beside materials and prefabs.
-constexpr std::array<std::string_view, 16> kSceneOnly{"world",
+constexpr std::array<std::string_view, 17> kSceneOnly{"world",
                                                       "accuracy",
                                                       "player",
                                                       "camera",
@@ -34,7 +34,8 @@ constexpr std::array<std::string_view, 16> kSceneOnly{"world",
                                                       "array",
                                                       "joint",
                                                       "effects",
-                                                      "view"};
+                                                      "view",
+                                                      "hard_case"};
 
 /// One file of the load. Places point at its name, so it stays where it is.
 struct SourceFile {
@@ -63,6 +64,7 @@ public:
         read_arrays(root, scene_, context_);
         read_joints(root, scene_, context_);
         read_views(root, scene_);
+        read_hard_case(root, scene_, context_);
         root.find("material");
         root.find("prefab");
         root.finish();

@@ -105,6 +105,9 @@ void read_joints(TableReader& root, SceneDescription& scene, LoadContext& contex
 // --- scene_views.cpp
 void read_views(TableReader& root, SceneDescription& scene);
 
+// --- scene_hard_case.cpp
+void read_hard_case(TableReader& root, SceneDescription& scene, LoadContext& context);
+
 // --- scene_checks.cpp: what only the whole scene can tell
 void check_whole_scene(SceneDescription& scene, LoadContext& context);
 

@@ -77,6 +77,7 @@ void Simulation::remember_poses() {
 
 void Simulation::step() {
     forget_destroyed();
+    run_events();
     move_along_paths();
     physics.step();
     ++steps_;

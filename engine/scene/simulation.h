@@ -108,6 +108,9 @@ public:
     /// PhysicsWorld::create_joint() refuses; the message names file and line.
     Result<Done> add_joint(const JointDescription& description);
 
+    /// What the events of [hard_case] added to the energy so far, but for forces' and impulses' work.
+    double event_energy_J() const { return event_energy_J_; }
+
     const std::vector<std::string>& warnings() const { return warnings_; }
     void add_warning(std::string text) { warnings_.push_back(std::move(text)); }
 
@@ -153,6 +156,8 @@ public:
 private:
     friend class EntityBuilder;
 
+    void run_events();
+    void do_event(const HardCaseEvent& event);
     void move_along_paths();
     void sync_placements();
     void report_quarantined();
@@ -169,6 +174,7 @@ private:
     std::uint64_t revision_{0};
     std::size_t quarantined_reported_{0};
     bool bodies_destroyed_{false};
+    double event_energy_J_{0};
     std::vector<MovingBody> moving_;
     std::vector<SceneJoint> joints_;
     MotionDemand demand_{};
