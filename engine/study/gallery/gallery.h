@@ -1,0 +1,61 @@
+// The gallery of hard cases: which there are, one run of one of them, and what came of it.
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/physics/physics_world.h"
+#include "engine/study/gallery/hard_case_judge.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumbline::study {
+
+/// One run: the scene's own setting but for the solver and the rate.
+struct CaseRun {
+    std::filesystem::path scene;
+    physics::Solver solver{physics::Solver::SmallStep};
+    int step_hz{60};
+};
+
+/// One rule of a run that ended, as the table shows it.
+struct RuleResult {
+    std::string text;
+    double limit{0};
+    bool is_below{true};
+    double value{0};  ///< the worst; no number where the body was gone
+    double margin{0};
+    bool passed{false};
+    std::string worst_of;
+    double worst_at_s{0};
+};
+
+struct CaseResult {
+    bool ran{false};  ///< false: `why` says what went wrong, and it counts as failed
+    bool passed{false};
+    std::string why;
+    double simulated_s{0};
+    double cpu_ms_per_s{0};  ///< thread CPU time of stepping, per simulated second
+    double step_ms_max{0};
+    double work_per_s{0};  ///< row solves + contact points, per simulated second; no clock
+    std::vector<RuleResult> rules;
+
+    /// The rule with the smallest margin; null when nothing ran.
+    const RuleResult* worst() const;
+};
+
+/// Runs it in this process, to the end of its time or to the first rule that fails for good.
+/// Refused: what load_scene(), build_simulation() and the judge refuse.
+Result<CaseResult> run_case(const CaseRun& run);
+
+/// The job kind "hard_case" (job.h): a CaseRun as JSON in, a CaseResult as JSON out.
+std::string run_hard_case_job(const std::string& body);
+std::string case_job_body(const CaseRun& run);
+/// Refused: text that is not what run_hard_case_job() writes.
+Result<CaseResult> parse_case_result(const std::string& json);
+
+/// "63 % inside", "x 12 over": how a margin is told.
+std::string margin_text(double margin);
+
+}  // namespace plumbline::study

@@ -1,0 +1,166 @@
+// One hard case in a worker process: the scene, stepped as `simulate` would, and its judge.
+#include "engine/core/files.h"
+#include "engine/effects/advance.h"
+#include "engine/scene/json_text.h"
+#include "engine/scene/scene_file.h"
+#include "engine/study/gallery/gallery.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::study {
+namespace {
+
+using scene::JsonText;
+
+/// Numbers that are none travel as null.
+double number_or_nan(const nlohmann::json& value) {
+    return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<RuleResult> results_of(const HardCaseJudge& judge) {
+    std::vector<RuleResult> results;
+    for (const RuleState& state : judge.rules()) {
+        results.push_back({.text = state.text,
+                           .limit = state.limit,
+                           .is_below = state.is_below,
+                           .value = state.seen ? state.value : std::nan(""),
+                           .margin = state.margin(),
+                           .passed = state.verdict == Verdict::Pass,
+                           .worst_of = state.worst_of,
+                           .worst_at_s = state.worst_at_s});
+    }
+    return results;
+}
+
+/// Steps until the judge has seen the case's whole time.
+CaseResult run_to_the_end(scene::Simulation& simulation, HardCaseJudge& judge) {
+    scene::NoGame game(simulation.description().camera);
+    effects::EffectRuntime effects(simulation, {.picture = false, .sound = false});
+    CaseResult result{.ran = true};
+    double cpu_ms = 0;
+    double work = 0;
+    while (!judge.over()) {
+        effects::advance(simulation, effects, game, {});
+        const physics::StepCost& cost = simulation.physics.cost();
+        cpu_ms += cost.total_ms;
+        result.step_ms_max = std::max(result.step_ms_max, cost.total_ms);
+        work += static_cast<double>(cost.row_solves) + static_cast<double>(cost.contacts);
+        judge.after_step(simulation);
+    }
+    result.simulated_s = simulation.time_s();
+    result.cpu_ms_per_s = cpu_ms / result.simulated_s;
+    result.work_per_s = work / result.simulated_s;
+    result.passed = judge.verdict() == Verdict::Pass;
+    result.rules = results_of(judge);
+    return result;
+}
+
+std::string result_json(const CaseResult& result) {
+    JsonText json(scene::JsonLayout::OneLine);
+    json.begin_object();
+    json.key("ran").boolean(result.ran).key("passed").boolean(result.passed);
+    json.key("why").text(result.why);
+    json.key("simulated_s").number(result.simulated_s);
+    json.key("cpu_ms_per_s").number(result.cpu_ms_per_s);
+    json.key("step_ms_max").number(result.step_ms_max);
+    json.key("work_per_s").number(result.work_per_s);
+    json.key("rules").begin_array();
+    for (const RuleResult& rule : result.rules) {
+        json.begin_object().key("text").text(rule.text);
+        json.key("limit").number(rule.limit).key("is_below").boolean(rule.is_below);
+        json.key("value").number(rule.value).key("margin").number(rule.margin);
+        json.key("passed").boolean(rule.passed);
+        json.key("worst_of").text(rule.worst_of).key("worst_at_s").number(rule.worst_at_s);
+        json.end_object();
+    }
+    return json.end_array().end_object().str();
+}
+
+}  // namespace
+
+const RuleResult* CaseResult::worst() const {
+    const auto least = [](const RuleResult& a, const RuleResult& b) { return a.margin < b.margin; };
+    const auto found = std::ranges::min_element(rules, least);
+    return found != rules.end() ? &*found : nullptr;
+}
+
+Result<CaseResult> run_case(const CaseRun& run) {
+    const Result<DataFolders> folders = find_data_folders();
+    if (!folders) return folders.error();
+    Diagnostics faults;
+    const scene::SurfaceTable surfaces =
+        scene::load_surfaces(folders->config / "surfaces.toml", folders->assets, faults);
+    const Result<scene::SceneDescription> description =
+        scene::load_scene(run.scene, folders->assets, faults);
+    if (!description) return description.error();
+    assets::AssetLibrary library;
+    const Result<std::unique_ptr<scene::Simulation>> simulation = scene::build_simulation(
+        *description, {.solver = run.solver, .step_hz = run.step_hz}, library, surfaces);
+    if (!simulation) return simulation.error();
+    Result<HardCaseJudge> judge = HardCaseJudge::create(**simulation);
+    if (!judge) return judge.error();
+    return run_to_the_end(**simulation, *judge);
+}
+
+std::string case_job_body(const CaseRun& run) {
+    JsonText json(scene::JsonLayout::OneLine);
+    json.begin_object().key("scene").text(run.scene.string());
+    json.key("solver").text(physics::solver_name(run.solver));
+    return json.key("step_hz").number(run.step_hz).end_object().str();
+}
+
+std::string run_hard_case_job(const std::string& body) {
+    const auto refused = [](std::string why) { return result_json({.why = std::move(why)}); };
+    const nlohmann::json job = nlohmann::json::parse(body, nullptr, false);
+    if (!job.is_object() || !job.contains("scene") || !job.contains("solver") ||
+        !job.contains("step_hz"))
+        return refused("expected a job with scene, solver and step_hz");
+    const auto solver = physics::solver_from_name(job["solver"].get<std::string>());
+    if (!solver) return refused("unknown solver");
+    const Result<CaseResult> result = run_case({.scene = job["scene"].get<std::string>(),
+                                                .solver = *solver,
+                                                .step_hz = job["step_hz"].get<int>()});
+    return result ? result_json(*result) : refused(result.error().message);
+}
+
+Result<CaseResult> parse_case_result(const std::string& text) {
+    try {
+        const nlohmann::json json = nlohmann::json::parse(text);
+        CaseResult result{.ran = json.at("ran"),
+                          .passed = json.at("passed"),
+                          .why = json.at("why"),
+                          .simulated_s = json.at("simulated_s"),
+                          .cpu_ms_per_s = json.at("cpu_ms_per_s"),
+                          .step_ms_max = json.at("step_ms_max"),
+                          .work_per_s = json.at("work_per_s")};
+        for (const nlohmann::json& rule : json.at("rules")) {
+            const double margin = number_or_nan(rule.at("margin"));
+            result.rules.push_back(
+                {.text = rule.at("text"),
+                 .limit = rule.at("limit"),
+                 .is_below = rule.at("is_below"),
+                 .value = number_or_nan(rule.at("value")),
+                 .margin = std::isnan(margin) ? -std::numeric_limits<double>::infinity() : margin,
+                 .passed = rule.at("passed"),
+                 .worst_of = rule.at("worst_of"),
+                 .worst_at_s = rule.at("worst_at_s")});
+        }
+        return result;
+    } catch (const nlohmann::json::exception& fault) {
+        return Error{.message = fmt::format("not the result of a hard case: {}", fault.what()),
+                     .exit_code = ExitCode::RunFailed};
+    }
+}
+
+std::string margin_text(double margin) {
+    if (std::isnan(margin) || std::isinf(margin)) return "gone";
+    if (margin >= 0) return fmt::format("{:.0f} % inside", std::min(margin, 99.0) * 100);
+    if (margin > -1) return fmt::format("{:.0f} % outside", -margin * 100);
+    return fmt::format("x {:.3g} outside", 1 - margin);
+}
+
+}  // namespace plumbline::study

@@ -1,0 +1,307 @@
+#include "engine/study/gallery/hard_case_judge.h"
+
+#include "engine/core/nearest_name.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::study {
+namespace {
+
+constexpr double kHalfStep = 0.5;
+/// Stands for "none" where a rule looks at the world or at joints.
+const std::string kNobody;
+
+bool matches(std::string_view pattern, std::string_view name) {
+    if (!pattern.ends_with('*')) return pattern == name;
+    return name.starts_with(pattern.substr(0, pattern.size() - 1));
+}
+
+Error fault_at(const scene::Origin& origin, const std::string& message) {
+    return {.message = fmt::format("{}: {}", to_string(origin), message),
+            .exit_code = ExitCode::Refused};
+}
+
+Error unknown_measure(const scene::HardCaseRule& rule) {
+    std::vector<std::string_view> names;
+    for (const Measure& measure : measures()) names.push_back(measure.name);
+    const std::string_view nearest = nearest_name(rule.measure, names);
+    return fault_at(rule.origin,
+                    fmt::format("\"{}\" is no measure; {}",
+                                rule.measure,
+                                nearest.empty() ? fmt::format("known: {}", fmt::join(names, ", "))
+                                                : fmt::format("did you mean \"{}\"?", nearest)));
+}
+
+std::string rule_text(const scene::HardCaseRule& rule, double seconds) {
+    std::string text = rule.measure;
+    if (!rule.of.empty()) text += fmt::format(" of {}", fmt::join(rule.of, ", "));
+    if (!rule.relative_to.empty()) text += fmt::format(" against {}", rule.relative_to);
+    text += rule.below ? fmt::format(" below {:.4g}", *rule.below)
+                       : fmt::format(" above {:.4g}", *rule.above);
+    const double to_s = std::min(seconds, rule.to_s.value_or(seconds));
+    if (rule.from_s >= seconds)
+        text += ", at the end";
+    else if (rule.from_s > 0 && to_s < seconds)
+        text += fmt::format(", from {:g} to {:g} s", rule.from_s, to_s);
+    else if (rule.from_s > 0)
+        text += fmt::format(", from {:g} s", rule.from_s);
+    else if (to_s < seconds)
+        text += fmt::format(", until {:g} s", to_s);
+    return text;
+}
+
+RuleState state_of(const scene::HardCaseRule& rule, double seconds) {
+    RuleState state;
+    state.text = rule_text(rule, seconds);
+    state.is_below = rule.below.has_value();
+    state.limit = state.is_below ? *rule.below : *rule.above;
+    state.from_s = std::min(rule.from_s, seconds);
+    state.to_s = std::min(rule.to_s.value_or(seconds), seconds);
+    return state;
+}
+
+}  // namespace
+
+std::string_view verdict_name(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::Pass:
+            return "pass";
+        case Verdict::Fail:
+            return "fail";
+        case Verdict::Undecided:
+            break;
+    }
+    return "undecided";
+}
+
+double RuleState::margin() const {
+    if (!std::isfinite(value)) return -std::numeric_limits<double>::infinity();
+    const double inside = is_below ? limit - value : value - limit;
+    if (limit != 0) return inside / std::abs(limit);
+    return inside == 0 ? 1 : inside;
+}
+
+HardCaseJudge::HardCaseJudge(const scene::Simulation& simulation)
+    : seconds_(simulation.description().hard_case->seconds) {
+    const scene::HardCase& hard = *simulation.description().hard_case;
+    const physics::Energy energy = simulation.physics.energy();
+    start_.energy_J = energy.kinetic_J + energy.potential_J;
+    start_.energy_scale_J =
+        hard.energy_scale_J > 0 ? hard.energy_scale_J : std::max(std::abs(start_.energy_J), 1e-9);
+    start_.momentum_kgmps = simulation.physics.momentum_kgmps();
+    start_.angular_momentum_kgm2ps = simulation.physics.angular_momentum_kgm2ps();
+}
+
+Result<HardCaseJudge> HardCaseJudge::create(const scene::Simulation& simulation) {
+    const std::optional<scene::HardCase>& hard = simulation.description().hard_case;
+    if (!hard) {
+        return Error{.message = fmt::format("{} has no [hard_case]: nothing to judge it by",
+                                            simulation.description().file.string()),
+                     .exit_code = ExitCode::Refused};
+    }
+    HardCaseJudge judge(simulation);
+    for (const scene::HardCaseRule& rule : hard->rules) {
+        if (const Result<Done> added = judge.add_rule(simulation, rule); !added)
+            return added.error();
+    }
+    if (const Result<Done> added = judge.add_general_rules(simulation); !added)
+        return added.error();
+    return judge;
+}
+
+Result<Done> HardCaseJudge::add_general_rules(const scene::Simulation& simulation) {
+    const scene::HardCase& hard = *simulation.description().hard_case;
+    std::vector<scene::HardCaseRule> rules{
+        {.measure = "non_finite", .below = hard.non_finite},
+        {.measure = "removed", .below = hard.removed},
+        {.measure = "penetration_m", .from_s = hard.settled_s, .below = hard.penetration_m}};
+    if (hard.energy_from.empty())
+        rules.push_back({.measure = "energy_gain", .below = hard.energy_gain});
+    for (const scene::HardCaseRule& rule : rules) {
+        if (const Result<Done> added = add_rule(simulation, rule); !added) return added.error();
+    }
+    return Done{};
+}
+
+Result<Done> HardCaseJudge::add_rule(const scene::Simulation& simulation,
+                                     const scene::HardCaseRule& rule) {
+    Watched watched{.measure = find_measure(rule.measure)};
+    if (watched.measure == nullptr) return unknown_measure(rule);
+    const auto& value = watched.measure->value;
+    if (std::holds_alternative<JointMeasure>(value)) {
+        auto joints = joints_called(simulation, rule);
+        if (!joints) return joints.error();
+        watched.joints = std::move(*joints);
+    } else if (!std::holds_alternative<WorldMeasure>(value)) {
+        auto bodies = bodies_called(simulation, rule);
+        if (!bodies) return bodies.error();
+        watched.bodies = std::move(*bodies);
+        if (!rule.relative_to.empty()) {
+            watched.relative_to = body_index(simulation, rule.relative_to);
+            if (watched.relative_to == kNone)
+                return fault_at(rule.origin, fmt::format("\"{}\" has no body", rule.relative_to));
+        }
+    }
+    needs_contacts_ = needs_contacts_ || rule.measure == "impulse_Ns";
+    watched_.push_back(std::move(watched));
+    states_.push_back(state_of(rule, seconds_));
+    return Done{};
+}
+
+std::size_t HardCaseJudge::body_index(const scene::Simulation& simulation,
+                                      const std::string& name) {
+    const auto known = std::ranges::find(bodies_, name, &Body::name);
+    if (known != bodies_.end()) return static_cast<std::size_t>(known - bodies_.begin());
+    const ecs::Entity entity = simulation.find(name);
+    const scene::BodyRef* ref = simulation.registry.alive(entity)
+                                    ? simulation.registry.find<scene::BodyRef>(entity)
+                                    : nullptr;
+    if (ref == nullptr) return kNone;
+    const physics::BodyState state = simulation.physics.state(ref->body);
+    bodies_.push_back({.entity = entity,
+                       .id = ref->body,
+                       .name = name,
+                       .start = {state.world_from_body, Vec3d{state.velocity_mps}}});
+    return bodies_.size() - 1;
+}
+
+Result<std::vector<std::size_t>> HardCaseJudge::bodies_called(const scene::Simulation& simulation,
+                                                              const scene::HardCaseRule& rule) {
+    std::vector<std::size_t> found;
+    const auto add_matching = [&](std::string_view pattern) {
+        const std::size_t before = found.size();
+        for (const scene::MovingBody& moving : simulation.moving_bodies()) {
+            const std::string& name = simulation.registry.get<scene::Name>(moving.entity).text;
+            const bool all = pattern == "*" && moving.kind != physics::BodyKind::Dynamic;
+            if (matches(pattern, name) && !all) found.push_back(body_index(simulation, name));
+        }
+        return found.size() > before;
+    };
+    if (rule.of.empty()) add_matching("*");
+    for (const std::string& name : rule.of) {
+        if (!add_matching(name))
+            return fault_at(rule.origin, fmt::format("no moving body is called \"{}\"", name));
+    }
+    if (found.empty()) return fault_at(rule.origin, "the scene has no dynamic bodies to watch");
+    return found;
+}
+
+Result<std::vector<std::size_t>> HardCaseJudge::joints_called(
+    const scene::Simulation& simulation, const scene::HardCaseRule& rule) const {
+    std::vector<std::size_t> found;
+    const auto joints = simulation.joints();
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        const auto is_meant = [&](const std::string& pattern) {
+            return matches(pattern, joints[i].name);
+        };
+        if (rule.of.empty() || std::ranges::any_of(rule.of, is_meant)) found.push_back(i);
+    }
+    if (found.empty())
+        return fault_at(rule.origin,
+                        fmt::format("no joint is called \"{}\"", fmt::join(rule.of, "\", \"")));
+    return found;
+}
+
+BodyLook HardCaseJudge::look_at(const scene::Simulation& simulation,
+                                std::size_t body,
+                                std::size_t other) const {
+    const Body& mine = bodies_[body];
+    BodyLook look{
+        .id = mine.id,
+        .start = mine.start,
+        .now = simulation.physics.state(mine.id),
+        .lowest_m = mine.lowest_m,
+        .gravity_mps2 = static_cast<double>(glm::length(simulation.physics.def().gravity_mps2)),
+        .contacts = contacts_};
+    if (other != kNone && simulation.physics.contains(bodies_[other].id)) {
+        look.other = bodies_[other].id;
+        look.other_start = bodies_[other].start;
+        look.other_now = simulation.physics.state(look.other);
+    }
+    return look;
+}
+
+void HardCaseJudge::look(const scene::Simulation& simulation,
+                         const Watched& watched,
+                         RuleState& state) {
+    const auto take = [&](double value, const std::string& whose) {
+        const bool is_worse = state.is_below ? value > state.value : value < state.value;
+        // Once not a number, for ever.
+        if (state.seen && !is_worse && !std::isnan(value)) return;
+        if (state.seen && std::isnan(state.value)) return;
+        state.seen = true;
+        state.value = value;
+        state.worst_of = whose;
+        state.worst_at_s = simulation.time_s();
+    };
+    constexpr double kGone = std::numeric_limits<double>::quiet_NaN();
+    const auto& value = watched.measure->value;
+    if (const auto* of_world = std::get_if<WorldMeasure>(&value)) {
+        take((*of_world)({.world = simulation.physics,
+                          .start = start_,
+                          .event_energy_J = simulation.event_energy_J(),
+                          .removed = simulation.removed_count()}),
+             kNobody);
+        return;
+    }
+    if (const auto* of_joint = std::get_if<JointMeasure>(&value)) {
+        for (const std::size_t i : watched.joints) {
+            const scene::SceneJoint& joint = simulation.joints()[i];
+            const bool is_there = simulation.physics.contains(joint.joint);
+            take(is_there ? (*of_joint)(simulation.physics.joint_state(joint.joint)) : kGone,
+                 joint.name);
+        }
+        return;
+    }
+    std::vector<BodyLook> looks;
+    for (const std::size_t i : watched.bodies) {
+        const bool is_there = simulation.physics.contains(bodies_[i].id);
+        if (!is_there) return take(kGone, bodies_[i].name);
+        const BodyLook look = look_at(simulation, i, watched.relative_to);
+        if (const auto* of_body = std::get_if<BodyMeasure>(&value))
+            take((*of_body)(look), bodies_[i].name);
+        else
+            looks.push_back(look);
+    }
+    if (const auto* of_bodies = std::get_if<BodiesMeasure>(&value))
+        take((*of_bodies)(looks), kNobody);
+}
+
+void HardCaseJudge::after_step(const scene::Simulation& simulation) {
+    if (over_) return;
+    const double time_s = simulation.time_s();
+    const double half_step_s = kHalfStep * simulation.step_s();
+    for (Body& body : bodies_) {
+        if (!simulation.physics.contains(body.id)) continue;
+        const physics::BodyState state = simulation.physics.state(body.id);
+        body.lowest_m =
+            std::min(body.lowest_m, static_cast<double>(state.world_from_body.position.y));
+    }
+    if (needs_contacts_) contacts_ = simulation.physics.all_contacts();
+    over_ = time_s > seconds_ - half_step_s;
+    bool any_failed = false;
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        RuleState& state = states_[i];
+        const bool has_begun = time_s > state.from_s - half_step_s;
+        if (has_begun && time_s < state.to_s + half_step_s) look(simulation, watched_[i], state);
+        if (state.seen && !(state.margin() >= 0))
+            state.verdict = Verdict::Fail;
+        else if (over_ || time_s > state.to_s + half_step_s)
+            state.verdict = state.seen ? Verdict::Pass : Verdict::Fail;
+        any_failed = any_failed || state.verdict == Verdict::Fail;
+    }
+    verdict_ = any_failed ? Verdict::Fail : over_ ? Verdict::Pass : Verdict::Undecided;
+}
+
+const RuleState* HardCaseJudge::worst() const {
+    const RuleState* worst = nullptr;
+    for (const RuleState& state : states_) {
+        if (state.seen && (worst == nullptr || state.margin() < worst->margin())) worst = &state;
+    }
+    return worst;
+}
+
+}  // namespace plumbline::study
