@@ -78,7 +78,9 @@ struct Subject {
     std::string set_up;     ///< one or two plain sentences
     std::string reference;  ///< formula or method, with its source
     Tier tier{Tier::ClosedForm};
-    std::string peer_scene;  ///< name in assets/data/peers.csv, or empty
+    /// Name in assets/data/peers.csv, or empty. Its figures are drawn where the first metric has one of
+    /// the names in report/peers.cpp.
+    std::string peer_scene;
     std::vector<Metric> metrics;
     std::vector<FloorPoint> euler_floor;  ///< of the first metric; empty where it has no meaning
     std::vector<Point> points;

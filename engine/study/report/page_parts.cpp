@@ -30,30 +30,15 @@ th { color: var(--soft); font-weight: 600; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .bad, .bad td { color: var(--red); }
 .soft { color: var(--soft); }
-.best td { font-weight: 600; }
 details { margin: .6rem 0; }
 summary { cursor: pointer; color: var(--link); }
 figure { margin: 1rem 0; overflow-x: auto; }
 figcaption { color: var(--soft); font-size: .88rem; max-width: 46rem; }
 figure svg { display: block; width: 100%; min-width: 40rem; height: auto; }
-figure svg [fill="black"], figure svg [fill="rgb(0,0,0)"] {
-    fill:
-        var(--ink);
-    }
-    figure svg[color = "black"], figure svg[color = "rgb(  0,   0,   0)"] {
-    color:
-        var(--ink);
-    }
-    figure svg[stroke = "black"], figure svg[stroke = "rgb(  0,   0,   0)"] {
-    stroke:
-        var(--ink);
-    }
-    @media print{details > *{display : block;
-}
-h2 {
-    break - before : page;
-}
-}  // namespace plumbline::study
+figure svg [fill="black"], figure svg [fill="rgb(0,0,0)"] { fill: var(--ink); }
+figure svg [color="black"], figure svg [color="rgb(  0,   0,   0)"] { color: var(--ink); }
+figure svg [stroke="black"], figure svg [stroke="rgb(  0,   0,   0)"] { stroke: var(--ink); }
+@media print { h2 { break-before: page; } }
 )css";
 }
 
@@ -65,7 +50,7 @@ run <b>cost</b>: milliseconds of one processor core for each second that was sim
 says how <b>wrong</b> the result was: 1 % means that the number named at the left was off by a hundredth
 of its natural size. So <b>lower is more right, further left is cheaper, and the lower left corner is
 where everybody wants to be</b>. Both scales go up by factors of ten, because costs and errors do.</p>
-<p>A line joins runs that differ only in how many steps a second they take, from few (left) to many
+<p>A line joins runs that differ only in how many steps a second they take (Hz), from few (left) to many
 (right). A line that falls says that smaller steps pay. A flat line says that you pay and get nothing. A
 line that rises says that something is broken. Where one solver's line lies below and left of another's,
 it is the better one for this scene, whatever accuracy you want.</p>
@@ -77,7 +62,7 @@ elsewhere (their label says which; <code>assets/data/README.md</code> says when 
 cross at the top is a run that gave no answer: it exploded, hung or crashed.</p>
 <p>The second diagram of a subject has the step on the axis instead of the cost: the time that the solver
 moves the world forward at once. Its grey lines show how steep a method of first order is (half the step,
-half the error) and one of second order (half the step, a quarter). The dashed black line, where there
+half the error) and one of second order (half the step, a quarter). The thick dashed line, where there
 is one, is the <em>Euler floor</em>: what the simplest way to move a falling body is off by whatever else
 a solver does. Points above it are the solver's own errors; points below it say that the solver moves
 bodies in a better way. Errors of zero are drawn where the arithmetic ends: at 1.2e-07 for float32.</p>

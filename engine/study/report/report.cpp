@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -72,10 +73,15 @@ std::string figure(const Plot& plot,
                        escape_html(caption));
 }
 
-std::string figures(const Subject& subject, const std::string& anchor, const Tools& tools) {
-    const std::string metric =
-        subject.metrics.empty() ? std::string("no metric") : subject.metrics.front().name;
-    const auto peers = comparable_peers(tools.peers, subject.peer_scene, metric);
+std::string first_metric(const Subject& subject) {
+    return subject.metrics.empty() ? std::string("no metric") : subject.metrics.front().name;
+}
+
+std::string figures(const Subject& subject,
+                    std::span<const PeerPoint> peers,
+                    const std::string& anchor,
+                    const Tools& tools) {
+    const std::string metric = first_metric(subject);
     std::string html;
     if (const auto plot = work_precision_plot(subject, peers)) {
         std::string caption = fmt::format("Error of the {} against cost.", metric);
@@ -127,11 +133,13 @@ std::string section(const Subject& subject, std::size_t index, const Tools& tool
     for (const std::string& note : subject.notes) {
         html += fmt::format("<p class=\"soft\">{}</p>\n", escape_html(note));
     }
-    html += figures(subject, anchor, tools);
+    const auto peers = comparable_peers(tools.peers, subject.peer_scene, first_metric(subject));
+    html += figures(subject, peers, anchor, tools);
     const std::string verdicts = verdict_table(subject);
     if (!verdicts.empty()) html += fmt::format("<h3>What turning a knob does</h3>\n{}", verdicts);
     html += cost_tables(subject);
     html += points_table(subject);
+    html += peer_table(peers);
     return html + "</section>\n";
 }
 

@@ -331,6 +331,24 @@ std::string points_table(const Subject& subject) {
                        table(heading(names), rows));
 }
 
+std::string peer_table(std::span<const PeerPoint> peers) {
+    if (peers.empty()) return {};
+    std::vector<PeerPoint> sorted(peers.begin(), peers.end());
+    std::ranges::stable_sort(sorted, {}, &PeerPoint::cpu_ms_per_s);
+    std::string rows;
+    for (const PeerPoint& peer : sorted) {
+        rows += fmt::format("<tr>{}{}{}{}</tr>\n",
+                            cell(escape_html(peer.engine)),
+                            number_cell(fmt::format("{}", 60 * peer.substeps)),
+                            number_cell(number_text(peer.cpu_ms_per_s)),
+                            number_cell(error_text(peer.error)));
+    }
+    return fmt::format(
+        "<details><summary>All {} figures of other engines</summary>\n{}</details>\n",
+        peers.size(),
+        table(heading({"engine", "steps/s", "ms/s", "error"}), rows));
+}
+
 std::string failure_line(const Subject& subject) {
     std::map<std::string, int> failures;
     for (const Point& point : subject.points) {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "engine/study/findings.h"
+#include "engine/study/report/peers.h"
 
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace plumbline::study {
 
@@ -25,6 +28,9 @@ std::string cost_tables(const Subject& subject);
 
 /// Every run, all metrics, folded in.
 std::string points_table(const Subject& subject);
+
+/// Every peer of a diagram, by rising cost, folded in. Empty where there are none.
+std::string peer_table(std::span<const PeerPoint> peers);
 
 /// "3 of 40 runs gave no answer: 2 exploded, 1 timed out." in red; empty when all did.
 std::string failure_line(const Subject& subject);

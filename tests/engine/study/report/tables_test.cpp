@@ -83,6 +83,15 @@ TEST(Tables, KnobsAreSaidInWords) {
     EXPECT_EQ(verdict_table(Subject{}), "");
 }
 
+TEST(Tables, EveryPeerHasItsRowByRisingCost) {
+    const std::vector<PeerPoint> peers{{"dear <1>", 2, 9, 0.01}, {"cheap", 1, 3, 0.5}};
+    const std::string table = peer_table(peers);
+    EXPECT_TRUE(holds(table, "All 2 figures"));
+    EXPECT_TRUE(holds(table, "<td>dear &lt;1&gt;</td><td class=\"n\">120</td>"));
+    EXPECT_LT(table.find("cheap"), table.find("dear"));
+    EXPECT_EQ(peer_table({}), "");
+}
+
 TEST(Tables, ContentsHaveALineEach) {
     Findings findings = test::sample_findings();
     findings.subjects.push_back(test::sample_subject("A02 <b>"));
