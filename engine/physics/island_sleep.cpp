@@ -15,7 +15,7 @@ constexpr double kSlowShare = 0.0141;
 /// ... and without gravity below this many radii per second.
 constexpr double kSlowRadii_per_s = 1e-3;
 /// A calm body's mean speed over a stretch, as a share of what is slow.
-constexpr double kDriftShare = 0.05;
+constexpr double kDriftShare = 0.08;
 /// A body that goes farther in each stretch is tipping over or has been let go.
 constexpr double kGrowth = 1.5;
 /// Ways shorter than this share of the radius are rounding and say nothing about growth.

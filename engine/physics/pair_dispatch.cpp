@@ -13,6 +13,14 @@ namespace {
 /// A flag of ours beside Bullet's on a manifold point: found in an earlier step.
 constexpr int kOld = 1 << 30;
 
+/// Bullet needs room to keep points from step to step; those of boxes are all found anew, and count
+/// when nearer than this share of the distance at which others do.
+constexpr btScalar kNearBoxes = btScalar(0.1);
+
+btScalar near_m(const Pair& pair) {
+    return pair.boxes ? kNearBoxes * pair.base_m : pair.base_m;
+}
+
 bool moves(const BodyRecord& record) {
     return record.kind != BodyKind::Static && !record.frozen;
 }
@@ -87,17 +95,13 @@ void mark_old(btPersistentManifold& manifold) {
 /// those of slow pairs: a long reach must not melt the corners of a box into one.
 class Result final : public btManifoldResult {
 public:
-    Result(const btCollisionObjectWrapper* a,
-           const btCollisionObjectWrapper* b,
-           btScalar merge_m,
-           const btVector3& pressed_m)
-        : btManifoldResult(a, b), merge_m_(merge_m), pressed_m_(pressed_m) {}
+    Result(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b, btScalar merge_m)
+        : btManifoldResult(a, b), merge_m_(merge_m) {}
 
     void addContactPoint(const btVector3& normal,
                          const btVector3& on_b,
-                         btScalar pressed_distance) override {
+                         btScalar distance) override {
         btPersistentManifold& manifold = *m_manifoldPtr;
-        const btScalar distance = pressed_distance - normal.dot(pressed_m_);
         if (distance > manifold.getContactBreakingThreshold()) return;
         const btVector3 on_a = on_b + normal * distance;
         btManifoldPoint point(manifold.getBody0()->getWorldTransform().invXform(on_a),
@@ -134,69 +138,6 @@ private:
     }
 
     btScalar merge_m_;
-    btVector3 pressed_m_;  ///< by how much the first body was moved for the search
-};
-
-bool are_boxes(const Pair& pair) {
-    return pair.a->rigid->getCollisionShape()->getShapeType() == BOX_SHAPE_PROXYTYPE &&
-           pair.b->rigid->getCollisionShape()->getShapeType() == BOX_SHAPE_PROXYTYPE;
-}
-
-/// Bullet's boxes have no points before they overlap, so one that slides or rocks by a hair loses
-/// corners and finds them again every step. Two that touched are looked at a little nearer than
-/// they are: by this much along the last normal.
-btVector3 press_of_boxes(const Pair& pair, const btPersistentManifold& manifold) {
-    constexpr btScalar kShare = btScalar(0.01);  // of the smaller box's inner radius
-    constexpr btScalar kMost_m = btScalar(0.002);
-    if (manifold.getNumContacts() == 0) return {0, 0, 0};
-    const btScalar core_m = std::min(pair.a->smallest_core_m, pair.b->smallest_core_m);
-    const btScalar press_m = std::min(kShare * core_m, kMost_m);
-    const btVector3& normal = manifold.getContactPoint(0).m_normalWorldOnB;
-    return normal * (manifold.getBody0() == pair.a->rigid.get() ? -press_m : press_m);
-}
-
-/// Two boxes find all their points in one go. The old ones are taken out before, or they would
-/// crowd out the new ones of a box that slides on; what they carried goes to the new point that is
-/// nearest on either box.
-class OldPoints {
-public:
-    void take(btPersistentManifold& manifold) {
-        count_ = manifold.getNumContacts();
-        for (int i = 0; i < count_; ++i)
-            points_[static_cast<std::size_t>(i)] = manifold.getContactPoint(i);
-        while (manifold.getNumContacts() > 0)
-            manifold.removeContactPoint(manifold.getNumContacts() - 1);
-    }
-    void give(btPersistentManifold& manifold, btScalar near_m) const {
-        for (int i = 0; i < manifold.getNumContacts(); ++i) {
-            btManifoldPoint& point = manifold.getContactPoint(i);
-            const btManifoldPoint* old = nearest(point, near_m);
-            if (old == nullptr) continue;
-            point.m_appliedImpulse = old->m_appliedImpulse;
-            point.m_appliedImpulseLateral1 = old->m_appliedImpulseLateral1;
-            point.m_appliedImpulseLateral2 = old->m_appliedImpulseLateral2;
-            point.m_prevRHS = old->m_prevRHS;
-            point.m_lifeTime = old->m_lifeTime + 1;
-        }
-    }
-
-private:
-    const btManifoldPoint* nearest(const btManifoldPoint& point, btScalar near_m) const {
-        const btManifoldPoint* found = nullptr;
-        btScalar least = near_m * near_m;
-        for (int i = 0; i < count_; ++i) {
-            const btManifoldPoint& old = points_[static_cast<std::size_t>(i)];
-            const btScalar away2 = std::min(old.m_localPointA.distance2(point.m_localPointA),
-                                            old.m_localPointB.distance2(point.m_localPointB));
-            if (away2 >= least) continue;
-            least = away2;
-            found = &old;
-        }
-        return found;
-    }
-
-    std::array<btManifoldPoint, MANIFOLD_CACHE_SIZE> points_{};
-    int count_{0};
 };
 
 }  // namespace
@@ -219,16 +160,17 @@ btPersistentManifold* PairDispatcher::getNewManifold(const btCollisionObject* a,
 }
 
 btScalar PairMeeting::reach_of(const Pair& pair) const {
-    if (pair.blind) return pair.base_m;
     const BodyRecord& a = *pair.a;
     const BodyRecord& b = *pair.b;
     const btVector3 apart = a.rigid->getLinearVelocity() - b.rigid->getLinearVelocity();
     const btScalar speed = apart.length() + spin_mps(a) + spin_mps(b) + jolt_mps(pair);
     const btScalar way = speed * step_.step_s + step_.fall_m;
+    const btScalar unswept = unswept_m(a) + unswept_m(b);
+    if (pair.boxes) return near_m(pair) + std::min(way, unswept);
     // Resting bodies keep the distances at which Bullet merges and keeps points.
     if (2 * way <= pair.base_m) return pair.base_m;
     // Points of round shapes are found at any distance; what others reach no further for is swept.
-    return pair.base_m + (pair.round ? way : std::min(way, unswept_m(a) + unswept_m(b)));
+    return pair.base_m + (pair.round ? way : std::min(way, unswept));
 }
 
 void PairMeeting::meet(Pair& pair) {
@@ -252,7 +194,7 @@ void PairMeeting::meet(Pair& pair) {
     for (int i = 0; i < manifolds_.size(); ++i) {
         btPersistentManifold& manifold = *manifolds_[i];
         if (pair.round) keep_new_points(manifold);
-        if (reach_m > pair.base_m) drop_unreachable(manifold, pair.base_m);
+        if (reach_m > near_m(pair)) drop_unreachable(manifold, near_m(pair));
         pair.touches = pair.touches || manifold.getNumContacts() > 0;
     }
 }
@@ -260,35 +202,21 @@ void PairMeeting::meet(Pair& pair) {
 void PairMeeting::collide(Pair& pair) {
     const btCollisionObject& a = *pair.a->rigid;
     const btCollisionObject& b = *pair.b->rigid;
-    btTransform pressed = a.getWorldTransform();
-    btVector3 pressed_m(0, 0, 0);
-    OldPoints old_points;
-    btPersistentManifold* of_boxes = nullptr;
-    if (pair.algorithm != nullptr && are_boxes(pair)) {
-        manifolds_.resize(0);
-        pair.algorithm->getAllContactManifolds(manifolds_);
-        if (manifolds_.size() == 1) of_boxes = manifolds_[0];
-    }
-    if (of_boxes != nullptr) {
-        pressed_m = press_of_boxes(pair, *of_boxes);
-        pressed.setOrigin(pressed.getOrigin() + pressed_m);
-        old_points.take(*of_boxes);
-    }
-    const btCollisionObjectWrapper first(nullptr, a.getCollisionShape(), &a, pressed, -1, -1);
+    const btCollisionObjectWrapper first(
+        nullptr, a.getCollisionShape(), &a, a.getWorldTransform(), -1, -1);
     const btCollisionObjectWrapper second(
         nullptr, b.getCollisionShape(), &b, b.getWorldTransform(), -1, -1);
     if (pair.algorithm == nullptr) {
         pair.algorithm =
             dispatcher_.findAlgorithm(&first, &second, nullptr, BT_CONTACT_POINT_ALGORITHMS);
     }
-    Result result(&first, &second, pair.base_m, pressed_m);
+    Result result(&first, &second, pair.base_m);
     // Two balls are the only shapes that look at nothing else. Compounds must not see it: they
     // would throw the points of their children away.
     const bool balls = a.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE &&
                        b.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
     result.m_closestPointDistanceThreshold = balls ? pair.reach_m : btScalar(0);
     pair.algorithm->processCollision(&first, &second, info_, &result);
-    if (of_boxes != nullptr) old_points.give(*of_boxes, pair.base_m);
 }
 
 void PairMeeting::drop_unreachable(btPersistentManifold& manifold, btScalar base_m) const {
@@ -306,7 +234,8 @@ void PairMeeting::drop_unreachable(btPersistentManifold& manifold, btScalar base
 }
 
 bool PairMeeting::knows_less(const Pair& pair) const {
-    return !pair.blind && 2 * (jolt_mps(pair) - pair.jolt_mps) * step_.step_s > pair.base_m;
+    // Boxes that only a blow brings together meet in the next step, at most their cores apart.
+    return !pair.boxes && 2 * (jolt_mps(pair) - pair.jolt_mps) * step_.step_s > pair.base_m;
 }
 
 void PairMeeting::part(Pair& pair) {

@@ -69,7 +69,7 @@ btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
              .box_b = static_cast<const btDbvtProxy*>(second),
              .base_m = std::min(a.touch_m, b.touch_m),
              .round = (is_ball(a) && is_single(b)) || (is_ball(b) && is_single(a)),
-             .blind = is_box(a) && is_box(b)};
+             .boxes = is_box(a) && is_box(b)};
     few.pairs.insert(place, {many.id, pair});
     many.pairs.insert(place_of(many, few.id), {few.id, pair});
     ++size_;

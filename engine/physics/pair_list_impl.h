@@ -37,7 +37,7 @@ struct Pair {
     std::uint32_t seen{0};                     ///< the walk that looked at it last
     bool touches{false};                       ///< has contact points
     bool round{false};                         ///< a ball: its points are new in every step
-    bool blind{false};  ///< two boxes: Bullet finds nothing before they overlap
+    bool boxes{false};                         ///< two boxes: likewise, found at any distance
 };
 
 inline BodyRecord& partner(const Pair& pair, const BodyRecord& record) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/slot_map.h"
+#include "engine/physics/box_contacts_impl.h"
 #include "engine/physics/island_sleep_impl.h"
 #include "engine/physics/joint_impl.h"
 #include "engine/physics/mass.h"
@@ -150,6 +151,7 @@ struct PhysicsWorld::Impl {
     WorldDef def;
     WorldFeatures features{};
     std::unique_ptr<btDefaultCollisionConfiguration> configuration;
+    std::unique_ptr<BoxContacts> box_contacts;  ///< small_step only
     std::unique_ptr<MeshContacts> mesh_contacts;
     std::unique_ptr<btCollisionDispatcher> dispatcher;
     std::unique_ptr<btOverlapFilterCallback> pair_filter;

@@ -76,6 +76,7 @@ void PhysicsWorld::Impl::build_engine() {
     configuration = std::make_unique<btDefaultCollisionConfiguration>();
     if (def.solver == Solver::SmallStep) {
         dispatcher = std::make_unique<PairDispatcher>(configuration.get());
+        box_contacts = std::make_unique<BoxContacts>(*dispatcher);
         pairs = std::make_unique<PairList>(*dispatcher);
     } else {
         dispatcher = std::make_unique<btCollisionDispatcher>(configuration.get());
@@ -150,6 +151,7 @@ void PhysicsWorld::Impl::take_engine_down() {
     pair_filter.reset();
     dispatcher.reset();
     mesh_contacts.reset();
+    box_contacts.reset();
     configuration.reset();
 }
 
@@ -183,6 +185,8 @@ void PhysicsWorld::reconfigure(const WorldDef& def) {
     impl.bodies.each([&](BodyId id, std::unique_ptr<BodyRecord>& record) {
         const BodyState& body_state = *kept++;
         impl.suit_to_world(*record);
+        record->substeps = record->substeps_held = 0;
+        record->rest = {};
         if (!record->in_world) return;
         record->in_world = false;
         const btTransform target = record->target;

@@ -9,6 +9,7 @@
 #include "engine/physics/small_step/solver_body.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace plumbline::physics {
@@ -64,8 +65,9 @@ struct alignas(16) ContactBlock {
     std::uint32_t b{kWorldBody};
     std::int32_t count{0};  ///< lanes in use
     bool against_immovable{false};
-    bool carried{false};         ///< b turns and gives way to nothing
-    Vec3 normal{0, 1, 0};        ///< from b to a
+    bool carried{false};   ///< b turns and gives way to nothing
+    bool bounced{false};   ///< off in this sub-step: on its way out, at the speed it should have
+    Vec3 normal{0, 1, 0};  ///< from b to a
     Vec3 start_normal{0, 1, 0};  ///< at the step's start
     /// A rounded side (ball, capsule, side of a cylinder) is the ball that touches: `offset` is its
     /// centre and its surface is `radius` nearer to the other body. Other sides have radius 0.
@@ -112,6 +114,14 @@ struct alignas(16) ContactBlock {
     }
     bool balls() const { return radius_a > 0 && radius_b > 0 && count == 1; }
     bool rounded() const { return radius_a > 0 || radius_b > 0; }
+    /// How far the place of contact moved over the side that is not round, by how a moved against b
+    /// since the start. The masses are those of the start: a ball shot past by more than twice its
+    /// size is not weighed there.
+    Vec3 shift_of(const Vec3& moved) const {
+        const Real most = 2 * (radius_a + radius_b);
+        const Real length2 = glm::dot(moved, moved);
+        return length2 > most * most ? moved * (most / std::sqrt(length2)) : moved;
+    }
     Vec3 arm_a(int i) const { return lane(offset_a, i) - normal * radius_a; }
     Vec3 arm_b(int i) const { return lane(offset_b, i) + normal * radius_b; }
 };

@@ -10,10 +10,11 @@ namespace {
 
 constexpr Real kContactDamping = 10;  ///< ratio: far above 1, sinking in never swings back
 constexpr int kProjectedSweeps = 4;   ///< within a block, where some points press and some do not
-constexpr int kRubRounds = 6;  ///< of normals and friction, where what sticks changed by much ...
+constexpr int kRubRounds = 12;  ///< of normals and friction, where what sticks changed by much ...
 constexpr Real kOneSpot = 1e-4_r;  ///< nearer centres, as a share of the radii, have no direction
 constexpr Real kShove = 0.05_r;    ///< of the fastest push: more is deep overlap
-constexpr Real kMuch = 0.02_r;     ///< ... as a share of its limit
+constexpr Real kOut_m = 1e-5_r;    ///< what bounced and will be no deeper is out
+constexpr Real kMuch = 0.005_r;    ///< ... as a share of its limit
 
 /// R(q)^T v - v without the cancellation of the two terms.
 inline Vec3 turned_back_change(const Quat& q, const Vec3& v) {
@@ -185,11 +186,12 @@ void ContactSet::place(ContactBlock& block) const {
         block.separation_m[i] = block.start_separation_m[i] + along + of_a[i] - of_b[i];
     if (!block.rounded()) return;
     // The ball moved over the other side: what touches it there is where the ball is now.
+    const Vec3 shift = block.shift_of(moved);
     for (int i = 0; i < block.count; ++i) {
         if (block.radius_a > 0) {
-            set_lane(block.angular_b, i, glm::cross(block.arm_b(i) + moved, block.normal));
+            set_lane(block.angular_b, i, glm::cross(block.arm_b(i) + shift, block.normal));
         } else {
-            set_lane(block.angular_a, i, glm::cross(block.arm_a(i) - moved, block.normal));
+            set_lane(block.angular_a, i, glm::cross(block.arm_a(i) - shift, block.normal));
         }
     }
 }
@@ -202,11 +204,13 @@ void ContactSet::solve_with_bias(ContactBlock& block) {
     Lanes wanted = opening_speeds(block, a, b);
     Lanes compliance{};
     bool all_overlap = true;
+    const Real pull_m = glm::dot(a.steady_mps - b.steady_mps, block.normal) * (h_ / 2);
     for (std::size_t i = 0; i < kLanes; ++i) {
         const bool overlaps = block.separation_m[i] <= 0;
         all_overlap = all_overlap && (overlaps || static_cast<int>(i) >= block.count);
-        // What bounced below the surface is on its way out already, at the speed it should have.
+        // What bounced is on its way out already, at the speed it should have.
         if (overlaps && block.restitution > 0 && wanted[i] > bounce_mps_) continue;
+        if (block.bounced && block.separation_m[i] + wanted[i] * h_ - pull_m > -kOut_m) continue;
         const Real bias = soft.bias_per_s * block.separation_m[i];
         wanted[i] += overlaps ? std::max(bias, -push_mps_) : block.separation_m[i] / h_;
         if (overlaps && bias < -kShove * push_mps_) a.shoved = b.shoved = true;
@@ -299,9 +303,9 @@ bool ContactSet::rub(ContactBlock& block) {
     if (block.balls()) {
         // place_balls() left them where they are
     } else if (block.radius_a > 0) {
-        center_b += a.moved_m - b.moved_m;
+        center_b += block.shift_of(a.moved_m - b.moved_m);
     } else if (block.radius_b > 0) {
-        center_a += b.moved_m - a.moved_m;
+        center_a += block.shift_of(b.moved_m - a.moved_m);
     }
     const Vec3 slip = a.velocity_at(center_a) - b.velocity_at(center_b);
     Real next[2];
@@ -392,6 +396,11 @@ void ContactSet::relax() {
 void ContactSet::end_substep() {
     for (ContactBlock& block : blocks) {
         for (std::size_t i = 0; i < kLanes; ++i) block.total_Ns[i] += block.normal_Ns[i];
+        block.bounced = false;
+        // Who is pressed by what was pushed out moves as fast.
+        SolverBody& a = bodies_[block.a];
+        SolverBody& b = bodies_[block.b];
+        if ((a.shoved || b.shoved) && sum_of(block.normal_Ns) > 0) a.shoved = b.shoved = true;
     }
 }
 

@@ -39,6 +39,28 @@ void ImpactPass::begin_step(ContactSet& contacts,
     }
 }
 
+/// Two balls meet along the line between their centres at that moment, not at the sub-step's start.
+void ImpactPass::turn_to_meeting(ContactBlock& block) const {
+    const SolverBody& a = bodies_[block.a];
+    const SolverBody& b = bodies_[block.b];
+    const Real reach_m = block.radius_a + block.radius_b;
+    const Vec3 apart = block.normal * (reach_m + block.separation_m[0]);
+    const Vec3 velocity = a.velocity_at(block.center_a + block.normal * block.radius_a) -
+                          b.velocity_at(block.center_b - block.normal * block.radius_b);
+    const Real closing = -glm::dot(apart, velocity);
+    const Real speed2 = glm::dot(velocity, velocity);
+    const Real gap2 = block.separation_m[0] * (block.separation_m[0] + 2 * reach_m);
+    const Real root2 = closing * closing - speed2 * gap2;
+    if (!(gap2 > 0 && closing > 0 && root2 > 0)) return;
+    const Real meeting_s = gap2 / (closing + std::sqrt(root2));
+    if (!(meeting_s <= contacts_->substep_s())) return;
+    const Vec3 normal = glm::normalize(apart + velocity * meeting_s);
+    block.separation_m[0] = glm::dot(apart, normal) - reach_m;
+    block.center_a += (block.normal - normal) * block.radius_a;
+    block.center_b -= (block.normal - normal) * block.radius_b;
+    block.normal = normal;
+}
+
 /// Fills blows_ with the pair's points that meet in this sub-step; whether one of them is fast.
 bool ImpactPass::gather(const Pair& pair) {
     blows_.clear();
@@ -47,12 +69,20 @@ bool ImpactPass::gather(const Pair& pair) {
     for (std::uint32_t at = pair.first_block; at < pair.first_block + pair.block_count; ++at) {
         ContactBlock& block = contacts_->blocks[at];
         contacts_->place(block);
+        if (block.balls()) turn_to_meeting(block);
         const SolverBody& a = bodies_[block.a];
         const SolverBody& b = bodies_[block.b];
-        const Vec3 moved = block.rounded() ? a.moved_m - b.moved_m : Vec3{0, 0, 0};
+        const Vec3 moved = block.shift_of(a.moved_m - b.moved_m);  // 0 unless rounded
         for (int i = 0; i < block.count; ++i) {
             Blow blow{.block = at, .lane = i, .arm_a = block.arm_a(i), .arm_b = block.arm_b(i)};
-            (block.radius_a > 0 ? blow.arm_b : blow.arm_a) += block.radius_a > 0 ? moved : -moved;
+            if (block.balls()) {
+                // Where place() just found them.
+                blow.arm_a = block.center_a;
+                blow.arm_b = block.center_b;
+            } else {
+                (block.radius_a > 0 ? blow.arm_b : blow.arm_a) +=
+                    block.radius_a > 0 ? moved : -moved;
+            }
             const Real speed =
                 glm::dot(a.velocity_at(blow.arm_a) - b.velocity_at(blow.arm_b), block.normal);
             const Real opening_mps2 =
@@ -146,14 +176,14 @@ void ImpactPass::solve_blows() {
         }
     }
     for (const Blow& blow : blows_) {
-        const ContactBlock& struck = contacts_->blocks[blow.block];
-        SolverBody& a = bodies_[struck.a];
-        SolverBody& b = bodies_[struck.b];
-        const Vec3 shift = struck.normal * (blow.shift_m / (a.inverse_mass + b.inverse_mass));
+        ContactBlock& block = contacts_->blocks[blow.block];
+        SolverBody& a = bodies_[block.a];
+        SolverBody& b = bodies_[block.b];
+        const Vec3 shift = block.normal * (blow.shift_m / (a.inverse_mass + b.inverse_mass));
         a.moved_m += shift * a.inverse_mass;
         b.moved_m -= shift * b.inverse_mass;
-        contacts_->blocks[blow.block].total_Ns[static_cast<std::size_t>(blow.lane)] +=
-            blow.normal_Ns;
+        block.total_Ns[static_cast<std::size_t>(blow.lane)] += blow.normal_Ns;
+        block.bounced = block.bounced || (block.rounded() && block.count == 1);
     }
 }
 

@@ -41,6 +41,7 @@ private:
         Real tangent_Ns[2]{0, 0};
     };
 
+    void turn_to_meeting(ContactBlock& block) const;
     bool gather(const Pair& pair);
     void aim(const ContactBlock& block,
              Real separation_m,

@@ -130,7 +130,7 @@ TEST(Tops, A05ABoxOfThreeLengthsFlipsOnTime) {
         std::vector<double> found_s;
         double before = 5;
         double spin_off = 0;
-        for (int i = 1; i <= 60 * 16; ++i) {
+        for (int i = 1; i <= 60 * 17; ++i) {
             top.rig.world.step();
             const Vec3d spin = body_spin(top.rig, top.body);
             if (spin.y * before < 0) found_s.push_back((i - spin.y / (spin.y - before)) / 60);

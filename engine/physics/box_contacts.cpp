@@ -1,0 +1,177 @@
+#include "engine/physics/box_contacts_impl.h"
+#include "engine/physics/bullet_convert_impl.h"
+#include "engine/physics/narrow_phase/ball_box.h"
+#include "engine/physics/narrow_phase/box_box.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+
+#include <algorithm>
+#include <new>
+
+namespace plumbline::physics {
+namespace {
+
+OrientedBox box_of(const btCollisionObjectWrapper& wrap) {
+    const auto& shape = static_cast<const btBoxShape&>(*wrap.getCollisionShape());
+    const btTransform& at = wrap.getWorldTransform();
+    OrientedBox box{.center = from_bullet(at.getOrigin()),
+                    .half_m = from_bullet(shape.getHalfExtentsWithMargin())};
+    for (int k = 0; k < 3; ++k) box.axes[k] = from_bullet(at.getBasis().getColumn(k));
+    return box;
+}
+
+/// The points of the step before, kept while the new ones are found: what they carried goes to the
+/// new point that is nearest on either body.
+class OldPoints {
+public:
+    explicit OldPoints(btPersistentManifold& manifold) : count_(manifold.getNumContacts()) {
+        for (int i = 0; i < count_; ++i)
+            points_[static_cast<std::size_t>(i)] = manifold.getContactPoint(i);
+        while (manifold.getNumContacts() > 0)
+            manifold.removeContactPoint(manifold.getNumContacts() - 1);
+    }
+    void give(btPersistentManifold& manifold, btScalar near_m) const {
+        for (int i = 0; i < manifold.getNumContacts(); ++i) {
+            btManifoldPoint& point = manifold.getContactPoint(i);
+            const btManifoldPoint* old = nearest(point, near_m);
+            if (old == nullptr) continue;
+            point.m_appliedImpulse = old->m_appliedImpulse;
+            point.m_appliedImpulseLateral1 = old->m_appliedImpulseLateral1;
+            point.m_appliedImpulseLateral2 = old->m_appliedImpulseLateral2;
+            point.m_prevRHS = old->m_prevRHS;
+            point.m_lifeTime = old->m_lifeTime + 1;
+        }
+    }
+
+private:
+    const btManifoldPoint* nearest(const btManifoldPoint& point, btScalar near_m) const {
+        const btManifoldPoint* found = nullptr;
+        btScalar least = near_m * near_m;
+        for (int i = 0; i < count_; ++i) {
+            const btManifoldPoint& old = points_[static_cast<std::size_t>(i)];
+            const btScalar away2 = std::min(old.m_localPointA.distance2(point.m_localPointA),
+                                            old.m_localPointB.distance2(point.m_localPointB));
+            if (away2 >= least) continue;
+            least = away2;
+            found = &old;
+        }
+        return found;
+    }
+
+    std::array<btManifoldPoint, MANIFOLD_CACHE_SIZE> points_;
+    int count_;
+};
+
+/// Holds the pair's manifold; it reaches as far as the manifold's breaking threshold says.
+class OneManifold : public btCollisionAlgorithm {
+public:
+    OneManifold(const btCollisionAlgorithmConstructionInfo& info,
+                const btCollisionObjectWrapper* first,
+                const btCollisionObjectWrapper* second)
+        : btCollisionAlgorithm(info),
+          manifold_(info.m_dispatcher1->getNewManifold(first->getCollisionObject(),
+                                                       second->getCollisionObject())) {}
+    ~OneManifold() override { m_dispatcher->releaseManifold(manifold_); }
+
+    void getAllContactManifolds(btManifoldArray& list) override { list.push_back(manifold_); }
+    btScalar calculateTimeOfImpact(btCollisionObject*,
+                                   btCollisionObject*,
+                                   const btDispatcherInfo&,
+                                   btManifoldResult*) override {
+        return 1;
+    }
+
+protected:
+    btPersistentManifold& manifold() { return *manifold_; }
+    btScalar reach_m() const { return manifold_->getContactBreakingThreshold(); }
+
+private:
+    btPersistentManifold* manifold_;
+};
+
+class BoxesAlgorithm final : public OneManifold {
+public:
+    using OneManifold::OneManifold;
+
+    void processCollision(const btCollisionObjectWrapper* first,
+                          const btCollisionObjectWrapper* second,
+                          const btDispatcherInfo&,
+                          btManifoldResult* result) override {
+        result->setPersistentManifold(&manifold());
+        const OrientedBox a = box_of(*first);
+        const OrientedBox b = box_of(*second);
+        const BoxContact found = collide_boxes(a, b, reach_m());
+        const OldPoints old(manifold());
+        const btVector3 normal = to_bullet(found.normal);
+        for (int i = 0; i < found.count; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            result->addContactPoint(normal, to_bullet(found.on_b[at]), found.distance_m[at]);
+        }
+        const Vec3 least = glm::min(a.half_m, b.half_m);
+        old.give(manifold(), kNear * std::min({least.x, least.y, least.z}));
+    }
+
+private:
+    /// Points that moved less are the same, as a share of the smaller box's least half edge.
+    static constexpr btScalar kNear = btScalar(0.2);
+};
+
+class BallBoxAlgorithm final : public OneManifold {
+public:
+    using OneManifold::OneManifold;
+
+    void processCollision(const btCollisionObjectWrapper* first,
+                          const btCollisionObjectWrapper* second,
+                          const btDispatcherInfo&,
+                          btManifoldResult* result) override {
+        result->setPersistentManifold(&manifold());
+        const bool ball_first =
+            first->getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+        const btCollisionObjectWrapper& ball = ball_first ? *first : *second;
+        const btCollisionObjectWrapper& box = ball_first ? *second : *first;
+        const Real radius_m =
+            static_cast<const btSphereShape&>(*ball.getCollisionShape()).getRadius();
+        const BallContact found = collide_ball_box(
+            from_bullet(ball.getWorldTransform().getOrigin()), radius_m, box_of(box));
+        const OldPoints old(manifold());
+        if (found.distance_m <= reach_m()) {
+            const Vec3 normal = ball_first ? found.normal : -found.normal;
+            // Of the second body: the box's, or the ball's lowest.
+            const Vec3 on_second =
+                ball_first ? found.on_box : found.on_box + found.normal * found.distance_m;
+            result->addContactPoint(to_bullet(normal), to_bullet(on_second), found.distance_m);
+        }
+        old.give(manifold(), BT_LARGE_FLOAT);
+    }
+};
+
+template <class Algorithm>
+struct Maker final : btCollisionAlgorithmCreateFunc {
+    btCollisionAlgorithm* CreateCollisionAlgorithm(
+        btCollisionAlgorithmConstructionInfo& info,
+        const btCollisionObjectWrapper* first,
+        const btCollisionObjectWrapper* second) override {
+        void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(Algorithm));
+        return new (memory) Algorithm(info, first, second);
+    }
+};
+
+}  // namespace
+
+BoxContacts::BoxContacts(btCollisionDispatcher& dispatcher)
+    : makers_{std::make_unique<Maker<BoxesAlgorithm>>(),
+              std::make_unique<Maker<BallBoxAlgorithm>>(),
+              std::make_unique<Maker<BallBoxAlgorithm>>()} {
+    const auto meet = [&](int first, int second, std::size_t maker) {
+        dispatcher.registerCollisionCreateFunc(first, second, makers_[maker].get());
+        dispatcher.registerClosestPointsCreateFunc(first, second, makers_[maker].get());
+    };
+    meet(BOX_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, 0);
+    meet(SPHERE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, 1);
+    meet(BOX_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE, 2);
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,28 @@
+#include "engine/physics/narrow_phase/ball_box.h"
+
+#include <cmath>
+
+namespace plumbline::physics {
+
+BallContact collide_ball_box(const Vec3& center, Real radius_m, const OrientedBox& box) {
+    const Vec3 local = glm::transpose(box.axes) * (center - box.center);
+    Vec3 nearest = glm::clamp(local, -box.half_m, box.half_m);
+    const Vec3 away = local - nearest;
+    const Real away_m = glm::length(away);
+    if (away_m > 0) {
+        return {.normal = box.axes * (away / away_m),
+                .on_box = box.center + box.axes * nearest,
+                .distance_m = away_m - radius_m};
+    }
+    const Vec3 depth = box.half_m - glm::abs(local);
+    int k = 0;
+    if (depth.y < depth[k]) k = 1;
+    if (depth.z < depth[k]) k = 2;
+    const Real side = local[k] < 0 ? -1 : 1;
+    nearest[k] = side * box.half_m[k];
+    return {.normal = box.axes[k] * side,
+            .on_box = box.center + box.axes * nearest,
+            .distance_m = -depth[k] - radius_m};
+}
+
+}  // namespace plumbline::physics
