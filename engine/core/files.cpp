@@ -259,4 +259,8 @@ fs::path user_data_folder() {
     return user_folder("XDG_DATA_HOME", ".local/share");
 }
 
+fs::path user_cache_folder() {
+    return user_folder("XDG_CACHE_HOME", ".cache");
+}
+
 }  // namespace plumbline

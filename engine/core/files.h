@@ -42,5 +42,7 @@ bool is_inside(const std::filesystem::path& root, const std::filesystem::path& p
 std::filesystem::path user_config_folder();
 /// $XDG_DATA_HOME/plumbline, or ~/.local/share/plumbline: pictures, recordings, saves.
 std::filesystem::path user_data_folder();
+/// $XDG_CACHE_HOME/plumbline, or ~/.cache/plumbline: what can be made again.
+std::filesystem::path user_cache_folder();
 
 }  // namespace plumbline

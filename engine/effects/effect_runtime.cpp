@@ -56,7 +56,7 @@ struct EffectRuntime::Impl {
 
     void refresh_row(std::size_t row, scene::Simulation& simulation) {
         const EffectRow& definition = effect_table()[row];
-        if (!serves(definition.domain)) return;
+        if (!serves(definition.domain) || definition.name == served.without) return;
         Slot& slot = slots[row];
         slot.callers = definition.called_for_by(simulation);
         if (!slot.callers.empty() && !slot.effect) {

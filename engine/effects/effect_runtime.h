@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plumbline::effects {
@@ -27,6 +28,8 @@ struct LedgerLine {
 struct ServedDomains {
     bool picture{false};
     bool sound{false};
+    /// Name of an effect that is not made, whoever calls for it: to see what it costs. Outlives us.
+    std::string_view without{};
 };
 
 class EffectRuntime {

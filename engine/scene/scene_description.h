@@ -37,7 +37,11 @@ struct Accuracy {
     std::optional<int> iterations{};
     physics::Solver solver{physics::Solver::SmallStep};
     physics::JointMethod joints{physics::JointMethod::Direct};
-    std::optional<double> tolerance{};
+    // Preset "auto": what it is to keep to; at most one of them.
+    std::optional<double> tolerance{};  ///< relative error to stay under
+    std::optional<double> budget_ms{};  ///< CPU ms for 1/60 s of simulated time
+    bool step_hz_given{false};          ///< by the file, not by the preset
+    bool solver_given{false};
 };
 
 struct PlayerDescription {
@@ -226,8 +230,11 @@ struct HardCaseRule {
     std::string relative_to;      ///< a body, or empty
     double from_s{0};
     std::optional<double> to_s{};  ///< none: to the end
+    // One of the three.
     std::optional<double> below{};
     std::optional<double> above{};
+    std::optional<double> near{};  ///< not further from it than `within`
+    double within{0};
     Origin origin{};
 };
 

@@ -137,10 +137,13 @@ Accuracy read_accuracy(TableReader& table) {
     constexpr Range kTolerance{1e-9, 1, "a relative error above 0, up to 1"};
     if (const auto tolerance = table.optional_number("tolerance", kTolerance))
         accuracy.tolerance = static_cast<double>(*tolerance);
-    if (preset.name == "auto") {
-        table.warning("preset",
-                      "no study of this scene is at hand; the numbers of \"balanced\" are used");
-    }
+    constexpr Range kBudget_ms{1e-6, 1e6, "a time above 0 ms, up to 1000000 ms"};
+    if (const auto budget_ms = table.optional_number("budget_ms", kBudget_ms))
+        accuracy.budget_ms = static_cast<double>(*budget_ms);
+    if (accuracy.tolerance && accuracy.budget_ms)
+        table.error("budget_ms", "is a second wish beside tolerance; expected one of the two");
+    accuracy.step_hz_given = table.has("step_hz");
+    accuracy.solver_given = table.has("solver");
 
     constexpr std::array kSolvers{physics::Solver::SmallStep,
                                   physics::Solver::BulletSi,

@@ -1,0 +1,28 @@
+// The settings that a study of a scene tries, and what they will probably cost.
+#pragma once
+
+#include "engine/study/setting.h"
+
+#include <vector>
+
+namespace plumbline::study {
+
+enum class GridSize {
+    Full,   ///< every solver, rates from 30 to 240 Hz, a few in float64
+    Quick,  ///< what `preset = "auto"` chooses from: float32, the solvers that win
+};
+
+/// The 60 Hz ones first: from what they cost, the cost of the others is foretold.
+std::vector<Setting> scene_grid(GridSize size);
+
+/// small_step in float64, sub-stepped four times: what references are made at.
+Setting reference_setting(int step_hz);
+
+/// CPU time as a multiple of small_step's at 60 Hz with sub-steps on demand. A rough guess, to plan
+/// with until something of the kind is measured.
+double guessed_cost(const Setting& setting);
+
+/// Whether one differs from the other in its step rate alone.
+bool same_but_rate(const Setting& a, const Setting& b);
+
+}  // namespace plumbline::study

@@ -1,0 +1,94 @@
+#include "engine/study/any_scene/scene_plan.h"
+
+#include "engine/core/interrupt.h"
+#include "engine/core/stopwatch.h"
+
+#include <algorithm>
+
+namespace plumbline::study {
+namespace {
+
+/// Beyond a run's own limit of CPU time: loading, sharing a core, handing over.
+constexpr double kLimitFactor = 3.0;
+constexpr double kLimitExtra_s = 20.0;
+
+ScenePlan::Finished finished(std::size_t run, const Answer& answer) {
+    ScenePlan::Finished result{.run = run};
+    switch (answer.status) {
+        case AnswerStatus::Done: {
+            Result<SceneAnswer> parsed = parse_scene_answer(answer.body);
+            if (parsed) {
+                result.answer = std::move(*parsed);
+            } else {
+                result.answer.refused = parsed.error().message;
+            }
+            if (!result.answer.refused.empty()) result.status = RunStatus::Refused;
+            break;
+        }
+        case AnswerStatus::Failed:
+            result.status = RunStatus::Refused;
+            result.answer.refused = answer.body;
+            break;
+        case AnswerStatus::TimedOut:
+            result.status = RunStatus::TimedOut;
+            result.answer.refused = answer.body;
+            break;
+        case AnswerStatus::Crashed:
+            result.status = RunStatus::Crashed;
+            result.answer.refused = answer.body;
+            break;
+    }
+    return result;
+}
+
+}  // namespace
+
+ScenePlan::ScenePlan(double wall_limit_s, int workers, ReportProgress report)
+    : start_s_(wall_s()),
+      wall_s_(wall_limit_s),
+      expected_s_(wall_limit_s),
+      workers_(std::max(1, workers)),
+      report_(std::move(report)) {}
+
+double ScenePlan::spent_s() const {
+    return wall_s() - start_s_;
+}
+
+double ScenePlan::cpu_left_s(double share_of_wall) const {
+    return std::max(0.0, share_of_wall * wall_s_ - spent_s()) * workers_;
+}
+
+void ScenePlan::expect(double cpu_s) {
+    expected_s_ = std::min(wall_s_, spent_s() + cpu_s / workers_);
+}
+
+void ScenePlan::report(const std::string& doing) const {
+    if (!report_) return;
+    const double spent = spent_s();
+    const double left = std::max(0.0, expected_s_ - spent);
+    report_({.share = spent / std::max(spent + left, 1e-9), .left_s = left, .doing = doing});
+}
+
+Result<Done> ScenePlan::run(std::span<const SceneRun> runs,
+                            const std::string& doing,
+                            const std::function<void(const Finished&)>& done) {
+    if (interrupted_ || runs.empty()) return Done{};
+    std::vector<Job> jobs;
+    for (const SceneRun& run : runs) {
+        const int passes = run.copies + run.repeats;
+        jobs.push_back({.kind = "scene",
+                        .body = scene_job_body(run),
+                        .precision = run.setting.precision,
+                        .limit_s = kLimitExtra_s + kLimitFactor * run.cpu_limit_s * passes});
+    }
+    report(doing);
+    const Result<bool> all = run_jobs(jobs, workers_, [&](std::size_t job, const Answer& answer) {
+        done(finished(job, answer));
+        report(doing);
+    });
+    if (!all) return all.error();
+    interrupted_ = !*all;
+    return Done{};
+}
+
+}  // namespace plumbline::study

@@ -1,0 +1,47 @@
+// What a scene's runs are held against: float64 at rising step rates until they agree, or, where the
+// scene is chaotic, the statistics of many copies that start a millionth of a metre apart.
+#pragma once
+
+#include "engine/study/any_scene/scene_errors.h"
+#include "engine/study/any_scene/scene_plan.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline::study {
+
+/// How far apart copies start, m and m/s.
+inline constexpr double kShift_m = 1e-6;
+
+struct SceneReference {
+    bool chaotic{false};
+    /// Chaotic: the copies. Else one trace, the finest.
+    SceneAnswer answer{};
+    Scales scales{};
+    int step_hz{0};
+    /// How well it is known, in the worst metric: the difference between the two finest, or, of
+    /// copies, the standard error of their medians. Errors below it are not told apart.
+    double uncertainty{0};
+    std::string text{};  ///< the method in one sentence
+    std::vector<std::string> notes{};
+};
+
+/// What is known of a scene before its reference is made.
+struct SceneProbe {
+    std::filesystem::path scene{};
+    std::vector<int> moments{};
+    double second_cpu_s{0};  ///< small_step at 60 Hz: CPU seconds per simulated one
+};
+
+/// Spends up to `share` of the plan's wall time. None: interrupted. Refused: every try ended early;
+/// the message says how.
+Result<std::optional<SceneReference>> make_reference(ScenePlan& plan,
+                                                     const SceneProbe& probe,
+                                                     double share);
+
+/// Errors of an answer's runs against the reference, in the order of metrics_of().
+std::vector<double> errors_against(const SceneReference& reference, const SceneAnswer& answer);
+std::vector<Metric> metrics_of(const SceneReference& reference);
+
+}  // namespace plumbline::study
