@@ -8,8 +8,10 @@
 #include "game/play_command.h"
 #include "game/render_command.h"
 #include "game/simulate_cli.h"
+#include "game/stability_command.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -25,6 +27,7 @@ struct Words {
     RenderOptions render;
     TourOptions tour;
     SimulateOptions simulate;
+    StabilityOptions stability;
     std::string explained_scene;
     bool explain_as_json{false};
     std::vector<std::filesystem::path> checked;
@@ -83,10 +86,11 @@ void add_other_commands(CLI::App& app, Words& words) {
 
 /// "plumbline garden.toml --seconds 3" means play: the word is put in where no command stands.
 std::vector<std::string> with_command(int argc, char** argv) {
-    constexpr std::array<std::string_view, 11> kCommands{"play",
+    constexpr std::array<std::string_view, 12> kCommands{"play",
                                                          "render",
                                                          "tour",
                                                          "simulate",
+                                                         "stability",
                                                          "explain",
                                                          "controls",
                                                          "check",
@@ -108,6 +112,7 @@ ExitCode run_command(const CLI::App& app, const Words& words) {
     if (app.got_subcommand("render")) return run_render(words.render, words.common);
     if (app.got_subcommand("tour")) return run_tour(words.tour, words.common);
     if (app.got_subcommand("simulate")) return run_simulate(words.simulate);
+    if (app.got_subcommand("stability")) return run_stability(words.stability);
     if (app.got_subcommand("explain"))
         return run_explain(words.explained_scene, words.explain_as_json);
     if (app.got_subcommand("study-worker")) {
@@ -125,10 +130,12 @@ int run_program(int argc, char** argv) {
     app.require_subcommand(1);
     app.fallthrough();
     Words words;
+    words.stability.command = fmt::format("plumbline {}", fmt::join(argv + 1, argv + argc, " "));
     add_common_options(app, words.common);
     add_play(app, words.play);
     add_render(app, words.render);
     add_simulate(app, words.simulate);
+    add_stability(app, words.stability);
     add_other_commands(app, words);
     try {
         app.parse(with_command(argc, argv));

@@ -20,7 +20,8 @@ constexpr std::array kSolvers{physics::Solver::SmallStep,
                               physics::Solver::BulletPgs};
 constexpr double kLongestRun_s = 1e6;
 
-/// The solver, or a complaint that names the nearest one.
+}  // namespace
+
 void take_solver(const std::string& name, std::optional<physics::Solver>& solver) {
     solver = physics::solver_from_name(name);
     if (solver) return;
@@ -35,8 +36,6 @@ void take_solver(const std::string& name, std::optional<physics::Solver>& solver
     if (!nearest.empty()) complaint += fmt::format("; the nearest is \"{}\"", nearest);
     throw CLI::ValidationError(complaint + "; known: " + list);
 }
-
-}  // namespace
 
 std::string version_text() {
     return fmt::format("plumbline {} ({})", PL_VERSION, kPrecisionName);

@@ -3,6 +3,7 @@
 
 #include "game/simulate_command.h"
 
+#include <optional>
 #include <string>
 
 namespace CLI {
@@ -13,6 +14,9 @@ namespace plumbline::game {
 
 /// "plumbline 0.1.0 (float32)".
 std::string version_text();
+
+/// The solver of that name; throws a CLI::ValidationError that names the nearest one.
+void take_solver(const std::string& name, std::optional<physics::Solver>& solver);
 
 /// Adds the subcommand; parsing fills `options`, which must live as long as `app`.
 CLI::App* add_simulate(CLI::App& app, SimulateOptions& options);

@@ -137,8 +137,7 @@ def rolled():
     for i in range(3):
         scene.body(f"ball_{i}", ball(0.5), (-12, 0.5, -2.1 + 2.05 * i), velocity=(5, 0, 0.1),
                    spin=(0.2, 0, -10), material="paint_blue")
-    scene.rule("height_m", above=0.499)
-    scene.rule("height_m", below=0.501)
+    scene.rule("height_m", near=(0.5, 0.001))
     return scene
 
 
@@ -203,8 +202,7 @@ def slab():
     scene.scenery("look", box(20, 0.02, 20), (0, -0.012, 0), "flagstone")
     scene.fixed("mesh", mesh, (0, 0, 0), hidden=True)
     scene.body("slab", box(2, 0.06, 2), (0.3, 5.03, 0.2), 24.0, material="paint_orange")
-    scene.rule("height_m", "slab", above=0.027, from_s=4)
-    scene.rule("height_m", "slab", below=0.033, from_s=4)
+    scene.rule("height_m", "slab", near=(0.03, 0.003), from_s=4)
     scene.rule("speed_mps", "slab", below=0.005, from_s=4)
     return scene
 
@@ -272,10 +270,9 @@ def rebound():
                   (0, 1.5, 0), settled=2.9)
     scene.ground(0.5, e)
     for i in range(5):
-        scene.body(f"ball_{i}", ball(radius), (i - 2.0, start + 0.17 * i * 0, 0), restitution=e,
+        scene.body(f"ball_{i}", ball(radius), (i - 2.0, start, 0), restitution=e,
                    velocity=(0, -speed, 0), material="paint_blue", more='ccd = "on"\n')
-    scene.rule("reach_m", above=0.98 * apex, from_s=0.5)
-    scene.rule("reach_m", below=1.02 * apex, from_s=0.5)
+    scene.rule("reach_m", near=(apex, 0.02 * (apex - radius)), from_s=0.5)
     return scene
 
 
@@ -356,7 +353,7 @@ def overlapped():
                   "Bullet's split impulses and Baumgarte speeds [from its code]; Box3D keeps it", 6,
                   (4, 4, 9), (0.8, 2.5, 0), gravity=(0, 0, 0), settled=5, penetration=0.01,
                   energy_from="the overlap at the start")
-    scene.scenery("floor", box(14, 0.1, 8), (0, -0.05, 0), "flagstone")
+    scene.fixed("floor", box(14, 0.1, 8), (0, -0.05, 0))
     for i in range(100):
         scene.body(f"ball_{i}", ball(0.25), (-1.5, 2.5, 0),
                    material=("paint_blue", "paint_orange", "paint_cream")[i % 3])
@@ -388,7 +385,7 @@ def phantom():
                   "Afloat, a box slides along a wall at 5 m/s, 1 mm away from it: no force may act.",
                   "mujoco #3476; Bullet's boxes have no contact before they overlap (#2646)", 2, (2, 4, 8),
                   (0, 1, 0), gravity=(0, 0, 0), settled=1, energy_scale=12.5)
-    scene.scenery("floor", box(16, 0.1, 6), (0, -0.05, 0), "flagstone")
+    scene.fixed("floor", box(16, 0.1, 6), (0, -0.05, 0))
     scene.fixed("wall", box(14, 2, 0.4), (0, 1, -0.7), material="brick")
     scene.body("box", box(1, 1, 1), (-5, 1, 0.001), velocity=(5, 0, 0))
     scene.rule("impulse_Ns", "box", below=1e-6)

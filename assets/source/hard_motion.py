@@ -69,8 +69,7 @@ def turning_mesh():
     scene.carrier("mesh", 'model = "models/hard/seams.obj"', (0, 0, 0), material="flagstone",
                   motion=f"points_m = [], spin_degps = [0, {math.degrees(rate):.9g}, 0]")
     scene.body("box", box(1, 1, 1), (3, 0.5, 0), velocity=(0, 0, -3 * rate), spin=(0, rate, 0))
-    scene.rule("from_axis_m", "box", below=3.05)
-    scene.rule("from_axis_m", "box", above=2.95)
+    scene.rule("from_axis_m", "box", near=(3, 0.05))
     scene.rule("penetration_m", below=0.02)
     return scene
 
@@ -82,7 +81,7 @@ def tops():
                   "Bullet's explicit torque gains 17 %, its implicit one loses 13 % and 7 % of the "
                   "momentum [measured, 3.24]; PR #346, #357; Jolt #803; avian #993", 10, (2, 5, 12),
                   (0, 2.2, 0), gravity=(0, 0, 0), settled=5, energy_gain=0.001)
-    scene.scenery("floor", box(14, 0.1, 8), (0, -0.05, 0), "flagstone")
+    scene.fixed("floor", box(14, 0.1, 8), (0, -0.05, 0))
     scene.body("plate", box(1, 0.6, 0.2), (-4, 2.2, 0), spin=(10, 1, 0), material="paint_orange")
     scene.body("rod", box(0.05, 1, 0.05), (4, 2.2, 0), spin=(5, 500, 0), material="paint_blue")
     scene.prefab("block", box(0.2, 0.3, 0.4), 1.0)
@@ -101,7 +100,7 @@ def bounce_house():
                   "or friction: none gets faster, none gets out.",
                   "Box3D keeps it; Jolt PR #545; rapier #974, #919; bullet3 #1530, #4341", 20,
                   (14, 12, 26), (0, 9, 0), gravity=(0, 0, 0), settled=19, energy_gain=0.001, shadow=60)
-    scene.scenery("floor", box(20, 0.1, 20), (0, -0.05, 0), "flagstone")
+    scene.fixed("floor", box(20, 0.1, 20), (0, -0.05, 0))
     for axis in range(3):
         for side in (-1, 1):
             at, size = [0.0, 10.0, 0.0], [24, 24, 24]
@@ -118,10 +117,8 @@ def bounce_house():
                    velocity=velocity, own_shape=own,
                    material=("paint_blue", "paint_orange", "wood", "paint_cream")[i])
     scene.rule("energy_loss", below=0.05)
-    scene.rule("x_m", above=-10)
-    scene.rule("x_m", below=10)
-    scene.rule("height_m", above=0)
-    scene.rule("height_m", below=20)
+    scene.rule("x_m", near=(0, 10))
+    scene.rule("height_m", near=(10, 10))
     return scene
 
 
@@ -131,7 +128,7 @@ def confined():
                   "within 10 s they lie still.",
                   "Box2D keeps Confined, Rush", 12, (5, 5, 9), (0, 2, 0), gravity=(0, 0, 0), settled=10,
                   energy_from="the overlap at the start")
-    scene.scenery("floor", box(10, 0.1, 8), (0, -0.25, 0), "flagstone")
+    scene.fixed("floor", box(10, 0.1, 8), (0, -0.25, 0))
     room = 4.2
     for axis in range(3):
         for side in (-1, 1):
@@ -174,8 +171,7 @@ def rolling():
                material="paint_blue", more=f"rolling_friction = {length}\n")
     scene.body("spinner", ball(radius), (2, radius, 2), spin=(0, spin, 0), material="paint_orange",
                more="spinning_friction = 0.02\n")
-    scene.rule("x_m", "roller", above=0.95 * way, from_s=11)
-    scene.rule("x_m", "roller", below=1.05 * way, from_s=11)
+    scene.rule("x_m", "roller", near=(way, 0.05 * way), from_s=11)
     scene.rule("speed_mps", "roller", below=0.001, from_s=11)
     scene.rule("spin_radps", "spinner", above=0.05, to_s=0.95 * spin / spin_loss)
     scene.rule("spin_radps", "spinner", below=0.05, from_s=1.05 * spin / spin_loss)
@@ -200,9 +196,9 @@ def slow():
     scene.body("rod", box(0.1, 1, 0.1), (-3 + 0.5 * math.sin(off), 2 + 0.5 * math.cos(off), 0),
                turn=about_z(-off), sleep=True)
     scene.joint("hinge", "rod", "world", (-3, 2, 0), axis=(0, 0, 1))
-    scene.rule("x_m", "slider", above=-1 + 1.98, from_s=20)
-    scene.rule("x_m", "roller", above=0.98, from_s=20)
-    scene.rule("spin_radps", "spinner", above=0.495)
+    scene.rule("x_m", "slider", near=(1, 0.02), from_s=20)
+    scene.rule("x_m", "roller", near=(1, 0.02), from_s=20)
+    scene.rule("spin_radps", "spinner", near=(0.5, 0.005))
     scene.rule("lowest_m", "rod", below=2, from_s=12)
     return scene
 
@@ -225,7 +221,7 @@ def sleepers():
     scene.rule("awake", below=0.5, from_s=9, to_s=9.9)
     scene.rule("awake", "stack_0_*", above=0.5, from_s=10 + woken, to_s=10.2)
     fallen = 0.5 * G * 0.25 ** 2
-    scene.rule("sag_m", "stack_0_*", above=0.9 * fallen, from_s=10.25, to_s=10.26)
+    scene.rule("sag_m", "stack_0_*", near=(fallen, 0.1 * fallen), from_s=10.25, to_s=10.25)
     scene.rule("awake", "stack_1_*", above=0.5, from_s=12 + woken, to_s=12.2)
     scene.rule("awake", "stack_2_*", above=0.5, from_s=14 + woken, to_s=14.2)
     scene.rule("height_m", "stack_2_*", above=2.4, from_s=15.5, to_s=15.6)

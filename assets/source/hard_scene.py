@@ -15,7 +15,7 @@ HEAD = """# {id}: {title}.
 [scene]
 title = "{id} {title}"
 description = "{shows}"
-include = ["materials.toml"]
+include = ["scenes/materials.toml"]
 
 [world]
 gravity_mps2 = {gravity}
@@ -211,10 +211,12 @@ class Scene:
 
     # --- what passes, what happens
 
-    def rule(self, measure, of=(), below=None, above=None, from_s=None, to_s=None, to=""):
+    def rule(self, measure, of=(), below=None, above=None, near=None, from_s=None, to_s=None, to=""):
+        """`near`: (value, within)."""
         self.rules.append({"measure": measure, "of": [of] if isinstance(of, str) else list(of),
                            "relative_to": to, "from_s": from_s, "to_s": to_s, "below": below,
-                           "above": above})
+                           "above": above, "near": near[0] if near else None,
+                           "within": near[1] if near else None})
 
     def event(self, do, of="", at_s=0.0, **values):
         self.events.append((do, of, at_s, values))
@@ -225,8 +227,9 @@ class Scene:
     def _in_words(rule):
         of = " of " + ", ".join(rule["of"]) if rule["of"] else ""
         against = f" against {rule['relative_to']}" if rule["relative_to"] else ""
-        limit = (f"below {number(rule['below'])}" if rule["below"] is not None
-                 else f"above {number(rule['above'])}")
+        limit = (f"within {number(rule['within'])} of {number(rule['near'])}"
+                 if rule["near"] is not None else f"below {number(rule['below'])}"
+                 if rule["below"] is not None else f"above {number(rule['above'])}")
         when = f", from {number(rule['from_s'])} s" if rule["from_s"] else ""
         when += f", until {number(rule['to_s'])} s" if rule["to_s"] else ""
         return f"{rule['measure']}{of}{against} {limit}{when}"
@@ -263,7 +266,8 @@ class Scene:
                 lines.append("of = [" + ", ".join(f'"{name}"' for name in rule["of"]) + "]")
             if rule["relative_to"]:
                 lines.append(f'relative_to = "{rule["relative_to"]}"')
-            lines += [f"{key} = {number(rule[key])}" for key in ("from_s", "to_s", "below", "above")
+            lines += [f"{key} = {number(rule[key])}" for key in ("from_s", "to_s", "below", "above",
+                                                                 "near", "within")
                       if rule[key] is not None]
         for do, of, at_s, values in self.events:
             lines += ["", "[[hard_case.event]]", f'do = "{do}"']

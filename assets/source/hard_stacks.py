@@ -237,12 +237,11 @@ def blow():
                   "Afloat, 1 kg at 20 m/s meets 100 kg without bouncing: both go on at 20/101 m/s.",
                   "PEEL keeps it as HighMassRatioCollisions", 2, (1, 4, 9), (-0.5, 1.5, 0),
                   gravity=(0, 0, 0), settled=1)
-    scene.scenery("floor", box(20, 0.1, 6), (0, -0.05, 0), "flagstone")
+    scene.fixed("floor", box(20, 0.1, 6), (0, -0.05, 0))
     scene.body("light", box(1, 1, 1), (-3, 1.5, 0), velocity=(20, 0, 0))
     scene.body("heavy", box(1, 1, 1), (0, 1.5, 0), 100.0, material="rustmetal")
     common = 20 / 101
-    scene.rule("speed_x_mps", above=0.99 * common, from_s=1)
-    scene.rule("speed_x_mps", below=1.01 * common, from_s=1)
+    scene.rule("speed_x_mps", near=(common, 0.01 * common), from_s=1)
     scene.rule("speed_mps", "light", to="heavy", below=0.2, from_s=1)
     return scene
 
@@ -252,7 +251,7 @@ def scenes():
     yield huge()
     yield pyramid("H11", 20, "A wall of 210 boxes, twenty wide at its foot, keeps its shape.",
                   "Bullet at 60 Hz with 10 iterations moves by 4.75 cm [measured, 3.24]", 10, 0.02, "ci")
-    yield pyramid("H12", 100, "A wall of 5050 boxes, a hundred wide at its foot, stands for 1000 steps.",
+    yield pyramid("H12", 99, "A wall of 4950 boxes, 99 wide at its foot, stands for 1000 steps.",
                   "Box3D's author: the version with 80 falls after about 1000 steps", 16.7, 0.1,
                   "nightly")
     yield kapla("H14", 60, "ci")

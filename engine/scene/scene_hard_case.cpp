@@ -56,8 +56,11 @@ HardCaseRule read_rule(TableReader& table, const Known& known) {
     rule.below = number("below", kLimit);
     rule.above = number("above", kLimit);
     if (rule.to_s && *rule.to_s < rule.from_s) table.error("to_s", "lies before from_s");
-    if (rule.below.has_value() == rule.above.has_value())
-        table.error("below", "expected either below or above");
+    rule.near = number("near", kLimit);
+    if (rule.near && !table.has("within")) table.error("within", "missing; expected how near");
+    rule.within = number("within", Range{1e-12, 1e12, "a number above 0"}).value_or(0);
+    if (int{rule.below.has_value()} + int{rule.above.has_value()} + int{rule.near.has_value()} != 1)
+        table.error("below", "expected one of below, above, and near with within");
     table.finish();
     return rule;
 }

@@ -1,5 +1,9 @@
 #include "engine/study/worker.h"
 
+#include "engine/study/any_scene/effects_cost.h"
+#include "engine/study/any_scene/scene_run.h"
+#include "engine/study/gallery/gallery.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sys/prctl.h>
@@ -7,8 +11,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <csignal>
-#include <fstream>
 #include <iostream>
 
 namespace plumbline::study {
@@ -17,7 +21,9 @@ namespace {
 using nlohmann::json;
 
 // A row per kind of job.
-constexpr std::array<JobKind, 0> kJobKinds{};
+constexpr std::array<JobKind, 3> kJobKinds{{{"hard_case", run_hard_case_job},
+                                              {"scene", run_scene_job},
+                                              {"effect", run_effect_job}}};
 
 constexpr std::string_view kDone = "done";
 constexpr std::string_view kFailed = "failed";
@@ -48,6 +54,17 @@ std::string answer_to(std::span<const JobKind> kinds, const std::string& line) {
     }
 }
 
+/// False where nobody reads any more.
+bool write_all(int file, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t count = write(file, text.data(), text.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return false;
+        text.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
 }  // namespace
 
 std::span<const JobKind> job_kinds() {
@@ -67,8 +84,10 @@ void run_study_worker() {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     const int answers = dup(STDOUT_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO);
-    std::ofstream out(fmt::format("/proc/self/fd/{}", answers));
-    serve_jobs(std::cin, out);
+    std::string line;
+    while (std::getline(std::cin, line)) {
+        if (!write_all(answers, fmt::format("{}\n", answer_to(kJobKinds, line)))) break;
+    }
 }
 
 std::string job_line(const Job& job) {

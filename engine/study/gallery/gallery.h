@@ -22,8 +22,6 @@ struct CaseRun {
 /// One rule of a run that ended, as the table shows it.
 struct RuleResult {
     std::string text;
-    double limit{0};
-    bool is_below{true};
     double value{0};  ///< the worst; no number where the body was gone
     double margin{0};
     bool passed{false};
@@ -52,10 +50,11 @@ Result<CaseResult> run_case(const CaseRun& run);
 /// The job kind "hard_case" (job.h): a CaseRun as JSON in, a CaseResult as JSON out.
 std::string run_hard_case_job(const std::string& body);
 std::string case_job_body(const CaseRun& run);
-/// Refused: text that is not what run_hard_case_job() writes.
+std::string case_result_json(const CaseResult& result);
+/// Refused: text that is not what case_result_json() writes.
 Result<CaseResult> parse_case_result(const std::string& json);
 
-/// "63 % inside", "x 12 over": how a margin is told.
+/// "63 % inside", "12 x outside": how a margin is told.
 std::string margin_text(double margin);
 
 }  // namespace plumbline::study

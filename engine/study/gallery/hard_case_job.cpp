@@ -25,8 +25,6 @@ std::vector<RuleResult> results_of(const HardCaseJudge& judge) {
     std::vector<RuleResult> results;
     for (const RuleState& state : judge.rules()) {
         results.push_back({.text = state.text,
-                           .limit = state.limit,
-                           .is_below = state.is_below,
                            .value = state.seen ? state.value : std::nan(""),
                            .margin = state.margin(),
                            .passed = state.verdict == Verdict::Pass,
@@ -59,27 +57,6 @@ CaseResult run_to_the_end(scene::Simulation& simulation, HardCaseJudge& judge) {
     return result;
 }
 
-std::string result_json(const CaseResult& result) {
-    JsonText json(scene::JsonLayout::OneLine);
-    json.begin_object();
-    json.key("ran").boolean(result.ran).key("passed").boolean(result.passed);
-    json.key("why").text(result.why);
-    json.key("simulated_s").number(result.simulated_s);
-    json.key("cpu_ms_per_s").number(result.cpu_ms_per_s);
-    json.key("step_ms_max").number(result.step_ms_max);
-    json.key("work_per_s").number(result.work_per_s);
-    json.key("rules").begin_array();
-    for (const RuleResult& rule : result.rules) {
-        json.begin_object().key("text").text(rule.text);
-        json.key("limit").number(rule.limit).key("is_below").boolean(rule.is_below);
-        json.key("value").number(rule.value).key("margin").number(rule.margin);
-        json.key("passed").boolean(rule.passed);
-        json.key("worst_of").text(rule.worst_of).key("worst_at_s").number(rule.worst_at_s);
-        json.end_object();
-    }
-    return json.end_array().end_object().str();
-}
-
 }  // namespace
 
 const RuleResult* CaseResult::worst() const {
@@ -106,6 +83,26 @@ Result<CaseResult> run_case(const CaseRun& run) {
     return run_to_the_end(**simulation, *judge);
 }
 
+std::string case_result_json(const CaseResult& result) {
+    JsonText json(scene::JsonLayout::OneLine);
+    json.begin_object();
+    json.key("ran").boolean(result.ran).key("passed").boolean(result.passed);
+    json.key("why").text(result.why);
+    json.key("simulated_s").number(result.simulated_s);
+    json.key("cpu_ms_per_s").number(result.cpu_ms_per_s);
+    json.key("step_ms_max").number(result.step_ms_max);
+    json.key("work_per_s").number(result.work_per_s);
+    json.key("rules").begin_array();
+    for (const RuleResult& rule : result.rules) {
+        json.begin_object().key("text").text(rule.text);
+        json.key("value").number(rule.value).key("margin").number(rule.margin);
+        json.key("passed").boolean(rule.passed);
+        json.key("worst_of").text(rule.worst_of).key("worst_at_s").number(rule.worst_at_s);
+        json.end_object();
+    }
+    return json.end_array().end_object().str();
+}
+
 std::string case_job_body(const CaseRun& run) {
     JsonText json(scene::JsonLayout::OneLine);
     json.begin_object().key("scene").text(run.scene.string());
@@ -114,7 +111,7 @@ std::string case_job_body(const CaseRun& run) {
 }
 
 std::string run_hard_case_job(const std::string& body) {
-    const auto refused = [](std::string why) { return result_json({.why = std::move(why)}); };
+    const auto refused = [](std::string why) { return case_result_json({.why = std::move(why)}); };
     const nlohmann::json job = nlohmann::json::parse(body, nullptr, false);
     if (!job.is_object() || !job.contains("scene") || !job.contains("solver") ||
         !job.contains("step_hz"))
@@ -124,7 +121,7 @@ std::string run_hard_case_job(const std::string& body) {
     const Result<CaseResult> result = run_case({.scene = job["scene"].get<std::string>(),
                                                 .solver = *solver,
                                                 .step_hz = job["step_hz"].get<int>()});
-    return result ? result_json(*result) : refused(result.error().message);
+    return result ? case_result_json(*result) : refused(result.error().message);
 }
 
 Result<CaseResult> parse_case_result(const std::string& text) {
@@ -141,8 +138,6 @@ Result<CaseResult> parse_case_result(const std::string& text) {
             const double margin = number_or_nan(rule.at("margin"));
             result.rules.push_back(
                 {.text = rule.at("text"),
-                 .limit = rule.at("limit"),
-                 .is_below = rule.at("is_below"),
                  .value = number_or_nan(rule.at("value")),
                  .margin = std::isnan(margin) ? -std::numeric_limits<double>::infinity() : margin,
                  .passed = rule.at("passed"),
@@ -157,10 +152,10 @@ Result<CaseResult> parse_case_result(const std::string& text) {
 }
 
 std::string margin_text(double margin) {
-    if (std::isnan(margin) || std::isinf(margin)) return "gone";
-    if (margin >= 0) return fmt::format("{:.0f} % inside", std::min(margin, 99.0) * 100);
-    if (margin > -1) return fmt::format("{:.0f} % outside", -margin * 100);
-    return fmt::format("x {:.3g} outside", 1 - margin);
+    if (!std::isfinite(margin)) return "gone";
+    if (margin >= 0) return fmt::format("{:.0f} % inside", std::min(margin, 10.0) * 100);
+    if (margin > -10) return fmt::format("{:.0f} % outside", -margin * 100);
+    return fmt::format("{:.3g} x outside", -margin);
 }
 
 }  // namespace plumbline::study

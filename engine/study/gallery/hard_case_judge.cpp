@@ -39,8 +39,9 @@ std::string rule_text(const scene::HardCaseRule& rule, double seconds) {
     std::string text = rule.measure;
     if (!rule.of.empty()) text += fmt::format(" of {}", fmt::join(rule.of, ", "));
     if (!rule.relative_to.empty()) text += fmt::format(" against {}", rule.relative_to);
-    text += rule.below ? fmt::format(" below {:.4g}", *rule.below)
-                       : fmt::format(" above {:.4g}", *rule.above);
+    if (rule.below) text += fmt::format(" below {:.4g}", *rule.below);
+    if (rule.above) text += fmt::format(" above {:.4g}", *rule.above);
+    if (rule.near) text += fmt::format(" within {:.3g} of {:.4g}", rule.within, *rule.near);
     const double to_s = std::min(seconds, rule.to_s.value_or(seconds));
     if (rule.from_s >= seconds)
         text += ", at the end";
@@ -56,8 +57,9 @@ std::string rule_text(const scene::HardCaseRule& rule, double seconds) {
 RuleState state_of(const scene::HardCaseRule& rule, double seconds) {
     RuleState state;
     state.text = rule_text(rule, seconds);
-    state.is_below = rule.below.has_value();
-    state.limit = state.is_below ? *rule.below : *rule.above;
+    if (rule.below) state.allowed = {Allowed::Kind::Below, *rule.below, 0};
+    if (rule.above) state.allowed = {Allowed::Kind::Above, *rule.above, 0};
+    if (rule.near) state.allowed = {Allowed::Kind::Near, *rule.near, rule.within};
     state.from_s = std::min(rule.from_s, seconds);
     state.to_s = std::min(rule.to_s.value_or(seconds), seconds);
     return state;
@@ -77,9 +79,10 @@ std::string_view verdict_name(Verdict verdict) {
     return "undecided";
 }
 
-double RuleState::margin() const {
+double Allowed::margin(double value) const {
     if (!std::isfinite(value)) return -std::numeric_limits<double>::infinity();
-    const double inside = is_below ? limit - value : value - limit;
+    if (kind == Kind::Near) return 1 - std::abs(value - limit) / within;
+    const double inside = kind == Kind::Below ? limit - value : value - limit;
     if (limit != 0) return inside / std::abs(limit);
     return inside == 0 ? 1 : inside;
 }
@@ -228,7 +231,7 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
                          const Watched& watched,
                          RuleState& state) {
     const auto take = [&](double value, const std::string& whose) {
-        const bool is_worse = state.is_below ? value > state.value : value < state.value;
+        const bool is_worse = state.allowed.margin(value) < state.margin();
         // Once not a number, for ever.
         if (state.seen && !is_worse && !std::isnan(value)) return;
         if (state.seen && std::isnan(state.value)) return;

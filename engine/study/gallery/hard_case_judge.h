@@ -18,11 +18,23 @@ namespace plumbline::study {
 enum class Verdict : std::uint8_t { Undecided, Pass, Fail };
 std::string_view verdict_name(Verdict verdict);  ///< "pass"
 
+/// What a rule allows.
+struct Allowed {
+    enum class Kind : std::uint8_t { Below, Above, Near };
+    Kind kind{Kind::Below};
+    double limit{0};   ///< Near: the value to be near to
+    double within{0};  ///< Near
+
+    /// How far inside (> 0) or outside (< 0), as a share of the limit, or of `within`. Where that is
+    /// 0: in the measure's own unit, and 1 exactly on it. Endlessly far outside where `value` is no
+    /// number.
+    double margin(double value) const;
+};
+
 /// One rule and how it stands.
 struct RuleState {
     std::string text;  ///< "drift_m of cube.* below 0.01, from 5 s"
-    bool is_below{true};
-    double limit{0};
+    Allowed allowed{};
     double from_s{0};
     double to_s{0};
     bool seen{false};  ///< its time has come
@@ -31,9 +43,7 @@ struct RuleState {
     double worst_at_s{0};
     Verdict verdict{Verdict::Undecided};
 
-    /// How far inside (> 0) or outside (< 0), as a share of the limit. Where that is 0: in the
-    /// measure's own unit, and 1 exactly on it. Endlessly far outside where `value` is no number.
-    double margin() const;
+    double margin() const { return allowed.margin(value); }
 };
 
 class HardCaseJudge {

@@ -1,0 +1,106 @@
+// Small pictures of end states, by `plumbline render` in child processes: a machine without OpenGL, or
+// a driver that crashes, costs the pictures and nothing else.
+#include "engine/core/files.h"
+#include "engine/core/interrupt.h"
+#include "engine/study/gallery/stability.h"
+#include "engine/study/worker_pool.h"
+#include "engine/study/worker_process_impl.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace plumbline::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kPictureBytes = 4 * 1024 * 1024;
+constexpr int kPoll_ms = 200;
+
+/// A child that draws one case.
+struct Drawing {
+    WorkerProcess process;
+    std::size_t entry;
+    fs::path file;
+};
+
+Result<Drawing> start_drawing(const StabilityTable& table,
+                              std::size_t entry,
+                              const fs::path& folder,
+                              const std::string& size) {
+    const CaseEntry& drawn = table.cases[entry];
+    const fs::path file = folder / (drawn.hard.id + ".png");
+    Result<WorkerProcess> process = WorkerProcess::start(sibling_programs().float32,
+                                                         {"render",
+                                                          drawn.scene.string(),
+                                                          "--at",
+                                                          fmt::format("{}", drawn.hard.seconds),
+                                                          "--size",
+                                                          size,
+                                                          "--out",
+                                                          file.string(),
+                                                          "--quiet"});
+    if (!process) return process.error();
+    return Drawing{std::move(*process), entry, file};
+}
+
+/// Waits until one of them has closed its pipe; false when interrupted.
+bool wait_for_any(std::vector<Drawing>& drawings, std::size_t& which) {
+    while (!interrupted()) {
+        std::vector<pollfd> files;
+        for (const Drawing& drawing : drawings)
+            files.push_back({.fd = drawing.process.answers(), .events = POLLIN, .revents = 0});
+        if (poll(files.data(), files.size(), kPoll_ms) <= 0) continue;
+        for (which = 0; which < files.size(); ++which) {
+            std::string ignored;
+            if (files[which].revents != 0 && !drawings[which].process.receive(ignored)) return true;
+        }
+    }
+    return false;
+}
+
+void draw_all(StabilityTable& table, int workers, const fs::path& folder, const std::string& size) {
+    std::vector<Drawing> drawings;
+    std::size_t next = 0;
+    while (next < table.cases.size() || !drawings.empty()) {
+        while (next < table.cases.size() && std::ssize(drawings) < std::max(1, workers)) {
+            Result<Drawing> started = start_drawing(table, next++, folder, size);
+            if (!started) {
+                table.no_pictures = started.error().message;
+                return;
+            }
+            drawings.push_back(std::move(*started));
+        }
+        std::size_t which = 0;
+        if (!wait_for_any(drawings, which)) return;
+        Drawing& drawing = drawings[which];
+        // The pipe closes when it exits; the file was put in place, whole, before.
+        const std::string how = drawing.process.end();
+        Result<std::string> png = read_file(drawing.file, kPictureBytes);
+        if (png) {
+            table.pictures[drawing.entry] = std::move(*png);
+        } else if (std::ranges::all_of(table.pictures, &std::string::empty)) {
+            table.no_pictures = fmt::format("no pictures: plumbline render {}", how);
+            return;
+        }
+        drawings.erase(drawings.begin() + static_cast<std::ptrdiff_t>(which));
+    }
+}
+
+}  // namespace
+
+void take_pictures(StabilityTable& table, int workers, int width_px, int height_px) {
+    std::string name = (fs::temp_directory_path() / "plumbline-pictures-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+        table.no_pictures = fmt::format("no pictures: cannot make the folder {}", name);
+        return;
+    }
+    draw_all(table, workers, name, fmt::format("{}x{}", width_px, height_px));
+    std::error_code ignored;
+    fs::remove_all(name, ignored);
+}
+
+}  // namespace plumbline::study

@@ -1,0 +1,234 @@
+#include "engine/study/gallery/stability.h"
+
+#include "engine/core/nearest_name.h"
+#include "engine/scene/json_text.h"
+#include "engine/scene/scene_file.h"
+#include "engine/study/job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace plumbline::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Wall time; a hundred simulated seconds of a hard case take less by far.
+constexpr double kCiLimit_s = 120;
+constexpr double kNightlyLimit_s = 3600;
+constexpr int kGameRate_hz = 60;
+
+Result<CaseEntry> load_entry(const fs::path& file, const fs::path& assets_folder) {
+    Diagnostics faults;
+    Result<scene::SceneDescription> scene = scene::load_scene(file, assets_folder, faults);
+    if (!scene) return scene.error();
+    if (!scene->hard_case) {
+        return Error{.message = fmt::format("{} has no [hard_case]", file.string()),
+                     .exit_code = ExitCode::Refused};
+    }
+    CaseEntry entry{.scene = file, .title = scene->title, .hard = std::move(*scene->hard_case)};
+    if (entry.title.starts_with(entry.hard.id + " "))
+        entry.title.erase(0, entry.hard.id.size() + 1);
+    return entry;
+}
+
+/// "hard/h05.toml" and "h05" as "H05".
+std::string plain_id(const std::string& asked) {
+    std::string id = fs::path(asked).stem().string();
+    if (!id.empty()) id[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(id[0])));
+    return id;
+}
+
+CaseResult result_of(const Answer& answer) {
+    switch (answer.status) {
+        case AnswerStatus::Done:
+            if (Result<CaseResult> result = parse_case_result(answer.body)) return *result;
+            return {.why = "its worker's answer cannot be read"};
+        case AnswerStatus::TimedOut:
+            return {.why = "took too long"};
+        case AnswerStatus::Crashed:
+            return {.why = "its worker crashed: " + answer.body};
+        case AnswerStatus::Failed:
+            break;
+    }
+    return {.why = answer.body};
+}
+
+}  // namespace
+
+Result<std::vector<CaseEntry>> find_cases(const fs::path& assets_folder) {
+    const fs::path folder = assets_folder / "scenes" / "hard";
+    std::vector<CaseEntry> cases;
+    std::error_code failed;
+    for (fs::directory_iterator at(folder, failed), end; !failed && at != end;
+         at.increment(failed)) {
+        if (at->path().extension() != ".toml") continue;
+        Result<CaseEntry> entry = load_entry(at->path(), assets_folder);
+        if (!entry) return entry.error();
+        cases.push_back(std::move(*entry));
+    }
+    if (cases.empty()) {
+        return Error{.message = fmt::format("no hard cases in {}", folder.string()),
+                     .exit_code = ExitCode::Refused};
+    }
+    std::ranges::sort(cases, {}, [](const CaseEntry& entry) { return entry.hard.id; });
+    return cases;
+}
+
+Result<std::vector<CaseEntry>> select_cases(const std::vector<CaseEntry>& all,
+                                            const std::vector<std::string>& ids,
+                                            bool with_nightly) {
+    std::vector<CaseEntry> chosen;
+    for (const std::string& asked : ids) {
+        const std::string id = plain_id(asked);
+        const auto found = std::ranges::find(all, id, [](const CaseEntry& e) { return e.hard.id; });
+        if (found == all.end()) {
+            std::vector<std::string_view> known;
+            for (const CaseEntry& entry : all) known.push_back(entry.hard.id);
+            const std::string_view nearest = nearest_name(id, known);
+            return Error{.message = fmt::format(
+                             "there is no hard case \"{}\"; {}",
+                             asked,
+                             nearest.empty() ? fmt::format("known: {}", fmt::join(known, ", "))
+                                             : fmt::format("did you mean {}?", nearest)),
+                         .exit_code = ExitCode::BadUsage};
+        }
+        chosen.push_back(*found);
+    }
+    if (!ids.empty()) return chosen;
+    std::ranges::copy_if(all, std::back_inserter(chosen), [&](const CaseEntry& entry) {
+        return with_nightly || !entry.hard.nightly;
+    });
+    return chosen;
+}
+
+const StabilityRun* StabilityTable::find(std::size_t entry,
+                                         physics::Solver solver,
+                                         int step_hz) const {
+    const auto found = std::ranges::find_if(runs, [&](const StabilityRun& run) {
+        return run.entry == entry && run.solver == solver && run.step_hz == step_hz;
+    });
+    return found != runs.end() ? &*found : nullptr;
+}
+
+std::vector<std::string> StabilityTable::unexpected_reds() const {
+    std::vector<std::string> reds;
+    for (const StabilityRun& run : runs) {
+        const bool counts = run.solver == physics::Solver::SmallStep &&
+                            run.step_hz == kGameRate_hz && run.result && !run.result->passed;
+        const scene::HardCase& hard = cases[run.entry].hard;
+        if (counts && hard.known_red.empty()) reds.push_back(hard.id);
+    }
+    return reds;
+}
+
+StabilityTable plan_table(std::vector<CaseEntry> cases,
+                          std::vector<physics::Solver> solvers,
+                          std::vector<int> rates_hz) {
+    StabilityTable table;
+    for (std::size_t entry = 0; entry < cases.size(); ++entry) {
+        for (const physics::Solver solver : solvers) {
+            for (const int rate_hz : rates_hz)
+                table.runs.push_back({.entry = entry, .solver = solver, .step_hz = rate_hz});
+        }
+    }
+    table.cases = std::move(cases);
+    table.solvers = std::move(solvers);
+    table.rates_hz = std::move(rates_hz);
+    table.pictures.resize(table.cases.size());
+    return table;
+}
+
+Result<bool> run_table(StabilityTable& table,
+                       int workers,
+                       const std::function<void(const StabilityRun&, std::size_t)>& ended) {
+    std::vector<Job> jobs;
+    std::vector<std::size_t> run_of_job;
+    for (std::size_t i = 0; i < table.runs.size(); ++i) {
+        const StabilityRun& run = table.runs[i];
+        if (run.result) continue;
+        const CaseEntry& entry = table.cases[run.entry];
+        jobs.push_back({.kind = "hard_case",
+                        .body = case_job_body(
+                            {.scene = entry.scene, .solver = run.solver, .step_hz = run.step_hz}),
+                        .limit_s = entry.hard.nightly ? kNightlyLimit_s : kCiLimit_s});
+        run_of_job.push_back(i);
+    }
+    std::size_t done = 0;
+    const Result<bool> finished =
+        run_jobs(jobs, workers, [&](std::size_t job, const Answer& answer) {
+            StabilityRun& run = table.runs[run_of_job[job]];
+            run.result = result_of(answer);
+            ended(run, ++done);
+        });
+    if (finished) table.complete = *finished;
+    return finished;
+}
+
+std::string run_line(const StabilityTable& table, const StabilityRun& run) {
+    const std::string head = fmt::format("{:<5} {:<15}{:>4} Hz",
+                                         table.cases[run.entry].hard.id,
+                                         physics::solver_name(run.solver),
+                                         run.step_hz);
+    if (!run.result) return head + "  not run";
+    if (!run.result->ran) return fmt::format("{}  FAIL  {}", head, run.result->why);
+    const RuleResult* worst = run.result->worst();
+    return fmt::format(
+        "{}  {}  {:>16}  {:>9.2f} ms/s  {}",
+        head,
+        run.result->passed ? "pass" : "FAIL",
+        worst != nullptr ? margin_text(worst->margin) : "",
+        run.result->cpu_ms_per_s,
+        worst != nullptr ? fmt::format("{}: {:.3g}", worst->text, worst->value) : "");
+}
+
+std::string stability_text(const StabilityTable& table) {
+    std::string text;
+    for (const StabilityRun& run : table.runs) text += run_line(table, run) + "\n";
+    text += "\n";
+    for (const physics::Solver solver : table.solvers) {
+        for (const int rate_hz : table.rates_hz) {
+            int green = 0;
+            int ran = 0;
+            for (const StabilityRun& run : table.runs) {
+                if (run.solver != solver || run.step_hz != rate_hz || !run.result) continue;
+                ++ran;
+                green += run.green() ? 1 : 0;
+            }
+            text += fmt::format("{:<15}{:>4} Hz  {} of {} pass\n",
+                                physics::solver_name(solver),
+                                rate_hz,
+                                green,
+                                ran);
+        }
+    }
+    return text;
+}
+
+std::string stability_json(const StabilityTable& table) {
+    scene::JsonText json(scene::JsonLayout::Readable);
+    json.begin_object();
+    json.key("command").text(table.command).key("machine").text(table.machine);
+    json.key("build").text(table.build).key("made_on").text(table.made_on);
+    json.key("complete").boolean(table.complete);
+    json.key("runs").begin_array();
+    for (const StabilityRun& run : table.runs) {
+        const scene::HardCase& hard = table.cases[run.entry].hard;
+        json.begin_object().key("case").text(hard.id);
+        json.key("solver").text(physics::solver_name(run.solver));
+        json.key("step_hz").number(run.step_hz);
+        json.key("tier").text(hard.nightly ? "nightly" : "ci");
+        if (run.solver == physics::Solver::SmallStep) json.key("known_red").text(hard.known_red);
+        json.key("result");
+        if (run.result)
+            json.raw(case_result_json(*run.result));
+        else
+            json.raw("null");
+        json.end_object();
+    }
+    return json.end_array().end_object().str() + "\n";
+}
+
+}  // namespace plumbline::study

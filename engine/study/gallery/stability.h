@@ -1,0 +1,84 @@
+// The stability table: every hard case, every solver, one verdict a cell; as text, JSON and a page.
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/scene/scene_description.h"
+#include "engine/study/gallery/gallery.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline::study {
+
+/// One scene of assets/scenes/hard.
+struct CaseEntry {
+    std::filesystem::path scene;
+    std::string title;  ///< without the id
+    scene::HardCase hard;
+};
+
+/// All of them, by id. Refused: a folder that is not there, a scene that does not load or has no
+/// [hard_case].
+Result<std::vector<CaseEntry>> find_cases(const std::filesystem::path& assets_folder);
+
+/// Those called `ids` (any case, "hard/H05" too), or with none of them all of the tier. Refused (exit
+/// code 2): an id that nothing has; the message names the nearest.
+Result<std::vector<CaseEntry>> select_cases(const std::vector<CaseEntry>& all,
+                                            const std::vector<std::string>& ids,
+                                            bool with_nightly);
+
+/// One cell. `result` is empty while it has not run, or was interrupted.
+struct StabilityRun {
+    std::size_t entry{0};  ///< into StabilityTable::cases
+    physics::Solver solver{physics::Solver::SmallStep};
+    int step_hz{60};
+    std::optional<CaseResult> result{};
+
+    bool green() const { return result && result->passed; }
+};
+
+struct StabilityTable {
+    std::string command;  ///< to repeat it
+    std::string machine;
+    std::string build;
+    std::string made_on;
+    bool complete{true};  ///< false: interrupted
+    std::vector<CaseEntry> cases;
+    std::vector<physics::Solver> solvers;
+    std::vector<int> rates_hz;
+    std::vector<StabilityRun> runs;
+    std::vector<std::string> pictures;  ///< PNG bytes, one per case; empty where there is none
+    std::string no_pictures;            ///< why there are none, or empty
+
+    const StabilityRun* find(std::size_t entry, physics::Solver solver, int step_hz) const;
+    /// small_step's at 60 Hz that failed and are not listed as known red.
+    std::vector<std::string> unexpected_reds() const;
+};
+
+/// A table with a run, not yet made, for every case, solver and rate.
+StabilityTable plan_table(std::vector<CaseEntry> cases,
+                          std::vector<physics::Solver> solvers,
+                          std::vector<int> rates_hz);
+
+/// Runs what has no result yet in worker processes; `ended` after each, with how many are done.
+/// False, and complete false, when interrupted. Refused: what run_jobs() refuses.
+Result<bool> run_table(StabilityTable& table,
+                       int workers,
+                       const std::function<void(const StabilityRun& run, std::size_t done)>& ended);
+
+/// A picture of small_step's end state of each case, `width_px` x `height_px`, by `plumbline render`
+/// in child processes. Where the first fails, none is made and no_pictures says why.
+void take_pictures(StabilityTable& table, int workers, int width_px, int height_px);
+
+/// "H05  small_step  60 Hz  pass  92 % inside  3.2 ms/s  sag_m of box_1 below 0.1".
+std::string run_line(const StabilityTable& table, const StabilityRun& run);
+/// All lines and how many are green for each solver.
+std::string stability_text(const StabilityTable& table);
+std::string stability_json(const StabilityTable& table);
+/// One self-contained page.
+std::string stability_page(const StabilityTable& table);
+
+}  // namespace plumbline::study
