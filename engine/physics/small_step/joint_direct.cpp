@@ -17,6 +17,10 @@ constexpr int kMostPositionIterations = 8;
 constexpr double kGoodError = 1e-7;
 /// ... and rows are made anew when an iteration leaves more than this of the error before it.
 constexpr double kConverging = 0.2;
+/// Errors above it, m or rad, that all iterations leave are not put right within the sub-step.
+constexpr double kBadError = 1e-4;
+/// A step that leads away is halved so often, then given up.
+constexpr int kMostCuts = 5;
 /// Errors below it, m or rad, are rounding.
 constexpr double kNoError = 1e-10;
 
@@ -178,7 +182,7 @@ void DirectJoints::correct_positions(JointGroup& group) {
         }
         gather_errors(group);
         solve_all(group, matrix_);
-        displace(group, false);
+        displace(group, 1, false);
     }
     for (JointBody& body : group.bodies) {
         body.update_inertia();
@@ -191,8 +195,8 @@ void DirectJoints::correct_positions(JointGroup& group) {
 /// where that does not help, with rows at the poses reached.
 void DirectJoints::converge(JointGroup& group) {
     double before = 0;
+    double error = gather_errors(group);
     for (int i = 0; i < kMostPositionIterations; ++i) {
-        const double error = gather_errors(group);
         if (error < kNoError || (i >= kPositionIterations && error < kGoodError)) return;
         if (i >= kPositionIterations && error > kConverging * before) {
             group.collect_totals();
@@ -205,10 +209,42 @@ void DirectJoints::converge(JointGroup& group) {
             gather_errors(group);
             solve_all(group, matrix_);
         }
-        displace(group, true);
-        if (i == kPositionIterations - 1 && error * error < kGoodError * before) return;
         before = error;
+        error = step_towards(group, before);
     }
+    if (error > kBadError) keep_as_left_over(group);
+}
+
+/// Makes the step in x_, or as much of it as does not lead away: rows in closed loops that are
+/// nearly redundant ask for far more than they stay straight for. Leaves what is still to be put
+/// right in x_; the largest of it.
+double DirectJoints::step_towards(JointGroup& group, double error) {
+    step_.assign(x_.begin(), x_.begin() + static_cast<std::ptrdiff_t>(group.rows.size()));
+    displace(group, 1, true);
+    double next = gather_errors(group);
+    double made = 1;
+    for (int cut = 0; cut <= kMostCuts && !(next < std::max(error, kGoodError)); ++cut) {
+        const double back = cut < kMostCuts ? made / 2 : made;
+        x_ = step_;
+        displace(group, -back, true);
+        made -= back;
+        next = gather_errors(group);
+    }
+    return next;
+}
+
+/// What no iteration puts right is come back from slowly, without speed.
+void DirectJoints::keep_as_left_over(JointGroup& group) {
+    for (std::size_t i = 0; i < group.rows.size(); ++i) {
+        const JointRows& rows = group.rows[i];
+        Vec3d error = masked(rows.errors(group.bodies), rows.active);
+        for (int k = 0; k < 3; ++k) {
+            if (((rows.bounded >> k) & 1) != 0) error[k] = 0;
+        }
+        held_[i] += error - group.left_over[i];
+        group.left_over[i] = error;
+    }
+    group.anything_left_over = true;
 }
 
 void DirectJoints::hold_positions(JointGroup& group) {
@@ -237,9 +273,11 @@ void DirectJoints::solve_all(JointGroup& group, const BlockLdlt& matrix) {
     group.row_solves += 3 * group.rows.size();
 }
 
-void DirectJoints::displace(JointGroup& group, bool with_velocities) {
+/// Moves the bodies by `share` of the step in x_.
+void DirectJoints::displace(JointGroup& group, double share, bool with_velocities) {
     const double per_substep = 1 / group.substep_s;
     for (std::size_t i = 0; i < group.rows.size(); ++i) {
+        x_[i] *= share;
         group.rows[i].displace(group.bodies, x_[i]);
         if (with_velocities) group.impulses[i] += x_[i] * per_substep;
     }

@@ -31,7 +31,9 @@ private:
     double gather_errors(const JointGroup& group);
     void solve_all(JointGroup& group, const BlockLdlt& matrix);
     void converge(JointGroup& group);
-    void displace(JointGroup& group, bool with_velocities);
+    double step_towards(JointGroup& group, double error);
+    void keep_as_left_over(JointGroup& group);
+    void displace(JointGroup& group, double share, bool with_velocities);
     void solve_springs(JointGroup& group);
     void damp_springs(JointGroup& group, std::span<const JointSpring> springs);
     void push_springs_only(JointGroup& group, std::span<const JointSpring> springs);
@@ -41,6 +43,7 @@ private:
     BlockLdlt spring_matrix_;
     std::vector<double> floor_;       // of pivots
     std::vector<Vec3d> x_;            // right-hand sides, then impulses along the rows
+    std::vector<Vec3d> step_;         // towards smaller errors, as x_
     std::vector<Vec3d> wanted_;       // speeds of the rows that are at a bound
     std::vector<Vec3d> held_;         // errors that positions are corrected to
     std::vector<double> compliance_;  // of stiff springs, by node; 0: none
