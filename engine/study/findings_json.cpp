@@ -43,7 +43,7 @@ std::vector<T> list_from(const Json& json, T (*one)(const Json&)) {
 }
 
 Json json_of(const std::optional<double>& number) {
-    return number ? json_of(*number) : Json(nullptr);
+    return number ? study::json_of(*number) : Json(nullptr);
 }
 
 std::optional<double> optional_from(const Json& json) {
@@ -59,7 +59,7 @@ Metric metric_from(const Json& json) {
 }
 
 Json json_of(const FloorPoint& point) {
-    return {{"step_s", point.step_s}, {"error", json_of(point.error)}};
+    return {{"step_s", point.step_s}, {"error", study::json_of(point.error)}};
 }
 
 FloorPoint floor_from(const Json& json) {
