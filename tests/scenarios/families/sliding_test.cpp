@@ -67,6 +67,11 @@ struct Slope {
     void add_to(Rig& rig, double friction) const {
         rig.fixed_box(out * -1.0, {200, 2, 200}, {.friction = friction, .turn = turn});
     }
+    /// How far along the slope, whatever the box sinks in.
+    double way_m(const Vec3d& from, const Vec3d& to) const {
+        const Vec3d moved = to - from;
+        return glm::length(moved - out * glm::dot(moved, out));
+    }
 };
 
 TEST(Sliding, A29ABoxBelowTheLimitStays) {
@@ -78,7 +83,7 @@ TEST(Sliding, A29ABoxBelowTheLimitStays) {
         const Vec3d start = rig.at(box);
         rig.run(60);
         expect_at_most(
-            "A29 creep in 60 s m " + setting.name, glm::distance(rig.at(box), start), 1e-4);
+            "A29 creep in 60 s m " + setting.name, slope.way_m(start, rig.at(box)), 1e-4);
     }
 }
 
@@ -91,7 +96,7 @@ TEST(Sliding, H84ABoxOnTwentyDegreesStays) {
         const Vec3d start = rig.at(box);
         rig.run(60);
         expect_at_most(
-            fmt::format("H84 creep in 60 s m {} Hz", hz), glm::distance(rig.at(box), start), 1e-4);
+            fmt::format("H84 creep in 60 s m {} Hz", hz), slope.way_m(start, rig.at(box)), 1e-4);
     }
 }
 
