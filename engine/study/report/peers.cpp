@@ -31,7 +31,7 @@ constexpr std::array<Comparable, 18> kComparable{{
     {"chainh", "stretch_max_pct", "largest stretch", 0.01},
     {"bounce", "apex_end_err_pct", "last apex", 0.01},
     {"slideroll", "v_final_err_pct", "speed at the end", 0.01},
-    {"slideroll", "x_err_max_mm", "place", 0.001 / 11.0609},  // of the way in 3 s, 11.0609 m
+    {"slideroll", "x_err_max_mm", "place", 0.001 / 11.0610},  // of the way in 3 s, 11.0610 m
     {"dzhani", "orient_err_10s_deg", "orientation at 10 s", 1.0 / 180},  // of half a turn
     {"dzhani", "E_max_pct", "energy", 0.01},
     {"dzhani", "L_max_pct", "angular momentum", 0.01},
@@ -131,12 +131,18 @@ std::vector<PeerPoint> comparable_peers(std::span<const PeerRow> rows,
         return one.scene == scene && one.metric == metric;
     });
     if (same == kComparable.end()) return points;
+    const auto fell = [&](const PeerRow& row) {
+        return std::ranges::any_of(rows, [&](const PeerRow& other) {
+            return other.metric == "stands" && other.value == 0 && other.scene == row.scene &&
+                   other.engine == row.engine && other.substeps == row.substeps;
+        });
+    };
     for (const PeerRow& row : rows) {
         if (row.scene != scene || row.metric != same->figure) continue;
         points.push_back({row.engine,
                           row.substeps,
                           row.cpu_ms_per_frame * kFrames_per_s,
-                          std::abs(row.value) * same->factor});
+                          std::max(std::abs(row.value) * same->factor, fell(row) ? 1.0 : 0.0)});
     }
     return points;
 }

@@ -34,7 +34,8 @@ struct PeerPoint {
     double error{0};  ///< relative, as ours
 };
 
-/// Rows of `scene` whose figure is what `metric` measures, as errors in the metric's scale. None where
+/// Rows of `scene` whose figure is what `metric` measures, as errors in the metric's scale; at least 1
+/// where the file says that what should stand fell (what fell may lie very still). None where
 /// no figure of that scene is comparable (the list is in peers.cpp).
 std::vector<PeerPoint> comparable_peers(std::span<const PeerRow> rows,
                                         std::string_view scene,

@@ -64,6 +64,19 @@ TEST(Peers, OnlyTheSameSceneAndTheSameMeaningCompare) {
     EXPECT_TRUE(comparable_peers(*rows, "", "stretch at the end").empty());
 }
 
+TEST(Peers, WhatFellIsWhollyWrong) {
+    const auto rows = parse_peers(kHeading +
+                                  "heavy100,a,1,1,1,pen_max,0.02\nheavy100,a,1,1,1,stands,1\n"
+                                  "heavy100,b,1,1,1,pen_max,0.02\nheavy100,b,1,1,1,stands,0\n"
+                                  "heavy100,b,4,1,1,pen_max,0.01\nheavy100,b,4,1,1,stands,1\n");
+    ASSERT_TRUE(rows);
+    const auto points = comparable_peers(*rows, "heavy100", "largest penetration");
+    ASSERT_EQ(points.size(), 3U);
+    EXPECT_DOUBLE_EQ(points[0].error, 0.02);
+    EXPECT_DOUBLE_EQ(points[1].error, 1);
+    EXPECT_DOUBLE_EQ(points[2].error, 0.01);
+}
+
 TEST(Peers, OurCopyIsWhole) {
     const auto csv = read_file("assets/data/peers.csv", std::size_t{1} << 24U);
     ASSERT_TRUE(csv);
