@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace plumbline::scene {
 
@@ -17,6 +18,8 @@ namespace {
 constexpr Real kSweptShare = 0.9_r;
 /// Slower turning than this the physics leaves without gyroscopic torque too.
 constexpr Real kSpinning_radps = 1e-3_r;
+/// Above it 16 sub-steps do not hold the heavier body up (docs/PHYSICS.md).
+constexpr Real kWidestMassRatio = 1e4_r;
 
 bool is_below(const std::optional<Real>& height_m, const Vec3& position) {
     return height_m && position.y < *height_m;
@@ -89,6 +92,7 @@ void Simulation::step() {
     sync_placements();
     report_quarantined();
     report_broken_joints();
+    warn_of_mass_ratio();
 }
 
 void Simulation::destroy_marked() {
@@ -128,6 +132,40 @@ void Simulation::report_quarantined() {
             fmt::format("{}: taken out of the simulation at {:.3f} s: its state was not finite",
                         describe(entity),
                         time_s()));
+    }
+}
+
+/// Names the first touching pair whose masses differ by more than any number of sub-steps can hold.
+void Simulation::warn_of_mass_ratio() {
+    const auto mass_of = [&](physics::BodyId body) {
+        return physics.contains(body) ? physics.mass_properties(body).mass_kg : Real{0};
+    };
+    if (weighed_revision_ != revision_) {
+        weighed_revision_ = revision_;
+        Real least = std::numeric_limits<Real>::max();
+        Real most = 0;
+        for (const MovingBody& moving : moving_) {
+            if (moving.kind != physics::BodyKind::Dynamic) continue;
+            least = std::min(least, mass_of(moving.body));
+            most = std::max(most, mass_of(moving.body));
+        }
+        masses_differ_widely_ = most > kWidestMassRatio * least;
+    }
+    if (!masses_differ_widely_ || mass_ratio_named_) return;
+    for (const physics::ContactEvent& touch : physics.all_contacts()) {
+        const Real a = mass_of(touch.a);
+        const Real b = mass_of(touch.b);
+        if (a <= 0 || b <= 0 || std::max(a, b) <= kWidestMassRatio * std::min(a, b)) continue;
+        mass_ratio_named_ = true;
+        add_warning(
+            fmt::format("{} and {} touch, {:.3g} kg and {:.3g} kg: above a mass ratio of "
+                        "{:.0f} the lighter is pressed in",
+                        describe(entity_of(touch.a)),
+                        describe(entity_of(touch.b)),
+                        a,
+                        b,
+                        kWidestMassRatio));
+        return;
     }
 }
 

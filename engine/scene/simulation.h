@@ -162,6 +162,7 @@ private:
     void sync_placements();
     void report_quarantined();
     void report_broken_joints();
+    void warn_of_mass_ratio();
     Result<physics::BodyId> end_of_joint(const std::string& name) const;
     void forget_destroyed();
 
@@ -174,6 +175,9 @@ private:
     std::uint64_t revision_{0};
     std::size_t quarantined_reported_{0};
     bool bodies_destroyed_{false};
+    std::uint64_t weighed_revision_{~std::uint64_t{0}};  ///< when masses were last compared
+    bool masses_differ_widely_{false};
+    bool mass_ratio_named_{false};
     double event_energy_J_{0};
     std::vector<MovingBody> moving_;
     std::vector<SceneJoint> joints_;

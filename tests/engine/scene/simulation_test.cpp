@@ -347,5 +347,24 @@ TEST(MotionDemand, NamesSpinningBodiesOfUnevenInertiaOnly) {
     EXPECT_EQ(turning->motion_demand().spinning, turning->find("plank"));
 }
 
+TEST(MassRatio, IsNamedOnceWhereTheTwoTouch) {
+    EntityDescription anvil = cube("anvil", {0, 2, 0});
+    anvil.body->mass_kg = 30000;
+    EntityDescription feather = cube("feather", {0, 0.5_r, 0});
+    feather.body->mass_kg = 1;
+    const auto warnings = [&](Real above_m) {
+        anvil.world_from_body.position.y = above_m;
+        Running run(scene_of({ground(), feather, anvil}));
+        run.step(10);
+        return std::ranges::count_if(run->warnings(), [](const std::string& text) {
+            return text.find("mass ratio") != std::string::npos;
+        });
+    };
+    EXPECT_EQ(warnings(1.5_r), 1);
+    EXPECT_EQ(warnings(9), 0);
+    anvil.body->mass_kg = 9000;
+    EXPECT_EQ(warnings(1.5_r), 0);
+}
+
 }  // namespace
 }  // namespace plumbline::scene
