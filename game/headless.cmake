@@ -7,7 +7,7 @@ foreach(suffix "" "_f64")
         simulate_command.h simulate_command.cpp)
     plumbline_target_settings(${target})
     target_compile_definitions(${target} PRIVATE PL_VERSION="${PROJECT_VERSION}")
-    target_link_libraries(${target} PUBLIC plumbline::effects${suffix} PRIVATE CLI11::CLI11)
+    target_link_libraries(${target} PUBLIC plumbline::effects${suffix} PRIVATE plumbline::study${suffix} CLI11::CLI11)
 endforeach()
 target_compile_options(plumbline_simulate_f64 PRIVATE -Wno-useless-cast)
 

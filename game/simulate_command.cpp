@@ -8,6 +8,7 @@
 #include "engine/effects/advance.h"
 #include "engine/scene/scene_file.h"
 #include "engine/scene/state_report.h"
+#include "engine/study/any_scene/auto_accuracy.h"
 
 #include <fmt/format.h>
 
@@ -43,13 +44,14 @@ Result<Done> load(const SimulateOptions& options, World& world) {
     Diagnostics faults;
     const scene::SurfaceTable surfaces =
         scene::load_surfaces(folders->config / "surfaces.toml", folders->assets, faults);
-    const Result<scene::SceneDescription> description =
+    Result<scene::SceneDescription> description =
         scene::load_scene(*file, folders->assets, faults);
     for (const Diagnostic& fault : faults.list()) {
         log_line(fault.severity == Severity::Error ? LogLevel::Error : LogLevel::Warning,
                  to_string(fault));
     }
     if (!description) return description.error();
+    description->accuracy = study::resolve_auto(*description);
 
     Result<std::unique_ptr<scene::Simulation>> built =
         scene::build_simulation(*description,

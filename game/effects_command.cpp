@@ -1,0 +1,131 @@
+#include "game/effects_command.h"
+
+#include "engine/app/offscreen_run.h"
+#include "engine/core/files.h"
+#include "engine/core/interrupt.h"
+#include "engine/core/log.h"
+#include "engine/core/stopwatch.h"
+#include "engine/study/any_scene/effects_cost.h"
+#include "engine/study/job.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <iostream>
+#include <utility>
+
+namespace plumbline::game {
+namespace {
+
+constexpr std::uint32_t kWidth_px = 640;
+constexpr std::uint32_t kHeight_px = 360;
+constexpr int kFramesOfAPass = 6;
+constexpr int kFramesToWarmUp = 2;
+
+/// Draws the scene off screen with and without an effect of the picture, in turns.
+class PictureStudio {
+public:
+    static Result<std::unique_ptr<PictureStudio>> open(const std::filesystem::path& scene) {
+        const Result<DataFolders> folders = find_data_folders();
+        if (!folders) return folders.error();
+        auto studio = std::make_unique<PictureStudio>();
+        Result<std::unique_ptr<app::Session>> session = app::Session::open(
+            {.scene = scene,
+             .folders = *folders,
+             .served = {.picture = true},
+             .make_game = [](scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
+                 return std::make_unique<scene::NoGame>(simulation.description().camera);
+             }});
+        if (!session) return session.error();
+        studio->session_ = std::move(*session);
+        studio->session_->library.prefetch_images();
+        Result<std::unique_ptr<app::OffscreenRun>> run = app::OffscreenRun::create(
+            *studio->session_,
+            {.shader_folder = folders->shaders, .width_px = kWidth_px, .height_px = kHeight_px});
+        if (!run) return run.error();
+        studio->run_ = std::move(*run);
+        return studio;
+    }
+
+    /// One line for each effect of the picture that something calls for.
+    std::vector<study::EffectCost> measure(int pairs) {
+        frames({});
+        const std::vector<effects::LedgerLine> ledger = session_->effects->ledger();
+        std::vector<study::EffectCost> costs;
+        for (std::size_t row = 0; row < ledger.size(); ++row) {
+            const effects::EffectRow& definition = effects::effect_table()[row];
+            if (definition.domain != effects::Domain::Picture || ledger[row].constructions == 0)
+                continue;
+            if (interrupted()) break;
+            costs.push_back({.name = std::string(definition.name),
+                             .caller = ledger[row].called_for_by.empty()
+                                           ? std::string()
+                                           : ledger[row].called_for_by.front(),
+                             .domain = definition.domain,
+                             .frame_ms = difference(definition.name, pairs),
+                             .calls = ledger[row].calls,
+                             .bytes_cpu = ledger[row].bytes_cpu,
+                             .bytes_gpu = ledger[row].bytes_gpu});
+        }
+        return costs;
+    }
+
+private:
+    study::Difference difference(std::string_view name, int pairs) {
+        std::array<std::vector<double>, 2> ms;
+        for (int i = 0; i < 2 * pairs && !interrupted(); ++i) {
+            const auto without = static_cast<std::size_t>((i + i / 2) % 2);
+            ms[without].push_back(frames(without == 1 ? name : std::string_view()));
+        }
+        return study::paired_difference(ms[0], ms[1]);
+    }
+
+    /// Wall ms of a frame, the picture read back at the end so that it is really there.
+    double frames(std::string_view without) {
+        session_->effects = std::make_unique<effects::EffectRuntime>(
+            *session_->simulation, effects::ServedDomains{.picture = true, .without = without});
+        for (int i = 0; i < kFramesToWarmUp; ++i) draw();
+        run_->pixels();
+        double drawing_s = 0;
+        for (int i = 0; i < kFramesOfAPass; ++i) {
+            run_->simulate(1);
+            const double start_s = wall_s();
+            draw();
+            if (i + 1 == kFramesOfAPass) run_->pixels();
+            drawing_s += wall_s() - start_s;
+        }
+        return drawing_s * 1e3 / kFramesOfAPass;
+    }
+    void draw() { run_->draw({}); }
+
+    std::unique_ptr<app::Session> session_;
+    std::unique_ptr<app::OffscreenRun> run_;  // after the session: it goes first
+};
+
+}  // namespace
+
+ExitCode run_effects_study(const std::filesystem::path& scene, std::optional<double> seconds) {
+    study::EffectsRun run{.scene = scene};
+    run.seconds = seconds.value_or(run.seconds);
+    Result<std::vector<study::EffectCost>> costs = study::measure_effects(run, 1);
+    if (!costs) {
+        log_error("{}", costs.error().message);
+        return costs.error().exit_code;
+    }
+    if (!interrupted()) {
+        Result<std::unique_ptr<PictureStudio>> studio = PictureStudio::open(scene);
+        if (studio) {
+            std::vector<study::EffectCost> picture = (*studio)->measure(run.pairs);
+            costs->insert(costs->begin(), picture.begin(), picture.end());
+        } else {
+            log_warning("effects of the picture are left out: {}", studio.error().message);
+        }
+    }
+    std::cout << study::effects_text(run, *costs);
+    std::cout << fmt::format(
+                     "Pictures are {} x {}, their ms are of the wall.\n", kWidth_px, kHeight_px)
+              << std::flush;
+    return interrupted() ? ExitCode::Interrupted : ExitCode::Good;
+}
+
+}  // namespace plumbline::game

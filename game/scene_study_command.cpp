@@ -1,0 +1,119 @@
+#include "game/scene_study_command.h"
+
+#include "engine/core/files.h"
+#include "engine/core/log.h"
+#include "engine/scene/scene_file.h"
+#include "engine/study/any_scene/study_cache.h"
+#include "engine/study/machine.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <iostream>
+
+namespace plumbline::game {
+namespace {
+
+/// One line that is written over on a terminal, and a line per stage elsewhere.
+class ProgressLine {
+public:
+    void show(const study::StudyProgress& progress) {
+        constexpr int kBar = 24;
+        if (!terminal_) {
+            if (progress.doing == doing_) return;
+            doing_ = progress.doing;
+            std::cerr << fmt::format("{} (about {:.0f} s left)\n", doing_, progress.left_s);
+            return;
+        }
+        const auto full = static_cast<int>(progress.share * kBar);
+        std::cerr << fmt::format("\r[{:#<{}}{:.<{}}] {:3.0f} % {:4.0f} s left  {:<40}",
+                                 "",
+                                 full,
+                                 "",
+                                 kBar - full,
+                                 progress.share * 100.0,
+                                 progress.left_s,
+                                 progress.doing)
+                  << std::flush;
+        shown_ = true;
+    }
+    ~ProgressLine() {
+        if (shown_) std::cerr << "\r\033[K" << std::flush;
+    }
+    ProgressLine() = default;
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+private:
+    bool terminal_{isatty(STDERR_FILENO) == 1};
+    bool shown_{false};
+    std::string doing_;
+};
+
+Result<std::uint64_t> content_hash(const std::filesystem::path& scene) {
+    const Result<DataFolders> folders = find_data_folders();
+    if (!folders) return folders.error();
+    Diagnostics faults;
+    const Result<scene::SceneDescription> description =
+        scene::load_scene(scene, folders->assets, faults);
+    for (const Diagnostic& fault : faults.list())
+        log_line(fault.severity == Severity::Error ? LogLevel::Error : LogLevel::Warning,
+                 to_string(fault));
+    if (!description) return description.error();
+    return description->content_hash;
+}
+
+/// The kept one serves where it is whole and of the asked-for length.
+std::optional<study::SceneStudy> kept_study(const SceneStudyCommand& command,
+                                            const std::filesystem::path& folder,
+                                            const study::StudyKey& key) {
+    if (!command.wish.tolerance && !command.wish.budget_ms) return {};
+    std::optional<study::CachedStudy> kept = study::find_study(folder, key);
+    if (!kept || kept->grid != study::GridSize::Full) return {};
+    if (command.seconds && std::abs(*command.seconds - kept->study.seconds) > 1e-3) return {};
+    std::cerr << fmt::format("from the study of {}\n", kept->made_on);
+    return std::move(kept->study);
+}
+
+void print(const SceneStudyCommand& command, const study::SceneStudy& study) {
+    if (!study.complete) std::cout << "Interrupted: this is what was done by then.\n";
+    if (command.wish.tolerance || command.wish.budget_ms) {
+        std::cout << study::wish_text(study, command.wish);
+    } else {
+        std::cout << study::scene_study_text(study);
+    }
+    std::cout << std::flush;
+}
+
+}  // namespace
+
+Result<study::SceneStudy> run_scene_study(const SceneStudyCommand& command) {
+    const Result<std::uint64_t> hash = content_hash(command.scene);
+    if (!hash) return hash.error();
+    const study::StudyKey key = study::study_key(*hash);
+    const std::filesystem::path folder = study::study_cache_folder();
+    if (std::optional<study::SceneStudy> kept = kept_study(command, folder, key)) {
+        print(command, *kept);
+        return std::move(*kept);
+    }
+    Result<study::SceneStudy> made = [&] {
+        ProgressLine line;
+        return study::study_scene(
+            {.scene = command.scene,
+             .seconds = command.seconds,
+             .workers = study::default_workers(),
+             .progress = [&](const study::StudyProgress& progress) { line.show(progress); }});
+    }();
+    if (!made) return made;
+    print(command, *made);
+    if (!made->complete || made->subject.points.empty()) return made;
+    const Result<Done> kept = study::keep_study(
+        folder,
+        key,
+        {.study = *made, .grid = study::GridSize::Full, .made_on = study::today_text()});
+    if (!kept) log_warning("the study is not kept: {}", kept.error().message);
+    return made;
+}
+
+}  // namespace plumbline::game
