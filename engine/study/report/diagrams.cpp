@@ -2,6 +2,8 @@
 
 #include "engine/study/pareto.h"
 #include "engine/study/report/html_text.h"
+#include "engine/study/report/knob_lines.h"
+#include "engine/study/report/setting_names.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +11,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
-#include <tuple>
 
 namespace plumbline::study {
 
@@ -43,27 +43,6 @@ std::string_view color_of(physics::Solver solver) {
 /// gnuplot's filled symbols, the open one of each one less: square, disc, triangles, diamond, pentagon.
 constexpr std::array<int, 6> kFilled{7, 5, 9, 13, 11, 15};
 
-using Family = std::tuple<physics::Solver, Precision, int, int, int>;
-
-Family family_of(const Setting& setting) {
-    return {setting.solver,
-            setting.precision,
-            setting.substeps,
-            setting.substeps == 0 ? setting.substeps_max : 0,
-            setting.iterations};
-}
-
-/// The families in a fixed order, each with its points by falling step.
-std::map<Family, std::vector<const Point*>> families_of(const Subject& subject) {
-    std::map<Family, std::vector<const Point*>> families;
-    for (const Point& point : subject.points) families[family_of(point.setting)].push_back(&point);
-    for (auto& [family, points] : families) {
-        std::ranges::stable_sort(
-            points, {}, [](const Point* point) { return point->setting.step_hz; });
-    }
-    return families;
-}
-
 std::optional<double> first_error(const Point& point) {
     if (point.status != RunStatus::Done || point.errors.empty()) return std::nullopt;
     return drawn_error(point.errors.front(), point.setting.precision);
@@ -71,27 +50,6 @@ std::optional<double> first_error(const Point& point) {
 
 bool has_cost(const Point& point) {
     return std::isfinite(point.cost.ms_per_s_min) && point.cost.ms_per_s_min > 0;
-}
-
-/// A family's line: colour by solver, dashes and open symbols for float64, symbols by effort.
-Curve family_curve(const Setting& setting, std::size_t rank) {
-    const bool is_double = setting.precision == Precision::Float64;
-    Curve curve;
-    curve.name = family_name(setting);
-    curve.color = color_of(setting.solver);
-    curve.dash = is_double ? Dash::Dashed : Dash::Solid;
-    curve.symbol = kFilled[rank % kFilled.size()] - (is_double ? 1 : 0);
-    return curve;
-}
-
-/// Families of one solver are told apart by symbols, in order of effort.
-std::size_t rank_of(std::map<physics::Solver, std::set<std::tuple<int, int, int>>>& seen,
-                    const Setting& setting) {
-    auto& efforts = seen[setting.solver];
-    const std::tuple<int, int, int> effort{
-        setting.substeps, setting.substeps_max, setting.iterations};
-    efforts.insert(effort);
-    return static_cast<std::size_t>(std::distance(efforts.begin(), efforts.find(effort)));
 }
 
 struct Extent {
@@ -111,10 +69,6 @@ std::string plain_tick(double value) {
 std::string error_tick(double value) {
     if (value < 0.9e-5) return fmt::format("{:.0e}", value);
     return error_text(value);
-}
-
-std::string rate_text(const Setting& setting) {
-    return fmt::format("{} Hz", setting.step_hz);
 }
 
 Axis error_axis(const Subject& subject, Extent errors) {
@@ -166,7 +120,7 @@ void add_rings(Plot& plot, const Subject& subject) {
         const auto error = first_error(point);
         if (error && has_cost(point)) {
             rings.points.push_back(
-                {point.cost.ms_per_s_min, clamped(*error), rate_text(point.setting)});
+                {point.cost.ms_per_s_min, clamped(*error), short_setting(point.setting)});
         }
     }
     if (!rings.points.empty()) plot.curves.push_back(std::move(rings));
@@ -189,19 +143,25 @@ void add_failures(Plot& plot, const Subject& subject) {
     if (!crosses.points.empty()) plot.curves.push_back(std::move(crosses));
 }
 
-void add_families(Plot& plot,
-                  const Subject& subject,
-                  double (*x_of)(const Point&),
-                  bool (*is_drawn)(const Point&)) {
-    std::map<physics::Solver, std::set<std::tuple<int, int, int>>> seen;
-    const auto families = families_of(subject);
-    for (const auto& [family, points] : families) rank_of(seen, points.front()->setting);
-    for (const auto& [family, points] : families) {
-        Curve curve = family_curve(points.front()->setting, rank_of(seen, points.front()->setting));
-        for (const Point* point : points) {
+void add_lines(Plot& plot,
+               const Subject& subject,
+               double (*x_of)(const Point&),
+               bool (*is_drawn)(const Point&)) {
+    std::map<physics::Solver, std::size_t> symbols;
+    for (const KnobLine& line : knob_lines(subject.points)) {
+        const Setting& first = line.points.front()->setting;
+        const bool is_double = first.precision == Precision::Float64;
+        const std::size_t rank = symbols[first.solver]++;
+        Curve curve;
+        curve.name = line.name;
+        curve.color = color_of(first.solver);
+        curve.dash = !line.is_of_rate ? Dash::Dotted : is_double ? Dash::Dashed : Dash::Solid;
+        curve.symbol = kFilled[rank % kFilled.size()] - (is_double ? 1 : 0);
+        for (const Point* point : line.points) {
             const auto error = first_error(*point);
-            if (error && is_drawn(*point))
+            if (error && is_drawn(*point)) {
                 curve.points.push_back({x_of(*point), clamped(*error), {}});
+            }
         }
         if (!curve.points.empty()) plot.curves.push_back(std::move(curve));
     }
@@ -243,20 +203,6 @@ std::optional<double> drawn_error(double error, Precision precision) {
     return std::max(std::abs(error), precision == Precision::Float64 ? 2.2e-16 : 1.2e-7);
 }
 
-std::string family_name(const Setting& setting) {
-    std::string name(physics::solver_name(setting.solver));
-    if (setting.substeps == 0) {
-        name += fmt::format(", up to {} sub-steps", setting.substeps_max);
-    } else if (setting.substeps > 1 || setting.solver == physics::Solver::SmallStep) {
-        name += fmt::format(" x {}", setting.substeps);
-    }
-    if (setting.iterations != 1 || setting.solver != physics::Solver::SmallStep) {
-        name += fmt::format(", {} it", setting.iterations);
-    }
-    if (setting.precision == Precision::Float64) name += ", float64";
-    return name;
-}
-
 std::optional<Plot> work_precision_plot(const Subject& subject, std::span<const PeerPoint> peers) {
     Extent costs;
     Extent errors;
@@ -283,7 +229,7 @@ std::optional<Plot> work_precision_plot(const Subject& subject, std::span<const 
     }
     plot.y = error_axis(subject, errors);
     add_peers(plot, peers);
-    add_families(plot, subject, cost_of, has_cost);
+    add_lines(plot, subject, cost_of, has_cost);
     add_rings(plot, subject);
     add_failures(plot, subject);
     return plot;
@@ -322,7 +268,7 @@ std::optional<Plot> step_plot(const Subject& subject) {
         "step that the solver takes, in milliseconds", steps.least, steps.most, 4, plain_tick);
     plot.y = error_axis(subject, errors);
     add_slopes(plot, largest_step_ms, std::min(error_at_largest, 1.0));
-    add_families(plot, subject, step_ms_of, has_step);
+    add_lines(plot, subject, step_ms_of, has_step);
     if (!floor.points.empty()) plot.curves.push_back(std::move(floor));
     return plot;
 }

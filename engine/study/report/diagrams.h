@@ -15,11 +15,9 @@ namespace plumbline::study {
 /// rounding level of the precision (1.2e-7, 2.2e-16). Empty: not a number, or infinite.
 std::optional<double> drawn_error(double error, Precision precision);
 
-/// Solver, precision, sub-steps and iterations: a line of the diagrams; along it the step changes.
-std::string family_name(const Setting& setting);
-
-/// Error of the first metric against CPU ms per simulated second: a line per family, the cheapest
-/// settings for their error ringed, runs without an answer as red crosses at the top, peers in grey,
+/// Error of the first metric against CPU ms per simulated second: a line per solver, precision
+/// and effort along which the step rate changes, a dotted one where only sub-steps or iterations do;
+/// the cheapest settings for their error ringed, runs without an answer as red crosses at the top, peers in grey,
 /// costs a frame and tolerances as guide lines. Empty: no run gave an error at a cost.
 std::optional<Plot> work_precision_plot(const Subject& subject, std::span<const PeerPoint> peers);
 

@@ -2,6 +2,7 @@
 
 #include "engine/study/pareto.h"
 #include "engine/study/report/html_text.h"
+#include "engine/study/report/setting_names.h"
 
 #include <fmt/format.h>
 
@@ -28,10 +29,7 @@ struct Contender {
 std::vector<Contender> contenders_of(const Subject& subject) {
     std::vector<Contender> contenders;
     for (const Point& point : subject.points) {
-        const std::string name =
-            fmt::format("{}{}",
-                        physics::solver_name(point.setting.solver),
-                        point.setting.precision == Precision::Float64 ? ", float64" : "");
+        const std::string name = contender_name(point.setting);
         auto found = std::ranges::find(contenders, name, &Contender::name);
         if (found == contenders.end()) {
             contenders.push_back({name, {}});
@@ -40,15 +38,6 @@ std::vector<Contender> contenders_of(const Subject& subject) {
         found->points.push_back(point);
     }
     return contenders;
-}
-
-std::string short_setting(const Setting& setting) {
-    std::string text = fmt::format("{} Hz", setting.step_hz);
-    if (setting.substeps == 0) text += fmt::format(" x 1-{}", setting.substeps_max);
-    if (setting.substeps > 1) text += fmt::format(" x {}", setting.substeps);
-    const bool is_ours = setting.solver == physics::Solver::SmallStep;
-    if (!is_ours || setting.iterations != 1) text += fmt::format(", {} it", setting.iterations);
-    return text;
 }
 
 std::string cell(const std::string& text) {

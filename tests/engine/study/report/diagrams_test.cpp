@@ -1,5 +1,6 @@
 #include "engine/study/report/diagrams.h"
 
+#include "engine/study/report/setting_names.h"
 #include "tests/engine/study/report/sample_findings.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ TEST(DrawnError, ZeroIsDrawnWhereArithmeticEnds) {
     EXPECT_FALSE(drawn_error(HUGE_VAL, Precision::Float32));
 }
 
-TEST(WorkPrecision, EveryPointIsOnTheLineOfItsFamily) {
+TEST(WorkPrecision, EveryPointIsOnTheLineOfItsRate) {
     const Subject subject = test::sample_subject("A01");
     const auto plot = work_precision_plot(subject, {});
     ASSERT_TRUE(plot);
@@ -44,16 +45,6 @@ TEST(WorkPrecision, EveryPointIsOnTheLineOfItsFamily) {
         EXPECT_LT(plot->y.least, point.errors.front());
         EXPECT_GT(plot->y.most, point.errors.front());
     }
-}
-
-TEST(WorkPrecision, FamiliesAreNamedByWhatTellsThemApart) {
-    EXPECT_EQ(family_name({.substeps = 4}), "small_step x 4");
-    EXPECT_EQ(family_name({.substeps = 0, .substeps_max = 16}), "small_step, up to 16 sub-steps");
-    EXPECT_EQ(family_name({.solver = physics::Solver::BulletSi,
-                           .substeps = 1,
-                           .iterations = 10,
-                           .precision = Precision::Float64}),
-              "bullet_si, 10 it, float64");
 }
 
 TEST(WorkPrecision, RingsAreThePointsThatNobodyBeats) {

@@ -52,7 +52,7 @@ TEST(Tables, RunsWithoutAnswerAreRedAndSayWhy) {
 TEST(Tables, TheVerdictLineNamesTheCheapestAndWhoFails) {
     // 2 % at 60 Hz and first order: 1 % at 120 Hz, for 0.02 ms/s at 60 Hz twice that.
     EXPECT_EQ(verdict_line(test::sample_subject("A01")),
-              "1 % costs 0.04 ms/s with small_step at 120 Hz; small_step, float64 0.04; "
+              "1 % costs 0.04 ms/s with small_step at 120 Hz x 1; small_step, float64 0.04; "
               "not with bullet_si.");
     EXPECT_EQ(verdict_line(Subject{}), "No runs.");
     Subject hopeless = test::sample_subject("A01");
@@ -65,7 +65,7 @@ TEST(Tables, TheVerdictLineNamesTheCheapestAndWhoFails) {
 TEST(Tables, CostsAndBudgetsPerSolver) {
     const std::string tables = cost_tables(test::sample_subject("A01"));
     EXPECT_EQ(count_of(tables, "not reached"), 3U);  // bullet_si: 7 % at best 6 %
-    EXPECT_TRUE(holds(tables, "<b>0.01</b> ms/s <span class=\"soft\">30 Hz</span>"));
+    EXPECT_TRUE(holds(tables, "<b>0.01</b> ms/s <span class=\"soft\">30 Hz x 1</span>"));
     EXPECT_TRUE(holds(tables, "0.0312 % <span class=\"soft\">960 Hz x 4</span>"));
     EXPECT_EQ(cost_tables(Subject{}), "");
 }
