@@ -153,7 +153,7 @@ def large():
     for i in range(10):
         scene.body(f"box_{i}", box(1, 1, 1), (3 * (i % 4) - 4.4, 0.6 + 0.05 * i, 3 * (i // 4) - 3.2))
     scene.rule("speed_mps", below=0.005, from_s=5)
-    scene.rule("height_m", above=0.49)
+    scene.rule("height_m", near=(0.5, 0.01), from_s=5)
     return scene
 
 
@@ -331,16 +331,16 @@ def marble():
 
 def balanced():
     scene = Scene("H65", "a cone on its tip and a coin on its edge",
-                  "Both stand a degree off upright, fall over smoothly and lie down.",
+                  "Both stand three degrees off upright, fall over smoothly and lie down.",
                   "Bullet #2148: wrong moments from the margin", 8, (2.5, 2, 4.5), (0, 0.5, 0), settled=7,
                   penetration=0.002, shadow=12)
     scene.ground()
-    off = math.radians(1)
+    off = math.radians(3)
     scene.body("cone", "cone = [0.5, 1.0]", (-1.2, 0.5, 0), turn=about_z(math.pi - off), material="paint_orange",
                more="rolling_friction = 0.01\n")
     scene.body("coin", cylinder(0.5, 0.02), (1, 0.5, 0), turn=about_x(math.pi / 2 - off), material="iron",
                more="rolling_friction = 0.005\n")
-    scene.rule("up_speed_mps", below=0.5)
+    scene.rule("up_speed_mps", below=1)
     scene.rule("tilt_deg", "cone", above=45, from_s=8)
     scene.rule("height_m", "coin", below=0.03, from_s=8)
     return scene

@@ -234,9 +234,12 @@ class Scene:
         when += f", until {number(rule['to_s'])} s" if rule["to_s"] else ""
         return f"{rule['measure']}{of}{against} {limit}{when}"
 
+    def rules_in_words(self):
+        return [self._in_words(rule) for rule in self.rules]
+
     def _comment(self):
         general = self.general
-        rules = [self._in_words(rule) for rule in self.rules]
+        rules = self.rules_in_words()
         rules.append(f"and as every case: all finite, penetration below "
                      f"{number(general['penetration_m'])} m from {number(general['settled_s'])} s")
         gain = number(100 * general.get("energy_gain", 0.01))

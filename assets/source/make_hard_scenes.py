@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes assets/scenes/hard/*.toml, the gallery of hard cases, and assets/models/hard/*.obj.
+"""Writes assets/scenes/hard/*.toml, the gallery of hard cases, their models and docs/GALLERY.md.
 
     python3 assets/source/make_hard_scenes.py
 """
@@ -8,6 +8,7 @@ import pathlib
 import hard_contacts
 import hard_joints
 import hard_motion
+import hard_page
 import hard_stacks
 
 ASSETS = pathlib.Path(__file__).resolve().parent.parent
@@ -16,12 +17,16 @@ ASSETS = pathlib.Path(__file__).resolve().parent.parent
 def main():
     models = ASSETS / "models" / "hard"
     folder = ASSETS / "scenes" / "hard"
-    for made in (models, folder):
+    docs = ASSETS.parent / "docs"
+    for made in (models, folder, docs):
         made.mkdir(parents=True, exist_ok=True)
     hard_contacts.write_models(models)
-    for part in (hard_stacks, hard_joints, hard_contacts, hard_motion):
-        for scene in part.scenes():
-            scene.write(folder)
+    scenes = [scene for part in (hard_stacks, hard_joints, hard_contacts, hard_motion)
+              for scene in part.scenes()]
+    for scene in scenes:
+        scene.write(folder)
+    scenes.sort(key=lambda scene: scene.id)
+    (docs / "GALLERY.md").write_text(hard_page.page(scenes), encoding="utf-8")
 
 
 if __name__ == "__main__":

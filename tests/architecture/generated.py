@@ -18,6 +18,7 @@ SCENES = "assets/scenes"
 SCRIPTS = {
     "make_bench_scenes.py": None,
     "make_garden.py": "garden.toml",
+    "make_hard_scenes.py": None,
     "make_peer_scenes.py": None,
     "make_playroom.py": None,
 }
@@ -27,6 +28,8 @@ def run(script, printed_to, folder):
     """What is wrong with the run of one script, or None."""
     copy = folder / SOURCE / script
     shutil.copy(ROOT / SOURCE / script, copy)
+    for part in (ROOT / SOURCE).glob("hard_*.py"):  # what make_hard_scenes.py is made of
+        shutil.copy(part, folder / SOURCE)
     done = subprocess.run([sys.executable, "-B", str(copy)], cwd=folder, capture_output=True,
                           text=True, check=False, timeout=60)
     if done.returncode != 0:
@@ -37,8 +40,10 @@ def run(script, printed_to, folder):
 
 
 def differences(folder):
-    """How the repository's scenes differ from those in `folder`."""
-    for made in sorted((folder / SCENES).rglob("*.toml")):
+    """How the repository's scenes differ from those in `folder`; their models and pages too."""
+    for made in sorted(folder.rglob("*")):
+        if made.suffix not in (".toml", ".obj", ".md"):
+            continue
         name = made.relative_to(folder)
         if not (ROOT / name).is_file():
             yield f"{name}: a script writes it, but it is not in the repository"

@@ -1,0 +1,50 @@
+"""docs/GALLERY.md: what the gallery of hard cases holds, and what of PHYSICS.md it does not."""
+
+INTRODUCTION = """# The gallery of hard cases
+
+Scenes that are known to make physics engines fall over, fly apart, tunnel or creep, each with its own
+pass rule in numbers. `assets/source/make_hard_scenes.py` writes them and this page; the rules' words are
+explained in [SCENE-FORMAT.md](SCENE-FORMAT.md#hard-cases).
+
+```
+plumbline stability                            # every case of the CI tier, every solver
+plumbline stability H05 H30 --solver small_step
+plumbline stability --tier all --rates --out DIR   # the long ones too, at 30, 60 and 240 Hz; JSON and a page
+plumbline play hard/H05                        # walk round in one; its rules stand on the screen
+```
+
+Every solver runs at the game's setting: 60 Hz and the default preset. A case passes when every rule of its own
+holds to the end, all bodies stay finite, none falls out of the world, the deepest contact after settling stays
+under 2 % of the smallest edge (or what the case says), and the energy never rises 1 % above its start where
+nothing feeds energy in. `stability` ends with exit code 0 once it ran; with `--expect-green` with 5 when small_step
+fails a case without a `known_red` that says why.
+
+| case | shows | passes | known to fail |
+|---|---|---|---|
+"""
+
+LEFT_OUT = """
+Long cases (nightly tier): {nightly}.
+
+## What is not here
+
+| row | why |
+|---|---|
+| H83 | the slope of a heap has no closed form; it needs a converged reference, which `plumbline study` makes for any scene |
+| H88 | a scene steps at one rate; `tests/scenarios/families/life_test.cpp` steps unevenly |
+| H89 | it compares several runs; the same file does, bit for bit |
+| H90 | there are no vehicles |
+| C01 to C14 | the walking character is tested in `tests/engine/physics/character_test.cpp` |
+
+Smaller than the row asks, so that they load without a warning or end in minutes: H12 is 99 wide, not 100; H31b is 40
+by 40, not 100 by 100, and 10 s, not 10 000 steps; H34 has 9 ragdolls, not 32. In H73 the tower beside the faulty bodies is
+held to standing still; that it is bit-identical is a test (`odd_contact_test.cpp`). The planks of H14 stand in an
+order of our own.
+"""
+
+
+def page(scenes):
+    rows = [f"| {scene.id} | {scene.title}: {scene.shows} | {'; '.join(scene.rules_in_words())}; "
+            f"{scene.seconds:g} s | {scene.known} |" for scene in scenes]
+    nightly = ", ".join(scene.id for scene in scenes if scene.tier == "nightly")
+    return INTRODUCTION + "\n".join(rows) + "\n" + LEFT_OUT.format(nightly=nightly)
