@@ -172,6 +172,7 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
                                              .bindings = latch.bindings(),
                                              .device = latch.last_device(),
                                              .ledger = ledger_,
+                                             .judge = session_.judge.get(),
                                              .sound_silent = mixer_ && mixer_->silent(),
                                              .show_hints = def_.config.hints,
                                              .lines_not_shown = frame.lines.not_shown,

@@ -7,6 +7,7 @@
 #include "engine/input/action_latch.h"
 #include "engine/platform/window.h"
 #include "engine/scene/game.h"
+#include "engine/study/gallery/hard_case_judge.h"
 
 #include <memory>
 #include <string>
@@ -34,6 +35,7 @@ struct OverlayInput {
     const input::Bindings& bindings;
     input::LastDevice device;
     const std::vector<effects::LedgerLine>& ledger;
+    const study::HardCaseJudge* judge{nullptr};  ///< of a hard case; null: no such scene
     bool sound_silent{false};
     bool show_hints{true};
     std::size_t lines_not_shown{0};

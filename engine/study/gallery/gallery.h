@@ -54,7 +54,4 @@ std::string case_result_json(const CaseResult& result);
 /// Refused: text that is not what case_result_json() writes.
 Result<CaseResult> parse_case_result(const std::string& json);
 
-/// "63 % inside", "12 x outside": how a margin is told.
-std::string margin_text(double margin);
-
 }  // namespace plumbline::study

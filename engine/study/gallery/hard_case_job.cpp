@@ -151,11 +151,4 @@ Result<CaseResult> parse_case_result(const std::string& text) {
     }
 }
 
-std::string margin_text(double margin) {
-    if (!std::isfinite(margin)) return "gone";
-    if (margin >= 0) return fmt::format("{:.0f} % inside", std::min(margin, 10.0) * 100);
-    if (margin > -10) return fmt::format("{:.0f} % outside", -margin * 100);
-    return fmt::format("{:.3g} x outside", -margin);
-}
-
 }  // namespace plumbline::study
