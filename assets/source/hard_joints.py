@@ -128,7 +128,7 @@ def ragdolls():
         scene.fixed(f"pit_{name}", box(*size), at, material="glass" if name == "front" else "brick")
     for i in range(8):
         add_ragdoll(scene, f"doll_{i}", (-0.5 + 1.0 * (i % 2), 2.2 + 1.9 * (i // 4), -0.5 + 1.0 * (i // 2 % 2)))
-    add_ragdoll(scene, "struck", (4, 0.95, 0))
+    add_ragdoll(scene, "struck", (4, 0.98, 0))
     scene.body("shot", ball(0.2), (4, 1.3, -6), 20.0, velocity=(0, 0.5, 30), material="iron")
     scene.rule("joint_gap_m", below=0.0873)
     scene.rule("speed_mps", below=60)
