@@ -91,6 +91,16 @@ TEST(Gallery, ARunSaysTheSameTwice) {
         EXPECT_EQ(first->rules[i].value, second->rules[i].value) << first->rules[i].text;
 }
 
+TEST(Gallery, ARunThatTakesTooLongIsGivenUp) {
+    const Result<CaseResult> result =
+        run_case({.scene = kAssets / "scenes/hard/H11.toml", .cpu_limit_s = 1e-6});
+    ASSERT_TRUE(result.ok());
+    EXPECT_TRUE(result->ran);
+    EXPECT_FALSE(result->passed);
+    EXPECT_NE(result->why.find("given up"), std::string::npos) << result->why;
+    EXPECT_NEAR(result->simulated_s, 1.0 / 60, 1e-9);
+}
+
 TEST(Stability, CasesAreFoundByTheirIds) {
     const std::vector<CaseEntry> all{entry("H01"), entry("H05"), entry("H12b")};
     const auto two = select_cases(all, {"hard/H05", "h12b.toml"}, false);
@@ -137,8 +147,8 @@ TEST(Stability, JobsRefuseWithAReason) {
     for (const std::string body :
          {"",
           "{}",
-          R"({"scene": "x.toml", "solver": "best", "step_hz": 60})",
-          R"({"scene": "none.toml", "solver": "small_step", "step_hz": 60})"}) {
+          R"({"scene": "x.toml", "solver": "best", "step_hz": 60, "cpu_limit_s": 1})",
+          R"({"scene": "none.toml", "solver": "small_step", "step_hz": 60, "cpu_limit_s": 1})"}) {
         const Result<CaseResult> answer = parse_case_result(run_hard_case_job(body));
         ASSERT_TRUE(answer.ok()) << body;
         EXPECT_FALSE(answer->ran || answer->passed) << body;
