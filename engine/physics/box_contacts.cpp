@@ -6,10 +6,13 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 
 #include <algorithm>
+#include <array>
 #include <new>
+#include <span>
 
 namespace plumbline::physics {
 namespace {
@@ -119,9 +122,35 @@ private:
     static constexpr btScalar kNear = btScalar(0.2);
 };
 
-class BallBoxAlgorithm final : public OneManifold {
+/// A ball or a capsule against a box.
+class RoundBoxAlgorithm : public OneManifold {
 public:
     using OneManifold::OneManifold;
+
+protected:
+    /// Puts the points of balls at `centers` that are within reach into the manifold.
+    void touch(std::span<const Vec3> centers,
+               Real radius_m,
+               const OrientedBox& box,
+               bool round_first,
+               btManifoldResult& result) {
+        const OldPoints old(manifold());
+        for (const Vec3& center : centers) {
+            const BallContact found = collide_ball_box(center, radius_m, box);
+            if (found.distance_m > reach_m()) continue;
+            const Vec3 normal = round_first ? found.normal : -found.normal;
+            // Of the second body: the box's, or the ball's lowest.
+            const Vec3 on_second =
+                round_first ? found.on_box : found.on_box + found.normal * found.distance_m;
+            result.addContactPoint(to_bullet(normal), to_bullet(on_second), found.distance_m);
+        }
+        old.give(manifold(), BT_LARGE_FLOAT);
+    }
+};
+
+class BallBoxAlgorithm final : public RoundBoxAlgorithm {
+public:
+    using RoundBoxAlgorithm::RoundBoxAlgorithm;
 
     void processCollision(const btCollisionObjectWrapper* first,
                           const btCollisionObjectWrapper* second,
@@ -134,18 +163,44 @@ public:
         const btCollisionObjectWrapper& box = ball_first ? *second : *first;
         const Real radius_m =
             static_cast<const btSphereShape&>(*ball.getCollisionShape()).getRadius();
-        const BallContact found = collide_ball_box(
-            from_bullet(ball.getWorldTransform().getOrigin()), radius_m, box_of(box));
-        const OldPoints old(manifold());
-        if (found.distance_m <= reach_m()) {
-            const Vec3 normal = ball_first ? found.normal : -found.normal;
-            // Of the second body: the box's, or the ball's lowest.
-            const Vec3 on_second =
-                ball_first ? found.on_box : found.on_box + found.normal * found.distance_m;
-            result->addContactPoint(to_bullet(normal), to_bullet(on_second), found.distance_m);
-        }
-        old.give(manifold(), BT_LARGE_FLOAT);
+        const Vec3 center = from_bullet(ball.getWorldTransform().getOrigin());
+        touch({&center, 1}, radius_m, box_of(box), ball_first, *result);
     }
+};
+
+class CapsuleBoxAlgorithm final : public RoundBoxAlgorithm {
+public:
+    using RoundBoxAlgorithm::RoundBoxAlgorithm;
+
+    void processCollision(const btCollisionObjectWrapper* first,
+                          const btCollisionObjectWrapper* second,
+                          const btDispatcherInfo&,
+                          btManifoldResult* result) override {
+        result->setPersistentManifold(&manifold());
+        const bool capsule_first =
+            first->getCollisionShape()->getShapeType() == CAPSULE_SHAPE_PROXYTYPE;
+        const btCollisionObjectWrapper& wrap = capsule_first ? *first : *second;
+        const auto& capsule = static_cast<const btCapsuleShape&>(*wrap.getCollisionShape());
+        const OrientedBox box = box_of(capsule_first ? *second : *first);
+        const btTransform& at = wrap.getWorldTransform();
+        const Vec3 middle = from_bullet(at.getOrigin());
+        const Vec3 half =
+            from_bullet(at.getBasis().getColumn(capsule.getUpAxis())) * capsule.getHalfHeight();
+        std::array<Vec3, 3> centers{middle - half, middle + half, middle};
+        centers[2] = middle + half * (2 * nearest_on_segment(centers[0], centers[1], box) - 1);
+        const auto distance_m = [&](const Vec3& center) {
+            return collide_ball_box(center, 0, box).distance_m;
+        };
+        // Nearer than both ends: an edge or a corner between them.
+        const bool between =
+            distance_m(centers[2]) < std::min(distance_m(centers[0]), distance_m(centers[1])) -
+                                         kNearer * capsule.getRadius();
+        touch(
+            {centers.data(), between ? 3U : 2U}, capsule.getRadius(), box, capsule_first, *result);
+    }
+
+private:
+    static constexpr Real kNearer = 1e-3_r;
 };
 
 template <class Algorithm>
@@ -164,14 +219,16 @@ struct Maker final : btCollisionAlgorithmCreateFunc {
 BoxContacts::BoxContacts(btCollisionDispatcher& dispatcher)
     : makers_{std::make_unique<Maker<BoxesAlgorithm>>(),
               std::make_unique<Maker<BallBoxAlgorithm>>(),
-              std::make_unique<Maker<BallBoxAlgorithm>>()} {
+              std::make_unique<Maker<CapsuleBoxAlgorithm>>()} {
     const auto meet = [&](int first, int second, std::size_t maker) {
         dispatcher.registerCollisionCreateFunc(first, second, makers_[maker].get());
         dispatcher.registerClosestPointsCreateFunc(first, second, makers_[maker].get());
     };
     meet(BOX_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, 0);
     meet(SPHERE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, 1);
-    meet(BOX_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE, 2);
+    meet(BOX_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE, 1);
+    meet(CAPSULE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, 2);
+    meet(BOX_SHAPE_PROXYTYPE, CAPSULE_SHAPE_PROXYTYPE, 2);
 }
 
 }  // namespace plumbline::physics

@@ -1,7 +1,8 @@
-// Contacts of boxes with boxes and balls. Private to the physics module.
+// Contacts of boxes with boxes, balls and capsules. Private to the physics module.
 //
 // Bullet 3.24's boxes have no points before they overlap, and lose corners when more than four are
-// to choose from; its balls meet boxes by an iteration that now and then ends at a wrong normal.
+// to choose from; its balls meet boxes by an iteration that now and then ends at a wrong normal, and
+// its capsules so with one point a step.
 #pragma once
 
 #include <btBulletCollisionCommon.h>

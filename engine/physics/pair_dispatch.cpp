@@ -64,6 +64,58 @@ btScalar closing_mps(const btPersistentManifold& manifold, const btManifoldPoint
            std::max(btScalar(0), record_of(b).jolt.change_mps.dot(normal));
 }
 
+/// Radius of a body that is round all over or about an axis, 0 of others.
+btScalar roundness_m(const btCollisionObject& object) {
+    const btCollisionShape* shape = object.getCollisionShape();
+    if (shape->getShapeType() == SPHERE_SHAPE_PROXYTYPE)
+        return static_cast<const btSphereShape*>(shape)->getRadius();
+    if (shape->getShapeType() == CAPSULE_SHAPE_PROXYTYPE)
+        return static_cast<const btCapsuleShape*>(shape)->getRadius();
+    return 0;
+}
+
+bool is_face_of_box(const btCollisionObject& box, const btVector3& normal) {
+    constexpr btScalar kAlong = btScalar(0.9999);
+    for (int k = 0; k < 3; ++k) {
+        if (std::abs(box.getWorldTransform().getBasis().getColumn(k).dot(normal)) > kAlong)
+            return true;
+    }
+    return false;
+}
+
+/// Whether a ball or capsule that is near a box's edge goes by: one that slides over the seam
+/// between two boxes must not bump into the edge of the next, which it only looks at from below.
+bool passes_edge(const btPersistentManifold& manifold,
+                 const btManifoldPoint& point,
+                 btScalar step_s) {
+    constexpr btScalar kTouch = btScalar(0.005);  // of the radius, as is the next
+    constexpr btScalar kFar = btScalar(0.1);
+    const btCollisionObject* round = manifold.getBody0();
+    const btCollisionObject* box = manifold.getBody1();
+    btVector3 out = point.m_normalWorldOnB;
+    btVector3 edge = point.getPositionWorldOnB();
+    if (box->getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE) {
+        std::swap(round, box);
+        out = -out;
+        edge = point.getPositionWorldOnA();
+    }
+    const btScalar radius = roundness_m(*round);
+    if (radius <= 0 || box->getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE ||
+        point.getDistance() < -kTouch * radius || is_face_of_box(*box, out))
+        return false;
+    const btVector3 center = edge + out * (radius + point.getDistance());
+    const auto& a = static_cast<const btRigidBody&>(*round);
+    const auto& b = static_cast<const btRigidBody&>(*box);
+    const btVector3 way = (a.getVelocityInLocalPoint(center - a.getWorldTransform().getOrigin()) -
+                           b.getVelocityInLocalPoint(edge - b.getWorldTransform().getOrigin())) *
+                          step_s;
+    const btScalar length2 = way.length2();
+    if (length2 < kFar * kFar * radius * radius) return false;
+    const btVector3 apart = center - edge;
+    const btScalar nearest = std::clamp(-apart.dot(way) / length2, btScalar(0), btScalar(1));
+    return (apart + way * nearest).length() > radius * (1 - kTouch);
+}
+
 void keep_larger(Jolt& jolt, const btVector3& change, bool backed) {
     if (change.length2() > jolt.change_mps.length2()) jolt = {change, backed, false};
 }
@@ -222,6 +274,10 @@ void PairMeeting::collide(Pair& pair) {
 void PairMeeting::drop_unreachable(btPersistentManifold& manifold, btScalar base_m) const {
     for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
         const btManifoldPoint& point = manifold.getContactPoint(i);
+        if (passes_edge(manifold, point, step_.step_s)) {
+            manifold.removeContactPoint(i);
+            continue;
+        }
         const btScalar closing = std::max(btScalar(0), closing_mps(manifold, point));
         const btScalar drift2 =
             (point.getPositionWorldOnA() - point.getPositionWorldOnB()).length2() -

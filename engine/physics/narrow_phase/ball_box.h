@@ -15,4 +15,8 @@ struct BallContact {
 /// Exact to rounding at any distance.
 BallContact collide_ball_box(const Vec3& center, Real radius_m, const OrientedBox& box);
 
+/// Where along the segment between two points a ball would be nearest to the box: 0 at `from`, 1 at
+/// `to`. Distance to a convex thing is convex along a line: found by golden section.
+Real nearest_on_segment(const Vec3& from, const Vec3& to, const OrientedBox& box);
+
 }  // namespace plumbline::physics
