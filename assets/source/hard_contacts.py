@@ -102,6 +102,7 @@ def flat_mesh():
                   "Bullet's default: 10 m/s become 1.6, thrown up at 2.8 m/s, 29 degrees off; even a ball "
                   "6.6 m/s [measured, 3.24]; bullet3 #92, #1201, #676, #1853; godot #21341; rapier #95, "
                   "#404; Jolt #1155", 2.5, (4, 14, 40), (2, 0, 5), settled=1)
+    scene.ground(top=-0.5)
     for lane, z, turn in (("along", -8, None), ("askew", 17, about_y(math.radians(30)))):
         scene.fixed(f"mesh_{lane}", model("flat"), (0, 0, z), material="flagstone", friction=0.0, turn=turn)
         scene.body(f"box_{lane}", box(1, 1, 1), (-13, 0.5, z - 1.3), friction=0.0, velocity=(10, 0, 0))
@@ -117,6 +118,7 @@ def coplanar():
                   "at 10 m/s.",
                   "rapier's and Jolt's ghost hits; Box3D's GhostCollisions throw at over 0.5 m/s", 1.8,
                   (3, 7, 15), (0, 0, 0), settled=1)
+    scene.ground(top=-0.6)
     scene.parts.append('[[prefab]]\nname = "slab"\nprimitive = { box = [1, 0.5, 1] }\n'
                        'material = "flagstone"\n[prefab.body]\nkind = "static"\nfriction = 0.0\n')
     scene.array("slab", "slab", (-9.5, -0.25, -9.5), (20, 1, 20), (1, 1, 1))
@@ -133,6 +135,7 @@ def rolled():
                   "A ball rolls at 5 m/s over a mesh whose rows are shifted by half a cell: it must not "
                   "dip into a seam or be thrown.",
                   "Rapier's own bar is 5 cm", 4, (2, 5, 10), (0, 0.3, 0), settled=1)
+    scene.ground(top=-0.5)
     scene.fixed("mesh", model("seams"), (0, 0, 0), material="flagstone")
     for i in range(3):
         scene.body(f"ball_{i}", ball(0.5), (-12, 0.5, -2.1 + 2.05 * i), velocity=(5, 0, 0.1),
@@ -163,7 +166,7 @@ def thin_triangles():
                   "Box3D keeps it as NeedleMesh", 8, (4, 3.5, 7), (0, 0.3, 0), kill=-5, settled=5,
                   shadow=20)
     scene.fixed("mesh", model("needles"), (0, 0, 0), material="flagstone")
-    scene.scenery("under", box(30, 0.05, 30), (0, -0.2, 0), "gravel")
+    scene.ground(top=-1)
     for i in range(9):
         at = (0.9 * (i % 3) - 0.9, 1 + 0.3 * i, 1.5 * (i // 3) - 1.5)
         shape = (box(0.5, 0.5, 0.5), ball(0.3), capsule(0.2, 0.4))[i % 3]
@@ -179,6 +182,7 @@ def plates(name, count, tier):
                   "through.",
                   "Box3D: plates of 1 by 10 by 2 cm are known to fail with 4 sub-steps", 6, (4.5, 3.2, 6),
                   (0, 0.2, 0), tier=tier, kill=-2, settled=5, penetration=0.004, shadow=20)
+    scene.ground(top=-3)
     scene.fixed("mesh", model("waves"), (0, 0, 0), material="stone")
     scene.prefab("plate", box(0.02, 0.2, 0.04), 0.16, material="paint_orange")
     rng = random.Random(54)
@@ -199,6 +203,7 @@ def slab():
                   "(#4263)", 6, (5, 4, 8), (0, 1, 0), settled=4, kill=-10, penetration=0.0012)
     mesh = ("mesh_m = [[-10, 0, -10], [10, 0, -10], [-10, 0, 10], [10, 0, 10]], "
             "triangles = [[0, 2, 1], [1, 2, 3]]")
+    scene.ground(top=-0.5)
     scene.scenery("look", box(20, 0.02, 20), (0, -0.012, 0), "flagstone")
     scene.fixed("mesh", mesh, (0, 0, 0), hidden=True)
     scene.body("slab", box(2, 0.06, 2), (0.3, 5.03, 0.2), 24.0, material="paint_orange")
@@ -281,6 +286,7 @@ def tiles():
                   "Bodies with continuous collision on cross forty tiles at 50 m/s: they must get on, "
                   "and one that is dropped must not hang in the air.",
                   "rapier #217 and #524", 0.9, (6, 6, 14), (0, 0, 0), settled=0.8)
+    scene.ground(top=-0.5)
     scene.parts.append('[[prefab]]\nname = "tile"\nprimitive = { box = [1.2, 0.4, 6] }\n'
                        'material = "flagstone"\n[prefab.body]\nkind = "static"\nfriction = 0.0\n')
     scene.array("tile", "tile", (-23.4, -0.2, 0), (40, 1, 1), (1.2, 1, 1))
@@ -353,7 +359,7 @@ def overlapped():
                   "Bullet's split impulses and Baumgarte speeds [from its code]; Box3D keeps it", 6,
                   (4, 4, 9), (0.8, 2.5, 0), gravity=(0, 0, 0), settled=5, penetration=0.01,
                   energy_from="the overlap at the start")
-    scene.fixed("floor", box(14, 0.1, 8), (0, -0.05, 0))
+    scene.ground()
     for i in range(100):
         scene.body(f"ball_{i}", ball(0.25), (-1.5, 2.5, 0),
                    material=("paint_blue", "paint_orange", "paint_cream")[i % 3])
@@ -385,7 +391,7 @@ def phantom():
                   "Afloat, a box slides along a wall at 5 m/s, 1 mm away from it: no force may act.",
                   "mujoco #3476; Bullet's boxes have no contact before they overlap (#2646)", 2, (2, 4, 8),
                   (0, 1, 0), gravity=(0, 0, 0), settled=1, energy_scale=12.5)
-    scene.fixed("floor", box(16, 0.1, 6), (0, -0.05, 0))
+    scene.ground()
     scene.fixed("wall", box(14, 2, 0.4), (0, 1, -0.7), material="brick")
     scene.body("box", box(1, 1, 1), (-5, 1, 0.001), velocity=(5, 0, 0))
     scene.rule("impulse_Ns", "box", below=1e-6)

@@ -192,7 +192,7 @@ def singular():
                   "once with and once without limits of twist; a hinge goes round and round.",
                   "Jolt keeps ConstraintSingularity; Bullet's 6dof has a gimbal", 10, (0.5, 3.4, 8),
                   (0.3, 1.5, 0), gravity=(0, 0, 0), shadow=20)
-    scene.fixed("floor", box(9, 0.1, 4), (0, -0.05, 0))
+    scene.ground()
     for name, x, kind, more in (("free", -3, "cone", ""), ("limited", 0, "cone", "twist = [-28.6, 28.6]\n"),
                                 ("leaf", 3, "hinge", "")):
         scene.body(name, box(1, 0.1, 0.2), (x + 0.5, 1.5, 0), velocity=(0, 1, 0), spin=(0, 0, 2),
@@ -226,7 +226,7 @@ def fast_limit():
                   "1 degree.",
                   "Bullet has limit rows only when violated at set-up", 2, (1.2, 4, 9), (0.8, 1.4, 0),
                   gravity=(0, 0, 0), shadow=20)
-    scene.fixed("floor", box(10, 0.1, 5), (1, -0.05, 0))
+    scene.ground()
     scene.body("box", box(1, 1, 1), (-2, 1.5, 0.8), velocity=(50, 0, 0))
     scene.joint("slider", "box", "world", (-2, 1.5, 0.8), name="slider", axis=(1, 0, 0), limits=(-1, 3.3))
     scene.body("rod", box(1, 0.1, 0.1), (4.5, 1.5, 0), velocity=(0, 25, 0), spin=(0, 0, 50),
@@ -243,7 +243,7 @@ def motor():
                   "not have wound anything up.",
                   "PR #2145", 6, (0.8, 3, 4), (0.3, 1.5, 0), gravity=(0, 0, 0), shadow=12,
                   energy_from="the motor")
-    scene.fixed("floor", box(5, 0.1, 3), (0, -0.05, 0))
+    scene.ground()
     scene.body("leaf", box(1, 0.1, 0.5), (0.5, 1.5, 0), material="paint_orange")
     scene.joint("hinge", "leaf", "world", (0, 1.5, 0), name="hinge", axis=(0, 0, 1), limits=(-57, 57),
                 more="motor = { target = 10, max = 1e6 }\n")
@@ -260,7 +260,7 @@ def torn():
                   "Bullet's error reduction asks for 0.2 x 5 m in a step: 60 m/s [from its code]", 4,
                   (5, 5, 13), (0.5, 4, 0), gravity=(0, 0, 0), shadow=25, settled=3,
                   energy_from="the joints, which pull 5 m together")
-    scene.fixed("floor", box(14, 0.1, 6), (0, -0.05, 0))
+    scene.ground()
     scene.body("alone", box(1, 1, 1), (-4, 1.5, 0), material="paint_orange")
     scene.scenery("pin", ball(0.12), (-3, 1.5, 0), "iron")
     scene.joint("ball", "alone", "world", (-3, 1.5, 0))

@@ -66,6 +66,7 @@ def turning_mesh():
                   "A mesh of triangles turns about its middle; a box 3 m out rides on it.",
                   "PEEL keeps it as BoxOnRotatingMesh", 12, (0, 8, 14), (0, 0, 0), settled=2,
                   energy_from="the mesh")
+    scene.ground(top=-0.5)
     scene.carrier("mesh", 'model = "models/hard/seams.obj"', (0, 0, 0), material="flagstone",
                   motion=f"points_m = [], spin_degps = [0, {math.degrees(rate):.9g}, 0]")
     scene.body("box", box(1, 1, 1), (3, 0.5, 0), velocity=(0, 0, -3 * rate), spin=(0, rate, 0))
@@ -81,7 +82,7 @@ def tops():
                   "Bullet's explicit torque gains 17 %, its implicit one loses 13 % and 7 % of the "
                   "momentum [measured, 3.24]; PR #346, #357; Jolt #803; avian #993", 10, (2, 5, 12),
                   (0, 2.2, 0), gravity=(0, 0, 0), settled=5, energy_gain=0.001)
-    scene.fixed("floor", box(14, 0.1, 8), (0, -0.05, 0))
+    scene.ground()
     scene.body("plate", box(1, 0.6, 0.2), (-4, 2.2, 0), spin=(10, 1, 0), material="paint_orange")
     scene.body("rod", box(0.05, 1, 0.05), (4, 2.2, 0), spin=(5, 500, 0), material="paint_blue")
     scene.prefab("block", box(0.2, 0.3, 0.4), 1.0)
@@ -101,7 +102,7 @@ def bounce_house():
                   "Box3D keeps it; Jolt PR #545; rapier #974, #919; bullet3 #1530, #4341", 20,
                   (14, 12, 26), (0, 9, 0), gravity=(0, 0, 0), settled=19, energy_gain=0.001, shadow=60,
                   penetration=0.1)
-    scene.fixed("floor", box(20, 0.1, 20), (0, -0.05, 0))
+    scene.ground(top=-0.1)
     for axis in range(3):
         for side in (-1, 1):
             at, size = [0.0, 10.0, 0.0], [24, 24, 24]
@@ -128,7 +129,7 @@ def confined():
                   "within 10 s they lie still.",
                   "Box2D keeps Confined, Rush", 12, (5, 5, 9), (0, 2, 0), gravity=(0, 0, 0), settled=10,
                   energy_from="the overlap at the start")
-    scene.fixed("floor", box(10, 0.1, 8), (0, -0.25, 0))
+    scene.ground(top=-0.21)
     room = 4.2
     for axis in range(3):
         for side in (-1, 1):

@@ -22,6 +22,8 @@ gravity_mps2 = {gravity}
 {kill}
 [player]
 position_m = {player}
+yaw_deg = {yaw}
+pitch_deg = {pitch}
 
 [camera]
 position_m = {camera}
@@ -113,6 +115,10 @@ class Scene:
         away = 1.15
         self.player = player or (target[0] + away * (camera[0] - target[0]), 0,
                                  target[2] + away * (camera[2] - target[2]))
+        to_x, to_z = target[0] - self.player[0], target[2] - self.player[2]
+        self.yaw_deg = math.degrees(math.atan2(-to_x, -to_z))
+        eyes = self.player[1] + 1.7
+        self.pitch_deg = math.degrees(math.atan2(target[1] - eyes, math.hypot(to_x, to_z)))
         self.kill, self.shadow = kill, shadow
         self.general = {"settled_s": seconds / 2 if settled is None else settled,
                         "penetration_m": penetration}
@@ -148,8 +154,8 @@ class Scene:
         extra = f"motion = {{ {motion} }}\n" if motion else ""
         self.fixed(name, shape, at, kind="kinematic", extra=extra, **options)
 
-    def ground(self, friction=0.5, restitution=0.0, material="gravel"):
-        self.fixed("ground", box(200, 2, 200), (0, -1, 0), material=material, friction=friction,
+    def ground(self, friction=0.5, restitution=0.0, material="gravel", top=0):
+        self.fixed("ground", box(200, 2, 200), (0, top - 1, 0), material=material, friction=friction,
                    restitution=restitution, shadow=False)
 
     def scenery(self, name, shape, at, material="paint_cream", turn=None):
@@ -228,8 +234,8 @@ class Scene:
         of = " of " + ", ".join(rule["of"]) if rule["of"] else ""
         against = f" against {rule['relative_to']}" if rule["relative_to"] else ""
         limit = (f"within {number(rule['within'])} of {number(rule['near'])}"
-                 if rule["near"] is not None else f"below {number(rule['below'])}"
-                 if rule["below"] is not None else f"above {number(rule['above'])}")
+                 if rule["near"] is not None else f"at most {number(rule['below'])}"
+                 if rule["below"] is not None else f"at least {number(rule['above'])}")
         when = f", from {number(rule['from_s'])} s" if rule["from_s"] else ""
         when += f", until {number(rule['to_s'])} s" if rule["to_s"] else ""
         return f"{rule['measure']}{of}{against} {limit}{when}"
@@ -240,7 +246,7 @@ class Scene:
     def _comment(self):
         general = self.general
         rules = self.rules_in_words()
-        rules.append(f"and as every case: all finite, penetration below "
+        rules.append(f"and as every case: all finite, penetration at most "
                      f"{number(general['penetration_m'])} m from {number(general['settled_s'])} s")
         gain = number(100 * general.get("energy_gain", 0.01))
         rules.append(f"energy never {gain} % above its start" if not self.energy_from
@@ -285,6 +291,7 @@ class Scene:
     def text(self):
         head = HEAD.format(id=self.id, title=self.title, shows=self.shows, comment=self._comment(),
                            gravity=numbers(self.gravity), player=numbers(self.player),
+                           yaw=number(round(self.yaw_deg, 1)), pitch=number(round(self.pitch_deg, 1)),
                            camera=numbers(self.camera), target=numbers(self.target),
                            shadow=number(self.shadow),
                            kill="" if self.kill is None else f"kill_below_m = {number(self.kill)}\n")

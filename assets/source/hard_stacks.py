@@ -237,7 +237,7 @@ def blow():
                   "Afloat, 1 kg at 20 m/s meets 100 kg without bouncing: both go on at 20/101 m/s.",
                   "PEEL keeps it as HighMassRatioCollisions", 2, (1, 4, 9), (-0.5, 1.5, 0),
                   gravity=(0, 0, 0), settled=1)
-    scene.fixed("floor", box(20, 0.1, 6), (0, -0.05, 0))
+    scene.ground()
     scene.body("light", box(1, 1, 1), (-3, 1.5, 0), velocity=(20, 0, 0))
     scene.body("heavy", box(1, 1, 1), (0, 1.5, 0), 100.0, material="rustmetal")
     common = 20 / 101

@@ -39,8 +39,8 @@ std::string rule_text(const scene::HardCaseRule& rule, double seconds) {
     std::string text = rule.measure;
     if (!rule.of.empty()) text += fmt::format(" of {}", fmt::join(rule.of, ", "));
     if (!rule.relative_to.empty()) text += fmt::format(" against {}", rule.relative_to);
-    if (rule.below) text += fmt::format(" below {:.4g}", *rule.below);
-    if (rule.above) text += fmt::format(" above {:.4g}", *rule.above);
+    if (rule.below) text += fmt::format(" at most {:.4g}", *rule.below);
+    if (rule.above) text += fmt::format(" at least {:.4g}", *rule.above);
     if (rule.near) text += fmt::format(" within {:.3g} of {:.4g}", rule.within, *rule.near);
     const double to_s = std::min(seconds, rule.to_s.value_or(seconds));
     if (rule.from_s >= seconds)

@@ -33,7 +33,7 @@ struct Allowed {
 
 /// One rule and how it stands.
 struct RuleState {
-    std::string text;  ///< "drift_m of cube.* below 0.01, from 5 s"
+    std::string text;  ///< "drift_m of cube.* at most 0.01, from 5 s"
     Allowed allowed{};
     double from_s{0};
     double to_s{0};

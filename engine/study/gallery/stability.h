@@ -73,7 +73,7 @@ Result<bool> run_table(StabilityTable& table,
 /// in child processes. Where the first fails, none is made and no_pictures says why.
 void take_pictures(StabilityTable& table, int workers, int width_px, int height_px);
 
-/// "H05  small_step  60 Hz  pass  92 % inside  3.2 ms/s  sag_m of box_1 below 0.1".
+/// "H05  small_step  60 Hz  pass  92 % inside  3.2 ms/s  sag_m of box_1 at most 0.1".
 std::string run_line(const StabilityTable& table, const StabilityRun& run);
 /// All lines and how many are green for each solver.
 std::string stability_text(const StabilityTable& table);

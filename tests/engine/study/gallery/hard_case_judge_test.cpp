@@ -118,7 +118,7 @@ TEST(HardCaseJudge, EveryCaseIsHeldToTheGeneralRules) {
     Judged strict(scene);
     strict.step(54);
     EXPECT_EQ(strict.judge.verdict(), Verdict::Fail);
-    EXPECT_EQ(strict.judge.worst()->text, "non_finite below 0");
+    EXPECT_EQ(strict.judge.worst()->text, "non_finite at most 0");
     scene.hard_case->non_finite = 1;
     scene.hard_case->energy_from = "a body that is taken out";
     Judged lenient(scene);
