@@ -66,6 +66,20 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
     EXPECT_EQ(names, expected);
 }
 
+// What `study --effects` measures by: called for, and yet not there.
+TEST(EffectRuntime, TheOneLeftOutIsNeverMade) {
+    SceneDescription scene = scene_of({ground(), cube("cube", {0, 8.5_r, 0})});
+    scene.fog.emplace();
+    Running with(scene);
+    Running without(scene);
+    EffectRuntime all(*with, {.picture = true});
+    EffectRuntime left_out(*without, {.picture = true, .without = "fog"});
+    EXPECT_TRUE(draw(with, all).fog);
+    EXPECT_FALSE(draw(without, left_out).fog);
+    EXPECT_TRUE(line_of(all, "fog").exists);
+    expect_nothing(line_of(left_out, "fog"));
+}
+
 TEST(EffectRuntime, AFallingCubePaysForNothing) {
     SceneDescription scene = scene_of({ground(), cube("cube", {0, 8.5_r, 0})});
     scene.sun = scene::SunDescription{};  // a sun without a shadow is no effect

@@ -114,6 +114,19 @@ tolerance = 0.02
     EXPECT_NEAR(accuracy.tolerance.value_or(0), 0.02, 1e-6);
 }
 
+TEST_F(SceneFileTest, AutoTakesAToleranceOrABudget) {
+    const Outcome outcome = load("[accuracy]\npreset = \"auto\"\nbudget_ms = 0.5\nstep_hz = 120\n");
+    ASSERT_TRUE(outcome.scene.ok());
+    EXPECT_TRUE(outcome.faults.empty());
+    const Accuracy& accuracy = outcome.scene->accuracy;
+    EXPECT_NEAR(accuracy.budget_ms.value_or(0), 0.5, 1e-6);
+    EXPECT_FALSE(accuracy.tolerance);
+    EXPECT_TRUE(accuracy.step_hz_given);
+    EXPECT_FALSE(accuracy.solver_given);
+    EXPECT_FALSE(load("[accuracy]\nbudget_ms = 1\ntolerance = 0.1\n").scene.ok());
+    EXPECT_FALSE(load("[accuracy]\nbudget_ms = 0\n").scene.ok());
+}
+
 TEST_F(SceneFileTest, PresetsGetFinerFromDraftToReference) {
     double last = 0;
     for (const char* preset : {"draft", "balanced", "precise", "reference"}) {
