@@ -51,6 +51,7 @@ void Stepper::run(int count, input::ActionLatch& latch, FrameReport& report) {
         for (std::size_t a = 0; a < kActionCount; ++a) presses_[a] += actions.pressed[a];
         effects::advance(*session_->simulation, *session_->effects, *session_->game, actions);
         report.add_step(session_->simulation->physics.cost());
+        if (after_step) after_step();
         ++steps_;
         if (steps_ % kStepsBetweenHashes == 0 || ended()) {
             const std::uint64_t hash = session_->simulation->state_hash();

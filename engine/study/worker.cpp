@@ -3,6 +3,7 @@
 #include "engine/study/any_scene/effects_cost.h"
 #include "engine/study/any_scene/scene_run.h"
 #include "engine/study/gallery/gallery.h"
+#include "engine/study/ghost/ghost_state.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -21,9 +22,10 @@ namespace {
 using nlohmann::json;
 
 // A row per kind of job.
-constexpr std::array<JobKind, 3> kJobKinds{{{"hard_case", run_hard_case_job},
-                                              {"scene", run_scene_job},
-                                              {"effect", run_effect_job}}};
+constexpr std::array<JobKind, 4> kJobKinds{{{"hard_case", run_hard_case_job},
+                                            {"scene", run_scene_job},
+                                            {"effect", run_effect_job},
+                                            {"ghost", run_ghost_job}}};
 
 constexpr std::string_view kDone = "done";
 constexpr std::string_view kFailed = "failed";
