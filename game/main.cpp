@@ -9,6 +9,7 @@
 #include "game/render_command.h"
 #include "game/simulate_cli.h"
 #include "game/stability_command.h"
+#include "game/study_command.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -28,6 +29,7 @@ struct Words {
     TourOptions tour;
     SimulateOptions simulate;
     StabilityOptions stability;
+    StudyOptions study;
     std::string explained_scene;
     bool explain_as_json{false};
     std::vector<std::filesystem::path> checked;
@@ -86,7 +88,7 @@ void add_other_commands(CLI::App& app, Words& words) {
 
 /// "plumbline garden.toml --seconds 3" means play: the word is put in where no command stands.
 std::vector<std::string> with_command(int argc, char** argv) {
-    constexpr std::array<std::string_view, 12> kCommands{"play",
+    constexpr std::array<std::string_view, 13> kCommands{"play",
                                                          "render",
                                                          "tour",
                                                          "simulate",
@@ -94,6 +96,7 @@ std::vector<std::string> with_command(int argc, char** argv) {
                                                          "explain",
                                                          "controls",
                                                          "check",
+                                                         "study",
                                                          "study-worker",
                                                          "--help",
                                                          "-h",
@@ -112,6 +115,7 @@ ExitCode run_command(const CLI::App& app, const Words& words) {
     if (app.got_subcommand("render")) return run_render(words.render, words.common);
     if (app.got_subcommand("tour")) return run_tour(words.tour, words.common);
     if (app.got_subcommand("simulate")) return run_simulate(words.simulate);
+    if (app.got_subcommand("study")) return run_study(words.study);
     if (app.got_subcommand("stability")) return run_stability(words.stability);
     if (app.got_subcommand("explain"))
         return run_explain(words.explained_scene, words.explain_as_json);
@@ -131,11 +135,13 @@ int run_program(int argc, char** argv) {
     app.fallthrough();
     Words words;
     words.stability.command = fmt::format("plumbline {}", fmt::join(argv + 1, argv + argc, " "));
+    words.study.command = words.stability.command;
     add_common_options(app, words.common);
     add_play(app, words.play);
     add_render(app, words.render);
     add_simulate(app, words.simulate);
     add_stability(app, words.stability);
+    add_study(app, words.study);
     add_other_commands(app, words);
     try {
         app.parse(with_command(argc, argv));
@@ -143,6 +149,7 @@ int run_program(int argc, char** argv) {
         return static_cast<int>(answer_parse_error(app, error));
     }
     apply_log_level(words.common);
+    words.study.quiet = words.common.quiet;
     return static_cast<int>(run_command(app, words));
 }
 

@@ -5,51 +5,15 @@
 #include "engine/scene/scene_file.h"
 #include "engine/study/any_scene/study_cache.h"
 #include "engine/study/machine.h"
+#include "engine/study/progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <iostream>
 
 namespace plumbline::game {
 namespace {
-
-/// One line that is written over on a terminal, and a line per stage elsewhere.
-class ProgressLine {
-public:
-    void show(const study::StudyProgress& progress) {
-        constexpr int kBar = 24;
-        if (!terminal_) {
-            if (progress.doing == doing_) return;
-            doing_ = progress.doing;
-            std::cerr << fmt::format("{} (about {:.0f} s left)\n", doing_, progress.left_s);
-            return;
-        }
-        const auto full = static_cast<int>(progress.share * kBar);
-        std::cerr << fmt::format("\r[{:#<{}}{:.<{}}] {:3.0f} % {:4.0f} s left  {:<40}",
-                                 "",
-                                 full,
-                                 "",
-                                 kBar - full,
-                                 progress.share * 100.0,
-                                 progress.left_s,
-                                 progress.doing)
-                  << std::flush;
-        shown_ = true;
-    }
-    ~ProgressLine() {
-        if (shown_) std::cerr << "\r\033[K" << std::flush;
-    }
-    ProgressLine() = default;
-    ProgressLine(const ProgressLine&) = delete;
-    ProgressLine& operator=(const ProgressLine&) = delete;
-
-private:
-    bool terminal_{isatty(STDERR_FILENO) == 1};
-    bool shown_{false};
-    std::string doing_;
-};
 
 Result<std::uint64_t> content_hash(const std::filesystem::path& scene) {
     const Result<DataFolders> folders = find_data_folders();
@@ -98,12 +62,13 @@ Result<study::SceneStudy> run_scene_study(const SceneStudyCommand& command) {
         return std::move(*kept);
     }
     Result<study::SceneStudy> made = [&] {
-        ProgressLine line;
-        return study::study_scene(
-            {.scene = command.scene,
-             .seconds = command.seconds,
-             .workers = study::default_workers(),
-             .progress = [&](const study::StudyProgress& progress) { line.show(progress); }});
+        study::ProgressBar bar(study::ProgressBar::Shown::Yes);
+        return study::study_scene({.scene = command.scene,
+                                   .seconds = command.seconds,
+                                   .workers = study::default_workers(),
+                                   .progress = [&](const study::StudyProgress& progress) {
+                                       bar.show(progress.share, progress.left_s);
+                                   }});
     }();
     if (!made) return made;
     print(command, *made);

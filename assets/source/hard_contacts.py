@@ -101,7 +101,7 @@ def flat_mesh():
                   "along it and at 30 degrees.",
                   "Bullet's default: 10 m/s become 1.6, thrown up at 2.8 m/s, 29 degrees off; even a ball "
                   "6.6 m/s [measured, 3.24]; bullet3 #92, #1201, #676, #1853; godot #21341; rapier #95, "
-                  "#404; Jolt #1155", 2.5, (4, 12, 26), (-2, 0, 2), settled=1)
+                  "#404; Jolt #1155", 2.5, (4, 14, 40), (2, 0, 5), settled=1)
     for lane, z, turn in (("along", -8, None), ("askew", 17, about_y(math.radians(30)))):
         scene.fixed(f"mesh_{lane}", model("flat"), (0, 0, z), material="flagstone", friction=0.0, turn=turn)
         scene.body(f"box_{lane}", box(1, 1, 1), (-13, 0.5, z - 1.3), friction=0.0, velocity=(10, 0, 0))

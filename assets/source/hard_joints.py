@@ -29,7 +29,7 @@ def bridge():
     centre = radius + 4
     scene = Scene("H30", "a bridge of 160 planks catches 500 kg",
                   "Planks of 5 kg hinged between two cliffs; half a tonne falls 2 m onto the middle.",
-                  "Box2D keeps it as Bridge", 10, (30, 34, 95), (0, 14, 0), shadow=200, settled=10,
+                  "Box2D keeps it as Bridge", 10, (8, 30, 105), (0, 14, 0), shadow=200, settled=10,
                   penetration=0.05)
     scene.ground()
 
@@ -118,7 +118,7 @@ def ragdolls():
     scene = Scene("H34", "ragdolls crammed into a pit, and one hit at 30 m/s",
                   "Eight ragdolls fall into a pit too small for them; a ninth is struck by a ball of "
                   "20 kg at 30 m/s. Joints hold and limits are kept.",
-                  "Box2D and Box3D keep RagdollStress; JoltPhysics #170", 8, (5, 4, 7), (0.5, 0.8, 0),
+                  "Box2D and Box3D keep RagdollStress; JoltPhysics #170", 8, (3.6, 3, 5.4), (0.8, 0.8, 0),
                   settled=7, shadow=20, penetration=0.01)
     scene.ground()
     for name, size, at in (("left", (0.2, 1.2, 2.4), (-1.2, 0.6, 0)),
@@ -128,7 +128,7 @@ def ragdolls():
         scene.fixed(f"pit_{name}", box(*size), at, material="glass" if name == "front" else "brick")
     for i in range(8):
         add_ragdoll(scene, f"doll_{i}", (-0.5 + 1.0 * (i % 2), 2.2 + 1.9 * (i // 4), -0.5 + 1.0 * (i // 2 % 2)))
-    add_ragdoll(scene, "struck", (4, 0.95, 0))
+    add_ragdoll(scene, "struck", (4, 0.98, 0))
     scene.body("shot", ball(0.2), (4, 1.3, -6), 20.0, velocity=(0, 0.5, 30), material="iron")
     scene.rule("joint_gap_m", below=0.0873)
     scene.rule("speed_mps", below=60)

@@ -8,7 +8,7 @@ from hard_scene import Scene, about_x, about_y, about_z, ball, box, capsule, cyl
 def tower(name, title, masses, shows, known, seconds, *, sag, drift, speed=0.005, tier="ci"):
     high = len(masses)
     scene = Scene(name, title, shows, known, seconds,
-                  (0.7 * high + 3, 0.6 * high + 1.5, 1.1 * high + 4), (0, 0.48 * high, 0),
+                  (0.7 * high + 1.5, 0.6 * high + 1, 1.1 * high + 2), (0, 0.48 * high, 0),
                   tier=tier, settled=5)
     scene.ground()
     for i, mass in enumerate(masses):

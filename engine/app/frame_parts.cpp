@@ -183,6 +183,7 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
                                                 .device = latch.last_device(),
                                                 .ledger = ledger_,
                                                 .accuracy = accuracy_,
+                                                .judge = session_.judge.get(),
                                                 .sound_silent = mixer_ && mixer_->silent(),
                                                 .show_hints = def_.config.hints,
                                                 .lines_not_shown = frame.lines.not_shown,

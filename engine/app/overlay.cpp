@@ -99,6 +99,7 @@ OverlayAnswer Overlay::draw(const OverlayInput& input) {
         panels::draw_crosshair(input.hud);
         if (input.show_hints) panels::draw_hints(input, input.now_s - impl_->started_s);
         panels::draw_status(input);
+        if (input.judge != nullptr) panels::draw_verdict(input);
     }
     panels::draw_messages(impl_->messages, input.now_s);
     if (input.parts.help) panels::draw_help(input);

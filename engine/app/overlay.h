@@ -8,6 +8,7 @@
 #include "engine/input/action_latch.h"
 #include "engine/platform/window.h"
 #include "engine/scene/game.h"
+#include "engine/study/gallery/hard_case_judge.h"
 
 #include <memory>
 #include <string>
@@ -43,6 +44,7 @@ struct OverlayInput {
     input::LastDevice device;
     const std::vector<effects::LedgerLine>& ledger;
     const AccuracyControl& accuracy;
+    const study::HardCaseJudge* judge{nullptr};  ///< of a hard case; null: no such scene
     bool sound_silent{false};
     bool show_hints{true};
     std::size_t lines_not_shown{0};

@@ -117,6 +117,39 @@ void draw_status(const OverlayInput& input) {
     ImGui::End();
 }
 
+void draw_verdict(const OverlayInput& input) {
+    const ImVec4 good{0.55F, 0.9F, 0.55F, 1.0F};
+    const ImVec4 bad{1.0F, 0.45F, 0.4F, 1.0F};
+    const ImVec4 open_yet{0.8F, 0.8F, 0.8F, 1.0F};
+    const auto color = [&](study::Verdict verdict) {
+        return verdict == study::Verdict::Pass   ? good
+               : verdict == study::Verdict::Fail ? bad
+                                                 : open_yet;
+    };
+    const study::HardCaseJudge& judge = *input.judge;
+    const scene::HardCase& hard = *input.simulation.description().hard_case;
+    ImGui::SetNextWindowPos({14.0F, 54.0F});
+    ImGui::SetNextWindowBgAlpha(kPanelOpacity);
+    ImGui::Begin("verdict", nullptr, kBare);
+    const bool open = judge.verdict() == study::Verdict::Undecided;
+    const std::string head =
+        fmt::format("{}  {}  {:.1f} of {:g} s",
+                    hard.id,
+                    open ? "holds so far" : study::verdict_name(judge.verdict()),
+                    std::min(input.simulation.time_s(), hard.seconds),
+                    hard.seconds);
+    ImGui::TextColored(color(judge.verdict()), "%s", head.c_str());
+    for (const study::RuleState& rule : judge.rules()) {
+        const std::string line =
+            rule.seen
+                ? fmt::format(
+                      "{}: {:.3g}  {}", rule.text, rule.value, study::margin_text(rule.margin()))
+                : rule.text;
+        ImGui::TextColored(color(rule.verdict), "%s", line.c_str());
+    }
+    ImGui::End();
+}
+
 void draw_messages(const std::deque<Message>& messages, double now_s) {
     if (messages.empty()) return;
     ImGui::SetNextWindowPos(

@@ -19,6 +19,7 @@ void draw_crosshair(const scene::HudContent& hud);
 void draw_hints(const OverlayInput& input, double shown_s);
 /// What is chosen, paused, slowed, lost: only what is not as usual.
 void draw_status(const OverlayInput& input);
+void draw_verdict(const OverlayInput& input);  ///< of a hard case: how each rule stands
 void draw_messages(const std::deque<Message>& messages, double now_s);
 void draw_help(const OverlayInput& input);
 void draw_stats(const OverlayInput& input);

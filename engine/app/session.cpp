@@ -1,6 +1,7 @@
 #include "engine/app/session.h"
 
 #include "engine/core/log.h"
+#include "engine/study/any_scene/auto_accuracy.h"
 
 namespace plumbline::app {
 namespace {
@@ -25,6 +26,7 @@ Result<std::unique_ptr<Session>> Session::open(const SessionDef& def) {
     log_faults(faults);
     if (!description) return description.error();
     session->description = std::move(*description);
+    session->description.accuracy = study::resolve_auto(session->description);
     if (const Result<Done> built = session->build(); !built) return built.error();
     return session;
 }
@@ -37,6 +39,12 @@ Result<Done> Session::build() {
     game.reset();
     simulation = std::move(*built);
     for (const std::string& warning : simulation->warnings()) log_line(LogLevel::Warning, warning);
+    judge.reset();
+    if (simulation->description().hard_case) {
+        Result<study::HardCaseJudge> made = study::HardCaseJudge::create(*simulation);
+        if (!made) return made.error();
+        judge = std::make_unique<study::HardCaseJudge>(std::move(*made));
+    }
     game = def_.make_game(*simulation);
     effects = std::make_unique<effects::EffectRuntime>(*simulation, def_.served);
     return Done{};
@@ -52,6 +60,7 @@ Result<Done> Session::reload() {
         scene::load_scene(def_.scene, def_.folders.assets, faults);
     log_faults(faults);
     if (!description_read) return description_read.error();
+    description_read->accuracy = study::resolve_auto(*description_read);
     scene::SceneDescription before = std::exchange(description, std::move(*description_read));
     Result<Done> built = build();
     if (!built) description = std::move(before);

@@ -7,6 +7,7 @@
 #include "engine/scene/game.h"
 #include "engine/scene/scene_file.h"
 #include "engine/scene/simulation.h"
+#include "engine/study/gallery/hard_case_judge.h"
 
 #include <filesystem>
 #include <functional>
@@ -44,6 +45,7 @@ public:
     std::unique_ptr<scene::Simulation> simulation;
     std::unique_ptr<scene::Game> game;
     std::unique_ptr<effects::EffectRuntime> effects;
+    std::unique_ptr<study::HardCaseJudge> judge;  ///< null for a scene without [hard_case]
 
 private:
     explicit Session(SessionDef def) : def_(std::move(def)) {}

@@ -50,6 +50,7 @@ void Stepper::run(int count, input::ActionLatch& latch, FrameReport& report) {
         recorder_.add_step(steps_, actions);
         for (std::size_t a = 0; a < kActionCount; ++a) presses_[a] += actions.pressed[a];
         effects::advance(*session_->simulation, *session_->effects, *session_->game, actions);
+        if (session_->judge) session_->judge->after_step(*session_->simulation);
         report.add_step(session_->simulation->physics.cost());
         if (after_step) after_step();
         ++steps_;

@@ -127,6 +127,9 @@ void carry(BodyRecord& record, bool to_target, btScalar h) {
     rigid.setCenterOfMassTransform(to);
 }
 
+/// Of a step's way: below it a body was at the hit when the step began.
+constexpr btScalar kStuckShare = btScalar(0.02);
+
 bool moves_past_itself(const BodyRecord& record) {
     if (record.cores.empty() || record.ccd == ContinuousCollision::Off) return false;
     if (record.ccd == ContinuousCollision::On) return true;
@@ -135,14 +138,14 @@ bool moves_past_itself(const BodyRecord& record) {
     return path.length2() > record.smallest_core_m * record.smallest_core_m;
 }
 
-btScalar share_before_hit(const btCollisionWorld& world,
-                          const BodyRecord& record,
-                          std::uint32_t unseen_group) {
+WayToHit way_to_hit(const btCollisionWorld& world,
+                    const BodyRecord& record,
+                    std::uint32_t unseen_group) {
     // Smaller than the core, so that a body sliding fast over a floor is not stopped by it.
     constexpr btScalar kShare = btScalar(0.8);
     constexpr btScalar kInside = btScalar(1e-3);
     const btTransform to = record.rigid->getWorldTransform();
-    btScalar reached = 1;
+    WayToHit way;
     for (const Core& core : record.cores) {
         const btVector3 center = to_bullet(core.center_m);
         const btVector3 from_point = record.before(center);
@@ -158,23 +161,30 @@ btScalar share_before_hit(const btCollisionWorld& world,
                                      .unseen_group = unseen_group});
         if (!hit) continue;
         const btScalar approach = -hit->normal.dot(motion);
-        // A hair inside: Bullet's boxes have no contact before they overlap.
+        // A hair inside: what is found by touch alone has no contact before it overlaps.
         const btScalar back = core.radius_m * (1 - kShare - kInside) / approach;
-        reached = std::min(reached, std::max(btScalar(0), hit->fraction - back));
+        const btScalar share = std::max(btScalar(0), hit->fraction - back);
+        if (share < way.share) way = {share, hit->normal};
     }
-    return reached;
+    return way;
 }
 
 void stop_at_hit(const btCollisionWorld& world, BodyRecord& record, btScalar duration_s) {
-    const btScalar reached = share_before_hit(world, record, 0);
-    if (reached >= 1) return;
+    const WayToHit way = way_to_hit(world, record, 0);
+    if (way.share >= 1) return;
     btRigidBody& rigid = *record.rigid;
     const btTransform to = rigid.getWorldTransform();
     record.flight.going = false;
     btTransform stopped = record.before;
-    stopped.setOrigin(record.before.getOrigin().lerp(to.getOrigin(), reached));
-    stopped.setBasis(
-        turned(record.before.getBasis(), rigid.getAngularVelocity(), duration_s * reached));
+    stopped.setOrigin(record.before.getOrigin().lerp(to.getOrigin(), way.share));
+    // What stands at the hit already and still heads for it has contacts elsewhere, about which it
+    // turns. It goes on turning; the speed that it cannot have would grow from step to step.
+    const bool stuck = way.share < kStuckShare;
+    stopped.setBasis(turned(record.before.getBasis(),
+                            rigid.getAngularVelocity(),
+                            stuck ? duration_s : duration_s * way.share));
+    const btScalar into = rigid.getLinearVelocity().dot(way.normal);
+    if (stuck && into < 0) rigid.setLinearVelocity(rigid.getLinearVelocity() - way.normal * into);
     rigid.setCenterOfMassTransform(stopped);
 }
 

@@ -42,11 +42,16 @@ void carry(BodyRecord& record, bool to_target, btScalar duration_s);
 /// Whether the body went so far since record.before that it is to be swept.
 bool moves_past_itself(const BodyRecord& record);
 
-/// Sweeps the balls inside the body along its path since record.before: the share of the path up to
-/// where its surface touches something; 1: nothing. Bodies of the group are passed through.
-btScalar share_before_hit(const btCollisionWorld& world,
-                          const BodyRecord& record,
-                          std::uint32_t unseen_group);
+/// How far a body gets on its path.
+struct WayToHit {
+    btScalar share{1};  ///< up to where its surface touches something; 1: nothing
+    btVector3 normal{0, 1, 0};
+};
+/// Sweeps the balls inside the body along its path since record.before. Bodies of the group are
+/// passed through.
+WayToHit way_to_hit(const btCollisionWorld& world,
+                    const BodyRecord& record,
+                    std::uint32_t unseen_group);
 /// On a hit the body stops there and keeps its velocity, so that the next step's contact bounces it
 /// as it should.
 void stop_at_hit(const btCollisionWorld& world, BodyRecord& record, btScalar duration_s);

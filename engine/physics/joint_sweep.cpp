@@ -47,7 +47,7 @@ void JointSweep::stop_at_hit(const btCollisionWorld& world,
         return physics::stop_at_hit(world, record, duration_s);
     }
     const std::vector<BodyRecord*>& group = group_of(record);
-    const btScalar share = share_before_hit(world, record, record.sweep_group);
+    const btScalar share = way_to_hit(world, record, record.sweep_group).share;
     if (share >= 1) return;
     for (BodyRecord* member : group) stop_part_way(*member, share);
 }

@@ -8,8 +8,8 @@ namespace {
 /// The value below which the share `quantile` of them lies; 0 where there are none.
 double quantile_of(std::vector<float> values, double quantile) {
     if (values.empty()) return 0;
-    const auto place = static_cast<std::ptrdiff_t>(
-        quantile * static_cast<double>(values.size() - 1) + 0.5);
+    const auto place =
+        static_cast<std::ptrdiff_t>(quantile * static_cast<double>(values.size() - 1) + 0.5);
     std::nth_element(values.begin(), values.begin() + place, values.end());
     return static_cast<double>(values[static_cast<std::size_t>(place)]);
 }

@@ -16,7 +16,8 @@ struct Lap {
     double cpu_ms{0};
     double simulated_s{0};
     double work{0};
-    std::vector<float> step_ms;  ///< on the wall: a thread's CPU clock costs as much as a small step
+    std::vector<float>
+        step_ms;  ///< on the wall: a thread's CPU clock costs as much as a small step
 };
 
 /// Row solves, contact points and pairs looked after: what a step did, whatever the machine.

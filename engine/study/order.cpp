@@ -78,8 +78,8 @@ Observed observed_order(std::span<const ErrorAt> series, double rounding) {
     }
     std::ranges::sort(orders);
     const std::size_t middle = orders.size() / 2;
-    observed.order = orders.size() % 2 == 1 ? orders[middle]
-                                            : (orders[middle - 1] + orders[middle]) / 2;
+    observed.order =
+        orders.size() % 2 == 1 ? orders[middle] : (orders[middle - 1] + orders[middle]) / 2;
     observed.trend = *observed.order >= kLeastOrder      ? Trend::Converges
                      : *observed.order < kDivergingOrder ? Trend::Diverges
                                                          : Trend::Stalls;
@@ -117,9 +117,8 @@ std::vector<KnobVerdict> verdicts_of(std::span<const Point> points, const Theory
                                     .halvings = observed.halvings});
             }
             const Setting done = like;
-            std::erase_if(open, [&](const Point* point) {
-                return same_but_for(done, point->setting, knob);
-            });
+            std::erase_if(
+                open, [&](const Point* point) { return same_but_for(done, point->setting, knob); });
         }
     }
     return verdicts;

@@ -32,7 +32,8 @@ struct Observed {
 Observed observed_order(std::span<const ErrorAt> series, double rounding);
 
 /// The order that theory gives the first metric's error as a knob is turned; none where it has none.
-using TheoryOf = std::function<std::optional<double>(const Setting& setting, std::string_view knob)>;
+using TheoryOf =
+    std::function<std::optional<double>(const Setting& setting, std::string_view knob)>;
 
 /// For every knob that some points of a subject differ in alone: step rate, sub-steps, iterations.
 std::vector<KnobVerdict> verdicts_of(std::span<const Point> points, const TheoryOf& theory);

@@ -30,8 +30,10 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     impacts_.begin_step(contacts, bodies, bounce_mps);
     if (!joints.empty()) joint_system_.start(bodies, joints, h, settings.joint_method);
     for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
+    guard_.begin(bodies, contacts.blocks, joints, h_);
     for (int i = 0; i < settings.substeps; ++i) substep();
     for (SolverBody& body : bodies) calm(body);
+    report_.braked = guard_.end(bodies, settings.step_s);
     if (!joints.empty()) {
         joint_system_.finish();
         report_.max_joint_error_m = joint_system_.work().max_error_m;

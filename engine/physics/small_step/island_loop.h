@@ -5,6 +5,7 @@
 #pragma once
 
 #include "engine/physics/small_step/contact_set.h"
+#include "engine/physics/small_step/energy_guard.h"
 #include "engine/physics/small_step/impact_pass.h"
 #include "engine/physics/small_step/joint_system.h"
 
@@ -27,6 +28,7 @@ struct LoopReport {
     std::uint64_t row_solves{0};
     std::uint32_t blows{0};
     double max_joint_error_m{0};
+    bool braked{false};  ///< there was more energy than can have been
 };
 
 class IslandLoop {
@@ -52,6 +54,7 @@ private:
 
     LoopSettings settings_{};
     Real h_{0};
+    EnergyGuard guard_;
     ImpactPass impacts_;
     JointSystem joint_system_;
     LoopReport report_{};

@@ -26,7 +26,8 @@ glm::qua<T> turn_by(const glm::vec<3, T>& spin_radps, T duration_s) {
 /// Torque-free turning of a rigid body for `duration_s` that keeps the angular momentum: the spin
 /// is what the momentum means at the orientation reached. Fourth order: Celledoni, Marthinsen and
 /// Owren's commutator-free scheme (2003), whose stages are turns and never leave the unit
-/// quaternions. Long or fast turns are followed in pieces.
+/// quaternions. Long or fast turns are followed in pieces; bodies so thin that no piece is short
+/// enough by turns about their own axes.
 struct FreeTurn {
     Quatd orientation{1, 0, 0, 0};  ///< world from body
     Vec3d spin_radps{0, 0, 0};      ///< world axes

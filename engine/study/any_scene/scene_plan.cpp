@@ -62,15 +62,14 @@ void ScenePlan::expect(double cpu_s) {
     expected_s_ = std::min(wall_s_, spent_s() + cpu_s / workers_);
 }
 
-void ScenePlan::report(const std::string& doing) const {
+void ScenePlan::report() const {
     if (!report_) return;
     const double spent = spent_s();
     const double left = std::max(0.0, expected_s_ - spent);
-    report_({.share = spent / std::max(spent + left, 1e-9), .left_s = left, .doing = doing});
+    report_({.share = spent / std::max(spent + left, 1e-9), .left_s = left});
 }
 
 Result<Done> ScenePlan::run(std::span<const SceneRun> runs,
-                            const std::string& doing,
                             const std::function<void(const Finished&)>& done) {
     if (interrupted_ || runs.empty()) return Done{};
     std::vector<Job> jobs;
@@ -81,10 +80,10 @@ Result<Done> ScenePlan::run(std::span<const SceneRun> runs,
                         .precision = run.setting.precision,
                         .limit_s = kLimitExtra_s + kLimitFactor * run.cpu_limit_s * passes});
     }
-    report(doing);
+    report();
     const Result<bool> all = run_jobs(jobs, workers_, [&](std::size_t job, const Answer& answer) {
         done(finished(job, answer));
-        report(doing);
+        report();
     });
     if (!all) return all.error();
     interrupted_ = !*all;

@@ -16,7 +16,6 @@ namespace plumbline::study {
 struct StudyProgress {
     double share{0};  ///< 0…1 of the time it will probably take
     double left_s{0};
-    std::string doing{};  ///< "reference at 960 Hz"
 };
 using ReportProgress = std::function<void(const StudyProgress&)>;
 
@@ -42,11 +41,10 @@ public:
         SceneAnswer answer{};
     };
     Result<Done> run(std::span<const SceneRun> runs,
-                     const std::string& doing,
                      const std::function<void(const Finished&)>& done);
 
 private:
-    void report(const std::string& doing) const;
+    void report() const;
 
     double start_s_;
     double wall_s_;

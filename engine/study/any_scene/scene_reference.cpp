@@ -18,6 +18,10 @@ constexpr double kGoodEnough = 1e-4;
 constexpr double kTooFarOff = 1e-3;
 /// Copies that come this close to the difference between rates: it is chaos, not the step.
 constexpr double kShareOfDifference = 0.1;
+/// A halving that leaves more than this of the difference before it does not converge.
+constexpr double kStillConverging = 0.7;
+/// Of the wall time, beside the reference's share: what copies may take.
+constexpr double kShareOfCopies = 0.1;
 constexpr int kCopiesFew = 8;
 constexpr int kCopiesMany = 16;
 
@@ -61,11 +65,11 @@ private:
                 .moments = probe_.moments,
                 .cpu_limit_s = std::max(2.0, 4.0 * cost_s(step_hz))};
     }
-    SceneRun copies_at(int step_hz, int copies, std::uint64_t seed) const {
+    SceneRun copies_at(int step_hz, int copies, std::uint64_t seed, double shift_m) const {
         SceneRun run = run_at(step_hz);
         run.copies = copies;
         run.seed = seed;
-        run.shift_m = kShift_m;
+        run.shift_m = shift_m;
         return run;
     }
 
@@ -97,16 +101,15 @@ private:
         next_rate_ = first + 2;
         const std::vector<SceneRun> runs{run_at(kRates_hz[first]),
                                          run_at(kRates_hz[first + 1]),
-                                         copies_at(kRates_hz[first], 2, 1)};
+                                         copies_at(kRates_hz[first], 2, 1, kShift_m)};
         std::vector<std::optional<SceneAnswer>> answers(runs.size());
-        const Result<Done> done =
-            plan_.run(runs, "first look at the reference", [&](const ScenePlan::Finished& each) {
-                if (each.status == RunStatus::Done && whole(each.answer)) {
-                    answers[each.run] = each.answer;
-                } else {
-                    note_failure(each);
-                }
-            });
+        const Result<Done> done = plan_.run(runs, [&](const ScenePlan::Finished& each) {
+            if (each.status == RunStatus::Done && whole(each.answer)) {
+                answers[each.run] = each.answer;
+            } else {
+                note_failure(each);
+            }
+        });
         if (!done) return done;
         for (std::size_t i = 0; i < 2; ++i) {
             if (answers[i]) add_level(runs[i].setting.step_hz, std::move(*answers[i]));
@@ -138,9 +141,14 @@ private:
         return last <= kGoodEnough && last <= levels_[levels_.size() - 2].off + kGoodEnough * 0.1;
     }
 
+    bool copies_part() const { return spread_ > kShareOfDifference * levels_.back().off; }
+    /// Too far off to compare run by run, and halving the step does not help.
+    bool stuck() const {
+        return levels_.size() >= 3 && levels_.back().off > kTooFarOff &&
+               levels_.back().off > kStillConverging * levels_[levels_.size() - 2].off;
+    }
     bool hopeless() const {
-        return levels_.size() >= 2 && levels_.back().off > 0.02 &&
-               spread_ > kShareOfDifference * levels_.back().off;
+        return stuck() || (levels_.size() >= 2 && levels_.back().off > 0.02 && copies_part());
     }
 
     Result<Done> refine() {
@@ -151,15 +159,13 @@ private:
             ++next_rate_;
             std::optional<SceneAnswer> answer;
             const Result<Done> done =
-                plan_.run(std::vector{run_at(step_hz)},
-                          fmt::format("reference at {} Hz", step_hz),
-                          [&](const ScenePlan::Finished& each) {
-                              if (each.status == RunStatus::Done && whole(each.answer)) {
-                                  answer = each.answer;
-                              } else {
-                                  note_failure(each);
-                              }
-                          });
+                plan_.run(std::vector{run_at(step_hz)}, [&](const ScenePlan::Finished& each) {
+                    if (each.status == RunStatus::Done && whole(each.answer)) {
+                        answer = each.answer;
+                    } else {
+                        note_failure(each);
+                    }
+                });
             if (!done) return done;
             if (!answer) break;
             add_level(step_hz, std::move(*answer));
@@ -174,16 +180,13 @@ private:
     }
 
     bool chaotic() const {
-        const double off = levels_.back().off;
-        return !good() && off > kTooFarOff && spread_ > kShareOfDifference * off;
+        return !good() && levels_.back().off > kTooFarOff && (copies_part() || stuck());
     }
 
     SceneReference converged() const {
         const Level& finest = levels_.back();
-        SceneReference reference{.answer = finest.answer,
-                                 .scales = scales_of(finest.answer),
-                                 .step_hz = finest.step_hz,
-                                 .uncertainty = finest.off};
+        SceneReference reference{
+            .answer = finest.answer, .scales = scales_of(finest.answer), .uncertainty = finest.off};
         reference.text = fmt::format("small_step in float64 at {} Hz x 4", finest.step_hz);
         std::string way;
         for (std::size_t i = 1; i < levels_.size(); ++i) {
@@ -209,10 +212,13 @@ private:
 
     /// Copies at the best rate that fits, and as many at half that rate to see whether it matters.
     Result<std::optional<SceneReference>> ensemble() {
+        const double shift_m =
+            copies_part() ? kShift_m : kWideShift * levels_.back().answer.body_size_m;
         int copies = kCopiesMany;
         int step_hz = 960;
         const auto too_dear = [&] {
-            return 1.5 * copies * cost_of_next_s(step_hz) > 0.8 * left_s();
+            return 1.5 * copies * cost_of_next_s(step_hz) >
+                   plan_.cpu_left_s(share_ + kShareOfCopies);
         };
         if (too_dear()) copies = kCopiesFew;
         while (too_dear() && step_hz > 120) step_hz /= 2;
@@ -220,33 +226,33 @@ private:
         std::vector<SceneRun> runs;
         for (int first = 0; first < copies; first += 2) {
             const auto seed = static_cast<std::uint64_t>(first + 1);
-            runs.push_back(copies_at(step_hz, 2, seed));
-            runs.push_back(copies_at(step_hz / 2, 2, seed));
+            runs.push_back(copies_at(step_hz, 2, seed, shift_m));
+            runs.push_back(copies_at(step_hz / 2, 2, seed, shift_m));
         }
         std::array<SceneAnswer, 2> answers;
-        const Result<Done> done = plan_.run(
-            runs,
-            fmt::format("{} copies at {} Hz", copies, step_hz),
-            [&](const ScenePlan::Finished& each) {
-                if (each.status != RunStatus::Done || !whole(each.answer)) {
-                    note_failure(each);
-                    return;
-                }
-                SceneAnswer& all = answers[each.run % 2];
-                std::vector<Trace> traces = std::move(all.traces);
-                traces.insert(traces.end(), each.answer.traces.begin(), each.answer.traces.end());
-                all = each.answer;
-                all.traces = std::move(traces);
-            });
+        const Result<Done> done = plan_.run(runs, [&](const ScenePlan::Finished& each) {
+            if (each.status != RunStatus::Done || !whole(each.answer)) {
+                note_failure(each);
+                return;
+            }
+            SceneAnswer& all = answers[each.run % 2];
+            std::vector<Trace> traces = std::move(all.traces);
+            traces.insert(traces.end(), each.answer.traces.begin(), each.answer.traces.end());
+            all = each.answer;
+            all.traces = std::move(traces);
+        });
         if (!done) return done.error();
         if (plan_.interrupted()) return std::optional<SceneReference>{};
         if (answers[0].traces.empty()) return Error{.message = refusal()};
-        return std::optional<SceneReference>(of_copies(answers[0], answers[1], step_hz));
+        return std::optional<SceneReference>(of_copies(answers[0], answers[1], step_hz, shift_m));
     }
 
-    SceneReference of_copies(SceneAnswer fine, const SceneAnswer& coarse, int step_hz) const {
+    SceneReference of_copies(SceneAnswer fine,
+                             const SceneAnswer& coarse,
+                             int step_hz,
+                             double shift_m) const {
         const std::size_t copies = fine.traces.size();
-        SceneReference reference{.chaotic = true, .answer = std::move(fine), .step_hz = step_hz};
+        SceneReference reference{.chaotic = true, .answer = std::move(fine), .shift_m = shift_m};
         reference.scales = scales_of(reference.answer);
         const std::vector<double> chance =
             ensemble_chance(reference.answer.traces, reference.scales);
@@ -255,15 +261,16 @@ private:
         reference.uncertainty = worst_of(chance);
         reference.text = fmt::format(
             "medians of {} copies, small_step in float64 at {} Hz x 4", copies, step_hz);
-        reference.notes.push_back(
-            fmt::format("chaotic: copies that start {:.0e} m apart come {:.1e} apart, halving the "
-                        "step at {} Hz "
-                        "changed {:.1e}; {} copies are compared by their statistics",
-                        kShift_m,
-                        spread_,
-                        levels_.back().step_hz,
-                        levels_.back().off,
-                        copies));
+        reference.notes.push_back(fmt::format(
+            "{}: copies that start {:.0e} m apart come {:.1e} apart, halving the step at {} Hz "
+            "changed {:.1e}; {} copies that start {:.1e} m apart are compared by their statistics",
+            copies_part() ? "chaotic" : "too sensitive to compare run by run",
+            kShift_m,
+            spread_,
+            levels_[levels_.size() - 2].step_hz,
+            levels_.back().off,
+            copies,
+            shift_m));
         std::string bands;
         const std::vector<Metric> metrics = ensemble_metrics(reference.scales);
         for (std::size_t i = 0; i < metrics.size(); ++i) {

@@ -11,15 +11,17 @@
 
 namespace plumbline::study {
 
-/// How far apart copies start, m and m/s.
+/// How far apart copies start, m and m/s: enough where a scene is chaotic.
 inline constexpr double kShift_m = 1e-6;
+/// Where halving the step changes much and so small a shift does not: of a body's size.
+inline constexpr double kWideShift = 1e-3;
 
 struct SceneReference {
     bool chaotic{false};
     /// Chaotic: the copies. Else one trace, the finest.
     SceneAnswer answer{};
     Scales scales{};
-    int step_hz{0};
+    double shift_m{0};  ///< of the copies
     /// How well it is known, in the worst metric: the difference between the two finest, or, of
     /// copies, the standard error of their medians. Errors below it are not told apart.
     double uncertainty{0};

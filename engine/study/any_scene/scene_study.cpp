@@ -4,6 +4,7 @@
 #include "engine/core/log.h"
 #include "engine/scene/scene_file.h"
 #include "engine/study/any_scene/scene_reference.h"
+#include "engine/study/order.h"
 
 #include <fmt/format.h>
 
@@ -95,7 +96,7 @@ private:
         SceneAnswer answer;
         RunStatus status = RunStatus::Done;
         const Result<Done> done =
-            plan_.run(std::vector{run}, "a first run", [&](const ScenePlan::Finished& finished) {
+            plan_.run(std::vector{run}, [&](const ScenePlan::Finished& finished) {
                 answer = finished.answer;
                 status = finished.status;
             });
@@ -126,7 +127,7 @@ private:
         if (reference_->chaotic) {
             run.copies = copies_;
             run.seed = 1001;  // others than the reference's
-            run.shift_m = kShift_m;
+            run.shift_m = reference_->shift_m;
         } else {
             run.repeats = repeats_;
             run.repeat_s = kRepeat_s;
@@ -166,10 +167,10 @@ private:
         return settings;
     }
 
-    Result<Done> measure(const std::vector<Setting>& settings, const std::string& doing) {
+    Result<Done> measure(const std::vector<Setting>& settings) {
         std::vector<SceneRun> runs;
         for (const Setting& setting : settings) runs.push_back(run_of(setting));
-        return plan_.run(runs, doing, [&](const ScenePlan::Finished& finished) {
+        return plan_.run(runs, [&](const ScenePlan::Finished& finished) {
             study_.subject.points.push_back(point_of(settings[finished.run], finished));
         });
     }
@@ -182,10 +183,10 @@ private:
         for (const Setting& setting : grid)
             (setting.step_hz == grid.front().step_hz ? first : rest).push_back(setting);
         expect(grid);
-        if (const Result<Done> done = measure(fitting(first), "60 Hz"); !done) return done;
+        if (const Result<Done> done = measure(fitting(first)); !done) return done;
         rest = fitting(rest);
         expect(rest);
-        return measure(rest, "all rates");
+        return measure(rest);
     }
 
     void expect(const std::vector<Setting>& settings) { plan_.expect(sum_of_costs_s(settings)); }
@@ -269,6 +270,10 @@ private:
                               point.setting.iterations,
                               point.setting.substeps == 0 ? 1000 : point.setting.substeps);
         });
+        if (!study_.chaotic)
+            subject.verdicts = verdicts_of(subject.points, [](const Setting&, std::string_view) {
+                return std::optional<double>{};
+            });
         return std::move(study_);
     }
 

@@ -21,7 +21,7 @@ struct StudyKey {
 StudyKey study_key(std::uint64_t scene_content_hash);
 
 struct CachedStudy {
-    SceneStudy study;
+    SceneStudy study{};
     GridSize grid{GridSize::Full};
     std::string made_on;  ///< "2026-11-21"
 };

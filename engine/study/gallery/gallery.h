@@ -17,6 +17,7 @@ struct CaseRun {
     std::filesystem::path scene;
     physics::Solver solver{physics::Solver::SmallStep};
     int step_hz{60};
+    double cpu_limit_s{60};  ///< of stepping; beyond it the run is given up, and has failed
 };
 
 /// One rule of a run that ended, as the table shows it.
@@ -32,7 +33,7 @@ struct RuleResult {
 struct CaseResult {
     bool ran{false};  ///< false: `why` says what went wrong, and it counts as failed
     bool passed{false};
-    std::string why;
+    std::string why;  ///< of a run that was given up, too
     double simulated_s{0};
     double cpu_ms_per_s{0};  ///< thread CPU time of stepping, per simulated second
     double step_ms_max{0};
@@ -53,8 +54,5 @@ std::string case_job_body(const CaseRun& run);
 std::string case_result_json(const CaseResult& result);
 /// Refused: text that is not what case_result_json() writes.
 Result<CaseResult> parse_case_result(const std::string& json);
-
-/// "63 % inside", "12 x outside": how a margin is told.
-std::string margin_text(double margin);
 
 }  // namespace plumbline::study

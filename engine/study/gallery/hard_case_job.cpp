@@ -24,6 +24,7 @@ double number_or_nan(const nlohmann::json& value) {
 std::vector<RuleResult> results_of(const HardCaseJudge& judge) {
     std::vector<RuleResult> results;
     for (const RuleState& state : judge.rules()) {
+        if (!state.seen && !judge.over()) continue;  // given up before its time came
         results.push_back({.text = state.text,
                            .value = state.seen ? state.value : std::nan(""),
                            .margin = state.margin(),
@@ -35,13 +36,13 @@ std::vector<RuleResult> results_of(const HardCaseJudge& judge) {
 }
 
 /// Steps until the judge has seen the case's whole time.
-CaseResult run_to_the_end(scene::Simulation& simulation, HardCaseJudge& judge) {
+CaseResult run_to_the_end(scene::Simulation& simulation, HardCaseJudge& judge, double cpu_limit_s) {
     scene::NoGame game(simulation.description().camera);
     effects::EffectRuntime effects(simulation, {.picture = false, .sound = false});
     CaseResult result{.ran = true};
     double cpu_ms = 0;
     double work = 0;
-    while (!judge.over()) {
+    while (!judge.over() && cpu_ms < cpu_limit_s * 1e3) {
         effects::advance(simulation, effects, game, {});
         const physics::StepCost& cost = simulation.physics.cost();
         cpu_ms += cost.total_ms;
@@ -52,8 +53,13 @@ CaseResult run_to_the_end(scene::Simulation& simulation, HardCaseJudge& judge) {
     result.simulated_s = simulation.time_s();
     result.cpu_ms_per_s = cpu_ms / result.simulated_s;
     result.work_per_s = work / result.simulated_s;
-    result.passed = judge.verdict() == Verdict::Pass;
+    result.passed = judge.over() && judge.verdict() == Verdict::Pass;
     result.rules = results_of(judge);
+    if (!judge.over()) {
+        result.why = fmt::format("given up after {:g} s of CPU time, {:.2g} s simulated",
+                                 cpu_limit_s,
+                                 result.simulated_s);
+    }
     return result;
 }
 
@@ -80,7 +86,7 @@ Result<CaseResult> run_case(const CaseRun& run) {
     if (!simulation) return simulation.error();
     Result<HardCaseJudge> judge = HardCaseJudge::create(**simulation);
     if (!judge) return judge.error();
-    return run_to_the_end(**simulation, *judge);
+    return run_to_the_end(**simulation, *judge, run.cpu_limit_s);
 }
 
 std::string case_result_json(const CaseResult& result) {
@@ -107,20 +113,22 @@ std::string case_job_body(const CaseRun& run) {
     JsonText json(scene::JsonLayout::OneLine);
     json.begin_object().key("scene").text(run.scene.string());
     json.key("solver").text(physics::solver_name(run.solver));
-    return json.key("step_hz").number(run.step_hz).end_object().str();
+    json.key("step_hz").number(run.step_hz).key("cpu_limit_s").number(run.cpu_limit_s);
+    return json.end_object().str();
 }
 
 std::string run_hard_case_job(const std::string& body) {
     const auto refused = [](std::string why) { return case_result_json({.why = std::move(why)}); };
     const nlohmann::json job = nlohmann::json::parse(body, nullptr, false);
     if (!job.is_object() || !job.contains("scene") || !job.contains("solver") ||
-        !job.contains("step_hz"))
-        return refused("expected a job with scene, solver and step_hz");
+        !job.contains("step_hz") || !job.contains("cpu_limit_s"))
+        return refused("expected a job with scene, solver, step_hz and cpu_limit_s");
     const auto solver = physics::solver_from_name(job["solver"].get<std::string>());
     if (!solver) return refused("unknown solver");
     const Result<CaseResult> result = run_case({.scene = job["scene"].get<std::string>(),
                                                 .solver = *solver,
-                                                .step_hz = job["step_hz"].get<int>()});
+                                                .step_hz = job["step_hz"].get<int>(),
+                                                .cpu_limit_s = job["cpu_limit_s"].get<double>()});
     return result ? case_result_json(*result) : refused(result.error().message);
 }
 
@@ -149,13 +157,6 @@ Result<CaseResult> parse_case_result(const std::string& text) {
         return Error{.message = fmt::format("not the result of a hard case: {}", fault.what()),
                      .exit_code = ExitCode::RunFailed};
     }
-}
-
-std::string margin_text(double margin) {
-    if (!std::isfinite(margin)) return "gone";
-    if (margin >= 0) return fmt::format("{:.0f} % inside", std::min(margin, 10.0) * 100);
-    if (margin > -10) return fmt::format("{:.0f} % outside", -margin * 100);
-    return fmt::format("{:.3g} x outside", -margin);
 }
 
 }  // namespace plumbline::study

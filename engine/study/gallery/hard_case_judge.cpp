@@ -87,6 +87,13 @@ double Allowed::margin(double value) const {
     return inside == 0 ? 1 : inside;
 }
 
+std::string margin_text(double margin) {
+    if (!std::isfinite(margin)) return "gone";
+    if (margin >= 0) return fmt::format("{:.0f} % inside", std::min(margin, 10.0) * 100);
+    if (margin > -10) return fmt::format("{:.0f} % outside", -margin * 100);
+    return fmt::format("{:.3g} x outside", -margin);
+}
+
 HardCaseJudge::HardCaseJudge(const scene::Simulation& simulation)
     : seconds_(simulation.description().hard_case->seconds) {
     const scene::HardCase& hard = *simulation.description().hard_case;

@@ -46,6 +46,9 @@ struct RuleState {
     double margin() const { return allowed.margin(value); }
 };
 
+/// "63 % inside", "12 x outside": how a margin is told.
+std::string margin_text(double margin);
+
 class HardCaseJudge {
 public:
     /// Of a simulation at its start. Refused (exit code 4): a description without [hard_case], an

@@ -66,7 +66,9 @@ std::string cell(const StabilityRun* run) {
                        result.passed ? "pass" : "fail",
                        result.passed ? "pass" : "FAIL",
                        worst != nullptr ? margin_text(worst->margin) : "",
-                       worst != nullptr ? escape_html(worst->text) : "",
+                       !result.why.empty() ? escape_html(result.why)
+                       : worst != nullptr  ? escape_html(worst->text)
+                                           : "",
                        result.cpu_ms_per_s);
 }
 

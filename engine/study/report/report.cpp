@@ -6,6 +6,7 @@
 #include "engine/study/report/html_text.h"
 #include "engine/study/report/page_parts.h"
 #include "engine/study/report/peers.h"
+#include "engine/study/report/scores.h"
 #include "engine/study/report/tables.h"
 
 #include <fmt/format.h>
@@ -192,10 +193,11 @@ Result<Done> write_report(const Findings& findings, const std::filesystem::path&
         "time</title>\n<style>{}</style>\n</head>\n<body>\n",
         page_style());
     html += head(findings, tools);
-    html += "<h2 id=\"contents\">In one line each</h2>\n";
+    html += "<h2 id=\"contents\">What came of it</h2>\n";
     html +=
         "<p>ms/s: milliseconds of one core for each second simulated. All errors are relative: 1 % "
         "of the scale that each section names.</p>\n";
+    html += score_table(findings);
     html += findings.subjects.empty()
                 ? std::string("<p class=\"bad\">No subject was studied.</p>\n")
                 : contents_table(findings);

@@ -1,6 +1,7 @@
 #include "engine/study/report/tables.h"
 
 #include "engine/study/pareto.h"
+#include "engine/study/report/contenders.h"
 #include "engine/study/report/html_text.h"
 #include "engine/study/report/setting_names.h"
 
@@ -15,30 +16,6 @@
 namespace plumbline::study {
 
 namespace {
-
-/// The metric of the diagrams.
-constexpr std::size_t kFirstMetric = 0;
-
-/// The runs of one kind of solver, in the order of the points.
-struct Contender {
-    std::string name;
-    std::vector<Point> points;
-};
-
-/// By solver and precision.
-std::vector<Contender> contenders_of(const Subject& subject) {
-    std::vector<Contender> contenders;
-    for (const Point& point : subject.points) {
-        const std::string name = contender_name(point.setting);
-        auto found = std::ranges::find(contenders, name, &Contender::name);
-        if (found == contenders.end()) {
-            contenders.push_back({name, {}});
-            found = contenders.end() - 1;
-        }
-        found->points.push_back(point);
-    }
-    return contenders;
-}
 
 std::string cell(const std::string& text) {
     return fmt::format("<td>{}</td>", text);
@@ -59,33 +36,6 @@ std::string table(const std::string& heads, const std::string& rows) {
         "<div class=\"wide\"><table>\n<thead>{}</thead>\n<tbody>{}</tbody></table></div>\n",
         heads,
         rows);
-}
-
-const Point* cheapest_at(const Contender& contender, double tolerance, std::size_t metric) {
-    const std::array<double, 1> asked{tolerance};
-    const auto found = cost_to_reach(contender.points, asked, metric).front().point;
-    return found ? &contender.points[*found] : nullptr;
-}
-
-const Point* best_for(const Contender& contender, double budget_ms, std::size_t metric) {
-    const std::array<double, 1> asked{budget_ms};
-    const auto found = error_at_budget(contender.points, asked, metric).front().point;
-    return found ? &contender.points[*found] : nullptr;
-}
-
-/// The cheapest of all contenders at a tolerance; nobody: past the end.
-std::size_t winner_at(const std::vector<Contender>& contenders,
-                      double tolerance,
-                      std::size_t metric) {
-    std::size_t best = contenders.size();
-    double least = HUGE_VAL;
-    for (std::size_t i = 0; i < contenders.size(); ++i) {
-        const Point* reached = cheapest_at(contenders[i], tolerance, metric);
-        if (reached == nullptr || reached->cost.ms_per_s_min >= least) continue;
-        least = reached->cost.ms_per_s_min;
-        best = i;
-    }
-    return best;
 }
 
 std::string reach_cell(const Point* reached, bool is_best) {

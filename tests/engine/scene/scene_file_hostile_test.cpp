@@ -68,10 +68,11 @@ TEST_F(SceneFileHostile, DeepNesting) {
     // One less is the parser's and the reader's business.
     const Outcome deepest =
         load("a = " + repeated("[", limits::kTextNesting) + repeated("]", limits::kTextNesting));
-    expect_only(deepest,
-                "scene.toml:1:1: error: a: unknown key; known: accuracy, ambient, array, camera, "
-                "effects, entity, flashlight, fog, goal, joint, material, player, post, prefab, "
-                "scene, sky, sun, view, world");
+    expect_only(
+        deepest,
+        "scene.toml:1:1: error: a: unknown key; known: accuracy, ambient, array, camera, "
+        "effects, entity, flashlight, fog, goal, hard_case, joint, material, player, post, prefab, "
+        "scene, sky, sun, view, world");
 }
 
 TEST_F(SceneFileHostile, ManyDottedParts) {

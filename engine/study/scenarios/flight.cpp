@@ -1,0 +1,215 @@
+// Bodies that nothing touches and that do not turn: A01 to A04.
+#include "engine/study/scenarios/scenario.h"
+
+#include <cmath>
+#include <memory>
+
+namespace plumbline::study {
+namespace {
+
+using physics::BodyId;
+
+constexpr Knobs kFlightKnobs{.substeps = false, .iterations = false, .most_hz = 1920};
+
+const char* const kFlownAlone =
+    "under every solver a body that nothing pushes is moved on the closed form of constant "
+    "acceleration and damping, not by the solver: no Euler floor here";
+
+Scenario projectile() {
+    static constexpr double kSeconds = 2;
+    static constexpr double kFallen_m = 0.5 * kG_mps2 * kSeconds * kSeconds;
+    return {.id = "A01",
+            .title = "A thrown body",
+            .set_up = "A ball of 1 kg leaves at 3 m/s along and 10 m/s up. Nothing is in its way.",
+            .reference = "x = v0 t - g t^2 / 2",
+            .metrics = {{"height at 2 s", "the way fallen, 19.62 m"}, {"way along at 2 s", "6 m"}},
+            .run = [](const Setting& setting, Course& course) -> Errors {
+                Rig rig(setting);
+                const BodyId ball = rig.ball({0, 0, 0}, 0.1, {.velocity_mps = {3, 10, 0}});
+                course.run(rig, kSeconds);
+                const Vec3d expected{3 * kSeconds, 10 * kSeconds - kFallen_m, 0};
+                const Vec3d off = rig.at(ball) - expected;
+                return {off.y / kFallen_m, off.x / 6};
+            },
+            // g T h / 2, of g T^2 / 2.
+            .euler_floor = [](double step_s) { return step_s / kSeconds; },
+            .knobs = kFlightKnobs,
+            .notes = {kFlownAlone}};
+}
+
+/// The check line of the study: what the solver pushes at every step moves by the solver's own rule.
+Scenario along_a_wall() {
+    static constexpr double kSeconds = 2;
+    static constexpr double kFallen_m = 0.5 * kG_mps2 * kSeconds * kSeconds;
+    return {.id = "A01 along a wall",
+            .title = "A body thrown up along a smooth wall",
+            .set_up =
+                "The same ball leaves at 10 m/s up while 10 N press it on a wall without "
+                "friction: never alone, so the solver moves it at every step.",
+            .reference = "y = v0 t - g t^2 / 2; a semi-implicit Euler body is off by g T h / 2",
+            .metrics = {{"height at 2 s", "the way fallen, 19.62 m"},
+                        {"way into the wall at 2 s", "its radius, 0.1 m"}},
+            .run = [](const Setting& setting, Course& course) -> Errors {
+                Rig rig(setting);
+                rig.fixed_box({-1.1, 0, 0}, {2, 60, 20}, {.friction = 0});
+                const BodyId ball =
+                    rig.ball({0, 0, 0}, 0.1, {.friction = 0, .velocity_mps = {0, 10, 0}});
+                const auto press = [&](int) { rig.world.apply_force(ball, {-10, 0, 0}); };
+                course.run(rig, kSeconds, {.before = press});
+                const double expected_m = 10 * kSeconds - kFallen_m;
+                return {(rig.at(ball).y - expected_m) / kFallen_m, rig.at(ball).x / 0.1};
+            },
+            .euler_floor = [](double step_s) { return step_s / kSeconds; },
+            .knobs = {.iterations = false, .most_hz = 1920},
+            .theory = orders_in_step(std::nullopt, 1)};
+}
+
+Scenario damped_fall() {
+    static const double rate = -std::log(0.8);
+    static constexpr double kSeconds = 5;
+    static const double kept = std::exp(-rate * kSeconds);
+    static const double speed_mps = kG_mps2 / rate * (1 - kept);
+    static const double way_m = kG_mps2 / rate * (kSeconds - (1 - kept) / rate);
+    return {.id = "A02",
+            .title = "A fall with linear damping",
+            .set_up = "A ball falls from rest for 5 s; damping takes 20 % of its speed a second.",
+            .reference = "v = (g/k)(1 - exp(-k t)), k = -ln 0.8",
+            .metrics = {{"speed at 5 s", "29.6 m/s"}, {"way at 5 s", "the way fallen"}},
+            .run = [](const Setting& setting, Course& course) -> Errors {
+                Rig rig(setting);
+                const BodyId ball = rig.ball({0, 0, 0}, 0.1, {.linear_damping_per_s = rate});
+                course.run(rig, kSeconds);
+                return {-rig.velocity(ball).y / speed_mps - 1, -rig.at(ball).y / way_m - 1};
+            },
+            // v <- (v + g h) exp(-k h), summed.
+            .euler_floor =
+                [](double step_s) {
+                    const double factor = std::exp(-rate * step_s);
+                    const double euler = kG_mps2 * step_s * factor * (1 - kept) / (1 - factor);
+                    return std::abs(euler / speed_mps - 1);
+                },
+            .knobs = kFlightKnobs,
+            .notes = {kFlownAlone}};
+}
+
+constexpr double kTerminal_mps = 10;
+
+/// Speed and way of semi-implicit Euler under quadratic drag.
+std::pair<double, double> euler_drag(double step_s, double seconds) {
+    double speed = 0;
+    double way = 0;
+    const int steps = static_cast<int>(std::lround(seconds / step_s));
+    for (int i = 0; i < steps; ++i) {
+        const double share = speed / kTerminal_mps;
+        speed += step_s * kG_mps2 * (1 - share * share);
+        way += step_s * speed;
+    }
+    return {speed, way};
+}
+
+Scenario quadratic_drag() {
+    static constexpr double kSeconds = 2;
+    static const double speed_mps = kTerminal_mps * std::tanh(kG_mps2 * kSeconds / kTerminal_mps);
+    static const double way_m = kTerminal_mps * kTerminal_mps / kG_mps2 *
+                                std::log(std::cosh(kG_mps2 * kSeconds / kTerminal_mps));
+    return {
+        .id = "A03",
+        .title = "A fall with quadratic drag",
+        .set_up =
+            "A force m g (v/10 m/s)^2 against the motion is applied before every step, as a "
+            "game would.",
+        .reference = "v = vt tanh(g t / vt), y = (vt^2/g) ln cosh(g t / vt)",
+        .metrics = {{"way at 2 s", "13.13 m"}, {"speed at 2 s", "9.612 m/s"}},
+        .run = [](const Setting& setting, Course& course) -> Errors {
+            Rig rig(setting);
+            const BodyId ball = rig.ball({0, 0, 0}, 0.1);
+            const auto drag = [&](int) {
+                const double share = rig.velocity(ball).y / kTerminal_mps;
+                rig.world.apply_force(ball, vec({0, kG_mps2 * share * std::abs(share) * -1, 0}));
+            };
+            course.run(rig, kSeconds, {.before = drag});
+            return {-rig.at(ball).y / way_m - 1, -rig.velocity(ball).y / speed_mps - 1};
+        },
+        .euler_floor =
+            [](double step_s) { return std::abs(euler_drag(step_s, kSeconds).second / way_m - 1); },
+        .knobs = kFlightKnobs,
+        .theory = orders_in_step(1, 1)};
+}
+
+constexpr double kEccentricity = 0.5;
+constexpr double kOrbit_s = 60;
+
+/// On the ellipse of half axis 1 and mu = 1, `t` after pericentre: Kepler's equation by Newton.
+Vec3d kepler_at(double t) {
+    double anomaly = t;
+    for (int i = 0; i < 50; ++i) {
+        anomaly -= (anomaly - kEccentricity * std::sin(anomaly) - t) /
+                   (1 - kEccentricity * std::cos(anomaly));
+    }
+    const double minor = std::sqrt(1 - kEccentricity * kEccentricity);
+    return {std::cos(anomaly) - kEccentricity, minor * std::sin(anomaly), 0};
+}
+const Vec3d kPericentre{1 - kEccentricity, 0, 0};
+const Vec3d kFastest_mps{0, std::sqrt((1 + kEccentricity) / (1 - kEccentricity)), 0};
+
+double euler_orbit_error(double step_s) {
+    Vec3d at = kPericentre;
+    Vec3d velocity = kFastest_mps;
+    const int steps = static_cast<int>(std::lround(kOrbit_s / step_s));
+    for (int i = 0; i < steps; ++i) {
+        velocity -= at * (step_s / std::pow(glm::length(at), 3));
+        at += velocity * step_s;
+    }
+    return glm::distance(at, kepler_at(kOrbit_s));
+}
+
+Scenario orbit() {
+    return {.id = "A04",
+            .title = "An orbit of eccentricity 0.5",
+            .set_up =
+                "A body goes round a centre that pulls with 1/r^2 (half axis 1 m, 2 pi s a "
+                "round); the force is applied before every step, as a game would.",
+            .reference = "Kepler's equation, by Newton's method",
+            .metrics = {{"place at 60 s", "the half axis, 1 m"},
+                        {"largest error of energy", "the energy, 0.5 J"},
+                        {"angular momentum at 60 s", "that at the start"}},
+            .run = [](const Setting& setting, Course& course) -> Errors {
+                Rig rig(setting, {0, 0, 0});
+                const BodyId body = rig.ball(kPericentre, 0.05, {.velocity_mps = kFastest_mps});
+                const auto pull = [&](int) {
+                    const Vec3d at = rig.at(body);
+                    rig.world.apply_force(body, vec(-at / std::pow(glm::length(at), 3)));
+                };
+                double energy_off = 0;
+                const auto look = [&](int) {
+                    const double speed = glm::length(rig.velocity(body));
+                    const double energy = speed * speed / 2 - 1 / glm::length(rig.at(body));
+                    energy_off = std::max(energy_off, std::abs(energy + 0.5) / 0.5);
+                };
+                course.run(rig, kOrbit_s, {.before = pull, .after = look});
+                const Vec3d turned = glm::cross(rig.at(body), rig.velocity(body));
+                const Vec3d start = glm::cross(kPericentre, kFastest_mps);
+                return {glm::distance(rig.at(body), kepler_at(kOrbit_s)),
+                        energy_off,
+                        glm::distance(turned, start) / glm::length(start)};
+            },
+            .euler_floor = euler_orbit_error,
+            .knobs = {.substeps = false, .iterations = false, .most_hz = 1920},
+            // At coarse steps the error is the whole orbit: no order shows.
+            .notes = {
+                "under every solver a body that nothing pushes flies on the parabola of the force "
+                "that it was given; one that changes within the step is not known to it, and "
+                "energy is not kept as semi-implicit Euler keeps it"}};
+}
+
+}  // namespace
+
+void add_flight(std::vector<Scenario>& all) {
+    all.push_back(projectile());
+    all.push_back(along_a_wall());
+    all.push_back(damped_fall());
+    all.push_back(quadratic_drag());
+    all.push_back(orbit());
+}
+
+}  // namespace plumbline::study

@@ -1,0 +1,256 @@
+// The same scenes turned, moved away, carried along, scaled, made in another order and run backwards:
+// A40 to A44. None needs a reference.
+#include "engine/study/scenarios/stage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace plumbline::study {
+namespace {
+
+using physics::BodyId;
+using physics::BodyKind;
+
+/// A scene and the one place that it ends at, with the length that counts as 1.
+struct Scene {
+    const char* name;
+    double scale_m;
+    Vec3d (*end)(const Frame& frame, const Setting& setting, Course& course);
+};
+
+Vec3d pendulum_end(const Frame& frame, const Setting& setting, Course& course) {
+    Stage stage(frame, setting);
+    const std::size_t nail =
+        stage.box(BodyKind::Static, {0, 0, 0}, {0.2, 0.2, 0.2}, {.touches = false});
+    const std::size_t ball = stage.ball({1, 0, 0}, 0.1, {.touches = false});
+    stage.build();
+    stage.join(ball, nail, {0, 0, 0});
+    stage.run(course, 2);
+    return stage.at(ball);
+}
+
+Vec3d bounce_end(const Frame& frame, const Setting& setting, Course& course) {
+    Stage stage(frame, setting);
+    stage.floor(0.5, 0.8);
+    const std::size_t ball = stage.ball({0, 1.1, 0}, 0.1, {.restitution = 0.8});
+    stage.build();
+    stage.run(course, 0.9);  // about half-way between the first two contacts
+    const double speed = stage.velocity(ball).y;
+    const Vec3d at = stage.at(ball);
+    return {at.x, at.y - 0.1 + speed * speed / (2 * kG_mps2), at.z};
+}
+
+Vec3d slide_end(const Frame& frame, const Setting& setting, Course& course) {
+    Stage stage(frame, setting);
+    stage.floor(0.3);
+    const std::size_t box = stage.box(
+        BodyKind::Dynamic, {0, 0.25, 0}, {1, 0.5, 1}, {.friction = 0.3, .velocity_mps = {5, 0, 0}});
+    stage.build();
+    stage.run(course, 2.5);
+    return stage.at(box);
+}
+
+Vec3d roll_end(const Frame& frame, const Setting& setting, Course& course) {
+    Stage stage(frame, setting);
+    stage.floor(0.2);
+    const std::size_t ball =
+        stage.ball({0, 0.5, 0}, 0.5, {.friction = 0.2, .velocity_mps = {5, 0, 0}});
+    stage.build();
+    stage.run(course, 3);
+    return stage.at(ball);
+}
+
+/// The top of five cubes that come down a centimetre each.
+Vec3d tower_end(const Frame& frame, const Setting& setting, Course& course) {
+    Stage stage(frame, setting);
+    stage.floor(0.5);
+    std::size_t top = 0;
+    for (int i = 0; i < 5; ++i)
+        top = stage.box(BodyKind::Dynamic, {0, 0.51 + 1.01 * i, 0}, {1, 1, 1}, {});
+    stage.build();
+    stage.run(course, 3);
+    return stage.at(top);
+}
+
+constexpr std::array<Scene, 5> kScenes{{{"sliding box", 4.25, slide_end},
+                                        {"pendulum", 1, pendulum_end},
+                                        {"bounce", 0.64, bounce_end},
+                                        {"slide to roll", 11.2, roll_end},
+                                        {"tower of five", 4.5, tower_end}}};
+
+/// For every scene the furthest that any of the frames ends from the plain one.
+Errors furthest_by_scene(std::span<const Frame> frames, const Setting& setting, Course& course) {
+    Errors errors;
+    for (const Scene& scene : kScenes) {
+        const Vec3d plain = scene.end({}, setting, course);
+        double furthest = 0;
+        for (const Frame& frame : frames)
+            furthest = std::max(furthest, glm::distance(scene.end(frame, setting, course), plain));
+        errors.push_back(furthest / scene.scale_m);
+    }
+    return errors;
+}
+
+/// For every frame the furthest that any scene ends from the plain one, as a share of its way.
+Errors furthest_by_frame(std::span<const Frame> frames, const Setting& setting, Course& course) {
+    Errors errors(frames.size(), 0.0);
+    for (const Scene& scene : kScenes) {
+        const Vec3d plain = scene.end({}, setting, course);
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            const double off = glm::distance(scene.end(frames[i], setting, course), plain);
+            errors[i] = std::max(errors[i], off / scene.scale_m);
+        }
+    }
+    return errors;
+}
+
+constexpr const char* kSetUp =
+    "A box that slides to a stop, a pendulum, a bounce, a ball that comes to roll and a tower of "
+    "five: ";
+constexpr Knobs kKnobs{.iterations = false, .most_hz = 240};
+
+std::vector<Metric> metrics_by_scene() {
+    std::vector<Metric> metrics;
+    for (const Scene& scene : kScenes)
+        metrics.push_back({scene.name, fmt::format("{:g} m", scene.scale_m)});
+    return metrics;
+}
+
+Scenario by_scene(std::string id, std::string title, const char* how, std::vector<Frame> frames) {
+    return {.id = std::move(id),
+            .title = std::move(title),
+            .set_up = fmt::format("{}{}", kSetUp, how),
+            .reference = "the same scene as it is: furthest place at the end",
+            .tier = Tier::Conserved,
+            .metrics = metrics_by_scene(),
+            .run = [frames = std::move(frames)](
+                       const Setting& setting,
+                       Course& course) { return furthest_by_scene(frames, setting, course); },
+            .knobs = kKnobs};
+}
+
+Scenario by_frame(std::string id,
+                  std::string title,
+                  const char* how,
+                  std::vector<Metric> metrics,
+                  std::vector<Frame> frames) {
+    return {.id = std::move(id),
+            .title = std::move(title),
+            .set_up = fmt::format("{}{}", kSetUp, how),
+            .reference = "the same scene as it is: furthest place at the end, of any scene",
+            .tier = Tier::Conserved,
+            .metrics = std::move(metrics),
+            .run = [frames = std::move(frames)](
+                       const Setting& setting,
+                       Course& course) { return furthest_by_frame(frames, setting, course); },
+            .knobs = kKnobs};
+}
+
+Scenario turned() {
+    std::vector<Frame> frames;
+    for (int i = 1; i < 24; ++i) {
+        const Quatd yaw = glm::angleAxis(i * kPi_d / 12, Vec3d{0, 1, 0});
+        const Quatd tilt = glm::angleAxis(0.3 * i, Vec3d{0.6, 0, 0.8});
+        frames.push_back({.turn = tilt * yaw});
+    }
+    return by_scene(
+        "A40", "The world is turned", "turned 23 ways, gravity with them.", std::move(frames));
+}
+
+Scenario far_away() {
+    std::vector<Frame> frames;
+    std::vector<Metric> metrics;
+    for (const double far_m : {1e1, 1e2, 1e3, 1e4, 1e5}) {
+        frames.push_back({.offset_m = {far_m, 0, -far_m}});
+        metrics.push_back({fmt::format("{:g} m away", far_m), "the way of the scene"});
+    }
+    return by_frame("A41",
+                    "The world is far away",
+                    "moved away along x and z.",
+                    std::move(metrics),
+                    std::move(frames));
+}
+
+Scenario carried_along() {
+    std::vector<Frame> frames;
+    std::vector<Metric> metrics;
+    for (const double speed : {1.0, 10.0, 100.0}) {
+        frames.push_back({.drift_mps = Vec3d{0.6, 0, 0.8} * speed});
+        metrics.push_back({fmt::format("at {:g} m/s", speed), "the way of the scene"});
+    }
+    return by_frame("A42",
+                    "The world moves along",
+                    "with everything, floors too, moving at one velocity.",
+                    std::move(metrics),
+                    std::move(frames));
+}
+
+Scenario scaled() {
+    std::vector<Frame> frames;
+    std::vector<Metric> metrics;
+    for (const double scale : {0.01, 0.1, 10.0, 100.0}) {
+        frames.push_back({.scale = scale});
+        metrics.push_back({fmt::format("{:g} times as long", scale), "the way of the scene"});
+    }
+    return by_frame("A43",
+                    "The world is larger or smaller",
+                    "lengths times s, times times sqrt s, steps too.",
+                    std::move(metrics),
+                    std::move(frames));
+}
+
+Scenario made_backwards() {
+    return by_scene("A44 order",
+                    "Bodies are made in another order",
+                    "bodies made in the opposite order.",
+                    {{.backwards = true}});
+}
+
+Scenario back_in_time() {
+    return {.id = "A44 time",
+            .title = "Time runs backwards",
+            .set_up =
+                "A ball flies about in a smooth elastic room for 2 s; then its velocity is turned "
+                "round, for 2 s.",
+            .reference = "it comes back to where it started",
+            .tier = Tier::Conserved,
+            .metrics = {{"distance from the start", "the room, 4 m"}},
+            .run = [](const Setting& setting, Course& course) -> Errors {
+                Rig rig(setting);
+                const Stuff wall{.friction = 0, .restitution = 1};
+                for (int axis = 0; axis < 3; ++axis) {
+                    for (const double side : {-1.0, 1.0}) {
+                        Vec3d at{0, 0, 0};
+                        at[axis] = side * 3;
+                        Vec3d size{8, 8, 8};
+                        size[axis] = 2;
+                        rig.fixed_box(at, size, wall);
+                    }
+                }
+                Stuff stuff = wall;
+                stuff.velocity_mps = {3.1, 2.3, -1.7};
+                const BodyId ball = rig.ball({0.3, 0.2, 0.1}, 0.25, stuff);
+                const Vec3d start = rig.at(ball);
+                course.run(rig, 2);
+                rig.world.set_velocity(ball, vec(-rig.velocity(ball)), {0, 0, 0});
+                course.run(rig, 2);
+                return {glm::distance(rig.at(ball), start) / 4};
+            },
+            .knobs = {.iterations = false}};
+}
+
+}  // namespace
+
+void add_invariances(std::vector<Scenario>& all) {
+    all.push_back(turned());
+    all.push_back(far_away());
+    all.push_back(carried_along());
+    all.push_back(scaled());
+    all.push_back(made_backwards());
+    all.push_back(back_in_time());
+}
+
+}  // namespace plumbline::study

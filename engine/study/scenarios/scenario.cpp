@@ -1,0 +1,73 @@
+#include "engine/study/scenarios/scenario.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::study {
+namespace {
+
+// Nothing in the scenarios moves nearly as fast, and what is stepped once does not get there.
+constexpr double kExploded_mps = 1e3;
+
+RunStatus status_of(const Rig& rig) {
+    if (rig.broken()) return RunStatus::NotFinite;
+    for (const physics::BodyId id : rig.movers) {
+        if (glm::length(rig.velocity(id)) > kExploded_mps) return RunStatus::Exploded;
+    }
+    return RunStatus::Done;
+}
+
+}  // namespace
+
+void Course::run(Rig& rig, double seconds, const Hooks& hooks) {
+    const double step_s = rig.step_s();
+    const int steps = static_cast<int>(std::lround(seconds / step_s));
+    const bool looks = mode_ == Mode::Looked;
+    if (!looks) meter_.resume();
+    for (int i = 0; i < steps; ++i) {
+        if (hooks.before) hooks.before(i);
+        rig.world.step();
+        if (looks) {
+            if (hooks.after) hooks.after(i);
+        } else {
+            meter_.stepped(rig.world.cost(), step_s);
+        }
+        if (hooks.until && hooks.until()) break;
+    }
+    if (!looks) meter_.pause();
+    const RunStatus found = status_of(rig);
+    if (status_ == RunStatus::Done) status_ = found;
+}
+
+Point run_scenario(const Scenario& scenario, const Setting& setting, const Repeats& repeats) {
+    Point point{.setting = setting};
+    Course looked(Course::Mode::Looked);
+    point.errors = scenario.run(setting, looked);
+    PL_ASSERT(point.errors.size() == scenario.metrics.size(), "an error for every metric");
+    point.status = looked.status();
+    if (point.status == RunStatus::Done &&
+        !std::ranges::all_of(point.errors, [](double error) { return std::isfinite(error); }))
+        point.status = RunStatus::NotFinite;
+    if (point.status != RunStatus::Done) {
+        point.why = point.status == RunStatus::Exploded ? "a body was faster than 1000 m/s"
+                                                        : "a number of the state was none";
+        point.errors.clear();
+    }
+    // The run that was looked at has warmed up caches and the allocator.
+    const auto lap = [&] {
+        Course timed(Course::Mode::Timed);
+        scenario.run(setting, timed);
+        return timed.lap();
+    };
+    point.cost = cost_of(take_laps(lap, repeats));
+    return point;
+}
+
+TheoryOf orders_in_step(std::optional<double> small_step, std::optional<double> bullet) {
+    return [=](const Setting& setting, std::string_view knob) -> std::optional<double> {
+        if (knob != "step rate") return std::nullopt;
+        return setting.solver == physics::Solver::SmallStep ? small_step : bullet;
+    };
+}
+
+}  // namespace plumbline::study

@@ -1,0 +1,148 @@
+#include "engine/study/scenarios/scenario_study.h"
+
+#include "engine/core/stopwatch.h"
+#include "engine/study/findings_json_impl.h"
+#include "engine/study/job.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace plumbline::study {
+namespace {
+
+constexpr double kLimit_s = 60;
+
+struct Planned {
+    std::size_t scenario;
+    Setting setting;
+    Job job;
+    double weight;  ///< what it will take, compared with others
+};
+
+/// Repeats that are worth their time; the budget counts where a run is long.
+Repeats repeats_of(Effort effort) {
+    return effort == Effort::Quick ? Repeats{.wanted = 3, .budget_s = 0.1}
+                                   : Repeats{.wanted = 5, .budget_s = 0.4};
+}
+
+std::vector<Planned> plan(const ScenarioStudyOptions& options) {
+    const Repeats repeats = repeats_of(options.effort);
+    std::vector<Planned> planned;
+    for (std::size_t i = 0; i < options.scenarios.size(); ++i) {
+        for (const Setting& setting : grid_of(*options.scenarios[i], options.effort)) {
+            const Json body{{"scenario", options.scenarios[i]->id},
+                            {"setting", json_of(setting)},
+                            {"repeats", repeats.wanted},
+                            {"budget_s", repeats.budget_s}};
+            planned.push_back({.scenario = i,
+                               .setting = setting,
+                               .job = {.kind = "scenario",
+                                       .body = body.dump(),
+                                       .precision = setting.precision,
+                                       .limit_s = kLimit_s},
+                               .weight = static_cast<double>(setting.step_hz)});
+        }
+    }
+    return planned;
+}
+
+Point point_of(const Setting& setting, const Answer& answer) {
+    const auto without = [&](RunStatus status) {
+        return Point{.setting = setting, .status = status, .why = answer.body};
+    };
+    switch (answer.status) {
+        case AnswerStatus::TimedOut:
+            return without(RunStatus::TimedOut);
+        case AnswerStatus::Crashed:
+            return without(RunStatus::Crashed);
+        case AnswerStatus::Failed:
+            return without(RunStatus::Refused);
+        case AnswerStatus::Done:
+            break;
+    }
+    try {
+        return point_from(Json::parse(answer.body));
+    } catch (const std::exception& fault) {
+        return Point{.setting = setting, .status = RunStatus::Refused, .why = fault.what()};
+    }
+}
+
+Subject subject_of(const Scenario& scenario, std::vector<Point> points) {
+    Subject subject{.id = scenario.id,
+                    .title = scenario.title,
+                    .set_up = scenario.set_up,
+                    .reference = scenario.reference,
+                    .tier = scenario.tier,
+                    .peer_scene = scenario.peer_scene,
+                    .metrics = scenario.metrics,
+                    .points = std::move(points),
+                    .notes = scenario.notes};
+    if (scenario.euler_floor) {
+        for (int hz = scenario.knobs.least_hz; hz <= scenario.knobs.most_hz; hz *= 2)
+            subject.euler_floor.push_back(
+                {.step_s = 1.0 / hz, .error = scenario.euler_floor(1.0 / hz)});
+    }
+    subject.verdicts = verdicts_of(subject.points, scenario.theory);
+    return subject;
+}
+
+double clock_spread_of(std::span<const Subject> subjects) {
+    std::vector<double> spreads;
+    for (const Subject& subject : subjects) {
+        for (const Point& point : subject.points) {
+            if (point.cost.repeats > 2)
+                spreads.push_back(point.cost.ms_per_s_median / point.cost.ms_per_s_min - 1);
+        }
+    }
+    if (spreads.empty()) return 0;
+    const auto middle = spreads.begin() + static_cast<std::ptrdiff_t>(spreads.size() / 2);
+    std::ranges::nth_element(spreads, middle);
+    return *middle;
+}
+
+}  // namespace
+
+Result<ScenarioStudy> study_scenarios(const ScenarioStudyOptions& options) {
+    const std::vector<Planned> planned = plan(options);
+    std::vector<Job> jobs;
+    double all = 0;
+    for (const Planned& each : planned) {
+        jobs.push_back(each.job);
+        all += each.weight;
+    }
+    std::vector<std::optional<Point>> points(planned.size());
+    const double start_s = wall_s();
+    double done = 0;
+    const Result<bool> ended =
+        run_jobs(jobs, options.workers, [&](std::size_t index, const Answer& answer) {
+            points[index] = point_of(planned[index].setting, answer);
+            done += planned[index].weight;
+            if (options.progress)
+                options.progress(done / all, (wall_s() - start_s) * (all / done - 1));
+        });
+    if (!ended) return ended.error();
+
+    ScenarioStudy study{.complete = *ended};
+    for (std::size_t i = 0; i < options.scenarios.size(); ++i) {
+        std::vector<Point> own;
+        for (std::size_t k = 0; k < planned.size(); ++k) {
+            if (planned[k].scenario == i && points[k]) own.push_back(*points[k]);
+        }
+        if (!own.empty())
+            study.subjects.push_back(subject_of(*options.scenarios[i], std::move(own)));
+    }
+    study.clock_spread = clock_spread_of(study.subjects);
+    return study;
+}
+
+std::string run_scenario_job(const std::string& body) {
+    const Json job = Json::parse(body);
+    const std::string id = job.at("scenario");
+    const Scenario* scenario = scenario_of(id);
+    if (!scenario) throw std::runtime_error("there is no scenario " + id);
+    const Repeats repeats{.wanted = job.at("repeats"), .budget_s = job.at("budget_s")};
+    return json_of(run_scenario(*scenario, setting_from(job.at("setting")), repeats)).dump();
+}
+
+}  // namespace plumbline::study

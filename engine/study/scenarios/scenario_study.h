@@ -1,0 +1,40 @@
+// The study of the scenarios: the grid of settings, the runs in workers, and what comes of them.
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/study/scenarios/scenario.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace plumbline::study {
+
+enum class Effort {
+    Quick,  ///< two solvers, four step rates: minutes less, for a first look and for CI
+    Full,
+};
+
+/// The settings that a scenario is run at: each knob turned alone, from the same middle.
+std::vector<Setting> grid_of(const Scenario& scenario, Effort effort);
+
+struct ScenarioStudyOptions {
+    std::vector<const Scenario*> scenarios;
+    Effort effort{Effort::Full};
+    int workers{1};
+    /// After every run: the share of all that is done, and seconds left.
+    std::function<void(double share, double left_s)> progress{};
+};
+
+struct ScenarioStudy {
+    std::vector<Subject> subjects;  ///< those with any run done, in the order asked for
+    double clock_spread{0};         ///< as in Findings
+    bool complete{true};            ///< false: interrupted
+};
+/// Refused: the programs are not beside this one.
+Result<ScenarioStudy> study_scenarios(const ScenarioStudyOptions& options);
+
+/// The kind "scenario".
+std::string run_scenario_job(const std::string& body);
+
+}  // namespace plumbline::study

@@ -1,0 +1,224 @@
+#include "game/study_command.h"
+
+#include "engine/core/files.h"
+#include "engine/core/interrupt.h"
+#include "engine/core/log.h"
+#include "engine/core/nearest_name.h"
+#include "engine/scene/scene_file.h"
+#include "engine/study/findings_json.h"
+#include "engine/study/job.h"
+#include "engine/study/machine.h"
+#include "engine/study/progress.h"
+#include "engine/study/report/report.h"
+#include "engine/study/scenarios/scenario_study.h"
+#include "engine/study/scenarios/scenario_text.h"
+#include "game/effects_command.h"
+#include "game/scene_study_command.h"
+#include "game/simulate_cli.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace plumbline::game {
+namespace {
+
+namespace fs = std::filesystem;
+
+ExitCode refuse(const Error& error) {
+    log_error("{}", error.message);
+    return error.exit_code;
+}
+
+/// What the words of the command line mean.
+struct Chosen {
+    std::vector<const study::Scenario*> scenarios;
+    std::vector<fs::path> scenes;
+};
+
+/// "A20" and "A20 e=0.5" stand for the scenarios that begin so.
+std::vector<const study::Scenario*> scenarios_like(std::string_view word) {
+    std::vector<const study::Scenario*> like;
+    for (const study::Scenario& scenario : study::scenarios()) {
+        if (scenario.id.starts_with(word)) like.push_back(&scenario);
+    }
+    return like;
+}
+
+Error unknown_case(const std::string& word) {
+    std::vector<std::string_view> known;
+    for (const study::Scenario& scenario : study::scenarios()) {
+        known.emplace_back(scenario.id);
+        known.emplace_back(std::string_view(scenario.id).substr(0, 3));
+    }
+    std::string message = fmt::format("there is no scenario and no scene \"{}\"", word);
+    const std::string_view nearest = nearest_name(word, known);
+    if (!nearest.empty()) message += fmt::format("; the nearest is \"{}\"", nearest);
+    return {.message = message + "; plumbline study --list names all scenarios",
+            .exit_code = ExitCode::BadUsage};
+}
+
+Result<Chosen> chosen_by(const StudyOptions& options) {
+    Chosen chosen;
+    if (options.cases.empty()) chosen.scenarios = scenarios_like("");
+    for (const std::string& word : options.cases) {
+        const std::vector<const study::Scenario*> like = scenarios_like(word);
+        for (const study::Scenario* scenario : like) {
+            if (std::ranges::find(chosen.scenarios, scenario) == chosen.scenarios.end())
+                chosen.scenarios.push_back(scenario);
+        }
+        if (!like.empty()) continue;
+        const Result<DataFolders> folders = find_data_folders();
+        if (!folders) return folders.error();
+        const Result<fs::path> scene = scene::find_scene(word, folders->assets);
+        const bool is_a_file = word.find_first_of("./") != std::string::npos;
+        if (!scene) return is_a_file ? scene.error() : unknown_case(word);
+        chosen.scenes.push_back(*scene);
+    }
+    return chosen;
+}
+
+/// Before hours of work: can the results be written?
+Result<Done> make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        return Error{.message = fmt::format(
+                         "cannot make the folder {}: {}", folder.string(), error.message())};
+    return write_file_atomically(folder / "findings.csv", "");
+}
+
+Result<Done> write_files(const study::Findings& findings, const fs::path& folder) {
+    const std::pair<const char*, std::string> files[] = {
+        {"findings.json", study::findings_to_json(findings)},
+        {"findings.csv", study::findings_to_csv(findings)}};
+    for (const auto& [name, text] : files) {
+        if (Result<Done> written = write_file_atomically(folder / name, text); !written)
+            return written;
+    }
+    return study::write_report(findings, folder);
+}
+
+/// The scenarios' part of the findings, printed.
+Result<Done> add_scenarios(const StudyOptions& options,
+                           const Chosen& chosen,
+                           study::Findings& findings) {
+    using Shown = study::ProgressBar::Shown;
+    const auto effort = options.quick ? study::Effort::Quick : study::Effort::Full;
+    Result<study::ScenarioStudy> made = [&] {
+        study::ProgressBar bar(options.quiet ? Shown::No : Shown::Yes);
+        return study::study_scenarios(
+            {.scenarios = chosen.scenarios,
+             .effort = effort,
+             .workers = options.jobs > 0 ? options.jobs : study::default_workers(),
+             .progress = [&](double share, double left_s) { bar.show(share, left_s); }});
+    }();
+    if (!made) return made.error();
+    for (study::Subject& subject : made->subjects) {
+        std::cout << study::subject_text(subject) << std::flush;
+        findings.subjects.push_back(std::move(subject));
+    }
+    findings.clock_spread = made->clock_spread;
+    findings.complete = made->complete;
+    return Done{};
+}
+
+Result<Done> add_scenes(const StudyOptions& options,
+                        const Chosen& chosen,
+                        study::Findings& findings) {
+    for (const fs::path& scene : chosen.scenes) {
+        if (!findings.complete) break;
+        Result<study::SceneStudy> made = run_scene_study(
+            {.scene = scene,
+             .seconds = options.seconds,
+             .wish = {.tolerance = options.tolerance, .budget_ms = options.budget_ms}});
+        if (!made) return made.error();
+        findings.complete = made->complete;
+        findings.subjects.push_back(std::move(made->subject));
+    }
+    return Done{};
+}
+
+void list_scenarios() {
+    for (const study::Scenario& scenario : study::scenarios())
+        std::cout << fmt::format("{:<18} {}\n", scenario.id, scenario.title);
+}
+
+ExitCode study_effects(const StudyOptions& options) {
+    const Result<DataFolders> folders = find_data_folders();
+    if (!folders) return refuse(folders.error());
+    if (options.cases.empty())
+        return refuse({.message = "--effects needs a scene", .exit_code = ExitCode::BadUsage});
+    for (const std::string& word : options.cases) {
+        const Result<fs::path> scene = scene::find_scene(word, folders->assets);
+        if (!scene) return refuse(scene.error());
+        if (const ExitCode code = run_effects_study(*scene, options.seconds);
+            code != ExitCode::Good)
+            return code;
+    }
+    return ExitCode::Good;
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, StudyOptions& options) {
+    CLI::App* study = app.add_subcommand("study", "What accuracy costs: error against CPU time");
+    study->add_option(
+        "cases", options.cases, "Scenarios (A20, or A for all that begin so) or scenes; none: all");
+    study->add_option(
+        "--out", options.out, "Folder for report.html, findings.json and findings.csv");
+    study->add_flag("--quick", options.quick, "Two solvers, four step rates");
+    study->add_flag("--list", options.list, "Names all scenarios");
+    study->add_flag("--effects", options.effects, "What each effect of a scene costs");
+    study->add_option("--jobs", options.jobs, "Runs at once; as many as cores if not given")
+        ->check(CLI::Range(1, 256));
+    study->add_option("--seconds", options.seconds, "Of a scene: simulated time")
+        ->check(CLI::PositiveNumber);
+    study
+        ->add_option("--tolerance",
+                     options.tolerance,
+                     "Of a scene: just the lines for a relative error of at most this")
+        ->check(CLI::PositiveNumber);
+    study
+        ->add_option("--budget-ms",
+                     options.budget_ms,
+                     "Of a scene: just the lines for at most so many CPU ms a frame")
+        ->check(CLI::PositiveNumber);
+}
+
+ExitCode run_study(const StudyOptions& options) {
+    if (options.list) {
+        list_scenarios();
+        return ExitCode::Good;
+    }
+    catch_interrupts();
+    if (options.effects) return study_effects(options);
+    const Result<Chosen> chosen = chosen_by(options);
+    if (!chosen) return refuse(chosen.error());
+    if (!options.out.empty()) {
+        if (const Result<Done> made = make_folder(options.out); !made) return refuse(made.error());
+    }
+    study::Findings findings{.command = options.command,
+                             .machine = study::machine_text(),
+                             .build = fmt::format("{}, {}", version_text(), study::build_text()),
+                             .made_on = study::today_text()};
+    if (!chosen->scenarios.empty()) {
+        if (const Result<Done> added = add_scenarios(options, *chosen, findings); !added)
+            return refuse(added.error());
+    }
+    if (const Result<Done> added = add_scenes(options, *chosen, findings); !added)
+        return refuse(added.error());
+    if (!options.out.empty()) {
+        if (const Result<Done> written = write_files(findings, options.out); !written)
+            return refuse(written.error());
+        std::cout << (options.out / "report.html").string() << '\n';
+    }
+    if (findings.complete) return ExitCode::Good;
+    log_warning("interrupted: what was done by then is {}",
+                options.out.empty() ? "above" : "above and written");
+    return ExitCode::Interrupted;
+}
+
+}  // namespace plumbline::game

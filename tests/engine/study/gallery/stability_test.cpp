@@ -1,0 +1,220 @@
+// The stability table: its cases, its words, its files.
+#include "engine/study/gallery/stability.h"
+
+#include "engine/core/files.h"
+#include "engine/scene/scene_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::study {
+namespace {
+
+const std::filesystem::path kAssets = std::filesystem::path(PL_SOURCE_DIR) / "assets";
+
+const std::vector<CaseEntry>& shipped() {
+    static const std::vector<CaseEntry> kCases = [] {
+        Result<std::vector<CaseEntry>> cases = find_cases(kAssets);
+        EXPECT_TRUE(cases.ok()) << (cases.ok() ? "" : cases.error().message);
+        return cases ? std::move(*cases) : std::vector<CaseEntry>{};
+    }();
+    return kCases;
+}
+
+CaseEntry entry(const std::string& id) {
+    CaseEntry made{.scene = id + ".toml", .title = "a <tower>"};
+    made.hard.id = id;
+    made.hard.shows = "It stands.";
+    return made;
+}
+
+CaseResult result(bool passed, double margin) {
+    return {.ran = true,
+            .passed = passed,
+            .simulated_s = 10,
+            .cpu_ms_per_s = 1.5,
+            .step_ms_max = 0.25,
+            .work_per_s = 1000,
+            .rules = {{.text = "sag_m below 1",
+                       .value = 1 - margin,
+                       .margin = margin,
+                       .passed = passed,
+                       .worst_of = "box",
+                       .worst_at_s = 2}}};
+}
+
+TEST(Gallery, HoldsEveryRowThatTheFeaturesAllow) {
+    ASSERT_GE(shipped().size(), 70U);
+    const Result<std::string> page = read_file(PL_SOURCE_DIR "/docs/GALLERY.md", 1 << 20);
+    ASSERT_TRUE(page.ok());
+    for (const CaseEntry& each : shipped()) {
+        EXPECT_EQ(each.scene.stem(), each.hard.id);
+        EXPECT_NE(page->find("| " + each.hard.id + " | "), std::string::npos) << each.hard.id;
+        EXPECT_FALSE(each.hard.known_to_fail.empty()) << each.hard.id;
+        EXPECT_FALSE(each.hard.rules.empty()) << each.hard.id;
+    }
+}
+
+TEST(Gallery, EveryCaseHasAJudge) {
+    Diagnostics faults;
+    const scene::SurfaceTable surfaces =
+        scene::load_surfaces(PL_SOURCE_DIR "/config/surfaces.toml", kAssets, faults);
+    for (const CaseEntry& each : shipped()) {
+        const auto description = scene::load_scene(each.scene, kAssets, faults);
+        ASSERT_TRUE(description.ok()) << each.hard.id;
+        assets::AssetLibrary library;
+        const auto simulation = scene::build_simulation(*description, {}, library, surfaces);
+        ASSERT_TRUE(simulation.ok()) << each.hard.id;
+        // Those that are about overlap say so; nothing else is remarkable.
+        const bool overlaps = each.hard.energy_from.find("overlap") != std::string::npos;
+        for (const std::string& warning : (*simulation)->warnings()) {
+            EXPECT_TRUE(overlaps && warning.find("start overlapped") != std::string::npos)
+                << each.hard.id << ": " << warning;
+        }
+        const Result<HardCaseJudge> judge = HardCaseJudge::create(**simulation);
+        EXPECT_TRUE(judge.ok()) << (judge.ok() ? "" : judge.error().message);
+    }
+}
+
+TEST(Gallery, ARunSaysTheSameTwice) {
+    const CaseRun run{.scene = kAssets / "scenes/hard/H25.toml"};
+    const Result<CaseResult> first = run_case(run);
+    const Result<CaseResult> second = run_case(run);
+    ASSERT_TRUE(first.ok() && second.ok());
+    EXPECT_TRUE(first->passed);
+    EXPECT_NEAR(first->simulated_s, 2, 1e-9);
+    EXPECT_EQ(first->work_per_s, second->work_per_s);
+    ASSERT_EQ(first->rules.size(), second->rules.size());
+    for (std::size_t i = 0; i < first->rules.size(); ++i)
+        EXPECT_EQ(first->rules[i].value, second->rules[i].value) << first->rules[i].text;
+}
+
+TEST(Gallery, ARunThatTakesTooLongIsGivenUp) {
+    const Result<CaseResult> result =
+        run_case({.scene = kAssets / "scenes/hard/H11.toml", .cpu_limit_s = 1e-6});
+    ASSERT_TRUE(result.ok());
+    EXPECT_TRUE(result->ran);
+    EXPECT_FALSE(result->passed);
+    EXPECT_NE(result->why.find("given up"), std::string::npos) << result->why;
+    EXPECT_NEAR(result->simulated_s, 1.0 / 60, 1e-9);
+}
+
+TEST(Stability, CasesAreFoundByTheirIds) {
+    const std::vector<CaseEntry> all{entry("H01"), entry("H05"), entry("H12b")};
+    const auto two = select_cases(all, {"hard/H05", "h12b.toml"}, false);
+    ASSERT_TRUE(two.ok());
+    ASSERT_EQ(two->size(), 2U);
+    EXPECT_EQ((*two)[0].hard.id, "H05");
+    EXPECT_EQ((*two)[1].hard.id, "H12b");
+    const auto none = select_cases(all, {"H06"}, false);
+    ASSERT_FALSE(none.ok());
+    EXPECT_EQ(none.error().exit_code, ExitCode::BadUsage);
+    EXPECT_NE(none.error().message.find("there is no hard case \"H06\""), std::string::npos);
+    EXPECT_NE(none.error().message.find("did you mean H0"), std::string::npos);
+}
+
+TEST(Stability, TheLongOnesRunWhenAskedFor) {
+    std::vector<CaseEntry> all{entry("H01"), entry("H02")};
+    all[1].hard.nightly = true;
+    EXPECT_EQ(select_cases(all, {}, false)->size(), 1U);
+    EXPECT_EQ(select_cases(all, {}, true)->size(), 2U);
+    EXPECT_EQ(select_cases(all, {"H02"}, false)->size(), 1U);
+}
+
+TEST(Stability, ResultsSurviveTheirJson) {
+    CaseResult before = result(false, -0.5);
+    before.why = "a \"reason\"";
+    before.rules.push_back({.text = "height_m above 0",
+                            .value = std::nan(""),
+                            .margin = -std::numeric_limits<double>::infinity()});
+    const Result<CaseResult> after = parse_case_result(case_result_json(before));
+    ASSERT_TRUE(after.ok());
+    EXPECT_EQ(after->why, before.why);
+    EXPECT_EQ(after->cpu_ms_per_s, before.cpu_ms_per_s);
+    EXPECT_EQ(after->work_per_s, before.work_per_s);
+    ASSERT_EQ(after->rules.size(), 2U);
+    EXPECT_EQ(after->rules[0].margin, -0.5);
+    EXPECT_TRUE(std::isnan(after->rules[1].value));
+    EXPECT_EQ(after->rules[1].margin, before.rules[1].margin);
+    EXPECT_EQ(after->worst()->text, "height_m above 0");
+    EXPECT_FALSE(parse_case_result("{\"ran\": true}").ok());
+    EXPECT_FALSE(parse_case_result("nonsense").ok());
+}
+
+TEST(Stability, JobsRefuseWithAReason) {
+    for (const std::string body :
+         {"",
+          "{}",
+          R"({"scene": "x.toml", "solver": "best", "step_hz": 60, "cpu_limit_s": 1})",
+          R"({"scene": "none.toml", "solver": "small_step", "step_hz": 60, "cpu_limit_s": 1})"}) {
+        const Result<CaseResult> answer = parse_case_result(run_hard_case_job(body));
+        ASSERT_TRUE(answer.ok()) << body;
+        EXPECT_FALSE(answer->ran || answer->passed) << body;
+        EXPECT_FALSE(answer->why.empty()) << body;
+    }
+}
+
+class StabilityTableTest : public testing::Test {
+protected:
+    StabilityTableTest()
+        : table(plan_table({entry("H01"), entry("H02")},
+                           {physics::Solver::SmallStep, physics::Solver::BulletSi},
+                           {60})) {
+        table.runs[0].result = result(true, 0.63);
+        table.runs[1].result = result(false, -3);
+        table.runs[2].result = result(false, -0.25);
+    }
+    StabilityTable table;
+};
+
+TEST_F(StabilityTableTest, HasACellForEveryCaseAndSolver) {
+    ASSERT_EQ(table.runs.size(), 4U);
+    EXPECT_EQ(table.find(1, physics::Solver::BulletSi, 60), &table.runs[3]);
+    EXPECT_EQ(table.find(1, physics::Solver::BulletSi, 30), nullptr);
+}
+
+TEST_F(StabilityTableTest, OnlyOurOwnUnexplainedRedsAreUnexpected) {
+    EXPECT_EQ(table.unexpected_reds(), std::vector<std::string>{"H02"});
+    table.cases[1].hard.known_red = "a reason";
+    EXPECT_TRUE(table.unexpected_reds().empty());
+}
+
+TEST_F(StabilityTableTest, TheTextCountsWhatPasses) {
+    const std::string text = stability_text(table);
+    EXPECT_NE(text.find("63 % inside"), std::string::npos);
+    EXPECT_NE(text.find("300 % outside"), std::string::npos);
+    EXPECT_NE(text.find("not run"), std::string::npos);
+    EXPECT_NE(text.find("1 of 2 pass"), std::string::npos) << text;
+    EXPECT_NE(text.find("0 of 1 pass"), std::string::npos) << text;
+}
+
+TEST_F(StabilityTableTest, ThePageShowsEveryCellAndEscapes) {
+    table.pictures[0] = "Man";  // "TWFu" in base 64
+    table.cases[1].hard.known_red = "not <yet>";
+    const std::string page = stability_page(table);
+    for (const char* wanted : {"<tr id=\"H01\">",
+                               "<tr id=\"H02\">",
+                               "data:image/png;base64,TWFu\"",
+                               "a &lt;tower&gt;",
+                               "not &lt;yet&gt;",
+                               "class=\"pass\"",
+                               "class=\"fail\"",
+                               "class=\"none\">not run",
+                               "1 of 2 pass"}) {
+        EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
+    }
+    EXPECT_EQ(page.find("a <tower>"), std::string::npos);
+    EXPECT_EQ(page.find("http"), std::string::npos) << "one file, nothing loaded";
+}
+
+TEST_F(StabilityTableTest, PaddingOfPicturesIsRight) {
+    table.pictures[0] = "Ma";
+    EXPECT_NE(stability_page(table).find("base64,TWE=\""), std::string::npos);
+    table.pictures[0] = "M";
+    EXPECT_NE(stability_page(table).find("base64,TQ==\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace plumbline::study
