@@ -34,6 +34,7 @@ void apply_view_actions(input::ActionLatch& latch,
     if (toggles(Action::Hud)) controls.parts.hud = !controls.parts.hud;
     if (toggles(Action::Help)) controls.parts.help = !controls.parts.help;
     if (toggles(Action::Stats)) controls.parts.stats = !controls.parts.stats;
+    if (toggles(Action::AccuracyPanel)) controls.parts.accuracy = !controls.parts.accuracy;
     if (toggles(Action::CollisionShapes)) controls.collision_shapes = !controls.collision_shapes;
     if (toggles(Action::Wireframe)) toggle_fill(FillMode::Wireframe);
     if (toggles(Action::Points)) toggle_fill(FillMode::Points);
@@ -46,8 +47,7 @@ void apply_view_actions(input::ActionLatch& latch,
 /// Named in the contract of actions, built with the parts of the program that they belong to.
 void refuse_unbuilt_actions(input::ActionLatch& latch,
                             const std::function<void(std::string)>& say) {
-    for (const Action action : {Action::AccuracyPanel,
-                                Action::QuickSave,
+    for (const Action action : {Action::QuickSave,
                                 Action::QuickLoad,
                                 Action::AimSpot,
                                 Action::CameraRecord,

@@ -45,8 +45,10 @@ FrameParts::FrameParts(platform::Window& window,
       session_(session),
       bindings_(bindings),
       def_(def),
+      accuracy_(session, !def.record.empty() || stepper.replaying()),
       overlay_(window, def.config.ui_scale),
       start_s_(window.now_s()) {
+    stepper.after_step = [this] { accuracy_.after_step(); };
     latch.set_label_lookup(platform::printed_key_name);
     if (def.sound) {
         mixer_ =
@@ -94,9 +96,9 @@ void FrameParts::take_input(const InputSnapshot& input) {
 }
 
 void FrameParts::capture_pointer_if_playing(const InputSnapshot& input) {
-    // The pointer is the person's while a menu is open or another window has the keyboard; a click
+    // The pointer is the person's while a menu or the accuracy panel is open or another window has the keyboard; a click
     // into the picture gives it back to the game.
-    if (controls_.parts.menu || !input.focused || input.lost_focus) {
+    if (controls_.parts.menu || controls_.parts.accuracy || !input.focused || input.lost_focus) {
         window_.capture_pointer(false);
         wants_pointer_ = !input.lost_focus || wants_pointer_;
         return;
@@ -109,12 +111,16 @@ void FrameParts::do_requests() {
     const std::string scene = session_.description.file.stem().string();
     if (controls_.reset) {
         stepper.reset();
+        accuracy_.after_rebuild(clock);
         overlay_.say("the scene from its start", now_s);
     }
     if (controls_.reload) {
         const Result<Done> reloaded = session_.reload();
         const Result<Done> shaders = renderer->reload_shaders();
-        if (reloaded) renderer->forget_scene();
+        if (reloaded) {
+            renderer->forget_scene();
+            accuracy_.after_rebuild(clock);
+        }
         overlay_.say(reloaded ? "scene read again" : reloaded.error().message, now_s);
         if (!shaders) overlay_.say(shaders.error().message, now_s);
     }
@@ -122,7 +128,9 @@ void FrameParts::do_requests() {
         const auto saved = save_screenshot(*renderer, def_.user_data_folder / "shots", scene);
         overlay_.say(saved ? "picture saved: " + saved->string() : saved.error().message, now_s);
     }
-    if (controls_.save_recording) {
+    if (controls_.save_recording && accuracy_.changed()) {
+        overlay_.say("the accuracy was changed: this play cannot be recorded", now_s);
+    } else if (controls_.save_recording) {
         const std::filesystem::path folder = def_.user_data_folder / "recordings";
         std::error_code ignored;  // the save says what is wrong
         std::filesystem::create_directories(folder, ignored);
@@ -154,6 +162,8 @@ render::RenderFrame FrameParts::extract(const scene::ViewPoint& view, Real blend
     frame.fill_mode = controls_.fill_mode;
     session_.effects->refresh(*session_.simulation);
     session_.effects->extract(*session_.simulation, view, frame);
+    accuracy_.take_answers();
+    accuracy_.add_ghost_lines(frame.lines);
     if (controls_.collision_shapes) session_.simulation->physics.add_debug_lines(frame.lines);
     return frame;
 }
@@ -164,20 +174,23 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
     const double now_s = window_.now_s();
     for (const std::string& message : hud.messages) overlay_.say(message, now_s);
     if (controls_.parts.stats) ledger_ = session_.effects->ledger();
-    const MenuChoice choice = overlay_.draw({.parts = controls_.parts,
-                                             .hud = hud,
-                                             .simulation = *session_.simulation,
-                                             .report = report,
-                                             .clock = clock,
-                                             .bindings = latch.bindings(),
-                                             .device = latch.last_device(),
-                                             .ledger = ledger_,
-                                             .judge = session_.judge.get(),
-                                             .sound_silent = mixer_ && mixer_->silent(),
-                                             .show_hints = def_.config.hints,
-                                             .lines_not_shown = frame.lines.not_shown,
-                                             .now_s = now_s});
-    apply_menu_choice(choice, controls_);
+    const OverlayAnswer answer = overlay_.draw({.parts = controls_.parts,
+                                                .hud = hud,
+                                                .simulation = *session_.simulation,
+                                                .report = report,
+                                                .clock = clock,
+                                                .bindings = latch.bindings(),
+                                                .device = latch.last_device(),
+                                                .ledger = ledger_,
+                                                .accuracy = accuracy_,
+                                                .judge = session_.judge.get(),
+                                                .sound_silent = mixer_ && mixer_->silent(),
+                                                .show_hints = def_.config.hints,
+                                                .lines_not_shown = frame.lines.not_shown,
+                                                .now_s = now_s});
+    apply_menu_choice(answer.menu, controls_);
+    const std::string said = accuracy_.apply(answer.accuracy, clock);
+    if (!said.empty()) overlay_.say(said, now_s);
 }
 
 void FrameParts::play_sound(const scene::ViewPoint& view, double now_s) {

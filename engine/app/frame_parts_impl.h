@@ -53,6 +53,7 @@ private:
     LiveBindings& bindings_;
     const PlayDef& def_;
     FrameControls controls_;
+    AccuracyControl accuracy_;
     Overlay overlay_;
     std::unique_ptr<audio::Mixer> mixer_;      ///< null with --no-sound
     std::vector<effects::LedgerLine> ledger_;  ///< refreshed for the statistics panel

@@ -86,7 +86,7 @@ void Overlay::say(std::string message, double now_s) {
     if (impl_->messages.size() > kMessages) impl_->messages.pop_front();
 }
 
-MenuChoice Overlay::draw(const OverlayInput& input) {
+OverlayAnswer Overlay::draw(const OverlayInput& input) {
     if (impl_->started_s < 0.0) impl_->started_s = input.now_s;
     std::erase_if(impl_->messages,
                   [&](const panels::Message& m) { return m.until_s < input.now_s; });
@@ -94,7 +94,7 @@ MenuChoice Overlay::draw(const OverlayInput& input) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    MenuChoice choice = MenuChoice::None;
+    OverlayAnswer answer;
     if (input.parts.hud && !input.parts.menu) {
         panels::draw_crosshair(input.hud);
         if (input.show_hints) panels::draw_hints(input, input.now_s - impl_->started_s);
@@ -104,10 +104,12 @@ MenuChoice Overlay::draw(const OverlayInput& input) {
     panels::draw_messages(impl_->messages, input.now_s);
     if (input.parts.help) panels::draw_help(input);
     if (input.parts.stats) panels::draw_stats(input);
-    if (input.parts.menu) choice = panels::draw_menu(input);
+    if (input.parts.accuracy && !input.parts.menu)
+        answer.accuracy = panels::draw_accuracy(input.accuracy, input.clock);
+    if (input.parts.menu) answer.menu = panels::draw_menu(input);
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    return choice;
+    return answer;
 }
 
 bool Overlay::wants_keyboard() const {

@@ -2,6 +2,7 @@
 // The only user of Dear ImGui. Reads; what the person chose in it is returned.
 #pragma once
 
+#include "engine/app/accuracy_control.h"
 #include "engine/app/frame_report.h"
 #include "engine/core/frame_clock.h"
 #include "engine/input/action_latch.h"
@@ -19,11 +20,18 @@ struct OverlayParts {
     bool hud{true};
     bool help{false};
     bool stats{false};
+    bool accuracy{false};
     bool menu{false};
 };
 
 /// What was chosen in the menu this frame.
 enum class MenuChoice : std::uint8_t { None, Resume, Reset, Controls, Quit };
+
+/// What was asked for in the overlay this frame.
+struct OverlayAnswer {
+    MenuChoice menu{MenuChoice::None};
+    AccuracyRequest accuracy{};
+};
 
 /// All that the overlay reads in one frame.
 struct OverlayInput {
@@ -35,6 +43,7 @@ struct OverlayInput {
     const input::Bindings& bindings;
     input::LastDevice device;
     const std::vector<effects::LedgerLine>& ledger;
+    const AccuracyControl& accuracy;
     const study::HardCaseJudge* judge{nullptr};  ///< of a hard case; null: no such scene
     bool sound_silent{false};
     bool show_hints{true};
@@ -58,7 +67,7 @@ public:
     void say(std::string message, double now_s);
 
     /// Builds and draws into the bound framebuffer.
-    MenuChoice draw(const OverlayInput& input);
+    OverlayAnswer draw(const OverlayInput& input);
 
     bool wants_keyboard() const;
     bool wants_mouse() const;

@@ -24,5 +24,6 @@ void draw_messages(const std::deque<Message>& messages, double now_s);
 void draw_help(const OverlayInput& input);
 void draw_stats(const OverlayInput& input);
 MenuChoice draw_menu(const OverlayInput& input);
+AccuracyRequest draw_accuracy(const AccuracyControl& control, const FrameClock& clock);
 
 }  // namespace plumbline::app::panels

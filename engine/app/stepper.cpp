@@ -52,6 +52,7 @@ void Stepper::run(int count, input::ActionLatch& latch, FrameReport& report) {
         effects::advance(*session_->simulation, *session_->effects, *session_->game, actions);
         if (session_->judge) session_->judge->after_step(*session_->simulation);
         report.add_step(session_->simulation->physics.cost());
+        if (after_step) after_step();
         ++steps_;
         if (steps_ % kStepsBetweenHashes == 0 || ended()) {
             const std::uint64_t hash = session_->simulation->state_hash();

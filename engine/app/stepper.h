@@ -8,6 +8,7 @@
 #include "engine/input/action_latch.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -23,6 +24,9 @@ class Stepper {
 public:
     /// Refuses a recording that does not belong to the session.
     static Result<Stepper> create(Session& session, const StepperDef& def);
+
+    /// Called after every step; may be empty.
+    std::function<void()> after_step;
 
     /// `count` fixed steps. The latch gives the person's actions; replays and monkeys only drain it.
     void run(int count, input::ActionLatch& latch, FrameReport& report);

@@ -15,6 +15,11 @@ void FrameClock::set_speed(double speed) {
     if (std::isfinite(speed)) speed_ = std::clamp(speed, 1.0 / 16.0, 4.0);
 }
 
+void FrameClock::set_step(double step_s) {
+    PL_ASSERT(step_s > 0.0, "a positive step");
+    step_s_ = step_s;
+}
+
 FrameTime FrameClock::advance(double now_s) {
     double passed_s = 0.0;
     if (std::isfinite(now_s)) {

@@ -32,6 +32,9 @@ public:
     void set_speed(double speed);
     double speed() const { return speed_; }
 
+    /// From the next frame on steps are as long as this; > 0. Time that is owed stays owed.
+    void set_step(double step_s);
+
     double lost_s() const { return lost_s_; }  ///< total so far
     double step_s() const { return step_s_; }
 

@@ -38,6 +38,20 @@ btVector3 color_of(const BodyRecord& record) {
 
 }  // namespace
 
+void PhysicsWorld::add_shape_lines(ShapeId shape,
+                                   const Pose& world_from_body,
+                                   const Vec3f& color,
+                                   LineList& lines) const {
+    const ShapeRecord& record = *impl_->shapes.get(shape);
+    LineCollector collector(lines);
+    StepWorld& world = *impl_->world;
+    world.setDebugDrawer(&collector);
+    world.debugDrawObject(to_bullet(compose(world_from_body, record.body_from_mass)),
+                          record.collision,
+                          to_bullet(Vec3(color)));
+    world.setDebugDrawer(nullptr);
+}
+
 void PhysicsWorld::add_debug_lines(LineList& lines) const {
     LineCollector collector(lines);
     StepWorld& world = *impl_->world;

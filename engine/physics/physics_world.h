@@ -208,6 +208,11 @@ public:
                                      Real margin_m,
                                      const QueryFilter& filter = {}) const;
 
+    /// Outline of a shape at a pose of its body, whether or not a body is there.
+    void add_shape_lines(ShapeId shape,
+                         const Pose& world_from_body,
+                         const Vec3f& color,
+                         LineList& lines) const;
     /// Outlines of every collision shape, coloured by kind and sleep, and contact normals.
     void add_debug_lines(LineList& lines) const;
 

@@ -95,13 +95,30 @@ void Simulation::step() {
     warn_of_mass_ratio();
 }
 
+std::uint64_t Simulation::step_at(double time_s) const {
+    const double steps = std::max(0.0, (time_s - since_s_) / step_s_);
+    return since_step_ + static_cast<std::uint64_t>(std::llround(steps));
+}
+
+void Simulation::set_accuracy(const physics::WorldDef& def) {
+    since_s_ = time_s();
+    since_step_ = steps_;
+    step_s_ = def.step_s;
+    physics.reconfigure(def);
+}
+
+void Simulation::set_time(double time_s) {
+    since_s_ = time_s;
+    since_step_ = steps_;
+}
+
 void Simulation::destroy_marked() {
     registry.destroy_marked();
     forget_destroyed();
 }
 
 void Simulation::move_along_paths() {
-    const double end_s = static_cast<double>(steps_ + 1) * step_s_;
+    const double end_s = time_at(steps_ + 1);
     registry.view<const MotionPath, const BodyRef>().each(
         [&](ecs::Entity, const MotionPath& path, const BodyRef& ref) {
             physics.move_kinematic(ref.body, pose_on_path(path, end_s));

@@ -96,7 +96,18 @@ public:
 
     double step_s() const { return step_s_; }
     std::uint64_t steps() const { return steps_; }
-    double time_s() const { return static_cast<double>(steps_) * step_s_; }
+    double time_s() const { return time_at(steps_); }
+    /// Of the beginning of a step, at the present step's length.
+    double time_at(std::uint64_t step) const {
+        return since_s_ + static_cast<double>(step - since_step_) * step_s_;
+    }
+    /// The first step that begins at `time_s` or later, to rounding; not before the last change of
+    /// the step's length.
+    std::uint64_t step_at(double time_s) const;
+    /// Another solver, rate or gravity from the next step on (PhysicsWorld::reconfigure). Time goes on.
+    void set_accuracy(const physics::WorldDef& def);
+    /// Says that the state is that of another time: what moves along paths goes on from there.
+    void set_time(double time_s);
     std::uint32_t removed_count() const { return removed_; }
     /// Dynamic and kinematic bodies in file order, then in the order in which play made them. Those
     /// destroyed since the latest step may still be listed: ask physics.contains().
@@ -171,6 +182,8 @@ private:
     SurfaceTable surfaces_;
     double step_s_;
     std::uint64_t steps_{0};
+    double since_s_{0};            ///< time at the last change of the step's length
+    std::uint64_t since_step_{0};  ///< ... and the step
     std::uint32_t removed_{0};
     std::uint64_t revision_{0};
     std::size_t quarantined_reported_{0};

@@ -8,9 +8,6 @@ namespace plumbline::scene {
 
 void Simulation::run_events() {
     if (!description_.hard_case) return;
-    const auto step_at = [this](double time_s) {
-        return static_cast<std::uint64_t>(std::llround(time_s / step_s_));
-    };
     for (const HardCaseEvent& event : description_.hard_case->events) {
         const std::uint64_t first = step_at(event.at_s);
         if (steps_ < first) break;  // they are in order of time
@@ -32,7 +29,7 @@ void Simulation::do_event(const HardCaseEvent& event) {
     if (event.kind == CaseEventKind::Gravity) {
         physics::WorldDef def = physics.def();
         def.gravity_mps2 = event.value;
-        physics.reconfigure(def);
+        set_accuracy(def);
         return;
     }
     if (event.kind == CaseEventKind::MotorOff) {

@@ -3,6 +3,7 @@
 #include "engine/study/any_scene/effects_cost.h"
 #include "engine/study/any_scene/scene_run.h"
 #include "engine/study/gallery/gallery.h"
+#include "engine/study/ghost/ghost_state.h"
 #include "engine/study/scenarios/scenario_study.h"
 
 #include <fmt/format.h>
@@ -22,10 +23,11 @@ namespace {
 using nlohmann::json;
 
 // A row per kind of job.
-constexpr std::array<JobKind, 4> kJobKinds{{{"scenario", run_scenario_job},
+constexpr std::array<JobKind, 5> kJobKinds{{{"scenario", run_scenario_job},
                                             {"hard_case", run_hard_case_job},
                                             {"scene", run_scene_job},
-                                            {"effect", run_effect_job}}};
+                                            {"effect", run_effect_job},
+                                            {"ghost", run_ghost_job}}};
 
 constexpr std::string_view kDone = "done";
 constexpr std::string_view kFailed = "failed";

@@ -366,5 +366,29 @@ TEST(MassRatio, IsNamedOnceWhereTheTwoTouch) {
     EXPECT_EQ(warnings(1.5_r), 0);
 }
 
+TEST(ChangedAccuracy, TimeAndPathsGoOn) {
+    EntityDescription lift = box("lift", {0, 0, 0}, {1, 0.2_r, 1});
+    lift.body->kind = BodyKind::Kinematic;
+    lift.motion = MotionDescription{.points_m = {{0, 0, 0}, {0, 4, 0}}, .period_s = 8};
+    Running plain(scene_of({lift, cube("cube", {5, 50, 0})}));
+    Running changed(scene_of({lift, cube("cube", {5, 50, 0})}));
+    plain.step(120);
+    changed.step(60);
+    physics::WorldDef def = changed->physics.def();
+    def.step_s = 1.0 / 240;
+    changed->set_accuracy(def);
+    EXPECT_DOUBLE_EQ(changed->step_s(), 1.0 / 240);
+    EXPECT_DOUBLE_EQ(changed->time_s(), 1.0);
+    changed.step(240);
+    EXPECT_DOUBLE_EQ(changed->time_s(), 2.0);
+    EXPECT_EQ(changed->step_at(2.0), changed->steps());
+    for (const char* name : {"lift", "cube"}) {
+        EXPECT_LT(glm::distance(changed.state(name).world_from_body.position,
+                                plain.state(name).world_from_body.position),
+                  1e-4_r)
+            << name;
+    }
+}
+
 }  // namespace
 }  // namespace plumbline::scene

@@ -1,0 +1,86 @@
+// Accuracy in play: the live gauges, the setting that the panel chose, and the ghost beside it.
+// Turning a slider changes nothing but accuracy: the world is rebuilt at a step's edge.
+#pragma once
+
+#include "engine/app/session.h"
+#include "engine/core/frame_clock.h"
+#include "engine/core/lines.h"
+#include "engine/study/ghost/ghost.h"
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace plumbline::app {
+
+/// What a person asked for in the panel this frame.
+struct AccuracyRequest {
+    std::optional<study::Setting> setting{};
+    std::optional<study::Setting> start_ghost{};
+    bool stop_ghost{false};
+    bool adopt{false};
+};
+
+/// The last second of simulated time, and what needs no reference.
+struct AccuracyGauges {
+    physics::StepCost mean_step{};  ///< ms; counts are sums of the second
+    double ms_per_s{0};             ///< CPU of stepping per simulated second
+    int most_substeps{0};
+    std::size_t islands{0};
+    double energy_J{0};
+    double energy_change_J{0};  ///< within the second; what people and motors give included
+    double max_penetration_m{0};
+    double max_joint_error_m{0};
+    double lost_s{0};  ///< of wall time, in all
+};
+
+class AccuracyControl {
+public:
+    /// `recorded`: a recording or a replay runs, which holds no change of accuracy.
+    AccuracyControl(Session& session, bool recorded);
+
+    /// After each fixed step.
+    void after_step();
+    /// Between frames' steps: does what was asked. Returns a line for the person, or nothing.
+    std::string apply(const AccuracyRequest& request, FrameClock& clock);
+    /// After the session built its simulation anew: the chosen setting stays, the ghost goes.
+    void after_rebuild(FrameClock& clock);
+    /// Once a frame.
+    void take_answers();
+    /// The ghost's outlines, as of the latest time that it has reached.
+    void add_ghost_lines(LineList& lines) const;
+
+    /// As the world runs now.
+    study::Setting setting() const;
+    bool recorded() const { return recorded_; }
+    /// Something was turned since the scene began: a recording of it could not be replayed.
+    bool changed() const { return chosen_.has_value(); }
+    AccuracyGauges gauges(const FrameClock& clock) const;
+    const study::Ghost* ghost() const { return ghost_.get(); }
+
+private:
+    struct Sample {
+        double time_s;
+        physics::StepCost cost;
+        double energy_J;
+        double max_penetration_m;
+        double max_joint_error_m;
+        int most_substeps;
+    };
+
+    void use(const study::Setting& setting, FrameClock& clock);
+
+    Session& session_;
+    bool recorded_;
+    std::optional<study::Setting> chosen_;
+    std::unique_ptr<study::Ghost> ghost_;
+    std::deque<Sample> samples_;
+};
+
+/// Writes the scene beside itself as NAME-adopted.toml with the setting under [accuracy]; the file
+/// stays as it is otherwise, comments included. Returns where.
+Result<std::filesystem::path> write_adopted_copy(const std::filesystem::path& scene,
+                                                 const study::Setting& setting);
+
+}  // namespace plumbline::app
