@@ -108,9 +108,9 @@ class Scene:
     def __init__(self, name, title, shows, known, seconds, camera, target, *, tier="ci",
                  gravity=(0, -9.81, 0), player=None, kill=None, shadow=40, settled=None,
                  penetration=0.02, energy_gain=None, energy_scale=None, energy_from="",
-                 non_finite=0, removed=0, known_red=""):
+                 non_finite=0, removed=0):
         self.id, self.title, self.shows, self.known = name, title, shows, known
-        self.seconds, self.tier, self.known_red = seconds, tier, known_red
+        self.seconds, self.tier, self.known_red = seconds, tier, ""
         self.camera, self.target, self.gravity = camera, target, gravity
         away = 1.15
         self.player = player or (target[0] + away * (camera[0] - target[0]), 0,
