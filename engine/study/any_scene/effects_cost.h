@@ -34,7 +34,7 @@ struct EffectCost {
     std::string caller{};  ///< the first one that called for it
     effects::Domain domain{effects::Domain::Step};
     Difference step_ms{};   ///< CPU of a step, by switching it off
-    Difference frame_ms{};  ///< of a frame's sound (CPU) or picture (wall), likewise
+    Difference frame_ms{};  ///< CPU of a frame's sound or picture, likewise
     std::uint64_t calls{0};
     std::uint64_t bytes_cpu{0};
     std::uint64_t bytes_gpu{0};
@@ -43,7 +43,7 @@ struct EffectCost {
 struct EffectsRun {
     std::filesystem::path scene{};
     double seconds{2};
-    int pairs{8};
+    int pairs{6};
 };
 /// In worker processes, at the scene's own accuracy, played by nobody; one line per effect of the
 /// steps or the sound that something called for. Stops early when interrupted.

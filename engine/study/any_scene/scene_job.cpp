@@ -133,7 +133,8 @@ std::string run_scene_job(const std::string& body) {
                 {"mass_kg", answer->mass_kg},
                 {"gravity_mps2", answer->gravity_mps2},
                 {"body_size_m", answer->body_size_m},
-                {"load_s", answer->load_s},
+                {"cpu_s", answer->cpu_s},
+                {"wall_s", answer->wall_s},
                 {"traces", std::move(traces)},
                 {"measured", json_of(measured)}}
         .dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -149,7 +150,8 @@ Result<SceneAnswer> parse_scene_answer(const std::string& body) {
         answer.mass_kg = value.at("mass_kg");
         answer.gravity_mps2 = value.at("gravity_mps2");
         answer.body_size_m = value.at("body_size_m");
-        answer.load_s = value.at("load_s");
+        answer.cpu_s = value.at("cpu_s");
+        answer.wall_s = value.at("wall_s");
         answer.cost = point_from(value.at("measured")).cost;
         for (const Json& trace : value.at("traces"))
             answer.traces.push_back(trace_from_json(trace));

@@ -55,11 +55,13 @@ double ScenePlan::spent_s() const {
 }
 
 double ScenePlan::cpu_left_s(double share_of_wall) const {
-    return std::max(0.0, share_of_wall * wall_s_ - spent_s()) * workers_;
+    const double per_wall_s = in_wall_s_ > 0 ? std::clamp(got_cpu_s_ / in_wall_s_, 0.05, 1.0) : 1.0;
+    return std::max(0.0, share_of_wall * wall_s_ - spent_s()) * workers_ * per_wall_s;
 }
 
 void ScenePlan::expect(double cpu_s) {
-    expected_s_ = std::min(wall_s_, spent_s() + cpu_s / workers_);
+    const double left_cpu_s = std::max(cpu_left_s(), 1e-9);
+    expected_s_ = spent_s() + left_s() * std::min(1.0, cpu_s / left_cpu_s);
 }
 
 void ScenePlan::report() const {
@@ -82,7 +84,10 @@ Result<Done> ScenePlan::run(std::span<const SceneRun> runs,
     }
     report();
     const Result<bool> all = run_jobs(jobs, workers_, [&](std::size_t job, const Answer& answer) {
-        done(finished(job, answer));
+        const Finished result = finished(job, answer);
+        got_cpu_s_ += result.answer.cpu_s;
+        in_wall_s_ += result.answer.wall_s;
+        done(result);
         report();
     });
     if (!all) return all.error();

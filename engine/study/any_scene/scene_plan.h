@@ -26,7 +26,8 @@ public:
     int workers() const { return workers_; }
     double spent_s() const;
     double left_s() const { return wall_s_ - spent_s(); }
-    /// CPU time that all workers together have left, or would have at a share of the wall time.
+    /// CPU time that all workers together have left, or would have at a share of the wall time, if
+    /// they go on to get as much of their cores as so far.
     double cpu_left_s(double share_of_wall = 1.0) const;
     void extend(double wall_s) { wall_s_ = expected_s_ = wall_s; }
     /// The rest of the study will probably take so much CPU time: what the progress tells.
@@ -52,6 +53,8 @@ private:
     int workers_;
     ReportProgress report_;
     bool interrupted_{false};
+    double got_cpu_s_{0};
+    double in_wall_s_{0};
 };
 
 }  // namespace plumbline::study

@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 /// A scene file as read, and the models that came with it.
 struct LoadedScene {
     fs::path file;
+    fs::file_time_type written;
     scene::SurfaceTable surfaces;
     scene::SceneDescription description;
     assets::AssetLibrary library;
@@ -42,10 +43,13 @@ Result<std::unique_ptr<LoadedScene>> load(const fs::path& file) {
 /// A worker is asked about one scene over and over: the latest one stays loaded.
 Result<LoadedScene*> loaded_scene(const fs::path& file) {
     static std::unique_ptr<LoadedScene> latest;
-    if (!latest || latest->file != file) {
+    std::error_code error;
+    const fs::file_time_type written = fs::last_write_time(file, error);
+    if (!latest || latest->file != file || latest->written != written) {
         Result<std::unique_ptr<LoadedScene>> loaded = load(file);
         if (!loaded) return loaded.error();
         latest = std::move(*loaded);
+        latest->written = written;
     }
     return latest.get();
 }
@@ -283,6 +287,7 @@ Result<std::unique_ptr<scene::Simulation>> build(LoadedScene& loaded, const Scen
 
 Result<SceneAnswer> run_scene(const SceneRun& run) {
     const double start_s = wall_s();
+    const double cpu_start_s = thread_cpu_s();
     const Result<LoadedScene*> loaded = loaded_scene(run.scene);
     if (!loaded) return loaded.error();
     SceneAnswer answer;
@@ -306,7 +311,6 @@ Result<SceneAnswer> run_scene(const SceneRun& run) {
             answer.mass_kg = one.mass_kg();
             answer.gravity_mps2 = glm::length(Vec3d(simulation.description().gravity_mps2));
             answer.body_size_m = one.body_size_m();
-            answer.load_s = wall_s() - start_s;
         }
         if (run.shift_m > 0)
             one.shift(run.seed + static_cast<std::uint64_t>(std::min(i, run.copies - 1)));
@@ -319,6 +323,8 @@ Result<SceneAnswer> run_scene(const SceneRun& run) {
         if (answer.traces.back().status != RunStatus::Done) break;
     }
     answer.cost = book.cost();
+    answer.cpu_s = thread_cpu_s() - cpu_start_s;
+    answer.wall_s = wall_s() - start_s;
     return answer;
 }
 

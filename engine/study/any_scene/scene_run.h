@@ -72,7 +72,8 @@ struct SceneAnswer {
     double mass_kg{0};
     double gravity_mps2{0};
     double body_size_m{0};  ///< median diagonal of the bodies' boxes
-    double load_s{0};
+    double cpu_s{0};        ///< of all that was done for it, loading and looking included
+    double wall_s{0};       ///< likewise; more than `cpu_s` on a machine that does other things too
     std::vector<Trace> traces{};  ///< one per copy
     RunCost cost{};
 };

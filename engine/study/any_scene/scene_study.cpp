@@ -26,6 +26,8 @@ constexpr double kReserve = 0.85;
 constexpr int kRepeats = 5;
 constexpr double kRepeat_s = 0.4;
 constexpr int kCopies = 7;
+/// Measured even where the time is over.
+constexpr std::size_t kSettingsLeast = 4;
 
 /// Fixed times, in looks: a fifth of the run each.
 std::vector<int> moments_of(int looks) {
@@ -37,9 +39,12 @@ std::vector<int> moments_of(int looks) {
     return moments;
 }
 
+/// Of the runs that a study is not worth much without: the grid up to 120 Hz, and a reference.
 double sum_of_guesses(GridSize size) {
-    double sum = 0;
-    for (const Setting& setting : scene_grid(size)) sum += guessed_cost(setting);
+    double sum = 6.0 * guessed_cost(reference_setting(120));
+    for (const Setting& setting : scene_grid(size)) {
+        if (setting.step_hz <= 120) sum += 1.3 * guessed_cost(setting);
+    }
     return sum;
 }
 
@@ -78,10 +83,8 @@ private:
 
     /// How much of the scene's time the plan has time for.
     int affordable_looks(double second_cpu_s, int wanted) const {
-        const double runs_of_60hz =
-            sum_of_guesses(options_.grid) * 2.5 + 8.0 * guessed_cost(reference_setting(240));
-        const double affordable_s =
-            plan_.cpu_left_s(kReserve) / std::max(1e-9, second_cpu_s * runs_of_60hz);
+        const double affordable_s = plan_.cpu_left_s(kReserve) /
+                                    std::max(1e-9, second_cpu_s * sum_of_guesses(options_.grid));
         const int looks = static_cast<int>(std::min(1e6, affordable_s / kLookEvery_s));
         return std::clamp(looks, std::min(kLooksLeast, wanted), wanted);
     }
@@ -160,7 +163,9 @@ private:
         double sum_s = 0;
         std::size_t fit = 0;
         const double left_s = kReserve * plan_.cpu_left_s();
-        while (fit < settings.size() && sum_s + whole_cost_s(settings[fit]) <= left_s)
+        const std::size_t least = study_.subject.points.empty() ? kSettingsLeast : 0;
+        while (fit < settings.size() &&
+               (fit < least || sum_s + whole_cost_s(settings[fit]) <= left_s))
             sum_s += whole_cost_s(settings[fit++]);
         left_out_ += settings.size() - fit;
         settings.resize(fit);
