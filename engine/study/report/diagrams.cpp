@@ -171,9 +171,9 @@ double cost_of(const Point& point) {
     return point.cost.ms_per_s_min;
 }
 
-/// The step that the solver takes, in ms; of sub-steps on demand the outer step.
+/// The step that the solver takes, in ms; of sub-steps on demand the longest.
 double step_ms_of(const Point& point) {
-    return 1000.0 / point.setting.step_hz / std::max(1, point.setting.substeps);
+    return 1000.0 / point.setting.step_hz / world_def(point.setting).substeps;
 }
 
 bool has_step(const Point& point) {

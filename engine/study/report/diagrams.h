@@ -21,7 +21,7 @@ std::optional<double> drawn_error(double error, Precision precision);
 /// costs a frame and tolerances as guide lines. Empty: no run gave an error at a cost.
 std::optional<Plot> work_precision_plot(const Subject& subject, std::span<const PeerPoint> peers);
 
-/// Error of the first metric against the step that the solver takes (step / sub-steps), with the
+/// Error of the first metric against the step that the solver takes (step / least sub-steps), with the
 /// Euler floor, and the slopes of first and second order. Empty: fewer than two different steps.
 std::optional<Plot> step_plot(const Subject& subject);
 

@@ -109,6 +109,17 @@ TEST(StepPlot, SubStepsAndRateMakeTheSameStep) {
     EXPECT_TRUE(holds_point(*curve_named(*plot, "small_step x 4"), 1000.0 / 120, 0.01));
 }
 
+TEST(StepPlot, SubStepsOnDemandAreDrawnAtTheirLongestStep) {
+    Subject subject = test::sample_subject("A01");
+    for (Point& point : subject.points) point.setting.substeps = 0;
+    const int least = world_def({.substeps = 0}).substeps;
+    const auto plot = step_plot(subject);
+    ASSERT_TRUE(plot);
+    EXPECT_TRUE(std::ranges::any_of(plot->curves, [&](const Curve& curve) {
+        return holds_point(curve, 1000.0 / 60 / least, 0.02);
+    }));
+}
+
 TEST(StepPlot, TheEulerFloorIsALineOfItsOwn) {
     const Subject subject = test::sample_subject("A01");
     const auto plot = step_plot(subject);
