@@ -144,6 +144,9 @@ Result<Done> add_scenes(const StudyOptions& options,
 void list_scenarios() {
     for (const study::Scenario& scenario : study::scenarios())
         std::cout << fmt::format("{:<18} {}\n", scenario.id, scenario.title);
+    std::cout << "Not run:\n";
+    for (const study::LeftOut& each : study::left_out())
+        std::cout << fmt::format("{}: {}\n", each.what, each.why);
 }
 
 ExitCode study_effects(const StudyOptions& options) {

@@ -53,23 +53,25 @@ std::vector<ErrorAt> doublings(std::vector<ErrorAt> all) {
 
 }  // namespace
 
-double rounding_level(Precision precision) {
-    return precision == Precision::Float32 ? 5e-6 : 1e-11;
+double rounding_level(const Setting& setting) {
+    const double one = setting.precision == Precision::Float32 ? 5e-6 : 1e-11;
+    return one * std::max(1.0, setting.step_hz * std::max(1, setting.substeps) / 120.0);
 }
 
-Observed observed_order(std::span<const ErrorAt> series, double rounding) {
-    std::size_t above = 0;
-    while (above < series.size() && series[above].error > rounding) ++above;
+Observed observed_order(std::span<const ErrorAt> series) {
+    const auto is_rounding = [](const ErrorAt& at) { return at.error <= at.rounding; };
+    auto above =
+        static_cast<std::size_t>(std::ranges::find_if(series, is_rounding) - series.begin());
     const bool reaches_rounding = above < series.size();
     // One at rounding level between others that are not has changed its sign there.
-    const bool stays = std::all_of(series.begin() + static_cast<std::ptrdiff_t>(above),
-                                   series.end(),
-                                   [&](const ErrorAt& at) { return at.error <= rounding; });
+    const bool stays =
+        std::all_of(series.begin() + static_cast<std::ptrdiff_t>(above), series.end(), is_rounding);
     if (!stays) above = series.size();
 
     std::vector<double> orders;
     for (std::size_t i = 1; i < above; ++i)
-        orders.push_back(std::log2(series[i - 1].error / std::max(series[i].error, rounding)));
+        orders.push_back(
+            std::log2(series[i - 1].error / std::max(series[i].error, series[i].rounding)));
     Observed observed{.halvings = static_cast<int>(orders.size())};
     if (observed.halvings < kLeastHalvings) {
         const bool enough = static_cast<int>(series.size()) > kLeastHalvings;
@@ -103,11 +105,12 @@ std::vector<KnobVerdict> verdicts_of(std::span<const Point> points, const Theory
             for (const Point* point : open) {
                 if (same_but_for(like, point->setting, knob))
                     all.push_back({.fineness = static_cast<double>(point->setting.*knob.value),
-                                   .error = std::abs(point->errors.front())});
+                                   .error = std::abs(point->errors.front()),
+                                   .rounding = rounding_level(point->setting)});
             }
             const std::vector<ErrorAt> series = doublings(std::move(all));
             if (series.size() > 1) {
-                const Observed observed = observed_order(series, rounding_level(like.precision));
+                const Observed observed = observed_order(series);
                 verdicts.push_back({.knob = std::string(knob.name),
                                     .solver = like.solver,
                                     .held = held_text(like, knob),

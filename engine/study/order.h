@@ -8,9 +8,9 @@
 
 namespace plumbline::study {
 
-/// What counts as rounding, of errors that are relative: a run of thousands of steps adds up some
-/// tens of roundings of its numbers.
-double rounding_level(Precision precision);
+/// What counts as rounding, of errors that are relative: some tens of roundings of one number, and in
+/// proportion more where there are more than 120 sub-steps a second to add one each.
+double rounding_level(const Setting& setting);
 
 /// Least order at which an error falls rather than stalls.
 inline constexpr double kLeastOrder = 0.8;
@@ -21,6 +21,7 @@ inline constexpr int kLeastHalvings = 3;
 struct ErrorAt {
     double fineness{0};  ///< step rate, sub-steps or iterations
     double error{0};     ///< magnitude
+    double rounding{0};  ///< what is no more than this is rounding
 };
 
 struct Observed {
@@ -29,7 +30,7 @@ struct Observed {
     int halvings{0};
 };
 /// `series` by rising fineness, each twice the one before. What lies at rounding level ends it.
-Observed observed_order(std::span<const ErrorAt> series, double rounding);
+Observed observed_order(std::span<const ErrorAt> series);
 
 /// The order that theory gives the first metric's error as a knob is turned; none where it has none.
 using TheoryOf =

@@ -168,7 +168,7 @@ Scenario heavy_chain(std::string id, const Hanging& chain, double seconds) {
                         {"speed of the end, rms of the last 2 s", "sqrt(g l)"}},
             .run = [=](const Setting& setting,
                        Course& course) { return hang(chain, seconds, setting, course); },
-            .knobs = {.most_hz = chain.links > 10 ? 480 : 960}};
+            .knobs = {.most_hz = chain.links > 10 ? 240 : 960}};
 }
 
 }  // namespace

@@ -194,7 +194,7 @@ Scenario orbit() {
                         glm::distance(turned, start) / glm::length(start)};
             },
             .euler_floor = euler_orbit_error,
-            .knobs = {.substeps = false, .iterations = false, .most_hz = 1920},
+            .knobs = {.substeps = false, .iterations = false},
             // At coarse steps the error is the whole orbit: no order shows.
             .notes = {
                 "under every solver a body that nothing pushes flies on the parabola of the force "

@@ -144,7 +144,7 @@ Scenario spinning_ball(double mu) {
                 }
                 return worst;
             },
-            .knobs = {.most_hz = 480}};
+            .knobs = {.most_hz = 240}};
 }
 
 Scenario cradle(double gap_m) {

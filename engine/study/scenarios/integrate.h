@@ -28,6 +28,23 @@ State<N> ahead(const State<N>& from, double factor, const State<N>& rate) {
     return to;
 }
 
+/// A state that steps are added to without rounding piling up (Kahan 1965): what follows from a start
+/// next to an unstable motion multiplies every rounding by 10^6.
+template <std::size_t N>
+struct SummedState {
+    State<N> sum;
+    State<N> lost{};
+
+    void add(const State<N>& step) {
+        for (std::size_t i = 0; i < N; ++i) {
+            const double corrected = step[i] - lost[i];
+            const double next = sum[i] + corrected;
+            lost[i] = (next - sum[i]) - corrected;
+            sum[i] = next;
+        }
+    }
+};
+
 template <std::size_t N>
 double largest_difference(const State<N>& a, const State<N>& b) {
     double largest = 0;
@@ -39,8 +56,8 @@ double largest_difference(const State<N>& a, const State<N>& b) {
 /// Dormand and Prince 1980, fifth order with a fourth-order error estimate ("A family of embedded
 /// Runge-Kutta formulae", J. Comput. Appl. Math. 6), step chosen by `tolerance`. `rate(t, state)`.
 template <std::size_t N, class Rate>
-State<N> dormand_prince(const Rate& rate, State<N> state, double from_s, double to_s) {
-    constexpr double kTolerance = 1e-15;
+State<N> dormand_prince(const Rate& rate, const State<N>& from, double from_s, double to_s) {
+    constexpr double kTolerance = 1e-17;
     constexpr double kA[6][6] = {
         {1.0 / 5},
         {3.0 / 40, 9.0 / 40},
@@ -51,54 +68,56 @@ State<N> dormand_prince(const Rate& rate, State<N> state, double from_s, double 
     constexpr double kC[7] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
     constexpr double kError[7] = {
         71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+    SummedState<N> state{from};
     double t = from_s;
     double h = std::min(1e-3, to_s - from_s);
     while (t < to_s) {
         h = std::min(h, to_s - t);
         std::array<State<N>, 7> k;
-        k[0] = rate(t, state);
-        State<N> next = state;
+        k[0] = rate(t, state.sum);
+        State<N> step{};
         for (std::size_t stage = 1; stage < 7; ++stage) {
-            next = state;
-            for (std::size_t i = 0; i < stage; ++i) next = ahead(next, h * kA[stage - 1][i], k[i]);
-            k[stage] = rate(t + kC[stage] * h, next);
+            step = {};
+            for (std::size_t i = 0; i < stage; ++i) step = ahead(step, h * kA[stage - 1][i], k[i]);
+            k[stage] = rate(t + kC[stage] * h, ahead(state.sum, 1, step));
         }
         double error = 0;
         for (std::size_t i = 0; i < N; ++i) {
             double sum = 0;
             for (std::size_t stage = 0; stage < 7; ++stage) sum += kError[stage] * k[stage][i];
-            error = std::max(error, std::abs(h * sum) / std::max(1.0, std::abs(state[i])));
+            error = std::max(error, std::abs(h * sum) / std::max(1.0, std::abs(state.sum[i])));
         }
         if (error <= kTolerance) {
             t += h;
-            state = next;
+            state.add(step);
         }
         h *= std::clamp(0.9 * std::pow(kTolerance / std::max(error, 1e-300), 0.2), 0.2, 4.0);
     }
-    return state;
+    return state.sum;
 }
 
 /// Gauss and Legendre's implicit Runge-Kutta method of three stages, sixth order (Hairer, Lubich and
 /// Wanner, "Geometric Numerical Integration", II.1.3), solved by fixed-point iteration.
 template <std::size_t N, class Rate>
 State<N> gauss_legendre(
-    const Rate& rate, State<N> state, double from_s, double to_s, double longest_s) {
+    const Rate& rate, const State<N>& from, double from_s, double to_s, double longest_s) {
     const double root = std::sqrt(15.0);
     const double a[3][3] = {{5.0 / 36, 2.0 / 9 - root / 15, 5.0 / 36 - root / 30},
                             {5.0 / 36 + root / 24, 2.0 / 9, 5.0 / 36 - root / 24},
                             {5.0 / 36 + root / 30, 2.0 / 9 + root / 15, 5.0 / 36}};
     const double b[3] = {5.0 / 18, 4.0 / 9, 5.0 / 18};
     const double c[3] = {0.5 - root / 10, 0.5, 0.5 + root / 10};
+    SummedState<N> state{from};
     const int steps = std::max(1, static_cast<int>(std::ceil((to_s - from_s) / longest_s)));
     const double h = (to_s - from_s) / steps;
-    for (int step = 0; step < steps; ++step) {
-        const double t = from_s + step * h;
+    for (int n = 0; n < steps; ++n) {
+        const double t = from_s + n * h;
         std::array<State<N>, 3> k;
-        k.fill(rate(t, state));
+        k.fill(rate(t, state.sum));
         for (int sweep = 0; sweep < 30; ++sweep) {
             double change = 0;
             for (std::size_t i = 0; i < 3; ++i) {
-                State<N> at = state;
+                State<N> at = state.sum;
                 for (std::size_t j = 0; j < 3; ++j) at = ahead(at, h * a[i][j], k[j]);
                 const State<N> found = rate(t + c[i] * h, at);
                 change = std::max(change, h * largest_difference(found, k[i]));
@@ -106,9 +125,11 @@ State<N> gauss_legendre(
             }
             if (change < 1e-16) break;
         }
-        for (std::size_t i = 0; i < 3; ++i) state = ahead(state, h * b[i], k[i]);
+        State<N> step{};
+        for (std::size_t i = 0; i < 3; ++i) step = ahead(step, h * b[i], k[i]);
+        state.add(step);
     }
-    return state;
+    return state.sum;
 }
 
 /// Where `state` is at `to_s`, by both.

@@ -197,7 +197,7 @@ Scenario rolling_plate() {
                 const auto askew = pull_plate({0.5, 0, std::sqrt(0.75)}, setting, course);
                 return {askew[0], along[0], std::max(along[1], askew[1])};
             },
-            .knobs = {.most_hz = 480}};
+            .knobs = {.most_hz = 240}};
 }
 
 }  // namespace

@@ -73,6 +73,13 @@ const std::vector<Scenario>& scenarios();
 /// Null where there is none.
 const Scenario* scenario_of(const std::string& id);
 
+/// Cases of the same catalogue that are not run, and why.
+struct LeftOut {
+    std::string_view what;
+    std::string_view why;
+};
+std::span<const LeftOut> left_out();
+
 // A family per file.
 void add_flight(std::vector<Scenario>& all);
 void add_tops(std::vector<Scenario>& all);

@@ -62,8 +62,8 @@ Setting doubled(Setting setting) {
 
 std::vector<Setting> quick_grid(const Scenario& scenario) {
     Knobs knobs = scenario.knobs;
-    knobs.least_hz = 60;
     knobs.most_hz = std::min(480, knobs.most_hz);
+    knobs.least_hz = std::max(knobs.least_hz, knobs.most_hz / 8);  // three halvings
     Grid grid(knobs);
     grid.rates({});
     grid.rates(bullet(Solver::BulletSi));
@@ -87,8 +87,9 @@ std::vector<Setting> grid_of(const Scenario& scenario, Effort effort) {
     for (const Solver solver :
          {Solver::BulletSi, Solver::BulletNncg, Solver::BulletDantzig, Solver::BulletPgs}) {
         grid.rates(bullet(solver));
-        // Dantzig's method is direct.
-        if (solver != Solver::BulletDantzig) grid.iterations(bullet(solver), {10, 20, 40, 80});
+        // Dantzig's method is direct, and bullet_pgs sweeps the same rows as bullet_si.
+        if (solver == Solver::BulletSi || solver == Solver::BulletNncg)
+            grid.iterations(bullet(solver), {10, 20, 40, 80});
         if (solver == Solver::BulletSi && scenario.knobs.doubled)
             grid.rates(doubled(bullet(solver)));
     }

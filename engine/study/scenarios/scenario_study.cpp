@@ -23,7 +23,7 @@ struct Planned {
 /// Repeats that are worth their time; the budget counts where a run is long.
 Repeats repeats_of(Effort effort) {
     return effort == Effort::Quick ? Repeats{.wanted = 3, .budget_s = 0.1}
-                                   : Repeats{.wanted = 5, .budget_s = 0.4};
+                                   : Repeats{.wanted = 5, .budget_s = 0.25};
 }
 
 std::vector<Planned> plan(const ScenarioStudyOptions& options) {

@@ -52,7 +52,7 @@ Scenario sliding_stop() {
         },
         // Slowed by mu g at the start of every step: it falls short by v0 h / 2.
         .euler_floor = [](double step_s) { return 2.5 * step_s / way_m; },
-        .knobs = {.most_hz = 480}};
+        .knobs = {.most_hz = 240}};
 }
 
 /// A slope through the origin that goes down along +x.
@@ -86,7 +86,7 @@ Scenario held_on_slope() {
                 course.run(rig, 20);
                 return {glm::distance(rig.at(box), start), glm::length(rig.velocity(box))};
             },
-            .knobs = {.most_hz = 480}};
+            .knobs = {.most_hz = 240}};
 }
 
 Scenario slides_on_slope() {
@@ -109,7 +109,7 @@ Scenario slides_on_slope() {
             return {way / (8 * gain) - 1, glm::dot(rig.velocity(box), slope.down) / (4 * gain) - 1};
         },
         .euler_floor = [](double step_s) { return step_s / 4; },
-        .knobs = {.most_hz = 480},
+        .knobs = {.most_hz = 240},
         .theory = orders_in_step(std::nullopt, std::nullopt)};
 }
 
@@ -158,7 +158,7 @@ Scenario spinning_box() {
                 }
                 return {(most - least) / corners, sum / corners - 1, sum / even - 1};
             },
-            .knobs = {.most_hz = 480}};
+            .knobs = {.most_hz = 240}};
 }
 
 }  // namespace

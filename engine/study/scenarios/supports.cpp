@@ -62,7 +62,7 @@ Scenario four_balls() {
                 });
                 return {found / balls - 1, on_floor / (balls / 4) - 1};
             },
-            .knobs = {.iterations = false, .most_hz = 480, .doubled = false}};
+            .knobs = {.iterations = false, .most_hz = 240, .doubled = false}};
 }
 
 /// Blocks of 1 m, each as far out over the next as the share `reach` of what is possible.
@@ -128,7 +128,7 @@ Scenario tipping_box() {
                     0.3, 0.7, 8, [&](double slope) { return box_tips(slope, setting, course); });
                 return {found / 0.5 - 1};
             },
-            .knobs = {.iterations = false, .most_hz = 480, .doubled = false}};
+            .knobs = {.iterations = false, .most_hz = 240, .doubled = false}};
 }
 
 double impulse_between(const Rig& rig, BodyId a, BodyId b) {
@@ -195,7 +195,7 @@ Scenario tower_presses() {
                     }
                     return press(rig, faces, course);
                 },
-            .knobs = {.most_hz = 480}};
+            .knobs = {.most_hz = 240}};
 }
 
 Scenario beam_presses() {
@@ -219,7 +219,7 @@ Scenario beam_presses() {
                                         {right, beam, weight_Ns * 0.75}};
                 return press(rig, faces, course);
             },
-        .knobs = {.most_hz = 480}};
+        .knobs = {.most_hz = 240}};
 }
 
 }  // namespace

@@ -7,58 +7,64 @@
 namespace plumbline::study {
 namespace {
 
+constexpr double kFine = 1e-11;
+constexpr double kCoarse = 5e-6;
+
 /// e(h) at 30, 60, ... Hz.
-std::vector<ErrorAt> series_of(int count, double (*error)(double h)) {
+std::vector<ErrorAt> series_of(int count, double rounding, double (*error)(double h)) {
     std::vector<ErrorAt> series;
     for (int i = 0; i < count; ++i) {
         const double hz = 30 * std::exp2(i);
-        series.push_back({.fineness = hz, .error = error(1 / hz)});
+        series.push_back({.fineness = hz, .error = error(1 / hz), .rounding = rounding});
     }
     return series;
 }
 
 TEST(ObservedOrder, IsThePowerOfTheStep) {
-    const double rounding = rounding_level(Precision::Float64);
-    const auto first = observed_order(series_of(6, [](double h) { return 3 * h; }), rounding);
+    const auto first = observed_order(series_of(6, kFine, [](double h) { return 3 * h; }));
     EXPECT_EQ(first.trend, Trend::Converges);
     EXPECT_NEAR(*first.order, 1, 1e-12);
     EXPECT_EQ(first.halvings, 5);
-    const auto second = observed_order(series_of(6, [](double h) { return h * h; }), rounding);
+    const auto second = observed_order(series_of(6, kFine, [](double h) { return h * h; }));
     EXPECT_NEAR(*second.order, 2, 1e-12);
 }
 
 TEST(ObservedOrder, TellsStallingFromGrowing) {
-    const double rounding = rounding_level(Precision::Float32);
-    const auto stalls = observed_order(series_of(6, [](double h) { return 0.1 + h; }), rounding);
+    const auto stalls = observed_order(series_of(6, kCoarse, [](double h) { return 0.1 + h; }));
     EXPECT_EQ(stalls.trend, Trend::Stalls);
     const auto grows =
-        observed_order(series_of(6, [](double h) { return 1e-3 / std::sqrt(h); }), rounding);
+        observed_order(series_of(6, kCoarse, [](double h) { return 1e-3 / std::sqrt(h); }));
     EXPECT_EQ(grows.trend, Trend::Diverges);
     EXPECT_NEAR(*grows.order, -0.5, 1e-12);
 }
 
 TEST(ObservedOrder, EndsWhereRoundingBegins) {
-    const double rounding = rounding_level(Precision::Float32);
     // Second order down to 1e-6, which is below rounding.
     const auto falls =
-        observed_order(series_of(8, [](double h) { return std::max(h * h, 1e-6); }), rounding);
+        observed_order(series_of(8, kCoarse, [](double h) { return std::max(h * h, 1e-6); }));
     EXPECT_EQ(falls.trend, Trend::Converges);
     EXPECT_NEAR(*falls.order, 2, 0.01);
     EXPECT_LT(falls.halvings, 7);
-    const auto exact = observed_order(series_of(5, [](double) { return 1e-7; }), rounding);
+    const auto exact = observed_order(series_of(5, kCoarse, [](double) { return 1e-7; }));
     EXPECT_EQ(exact.trend, Trend::Exact);
     EXPECT_FALSE(exact.order);
-    const auto zero = observed_order(series_of(5, [](double) { return 0.0; }), rounding);
+    const auto zero = observed_order(series_of(5, kCoarse, [](double) { return 0.0; }));
     EXPECT_EQ(zero.trend, Trend::Exact);
 }
 
+TEST(ObservedOrder, MoreStepsMayRoundMoreOften) {
+    const double level = rounding_level({.step_hz = 60, .substeps = 2});
+    EXPECT_DOUBLE_EQ(rounding_level({.step_hz = 30, .substeps = 1}), level);
+    EXPECT_DOUBLE_EQ(rounding_level({.step_hz = 480, .substeps = 4}), 16 * level);
+    EXPECT_LT(rounding_level({.precision = Precision::Float64}), 1e-4 * level);
+}
+
 TEST(ObservedOrder, AsksForThreeHalvings) {
-    const double rounding = rounding_level(Precision::Float32);
-    EXPECT_EQ(observed_order(series_of(3, [](double h) { return h; }), rounding).trend,
+    EXPECT_EQ(observed_order(series_of(3, kCoarse, [](double h) { return h; })).trend,
               Trend::TooFew);
-    EXPECT_EQ(observed_order(series_of(4, [](double h) { return h; }), rounding).trend,
+    EXPECT_EQ(observed_order(series_of(4, kCoarse, [](double h) { return h; })).trend,
               Trend::Converges);
-    EXPECT_EQ(observed_order({}, rounding).trend, Trend::TooFew);
+    EXPECT_EQ(observed_order({}).trend, Trend::TooFew);
 }
 
 Point point(const Setting& setting, double error) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -64,7 +65,8 @@ TEST(Scenarios, GridsTurnEveryKnobFarEnoughForAVerdict) {
 /// Euler falls short, g T h / 2. One that nothing pushes flies on the closed form instead.
 TEST(Scenarios, BulletFallsOnTheEulerFloor) {
     const Scenario& fall = *scenario_of("A01 along a wall");
-    for (const int hz : {30, 60, 120, 240, 480, 960, 1920}) {
+    // Beyond, float32's own rounding of a height of 20 m shows.
+    for (const int hz : {30, 60, 120, 240, 480, 960}) {
         const Point point = run_scenario(fall, bullet(hz), kOnce);
         ASSERT_EQ(point.status, RunStatus::Done);
         const double line = kG_mps2 * 2 / hz / 2;
