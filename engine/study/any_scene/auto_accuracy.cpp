@@ -14,6 +14,8 @@ namespace plumbline::study {
 namespace {
 
 constexpr double kCalibration_s = 9.0;
+/// A study of less of the scene may not have seen the first thing land.
+constexpr double kSecondsLeast = 1.0;
 
 scene::Accuracy balanced(const scene::SceneDescription& description, const std::string& why) {
     log_warning("{}: preset \"auto\" falls back to \"balanced\": {}",
@@ -94,6 +96,11 @@ scene::Accuracy resolve_auto(const scene::SceneDescription& description) {
         return balanced(description, "studies are the float32 program's");
     const Result<SceneStudy> study = study_of(description);
     if (!study) return balanced(description, study.error().message);
+    if (study->seconds < kSecondsLeast)
+        return balanced(description,
+                        fmt::format("there was time for {:.2f} s of it only; `plumbline study` of "
+                                    "this scene takes longer and sees more",
+                                    study->seconds));
     const std::optional<AutoChoice> choice = auto_choice(*study, description.accuracy);
     if (!choice)
         return balanced(description, "no setting that it could choose got through the scene");

@@ -10,7 +10,7 @@ namespace {
 
 /// Beyond a run's own limit of CPU time: loading, sharing a core, handing over.
 constexpr double kLimitFactor = 3.0;
-constexpr double kLimitExtra_s = 20.0;
+constexpr double kLimitExtra_s = 60.0;
 
 ScenePlan::Finished finished(std::size_t run, const Answer& answer) {
     ScenePlan::Finished result{.run = run};
@@ -54,9 +54,12 @@ double ScenePlan::spent_s() const {
     return wall_s() - start_s_;
 }
 
+double ScenePlan::share_of_core() const {
+    return in_wall_s_ > 0 ? std::clamp(got_cpu_s_ / in_wall_s_, 0.05, 1.0) : 1.0;
+}
+
 double ScenePlan::cpu_left_s(double share_of_wall) const {
-    const double per_wall_s = in_wall_s_ > 0 ? std::clamp(got_cpu_s_ / in_wall_s_, 0.05, 1.0) : 1.0;
-    return std::max(0.0, share_of_wall * wall_s_ - spent_s()) * workers_ * per_wall_s;
+    return std::max(0.0, share_of_wall * wall_s_ - spent_s()) * workers_ * share_of_core();
 }
 
 void ScenePlan::expect(double cpu_s) {
@@ -77,10 +80,11 @@ Result<Done> ScenePlan::run(std::span<const SceneRun> runs,
     std::vector<Job> jobs;
     for (const SceneRun& run : runs) {
         const int passes = run.copies + run.repeats;
-        jobs.push_back({.kind = "scene",
-                        .body = scene_job_body(run),
-                        .precision = run.setting.precision,
-                        .limit_s = kLimitExtra_s + kLimitFactor * run.cpu_limit_s * passes});
+        jobs.push_back(
+            {.kind = "scene",
+             .body = scene_job_body(run),
+             .precision = run.setting.precision,
+             .limit_s = kLimitExtra_s + kLimitFactor * run.cpu_limit_s * passes / share_of_core()});
     }
     report();
     const Result<bool> all = run_jobs(jobs, workers_, [&](std::size_t job, const Answer& answer) {

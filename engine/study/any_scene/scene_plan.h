@@ -46,6 +46,8 @@ public:
 
 private:
     void report() const;
+    /// What a worker got of its core so far: CPU time by wall time.
+    double share_of_core() const;
 
     double start_s_;
     double wall_s_;

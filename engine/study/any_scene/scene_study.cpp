@@ -104,8 +104,12 @@ private:
                 status = finished.status;
             });
         if (!done || plan_.interrupted()) return done;
-        if (status != RunStatus::Done)
+        if (status == RunStatus::Refused)
             return Error{.message = answer.refused, .exit_code = ExitCode::Refused};
+        if (status != RunStatus::Done)
+            return Error{.message = fmt::format("{}: the first run came to no end: {}",
+                                                options_.scene.string(),
+                                                answer.refused)};
         if (!options_.wall_s && answer.bodies > kManyBodies) plan_.extend(kWallMany_s);
         probe_.scene = options_.scene;
         probe_.second_cpu_s = std::max(1e-6, answer.cost.ms_per_s_min * 1e-3);
@@ -172,12 +176,23 @@ private:
         return settings;
     }
 
+    /// A few at a time, so that a machine that turns slow ends it in time all the same.
     Result<Done> measure(const std::vector<Setting>& settings) {
-        std::vector<SceneRun> runs;
-        for (const Setting& setting : settings) runs.push_back(run_of(setting));
-        return plan_.run(runs, [&](const ScenePlan::Finished& finished) {
-            study_.subject.points.push_back(point_of(settings[finished.run], finished));
-        });
+        constexpr std::size_t kAtATime = 8;
+        for (std::size_t first = 0; first < settings.size(); first += kAtATime) {
+            const std::size_t end = std::min(first + kAtATime, settings.size());
+            if (plan_.left_s() <= 0 && !study_.subject.points.empty()) {
+                left_out_ += settings.size() - first;
+                break;
+            }
+            std::vector<SceneRun> runs;
+            for (std::size_t i = first; i < end; ++i) runs.push_back(run_of(settings[i]));
+            const Result<Done> done = plan_.run(runs, [&](const ScenePlan::Finished& finished) {
+                study_.subject.points.push_back(point_of(settings[first + finished.run], finished));
+            });
+            if (!done) return done;
+        }
+        return Done{};
     }
 
     Result<Done> measure_grid() {
