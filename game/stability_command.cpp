@@ -68,6 +68,9 @@ Result<Done> write_files(const study::StabilityTable& table, const fs::path& fol
 /// What is asked of the outcome, once it is told and written.
 ExitCode judged(const study::StabilityTable& table, bool expect_green) {
     if (!table.complete) return ExitCode::Interrupted;
+    const std::vector<std::string> greens = table.unneeded_reds();
+    if (!greens.empty())
+        log_note("{} passes now: its known_red is out of date", fmt::join(greens, ", "));
     const std::vector<std::string> reds = table.unexpected_reds();
     if (!expect_green || reds.empty()) return ExitCode::Good;
     log_error("small_step fails {} and no known_red says why", fmt::join(reds, ", "));

@@ -56,6 +56,8 @@ struct StabilityTable {
     const StabilityRun* find(std::size_t entry, physics::Solver solver, int step_hz) const;
     /// small_step's at 60 Hz that failed and are not listed as known red.
     std::vector<std::string> unexpected_reds() const;
+    /// Those that passed and are listed as known red all the same.
+    std::vector<std::string> unneeded_reds() const;
 };
 
 /// A table with a run, not yet made, for every case, solver and rate.

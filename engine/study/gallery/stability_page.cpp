@@ -30,8 +30,7 @@ details { margin: 0.2rem 0; } summary { cursor: pointer; }
 
 constexpr const char* kIntroduction = R"(<p>Each row is a scene that is known to make
 physics engines fall over, fly apart, tunnel or creep; the text under its name says what it shows and
-who is known to fail it. Each scene states its own pass rules as numbers, written down before it was
-run. A cell is one solver at the game's setting: <b>pass</b> when every rule held to the end,
+who is known to fail it. Each scene states its own pass rules as numbers. A cell is one solver at the game's setting: <b>pass</b> when every rule held to the end,
 <b>FAIL</b> when one did not. Below the verdict: how far the worst rule stayed inside its limit, or went
 outside, as a share of that limit; then the CPU time that one simulated second cost, so that nobody can
 buy a green cell unseen. Red cells are left in, our own too. The pictures show where small_step

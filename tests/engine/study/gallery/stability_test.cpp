@@ -179,6 +179,9 @@ TEST_F(StabilityTableTest, OnlyOurOwnUnexplainedRedsAreUnexpected) {
     EXPECT_EQ(table.unexpected_reds(), std::vector<std::string>{"H02"});
     table.cases[1].hard.known_red = "a reason";
     EXPECT_TRUE(table.unexpected_reds().empty());
+    EXPECT_TRUE(table.unneeded_reds().empty());
+    table.cases[0].hard.known_red = "an old reason";
+    EXPECT_EQ(table.unneeded_reds(), std::vector<std::string>{"H01"});
 }
 
 TEST_F(StabilityTableTest, TheTextCountsWhatPasses) {
