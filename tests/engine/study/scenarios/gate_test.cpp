@@ -18,9 +18,9 @@ struct Gate {
 // Measured at 60 Hz with sub-steps on demand, with room of about a half for errors above rounding
 // and a fifth for work.
 constexpr Gate kGates[]{{"A01", 1e-6, 0},
-                        {"A05", 1e-4, 0},
-                        {"A09 90 degrees", 1e-3, 11'000},
-                        {"A13", 1e-4, 0},
+                        {"A05", 6e-3, 0},
+                        {"A09 90 degrees", 4e-3, 11'000},
+                        {"A13", 2.5e-4, 0},
                         {"A14", 1e-6, 110'000},
                         {"A15 1000:1", 1e-6, 280'000},
                         {"A20 H=1 e=0.5", 1e-5, 160},
