@@ -82,7 +82,7 @@ TEST(FindingsJson, NamesWhatItDoesNotKnow) {
     };
     const std::pair<std::string, const char*> bad[] = {
         {"", "not what a study writes"},
-        {"[]", "solver"},
+        {"[]", "array"},
         {with("small_step", "smallstep"), "smallstep"},
         {with("float32", "float16"), "float16"},
         {with("step_hz", "hz"), "step_hz"},
