@@ -44,8 +44,7 @@ Result<Done> load(const SimulateOptions& options, World& world) {
     Diagnostics faults;
     const scene::SurfaceTable surfaces =
         scene::load_surfaces(folders->config / "surfaces.toml", folders->assets, faults);
-    Result<scene::SceneDescription> description =
-        scene::load_scene(*file, folders->assets, faults);
+    Result<scene::SceneDescription> description = scene::load_scene(*file, folders->assets, faults);
     for (const Diagnostic& fault : faults.list()) {
         log_line(fault.severity == Severity::Error ? LogLevel::Error : LogLevel::Warning,
                  to_string(fault));

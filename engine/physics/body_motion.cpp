@@ -183,8 +183,12 @@ void stop_at_hit(const btCollisionWorld& world, BodyRecord& record, btScalar dur
     stopped.setBasis(turned(record.before.getBasis(),
                             rigid.getAngularVelocity(),
                             stuck ? duration_s : duration_s * way.share));
-    const btScalar into = rigid.getLinearVelocity().dot(way.normal);
-    if (stuck && into < 0) rigid.setLinearVelocity(rigid.getLinearVelocity() - way.normal * into);
+    // Less the speed of the fall that it did not make.
+    btVector3 velocity = rigid.getLinearVelocity() -
+                         record.weight_N * rigid.getInvMass() * (duration_s * (1 - way.share));
+    const btScalar into = velocity.dot(way.normal);
+    if (stuck && into < 0) velocity -= way.normal * into;
+    rigid.setLinearVelocity(velocity);
     rigid.setCenterOfMassTransform(stopped);
 }
 

@@ -115,9 +115,9 @@ def what_cannot_be_studied_is_refused():
 
 
 def an_interrupt_keeps_what_is_done():
-    study = subprocess.Popen([program, "study", str(scene("long", "# long")), "--seconds", "20"], env=environment,
+    study = subprocess.Popen([program, "study", "garden", "--seconds", "20"], env=environment,
                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    time.sleep(3)
+    time.sleep(4)
     study.send_signal(signal.SIGINT)
     out, err = study.communicate(timeout=20)
     assert study.returncode == 130, (study.returncode, out, err)

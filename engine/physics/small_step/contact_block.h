@@ -114,6 +114,14 @@ struct alignas(16) ContactBlock {
     }
     bool balls() const { return radius_a > 0 && radius_b > 0 && count == 1; }
     bool rounded() const { return radius_a > 0 || radius_b > 0; }
+    /// Nothing but whole balls against what is flat or a ball: turning does not move the surface.
+    bool whole_balls() const {
+        const auto whole = [](Real radius, const LaneVec3& offset) {
+            const Vec3 center = lane(offset, 0);
+            return radius == 0 || glm::dot(center, center) < radius * radius * 1e-4_r;
+        };
+        return rounded() && count == 1 && whole(radius_a, offset_a) && whole(radius_b, offset_b);
+    }
     /// How far the place of contact moved over the side that is not round, by how a moved against b
     /// since the start. The masses are those of the start: a ball shot past by more than twice its
     /// size is not weighed there.

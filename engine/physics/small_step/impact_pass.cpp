@@ -112,7 +112,7 @@ void ImpactPass::aim(const ContactBlock& block,
     const Real fall = -2 * opening_mps2 * separation_m;
     const Real at_surface = std::sqrt(std::max(speed_mps * speed_mps + fall, Real{0}));
     const Real out_mps = block.restitution * at_surface;
-    if (!block.rounded() || block.count != 1 || separation_m < 0) {
+    if (!block.whole_balls() || separation_m < 0) {
         blow.target_mps = std::sqrt(std::max(out_mps * out_mps - fall, Real{0}));
         return;
     }
@@ -183,7 +183,7 @@ void ImpactPass::solve_blows() {
         a.moved_m += shift * a.inverse_mass;
         b.moved_m -= shift * b.inverse_mass;
         block.total_Ns[static_cast<std::size_t>(blow.lane)] += blow.normal_Ns;
-        block.bounced = block.bounced || (block.rounded() && block.count == 1);
+        block.bounced = block.bounced || block.whole_balls();
     }
 }
 

@@ -19,6 +19,8 @@ constexpr double kGoodError = 1e-7;
 constexpr double kConverging = 0.2;
 /// Errors above it, m or rad, that all iterations leave are not put right within the sub-step.
 constexpr double kBadError = 1e-4;
+/// A step leads away that leaves so many times the error before it: the next may mend less.
+constexpr double kMostGrowth = 3;
 /// A step that leads away is halved so often, then given up.
 constexpr int kMostCuts = 5;
 /// Errors below it, m or rad, are rounding.
@@ -223,7 +225,8 @@ double DirectJoints::step_towards(JointGroup& group, double error) {
     displace(group, 1, true);
     double next = gather_errors(group);
     double made = 1;
-    for (int cut = 0; cut <= kMostCuts && !(next < std::max(error, kGoodError)); ++cut) {
+    for (int cut = 0; cut <= kMostCuts && !(next < kMostGrowth * std::max(error, kGoodError));
+         ++cut) {
         const double back = cut < kMostCuts ? made / 2 : made;
         x_ = step_;
         displace(group, -back, true);

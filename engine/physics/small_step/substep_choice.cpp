@@ -13,7 +13,7 @@ constexpr double kMeanShare = 1.5e-3;
 /// Smaller bodies may sink in by the shares of this size: nobody sees a tenth of a millimetre.
 constexpr double kSmallest_m = 0.2;
 constexpr double kSubstepsPerLevel = 0.34;
-constexpr double kTurn_rad = 0.4;    ///< of jointed bodies in one sub-step
+constexpr double kTurn_rad = 0.4;     ///< of jointed bodies in one sub-step
 constexpr double kJointError = 1e-3;  ///< share of the bodies' size
 constexpr std::array<int, 14> kSizes{1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 24, 32, 48, 64};
 

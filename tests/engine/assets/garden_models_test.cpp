@@ -11,7 +11,8 @@ const fs::path kAssets = fs::path(PL_SOURCE_DIR) / "assets";
 
 TEST(GardenModels, all_load_without_a_line_of_log) {
     std::size_t count = 0;
-    for (const auto& entry : fs::directory_iterator(kAssets / "models")) {
+    for (const auto& entry : fs::recursive_directory_iterator(kAssets / "models")) {
+        if (entry.is_directory()) continue;
         const Import import(entry.path(), kAssets);
         ASSERT_TRUE(import.ok()) << import.error();
         EXPECT_EQ(import.log, "");
