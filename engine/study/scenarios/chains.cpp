@@ -15,8 +15,7 @@ using physics::JointKind;
 
 double widest_gap_m(const Rig& rig, const std::vector<JointId>& joints) {
     double widest = 0;
-    for (const JointId joint : joints)
-        widest = std::max(widest, rig.world.joint_state(joint).error_m);
+    for (const JointId joint : joints) widest = std::max(widest, rig.joint(joint).error_m);
     return widest;
 }
 
@@ -90,8 +89,7 @@ Scenario catenary() {
             course.run(rig, kSeconds, {.after = [&](int i) {
                            gap_m = std::max(gap_m, widest_gap_m(rig, joints));
                            if ((i + 1) * rig.step_s() <= kSeconds - 1) return;
-                           sum_N +=
-                               static_cast<double>(rig.world.joint_state(joints.front()).force_N);
+                           sum_N += static_cast<double>(rig.joint(joints.front()).force_N);
                            ++count;
                        }});
             // The middle joint is the end of rod 5.
@@ -143,7 +141,7 @@ Errors hang(const Hanging& chain, double seconds, const Setting& setting, Course
                    const double off_m = -rig.at(ball).y - length_m - 0.25;
                    stretch_m = std::max(stretch_m, std::abs(off_m));
                    if ((i + 1) * rig.step_s() <= seconds - 2) return;
-                   sum_N += static_cast<double>(rig.world.joint_state(joints.front()).force_N);
+                   sum_N += static_cast<double>(rig.joint(joints.front()).force_N);
                    squares_m2 += glm::dot(rig.velocity(ball), rig.velocity(ball));
                    ++count;
                }});

@@ -61,7 +61,7 @@ Errors swing(const Pendulum& pendulum,
     double aside = 0;
     course.run(rig, seconds, {.after = [&](int) {
                    energy_off = std::max(energy_off, std::abs(rig.energy_J() - start_J));
-                   gap_m = std::max(gap_m, rig.world.joint_state(pivot).error_m);
+                   gap_m = std::max(gap_m, rig.joint(pivot).error_m);
                    aside = std::max(aside, std::abs(rig.at(body).z));
                }});
     const Vec3d at = rig.at(body);

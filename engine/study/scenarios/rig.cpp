@@ -1,6 +1,7 @@
 #include "engine/study/scenarios/rig.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace plumbline::study {
 
@@ -72,6 +73,12 @@ physics::JointId Rig::join(const physics::JointDef& def) {
     const Result<physics::JointId> made = world.create_joint(def);
     PL_ASSERT(made.ok(), "joints of scenarios that can be made");
     return *made;
+}
+
+physics::JointState Rig::joint(physics::JointId id) const {
+    if (world.contains(id)) return world.joint_state(id);
+    return {.error_m = std::numeric_limits<double>::quiet_NaN(),
+            .force_N = std::numeric_limits<Real>::quiet_NaN()};
 }
 
 double Rig::energy_J() const {

@@ -59,6 +59,8 @@ public:
     }
     double step_s() const { return world.def().step_s; }
     double energy_J() const;
+    /// As it is now; a joint that went with a body that is no number any more has no error or force.
+    physics::JointState joint(physics::JointId id) const;
     /// Something is no number any more.
     bool broken() const;
 

@@ -185,7 +185,7 @@ Scenario steady_top(double spin_radps) {
             double gap_m = 0;
             course.run(top.rig, kSeconds, {.after = [&](int) {
                            tilt_off = std::max(tilt_off, std::abs(top.tilt_rad() - kTopTilt_rad));
-                           gap_m = std::max(gap_m, top.rig.world.joint_state(top.pivot).error_m);
+                           gap_m = std::max(gap_m, top.rig.joint(top.pivot).error_m);
                        }});
             const Vec3d start = glm::angleAxis(-kTopTilt_rad, Vec3d{0, 0, 1}) * Vec3d{0, 1, 0};
             const Vec3d expected = glm::angleAxis(around_radps * kSeconds, Vec3d{0, 1, 0}) * start;
@@ -248,8 +248,7 @@ Scenario nodding_top() {
                 course.run(top.rig, kSeconds, {.after = [&](int i) {
                                if ((i + 1) * step_s > kSeconds - 1)
                                    last_tilt = std::max(last_tilt, top.tilt_rad());
-                               gap_m =
-                                   std::max(gap_m, top.rig.world.joint_state(top.pivot).error_m);
+                               gap_m = std::max(gap_m, top.rig.joint(top.pivot).error_m);
                            }});
                 const Vec3d tilted = glm::angleAxis(-expected[0], Vec3d{0, 0, 1}) * Vec3d{0, 1, 0};
                 const Vec3d axis = glm::angleAxis(expected[2], Vec3d{0, 1, 0}) * tilted;
