@@ -13,6 +13,15 @@ namespace {
 constexpr double kWindow_s = 1.0;
 constexpr Vec3f kGhostColor{0.35F, 0.85F, 1.0F};
 
+/// Nothing that an outline would show.
+bool looks_the_same(const Pose& a, const Pose& b) {
+    constexpr Real kApart_m = 1e-3_r;
+    constexpr Real kTurned = 1e-3_r;  // of the quaternions: a tenth of a degree
+    const Real turned = std::min(glm::length(a.orientation - b.orientation),
+                                 glm::length(a.orientation + b.orientation));
+    return glm::distance(a.position, b.position) < kApart_m && turned < kTurned;
+}
+
 double total_J(const physics::Energy& energy) {
     return energy.kinetic_J + energy.potential_J;
 }
@@ -112,6 +121,7 @@ void AccuracyControl::add_ghost_lines(LineList& lines) const {
         if (next == bodies.size()) return;
         if (bodies[next] != moving.body) continue;
         const Pose pose{Vec3(poses[next].position_m), Quat(poses[next].orientation)};
+        if (looks_the_same(simulation.physics.state(moving.body).world_from_body, pose)) continue;
         simulation.physics.add_shape_lines(moving.shape, pose, kGhostColor, lines);
     }
 }

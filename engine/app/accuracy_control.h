@@ -48,7 +48,8 @@ public:
     void after_rebuild(FrameClock& clock);
     /// Once a frame.
     void take_answers();
-    /// The ghost's outlines, as of the latest time that it has reached.
+    /// Outlines of the ghost's bodies that are more than a millimetre off the visible ones, as of the
+    /// latest time that it has reached.
     void add_ghost_lines(LineList& lines) const;
 
     /// As the world runs now.

@@ -156,7 +156,9 @@ void draw_ghost(const AccuracyControl& control, AccuracyRequest& request) {
     if (ImGui::Button("ghost from here")) request.start_ghost = ghost->setting();
     ImGui::SameLine();
     if (ImGui::Button("no ghost")) request.stop_ghost = true;
-    text("It feels neither your hands nor what you drop.");
+    text(
+        "Outlined where it is a millimetre off or more.\nIt feels neither your hands nor what you "
+        "drop.");
 }
 
 }  // namespace
