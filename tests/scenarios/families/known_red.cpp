@@ -51,10 +51,6 @@ constexpr auto kKnownRed = std::to_array<KnownRed>({
      0.08,
      0.08,
      "every change of the step's length rebuilds the world, without impulses"},
-    {"H80 energy lost in 20 s, capsule",
-     0.15,
-     0.15,
-     "Bullet's capsule and box give one point or two from step to step"},
     {"H05 1000:1, 30 Hz penetration m", 0.035, 0.035, "16 sub-steps at most, at twice the length"},
 });
 
