@@ -26,30 +26,20 @@ double total_J(const physics::Energy& energy) {
     return energy.kinetic_J + energy.potential_J;
 }
 
-void add(physics::StepCost& sum, const physics::StepCost& cost) {
-    sum.broad_ms += cost.broad_ms;
-    sum.narrow_ms += cost.narrow_ms;
-    sum.solve_ms += cost.solve_ms;
-    sum.integrate_ms += cost.integrate_ms;
-    sum.total_ms += cost.total_ms;
-    sum.row_solves += cost.row_solves;
-    sum.contacts += cost.contacts;
-    sum.pairs += cost.pairs;
-}
-
-void scale_times(physics::StepCost& cost, double share) {
-    for (double* part :
-         {&cost.broad_ms, &cost.narrow_ms, &cost.solve_ms, &cost.integrate_ms, &cost.total_ms})
-        *part *= share;
-}
-
 }  // namespace
 
 AccuracyControl::AccuracyControl(Session& session, bool recorded)
     : session_(session), recorded_(recorded) {}
 
+void AccuracyControl::watch(bool shown) {
+    watched_ = shown;
+    if (!shown) samples_.clear();
+}
+
 void AccuracyControl::after_step() {
     const scene::Simulation& simulation = *session_.simulation;
+    if (ghost_) ghost_->follow(simulation);
+    if (!watched_) return;
     const physics::PhysicsWorld& world = simulation.physics;
     samples_.push_back({.time_s = simulation.time_s(),
                         .cost = world.cost(),
@@ -58,7 +48,6 @@ void AccuracyControl::after_step() {
                         .max_joint_error_m = world.max_joint_error_m(),
                         .most_substeps = physics::most_substeps(world)});
     while (samples_.front().time_s < simulation.time_s() - kWindow_s) samples_.pop_front();
-    if (ghost_) ghost_->follow(simulation);
 }
 
 void AccuracyControl::use(const study::Setting& setting, FrameClock& clock) {
@@ -143,14 +132,13 @@ AccuracyGauges AccuracyControl::gauges(const FrameClock& clock) const {
     AccuracyGauges gauges{.lost_s = clock.lost_s()};
     if (samples_.empty()) return gauges;
     for (const Sample& sample : samples_) {
-        add(gauges.mean_step, sample.cost);
+        gauges.cost.add(sample.cost);
         gauges.max_penetration_m = std::max(gauges.max_penetration_m, sample.max_penetration_m);
         gauges.max_joint_error_m = std::max(gauges.max_joint_error_m, sample.max_joint_error_m);
         gauges.most_substeps = std::max(gauges.most_substeps, sample.most_substeps);
     }
     const auto count = static_cast<double>(samples_.size());
-    gauges.ms_per_s = gauges.mean_step.total_ms / (count * session_.simulation->step_s());
-    scale_times(gauges.mean_step, 1 / count);
+    gauges.ms_per_s = gauges.cost.cpu_ms_total / (count * session_.simulation->step_s());
     gauges.islands = session_.simulation->physics.islands().size();
     gauges.energy_J = samples_.back().energy_J;
     gauges.energy_change_J = samples_.back().energy_J - samples_.front().energy_J;

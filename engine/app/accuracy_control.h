@@ -5,6 +5,7 @@
 #include "engine/app/session.h"
 #include "engine/core/frame_clock.h"
 #include "engine/core/lines.h"
+#include "engine/scene/state_report.h"
 #include "engine/study/ghost/ghost.h"
 
 #include <deque>
@@ -24,8 +25,8 @@ struct AccuracyRequest {
 
 /// The last second of simulated time, and what needs no reference.
 struct AccuracyGauges {
-    physics::StepCost mean_step{};  ///< ms; counts are sums of the second
-    double ms_per_s{0};             ///< CPU of stepping per simulated second
+    scene::CostHistory cost{};  ///< of the second's steps
+    double ms_per_s{0};         ///< CPU of stepping per simulated second
     int most_substeps{0};
     std::size_t islands{0};
     double energy_J{0};
@@ -40,6 +41,8 @@ public:
     /// `recorded`: a recording or a replay runs, which holds no change of accuracy.
     AccuracyControl(Session& session, bool recorded);
 
+    /// Gauges are read only while somebody looks: energy and overlap walk all bodies.
+    void watch(bool shown);
     /// After each fixed step.
     void after_step();
     /// Between frames' steps: does what was asked. Returns a line for the person, or nothing.
@@ -74,6 +77,7 @@ private:
 
     Session& session_;
     bool recorded_;
+    bool watched_{false};
     std::optional<study::Setting> chosen_;
     std::unique_ptr<study::Ghost> ghost_;
     std::deque<Sample> samples_;

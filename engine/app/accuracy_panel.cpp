@@ -23,10 +23,6 @@ constexpr std::array<int, 5> kRates_hz{30, 60, 120, 240, 480};
 constexpr int kMostSubsteps = 32;
 constexpr int kMostIterations = 50;
 
-void text(const std::string& line) {
-    ImGui::TextUnformatted(line.data(), line.data() + line.size());
-}
-
 bool choose_solver(const char* label, Setting& setting) {
     const std::string now(physics::solver_name(setting.solver));
     if (!ImGui::BeginCombo(label, now.c_str())) return false;
@@ -87,16 +83,18 @@ bool choose_setting(Setting& setting) {
 }
 
 void draw_gauges(const AccuracyGauges& gauges) {
-    const physics::StepCost& step = gauges.mean_step;
+    const scene::CostHistory& cost = gauges.cost;
+    const double steps = std::max(1.0, static_cast<double>(cost.step_ms.size()));
     const double other =
-        step.total_ms - step.broad_ms - step.narrow_ms - step.solve_ms - step.integrate_ms;
-    text(fmt::format("{:.3f} ms a step, {:.1f} ms a second", step.total_ms, gauges.ms_per_s));
+        cost.cpu_ms_total - cost.broad_ms - cost.narrow_ms - cost.solve_ms - cost.integrate_ms;
+    text(fmt::format(
+        "{:.3f} ms a step, {:.1f} ms a second", cost.cpu_ms_total / steps, gauges.ms_per_s));
     text(fmt::format("broad {:.3f}  narrow {:.3f}  solve {:.3f}  move {:.3f}  other {:.3f}",
-                     step.broad_ms,
-                     step.narrow_ms,
-                     step.solve_ms,
-                     step.integrate_ms,
-                     std::max(0.0, other)));
+                     cost.broad_ms / steps,
+                     cost.narrow_ms / steps,
+                     cost.solve_ms / steps,
+                     cost.integrate_ms / steps,
+                     std::max(0.0, other / steps)));
     text(fmt::format("up to {} sub-steps, {} islands, {:.0f} s lost",
                      gauges.most_substeps,
                      gauges.islands,

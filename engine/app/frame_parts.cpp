@@ -107,6 +107,7 @@ void FrameParts::capture_pointer_if_playing(const InputSnapshot& input) {
 }
 
 void FrameParts::do_requests() {
+    accuracy_.watch(controls_.parts.accuracy);
     const double now_s = window_.now_s();
     const std::string scene = session_.description.file.stem().string();
     if (controls_.reset) {

@@ -22,16 +22,16 @@ ImVec2 screen() {
     return ImGui::GetIO().DisplaySize;
 }
 
-void text(const std::string& line) {
-    ImGui::TextUnformatted(line.data(), line.data() + line.size());
-}
-
 struct Hint {
     Action action;
     const char* words;
 };
 
 }  // namespace
+
+void text(const std::string& line) {
+    ImGui::TextUnformatted(line.data(), line.data() + line.size());
+}
 
 void apply_style(float scale) {
     ImGui::StyleColorsDark();

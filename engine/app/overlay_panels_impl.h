@@ -13,6 +13,7 @@ struct Message {
     double until_s{0};
 };
 
+void text(const std::string& line);  ///< as it is, no format characters
 void apply_style(float scale);
 void draw_crosshair(const scene::HudContent& hud);
 /// The keys that matter, by their printed names; shown for the first seconds, then only H's.

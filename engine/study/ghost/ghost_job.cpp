@@ -31,7 +31,6 @@ public:
             scene::build_simulation(*description, overrides(start.setting), library_, surfaces);
         if (!built) throw std::runtime_error(built.error().message);
         simulation_ = std::move(*built);
-        simulation_->set_accuracy(world_def_of(start.setting));
         simulation_->set_time(start.time_s);
         place_bodies(start.bodies);
         game_.emplace(simulation_->description().camera);
@@ -58,17 +57,6 @@ public:
     }
 
 private:
-    physics::WorldDef world_def_of(const Setting& setting) const {
-        physics::WorldDef def = simulation_->physics.def();
-        const physics::WorldDef asked = world_def(setting);
-        def.step_s = asked.step_s;
-        def.substeps = asked.substeps;
-        def.substeps_max = asked.substeps_max;
-        def.iterations = asked.iterations;
-        def.solver = asked.solver;
-        return def;
-    }
-
     void place_bodies(const std::vector<GhostBody>& bodies) {
         std::vector<ecs::Entity> kept;
         for (const GhostBody& body : bodies) {
