@@ -122,12 +122,44 @@ private:
     static constexpr btScalar kNear = btScalar(0.2);
 };
 
-/// A ball or a capsule against a box.
-class RoundBoxAlgorithm : public OneManifold {
+/// A ball or a capsule against a box: the points of balls along the capsule's axis.
+class RoundBoxAlgorithm final : public OneManifold {
 public:
     using OneManifold::OneManifold;
 
-protected:
+    void processCollision(const btCollisionObjectWrapper* first,
+                          const btCollisionObjectWrapper* second,
+                          const btDispatcherInfo&,
+                          btManifoldResult* result) override {
+        result->setPersistentManifold(&manifold());
+        const bool round_first = first->getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE;
+        const btCollisionObjectWrapper& round = round_first ? *first : *second;
+        const OrientedBox box = box_of(round_first ? *second : *first);
+        const btTransform& at = round.getWorldTransform();
+        const Vec3 middle = from_bullet(at.getOrigin());
+        if (round.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
+            const auto& ball = static_cast<const btSphereShape&>(*round.getCollisionShape());
+            touch({&middle, 1}, ball.getRadius(), box, round_first, *result);
+            return;
+        }
+        const auto& capsule = static_cast<const btCapsuleShape&>(*round.getCollisionShape());
+        const Vec3 half =
+            from_bullet(at.getBasis().getColumn(capsule.getUpAxis())) * capsule.getHalfHeight();
+        std::array<Vec3, 3> centers{middle - half, middle + half, middle};
+        centers[2] = middle + half * (2 * nearest_on_segment(centers[0], centers[1], box) - 1);
+        const auto distance_m = [&](const Vec3& center) {
+            return collide_ball_box(center, 0, box).distance_m;
+        };
+        // Nearer than both ends: an edge or a corner between them.
+        const bool between =
+            distance_m(centers[2]) < std::min(distance_m(centers[0]), distance_m(centers[1])) -
+                                         kNearer * capsule.getRadius();
+        touch({centers.data(), between ? 3U : 2U}, capsule.getRadius(), box, round_first, *result);
+    }
+
+private:
+    static constexpr Real kNearer = 1e-3_r;
+
     /// Puts the points of balls at `centers` that are within reach into the manifold.
     void touch(std::span<const Vec3> centers,
                Real radius_m,
@@ -148,61 +180,6 @@ protected:
     }
 };
 
-class BallBoxAlgorithm final : public RoundBoxAlgorithm {
-public:
-    using RoundBoxAlgorithm::RoundBoxAlgorithm;
-
-    void processCollision(const btCollisionObjectWrapper* first,
-                          const btCollisionObjectWrapper* second,
-                          const btDispatcherInfo&,
-                          btManifoldResult* result) override {
-        result->setPersistentManifold(&manifold());
-        const bool ball_first =
-            first->getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
-        const btCollisionObjectWrapper& ball = ball_first ? *first : *second;
-        const btCollisionObjectWrapper& box = ball_first ? *second : *first;
-        const Real radius_m =
-            static_cast<const btSphereShape&>(*ball.getCollisionShape()).getRadius();
-        const Vec3 center = from_bullet(ball.getWorldTransform().getOrigin());
-        touch({&center, 1}, radius_m, box_of(box), ball_first, *result);
-    }
-};
-
-class CapsuleBoxAlgorithm final : public RoundBoxAlgorithm {
-public:
-    using RoundBoxAlgorithm::RoundBoxAlgorithm;
-
-    void processCollision(const btCollisionObjectWrapper* first,
-                          const btCollisionObjectWrapper* second,
-                          const btDispatcherInfo&,
-                          btManifoldResult* result) override {
-        result->setPersistentManifold(&manifold());
-        const bool capsule_first =
-            first->getCollisionShape()->getShapeType() == CAPSULE_SHAPE_PROXYTYPE;
-        const btCollisionObjectWrapper& wrap = capsule_first ? *first : *second;
-        const auto& capsule = static_cast<const btCapsuleShape&>(*wrap.getCollisionShape());
-        const OrientedBox box = box_of(capsule_first ? *second : *first);
-        const btTransform& at = wrap.getWorldTransform();
-        const Vec3 middle = from_bullet(at.getOrigin());
-        const Vec3 half =
-            from_bullet(at.getBasis().getColumn(capsule.getUpAxis())) * capsule.getHalfHeight();
-        std::array<Vec3, 3> centers{middle - half, middle + half, middle};
-        centers[2] = middle + half * (2 * nearest_on_segment(centers[0], centers[1], box) - 1);
-        const auto distance_m = [&](const Vec3& center) {
-            return collide_ball_box(center, 0, box).distance_m;
-        };
-        // Nearer than both ends: an edge or a corner between them.
-        const bool between =
-            distance_m(centers[2]) < std::min(distance_m(centers[0]), distance_m(centers[1])) -
-                                         kNearer * capsule.getRadius();
-        touch(
-            {centers.data(), between ? 3U : 2U}, capsule.getRadius(), box, capsule_first, *result);
-    }
-
-private:
-    static constexpr Real kNearer = 1e-3_r;
-};
-
 template <class Algorithm>
 struct Maker final : btCollisionAlgorithmCreateFunc {
     btCollisionAlgorithm* CreateCollisionAlgorithm(
@@ -218,8 +195,7 @@ struct Maker final : btCollisionAlgorithmCreateFunc {
 
 BoxContacts::BoxContacts(btCollisionDispatcher& dispatcher)
     : makers_{std::make_unique<Maker<BoxesAlgorithm>>(),
-              std::make_unique<Maker<BallBoxAlgorithm>>(),
-              std::make_unique<Maker<CapsuleBoxAlgorithm>>()} {
+              std::make_unique<Maker<RoundBoxAlgorithm>>()} {
     const auto meet = [&](int first, int second, std::size_t maker) {
         dispatcher.registerCollisionCreateFunc(first, second, makers_[maker].get());
         dispatcher.registerClosestPointsCreateFunc(first, second, makers_[maker].get());
@@ -227,8 +203,8 @@ BoxContacts::BoxContacts(btCollisionDispatcher& dispatcher)
     meet(BOX_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, 0);
     meet(SPHERE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, 1);
     meet(BOX_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE, 1);
-    meet(CAPSULE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, 2);
-    meet(BOX_SHAPE_PROXYTYPE, CAPSULE_SHAPE_PROXYTYPE, 2);
+    meet(CAPSULE_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, 1);
+    meet(BOX_SHAPE_PROXYTYPE, CAPSULE_SHAPE_PROXYTYPE, 1);
 }
 
 }  // namespace plumbline::physics

@@ -19,7 +19,7 @@ public:
     explicit BoxContacts(btCollisionDispatcher& dispatcher);
 
 private:
-    std::array<std::unique_ptr<btCollisionAlgorithmCreateFunc>, 3> makers_;
+    std::array<std::unique_ptr<btCollisionAlgorithmCreateFunc>, 2> makers_;
 };
 
 }  // namespace plumbline::physics
