@@ -44,7 +44,13 @@ private:
                const PlayDef& def,
                Stepper stepper,
                std::unique_ptr<render::Renderer> renderer);
+    void say(std::string line);  ///< to the person, in the overlay
     void say_faults();
+    void reset_scene();
+    void reload_files();
+    void save_picture();
+    void save_recording_so_far();
+    std::string scene_name() const;
     void capture_pointer_if_playing(const InputSnapshot& input);
     std::array<std::uint64_t, kActionCount> actions_seen() const;
 

@@ -1,0 +1,47 @@
+// The end of a sitting: the files that were asked for, and the exit code.
+#include "engine/app/frame_parts_impl.h"
+#include "engine/core/files.h"
+#include "engine/core/hash.h"
+#include "engine/core/interrupt.h"
+#include "engine/core/log.h"
+
+#include <algorithm>
+
+namespace plumbline::app {
+
+std::array<std::uint64_t, kActionCount> FrameParts::actions_seen() const {
+    std::array<std::uint64_t, kActionCount> seen = latch.presses_seen();
+    // Replays and monkeys press no keys: what their steps were told counts.
+    for (std::size_t i = 0; i < kActionCount; ++i)
+        seen[i] = std::max(seen[i], stepper.presses()[i]);
+    return seen;
+}
+
+ExitCode FrameParts::close() {
+    window_.capture_pointer(false);
+    ExitCode code = interrupted() ? ExitCode::Interrupted : ExitCode::Good;
+    const auto failed = [&](const Result<Done>& written) {
+        if (written) return;
+        log_error("{}", written.error().message);
+        code = ExitCode::RunFailed;
+    };
+    if (!def_.record.empty()) failed(stepper.save_recording(def_.record));
+    if (!def_.report.empty()) {
+        failed(write_file_atomically(def_.report,
+                                     report.json(*session_.simulation,
+                                                 session_.effects->ledger(),
+                                                 renderer->gl(),
+                                                 clock.lost_s(),
+                                                 actions_seen())));
+    }
+    const std::string hash = hex_of(session_.simulation->state_hash());
+    if (!stepper.divergence().empty()) code = ExitCode::Differs;
+    if (def_.expect_hash && *def_.expect_hash != hash) {
+        log_error("the state at the end is {}, expected {}", hash, *def_.expect_hash);
+        code = ExitCode::Differs;
+    }
+    log_note("{} steps, state {}", stepper.steps(), hash);
+    return code;
+}
+
+}  // namespace plumbline::app

@@ -1,0 +1,61 @@
+// What a person asked for beside playing, done between frames' steps, one function a request.
+#include "engine/app/frame_parts_impl.h"
+#include "engine/app/screenshot.h"
+#include "engine/core/files.h"
+
+namespace plumbline::app {
+
+void FrameParts::do_requests() {
+    accuracy_.watch(controls_.parts.accuracy);
+    if (controls_.reset) reset_scene();
+    if (controls_.reload) reload_files();
+    if (controls_.screenshot) save_picture();
+    if (controls_.save_recording) save_recording_so_far();
+    if (controls_.quit) closing_ = true;
+    controls_.clear_requests();
+}
+
+void FrameParts::say(std::string line) {
+    overlay_.say(std::move(line), window_.now_s());
+}
+
+void FrameParts::reset_scene() {
+    stepper.reset();
+    accuracy_.after_rebuild(clock);
+    say("the scene from its start");
+}
+
+void FrameParts::reload_files() {
+    const Result<Done> reloaded = session_.reload();
+    const Result<Done> shaders = renderer->reload_shaders();
+    if (reloaded) {
+        renderer->forget_scene();
+        accuracy_.after_rebuild(clock);
+    }
+    say(reloaded ? "scene read again" : reloaded.error().message);
+    if (!shaders) say(shaders.error().message);
+}
+
+void FrameParts::save_picture() {
+    const auto saved = save_screenshot(*renderer, def_.user_data_folder / "shots", scene_name());
+    say(saved ? "picture saved: " + saved->string() : saved.error().message);
+}
+
+void FrameParts::save_recording_so_far() {
+    if (accuracy_.changed()) {
+        say("the accuracy was changed: this play cannot be recorded");
+        return;
+    }
+    const std::filesystem::path folder = def_.user_data_folder / "recordings";
+    std::error_code ignored;  // the save says what is wrong
+    std::filesystem::create_directories(folder, ignored);
+    const std::filesystem::path file = unused_file(folder, scene_name(), "tape");
+    const Result<Done> saved = stepper.save_recording(file);
+    say(saved ? "actions so far saved: " + file.string() : saved.error().message);
+}
+
+std::string FrameParts::scene_name() const {
+    return session_.description.file.stem().string();
+}
+
+}  // namespace plumbline::app
