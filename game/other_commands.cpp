@@ -28,8 +28,8 @@ bool is_binding_file(const std::filesystem::path& file) {
 ExitCode check_file(const std::filesystem::path& file, const DataFolders& folders) {
     Diagnostics faults;
     ExitCode when_bad = ExitCode::BadUsage;
-    if (file.filename() == "app.toml") {
-        app::load_app_config(file.parent_path(), {}, faults);
+    if (file.filename() == "app.toml" || file.filename() == "app.ui.toml") {
+        app::load_app_config({file}, faults);
     } else if (file.filename() == "surfaces.toml") {
         scene::load_surfaces(file, folders.assets, faults);
     } else if (is_binding_file(file)) {

@@ -15,11 +15,11 @@ ExitCode refuse(const Error& error) {
     return error.exit_code;
 }
 
-app::AppConfig read_config(const CommonOptions& common, const DataFolders& folders) {
-    Diagnostics faults;
+app::LiveConfig read_config(const CommonOptions& common, const DataFolders& folders) {
     const std::filesystem::path shipped = common.safe ? std::filesystem::path() : folders.config;
-    app::AppConfig config = app::load_app_config(shipped, user_settings_folder(common), faults);
-    for (const Diagnostic& fault : faults.list()) log_line(LogLevel::Warning, to_string(fault));
+    app::LiveConfig config(shipped, user_settings_folder(common));
+    for (const Diagnostic& fault : config.faults().list())
+        log_line(LogLevel::Warning, to_string(fault));
     return config;
 }
 
@@ -30,8 +30,8 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     if (!folders) return refuse(folders.error());
     const Result<std::filesystem::path> scene = scene::find_scene(options.scene, folders->assets);
     if (!scene) return refuse(scene.error());
-    app::PlayDef play{.config = read_config(common, *folders),
-                      .shader_folder = folders->shaders,
+    app::LiveConfig config = read_config(common, *folders);
+    app::PlayDef play{.shader_folder = folders->shaders,
                       .user_data_folder = user_data_folder(),
                       .sound = !common.no_sound,
                       .audio_device = options.audio_device,
@@ -40,7 +40,9 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
                       .report = options.report,
                       .expect_hash = options.expect_hash,
                       .steps = {.replay = options.replay, .random_seed = options.random_input}};
-    if (!options.size.empty() && !parse_size(options.size, play.config.width, play.config.height)) {
+    int width = config.current().width;
+    int height = config.current().height;
+    if (!options.size.empty() && !parse_size(options.size, width, height)) {
         return refuse({.message = fmt::format("--size {}: expected WIDTHxHEIGHT, 1 to 16384 each",
                                               options.size),
                        .exit_code = ExitCode::BadUsage});
@@ -58,13 +60,13 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     const std::string title = (*session)->description.title;
     Result<std::unique_ptr<platform::Window>> window =
         platform::Window::open({.title = title.empty() ? "Plumbline" : title + " - Plumbline",
-                                .width = play.config.width,
-                                .height = play.config.height,
-                                .vsync = play.config.vsync});
+                                .width = width,
+                                .height = height,
+                                .vsync = config.current().vsync});
     if (!window) return refuse(window.error());
     catch_interrupts();
     app::LiveBindings bindings(bindings_def(common, *folders));
-    return app::run(**window, **session, bindings, play);
+    return app::run(**window, **session, bindings, config, play);
 }
 
 }  // namespace plumbline::game

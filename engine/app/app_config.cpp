@@ -6,13 +6,12 @@
 #include "engine/core/toml_prescan.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
-#include <string>
-#include <variant>
+#include <type_traits>
 
 // The library's exceptions stay inside the one function that parses.
 #include <toml++/toml.h>
@@ -20,39 +19,30 @@
 namespace plumbline::app {
 namespace {
 
-struct IntSetting {
-    int* value;
-    int min;
-    int max;
-};
-struct FloatSetting {
-    float* value;
-    float min;
-    float max;
-};
-using Target = std::variant<IntSetting, FloatSetting, bool*>;
+bool same(const SettingTarget& a, const SettingTarget& b) {
+    return std::visit(
+        [&](const auto& mine) {
+            const auto& other = std::get<std::decay_t<decltype(mine)>>(b);
+            if constexpr (requires { mine.value; }) {
+                return *mine.value == *other.value;
+            } else {
+                return *mine == *other;
+            }
+        },
+        a);
+}
 
-struct Setting {
-    std::string_view table;
-    std::string_view key;
-    Target target;
-};
-
-std::array<Setting, 10> settings_of(AppConfig& config) {
-    return {{{"window", "width", IntSetting{&config.width, 64, 16384}},
-             {"window", "height", IntSetting{&config.height, 64, 16384}},
-             {"window", "vsync", &config.vsync},
-             {"window", "max_fps", IntSetting{&config.max_fps, 10, 10000}},
-             {"window", "pause_on_focus_loss", &config.pause_on_focus_loss},
-             {"time", "max_steps_per_frame", IntSetting{&config.max_steps_per_frame, 1, 64}},
-             {"hud", "ui_scale", FloatSetting{&config.ui_scale, 0.0F, 4.0F}},
-             {"hud", "hints", &config.hints},
-             {"sound", "master_gain", FloatSetting{&config.master_gain, 0.0F, 1.0F}},
-             {"sound", "voices", IntSetting{&config.voices, 1, 256}}}};
+std::string toml_value(const SettingTarget& target) {
+    if (bool* const* flag = std::get_if<bool*>(&target)) return **flag ? "true" : "false";
+    if (const auto* whole = std::get_if<IntSetting>(&target))
+        return fmt::format("{}", *whole->value);
+    if (PictureLevel* const* level = std::get_if<PictureLevel*>(&target))
+        return fmt::format("\"{}\"", kPictureLevelNames[static_cast<std::size_t>(**level)]);
+    return fmt::format("{}", *std::get<FloatSetting>(target).value);
 }
 
 /// Empty when it was taken.
-std::string set(const Target& target, const toml::node& node) {
+std::string set(const SettingTarget& target, const toml::node& node) {
     if (bool* const* flag = std::get_if<bool*>(&target)) {
         const std::optional<bool> value = node.value_exact<bool>();
         if (!value) return "expected true or false";
@@ -65,6 +55,13 @@ std::string set(const Target& target, const toml::node& node) {
             return fmt::format("expected a whole number from {} to {}", whole->min, whole->max);
         }
         *whole->value = static_cast<int>(*value);
+        return {};
+    }
+    if (PictureLevel* const* level = std::get_if<PictureLevel*>(&target)) {
+        const auto found = std::ranges::find(kPictureLevelNames, node.value_or(std::string_view{}));
+        if (found == kPictureLevelNames.end())
+            return fmt::format("expected one of {}", fmt::join(kPictureLevelNames, ", "));
+        **level = static_cast<PictureLevel>(found - kPictureLevelNames.begin());
         return {};
     }
     const auto& real = std::get<FloatSetting>(target);
@@ -91,15 +88,14 @@ void apply_entry(const std::string& file,
                     .key = fmt::format("{}.{}", table, key),
                     .message = std::move(message)});
     };
-    std::array<std::string_view, 10> known;
-    std::size_t count = 0;
+    std::vector<std::string_view> known;
     for (const Setting& setting : settings_of(config)) {
         if (setting.table == table && setting.key == key) {
             const std::string wrong = set(setting.target, node);
             if (!wrong.empty()) fault(wrong + "; the value before it stands");
             return;
         }
-        known[count++] = setting.key;
+        known.push_back(setting.key);
     }
     const std::string_view nearest = nearest_name(key, known);
     fault(nearest.empty()
@@ -150,13 +146,55 @@ void apply_layer(const std::filesystem::path& path, AppConfig& config, Diagnosti
 
 }  // namespace
 
-AppConfig load_app_config(const std::filesystem::path& shipped_folder,
-                          const std::filesystem::path& user_folder,
-                          Diagnostics& faults) {
+std::vector<Setting> settings_of(AppConfig& config) {
+    return {
+        {"window", "width", IntSetting{&config.width, 64, 16384}, "Width at the start"},
+        {"window", "height", IntSetting{&config.height, 64, 16384}, "Height at the start"},
+        {"window", "vsync", &config.vsync, "Wait for the screen (vsync)"},
+        {"window", "max_fps", IntSetting{&config.max_fps, 10, 10000}, "Frames a second at most"},
+        {"window", "pause_on_focus_loss", &config.pause_on_focus_loss, "Pause in the background"},
+        {"picture", "level", &config.picture_level, "Level of detail"},
+        {"picture", "target_ms", FloatSetting{&config.target_ms, 4, 200}, "Auto: ms a frame"},
+        {"picture", "render_scale", FloatSetting{&config.render_scale, 0, 1}, "Render scale"},
+        {"picture", "fov_deg", FloatSetting{&config.fov_deg, 30, 120}, "Field of view"},
+        {"time",
+         "max_steps_per_frame",
+         IntSetting{&config.max_steps_per_frame, 1, 64},
+         "Steps a frame at most"},
+        {"hud", "ui_scale", FloatSetting{&config.ui_scale, 0, 3}, "Size of text"},
+        {"hud", "hints", &config.hints, "Hints"},
+        {"hud", "reduce_motion", &config.reduce_motion, "Reduce motion"},
+        {"sound", "master_gain", FloatSetting{&config.master_gain, 0, 1}, "Everything"},
+        {"sound", "effects_gain", FloatSetting{&config.effects_gain, 0, 1}, "Impacts and steps"},
+        {"sound", "ambience_gain", FloatSetting{&config.ambience_gain, 0, 1}, "Surroundings"},
+        {"sound", "mute", &config.mute, "Mute"},
+        {"sound", "voices", IntSetting{&config.voices, 1, 256}, "Sounds at the same time"},
+    };
+}
+
+AppConfig load_app_config(const std::vector<std::filesystem::path>& files, Diagnostics& faults) {
     AppConfig config;
-    apply_layer(shipped_folder / "app.toml", config, faults);
-    if (!user_folder.empty()) apply_layer(user_folder / "app.toml", config, faults);
+    for (const std::filesystem::path& file : files) apply_layer(file, config, faults);
     return config;
+}
+
+std::string ui_config_text(const AppConfig& below, const AppConfig& wanted) {
+    AppConfig lower = below;
+    AppConfig upper = wanted;
+    const std::vector<Setting> before = settings_of(lower);
+    const std::vector<Setting> after = settings_of(upper);
+    std::string text =
+        "# Written by Plumbline's settings pages. Your own lines belong in app.toml beside it,\n"
+        "# which the program never writes; this file is laid over it.\n"
+        "format = 1\n";
+    std::string_view table;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        if (same(before[i].target, after[i].target)) continue;
+        if (after[i].table != table) text += fmt::format("\n[{}]\n", after[i].table);
+        table = after[i].table;
+        text += fmt::format("{} = {}\n", after[i].key, toml_value(after[i].target));
+    }
+    return text;
 }
 
 }  // namespace plumbline::app

@@ -1,11 +1,23 @@
-// Settings of the program itself: config/app.toml as shipped, then the user's own app.toml.
+// Settings of the program itself, layer over layer: built-in, config/app.toml as shipped, the
+// user's own app.toml, and app.ui.toml, which the settings pages write. The user's own file is
+// never written by the program.
 #pragma once
 
 #include "engine/core/diagnostics.h"
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
 
 namespace plumbline::app {
+
+enum class PictureLevel : std::uint8_t { Auto, Low, Medium, High };
+inline constexpr std::array<std::string_view, 4> kPictureLevelNames{
+    "auto", "low", "medium", "high"};
 
 struct AppConfig {
     int width{1280};  ///< [window]
@@ -13,16 +25,51 @@ struct AppConfig {
     bool vsync{true};
     int max_fps{240};  ///< when vsync does not hold the loop back
     bool pause_on_focus_loss{false};
+    PictureLevel picture_level{PictureLevel::Auto};  ///< [picture]
+    float target_ms{40.0F};                          ///< of a frame: what the level `auto` aims at
+    float render_scale{0.0F};    ///< of each side of the picture; 0: by the level
+    float fov_deg{70.0F};        ///< upright field of view of a walker; other cameras follow
     int max_steps_per_frame{4};  ///< [time] time beyond is lost, and shown
-    float ui_scale{0.0F};        ///< [hud] 0: from the screen
+    float ui_scale{0.0F};        ///< [hud] 0: from window and screen
     bool hints{true};
-    float master_gain{1.0F};  ///< [sound] 0…1
+    bool reduce_motion{false};  ///< nothing fades, sways or turns by itself
+    float master_gain{1.0F};    ///< [sound] 0…1
+    float effects_gain{1.0F};   ///< of what strikes, steps and breaks
+    float ambience_gain{1.0F};  ///< of what sounds on: wind, insects, rolling
+    bool mute{false};
     int voices{32};
+
+    friend bool operator==(const AppConfig&, const AppConfig&) = default;
 };
 
-/// Missing files mean defaults; bad entries cost only themselves.
-AppConfig load_app_config(const std::filesystem::path& shipped_folder,
-                          const std::filesystem::path& user_folder,
-                          Diagnostics& faults);
+struct IntSetting {
+    int* value;
+    int min;
+    int max;
+};
+struct FloatSetting {
+    float* value;
+    float min;
+    float max;
+};
+using SettingTarget = std::variant<IntSetting, FloatSetting, bool*, PictureLevel*>;
+
+/// One key of app.toml and the place of its value.
+struct Setting {
+    std::string_view table;
+    std::string_view key;
+    SettingTarget target;
+    std::string_view label;  ///< as a settings page words it
+};
+
+/// Every setting of `config`, table after table: what reading, writing and the pages go through.
+std::vector<Setting> settings_of(AppConfig& config);
+
+/// Lays the files over the built-in values, in order. Missing files mean nothing; bad entries cost
+/// only themselves.
+AppConfig load_app_config(const std::vector<std::filesystem::path>& files, Diagnostics& faults);
+
+/// The text of app.ui.toml: the settings in which `wanted` differs from the layers below.
+std::string ui_config_text(const AppConfig& below, const AppConfig& wanted);
 
 }  // namespace plumbline::app

@@ -11,8 +11,10 @@ namespace plumbline::app {
 ExitCode run(platform::Window& window,
              Session& session,
              LiveBindings& bindings,
+             LiveConfig& config,
              const PlayDef& def) {
-    Result<std::unique_ptr<FrameParts>> made = FrameParts::create(window, session, bindings, def);
+    Result<std::unique_ptr<FrameParts>> made =
+        FrameParts::create(window, session, bindings, config, def);
     if (!made) {
         log_error("{}", made.error().message);
         return made.error().exit_code;

@@ -1,8 +1,8 @@
 // The frame: what happens, in order, while a window is open. Read frame_loop.cpp first.
 #pragma once
 
-#include "engine/app/app_config.h"
 #include "engine/app/live_bindings.h"
+#include "engine/app/live_config.h"
 #include "engine/app/session.h"
 #include "engine/app/stepper.h"
 #include "engine/platform/window.h"
@@ -15,7 +15,6 @@ namespace plumbline::app {
 
 /// What one sitting is told on the command line.
 struct PlayDef {
-    AppConfig config{};
     std::filesystem::path shader_folder;
     std::filesystem::path user_data_folder;  ///< pictures and recordings
     bool sound{true};
@@ -31,6 +30,7 @@ struct PlayDef {
 ExitCode run(platform::Window& window,
              Session& session,
              LiveBindings& bindings,
+             LiveConfig& config,
              const PlayDef& def);
 
 }  // namespace plumbline::app

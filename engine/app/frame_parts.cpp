@@ -7,20 +7,22 @@
 #include <algorithm>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 namespace plumbline::app {
 
 Result<std::unique_ptr<FrameParts>> FrameParts::create(platform::Window& window,
                                                        Session& session,
                                                        LiveBindings& bindings,
+                                                       LiveConfig& config,
                                                        const PlayDef& def) {
     Result<std::unique_ptr<render::Renderer>> renderer = render::Renderer::create(
         window.gl_loader(), render::PresentTarget::Window, def.shader_folder, session.library);
     if (!renderer) return renderer.error();
     Result<Stepper> stepper = Stepper::create(session, def.steps);
     if (!stepper) return stepper.error();
-    std::unique_ptr<FrameParts> parts(
-        new FrameParts(window, session, bindings, def, std::move(*stepper), std::move(*renderer)));
+    std::unique_ptr<FrameParts> parts(new FrameParts(
+        window, session, bindings, config, def, std::move(*stepper), std::move(*renderer)));
     parts->renderer->prepare(parts->extract(parts->view(Real{1}), Real{1}));
     parts->say_faults();
     return parts;
@@ -29,32 +31,45 @@ Result<std::unique_ptr<FrameParts>> FrameParts::create(platform::Window& window,
 FrameParts::FrameParts(platform::Window& window,
                        Session& session,
                        LiveBindings& bindings,
+                       LiveConfig& config,
                        const PlayDef& def,
                        Stepper stepper_made,
                        std::unique_ptr<render::Renderer> renderer_made)
-    : clock(session.simulation->step_s(), def.config.max_steps_per_frame),
+    : clock(session.simulation->step_s(), config.current().max_steps_per_frame),
       latch(bindings.current()),
       stepper(std::move(stepper_made)),
       renderer(std::move(renderer_made)),
       window_(window),
       session_(session),
       bindings_(bindings),
+      config_(config),
       def_(def),
       accuracy_(session, !def.record.empty() || stepper.replaying()),
-      overlay_(window, def.config.ui_scale),
+      overlay_(window, config.current().ui_scale),
       start_s_(window.now_s()) {
     stepper.after_step = [this] { accuracy_.after_step(); };
     latch.set_label_lookup(platform::printed_key_name);
     if (def.sound) {
-        mixer_ =
-            std::make_unique<audio::Mixer>(audio::MixerDef{.device = def.audio_device,
-                                                           .master_gain = def.config.master_gain,
-                                                           .voices = def.config.voices},
-                                           session.library);
+        mixer_ = std::make_unique<audio::Mixer>(
+            audio::MixerDef{.device = def.audio_device, .voices = config.current().voices},
+            session.library);
     }
+    apply_config();
     if (renderer->gl().renderer.find("llvmpipe") != std::string::npos) {
         overlay_.say("drawing on the CPU (no GPU driver): expect few frames a second", start_s_);
     }
+}
+
+void FrameParts::change_config(const AppConfig& wanted) {
+    const Result<Done> stored = config_.change(wanted);
+    if (!stored && !std::exchange(said_not_stored_, true)) say(stored.error().message);
+    apply_config();
+}
+
+void FrameParts::apply_config() {
+    const AppConfig& config = config_.current();
+    window_.set_vsync(config.vsync);
+    if (mixer_) mixer_->set_master_gain(config.mute ? 0.0F : config.master_gain);
 }
 
 bool FrameParts::ended(double now_s) const {
@@ -86,7 +101,7 @@ void FrameParts::take_input(const InputSnapshot& input) {
         overlay_.say(std::move(line), input.now_s);
     });
     if (input.close_requested) controls_.quit = true;
-    if (input.lost_focus && def_.config.pause_on_focus_loss) clock.set_paused(true);
+    if (input.lost_focus && config_.current().pause_on_focus_loss) clock.set_paused(true);
     capture_pointer_if_playing(input);
 }
 
@@ -109,7 +124,7 @@ void FrameParts::finish_frame(double frame_start_s) {
     session_.effects->add_render_stats(renderer->stats(), renderer->gpu_bytes());
     report.add_frame((wall_s() - frame_start_s) * 1e3, renderer->stats());
     // Hidden windows do not block in present(); without vsync nothing does.
-    const double least_s = window_.iconified() ? 0.1 : 1.0 / def_.config.max_fps;
+    const double least_s = window_.iconified() ? 0.1 : 1.0 / config_.current().max_fps;
     const double left_s = least_s - (wall_s() - frame_start_s);
     if (left_s > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(left_s));
 }

@@ -17,6 +17,7 @@ public:
     static Result<std::unique_ptr<FrameParts>> create(platform::Window& window,
                                                       Session& session,
                                                       LiveBindings& bindings,
+                                                      LiveConfig& config,
                                                       const PlayDef& def);
 
     bool ended(double now_s) const;
@@ -41,6 +42,7 @@ private:
     FrameParts(platform::Window& window,
                Session& session,
                LiveBindings& bindings,
+               LiveConfig& config,
                const PlayDef& def,
                Stepper stepper,
                std::unique_ptr<render::Renderer> renderer);
@@ -51,12 +53,16 @@ private:
     void save_picture();
     void save_recording_so_far();
     std::string scene_name() const;
+    /// Puts the settings in force; said once when they cannot be stored.
+    void change_config(const AppConfig& wanted);
+    void apply_config();
     void capture_pointer_if_playing(const InputSnapshot& input);
     std::array<std::uint64_t, kActionCount> actions_seen() const;
 
     platform::Window& window_;
     Session& session_;
     LiveBindings& bindings_;
+    LiveConfig& config_;
     const PlayDef& def_;
     FrameControls controls_;
     AccuracyControl accuracy_;
@@ -66,6 +72,7 @@ private:
     double start_s_;
     bool closing_{false};
     bool wants_pointer_{true};
+    bool said_not_stored_{false};
 };
 
 }  // namespace plumbline::app

@@ -2,11 +2,29 @@
 #include "engine/app/frame_parts_impl.h"
 #include "engine/scene/extract.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace plumbline::app {
+namespace {
+
+/// The setting is a walker's view; other cameras and zooming keep their proportion to it.
+Real fov_with_setting_rad(Real fov_y_rad, Real setting_deg) {
+    constexpr Real kWidest_rad = radians_from_degrees(140.0_r);
+    static const Real usual = std::tan(radians_from_degrees(AppConfig{}.fov_deg) / 2);
+    const Real wanted = std::tan(radians_from_degrees(setting_deg) / 2);
+    if (wanted == usual) return fov_y_rad;
+    const Real scaled = 2 * std::atan(std::tan(fov_y_rad / 2) * wanted / usual);
+    return std::min(scaled, std::max(kWidest_rad, fov_y_rad));
+}
+
+}  // namespace
 
 scene::ViewPoint FrameParts::view(Real blend) const {
-    return session_.game->view(
+    scene::ViewPoint view = session_.game->view(
         *session_.simulation, blend, latch.pending_yaw_rad(), latch.pending_pitch_rad());
+    view.fov_y_rad = fov_with_setting_rad(view.fov_y_rad, Real{config_.current().fov_deg});
+    return view;
 }
 
 render::RenderFrame FrameParts::extract(const scene::ViewPoint& view, Real blend) {
@@ -42,7 +60,7 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
                                                 .accuracy = accuracy_,
                                                 .judge = session_.judge.get(),
                                                 .sound_silent = mixer_ && mixer_->silent(),
-                                                .show_hints = def_.config.hints,
+                                                .show_hints = config_.current().hints,
                                                 .lines_not_shown = frame.lines.not_shown,
                                                 .now_s = now_s});
     apply_menu_choice(answer.menu, controls_);
@@ -52,7 +70,9 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
 
 void FrameParts::play_sound(const scene::ViewPoint& view, double now_s) {
     if (!mixer_) return;
-    const effects::SoundFrame sound = session_.effects->sound(*session_.simulation, view);
+    effects::SoundFrame sound = session_.effects->sound(*session_.simulation, view);
+    for (audio::SoundCue& cue : sound.cues) cue.gain *= config_.current().effects_gain;
+    for (audio::LoopCue& loop : sound.loops) loop.gain *= config_.current().ambience_gain;
     mixer_->set_paused(clock.paused());
     mixer_->play(sound.cues,
                  sound.loops,

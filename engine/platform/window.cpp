@@ -341,6 +341,12 @@ void Window::set_fullscreen(bool fullscreen_wanted) {
     impl_->apply_vsync();
 }
 
+void Window::set_vsync(bool vsync) {
+    if (impl_->vsync == vsync) return;
+    impl_->vsync = vsync;
+    impl_->apply_vsync();
+}
+
 bool Window::fullscreen() const {
     return glfwGetWindowMonitor(impl_->window) != nullptr;
 }

@@ -53,6 +53,7 @@ public:
     bool pointer_captured() const;
     void set_fullscreen(bool fullscreen);
     bool fullscreen() const;
+    void set_vsync(bool vsync);
     void set_title(const std::string& title);
     /// Pointer motions left out because nobody moves that far at once.
     std::uint64_t pointer_jumps_dropped() const;

@@ -1,25 +1,38 @@
 #include "engine/app/app_config.h"
 
+#include "engine/app/live_config.h"
+
 #include <gtest/gtest.h>
 
+#include <clocale>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <locale>
 
 namespace plumbline::app {
 namespace {
 namespace fs = std::filesystem;
 
+/// As in most of Europe: what a stream under the global locale would print.
+struct DecimalComma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+};
+
 class AppConfigTest : public testing::Test {
 protected:
     void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / "app_config_test";
+        folder_ = fs::path(testing::TempDir()) /
+                  testing::UnitTest::GetInstance()->current_test_info()->name();
         fs::create_directories(folder_ / "user");
     }
     void TearDown() override { fs::remove_all(folder_); }
 
     AppConfig load(const std::string& user_text) {
         std::ofstream(folder_ / "user" / "app.toml") << user_text;
-        return load_app_config(fs::path(PL_SOURCE_DIR) / "config", folder_ / "user", faults_);
+        return load_app_config(
+            {fs::path(PL_SOURCE_DIR) / "config" / "app.toml", folder_ / "user" / "app.toml"},
+            faults_);
     }
 
     std::string only_fault() const {
@@ -31,12 +44,8 @@ protected:
 };
 
 TEST_F(AppConfigTest, TheShippedFileIsCleanAndSaysTheDefaults) {
-    const AppConfig shipped = load("");
+    EXPECT_EQ(load(""), AppConfig{});
     EXPECT_TRUE(faults_.list().empty());
-    const AppConfig built_in;
-    EXPECT_EQ(shipped.width, built_in.width);
-    EXPECT_EQ(shipped.max_steps_per_frame, built_in.max_steps_per_frame);
-    EXPECT_EQ(shipped.master_gain, built_in.master_gain);
 }
 
 TEST_F(AppConfigTest, TheUsersLineWins) {
@@ -75,8 +84,98 @@ TEST_F(AppConfigTest, ASyntaxErrorLeavesTheLowerLayerStanding) {
 
 TEST_F(AppConfigTest, MissingFilesMeanDefaults) {
     Diagnostics faults;
-    EXPECT_EQ(load_app_config(folder_ / "none", {}, faults).height, 720);
+    EXPECT_EQ(load_app_config({folder_ / "none" / "app.toml"}, faults).height, 720);
     EXPECT_TRUE(faults.list().empty());
+}
+
+TEST_F(AppConfigTest, ALevelIsAWord) {
+    EXPECT_EQ(load("[picture]\nlevel = \"low\"\n").picture_level, PictureLevel::Low);
+    EXPECT_TRUE(faults_.list().empty());
+    EXPECT_EQ(load("[picture]\nlevel = \"best\"\n").picture_level, PictureLevel::Auto);
+    EXPECT_EQ(only_fault(),
+              "app.toml:2:9: warning: picture.level: expected one of auto, low, medium, high; the "
+              "value before it stands");
+}
+
+TEST_F(AppConfigTest, TheWrittenTextHoldsOnlyWhatDiffersAndReadsBack) {
+    AppConfig wanted;
+    wanted.picture_level = PictureLevel::Medium;
+    wanted.fov_deg = 92.5F;
+    wanted.mute = true;
+    wanted.max_fps = 60;
+    const std::string text = ui_config_text(AppConfig{}, wanted);
+    EXPECT_EQ(text.substr(text.find("format")),
+              "format = 1\n\n[window]\nmax_fps = 60\n\n[picture]\nlevel = \"medium\"\n"
+              "fov_deg = 92.5\n\n[sound]\nmute = true\n");
+    EXPECT_EQ(load(text), wanted);
+    EXPECT_TRUE(faults_.list().empty());
+}
+
+// EXPERIENCE D21
+TEST_F(AppConfigTest, NumbersAreWrittenAndReadWithAPointWhateverTheLocale) {
+    const std::string before = std::setlocale(LC_ALL, nullptr);
+    for (const char* name : {"de_DE.UTF-8", "de_DE", "fr_FR.UTF-8"}) {
+        if (std::setlocale(LC_ALL, name) != nullptr) break;
+    }
+    const std::locale global_before =
+        std::locale::global(std::locale(std::locale::classic(), new DecimalComma));
+    AppConfig wanted;
+    wanted.master_gain = 0.25F;
+    const std::string text = ui_config_text(AppConfig{}, wanted);
+    const AppConfig read = load(text);
+    std::locale::global(global_before);
+    std::setlocale(LC_ALL, before.c_str());
+    EXPECT_NE(text.find("master_gain = 0.25\n"), std::string::npos) << text;
+    EXPECT_EQ(read, wanted);
+}
+
+class LiveConfigTest : public AppConfigTest {
+protected:
+    LiveConfig open() const { return LiveConfig({}, folder_ / "user"); }
+    std::string written() const {
+        std::ifstream file(folder_ / "user" / "app.ui.toml");
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+};
+
+TEST_F(LiveConfigTest, AChangeIsStoredAtOnceAndTheHandWrittenFileStays) {
+    load("[sound]\nmaster_gain = 0.5\n");
+    LiveConfig config = open();
+    AppConfig wanted = config.current();
+    wanted.fov_deg = 100.0F;
+    ASSERT_TRUE(config.change(wanted));
+    EXPECT_EQ(open().current(), wanted);
+    EXPECT_EQ(written().find("master_gain"), std::string::npos);
+
+    // Back at what the layers below say, nothing of it is left.
+    ASSERT_TRUE(config.change(config.below()));
+    EXPECT_EQ(open().current().fov_deg, 70.0F);
+    EXPECT_EQ(open().current().master_gain, 0.5F);
+    std::ifstream by_hand(folder_ / "user" / "app.toml");
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(by_hand), {}),
+              "[sound]\nmaster_gain = 0.5\n");
+}
+
+// EXPERIENCE D1
+TEST_F(LiveConfigTest, NothingIsWrittenUntilAChange) {
+    LiveConfig config = open();
+    ASSERT_TRUE(config.change(config.current()));
+    EXPECT_FALSE(fs::exists(folder_ / "user" / "app.ui.toml"));
+}
+
+// EXPERIENCE D16: a file stands where the folder should be, so that root cannot make it either.
+TEST_F(LiveConfigTest, WhereNothingCanBeWrittenTheChangeLastsForTheSession) {
+    std::ofstream(folder_ / "blocked") << "a file";
+    for (const fs::path& user : {folder_ / "blocked", folder_ / "blocked" / "deeper", fs::path()}) {
+        LiveConfig config({}, user);
+        AppConfig wanted = config.current();
+        wanted.mute = true;
+        const Result<Done> stored = config.change(wanted);
+        ASSERT_FALSE(stored);
+        EXPECT_TRUE(stored.error().message.starts_with("changes last for this session: "))
+            << stored.error().message;
+        EXPECT_TRUE(config.current().mute);
+    }
 }
 
 }  // namespace
