@@ -11,7 +11,7 @@ in vec3 surface_position_world;
 #ifndef PL_UNLIT
 in vec3 surface_normal_world;
 #endif
-#if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP)
+#if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP) || defined(PL_EMISSIVE_MAP)
 in vec2 surface_uv;
 #endif
 #ifdef PL_NORMAL_MAP
@@ -23,6 +23,9 @@ uniform sampler2D base_color_map;
 #endif
 #ifdef PL_ORM_MAP
 uniform sampler2D orm_map;
+#endif
+#ifdef PL_EMISSIVE_MAP
+uniform sampler2D emissive_map;
 #endif
 #ifdef PL_SUN_SHADOW
 in vec3 surface_sun_shadow;
@@ -42,6 +45,14 @@ uniform int light_index[PL_MAX_LIGHTS_PER_DRAW];
 #endif
 
 layout(location = 0) out vec4 out_color;
+
+vec3 emitted_light() {
+#ifdef PL_EMISSIVE_MAP
+    return material.emissive.rgb * linear_from_srgb(texture(emissive_map, surface_uv).rgb);
+#else
+    return material.emissive.rgb;
+#endif
+}
 
 #ifndef PL_UNLIT
 
@@ -136,11 +147,11 @@ vec3 lit_color(vec3 base_color, float eye_distance_m, vec3 to_eye) {
     float occlusion = 1.0;
 #ifdef PL_ORM_MAP
     vec3 orm = texture(orm_map, surface_uv).rgb;
-    occlusion = orm.r;
+    occlusion = mix(1.0, orm.r, material.surface.w);
     s.roughness *= orm.g;
     s.metallic *= orm.b;
 #endif
-    vec3 color = ambient_light(s, occlusion) + material.emissive.rgb;
+    vec3 color = ambient_light(s, occlusion) + emitted_light();
 #ifdef PL_SUN
     color += sun_light(s, eye_distance_m);
 #endif
@@ -167,7 +178,7 @@ void main() {
     vec3 to_eye = frame.camera_world.xyz - surface_position_world;
     float eye_distance_m = length(to_eye);
 #ifdef PL_UNLIT
-    vec3 color = base.rgb + material.emissive.rgb;
+    vec3 color = base.rgb + emitted_light();
 #else
     vec3 color = lit_color(base.rgb, eye_distance_m, to_eye / max(eye_distance_m, 1e-4));
 #endif

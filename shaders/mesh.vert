@@ -16,7 +16,7 @@ out vec3 surface_position_world;
 #ifndef PL_UNLIT
 out vec3 surface_normal_world;
 #endif
-#if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP)
+#if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP) || defined(PL_EMISSIVE_MAP)
 out vec2 surface_uv;
 #endif
 #ifdef PL_NORMAL_MAP
@@ -41,7 +41,7 @@ void main() {
 #ifdef PL_VERTEX_COLOR
     surface_color *= color.rgb;
 #endif
-#if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP)
+#if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP) || defined(PL_EMISSIVE_MAP)
     surface_uv = uv;
 #endif
 #ifndef PL_UNLIT

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -49,6 +50,7 @@ struct AssetLibrary::Images {
     std::deque<fs::path> waiting;
     std::set<fs::path> in_work;
     std::map<fs::path, Pixels> ready;
+    std::map<fs::path, std::shared_ptr<const std::string>> embedded;  // by EmbeddedImage::name
     bool closing{false};
 
     std::vector<std::thread> workers;
@@ -73,12 +75,24 @@ struct AssetLibrary::Images {
             waiting.pop_front();
             in_work.insert(file);
             lock.unlock();
-            auto pixels = std::make_shared<const Result<ImageData>>(import_image(file));
+            Pixels pixels = decoded(file);
             lock.lock();
             in_work.erase(file);
             ready.emplace(file, std::move(pixels));
             image_ready.notify_all();
         }
+    }
+
+    /// From the model file that holds it, or from its own.
+    Pixels decoded(const fs::path& file) {
+        std::shared_ptr<const std::string> bytes;
+        {
+            const std::lock_guard lock(mutex);
+            const auto found = embedded.find(file);
+            if (found != embedded.end()) bytes = found->second;
+        }
+        return std::make_shared<const Result<ImageData>>(bytes ? decode_image(*bytes, file.string())
+                                                               : import_image(file));
     }
 
     /// The result if it is ready or being made; null if nobody has begun.
@@ -98,23 +112,121 @@ struct AssetLibrary::Images {
     }
 };
 
+namespace {
+
+/// When a file was saved last, and how long it is.
+struct FileStamp {
+    fs::path file;
+    fs::file_time_type saved{};
+    std::uintmax_t bytes{0};
+
+    static FileStamp of(const fs::path& file) {
+        std::error_code failed;
+        FileStamp stamp{.file = file, .saved = fs::last_write_time(file, failed)};
+        stamp.bytes = fs::file_size(file, failed);
+        return stamp;
+    }
+    friend bool operator==(const FileStamp&, const FileStamp&) = default;
+};
+
+}  // namespace
+
+struct AssetLibrary::ModelEntry {
+    Model model;
+    std::optional<MovingModel> moving;
+    std::vector<FileStamp> stamps;
+    bool in_doubt{false};
+
+    bool is_current() const {
+        return std::all_of(stamps.begin(), stamps.end(), [](const FileStamp& stamp) {
+            return FileStamp::of(stamp.file) == stamp;
+        });
+    }
+};
+
 AssetLibrary::AssetLibrary() : images_(std::make_unique<Images>()) {}
 AssetLibrary::~AssetLibrary() = default;
 
 Result<Model> AssetLibrary::model(const fs::path& file, const fs::path& root) {
     const auto key = std::make_pair(file.lexically_normal(), root.lexically_normal());
     const auto known = models_by_file_.find(key);
-    if (known != models_by_file_.end()) return known->second;
+    if (known == models_by_file_.end()) {
+        auto entry = std::make_unique<ModelEntry>();
+        if (const Result<Done> read = import(*entry, file, root); !read) return read.error();
+        models_.push_back(std::move(entry));
+        models_.back()->model.id = {id_after(models_.size() - 1)};
+        models_by_file_.emplace(key, models_.back()->model.id);
+        return models_.back()->model;
+    }
+    ModelEntry& entry = *models_[known->second.value - 1];
+    if (entry.in_doubt && !entry.is_current()) {
+        if (const Result<Done> read = import(entry, file, root); !read) return read.error();
+    }
+    entry.in_doubt = false;
+    return entry.model;
+}
+
+Result<Done> AssetLibrary::import(ModelEntry& entry, const fs::path& file, const fs::path& root) {
+    // Looked at before the reading: a save meanwhile is then seen as one.
+    const FileStamp stamp = FileStamp::of(file);
     Result<ModelData> imported = import_model(file, root);
     if (!imported) return imported.error();
-    Model model;
-    for (MaterialData& material : imported->materials) {
-        model.materials.push_back(add_material(std::move(material)));
+    entry.model.materials.clear();
+    for (const MaterialData& material : imported->materials) {
+        entry.model.materials.push_back(add_material(material));
     }
-    meshes_.push_back(std::move(imported->mesh));
-    model.mesh = {id_after(meshes_.size() - 1)};
-    models_by_file_.emplace(key, model);
-    return model;
+    entry.stamps.clear();
+    for (const fs::path& read : imported->files) entry.stamps.push_back(FileStamp::of(read));
+    entry.stamps.front() = stamp;
+    {
+        const std::lock_guard lock(images_->mutex);
+        for (EmbeddedImage& image : imported->images) {
+            images_->embedded.insert_or_assign(
+                image.name.lexically_normal(),
+                std::make_shared<const std::string>(std::move(image.bytes)));
+        }
+    }
+    imported->images.clear();
+    const auto put = [&](MeshId& id, MeshData mesh) {
+        if (id == MeshId{}) {
+            meshes_.emplace_back();
+            id = {id_after(meshes_.size() - 1)};
+        }
+        mesh.version = meshes_[id.value - 1].version + 1;
+        meshes_[id.value - 1] = std::move(mesh);
+    };
+    put(entry.model.mesh, std::exchange(imported->mesh, {}));
+    entry.moving.reset();
+    if (imported->animations.empty()) return Done{};
+    ModelParts parts = parts_of(*imported);
+    const ModelPose rest = rest_pose(*imported);
+    MovingModel moving{.data = std::move(*imported)};
+    if (!parts.still.empty()) put(moving.still, still_mesh(moving.data, parts, file.string()));
+    for (const ModelPart& part : parts.moving) {
+        moving.part_meshes.emplace_back();
+        if (!part.deforms) put(moving.part_meshes.back(), part_mesh(moving.data, part, rest));
+    }
+    moving.parts = std::move(parts.moving);
+    entry.moving = std::move(moving);
+    return Done{};
+}
+
+const MovingModel* AssetLibrary::moving(ModelId id) const {
+    if (id.value < 1 || id.value > models_.size()) return nullptr;
+    const std::optional<MovingModel>& moving = models_[id.value - 1]->moving;
+    return moving ? &*moving : nullptr;
+}
+
+void AssetLibrary::doubt_models() {
+    for (const auto& entry : models_) entry->in_doubt = true;
+}
+
+std::vector<fs::path> AssetLibrary::model_files() const {
+    std::vector<fs::path> files;
+    for (const auto& entry : models_) {
+        for (const FileStamp& stamp : entry->stamps) files.push_back(stamp.file);
+    }
+    return files;
 }
 
 Result<SoundId> AssetLibrary::sound(const fs::path& file) {
@@ -138,9 +250,22 @@ MeshId AssetLibrary::add_mesh(const std::string& name, MeshData mesh) {
     return id;
 }
 
+MeshData& AssetLibrary::change_mesh(MeshId id) {
+    PL_ASSERT(id.value >= 1 && id.value <= meshes_.size(), "a mesh of this library");
+    MeshData& mesh = meshes_[id.value - 1];
+    ++mesh.version;
+    return mesh;
+}
+
 MaterialId AssetLibrary::add_material(MaterialData material) {
+    const auto [first, last] = materials_by_name_.equal_range(material.name);
+    for (auto known = first; known != last; ++known) {
+        if (materials_[known->second.value - 1] == material) return known->second;
+    }
     materials_.push_back(std::move(material));
-    return {id_after(materials_.size() - 1)};
+    const MaterialId id{id_after(materials_.size() - 1)};
+    materials_by_name_.emplace(materials_.back().name, id);
+    return id;
 }
 
 const MeshData& AssetLibrary::mesh(MeshId id) const {
@@ -185,7 +310,7 @@ std::shared_ptr<const ImageData> AssetLibrary::take_image(const fs::path& file) 
     const fs::path key = file.lexically_normal();
     Images::Pixels decoded = images_->claim(key);
     if (decoded == nullptr) {
-        decoded = std::make_shared<const Result<ImageData>>(import_image(key));
+        decoded = images_->decoded(key);
     }
     if (decoded->ok()) return {decoded, &decoded->value()};  // shares ownership of the result
     if (images_->warned.insert(key).second) {

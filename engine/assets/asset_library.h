@@ -4,6 +4,7 @@
 
 #include "engine/assets/image_data.h"
 #include "engine/assets/model_data.h"
+#include "engine/assets/model_pose.h"
 #include "engine/assets/sound_data.h"
 #include "engine/core/result.h"
 
@@ -32,20 +33,45 @@ struct SoundId {
     friend auto operator<=>(const SoundId&, const SoundId&) = default;
 };
 
-/// A model as the scene uses it: one mesh, and for each sub-mesh its material's name and id.
+struct ModelId {
+    std::uint32_t value{0};
+    friend auto operator<=>(const ModelId&, const ModelId&) = default;
+};
+
+/// A model as the scene uses it: all of it as one mesh, at rest, and its materials.
 struct Model {
+    ModelId id{};
     MeshId mesh{};
     std::vector<MaterialId> materials;  ///< the file's own, in the order of SubMesh::material
+};
+
+/// What is drawn of a model with animations, in place of Model::mesh.
+struct MovingModel {
+    ModelData data;
+    MeshId still{};                   ///< what never moves; none: {}
+    std::vector<ModelPart> parts;     ///< what moves
+    std::vector<MeshId> part_meshes;  ///< one a part, in its node's frame; {} where it deforms
 };
 
 class AssetLibrary {
 public:
     /// Imports on first use; later calls give the same model. `root`: see import_model.
     Result<Model> model(const std::filesystem::path& file, const std::filesystem::path& root);
+    /// Null for a model that has no animations.
+    const MovingModel* moving(ModelId id) const;
+    /// From now on model() looks whether the file, or one that it names, was saved since, and then
+    /// imports it again under its old id. When that fails the error is its answer and the old
+    /// content stays.
+    void doubt_models();
+    /// What the models were read from: to be watched.
+    std::vector<std::filesystem::path> model_files() const;
     /// Decodes on first use.
     Result<SoundId> sound(const std::filesystem::path& file);
     /// Adds a generated mesh under a name; the same name gives the same mesh.
     MeshId add_mesh(const std::string& name, MeshData mesh);
+    /// For meshes that change from frame to frame: whoever draws it sees the new content.
+    MeshData& change_mesh(MeshId id);
+    /// Equal materials are one.
     MaterialId add_material(MaterialData material);
 
     /// References stay good while the library lives, whatever is added.
@@ -70,10 +96,17 @@ public:
 
 private:
     struct Images;
+    struct ModelEntry;
+    Result<Done> import(ModelEntry& entry,
+                        const std::filesystem::path& file,
+                        const std::filesystem::path& root);
+
     std::deque<MeshData> meshes_;  // deques: growth must not move what references point at
     std::deque<MaterialData> materials_;
     std::deque<SoundData> sounds_;
-    std::map<std::pair<std::filesystem::path, std::filesystem::path>, Model> models_by_file_;
+    std::multimap<std::string, MaterialId> materials_by_name_;
+    std::vector<std::unique_ptr<ModelEntry>> models_;
+    std::map<std::pair<std::filesystem::path, std::filesystem::path>, ModelId> models_by_file_;
     std::map<std::filesystem::path, SoundId> sounds_by_file_;
     std::map<std::string, MeshId> meshes_by_name_;
     std::unique_ptr<Images> images_;

@@ -1,4 +1,4 @@
-#include "engine/assets/gltf_check_impl.h"
+#include "engine/assets/gltf_reader_impl.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 
@@ -163,7 +163,7 @@ Result<Json> parse_json(std::string_view text, const std::string& name) {
     }
 }
 
-const Json& GltfCheck::array(const Json& object, const char* key, std::string_view where) {
+const Json& GltfReader::array(const Json& object, const char* key, std::string_view where) {
     static const Json kEmpty = Json::array();
     const auto found = object.find(key);
     if (found == object.end()) return kEmpty;
@@ -172,7 +172,7 @@ const Json& GltfCheck::array(const Json& object, const char* key, std::string_vi
     return kEmpty;
 }
 
-const Json& GltfCheck::objects(const char* key, std::size_t limit) {
+const Json& GltfReader::objects(const char* key, std::size_t limit) {
     const Json& list = array(document, key, "");
     if (list.size() > limit) fail("it has {} {}; at most {} are read", list.size(), key, limit);
     for (std::size_t i = 0; i < list.size() && !failed(); ++i) {
@@ -181,9 +181,9 @@ const Json& GltfCheck::objects(const char* key, std::size_t limit) {
     return list;
 }
 
-std::optional<std::size_t> GltfCheck::whole(const Json& object,
-                                            const char* key,
-                                            std::string_view where) {
+std::optional<std::size_t> GltfReader::whole(const Json& object,
+                                             const char* key,
+                                             std::string_view where) {
     const auto found = object.find(key);
     if (found == object.end()) return std::nullopt;
     if (found->is_number_unsigned()) return found->get<std::size_t>();
@@ -191,17 +191,17 @@ std::optional<std::size_t> GltfCheck::whole(const Json& object,
     return std::nullopt;
 }
 
-std::optional<std::size_t> GltfCheck::index(const Json& object,
-                                            const char* key,
-                                            std::string_view where,
-                                            std::size_t count) {
+std::optional<std::size_t> GltfReader::index(const Json& object,
+                                             const char* key,
+                                             std::string_view where,
+                                             std::size_t count) {
     const std::optional<std::size_t> value = whole(object, key, where);
     if (!value || *value < count) return value;
     fail("{}.{} names number {} of {}", where, key, *value, count);
     return std::nullopt;
 }
 
-std::string GltfCheck::text(const Json& object, const char* key, std::string_view where) {
+std::string GltfReader::text(const Json& object, const char* key, std::string_view where) {
     const auto found = object.find(key);
     if (found == object.end()) return {};
     if (found->is_string()) return found->get<std::string>();
@@ -209,10 +209,10 @@ std::string GltfCheck::text(const Json& object, const char* key, std::string_vie
     return {};
 }
 
-float GltfCheck::number(const Json& object,
-                        const char* key,
-                        std::string_view where,
-                        float fallback) {
+float GltfReader::number(const Json& object,
+                         const char* key,
+                         std::string_view where,
+                         float fallback) {
     const auto found = object.find(key);
     if (found == object.end()) return fallback;
     if (found->is_number()) {
@@ -223,10 +223,10 @@ float GltfCheck::number(const Json& object,
     return fallback;
 }
 
-std::vector<float> GltfCheck::numbers(const Json& object,
-                                      const char* key,
-                                      std::string_view where,
-                                      std::size_t size) {
+std::vector<float> GltfReader::numbers(const Json& object,
+                                       const char* key,
+                                       std::string_view where,
+                                       std::size_t size) {
     if (!object.contains(key)) return {};
     const Json& list = array(object, key, where);
     std::vector<float> values;

@@ -1,7 +1,9 @@
-#include "engine/assets/gltf_check_impl.h"
+#include "engine/assets/gltf_reader_impl.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace plumbline::assets {
@@ -9,22 +11,23 @@ namespace {
 
 enum class Mode : std::size_t { Triangles = 4, TriangleStrip = 5, TriangleFan = 6 };
 
-struct MeshKeep {
-    Json primitives = Json::array();
-    std::size_t vertices{0};
-    std::size_t indices{0};
-};
+constexpr std::size_t kMaxTargets = 256;
+
+bool is_whole(unsigned component) {
+    return component == 5121 || component == 5123 || component == 5125;
+}
 
 /// Why one primitive's faces cannot be trusted; empty when they can. These cost the primitive,
 /// not the file.
-std::string index_fault(const GltfCheck& check, const GltfAccessor& indices, std::size_t vertices) {
-    if (indices.type != "SCALAR" ||
-        (indices.component != 5121 && indices.component != 5123 && indices.component != 5125)) {
+std::string index_fault(const GltfReader& reader,
+                        const GltfAccessor& indices,
+                        std::size_t vertices) {
+    if (indices.type != "SCALAR" || !is_whole(indices.component)) {
         return "its indices are not whole numbers";
     }
-    const GltfView& view = check.views[*indices.view];
+    const GltfView& view = reader.views[*indices.view];
     const std::size_t stride = view.stride == 0 ? element_bytes(indices) : view.stride;
-    const std::string& bytes = check.buffers[view.buffer];
+    const std::string& bytes = reader.buffers[view.buffer];
     const std::size_t first = view.offset + indices.offset;
     for (std::size_t i = 0; i < indices.count; ++i) {
         const std::uint32_t index = unsigned_at(bytes, first + i * stride, indices.component);
@@ -35,141 +38,283 @@ std::string index_fault(const GltfCheck& check, const GltfAccessor& indices, std
     return {};
 }
 
-/// Texture coordinates stored as 8 or 16 bits, written out as floats.
-std::size_t float_texture_coordinates(GltfCheck& check, const GltfAccessor& source) {
-    const GltfView& view = check.views[*source.view];
-    const std::size_t stride = view.stride == 0 ? element_bytes(source) : view.stride;
-    const std::size_t component_size = element_bytes(source) / 2;
-    const float scale = source.component == 5121 ? 1.0F / 255.0F : 1.0F / 65'535.0F;
-    std::string bytes(source.count * 2 * sizeof(float), '\0');
-    for (std::size_t i = 0; i < source.count * 2; ++i) {
-        const std::size_t place =
-            view.offset + source.offset + (i / 2) * stride + (i % 2) * component_size;
-        const float value = scale * static_cast<float>(unsigned_at(
-                                        check.buffers[view.buffer], place, source.component));
-        std::memcpy(bytes.data() + i * sizeof(float), &value, sizeof(float));
+std::vector<std::uint32_t> indices_of(const GltfReader& reader, const GltfAccessor& accessor) {
+    const GltfView& view = reader.views[*accessor.view];
+    const std::size_t stride = view.stride == 0 ? element_bytes(accessor) : view.stride;
+    const std::size_t first = view.offset + accessor.offset;
+    std::vector<std::uint32_t> indices(accessor.count);
+    for (std::size_t i = 0; i < accessor.count; ++i) {
+        indices[i] =
+            unsigned_at(reader.buffers[view.buffer], first + i * stride, accessor.component);
     }
-    const std::size_t count = source.count;
-    GltfAccessor made{.view = add_buffer(check, std::move(bytes)),
-                      .count = count,
-                      .component = 5126,
-                      .type = "VEC2"};
-    check.clean["accessors"].push_back(Json{{"bufferView", *made.view},
-                                            {"componentType", made.component},
-                                            {"count", made.count},
-                                            {"type", made.type}});
-    check.accessors.push_back(std::move(made));
-    return check.accessors.size() - 1;
+    return indices;
 }
 
+/// Strips and fans as triangles; what is left over of an incomplete one is dropped.
+std::vector<std::uint32_t> as_triangles(Mode mode, std::vector<std::uint32_t> corners) {
+    if (mode == Mode::Triangles) {
+        corners.resize(corners.size() - corners.size() % 3);
+        return corners;
+    }
+    std::vector<std::uint32_t> triangles;
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        if (mode == Mode::TriangleFan) {
+            triangles.insert(triangles.end(), {corners[0], corners[i - 1], corners[i]});
+        } else if (i % 2 == 0) {
+            triangles.insert(triangles.end(), {corners[i - 2], corners[i - 1], corners[i]});
+        } else {
+            triangles.insert(triangles.end(), {corners[i - 1], corners[i - 2], corners[i]});
+        }
+    }
+    return triangles;
+}
+
+/// Whole numbers stand for positions and normals in files with KHR_mesh_quantization.
 bool has_known_form(const GltfAccessor& accessor, std::string_view attribute) {
     const bool is_float = accessor.component == 5126;
-    const bool is_scaled =
-        accessor.normalized && (accessor.component == 5121 || accessor.component == 5123);
-    if (attribute == "TEXCOORD_0") return accessor.type == "VEC2" && (is_float || is_scaled);
+    const bool is_small = accessor.component >= 5120 && accessor.component <= 5123;
+    if (attribute.starts_with("TEXCOORD_"))
+        return accessor.type == "VEC2" && (is_float || is_small);
     if (attribute == "COLOR_0") {
+        const bool is_scaled = accessor.normalized && is_whole(accessor.component);
         return (accessor.type == "VEC3" || accessor.type == "VEC4") && (is_float || is_scaled);
     }
-    return accessor.type == "VEC3" && is_float;
+    if (attribute == "JOINTS_0") return accessor.type == "VEC4" && is_whole(accessor.component);
+    if (attribute == "WEIGHTS_0") return accessor.type == "VEC4" && (is_float || is_small);
+    return accessor.type == "VEC3" && (is_float || is_small);
 }
 
-/// The attributes that are kept, by number of their accessor.
-Json kept_attributes(GltfCheck& check, const Json& source, const std::string& where) {
-    Json kept = Json::object();
-    std::size_t vertices = 0;
-    for (const char* attribute : {"POSITION", "NORMAL", "TEXCOORD_0", "COLOR_0"}) {
-        const auto number = check.index(source, attribute, where, check.accessors.size());
-        if (check.failed()) return kept;
-        if (!number) continue;
-        const GltfAccessor accessor = check.accessors[*number];
-        if (!has_known_form(accessor, attribute)) {
-            log_warning("model {}: {}.{} is left out: {} of component type {} is not read",
-                        check.name,
-                        where,
-                        attribute,
-                        accessor.type,
-                        accessor.component);
-            continue;
-        }
-        if (kept.empty()) vertices = accessor.count;
-        if (accessor.count != vertices) {
-            check.fail(
-                "{}.{} has {} elements, POSITION {}", where, attribute, accessor.count, vertices);
-            return kept;
-        }
-        const bool expand = attribute[0] == 'T' && accessor.component != 5126;
-        kept[attribute] = expand ? float_texture_coordinates(check, accessor) : *number;
+/// The numbers of one attribute; empty when it is absent or (a warning) of a form not read.
+std::vector<float> attribute_of(GltfReader& reader,
+                                const Json& attributes,
+                                const std::string& key,
+                                const std::string& where,
+                                std::size_t vertices) {
+    const auto number = reader.index(attributes, key.c_str(), where, reader.accessors.size());
+    if (reader.failed() || !number) return {};
+    const GltfAccessor& accessor = reader.accessors[*number];
+    if (!has_known_form(accessor, key)) {
+        log_warning("model {}: {}.{} is left out: {} of component type {} is not read",
+                    reader.name,
+                    where,
+                    key,
+                    accessor.type,
+                    accessor.component);
+        return {};
     }
-    return kept;
+    if (vertices > 0 && accessor.count != vertices) {
+        reader.fail("{}.{} has {} elements, POSITION {}", where, key, accessor.count, vertices);
+        return {};
+    }
+    return floats_of(reader, accessor);
 }
 
-/// Triangles that `elements` indices or vertices give, times 3.
-std::size_t triangle_corners(Mode mode, std::size_t elements) {
-    if (mode == Mode::Triangles) return elements - elements % 3;
-    return elements < 3 ? 0 : (elements - 2) * 3;
+std::vector<Vec3f> vectors_of(const std::vector<float>& numbers) {
+    std::vector<Vec3f> vectors(numbers.size() / 3);
+    if (!vectors.empty())
+        std::memcpy(vectors.data(), numbers.data(), vectors.size() * sizeof(Vec3f));
+    return vectors;
 }
 
-void keep_primitive(GltfCheck& check,
+Vec2f placed(const GltfTexturePlace& place, Vec2f uv) {
+    uv *= place.scale;
+    if (place.rotation_rad != 0.0F) {
+        const float sine = std::sin(place.rotation_rad);
+        const float cosine = std::cos(place.rotation_rad);
+        uv = {cosine * uv.x + sine * uv.y, cosine * uv.y - sine * uv.x};
+    }
+    return uv + place.offset;
+}
+
+void read_influences(GltfReader& reader,
+                     const Json& attributes,
+                     const std::string& where,
+                     ModelMesh& mesh) {
+    const std::size_t count = mesh.vertices.size();
+    const std::vector<float> joints = attribute_of(reader, attributes, "JOINTS_0", where, count);
+    const std::vector<float> weights = attribute_of(reader, attributes, "WEIGHTS_0", where, count);
+    if (reader.failed() || joints.empty() || weights.empty()) return;
+    mesh.influences.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        JointInfluence& influence = mesh.influences[i];
+        float sum = 0.0F;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const float weight = weights[i * 4 + k];
+            influence.weights[k] = std::isfinite(weight) ? std::clamp(weight, 0.0F, 1.0F) : 0.0F;
+            sum += influence.weights[k];
+            influence.joints[k] =
+                static_cast<std::uint16_t>(std::min(joints[i * 4 + k], 65'535.0F));
+        }
+        for (float& weight : influence.weights) weight = sum > 0.0F ? weight / sum : 0.0F;
+    }
+}
+
+void read_targets(GltfReader& reader,
+                  const Json& source,
+                  const std::string& where,
+                  ModelMesh& mesh) {
+    const Json& targets = reader.array(source, "targets", where);
+    if (targets.size() > kMaxTargets) {
+        reader.fail("{} has {} targets; at most {} are read", where, targets.size(), kMaxTargets);
+    }
+    for (std::size_t t = 0; t < targets.size() && !reader.failed(); ++t) {
+        const std::string place = fmt::format("{}.targets[{}]", where, t);
+        if (!targets[t].is_object()) {
+            reader.fail("{} is not an object", place);
+            return;
+        }
+        const std::size_t count = mesh.vertices.size();
+        MorphTarget target{
+            .positions = vectors_of(attribute_of(reader, targets[t], "POSITION", place, count)),
+            .normals = vectors_of(attribute_of(reader, targets[t], "NORMAL", place, count))};
+        if (target.positions.empty()) target.positions.resize(count, Vec3f{0.0F});
+        for (Vec3f& offset : target.positions) {
+            if (!is_finite(offset)) offset = Vec3f{0.0F};
+        }
+        mesh.targets.push_back(std::move(target));
+    }
+}
+
+/// Positions and what goes with them; a fault of the file, or `unusable`, ends it.
+void read_vertices(GltfReader& reader,
+                   const Json& attributes,
+                   const std::string& where,
+                   const GltfTexturePlace& place,
+                   ModelMesh& mesh,
+                   std::string& unusable) {
+    const std::vector<float> positions = attribute_of(reader, attributes, "POSITION", where, 0);
+    if (reader.failed()) return;
+    if (positions.empty()) {
+        unusable = "it has no positions";
+        return;
+    }
+    const std::size_t count = positions.size() / 3;
+    const std::string uv_name = fmt::format("TEXCOORD_{}", place.set);
+    const std::vector<float> normals = attribute_of(reader, attributes, "NORMAL", where, count);
+    const std::vector<float> uvs = attribute_of(reader, attributes, uv_name, where, count);
+    const std::vector<float> colors = attribute_of(reader, attributes, "COLOR_0", where, count);
+    const std::size_t color_width = colors.size() / count;
+    mesh.vertices.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        Vertex& vertex = mesh.vertices[i];
+        vertex.position_body = {positions[i * 3], positions[i * 3 + 1], positions[i * 3 + 2]};
+        vertex.normal_body = Vec3f{0.0F};
+        if (!normals.empty()) {
+            vertex.normal_body = {normals[i * 3], normals[i * 3 + 1], normals[i * 3 + 2]};
+        }
+        if (!uvs.empty() && std::isfinite(uvs[i * 2]) && std::isfinite(uvs[i * 2 + 1])) {
+            vertex.uv = placed(place, {uvs[i * 2], uvs[i * 2 + 1]});
+        }
+        if (!colors.empty()) {
+            const float* color = &colors[i * color_width];
+            const Vec3f rgb{color[0], color[1], color[2]};
+            if (is_finite(rgb)) vertex.color = glm::max(rgb, Vec3f{0.0F});
+        }
+        if (!is_finite(vertex.position_body) && unusable.empty()) {
+            unusable = fmt::format("its vertex {} is not finite", i);
+        }
+    }
+}
+
+/// The material's number; meshes without one share a plain one, made here.
+std::uint32_t material_of(GltfReader& reader, std::optional<std::size_t> number) {
+    if (number) return static_cast<std::uint32_t>(*number);
+    std::vector<MaterialData>& materials = reader.model.materials;
+    if (materials.size() == reader.texture_places.size()) materials.push_back({.name = "default"});
+    return static_cast<std::uint32_t>(materials.size() - 1);
+}
+
+/// Whether the mesh's colours say anything; a material with maps shows them only if so.
+void note_colors(GltfReader& reader, const ModelMesh& mesh) {
+    const bool colored =
+        std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Vertex& vertex) {
+            return vertex.color != Vec3f{1.0F};
+        });
+    if (colored) reader.model.materials[mesh.material].vertex_colors = true;
+}
+
+/// Adds one primitive to the model's meshes and its number to `parts`.
+void read_primitive(GltfReader& reader,
                     const Json& source,
                     const std::string& where,
-                    MeshKeep& keep) {
+                    const std::string& name,
+                    std::vector<std::uint32_t>& parts) {
     const auto leave_out = [&](std::string_view why) {
-        log_warning("model {}: {} is left out: {}", check.name, where, why);
+        log_warning("model {}: {} is left out: {}", reader.name, where, why);
     };
     if (!source.is_object() || !source.contains("attributes") ||
         !source["attributes"].is_object()) {
-        check.fail("{} has no attributes", where);
+        reader.fail("{} has no attributes", where);
         return;
     }
-    const std::size_t mode_number = check.whole(source, "mode", where).value_or(4);
-    const auto material = check.index(source, "material", where, check.materials.size());
-    const auto indices = check.index(source, "indices", where, check.accessors.size());
-    if (check.failed()) return;
+    const std::size_t mode_number = reader.whole(source, "mode", where).value_or(4);
+    const auto material = reader.index(source, "material", where, reader.texture_places.size());
+    const auto indices = reader.index(source, "indices", where, reader.accessors.size());
+    if (reader.failed()) return;
     if (mode_number > 6) {
-        check.fail("{}.mode is {}; 0 to 6 are known", where, mode_number);
+        reader.fail("{}.mode is {}; 0 to 6 are known", where, mode_number);
         return;
     }
     if (mode_number < 4) return leave_out("it holds points or lines");
-    const Json attributes = kept_attributes(check, source["attributes"], where);
-    if (check.failed()) return;
-    if (!attributes.contains("POSITION")) return leave_out("it has no positions");
-    if (source.contains("targets")) {
-        log_note(
-            "model {}: {} keeps its rest shape; morph targets are not read", check.name, where);
+    ModelMesh mesh{.name = name};
+    std::string unusable;
+    const GltfTexturePlace place = material ? reader.texture_places[*material] : GltfTexturePlace{};
+    read_vertices(reader, source["attributes"], where, place, mesh, unusable);
+    if (!reader.failed() && unusable.empty() && indices) {
+        unusable = index_fault(reader, reader.accessors[*indices], mesh.vertices.size());
     }
-    const std::size_t vertices = check.accessors[attributes["POSITION"].get<std::size_t>()].count;
-    if (indices) {
-        const std::string fault = index_fault(check, check.accessors[*indices], vertices);
-        if (!fault.empty()) return leave_out(fault);
+    if (reader.failed()) return;
+    if (!unusable.empty()) return leave_out(unusable);
+    std::vector<std::uint32_t> corners(mesh.vertices.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = static_cast<std::uint32_t>(i);
+    if (indices) corners = indices_of(reader, reader.accessors[*indices]);
+    mesh.indices = as_triangles(static_cast<Mode>(mode_number), std::move(corners));
+    mesh.material = material_of(reader, material);
+    read_influences(reader, source["attributes"], where, mesh);
+    read_targets(reader, source, where, mesh);
+    note_colors(reader, mesh);
+    parts.push_back(static_cast<std::uint32_t>(reader.model.meshes.size()));
+    reader.model.meshes.push_back(std::move(mesh));
+}
+
+/// What a file may hold in all before instances are counted.
+void check_size(GltfReader& reader) {
+    std::size_t vertices = 0;
+    std::size_t indices = 0;
+    for (const ModelMesh& mesh : reader.model.meshes) {
+        vertices += mesh.vertices.size();
+        indices += mesh.indices.size();
     }
-    const auto mode = static_cast<Mode>(mode_number);
-    keep.vertices += vertices;
-    keep.indices += triangle_corners(mode, indices ? check.accessors[*indices].count : vertices);
-    Json primitive{{"attributes", attributes}, {"mode", mode_number}};
-    if (indices) primitive["indices"] = *indices;
-    if (material) primitive["material"] = *material;
-    keep.primitives.push_back(std::move(primitive));
+    if (vertices > limits::kVertices) {
+        reader.fail(
+            "its meshes have {} vertices; at most {} are read", vertices, limits::kVertices);
+    }
+    if (indices > limits::kIndices) {
+        reader.fail("its meshes have {} indices; at most {} are read", indices, limits::kIndices);
+    }
 }
 
 }  // namespace
 
-void check_meshes(GltfCheck& check) {
-    const Json& list = check.objects("meshes", limits::kModelMeshes);
-    for (std::size_t i = 0; i < list.size() && !check.failed(); ++i) {
+void read_meshes(GltfReader& reader) {
+    const Json& list = reader.objects("meshes", limits::kModelMeshes);
+    for (std::size_t i = 0; i < list.size() && !reader.failed(); ++i) {
         const std::string where = fmt::format("meshes[{}]", i);
-        const Json& primitives = check.array(list[i], "primitives", where);
-        MeshKeep keep;
+        const Json& primitives = reader.array(list[i], "primitives", where);
+        std::string name = reader.text(list[i], "name", where);
+        if (name.empty()) name = fmt::format("{}", i);
         if (primitives.size() > limits::kModelMeshes) {
-            check.fail("{} has {} primitives", where, primitives.size());
+            reader.fail("{} has {} primitives", where, primitives.size());
         }
-        for (std::size_t k = 0; k < primitives.size() && !check.failed(); ++k) {
-            keep_primitive(check, primitives[k], fmt::format("{}.primitives[{}]", where, k), keep);
+        std::vector<std::uint32_t> parts;
+        for (std::size_t k = 0; k < primitives.size() && !reader.failed(); ++k) {
+            const std::string place = fmt::format("{}.primitives[{}]", where, k);
+            read_primitive(reader, primitives[k], place, name, parts);
+            check_size(reader);
         }
-        check.vertex_counts.push_back(keep.vertices);
-        check.index_counts.push_back(keep.indices);
-        const std::string name = check.text(list[i], "name", where);
-        check.clean["meshes"].push_back(Json{{"name", name.empty() ? fmt::format("{}", i) : name},
-                                             {"primitives", std::move(keep.primitives)}});
+        const Json& weights = reader.array(list[i], "weights", where);
+        reader.mesh_weights.push_back(reader.numbers(list[i], "weights", where, weights.size()));
+        reader.mesh_parts.push_back(std::move(parts));
     }
 }
 

@@ -1,6 +1,8 @@
-#include "engine/assets/gltf_check_impl.h"
+#include "engine/assets/gltf_reader_impl.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 
@@ -11,20 +13,20 @@ constexpr std::size_t kNoParent = ~std::size_t{0};
 constexpr std::size_t kMaxScenes = 1'024;
 
 /// Numbers of nodes in an array; a fault leaves it short.
-std::vector<std::size_t> node_list(GltfCheck& check,
+std::vector<std::size_t> node_list(GltfReader& reader,
                                    const Json& owner,
                                    const char* key,
                                    const std::string& where,
                                    std::size_t node_count) {
     std::vector<std::size_t> numbers;
-    for (const Json& entry : check.array(owner, key, where)) {
+    for (const Json& entry : reader.array(owner, key, where)) {
         if (!entry.is_number_unsigned()) {
-            check.fail("{}.{} holds {}; it must name nodes by number", where, key, entry.dump());
+            reader.fail("{}.{} holds {}; it must name nodes by number", where, key, entry.dump());
             return {};
         }
         const auto number = entry.get<std::size_t>();
         if (number >= node_count) {
-            check.fail("{}.{} names node {} of {}", where, key, number, node_count);
+            reader.fail("{}.{} names node {} of {}", where, key, number, node_count);
             return {};
         }
         numbers.push_back(number);
@@ -50,7 +52,7 @@ std::string chain_text(std::size_t start, const std::vector<std::size_t>& parent
 }
 
 /// Depth and cycles, from the roots down, without recursion.
-void check_tree(GltfCheck& check,
+void check_tree(GltfReader& reader,
                 const std::vector<std::vector<std::size_t>>& children,
                 const std::vector<std::size_t>& parents) {
     std::vector<std::size_t> level;
@@ -61,7 +63,7 @@ void check_tree(GltfCheck& check,
     }
     for (std::size_t depth = 1; !level.empty(); ++depth) {
         if (depth > limits::kModelNodeDepth) {
-            check.fail(
+            reader.fail(
                 "nodes[{}] is nested deeper than {}", level.front(), limits::kModelNodeDepth);
             return;
         }
@@ -75,57 +77,91 @@ void check_tree(GltfCheck& check,
     }
     if (reached_count == children.size()) return;
     const auto lost = std::find(reached.begin(), reached.end(), false) - reached.begin();
-    check.fail("its nodes form a cycle: {}", chain_text(static_cast<std::size_t>(lost), parents));
+    reader.fail("its nodes form a cycle: {}", chain_text(static_cast<std::size_t>(lost), parents));
 }
 
-Json clean_node(GltfCheck& check, const Json& source, const std::string& where) {
-    Json node = Json::object();
-    const std::vector<float> matrix = check.numbers(source, "matrix", where, 16);
-    const std::vector<float> translation = check.numbers(source, "translation", where, 3);
-    const std::vector<float> rotation = check.numbers(source, "rotation", where, 4);
-    const std::vector<float> scale = check.numbers(source, "scale", where, 3);
-    const auto mesh = check.index(source, "mesh", where, check.vertex_counts.size());
-    if (check.failed()) return node;
-    if (!matrix.empty()) {
-        node["matrix"] = matrix;
-    } else {
-        if (!translation.empty()) node["translation"] = translation;
-        if (!scale.empty()) node["scale"] = scale;
-        if (!rotation.empty()) {
-            const Quatf turn{rotation[3], rotation[0], rotation[1], rotation[2]};
-            if (!(glm::length(turn) > 1e-6F)) {
-                check.fail("{}.rotation is zero", where);
-                return node;
-            }
-            const Quatf unit = glm::normalize(turn);
-            node["rotation"] = {unit.x, unit.y, unit.z, unit.w};
-        }
+Mat4f matrix_of(const NodeTransform& place) {
+    Mat4f matrix = glm::mat4_cast(place.rotation);
+    for (int axis = 0; axis < 3; ++axis) matrix[axis] *= place.scale[axis];
+    matrix[3] = Vec4f{place.translation, 1.0F};
+    return matrix;
+}
+
+/// The parts of a matrix; what it shears is lost.
+NodeTransform parts_of(const Mat4f& matrix) {
+    Mat3f axes{matrix};
+    NodeTransform place{.translation = Vec3f{matrix[3]}};
+    for (int axis = 0; axis < 3; ++axis) place.scale[axis] = glm::length(axes[axis]);
+    if (glm::determinant(axes) < 0.0F) place.scale.x = -place.scale.x;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (place.scale[axis] != 0.0F) axes[axis] /= place.scale[axis];
     }
-    if (mesh && check.vertex_counts[*mesh] > 0) node["mesh"] = *mesh;
+    const Quatf turn = glm::quat_cast(axes);
+    if (is_finite(turn) && glm::length(turn) > 1e-6F) place.rotation = glm::normalize(turn);
+    return place;
+}
+
+void read_place(GltfReader& reader, const Json& source, const std::string& where, ModelNode& node) {
+    const std::vector<float> matrix = reader.numbers(source, "matrix", where, 16);
+    const std::vector<float> translation = reader.numbers(source, "translation", where, 3);
+    const std::vector<float> rotation = reader.numbers(source, "rotation", where, 4);
+    const std::vector<float> scale = reader.numbers(source, "scale", where, 3);
+    if (reader.failed()) return;
+    if (!matrix.empty()) {
+        node.parent_from_node = glm::make_mat4(matrix.data());
+        node.rest = parts_of(node.parent_from_node);
+        return;
+    }
+    NodeTransform& rest = node.rest;
+    if (!translation.empty()) rest.translation = glm::make_vec3(translation.data());
+    if (!scale.empty()) rest.scale = glm::make_vec3(scale.data());
+    if (!rotation.empty()) {
+        const Quatf turn{rotation[3], rotation[0], rotation[1], rotation[2]};
+        if (!(glm::length(turn) > 1e-6F)) {
+            reader.fail("{}.rotation is zero", where);
+            return;
+        }
+        rest.rotation = glm::normalize(turn);
+    }
+    node.parent_from_node = matrix_of(rest);
+}
+
+ModelNode read_node(GltfReader& reader, const Json& source, const std::string& where) {
+    ModelNode node{.name = reader.text(source, "name", where)};
+    read_place(reader, source, where, node);
+    const auto mesh = reader.index(source, "mesh", where, reader.mesh_parts.size());
+    const Json& skins = reader.array(reader.document, "skins", "");
+    const auto skin = reader.index(source, "skin", where, skins.size());
+    const Json& weights = reader.array(source, "weights", where);
+    node.morph_weights = reader.numbers(source, "weights", where, weights.size());
+    if (reader.failed() || !mesh) return node;
+    node.meshes = reader.mesh_parts[*mesh];
+    if (node.morph_weights.empty()) node.morph_weights = reader.mesh_weights[*mesh];
+    if (skin) node.skin = static_cast<std::uint32_t>(*skin);
     return node;
 }
 
 /// What all nodes together draw, before anything is built.
-void check_totals(GltfCheck& check) {
+void check_totals(GltfReader& reader) {
     std::size_t vertices = 0;
     std::size_t indices = 0;
-    for (const Json& node : check.clean["nodes"]) {
-        if (!node.contains("mesh")) continue;
-        const auto mesh = node["mesh"].get<std::size_t>();
-        vertices += check.vertex_counts[mesh];
-        indices += check.index_counts[mesh];
+    for (const ModelNode& node : reader.model.nodes) {
+        for (const std::uint32_t mesh : node.meshes) {
+            vertices += reader.model.meshes[mesh].vertices.size();
+            indices += reader.model.meshes[mesh].indices.size();
+        }
     }
     if (vertices > limits::kVertices) {
-        check.fail("it draws {} vertices; at most {} are read", vertices, limits::kVertices);
+        reader.fail("it draws {} vertices; at most {} are read", vertices, limits::kVertices);
     }
     if (indices > limits::kIndices) {
-        check.fail("it draws {} indices; at most {} are read", indices, limits::kIndices);
+        reader.fail("it draws {} indices; at most {} are read", indices, limits::kIndices);
     }
 }
 
 /// The nodes that the file's scene starts from; all roots when it has no scene.
-std::vector<std::size_t> scene_roots(GltfCheck& check, const std::vector<std::size_t>& parents) {
-    const Json& scenes = check.objects("scenes", kMaxScenes);
+std::vector<std::size_t> scene_roots(GltfReader& reader, const std::vector<std::size_t>& parents) {
+    const Json& scenes = reader.objects("scenes", kMaxScenes);
     std::vector<std::size_t> roots;
     if (scenes.empty()) {
         for (std::size_t i = 0; i < parents.size(); ++i) {
@@ -133,53 +169,66 @@ std::vector<std::size_t> scene_roots(GltfCheck& check, const std::vector<std::si
         }
         return roots;
     }
-    const std::size_t scene = check.index(check.document, "scene", "", scenes.size()).value_or(0);
-    if (check.failed()) return roots;
+    const std::size_t scene = reader.index(reader.document, "scene", "", scenes.size()).value_or(0);
+    if (reader.failed()) return roots;
     const std::string where = fmt::format("scenes[{}]", scene);
-    roots = node_list(check, scenes[scene], "nodes", where, parents.size());
+    roots = node_list(reader, scenes[scene], "nodes", where, parents.size());
     std::set<std::size_t> named;
     for (const std::size_t root : roots) {
-        if (parents[root] != kNoParent) check.fail("{}.nodes names node {}, a child", where, root);
-        if (!named.insert(root).second) check.fail("{}.nodes names node {} twice", where, root);
+        if (parents[root] != kNoParent) reader.fail("{}.nodes names node {}, a child", where, root);
+        if (!named.insert(root).second) reader.fail("{}.nodes names node {} twice", where, root);
     }
     return roots;
 }
 
+/// Moves what hangs on the scene's roots to the model, parents before children.
+void keep_scene(GltfReader& reader,
+                std::vector<ModelNode> nodes,
+                const std::vector<std::vector<std::size_t>>& children,
+                const std::vector<std::size_t>& parents,
+                const std::vector<std::size_t>& roots) {
+    reader.node_places.assign(nodes.size(), std::nullopt);
+    std::vector<std::size_t> open(roots.rbegin(), roots.rend());
+    while (!open.empty()) {
+        const std::size_t number = open.back();
+        open.pop_back();
+        ModelNode node = std::move(nodes[number]);
+        if (parents[number] != kNoParent) node.parent = reader.node_places[parents[number]];
+        reader.node_places[number] = static_cast<std::uint32_t>(reader.model.nodes.size());
+        reader.model.nodes.push_back(std::move(node));
+        // Backwards, so that children come off the stack in the file's order.
+        open.insert(open.end(), children[number].rbegin(), children[number].rend());
+    }
+}
+
 }  // namespace
 
-void check_nodes(GltfCheck& check) {
-    const Json& list = check.objects("nodes", limits::kModelNodes);
-    if (check.failed()) return;
+void read_nodes(GltfReader& reader) {
+    const Json& list = reader.objects("nodes", limits::kModelNodes);
+    if (reader.failed()) return;
     std::vector<std::size_t> parents(list.size(), kNoParent);
     std::vector<std::vector<std::size_t>> children(list.size());
-    check.clean["nodes"] = Json::array();
-    bool skinned = false;
+    std::vector<ModelNode> nodes;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string where = fmt::format("nodes[{}]", i);
-        Json node = clean_node(check, list[i], where);
-        children[i] = node_list(check, list[i], "children", where, list.size());
-        if (check.failed()) return;
+        nodes.push_back(read_node(reader, list[i], where));
+        children[i] = node_list(reader, list[i], "children", where, list.size());
+        if (reader.failed()) return;
         for (const std::size_t child : children[i]) {
             if (parents[child] != kNoParent) {
-                check.fail(
+                reader.fail(
                     "node {} is a child of node {} and of node {}", child, parents[child], i);
                 return;
             }
             parents[child] = i;
         }
-        if (!children[i].empty()) node["children"] = children[i];
-        skinned = skinned || list[i].contains("skin");
-        check.clean["nodes"].push_back(std::move(node));
     }
-    check_tree(check, children, parents);
-    if (!check.failed()) check_totals(check);
-    const std::vector<std::size_t> roots = scene_roots(check, parents);
-    if (check.failed()) return;
-    check.clean["scene"] = 0;
-    check.clean["scenes"] = Json::array({Json{{"nodes", roots}}});
-    if (skinned) {
-        log_note("model {} is shown as it stands; bones are not read", check.name);
-    }
+    check_tree(reader, children, parents);
+    if (reader.failed()) return;
+    const std::vector<std::size_t> roots = scene_roots(reader, parents);
+    if (reader.failed()) return;
+    keep_scene(reader, std::move(nodes), children, parents, roots);
+    check_totals(reader);
 }
 
 }  // namespace plumbline::assets

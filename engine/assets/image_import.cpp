@@ -34,10 +34,12 @@ ImageData blank_image(std::uint32_t width, std::uint32_t height, PixelFormat for
 }
 
 Result<ImageData> import_image(const std::filesystem::path& file) {
-    const std::string name = file.string();
     const Result<std::string> bytes = read_file(file, limits::kImageBytes);
     if (!bytes) return Error{.message = bytes.error().message, .exit_code = ExitCode::Refused};
-    const std::string_view content = *bytes;
+    return decode_image(*bytes, file.string());
+}
+
+Result<ImageData> decode_image(std::string_view content, const std::string& name) {
     if (content.starts_with("\x89PNG\r\n\x1a\n")) return decode_png(content, name);
     if (content.starts_with("\xff\xd8\xff")) return decode_jpeg(content, name);
     if (content.starts_with("\x76\x2f\x31\x01")) return decode_exr(content, name);

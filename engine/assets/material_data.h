@@ -12,7 +12,8 @@ namespace plumbline::assets {
 enum class Shading : std::uint8_t { Pbr, BlinnPhong, Unlit };
 enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
 
-/// Maps are files; an empty path means no map. All colours linear.
+/// Maps are files, or the names of images that a model file holds; an empty path means no map. All
+/// colours linear.
 struct MaterialData {
     std::string name;
     Shading shading{Shading::Pbr};
@@ -22,13 +23,18 @@ struct MaterialData {
     std::filesystem::path base_color_map;  ///< sRGB; alpha used by Mask and Blend
     std::filesystem::path normal_map;      ///< +Y up, as OpenGL
     std::filesystem::path orm_map;         ///< occlusion, roughness, metallic in r, g, b
+    std::filesystem::path emissive_map;    ///< sRGB; multiplies `emissive`
     std::filesystem::path height_map;      ///< 8 bit, 1 is high
     float roughness{0.8F};                 ///< multiplies the map's
     float metallic{0.0F};                  ///< multiplies the map's when there is one
+    float occlusion{1.0F};                 ///< how much of orm_map's red counts
+    bool vertex_colors{false};             ///< shown even under a base colour map
     AlphaMode alpha_mode{AlphaMode::Opaque};
     float alpha_cutoff{0.5F};  ///< Mask only
     bool two_sided{false};
     std::string surface;  ///< name in config/surfaces.toml; empty: default
+
+    friend bool operator==(const MaterialData&, const MaterialData&) = default;
 };
 
 }  // namespace plumbline::assets

@@ -32,6 +32,7 @@ struct MeshData {
     std::vector<std::uint32_t> indices;
     std::vector<SubMesh> sub_meshes;  ///< cover all indices
     Aabb bounds;                      ///< body frame
+    std::uint32_t version{0};         ///< another number: other triangles, to be uploaded again
 };
 
 Aabb bounds_of(const MeshData& mesh);

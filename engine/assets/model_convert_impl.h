@@ -4,14 +4,17 @@
 #include "engine/assets/checked_model.h"
 #include "engine/assets/model_data.h"
 
+#include <string>
+
 struct aiScene;
 
 namespace plumbline::assets {
 
-/// Applies node transforms, merges everything, checks every number. Meshes that are no good are
-/// left out with a warning; the error is for a model of which nothing is left.
-Result<ModelData> convert_scene(const aiScene& scene,
-                                std::vector<MaterialData> materials,
-                                const std::string& name);
+/// Nodes and triangles; `name` is the file's, for warnings about meshes that are left out. Meshes
+/// whose material is called by a number of `materials` wear that one, others a plain one. Normals
+/// that are missing stay zero.
+ModelData convert_scene(const aiScene& scene,
+                        std::vector<MaterialData> materials,
+                        const std::string& name);
 
 }  // namespace plumbline::assets

@@ -3,6 +3,7 @@
 #include "engine/assets/checked_model.h"
 #include "engine/assets/confined_io_impl.h"
 #include "engine/assets/model_convert_impl.h"
+#include "engine/assets/model_pose.h"
 #include "engine/core/files.h"
 #include "engine/core/limits.h"
 
@@ -11,24 +12,26 @@
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <memory>
+#include <new>
 
 namespace plumbline::assets {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kReadable = ".glb .gltf .obj";
+constexpr std::array<std::string_view, 3> kExtensions{".glb", ".gltf", ".obj"};
 
-/// assimp registers 48 importers, and hands a file to whichever likes its bytes. Two are left.
-void keep_two_importers(Assimp::Importer& importer) {
+/// assimp registers 48 importers, and hands a file to whichever likes its bytes. One is left.
+void keep_obj_importer(Assimp::Importer& importer) {
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
         const std::string_view name = importer.GetImporterInfo(i)->mName;
-        if (name == "glTF2 Importer" || name == "Wavefront Object Importer") continue;
+        if (name == "Wavefront Object Importer") continue;
         Assimp::BaseImporter* unwanted = importer.GetImporter(i);
         importer.UnregisterLoader(unwanted);
         delete unwanted;
@@ -43,20 +46,43 @@ std::string lower_extension(const fs::path& file) {
     return extension;
 }
 
-Result<ModelData> import_checked(CheckedModel& checked, const std::string& name) {
+Result<ModelData> read_obj(std::string_view bytes,
+                           const std::string& name,
+                           ModelReferences& references) {
+    Result<CheckedModel> checked = check_obj(bytes, name, references);
+    if (!checked) return checked.error();
     try {
         Assimp::Importer importer;
-        keep_two_importers(importer);
-        if (importer.GetImporterCount() != 2) {
-            return model_error(name, "this build of assimp lacks the glTF 2 or the OBJ importer");
+        keep_obj_importer(importer);
+        if (importer.GetImporterCount() != 1) {
+            return model_error(name, "this build of assimp lacks the OBJ importer");
         }
-        importer.SetIOHandler(std::make_unique<ConfinedIo>(checked).release());  // it takes over
-        const aiScene* scene = importer.ReadFile(checked.main_name.c_str(), aiProcess_Triangulate);
+        importer.SetIOHandler(std::make_unique<ConfinedIo>(*checked).release());  // it takes over
+        const aiScene* scene = importer.ReadFile(checked->main_name.c_str(), aiProcess_Triangulate);
         if (scene == nullptr) return model_error(name, importer.GetErrorString());
-        return convert_scene(*scene, std::move(checked.materials), name);
+        return convert_scene(*scene, std::move(checked->materials), name);
     } catch (const std::exception& fault) {
         return model_error(name, fault.what());
     }
+}
+
+Result<ModelData> read_kind(const std::string& extension,
+                            std::string_view bytes,
+                            const std::string& name,
+                            ModelReferences& references) {
+    if (extension == ".obj") return read_obj(bytes, name, references);
+    return read_gltf(bytes, name, references);
+}
+
+/// Merges what was read; refuses what leaves nothing to draw, or too much.
+Result<ModelData> finished(ModelData model, const std::string& name) {
+    model.mesh = merged_mesh(model, rest_pose(model), name);
+    if (model.mesh.indices.empty()) return model_error(name, "it holds no triangles");
+    if (model.mesh.vertices.size() > limits::kVertices ||
+        model.mesh.indices.size() > limits::kIndices) {
+        return model_error(name, "it is too large");
+    }
+    return model;
 }
 
 }  // namespace
@@ -69,12 +95,13 @@ Error model_error(const std::string& name, std::string_view why) {
 Result<ModelData> import_model(const fs::path& file, const fs::path& root) {
     const std::string name = file.string();
     const std::string extension = lower_extension(file);
-    const bool is_gltf = extension == ".glb" || extension == ".gltf";
-    if (!is_gltf && extension != ".obj") {
+    const bool is_known =
+        std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+    if (!is_known) {
         return model_error(name,
                            fmt::format("{} files are not read; convert to glTF (readable: {})",
                                        extension.empty() ? "nameless" : extension,
-                                       kReadable));
+                                       fmt::join(kExtensions, " ")));
     }
     if (!is_inside(root, file)) {
         return model_error(name, fmt::format("it lies outside {}", root.string()));
@@ -82,10 +109,14 @@ Result<ModelData> import_model(const fs::path& file, const fs::path& root) {
     const Result<std::string> bytes = read_file(file, limits::kModelFileBytes);
     if (!bytes) return model_error(name, bytes.error().message);
     ModelReferences references(file, root);
-    Result<CheckedModel> checked =
-        is_gltf ? check_gltf(*bytes, name, references) : check_obj(*bytes, name, references);
-    if (!checked) return checked.error();
-    return import_checked(*checked, name);
+    try {
+        Result<ModelData> model = read_kind(extension, *bytes, name, references);
+        if (!model) return model;
+        model->files.insert(model->files.begin(), file);
+        return finished(std::move(*model), name);
+    } catch (const std::bad_alloc&) {
+        return model_error(name, "it needs more memory than there is");
+    }
 }
 
 }  // namespace plumbline::assets

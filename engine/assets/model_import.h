@@ -1,5 +1,5 @@
-// Model files to ModelData: glTF 2 (.gltf, .glb) and OBJ (.obj with its .mtl), through assimp with
-// only those two importers registered, behind our own pre-check and confined file access.
+// Model files to ModelData: glTF 2 (.gltf, .glb) by a reader of our own, OBJ (.obj with its .mtl)
+// through assimp behind our own pre-check and confined file access.
 #pragma once
 
 #include "engine/assets/model_data.h"
@@ -11,13 +11,10 @@ namespace plumbline::assets {
 
 /// `root`: the file, and the files that it names, must lie inside it (links followed); what it
 /// names must also lie in its own folder or below. Faults of single meshes (NaN, indices out of
-/// range) drop that mesh with a warning; a file that is unsafe or not what its name says is
-/// refused as a whole.
+/// range) or animations drop those with a warning; a file that is unsafe or not what its name says
+/// is refused as a whole.
 ///
-/// Material names are kept: scenes replace materials by name. Vertex colours count as albedo only
-/// for materials called vcol or vcol_…; elsewhere they carry other things (the trees' wind
-/// weights) and Vertex::color is white. Images inside a glTF's buffers are not read (one warning);
-/// bones and morph targets are not read either: the model stands as stored.
+/// Material names are kept: scenes replace materials by name.
 Result<ModelData> import_model(const std::filesystem::path& file,
                                const std::filesystem::path& root);
 

@@ -19,8 +19,10 @@ MaterialBlock block_of(const assets::MaterialData& material) {
     const bool is_leaf = (features_of(material) & feature::kLeaf) != 0;
     return {.base_color = Vec4f{material.base_color, material.alpha},
             .emissive = Vec4f{material.emissive, material.alpha_cutoff},
-            .surface = {
-                material.roughness, material.metallic, is_leaf ? kLeafTransmission : 0.0F, 0.0F}};
+            .surface = {material.roughness,
+                        material.metallic,
+                        is_leaf ? kLeafTransmission : 0.0F,
+                        material.occlusion}};
 }
 
 }  // namespace
@@ -29,8 +31,9 @@ FeatureSet features_of(const assets::MaterialData& material) {
     FeatureSet features = 0;
     if (material.shading == assets::Shading::BlinnPhong) features |= feature::kBlinnPhong;
     if (material.shading == assets::Shading::Unlit) features |= feature::kUnlit;
-    // With a base colour map the vertices' colour channel carries wind weights in our models.
     features |= material.base_color_map.empty() ? feature::kVertexColor : feature::kBaseMap;
+    if (material.vertex_colors) features |= feature::kVertexColor;
+    if (!material.emissive_map.empty()) features |= feature::kEmissiveMap;
     if (material.alpha_mode == assets::AlphaMode::Mask && !material.base_color_map.empty()) {
         features |= feature::kAlphaMask;
     }
@@ -62,10 +65,16 @@ std::vector<TextureRequest> textures_of(const assets::MaterialData& material) {
                             .alpha_cutoff = masked ? material.alpha_cutoff : 0.0F});
     }
     if ((features & feature::kNormalMap) != 0) {
-        requests.push_back({.file = material.normal_map, .content = MipContent::Data});
+        requests.push_back(
+            {.file = material.normal_map, .content = MipContent::Data, .unit = kNormalUnit});
     }
     if ((features & feature::kOrmMap) != 0) {
-        requests.push_back({.file = material.orm_map, .content = MipContent::Data});
+        requests.push_back(
+            {.file = material.orm_map, .content = MipContent::Data, .unit = kOrmUnit});
+    }
+    if ((features & feature::kEmissiveMap) != 0) {
+        requests.push_back(
+            {.file = material.emissive_map, .content = MipContent::Color, .unit = kEmissiveUnit});
     }
     return requests;
 }
@@ -92,9 +101,8 @@ void GpuMaterials::update(std::optional<assets::Shading> shading) {
         if (shading) material.shading = *shading;
         const MaterialBlock block = block_of(material);
         std::memcpy(bytes.data() + id * stride_, &block, sizeof(block));
-        materials_.push_back({.features = features_of(material),
-                              .textures = textures_of(material),
-                              .normal_map = material.normal_map});
+        materials_.push_back(
+            {.features = features_of(material), .textures = textures_of(material)});
     }
     blocks_.upload(bytes.data(), bytes.size());
 }
@@ -103,11 +111,7 @@ void GpuMaterials::bind(assets::MaterialId id) {
     gl::bind_uniforms(kMaterialBinding, blocks_, id.value * stride_, sizeof(MaterialBlock));
     const Entry& material = materials_[id.value];
     for (const TextureRequest& request : material.textures) {
-        TextureUnit unit = kBaseColorUnit;
-        if (request.content == MipContent::Data) {
-            unit = request.file == material.normal_map ? kNormalUnit : kOrmUnit;
-        }
-        gl::bind_texture(unit, gl::TextureKind::Flat, textures_.get(request));
+        gl::bind_texture(request.unit, gl::TextureKind::Flat, textures_.get(request));
     }
 }
 

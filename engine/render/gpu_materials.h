@@ -7,7 +7,6 @@
 #include "engine/render/shader_features.h"
 
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -41,7 +40,6 @@ private:
     struct Entry {
         FeatureSet features{0};
         std::vector<TextureRequest> textures;
-        std::filesystem::path normal_map;
     };
     std::optional<assets::Shading> shading_;
     std::vector<Entry> materials_;  ///< by id; [0]: what draws without a material get

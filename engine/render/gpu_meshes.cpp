@@ -157,7 +157,19 @@ void set_up_depth(GpuMesh& mesh) {
     glBindVertexArray(0);
 }
 
-GpuMesh uploaded(const assets::MeshData& data) {
+/// Merging takes longer than drawing what is merged once.
+DepthGeometry plain_positions(const assets::MeshData& mesh) {
+    DepthGeometry depth{.positions = {}, .indices = mesh.indices};
+    depth.positions.reserve(mesh.vertices.size());
+    for (const assets::Vertex& vertex : mesh.vertices) {
+        depth.positions.push_back(vertex.position_body);
+    }
+    return depth;
+}
+
+enum class MeshLife { Kept, Changing };
+
+GpuMesh uploaded(const assets::MeshData& data, MeshLife life) {
     using gl::Buffer;
     using gl::BufferLife;
     using gl::BufferUse;
@@ -168,7 +180,8 @@ GpuMesh uploaded(const assets::MeshData& data) {
     mesh.indices = Buffer{BufferUse::Indices, BufferLife::Kept};
     mesh.index_type = upload_indices(mesh.indices, data.indices, data.vertices.size());
 
-    const DepthGeometry depth = merged_positions(data);
+    const DepthGeometry depth =
+        life == MeshLife::Kept ? merged_positions(data) : plain_positions(data);
     mesh.depth_vertices = Buffer{BufferUse::Vertices, BufferLife::Kept};
     mesh.depth_vertices.upload(depth.positions.data(), depth.positions.size() * sizeof(Vec3f));
     mesh.depth_indices = Buffer{BufferUse::Indices, BufferLife::Kept};
@@ -177,6 +190,7 @@ GpuMesh uploaded(const assets::MeshData& data) {
 
     set_up_full(mesh);
     set_up_depth(mesh);
+    mesh.version = data.version;
     mesh.bytes = mesh.vertices.size() + mesh.indices.size() + mesh.depth_vertices.size() +
                  mesh.depth_indices.size();
     return mesh;
@@ -185,9 +199,17 @@ GpuMesh uploaded(const assets::MeshData& data) {
 }  // namespace
 
 const GpuMesh& GpuMeshes::get(assets::MeshId id) {
+    const assets::MeshData& data = library_.mesh(id);
     const auto found = meshes_.find(id);
-    if (found != meshes_.end()) return found->second;
-    GpuMesh mesh = uploaded(library_.mesh(id));
+    if (found != meshes_.end()) {
+        GpuMesh& mesh = found->second;
+        if (mesh.version == data.version) return mesh;
+        bytes_ -= mesh.bytes;
+        mesh = uploaded(data, MeshLife::Changing);
+        bytes_ += mesh.bytes;
+        return mesh;
+    }
+    GpuMesh mesh = uploaded(data, MeshLife::Kept);
     bytes_ += mesh.bytes;
     return meshes_.emplace(id, std::move(mesh)).first->second;
 }

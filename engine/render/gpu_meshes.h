@@ -23,12 +23,14 @@ struct GpuMesh {
     unsigned int index_type{0};
     unsigned int depth_index_type{0};
     std::size_t bytes{0};
+    std::uint32_t version{0};  ///< MeshData::version of what was uploaded
 };
 
 class GpuMeshes {
 public:
     explicit GpuMeshes(const assets::AssetLibrary& library) : library_(library) {}
 
+    /// Uploads what is not there yet, and again what has another version.
     const GpuMesh& get(assets::MeshId id);
     void clear();
     std::size_t bytes() const { return bytes_; }

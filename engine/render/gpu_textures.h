@@ -4,6 +4,7 @@
 #include "engine/assets/asset_library.h"
 #include "engine/render/gl/texture.h"
 #include "engine/render/mip_chain.h"
+#include "engine/render/shader_blocks.h"
 
 #include <filesystem>
 #include <map>
@@ -17,6 +18,7 @@ struct TextureRequest {
     std::filesystem::path file;
     MipContent content{MipContent::Color};
     float alpha_cutoff{0.0F};  ///< 0: alpha is not cut
+    TextureUnit unit{kBaseColorUnit};
 };
 
 class GpuTextures {

@@ -40,9 +40,12 @@ static_assert(offsetof(FrameBlock, sky_light) == 400);
 
 /// Same for all instances of a draw.
 struct MaterialBlock {
-    Vec4f base_color{1.0F};                 ///< a: alpha
-    Vec4f emissive{0.0F};                   ///< w: alpha cutoff
-    Vec4f surface{0.8F, 0.0F, 0.0F, 0.0F};  ///< x: roughness; y: metallic; z: light through a leaf
+    Vec4f base_color{1.0F};  ///< a: alpha
+    Vec4f emissive{0.0F};    ///< w: alpha cutoff
+    Vec4f surface{0.8F,
+                  0.0F,
+                  0.0F,
+                  0.0F};  ///< x: roughness; y: metallic; z: light through a leaf; w: occlusion
 };
 static_assert(sizeof(MaterialBlock) == 48);
 
@@ -79,10 +82,11 @@ enum TextureUnit : unsigned int {
     kSkyUnit,
     kSourceUnit,
     kBloomUnit,
-    kDepthUnit
+    kDepthUnit,
+    kEmissiveUnit
 };
 
-inline constexpr std::array<std::pair<const char*, unsigned int>, 9> kSamplerUnits{{
+inline constexpr std::array<std::pair<const char*, unsigned int>, 10> kSamplerUnits{{
     {"base_color_map", kBaseColorUnit},
     {"normal_map", kNormalUnit},
     {"orm_map", kOrmUnit},
@@ -92,6 +96,7 @@ inline constexpr std::array<std::pair<const char*, unsigned int>, 9> kSamplerUni
     {"source_image", kSourceUnit},
     {"bloom_image", kBloomUnit},
     {"depth_image", kDepthUnit},
+    {"emissive_map", kEmissiveUnit},
 }};
 
 }  // namespace plumbline::render

@@ -23,6 +23,7 @@ inline constexpr FeatureSet kTwoSided = 1U << 7U;
 inline constexpr FeatureSet kLeaf = 1U << 8U;
 inline constexpr FeatureSet kVertexColor = 1U << 9U;
 inline constexpr FeatureSet kSkyReflection = 1U << 10U;
+inline constexpr FeatureSet kEmissiveMap = 1U << 11U;
 // of the frame
 inline constexpr FeatureSet kSun = 1U << 16U;
 inline constexpr FeatureSet kSunShadow = 1U << 17U;
@@ -37,7 +38,7 @@ inline constexpr FeatureSet kKeepDepth = 1U << 25U;
 inline constexpr FeatureSet kSoftShadows = 1U << 26U;  ///< more taps: where lookups are cheap
 }  // namespace feature
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 22> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 23> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -49,6 +50,7 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 22> kFeatur
     {feature::kLeaf, "PL_LEAF"},
     {feature::kVertexColor, "PL_VERTEX_COLOR"},
     {feature::kSkyReflection, "PL_SKY_REFLECTION"},
+    {feature::kEmissiveMap, "PL_EMISSIVE_MAP"},
     {feature::kSun, "PL_SUN"},
     {feature::kSunShadow, "PL_SUN_SHADOW"},
     {feature::kFlashlight, "PL_FLASHLIGHT"},

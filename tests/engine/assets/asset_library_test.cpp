@@ -32,6 +32,73 @@ TEST(AssetLibrary, loads_a_model_once) {
     EXPECT_EQ(library.material(first->materials[0]).name, "default");
 }
 
+// FAULTS 28: a reload said that it had read the file again and showed the old one.
+TEST(AssetLibrary, reads_a_doubted_model_again_when_its_file_was_saved_since) {
+    const TempFolder folder;
+    TriangleFile content;
+    const fs::path file = folder.write("m.glb", content.glb());
+    AssetLibrary library;
+    const Result<Model> first = library.model(file, folder.path());
+    ASSERT_TRUE(first.ok());
+    const std::uint32_t version = library.mesh(first->mesh).version;
+    EXPECT_EQ(library.model_files(), (std::vector<fs::path>{file}));
+
+    content.json["nodes"][0]["translation"] = {0, 0, 5};
+    folder.write("m.glb", content.glb());
+    ASSERT_TRUE(library.model(file, folder.path()).ok());
+    EXPECT_EQ(library.mesh(first->mesh).bounds.max.z, 0.0F) << "nobody asked for it yet";
+    library.doubt_models();
+    const Result<Model> again = library.model(file, folder.path());
+    ASSERT_TRUE(again.ok());
+    EXPECT_EQ(again->mesh, first->mesh);
+    EXPECT_EQ(again->materials, first->materials);
+    EXPECT_EQ(library.mesh(first->mesh).bounds.max.z, 5.0F);
+    EXPECT_NE(library.mesh(first->mesh).version, version);
+    EXPECT_EQ(library.mesh_count(), 1U);
+
+    folder.write("m.glb", "garbage");
+    library.doubt_models();
+    const Result<Model> refused = library.model(file, folder.path());
+    ASSERT_FALSE(refused.ok());
+    EXPECT_TRUE(contains(refused.error().message, "its content is not glTF"));
+    EXPECT_EQ(library.mesh(first->mesh).bounds.max.z, 5.0F) << "the old content stays";
+    // The mended file is read although it was asked for in vain before.
+    content.json["nodes"][0]["translation"] = {0, 0, 7};
+    folder.write("m.glb", content.glb());
+    ASSERT_TRUE(library.model(file, folder.path()).ok());
+    EXPECT_EQ(library.mesh(first->mesh).bounds.max.z, 7.0F);
+}
+
+// FAULTS 18: each reload added the scene's materials again.
+TEST(AssetLibrary, keeps_equal_materials_once) {
+    AssetLibrary library;
+    const MaterialId red = library.add_material({.name = "paint", .base_color = {1, 0, 0}});
+    EXPECT_EQ(library.add_material({.name = "paint", .base_color = {1, 0, 0}}), red);
+    EXPECT_NE(library.add_material({.name = "paint", .base_color = {0, 1, 0}}), red);
+    EXPECT_EQ(library.material_count(), 2U);
+}
+
+TEST(AssetLibrary, decodes_images_that_a_model_holds) {
+    const TempFolder folder;
+    const fs::path picture = write_image(folder, "a.png", 77);
+    std::ifstream stream(picture, std::ios::binary);
+    const std::string png{std::istreambuf_iterator<char>(stream), {}};
+    TriangleFile content;
+    content.json["images"] = {{{"bufferView", content.add_view(png)}}};
+    content.json["textures"] = {{{"source", 0}}};
+    content.json["materials"] = {
+        {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+    content.primitive()["material"] = 0;
+    const fs::path file = folder.write("m.glb", content.glb());
+    AssetLibrary library;
+    const Result<Model> model = library.model(file, folder.path());
+    ASSERT_TRUE(model.ok()) << model.error().message;
+    const fs::path map = library.material(model->materials[0]).base_color_map;
+    EXPECT_EQ(library.take_image(map)->bytes, (std::vector<std::uint8_t>{77}));
+    library.prefetch_images();
+    EXPECT_EQ(library.take_image(map)->bytes, (std::vector<std::uint8_t>{77}));
+}
+
 TEST(AssetLibrary, hands_on_why_a_file_is_refused) {
     AssetLibrary library;
     EXPECT_FALSE(library.model("absent.glb", ".").ok());

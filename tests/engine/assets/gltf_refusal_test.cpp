@@ -425,7 +425,11 @@ TEST(GltfRefusal, of_more_vertices_drawn_than_the_limit_before_they_are_built) {
     file.primitive()["attributes"] = {
         {"POSITION", file.add_accessor(std::string(200 * 12, '\0'), 5126, 200, "VEC3")}};
     file.json["nodes"] = Json::array();
-    for (int i = 0; i < 50'001; ++i) file.json["nodes"].push_back({{"mesh", 0}});
+    Json& roots = file.json["scenes"][0]["nodes"] = Json::array();
+    for (int i = 0; i < 50'001; ++i) {
+        file.json["nodes"].push_back({{"mesh", 0}});
+        roots.push_back(i);
+    }
     expect_refused(file, "it draws 10000200 vertices; at most 10000000 are read");
 }
 

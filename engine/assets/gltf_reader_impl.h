@@ -1,8 +1,9 @@
-// The glTF pre-check, stage by stage: each reads a part of the document, refuses what is unsafe,
-// and writes the rest anew into `clean`. Private to engine/assets.
+// The glTF 2 reader, stage by stage: each reads a part of the document, refuses what is unsafe, and
+// adds the rest to `model`. Private to engine/assets.
 #pragma once
 
 #include "engine/assets/checked_model.h"
+#include "engine/core/limits.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -41,21 +42,32 @@ struct GltfAccessor {
     bool sparse{false};
 };
 
-/// What the stages share. The first fault ends the check: stages return when `failed()`.
-struct GltfCheck {
+/// What of a material concerns the meshes that wear it: which texture coordinates its base colour
+/// map takes, and how they lie (KHR_texture_transform).
+struct GltfTexturePlace {
+    std::size_t set{0};
+    Vec2f offset{0.0F};
+    float rotation_rad{0.0F};
+    Vec2f scale{1.0F};
+};
+
+/// What the stages share. The first fault ends the reading: stages return when `failed()`.
+struct GltfReader {
     const Json& document;
     const std::string& name;  ///< of the model file, for messages
     ModelReferences& references;
 
     std::string fault{};
-    Json clean{};
+    ModelData model{};
     std::vector<std::string> buffers{};
-    std::size_t buffer_bytes{0};  ///< of all of them
+    std::size_t buffer_bytes{0};                       ///< of all of them
+    std::size_t numbers_left{limits::kVertices * 12};  ///< that may still be read from accessors
     std::vector<GltfView> views{};
     std::vector<GltfAccessor> accessors{};
-    std::vector<std::size_t> vertex_counts{};  ///< by mesh, what is kept of it
-    std::vector<std::size_t> index_counts{};
-    std::vector<MaterialData> materials{};
+    std::vector<GltfTexturePlace> texture_places{};           ///< by material
+    std::vector<std::vector<std::uint32_t>> mesh_parts{};     ///< by mesh: ModelData::meshes
+    std::vector<std::vector<float>> mesh_weights{};           ///< by mesh: of its targets
+    std::vector<std::optional<std::uint32_t>> node_places{};  ///< by node: ModelData::nodes
 
     bool failed() const { return !fault.empty(); }
     template <class... Args>
@@ -88,18 +100,28 @@ Result<GltfParts> split_gltf(std::string_view bytes, const std::string& name);
 /// Bracket depth first, without a stack; then the parser, refusing keys that come twice.
 Result<Json> parse_json(std::string_view text, const std::string& name);
 
-void check_buffers(GltfCheck& check, std::optional<std::string_view> binary);
-void check_views(GltfCheck& check);
-void check_accessors(GltfCheck& check);
-void check_materials(GltfCheck& check);
-void check_meshes(GltfCheck& check);
-void check_nodes(GltfCheck& check);
+void read_buffers(GltfReader& reader, std::optional<std::string_view> binary);
+void read_views(GltfReader& reader);
+void read_accessors(GltfReader& reader);
+void read_materials(GltfReader& reader);
+void read_meshes(GltfReader& reader);
+void read_nodes(GltfReader& reader);
+void read_skins(GltfReader& reader);
+void read_animations(GltfReader& reader);
 
 /// Adds bytes of our own making as a buffer and a view over all of it; the view's number.
-std::size_t add_buffer(GltfCheck& check, std::string bytes);
+std::size_t add_buffer(GltfReader& reader, std::string bytes);
 /// Bytes of one element: component size times component count; 0 for a type unknown.
 std::size_t element_bytes(const GltfAccessor& accessor);
+/// Numbers in one element: 3 for VEC3.
+std::size_t component_count(std::string_view type);
 /// An unsigned integer of 1, 2 or 4 bytes, as components 5121, 5123, 5125 are stored.
 std::uint32_t unsigned_at(const std::string& bytes, std::size_t place, unsigned component);
+/// All numbers of an accessor in order; whole ones as they are, or as shares of their range when
+/// the accessor is normalized.
+/// The error is for files that use their accessors for more than fits into memory.
+std::vector<float> floats_of(GltfReader& reader, const GltfAccessor& accessor);
+/// The bytes behind a data URI; a fault leaves them empty.
+std::string data_uri_bytes(GltfReader& reader, std::string_view uri, const std::string& where);
 
 }  // namespace plumbline::assets
