@@ -3,11 +3,13 @@
 
     python3 assets/source/make_garden.py > assets/scenes/garden.toml
 
-Metres, +Y up. The house looks down +Z to the fountain; the gate is in the front fence at +Z.
+Metres, +Y up. The house looks down +Z to the fountain (house_plan.py has its measures); the gate is in the front fence at +Z.
 Same script, same file: positions come from a seeded generator.
 """
 import math
 import random
+
+import house_plan as plan
 
 rng = random.Random(20)
 out = []
@@ -91,16 +93,23 @@ heading("where the tour takes its pictures")
 for name, position, target, extra in [
     ("arrival", (1.6, 1.7, 14.0), (0, 1.5, 0), ""),
     ("fountain", (3.9, 1.5, 7.0), (-0.6, 1.0, 2.2), "wait_s = 1.0\n"),
+    ("house", (-4.2, 1.7, 1.4), (-1.2, 1.6, -4.0), ""),
+    ("living_room", (-2.6, 1.7, -4.3), (-1.2, 1.0, -7.6), ""),
+    ("bedroom", (1.5, 1.7, -4.0), (2.3, 1.0, -8.0), ""),
+    ("living_room_with_flashlight", (0.3, 1.7, -6.4), (-2.6, 1.0, -6.9), "flashlight = true\nlight_scale = 0.03\n"),
     ("flower_bed", (-4.6, 0.75, -0.6), (-1.8, 0.55, -2.7), ""),
     ("crates", (8.6, 1.6, 6.4), (6.1, 0.7, 2.3), ""),
     ("from_above", (13.5, 9.5, 15.0), (-1.0, 0.2, -1.5), ""),
+    ("horizon", (12.5, 1.7, 12.0), (-40, 4.0, -30), ""),
     ("shed_with_flashlight", (-10.9, 1.6, -5.3), (-11.7, 0.85, -9.2), "flashlight = true\nlight_scale = 0.06\n"),
 ]:
     put(f'\n[[view]]\nname = "{name}"\nposition_m = {vec(*position)}\ntarget_m = {vec(*target)}\n{extra}'.rstrip())
 
 heading("ground")
-entity("lawn", (0, 0, 0), primitive="{ plane = [240, 240] }", material='"grass"', casts_shadow="false",
+entity("lawn", (0, 0, 0), primitive="{ plane = [120, 120] }", material='"grass"', casts_shadow="false",
        body=['kind = "static"', "friction = 0.8"])
+for side in ("south", "east", "north", "west"):
+    entity(f"land_{side}", (0, 0, 0), model=f'"models/land_{side}.glb"', casts_shadow="false", body=['kind = "static"', 'shape = { mesh = "model" }'])
 entity("plaza", (0, 0, 3.2), primitive="{ cylinder = [3.5, 0.06] }", material='"flagstone"',
        body=['kind = "static"', "friction = 0.7"])
 for name, z0, z1 in [("path_to_gate", 6.4, 17.6), ("path_to_door", -2.4, 0.2)]:
@@ -109,8 +118,137 @@ for name, z0, z1 in [("path_to_gate", 6.4, 17.6), ("path_to_door", -2.4, 0.2)]:
 entity("path_round_house", (5.3, 0, -3.2), primitive="{ box = [7.2, 0.04, 1.1] }", material='"gravel"',
        body=['kind = "static"', "friction = 0.7"])
 
-heading("house and fountain")
-entity("house", (0, 0, -6.2), model='"models/house.glb"', body=['kind = "static"', 'shape = { mesh = "model" }', "friction = 0.7"])
+heading("the house: walls are boxes, the floor a body of its own")
+HOUSE = (0, 0, -6.2)
+
+
+def in_house(x, y, z):
+    return (HOUSE[0] + x, HOUSE[1] + y, HOUSE[2] + z)
+
+
+def box(centre, size, turn=None):
+    turned = f", rotation_deg = {vec(*turn)}" if turn else ""
+    return f"{{ box = {vec(*size)}, position_m = {vec(*centre)}{turned} }}"
+
+
+def compound(parts):
+    return "shape = { compound = [\n    " + ",\n    ".join(parts) + ",\n] }"
+
+
+def solids(name):
+    """The boards of a piece of furniture that other things feel."""
+    return compound(box(c, s) for _, c, s in plan.BOXES[name] if min(s) >= 0.025 or name == "shelf")
+
+
+def hinge(name, b, anchor, limits, friction_Nm):
+    """`friction_Nm`: what holds it where it was left."""
+    put(f'\n[[joint]]\nname = "{name}_hinge"\nkind = "hinge"\na = "{name}"\nb = "{b}"\nanchor_m = {vec(*anchor)}')
+    put(f"axis = [0, 1, 0]\nlimits = {vec(*limits)}\nmotor = {{ target = 0, max = {friction_Nm} }}")
+
+
+def prism(radius, y0, y1, sides=8):
+    """An upright prism: it stands on a face where a cylinder would rock on its rim."""
+    around = [2 * math.pi * (i + 0.5) / sides for i in range(sides)]
+    return "{ hull_m = [" + ", ".join(vec(radius * math.cos(a), y, radius * math.sin(a)) for y in (y0, y1) for a in around) + "] }"
+
+
+HX, HZ, RISE = plan.HX, plan.HZ, plan.RIDGE - plan.EAVES
+parts = [box(c, s) for wall in plan.OUTER + plan.INNER for c, s in wall.boxes()]
+for wall in plan.OUTER:
+    parts += [box(*wall.box(*hole, plan.GLASS_DEPTH - 0.015, plan.GLASS_DEPTH + 0.015)) for hole in wall.windows()]
+corners = [(x, y, z) for x in (-HX, HX) for y, z in ((plan.CEILING, -HZ), (plan.CEILING, HZ), (plan.EAVES, -HZ), (plan.EAVES, HZ), (plan.RIDGE, 0))]
+parts.append("{ hull_m = [" + ", ".join(vec(*c) for c in corners) + "] }")
+slope = math.atan2(RISE, HZ)
+length = (HZ + plan.ROOF_OVER_EAVES) / math.cos(slope)
+for side in (-1, 1):
+    half, lift = length / 2, plan.ROOF_THICK / 2
+    centre = (0, plan.RIDGE - half * math.sin(slope) + lift * math.cos(slope), side * (half * math.cos(slope) + lift * math.sin(slope)))
+    parts.append(box(centre, (2 * (HX + plan.ROOF_OVER_GABLE), plan.ROOF_THICK, length), (side * math.degrees(slope), 0, 0)))
+x, z = plan.CHIMNEY
+parts += [box((x, plan.RIDGE, z), (0.62, 2, 0.62)), box(*plan.STEP)]
+entity("house", HOUSE, model='"models/house.glb"', body=['kind = "static"', compound(parts), "friction = 0.7"])
+entity("house_floor", in_house(0, plan.FLOOR / 2 - 0.15, 0), material='"vcol_floor"',
+       body=['kind = "static"', f"shape = {{ box = {vec(2 * HX, plan.FLOOR + 0.3, 2 * HZ)} }}", "friction = 0.7"])
+
+heading("doors and shutters on hinges; a little friction holds them where they were left")
+w, h, t = plan.DOOR_LEAF
+place = in_house(-w / 2 - 0.005, plan.FLOOR + 0.012, HZ - plan.THICK / 2)
+entity("front_door", place, model='"models/door.glb"',
+       body=[compound([box((w / 2, h / 2, 0), (w, h, t))]), "mass_kg = 28", "angular_damping_per_s = 0.8"])
+hinge("front_door", "house", place, (-95, 95), 2)
+w, h, t = plan.ROOM_DOOR_LEAF
+place = in_house(plan.HALL_X, plan.FLOOR + 0.012, plan.ROOM_DOOR_Z + w / 2 + 0.005)
+entity("bedroom_door", place, model='"models/room_door.glb"', rotation_deg="[0, 30, 0]",
+       body=[compound([box((w / 2, h / 2, 0), (w, h, t))]), "mass_kg = 18", "angular_damping_per_s = 0.8"])
+hinge("bedroom_door", "house", place, (-35, 150), 1.5)
+w, h, t = plan.SHUTTER
+prefab("shutter", ['model = "models/shutter.glb"', "[prefab.body]", compound([box((w / 2, 0, 0.025), (w, h, 0.045))]),
+                   "mass_kg = 6", "angular_damping_per_s = 0.8"])
+for wall in plan.OUTER:
+    for i, hole in enumerate(wall.windows()):
+        for side, u, turn, limits in (("left", hole[0] - 0.03, 180, (0, 172)), ("right", hole[1] + 0.03, 0, (-172, 0))):
+            name = f"shutter_{wall.name}_{i + 1}_{side}"
+            place = in_house(*wall.place(u, (hole[2] + hole[3]) / 2, -0.012))
+            yaw = -wall.yaw_deg if turn else wall.yaw_deg
+            entity(name, place, prefab='"shutter"', rotation_deg=f"[0, {yaw}, {turn}]")
+            hinge(name, "house", place, limits, 0.4)
+
+heading("furniture")
+MASS_KG = {"chair": 5, "table": 24, "desk": 18, "stool": 4, "bench": 11, "shelf": 32, "bed": 45, "chest": 22}
+for name, mass in MASS_KG.items():
+    prefab(name, [f'model = "models/furniture_{name}.glb"', "[prefab.body]", solids(name), f"mass_kg = {mass}", "friction = 0.5"])
+for i, (name, x, z, turn) in enumerate([
+    ("table", -1.15, -1.3, 0), ("chair", -1.5, -1.9, 4), ("chair", -0.82, -1.92, -7), ("chair", -1.47, -0.68, 176), ("chair", -0.75, -0.62, 160),
+    ("shelf", -1.07, 1.25, -90), ("bench", -3.14, 0.05, 90), ("bench", -0.6, 0.72, 90), ("bed", 2.85, -1.5, 0), ("stool", 2.08, -2.3, 0),
+    ("chest", 2.86, -0.1, 0), ("desk", 2.35, 2.25, 180), ("chair", 2.3, 1.72, 170),
+]):
+    entity(f"{name}_{i + 1}" if name in ("chair", "bench") else name, in_house(x, plan.FLOOR, z), prefab=f'"{name}"', rotation_deg=f"[0, {turn}, 0]")
+entity("counter", in_house(-2.38, plan.FLOOR, 2.26), model='"models/furniture_counter.glb"', body=['kind = "static"', compound([box((0, 0.44, 0), (1.86, 0.88, 0.6))])])
+entity("stove", in_house(*plan.CHIMNEY[:1], plan.FLOOR, plan.CHIMNEY[1]), model='"models/furniture_stove.glb"', rotation_deg="[0, 90, 0]",
+       body=['kind = "static"', compound([box((0, 0.4, 0), (0.56, 0.8, 0.48)), "{ cylinder = [0.075, 1.7], position_m = [0, 1.65, -0.06] }"])])
+entity("rug", in_house(1.85, plan.FLOOR + 0.004, 0.35), primitive="{ box = [1.1, 0.008, 1.7] }", material='"cloth"', casts_shadow="false")
+prefab("pot", ['model = "models/pot.glb"', "[prefab.body]", compound([prism(0.125, 0, 0.205)]), "mass_kg = 1.8", "restitution = 0.1"])
+prefab("vase", ['model = "models/vase.glb"', "[prefab.body]",
+                compound([box((0, 0.08, 0), (0.1, 0.16, 0.1)), prism(0.042, 0.16, 0.26)]), "mass_kg = 0.8", "restitution = 0.1"])
+prefab("mug", ['model = "models/mug.glb"', "[prefab.body]", compound([box((0, 0.045, 0), (0.066, 0.09, 0.066))]), "mass_kg = 0.3"])
+prefab("pillow", ["primitive = { box = [0.6, 0.1, 0.36] }", 'material = "linen"', "[prefab.body]", "mass_kg = 0.8", "friction = 0.8"])
+BOOK = (0.034, 0.21, 0.15)
+for color in ("red", "blue", "green"):
+    prefab(f"book_{color}", [f"primitive = {{ box = {vec(*BOOK)} }}", f'material = "book_{color}"', "[prefab.body]", "mass_kg = 0.6", "friction = 0.5"])
+table_top, counter_top, desk_top, chest_top, stool_top, bed_top = 0.7525, 0.88, 0.74, 0.46, 0.45, 0.50
+for i, (name, x, y, z, turn) in enumerate([
+    ("vase", -1.1, table_top, -1.25, 0), ("mug", -1.5, table_top, -1.5, 40), ("mug", -0.8, table_top, -1.08, 200),
+    ("pot", -2.9, counter_top, 2.3, 0), ("pot", -2.55, counter_top, 2.35, 0), ("mug", -1.7, counter_top, 2.2, 90),
+    ("vase", 2.7, chest_top, -0.08, 0), ("pot", -1.04, plan.SHELF_LEVELS[3], 1.52, 0), ("vase", -1.04, plan.SHELF_LEVELS[2], 0.97, 0),
+]):
+    entity(f"{name}_{i + 1}", in_house(x, plan.FLOOR + y, z), prefab=f'"{name}"', rotation_deg=f"[0, {turn}, 0]")
+entity("pillow", in_house(2.85, plan.FLOOR + bed_top + 0.05, -2.22), prefab='"pillow"')
+books = 0
+
+
+def book(color, x, y, z, turn=(0, 0, 0)):
+    global books
+    books += 1
+    entity(f"book_{books}", in_house(x, plan.FLOOR + y, z), prefab=f'"book_{color}"', rotation_deg=vec(*turn))
+
+
+for level, first, count in ((1, 0.9, 6), (2, 1.34, 5)):
+    for i in range(count):
+        book(("red", "blue", "green")[(i + level) % 3], -1.04, plan.SHELF_LEVELS[level] + BOOK[1] / 2, first + 0.036 * i, (0, 90, 0))
+for i, color in enumerate(("blue", "red", "green")):
+    book(color, 2.6, desk_top + BOOK[0] * (i + 0.5), 2.3, (0, 0, 90))
+
+heading("lamps")
+GLOW = "color = [1, 0.72, 0.42]"
+entity("pendant_lamp", in_house(-1.15, plan.CEILING - 0.6, -1.3), model='"models/lamp_pendant.glb"', casts_shadow="false",
+       light=f'{{ kind = "point", {GLOW}, intensity = 3.2, radius_m = 4.5 }}',
+       body=["shape = { compound = [{ cylinder = [0.2, 0.2], position_m = [0, 0.04, 0] }] }", "mass_kg = 1.5", "angular_damping_per_s = 0.5"])
+put(f'\n[[joint]]\nname = "pendant_cord"\nkind = "ball"\na = "pendant_lamp"\nb = "house"\nanchor_m = {vec(*in_house(-1.15, plan.CEILING, -1.3))}')
+entity("bedside_lamp", in_house(2.08, plan.FLOOR + stool_top, -2.3), model='"models/lamp_table.glb"', casts_shadow="false",
+       light=f'{{ kind = "point", {GLOW}, intensity = 1.6, radius_m = 3.2 }}',
+       body=[compound([prism(0.075, 0, 0.03), prism(0.03, 0.03, 0.2), prism(0.1, 0.2, 0.36)]), "mass_kg = 1.2"])
+
+heading("fountain")
 parts = ["{ cylinder = [1.5, 0.18], position_m = [0, 0.09, 0] }"]
 for i in range(8):
     turn = 22.5 + 45 * i
@@ -194,13 +332,26 @@ for name, x in [("west", -HALF_X), ("east", HALF_X)]:
 
 heading("shed: a dark corner for the flashlight")
 SX, SZ = -11.6, -8.6
-for name, position, size in [
-    ("back", (SX, 1.15, SZ - 1.3), (3.2, 2.3, 0.06)), ("left", (SX - 1.57, 1.15, SZ), (0.06, 2.3, 2.6)), ("right", (SX + 1.57, 1.15, SZ - 0.65), (0.06, 2.3, 1.3)),
-    ("front_left", (SX - 1.1, 1.15, SZ + 1.3), (1.0, 2.3, 0.06)), ("front_right", (SX + 1.35, 1.15, SZ + 1.3), (0.5, 2.3, 0.06)),
-    ("floor", (SX, 0.03, SZ), (3.2, 0.06, 2.6)),
-]:
-    entity(f"shed_{name}", position, primitive=f"{{ box = {vec(*size)} }}", material='"paintwood"' if name != "floor" else '"wood"', body=['kind = "static"'])
-entity("shed_roof", (SX, 2.42, SZ), primitive="{ box = [3.7, 0.08, 3.2] }", rotation_deg="[5, 0, 0]", material='"roof"', body=['kind = "static"'])
+hx, hz, t = plan.SHED_X / 2, plan.SHED_Z / 2, plan.SHED_WALL
+d0, d1, top = plan.SHED_DOOR
+slope = math.atan2(plan.SHED_FRONT - plan.SHED_BACK, 2 * hz)
+middle = (plan.SHED_FRONT + plan.SHED_BACK) / 2
+over, thick = plan.SHED_OVER, plan.SHED_ROOF_THICK
+
+
+def upright(x0, x1, z0, z1, y0, y1):
+    return box(((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2), (x1 - x0, y1 - y0, z1 - z0))
+
+
+parts = [
+    upright(-hx, d0, hz - t, hz, 0, plan.SHED_FRONT), upright(d1, hx, hz - t, hz, 0, plan.SHED_FRONT),
+    upright(d0, d1, hz - t, hz, top, plan.SHED_FRONT), upright(-hx, hx, -hz, t - hz, 0, plan.SHED_BACK),
+    *["{ hull_m = [" + ", ".join(vec(x, y, z) for x in (x0, x0 + t) for y, z in ((0, -hz), (0, hz), (plan.SHED_BACK, -hz), (plan.SHED_FRONT, hz))) + "] }"
+      for x0 in (-hx, hx - t)],
+    upright(-hx, hx, -hz, hz, 0, plan.SHED_FLOOR),
+    box((0, middle + thick / 2 / math.cos(slope), 0), (2 * (hx + over), thick, 2 * (hz + over) / math.cos(slope)), (-math.degrees(slope), 0, 0)),
+]
+entity("shed", (SX, 0, SZ), model='"models/shed.glb"', body=['kind = "static"', compound(parts)])
 
 heading("things lying about")
 THINGS = [("crate", 6.2, 0.407, 2.0, 12), ("crate", 5.2, 0.407, 1.7, -9), ("crate", 5.75, 1.222, 1.85, 28), ("crate", 7.4, 0.407, 3.6, 55),

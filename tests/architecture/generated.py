@@ -28,8 +28,9 @@ def run(script, printed_to, folder):
     """What is wrong with the run of one script, or None."""
     copy = folder / SOURCE / script
     shutil.copy(ROOT / SOURCE / script, copy)
-    for part in (ROOT / SOURCE).glob("hard_*.py"):  # what make_hard_scenes.py is made of
-        shutil.copy(part, folder / SOURCE)
+    for parts in ("hard_*.py", "house_plan.py"):  # what make_hard_scenes.py, make_garden.py read
+        for part in (ROOT / SOURCE).glob(parts):
+            shutil.copy(part, folder / SOURCE)
     done = subprocess.run([sys.executable, "-B", str(copy)], cwd=folder, capture_output=True,
                           text=True, check=False, timeout=60)
     if done.returncode != 0:
