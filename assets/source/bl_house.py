@@ -225,7 +225,7 @@ def ridge_tiles(m, x1):
         for i, ((z0, y0), (z1, y1)) in enumerate(zip(profile, profile[1:])):
             base = plan.RIDGE + 0.04
             m.quad([(left, base + y0 * 1.1, z0 * 1.1), (right, base + y0, z0), (right, base + y1, z1),
-                    (left, base + y1 * 1.1, z1 * 1.1)][::-1], "roof",
+                    (left, base + y1 * 1.1, z1 * 1.1)], "roof",
                    [(0.05, 0.27 + 0.012 * (i + 1)), (0.25, 0.27 + 0.012 * (i + 1)), (0.25, 0.27 + 0.012 * i), (0.05, 0.27 + 0.012 * i)])
 
 
@@ -368,7 +368,7 @@ def shed():
         for points, turned in ((a, False), (b, True)):
             (x0, z0), (x1, z1) = points
             quad = [(x0, low, z0), (x1, low, z1), (x1, height(z1), z1), (x0, height(z0), z0)]
-            m.quad(quad if turned == flip else quad[::-1], "paintwood")
+            m.quad(quad if turned == flip else quad[::-1], "paintwood" if turned else "wood")
 
     board_wall(((-x, z), (d0, z)), ((-x, z - t), (d0, z - t)), True)
     board_wall(((d1, z), (x, z)), ((d1, z - t), (x, z - t)), True)
@@ -385,8 +385,9 @@ def shed():
             m.part((corner_x, height(corner_z) / 2, corner_z), (0.09, height(corner_z), 0.09), "wood")
     slope = math.atan2(front - back, 2 * z)
     over, thick = plan.SHED_OVER, plan.SHED_ROOF_THICK
-    m.part((0, height(0) + thick / 2 / math.cos(slope), 0), (2 * (x + over), thick, 2 * (z + over) / math.cos(slope)),
-           "roof", pitch_deg=-math.degrees(slope))
+    for material, bottom, layer, rim in (("wood", 0, 0.025, 0.02), ("roof", 0.025, thick - 0.025, 0)):
+        m.part((0, height(0) + (bottom + layer / 2) / math.cos(slope), 0),
+               (2 * (x + over - rim), layer, 2 * (z + over - rim) / math.cos(slope)), material, pitch_deg=-math.degrees(slope))
     return m.obj("shed")
 
 

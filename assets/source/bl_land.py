@@ -135,11 +135,11 @@ def quarter(name, turn):
                 land.face(corners, [color] * 4, [slope(p) for p in corners])
             column += width
     for _ in range(6):
-        ring, column = random.uniform(1.4, 4.2), random.uniform(0, COLUMNS)
+        ring, column = random.uniform(2.5, 4.7), random.uniform(0, COLUMNS)
         low = land.ground(int(ring), int(column), turn)
         high = land.ground(int(ring) + 1, int(column), turn)
         at = low.lerp(high, ring % 1)
-        tree(land, at.x, at.y, random.uniform(6, 10))
+        tree(land, at.x, at.y, random.uniform(6, 11))
     for ring, first, count, height in ((2, 1, 3, 2), (2, 8, 3, 2.5), (3, 5, 3, 3), (3, 0, 3, 5), (4, 6, 5, 8), (5, 0, 5, 11), (6, 5, 7, 13)):
         points = [land.ground(ring, first + k, turn) for k in range(count + 1)]
         wood(land, points[::-1], height)
