@@ -41,6 +41,13 @@ void Look::set(Real yaw_rad, Real pitch_rad) {
     smooth_pitch_rad_ = 0;
 }
 
+int notches_of(const Actions& actions, Action more, Action less) {
+    const auto steps = [&](Action action) {
+        return actions.is_held(action) ? 0 : actions.presses(action);
+    };
+    return steps(more) - steps(less);
+}
+
 void Look::aim_along(const Vec3& direction) {
     const Vec3 unit = normalize_or(direction, Vec3{0, 0, -1});
     set(std::atan2(-unit.x, -unit.z), std::asin(std::clamp(unit.y, Real{-1}, Real{1})));
@@ -118,7 +125,8 @@ void OrbitCamera::act(const Actions& actions, Look& look, Real step_s) {
 
     previous_distance_m_ = distance_m_;
     const Real zoom = travel_of(actions, Action::ZoomOut) - travel_of(actions, Action::ZoomIn);
-    const int notches = actions.presses(Action::Push) - actions.presses(Action::Pull);
+    const int notches = actions.presses(Action::Push) - actions.presses(Action::Pull) +
+                        notches_of(actions, Action::ZoomIn, Action::ZoomOut);
     distance_m_ *= std::exp(zoom * kOrbitZoom_per_s * step_s) *
                    std::pow(kOrbitNotch, static_cast<Real>(notches));
     distance_m_ = std::clamp(distance_m_, kNearest_m, kFarthest_m);

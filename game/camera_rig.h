@@ -14,6 +14,8 @@ enum class MoveMode : std::uint8_t { Walk, Fly, Orbit };
 
 /// How far a held action is pressed: 0…1.
 Real travel_of(const Actions& actions, Action action);
+/// Wheel steps: presses of what is not held. `more` counts up, `less` down.
+int notches_of(const Actions& actions, Action more, Action less);
 
 /// Yaw about +Y (left is positive), pitch (up is positive).
 class Look {

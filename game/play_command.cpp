@@ -1,11 +1,14 @@
 #include "game/play_command.h"
 
 #include "engine/app/frame_loop.h"
+#include "engine/core/files.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/log.h"
 #include "game/rules.h"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace plumbline::game {
 namespace {
@@ -23,23 +26,98 @@ app::LiveConfig read_config(const CommonOptions& common, const DataFolders& fold
     return config;
 }
 
+/// A scene that runs, or why it does not.
+struct Opened {
+    std::unique_ptr<app::Session> session;
+    Error error{};
+};
+
+/// Opens scenes, and remembers the last one between sittings.
+class Sessions {
+public:
+    Sessions(const DataFolders& folders, bool sound) : folders_(folders), sound_(sound) {}
+
+    Opened open(const std::string& name) const {
+        const Result<std::filesystem::path> scene = scene::find_scene(name, folders_.assets);
+        if (!scene) return {.error = scene.error()};
+        Result<std::unique_ptr<app::Session>> session = app::Session::open(
+            {.scene = *scene,
+             .folders = folders_,
+             .served = {.picture = true, .sound = sound_},
+             .make_game = [assets = folders_.assets](
+                              scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
+                 return std::make_unique<PlaygroundGame>(simulation, assets);
+             }});
+        if (!session) return {.error = session.error()};
+        (*session)->library.prefetch_images();
+        return {.session = std::move(*session)};
+    }
+
+    /// The scene of the last sitting; the garden where there is none, or none any more.
+    Opened open_last() const {
+        constexpr std::size_t kLongestPath = 4096;
+        const std::filesystem::path file = memory();
+        if (!file.empty()) {
+            const Result<std::string> last = read_file(file, kLongestPath);
+            if (last && std::filesystem::path(*last).is_absolute()) {
+                Opened opened = open(*last);
+                if (opened.session) return opened;
+            }
+        }
+        return open("garden");
+    }
+
+    void remember(const app::Session& session) const {
+        const std::filesystem::path file = memory();
+        if (file.empty()) return;
+        std::error_code ignored;  // the write says what is wrong
+        std::filesystem::create_directories(file.parent_path(), ignored);
+        const std::filesystem::path scene =
+            std::filesystem::absolute(session.description.file, ignored);
+        const Result<Done> written = write_file_atomically(file, scene.string());
+        if (!written) log_note("{}", written.error().message);
+    }
+
+private:
+    static std::filesystem::path memory() {
+        const std::filesystem::path folder = user_data_folder();
+        return folder.empty() ? folder : folder / "last_scene";
+    }
+
+    const DataFolders& folders_;
+    bool sound_;
+};
+
+std::string title_of(const app::Session& session) {
+    const std::string& title = session.description.title;
+    return title.empty() ? "Plumbline" : title + " - Plumbline";
+}
+
+app::PlayDef play_def(const PlayOptions& options,
+                      const CommonOptions& common,
+                      const DataFolders& folders) {
+    const bool unattended = options.seconds || options.random_input || !options.replay.empty();
+    return {.shader_folder = folders.shaders,
+            .user_data_folder = user_data_folder(),
+            .thumbnails = folders.assets / "thumbnails",
+            .scenes = scene::list_scenes(folders.assets),
+            .start_page = options.scene.empty() && !unattended,
+            .unattended = unattended,
+            .sound = !common.no_sound,
+            .audio_device = options.audio_device,
+            .seconds = options.seconds,
+            .record = options.record,
+            .report = options.report,
+            .expect_hash = options.expect_hash,
+            .steps = {.replay = options.replay, .random_seed = options.random_input}};
+}
+
 }  // namespace
 
 ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return refuse(folders.error());
-    const Result<std::filesystem::path> scene = scene::find_scene(options.scene, folders->assets);
-    if (!scene) return refuse(scene.error());
     app::LiveConfig config = read_config(common, *folders);
-    app::PlayDef play{.shader_folder = folders->shaders,
-                      .user_data_folder = user_data_folder(),
-                      .sound = !common.no_sound,
-                      .audio_device = options.audio_device,
-                      .seconds = options.seconds,
-                      .record = options.record,
-                      .report = options.report,
-                      .expect_hash = options.expect_hash,
-                      .steps = {.replay = options.replay, .random_seed = options.random_input}};
     int width = config.current().width;
     int height = config.current().height;
     if (!options.size.empty() && !parse_size(options.size, width, height)) {
@@ -47,26 +125,35 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
                                               options.size),
                        .exit_code = ExitCode::BadUsage});
     }
-    const std::filesystem::path assets = folders->assets;
-    Result<std::unique_ptr<app::Session>> session = app::Session::open(
-        {.scene = *scene,
-         .folders = *folders,
-         .served = {.picture = true, .sound = !common.no_sound},
-         .make_game = [assets](scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
-             return std::make_unique<PlaygroundGame>(simulation, assets);
-         }});
-    if (!session) return refuse(session.error());
-    (*session)->library.prefetch_images();
-    const std::string title = (*session)->description.title;
+    const Sessions sessions{*folders, !common.no_sound};
+    Opened open = options.scene.empty() ? sessions.open_last() : sessions.open(options.scene);
+    if (!open.session) return refuse(open.error);
     Result<std::unique_ptr<platform::Window>> window =
-        platform::Window::open({.title = title.empty() ? "Plumbline" : title + " - Plumbline",
+        platform::Window::open({.title = title_of(*open.session),
                                 .width = width,
                                 .height = height,
                                 .vsync = config.current().vsync});
     if (!window) return refuse(window.error());
     catch_interrupts();
     app::LiveBindings bindings(bindings_def(common, *folders));
-    return app::run(**window, **session, bindings, config, play);
+    app::PlayDef play = play_def(options, common, *folders);
+    for (;;) {
+        sessions.remember(*open.session);
+        const app::PlayEnd end = app::run(**window, *open.session, bindings, config, play);
+        if (end.next_scene.empty() || end.code != ExitCode::Good) return end.code;
+        // The scene that runs stays until the next one is there; what the command line asked for
+        // was about the first.
+        Opened next = sessions.open(end.next_scene.string());
+        play = play_def({.audio_device = options.audio_device}, common, *folders);
+        play.start_page = false;
+        if (next.session) {
+            open = std::move(next);
+            (*window)->set_title(title_of(*open.session));
+        } else {
+            log_error("{}", next.error.message);
+            play.first_message = next.error.message;
+        }
+    }
 }
 
 }  // namespace plumbline::game

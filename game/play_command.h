@@ -9,7 +9,7 @@
 namespace plumbline::game {
 
 struct PlayOptions {
-    std::string scene{"garden"};
+    std::string scene;  ///< empty: the one that was played last, and the start page
     std::string size;
     std::filesystem::path record;
     std::filesystem::path replay;

@@ -10,6 +10,8 @@ constexpr Real kPlayerFov_rad = radians_from_degrees(70.0_r);
 constexpr Real kNarrowest_rad = radians_from_degrees(15.0_r);
 constexpr Real kWidest_rad = radians_from_degrees(100.0_r);
 constexpr Real kZoom_per_s = 1.6_r;
+constexpr Real kZoomNotch = 0.1_r;
+constexpr Real kKeyTurn_radps = 1.6_r;
 constexpr Real kDefaultOrbit_m = 5;
 constexpr Real kOrbitSight_m = 100;
 constexpr Real kLostBelow_m = 100;  // under the start, where the scene says no other depth
@@ -115,6 +117,11 @@ void PlaygroundGame::act(scene::Simulation& simulation, const Actions& actions) 
 }
 
 void PlaygroundGame::move(scene::Simulation& simulation, const Actions& actions) {
+    if (mode_ != MoveMode::Orbit) {
+        const Real left =
+            travel_of(actions, Action::RotateLeft) - travel_of(actions, Action::RotateRight);
+        if (left != 0) look_.turn_smoothly(left * kKeyTurn_radps * step_s_, 0);
+    }
     if (player_) player_->act(simulation, actions, look_, mode_ == MoveMode::Walk);
     if (mode_ == MoveMode::Fly) {
         if (!grab_.holding()) {
@@ -159,9 +166,10 @@ void PlaygroundGame::zoom(const Actions& actions) {
     previous_fov_rad_ = fov_rad_;
     if (mode_ == MoveMode::Orbit) return;
     const Real wider = travel_of(actions, Action::ZoomOut) - travel_of(actions, Action::ZoomIn);
-    if (wider == 0) return;
-    fov_rad_ =
-        std::clamp(fov_rad_ * std::exp(wider * kZoom_per_s * step_s_), kNarrowest_rad, kWidest_rad);
+    const auto notches = static_cast<Real>(notches_of(actions, Action::ZoomOut, Action::ZoomIn));
+    const Real change = wider * kZoom_per_s * step_s_ + notches * kZoomNotch;
+    if (change == 0) return;
+    fov_rad_ = std::clamp(fov_rad_ * std::exp(change), kNarrowest_rad, kWidest_rad);
 }
 
 void PlaygroundGame::judge(scene::Simulation& simulation) {

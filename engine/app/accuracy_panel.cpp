@@ -1,11 +1,12 @@
 // The accuracy panel: what the setting costs and how good it is, live; the ghost beside it.
+#include "engine/app/accuracy_choice.h"
 #include "engine/app/overlay_panels_impl.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
+#include <span>
 #include <vector>
 
 namespace plumbline::app::panels {
@@ -14,40 +15,39 @@ namespace {
 using physics::Solver;
 using study::Setting;
 
-constexpr std::array<Solver, 5> kSolvers{Solver::SmallStep,
-                                         Solver::BulletSi,
-                                         Solver::BulletNncg,
-                                         Solver::BulletDantzig,
-                                         Solver::BulletPgs};
-constexpr std::array<int, 5> kRates_hz{30, 60, 120, 240, 480};
+// Nothing is typed: no text of a keyboard reaches the panel.
+constexpr ImGuiSliderFlags kSlider = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
 constexpr int kMostSubsteps = 32;
 constexpr int kMostIterations = 50;
+
+void text(const std::string& line) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(line.data(), line.data() + line.size());
+    ImGui::PopTextWrapPos();
+}
 
 bool choose_solver(const char* label, Setting& setting) {
     const std::string now(physics::solver_name(setting.solver));
     if (!ImGui::BeginCombo(label, now.c_str())) return false;
     bool changed = false;
-    for (const Solver solver : kSolvers) {
+    for (const Solver solver : offered_solvers()) {
         const std::string name(physics::solver_name(solver));
         if (!ImGui::Selectable(name.c_str(), solver == setting.solver)) continue;
         changed = solver != setting.solver;
-        setting.solver = solver;
-        const scene::Preset& preset = scene::preset_of("balanced");
-        const bool small = solver == Solver::SmallStep;
-        setting.substeps = small ? 0 : preset.bullet_substeps;
-        setting.substeps_max = preset.small_most;
-        setting.iterations = small ? preset.small_iterations : preset.bullet_iterations;
+        if (changed) setting = with_solver(setting, solver);
     }
     ImGui::EndCombo();
     return changed;
 }
 
 bool choose_rate(const char* label, Setting& setting) {
-    const auto found = std::ranges::lower_bound(kRates_hz, setting.step_hz);
-    int place = static_cast<int>(std::min<std::ptrdiff_t>(found - kRates_hz.begin(), 4));
+    const std::span<const int> rates = offered_rates_hz();
+    const auto last = static_cast<int>(rates.size()) - 1;
+    const auto found = std::ranges::lower_bound(rates, setting.step_hz);
+    int place = std::min(static_cast<int>(found - rates.begin()), last);
     const std::string shown = fmt::format("{} Hz", setting.step_hz);
-    if (!ImGui::SliderInt(label, &place, 0, 4, shown.c_str())) return false;
-    const int chosen = kRates_hz[static_cast<std::size_t>(std::clamp(place, 0, 4))];
+    if (!ImGui::SliderInt(label, &place, 0, last, shown.c_str(), kSlider)) return false;
+    const int chosen = rates[static_cast<std::size_t>(std::clamp(place, 0, last))];
     const bool changed = chosen != setting.step_hz;
     setting.step_hz = chosen;
     return changed;
@@ -59,7 +59,7 @@ bool choose_count(const char* label, int& value, int least, int most, const char
     static int held_value = 0;
     const ImGuiID id = ImGui::GetID(label);
     int shown = held == id ? held_value : value;
-    if (ImGui::SliderInt(label, &shown, least, most, format, ImGuiSliderFlags_AlwaysClamp)) {
+    if (ImGui::SliderInt(label, &shown, least, most, format, kSlider)) {
         held = id;
         held_value = shown;
     }
@@ -161,16 +161,25 @@ void draw_ghost(const AccuracyControl& control, AccuracyRequest& request) {
 
 }  // namespace
 
-AccuracyRequest draw_accuracy(const AccuracyControl& control, const FrameClock& clock) {
+AccuracyRequest draw_accuracy(const AccuracyControl& control,
+                              const FrameClock& clock,
+                              float font_px,
+                              float& taken_px) {
     AccuracyRequest request;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({screen.x - 14.0F, 14.0F}, ImGuiCond_Always, {1.0F, 0.0F});
+    const float margin = font_px * 0.8F;
+    const float width = std::min(font_px * 24.0F, screen.x - 2 * margin);
+    ImGui::SetNextWindowPos({screen.x - margin, margin}, ImGuiCond_Always, {1.0F, 0.0F});
+    // As high as it needs; in a low window it scrolls.
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y - 2 * margin});
     ImGui::SetNextWindowBgAlpha(0.82F);
     ImGui::Begin("accuracy",
                  nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::PushItemWidth(ImGui::GetFontSize() * 13.0F);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    taken_px = width + margin;
+    ImGui::PushItemWidth(width * 0.5F);
     text("What accuracy costs, over the last second");
     ImGui::Separator();
     Setting setting = control.setting();
@@ -186,8 +195,7 @@ AccuracyRequest draw_accuracy(const AccuracyControl& control, const FrameClock& 
     draw_ghost(control, request);
     ImGui::Separator();
     if (ImGui::Button("adopt")) request.adopt = true;
-    ImGui::SameLine();
-    text("writes this setting into a copy of the scene");
+    text("Writes this setting into a copy of the scene.");
     ImGui::PopItemWidth();
     ImGui::End();
     return request;

@@ -32,6 +32,23 @@ bool same(const SettingTarget& a, const SettingTarget& b) {
         a);
 }
 
+}  // namespace
+
+void copy_value(const Setting& from, const Setting& to) {
+    std::visit(
+        [&](const auto& source) {
+            const auto& target = std::get<std::decay_t<decltype(source)>>(to.target);
+            if constexpr (requires { source.value; }) {
+                *target.value = *source.value;
+            } else {
+                *target = *source;
+            }
+        },
+        from.target);
+}
+
+namespace {
+
 std::string toml_value(const SettingTarget& target) {
     if (bool* const* flag = std::get_if<bool*>(&target)) return **flag ? "true" : "false";
     if (const auto* whole = std::get_if<IntSetting>(&target))

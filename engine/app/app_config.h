@@ -65,6 +65,9 @@ struct Setting {
 /// Every setting of `config`, table after table: what reading, writing and the pages go through.
 std::vector<Setting> settings_of(AppConfig& config);
 
+/// Both of the same row.
+void copy_value(const Setting& from, const Setting& to);
+
 /// Lays the files over the built-in values, in order. Missing files mean nothing; bad entries cost
 /// only themselves.
 AppConfig load_app_config(const std::vector<std::filesystem::path>& files, Diagnostics& faults);

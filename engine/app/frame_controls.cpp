@@ -1,5 +1,7 @@
 #include "engine/app/frame_controls.h"
 
+#include "engine/app/action_words.h"
+
 #include <fmt/format.h>
 
 namespace plumbline::app {
@@ -32,7 +34,6 @@ void apply_view_actions(input::ActionLatch& latch,
         controls.fill_mode = controls.fill_mode == mode ? FillMode::Filled : mode;
     };
     if (toggles(Action::Hud)) controls.parts.hud = !controls.parts.hud;
-    if (toggles(Action::Help)) controls.parts.help = !controls.parts.help;
     if (toggles(Action::Stats)) controls.parts.stats = !controls.parts.stats;
     if (toggles(Action::AccuracyPanel)) controls.parts.accuracy = !controls.parts.accuracy;
     if (toggles(Action::CollisionShapes)) controls.collision_shapes = !controls.collision_shapes;
@@ -47,15 +48,10 @@ void apply_view_actions(input::ActionLatch& latch,
 /// Named in the contract of actions, built with the parts of the program that they belong to.
 void refuse_unbuilt_actions(input::ActionLatch& latch,
                             const std::function<void(std::string)>& say) {
-    for (const Action action : {Action::QuickSave,
-                                Action::QuickLoad,
-                                Action::AimSpot,
-                                Action::CameraRecord,
-                                Action::CameraPlay,
-                                Action::CameraReload}) {
-        if (latch.take_frame_presses(action) > 0) {
-            say(fmt::format("\"{}\" is not in this version", action_name(action)));
-        }
+    for (std::size_t i = 0; i < kActionCount; ++i) {
+        const auto action = static_cast<Action>(i);
+        if (in_this_version(action) || latch.take_frame_presses(action) == 0) continue;
+        say(fmt::format("\"{}\" is not in this version", action_words(action)));
     }
 }
 
@@ -66,34 +62,9 @@ void apply_frame_actions(input::ActionLatch& latch,
                          FrameClock& clock,
                          platform::Window& window,
                          const std::function<void(std::string)>& say) {
-    // One menu press opens or closes it; Escape closes it as well (back_out).
-    const int menu = latch.take_frame_presses(Action::Menu);
-    const int back_out = latch.take_frame_presses(Action::BackOut);
-    if (controls.parts.menu ? menu + back_out > 0 : menu % 2 == 1) {
-        controls.parts.menu = !controls.parts.menu;
-    }
     apply_time_actions(latch, controls, clock, say);
     apply_view_actions(latch, controls, window);
     refuse_unbuilt_actions(latch, say);
-}
-
-void apply_menu_choice(MenuChoice choice, FrameControls& controls) {
-    switch (choice) {
-        case MenuChoice::None:
-            return;
-        case MenuChoice::Resume:
-            break;
-        case MenuChoice::Reset:
-            controls.reset = true;
-            break;
-        case MenuChoice::Controls:
-            controls.parts.help = true;
-            break;
-        case MenuChoice::Quit:
-            controls.quit = true;
-            break;
-    }
-    controls.parts.menu = false;
 }
 
 }  // namespace plumbline::app

@@ -8,6 +8,7 @@
 #include "engine/platform/window.h"
 #include "engine/render/render_frame.h"
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -25,6 +26,7 @@ struct FrameControls {
     bool reload{false};
     bool screenshot{false};
     bool save_recording{false};
+    std::filesystem::path open_scene;  ///< chosen in the menu
 
     void clear_requests() { quit = reset = reload = screenshot = save_recording = false; }
 };
@@ -35,8 +37,5 @@ void apply_frame_actions(input::ActionLatch& latch,
                          FrameClock& clock,
                          platform::Window& window,
                          const std::function<void(std::string)>& say);
-
-/// What the menu's buttons do.
-void apply_menu_choice(MenuChoice choice, FrameControls& controls);
 
 }  // namespace plumbline::app

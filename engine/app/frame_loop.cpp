@@ -8,16 +8,16 @@
 namespace plumbline::app {
 
 /// The order below is the order of a frame; there is no other.
-ExitCode run(platform::Window& window,
-             Session& session,
-             LiveBindings& bindings,
-             LiveConfig& config,
-             const PlayDef& def) {
+PlayEnd run(platform::Window& window,
+            Session& session,
+            LiveBindings& bindings,
+            LiveConfig& config,
+            const PlayDef& def) {
     Result<std::unique_ptr<FrameParts>> made =
         FrameParts::create(window, session, bindings, config, def);
     if (!made) {
         log_error("{}", made.error().message);
-        return made.error().exit_code;
+        return {.code = made.error().exit_code};
     }
     FrameParts& parts = **made;
 
@@ -57,7 +57,7 @@ ExitCode run(platform::Window& window,
         window.present();
         parts.finish_frame(frame_start_s);
     }
-    return parts.close();
+    return {.code = parts.close(), .next_scene = parts.next_scene()};
 }
 
 }  // namespace plumbline::app

@@ -45,7 +45,10 @@ FrameParts::FrameParts(platform::Window& window,
       config_(config),
       def_(def),
       accuracy_(session, !def.record.empty() || stepper.replaying()),
-      overlay_(window, config.current().ui_scale),
+      overlay_(window, def.thumbnails),
+      menu_(menu_world()),
+      first_minute_(def.user_data_folder.empty() ? std::filesystem::path()
+                                                 : def.user_data_folder / "first_minute"),
       start_s_(window.now_s()) {
     stepper.after_step = [this] { accuracy_.after_step(); };
     latch.set_label_lookup(platform::printed_key_name);
@@ -58,12 +61,48 @@ FrameParts::FrameParts(platform::Window& window,
     if (renderer->gl().renderer.find("llvmpipe") != std::string::npos) {
         overlay_.say("drawing on the CPU (no GPU driver): expect few frames a second", start_s_);
     }
+    if (!def.first_message.empty()) say(def.first_message);
+    if (def.start_page) menu_.show_start();
+    pause_under_menu();
+}
+
+void FrameParts::say_not_stored(const Result<Done>& stored) {
+    if (stored || std::exchange(said_not_stored_, true)) return;
+    say(stored.error().message);
 }
 
 void FrameParts::change_config(const AppConfig& wanted) {
-    const Result<Done> stored = config_.change(wanted);
-    if (!stored && !std::exchange(said_not_stored_, true)) say(stored.error().message);
+    say_not_stored(config_.change(wanted));
     apply_config();
+}
+
+void FrameParts::change_bindings(const input::Bindings& wanted) {
+    say_not_stored(bindings_.change(wanted));
+    latch.set_bindings(bindings_.current());
+    say_faults();
+}
+
+ui::MenuWorld FrameParts::menu_world() {
+    const std::string& title = session_.description.title;
+    return {
+        .config = config_,
+        .bindings = bindings_,
+        .scenes = def_.scenes,
+        .scene_title = title.empty() ? scene_name() : title,
+        .accuracy = [this] { return accuracy_.setting(); },
+        .accuracy_is_recorded = accuracy_.recorded(),
+        .change_config = [this](const AppConfig& wanted) { change_config(wanted); },
+        .change_bindings = [this](const input::Bindings& wanted) { change_bindings(wanted); },
+        .change_accuracy =
+            [this](const study::Setting& wanted) { do_accuracy({.setting = wanted}); },
+        .open_scene = [this](const std::filesystem::path& file) { controls_.open_scene = file; },
+        .start_again = [this] { controls_.reset = true; },
+        .quit = [this] { controls_.quit = true; },
+        .forget_first_minute =
+            [this] {
+                first_minute_.forget();
+                say("the first hints come again");
+            }};
 }
 
 void FrameParts::apply_config() {
@@ -73,7 +112,7 @@ void FrameParts::apply_config() {
 }
 
 bool FrameParts::ended(double now_s) const {
-    return closing_ || interrupted() || stepper.ended() ||
+    return closing_ || !controls_.open_scene.empty() || interrupted() || stepper.ended() ||
            (def_.seconds && now_s - start_s_ >= *def_.seconds);
 }
 
@@ -86,29 +125,40 @@ void FrameParts::say_faults() {
 }
 
 void FrameParts::take_input(const InputSnapshot& input) {
-    overlay_.take_input(input);
+    devices_ = input;
+    overlay_.follow_window(config_.current().ui_scale, menu_);
     if (bindings_.reload_if_changed(input.now_s)) {
         latch.set_bindings(bindings_.current());
         overlay_.say("controls read again", input.now_s);
         say_faults();
     }
+    pause_under_menu();
+    const bool menu_was_open = menu_.open();
+    const InputSnapshot for_play = menu_.take(input, bindings_.current());
     const input::InputFocus focus{
-        .menu_open = controls_.parts.menu,
-        .ui_keyboard = overlay_.wants_keyboard(),
+        .menu_open = menu_was_open && menu_.open(),
         .ui_mouse = !window_.pointer_captured() && overlay_.wants_mouse()};
-    latch.update(input, focus);
+    latch.update(for_play, focus);
     apply_frame_actions(latch, controls_, clock, window_, [&](std::string line) {
         overlay_.say(std::move(line), input.now_s);
     });
+    if (!def_.unattended) first_minute_.see(latch.presses_seen());
     if (input.close_requested) controls_.quit = true;
     if (input.lost_focus && config_.current().pause_on_focus_loss) clock.set_paused(true);
     capture_pointer_if_playing(input);
 }
 
+void FrameParts::pause_under_menu() {
+    if (menu_.open() == menu_was_open_) return;
+    menu_was_open_ = menu_.open();
+    if (menu_was_open_) paused_before_menu_ = clock.paused();
+    clock.set_paused(menu_was_open_ || paused_before_menu_);
+}
+
 void FrameParts::capture_pointer_if_playing(const InputSnapshot& input) {
-    // The pointer is the person's while a menu or the accuracy panel is open or another window has the keyboard; a click
-    // into the picture gives it back to the game.
-    if (controls_.parts.menu || controls_.parts.accuracy || !input.focused || input.lost_focus) {
+    // The pointer is the person's while a menu or the accuracy panel is open or another window has
+    // the keyboard; a click into the picture gives it back to the game.
+    if (menu_.open() || controls_.parts.accuracy || !input.focused || input.lost_focus) {
         window_.capture_pointer(false);
         wants_pointer_ = !input.lost_focus || wants_pointer_;
         return;

@@ -1,9 +1,11 @@
 // What frame_loop.cpp steps through: the parts of a sitting, wired once. Private to it.
 #pragma once
 
+#include "engine/app/first_minute.h"
 #include "engine/app/frame_controls.h"
 #include "engine/app/frame_loop.h"
 #include "engine/app/overlay.h"
+#include "engine/app/ui/menu_control.h"
 #include "engine/audio/mixer.h"
 #include "engine/core/frame_clock.h"
 #include "engine/render/renderer.h"
@@ -31,6 +33,7 @@ public:
     void finish_frame(double frame_start_s);
     /// Writes what was asked for; the exit code of the sitting.
     ExitCode close();
+    const std::filesystem::path& next_scene() const { return controls_.open_scene; }
 
     FrameClock clock;
     input::ActionLatch latch;
@@ -56,6 +59,13 @@ private:
     /// Puts the settings in force; said once when they cannot be stored.
     void change_config(const AppConfig& wanted);
     void apply_config();
+    void change_bindings(const input::Bindings& wanted);
+    void do_accuracy(const AccuracyRequest& asked);
+    void say_not_stored(const Result<Done>& stored);
+    ui::MenuWorld menu_world();
+    /// The world stands still from the frame after the one that opened a menu: what was pressed
+    /// before it still reaches a step.
+    void pause_under_menu();
     void capture_pointer_if_playing(const InputSnapshot& input);
     std::array<std::uint64_t, kActionCount> actions_seen() const;
 
@@ -67,10 +77,15 @@ private:
     FrameControls controls_;
     AccuracyControl accuracy_;
     Overlay overlay_;
+    ui::MenuControl menu_;
+    FirstMinute first_minute_;
+    InputSnapshot devices_;                    ///< of this frame
     std::unique_ptr<audio::Mixer> mixer_;      ///< null with --no-sound
     std::vector<effects::LedgerLine> ledger_;  ///< refreshed for the statistics panel
     double start_s_;
     bool closing_{false};
+    bool menu_was_open_{false};
+    bool paused_before_menu_{false};
     bool wants_pointer_{true};
     bool said_not_stored_{false};
 };

@@ -49,23 +49,32 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
     const double now_s = window_.now_s();
     for (const std::string& message : hud.messages) overlay_.say(message, now_s);
     if (controls_.parts.stats) ledger_ = session_.effects->ledger();
-    const OverlayAnswer answer = overlay_.draw({.parts = controls_.parts,
-                                                .hud = hud,
-                                                .simulation = *session_.simulation,
-                                                .report = report,
-                                                .clock = clock,
-                                                .bindings = latch.bindings(),
-                                                .device = latch.last_device(),
-                                                .ledger = ledger_,
-                                                .accuracy = accuracy_,
-                                                .judge = session_.judge.get(),
-                                                .sound_silent = mixer_ && mixer_->silent(),
-                                                .show_hints = config_.current().hints,
-                                                .lines_not_shown = frame.lines.not_shown,
-                                                .now_s = now_s});
-    apply_menu_choice(answer.menu, controls_);
-    const std::string said = accuracy_.apply(answer.accuracy, clock);
-    if (!said.empty()) overlay_.say(said, now_s);
+    const bool has_flashlight = session_.simulation->description().flashlight.has_value();
+    const bool hints = config_.current().hints && !def_.unattended;
+    const AccuracyRequest asked =
+        overlay_.draw({.parts = controls_.parts,
+                       .hud = hud,
+                       .simulation = *session_.simulation,
+                       .report = report,
+                       .clock = clock,
+                       .bindings = latch.bindings(),
+                       .device = latch.last_device(),
+                       .ledger = ledger_,
+                       .accuracy = accuracy_,
+                       .judge = session_.judge.get(),
+                       .hint = hints ? first_minute_.now(has_flashlight) : std::nullopt,
+                       .sound_silent = mixer_ && mixer_->silent(),
+                       .reduce_motion = config_.current().reduce_motion,
+                       .lines_not_shown = frame.lines.not_shown,
+                       .now_s = now_s},
+                      devices_,
+                      menu_);
+    do_accuracy(asked);
+}
+
+void FrameParts::do_accuracy(const AccuracyRequest& asked) {
+    const std::string said = accuracy_.apply(asked, clock);
+    if (!said.empty()) say(said);
 }
 
 void FrameParts::play_sound(const scene::ViewPoint& view, double now_s) {

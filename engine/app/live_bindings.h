@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/diagnostics.h"
+#include "engine/core/result.h"
 #include "engine/input/bindings.h"
 #include "engine/platform/file_watch.h"
 
@@ -28,17 +29,30 @@ public:
     const input::Bindings& current() const { return current_; }
     const Diagnostics& faults() const { return faults_; }  ///< of the last reading
 
-    /// True when files changed and were read again; a file that cannot be parsed leaves its layer
-    /// out and says so in faults().
+    /// True when files changed and say something else now; a file that cannot be parsed leaves its
+    /// layer out and says so in faults().
     bool reload_if_changed(double now_s);
+
+    /// What the controls pages edit: as current(), but without --bind.
+    const input::Bindings& stored() const { return stored_; }
+    /// What holds without the controls pages: where "reset" leads back to.
+    const input::Bindings& below() const { return below_; }
+    /// Puts `wanted` in force and writes bindings.ui.toml at once. The error says why it is not
+    /// stored; it holds for this session all the same.
+    Result<Done> change(const input::Bindings& wanted);
 
 private:
     void load();
 
     BindingsDef def_;
     input::Bindings current_;
+    input::Bindings stored_;
+    input::Bindings below_;
+    std::optional<std::string> unsaved_;       ///< in place of bindings.ui.toml
+    std::vector<input::BindingLayer> layers_;  ///< as read last
     Diagnostics faults_;
     std::size_t layer_count_{0};
+    bool read_once_{false};
     std::unique_ptr<platform::FileWatch> watch_;
 };
 

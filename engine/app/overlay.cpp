@@ -1,119 +1,126 @@
 #include "engine/app/overlay.h"
 
 #include "engine/app/overlay_panels_impl.h"
+#include "engine/app/ui/canvas.h"
+#include "engine/app/ui/menu_control.h"
 
-#include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <deque>
-#include <filesystem>
-#include <vector>
+#include <map>
+#include <utility>
 
 namespace plumbline::app {
 namespace {
 
-constexpr double kMessage_s = 5.0;
+constexpr double kMessage_s = 4.0;
+constexpr double kReading_s = 0.04;  // for each letter
 constexpr std::size_t kMessages = 6;
-constexpr float kFontSize_px = 17.0F;
 
-void load_font(float scale) {
-    ImGuiIO& io = ImGui::GetIO();
-    constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-    // Latin and Cyrillic: key labels of other layouts.
-    const ImWchar* ranges = io.Fonts->GetGlyphRangesCyrillic();
-    if (std::filesystem::exists(kFont)) {
-        io.Fonts->AddFontFromFileTTF(kFont, kFontSize_px * scale, nullptr, ranges);
-    } else {
-        ImFontConfig config;
-        config.SizePixels = kFontSize_px * scale;
-        io.Fonts->AddFontDefault(&config);
+std::map<std::string, std::filesystem::path> pictures_in(const std::filesystem::path& folder) {
+    std::map<std::string, std::filesystem::path> files;
+    std::error_code failed;
+    for (std::filesystem::recursive_directory_iterator entry(folder, failed), end;
+         !failed && entry != end;
+         entry.increment(failed)) {
+        if (entry->path().extension() != ".jpg") continue;
+        files.emplace(entry->path().lexically_relative(folder).replace_extension().generic_string(),
+                      entry->path());
     }
+    return files;
 }
 
 }  // namespace
 
 struct Overlay::Impl {
-    std::vector<int> tapped_keys;  // shown as down although they are up again
+    explicit Impl(platform::Window& window_drawn_into) : window(window_drawn_into) {}
+
+    void make_texture() const {
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
+
+    platform::Window& window;
+    ui::Canvas canvas;
     std::deque<panels::Message> messages;
-    double started_s{-1.0};
+    float side_panel_px{0.0F};  // as wide as the accuracy panel was in the last frame
 };
 
-Overlay::Overlay(platform::Window& window, float ui_scale) : impl_(std::make_unique<Impl>()) {
-    IMGUI_CHECKVERSION();
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.LogFilename = nullptr;
-    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_NavEnableGamepad |
-                      ImGuiConfigFlags_NoMouseCursorChange;
-    const float scale = ui_scale > 0.0F ? ui_scale : std::max(1.0F, window.content_scale());
-    load_font(scale);
-    panels::apply_style(scale);
-    ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+Overlay::Overlay(platform::Window& window, const std::filesystem::path& thumbnails)
+    : impl_(std::make_unique<Impl>(window)) {
+    impl_->canvas.set_pictures(pictures_in(thumbnails));
+    const platform::PixelSize size = window.framebuffer_size();
+    impl_->canvas.resize(size.width, size.height, window.content_scale(), 0.0F);
     ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
 Overlay::~Overlay() {
     ImGui_ImplOpenGL3_Shutdown();
-    ImGui_ImplGlfw_Shutdown();
-    ImGui::DestroyContext();
 }
 
-void Overlay::take_input(const InputSnapshot& input) {
-    ImGuiIO& io = ImGui::GetIO();
-    const auto is_down = [&](int key) { return input.keys[static_cast<std::size_t>(key)]; };
-    for (const int key : impl_->tapped_keys) io.KeysDown[key] = is_down(key);
-    impl_->tapped_keys.clear();
-    for (const DeviceEvent& event : input.events) {
-        if (event.kind != DeviceEventKind::Key || !event.pressed) continue;
-        if (event.code < 0 || event.code >= kKeyCount || is_down(event.code)) continue;
-        io.KeysDown[event.code] = true;
-        impl_->tapped_keys.push_back(event.code);
-    }
+void Overlay::follow_window(float ui_scale, ui::MenuControl& menu) {
+    const platform::PixelSize size = impl_->window.framebuffer_size();
+    if (size.width == 0) return;
+    ui::Canvas& canvas = impl_->canvas;
+    bool remade = canvas.resize(size.width, size.height, impl_->window.content_scale(), ui_scale);
+    if (menu.open()) remade |= canvas.load_pictures();
+    if (remade) impl_->make_texture();
+    menu.lay_out(canvas.width_px(), canvas.height_px(), canvas.font_px(), canvas.text_size());
 }
 
 void Overlay::say(std::string message, double now_s) {
+    const double until_s = now_s + kMessage_s + kReading_s * static_cast<double>(message.size());
     // A message that is still up is renewed, not stacked.
     for (panels::Message& shown : impl_->messages) {
         if (shown.text == message) {
-            shown.until_s = now_s + kMessage_s;
+            shown.until_s = until_s;
             return;
         }
     }
-    impl_->messages.push_back({std::move(message), now_s + kMessage_s});
+    impl_->messages.push_back({std::move(message), until_s});
     if (impl_->messages.size() > kMessages) impl_->messages.pop_front();
 }
 
-OverlayAnswer Overlay::draw(const OverlayInput& input) {
-    if (impl_->started_s < 0.0) impl_->started_s = input.now_s;
+AccuracyRequest Overlay::draw(const OverlayInput& input,
+                              const InputSnapshot& devices,
+                              const ui::MenuControl& menu) {
     std::erase_if(impl_->messages,
                   [&](const panels::Message& m) { return m.until_s < input.now_s; });
-
+    ui::Canvas& canvas = impl_->canvas;
     ImGui_ImplOpenGL3_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
-    ImGui::NewFrame();
-    OverlayAnswer answer;
-    if (input.parts.hud && !input.parts.menu) {
-        panels::draw_crosshair(input.hud);
-        if (input.show_hints) panels::draw_hints(input, input.now_s - impl_->started_s);
-        panels::draw_status(input);
-        if (input.judge != nullptr) panels::draw_verdict(input);
+    canvas.begin(devices);
+    AccuracyRequest answer;
+    float side_px = 0.0F;
+    if (input.parts.accuracy && !menu.open())
+        answer = panels::draw_accuracy(input.accuracy, input.clock, canvas.font_px(), side_px);
+    ui::HudTexts texts;
+    if (!menu.open()) {
+        texts = panels::hud_texts(input);
+        // Two panels of that size stand beside each other in wide windows only.
+        if (side_px > canvas.width_px() * 0.4F) texts.side.clear();
     }
-    panels::draw_messages(impl_->messages, input.now_s);
-    if (input.parts.help) panels::draw_help(input);
-    if (input.parts.stats) panels::draw_stats(input);
-    if (input.parts.accuracy && !input.parts.menu)
-        answer.accuracy = panels::draw_accuracy(input.accuracy, input.clock);
-    if (input.parts.menu) answer.menu = panels::draw_menu(input);
-    ImGui::Render();
+    texts.messages = panels::message_lines(impl_->messages, input.now_s, input.reduce_motion);
+    const ui::HudLayout layout = ui::layout_of(texts,
+                                               canvas.width_px(),
+                                               canvas.height_px(),
+                                               canvas.font_px(),
+                                               side_px,
+                                               canvas.text_size());
+    if (input.parts.hud && !menu.open()) panels::draw_crosshair(input, canvas.font_px());
+    constexpr float kFaint = 0.5F;
+    constexpr float kSolid = 0.72F;
+    canvas.draw(layout.status, kFaint);
+    canvas.draw(layout.verdict, kSolid);
+    canvas.draw(layout.side, kSolid);
+    canvas.draw(layout.target, 0.25F);
+    canvas.draw(layout.hint, kSolid);
+    canvas.draw(menu.menu());
+    canvas.draw(layout.messages, kSolid, ui::Layer::Above);
+    canvas.end();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     return answer;
-}
-
-bool Overlay::wants_keyboard() const {
-    return ImGui::GetIO().WantTextInput;
 }
 
 bool Overlay::wants_mouse() const {

@@ -1,8 +1,10 @@
-// Everything drawn over the picture: crosshair, hints, messages, help, statistics, the menu.
-// The only user of Dear ImGui. Reads; what the person chose in it is returned.
+// Everything drawn over the picture: crosshair, hints, messages, statistics, the accuracy panel and
+// the menu. With ui/ the only user of Dear ImGui. Reads; what was chosen in it is returned or, on
+// the pages of the menu, done by what the pages were given.
 #pragma once
 
 #include "engine/app/accuracy_control.h"
+#include "engine/app/first_minute.h"
 #include "engine/app/frame_report.h"
 #include "engine/core/frame_clock.h"
 #include "engine/input/action_latch.h"
@@ -11,26 +13,20 @@
 #include "engine/study/gallery/hard_case_judge.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace plumbline::app {
 
+namespace ui {
+class MenuControl;
+}
+
 /// Which parts are shown.
 struct OverlayParts {
     bool hud{true};
-    bool help{false};
     bool stats{false};
     bool accuracy{false};
-    bool menu{false};
-};
-
-/// What was chosen in the menu this frame.
-enum class MenuChoice : std::uint8_t { None, Resume, Reset, Controls, Quit };
-
-/// What was asked for in the overlay this frame.
-struct OverlayAnswer {
-    MenuChoice menu{MenuChoice::None};
-    AccuracyRequest accuracy{};
 };
 
 /// All that the overlay reads in one frame.
@@ -45,31 +41,32 @@ struct OverlayInput {
     const std::vector<effects::LedgerLine>& ledger;
     const AccuracyControl& accuracy;
     const study::HardCaseJudge* judge{nullptr};  ///< of a hard case; null: no such scene
+    std::optional<FirstStep> hint{};             ///< what to do next, for who has not yet
     bool sound_silent{false};
-    bool show_hints{true};
+    bool reduce_motion{false};
     std::size_t lines_not_shown{0};
     double now_s{0};
 };
 
 class Overlay {
 public:
-    /// The window must outlive it. ui_scale 0: from the content scale.
-    Overlay(platform::Window& window, float ui_scale);
+    /// The window must outlive it. `thumbnails`: a folder of NAME.jpg for scenes NAME.
+    Overlay(platform::Window& window, const std::filesystem::path& thumbnails);
     ~Overlay();
     Overlay(const Overlay&) = delete;
     Overlay& operator=(const Overlay&) = delete;
 
-    /// Once a frame, after the window was polled: a key that went down and up between two frames
-    /// counts as down for one.
-    void take_input(const InputSnapshot& input);
+    /// Once a frame, after the window was polled: letters and pages for the window as it is now.
+    void follow_window(float ui_scale, ui::MenuControl& menu);
 
-    /// A line that fades after some seconds.
+    /// A line that fades after some seconds; longer ones stay longer.
     void say(std::string message, double now_s);
 
     /// Builds and draws into the bound framebuffer.
-    OverlayAnswer draw(const OverlayInput& input);
+    AccuracyRequest draw(const OverlayInput& input,
+                         const InputSnapshot& devices,
+                         const ui::MenuControl& menu);
 
-    bool wants_keyboard() const;
     bool wants_mouse() const;
 
 private:

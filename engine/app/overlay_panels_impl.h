@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/app/overlay.h"
+#include "engine/app/ui/hud_layout.h"
 
 #include <deque>
 #include <string>
@@ -13,18 +14,17 @@ struct Message {
     double until_s{0};
 };
 
-void text(const std::string& line);  ///< as it is, no format characters
-void apply_style(float scale);
-void draw_crosshair(const scene::HudContent& hud);
-/// The keys that matter, by their printed names; shown for the first seconds, then only H's.
-void draw_hints(const OverlayInput& input, double shown_s);
-/// What is chosen, paused, slowed, lost: only what is not as usual.
-void draw_status(const OverlayInput& input);
-void draw_verdict(const OverlayInput& input);  ///< of a hard case: how each rule stands
-void draw_messages(const std::deque<Message>& messages, double now_s);
-void draw_help(const OverlayInput& input);
-void draw_stats(const OverlayInput& input);
-MenuChoice draw_menu(const OverlayInput& input);
-AccuracyRequest draw_accuracy(const AccuracyControl& control, const FrameClock& clock);
+/// All that is written over the picture in play, but for messages.
+ui::HudTexts hud_texts(const OverlayInput& input);
+std::vector<ui::HudLine> message_lines(const std::deque<Message>& messages,
+                                       double now_s,
+                                       bool reduce_motion);
+/// The aim, the charge of a throw around it, and signs of what is switched on.
+void draw_crosshair(const OverlayInput& input, float font_px);
+/// `taken_px`: how much of the right edge it needs.
+AccuracyRequest draw_accuracy(const AccuracyControl& control,
+                              const FrameClock& clock,
+                              float font_px,
+                              float& taken_px);
 
 }  // namespace plumbline::app::panels

@@ -1,6 +1,7 @@
 #include "engine/input/action_latch.h"
 
 #include "engine/core/math.h"
+#include "engine/input/modifier_keys.h"
 #include "engine/input/stick.h"
 
 #include <algorithm>
@@ -18,19 +19,12 @@ constexpr double kMaxLookStep_s = 0.1;
 constexpr double kJump_counts = 1'000.0;  // in a frame of kJumpFrame_s or less
 constexpr double kLargestJump_counts = 4'000.0;
 constexpr double kJumpFrame_s = 0.02;
+// A modifier key that begins chords as well drives its own action only once no chord can be meant.
+constexpr double kChordWait_s = 0.15;
 
 constexpr std::size_t index_of(Action action) {
     return static_cast<std::size_t>(action);
 }
-
-struct ModifierKeys {
-    Modifier modifier;
-    std::size_t left;
-    std::size_t right;
-};
-// GLFW's codes of the modifier keys.
-constexpr auto kModifierKeys = std::to_array<ModifierKeys>(
-    {{kShift, 340, 344}, {kCtrl, 341, 345}, {kAlt, 342, 346}, {kSuper, 343, 347}});
 
 /// Walking follows the stick's travel; everything else is pressed when an axis passes a threshold.
 bool is_analog(Action action) {
@@ -55,6 +49,12 @@ struct Holder {
     std::uint8_t modifiers;
 };
 
+/// A modifier key that may yet become part of a chord.
+struct Waiting {
+    Holder holder;
+    double since_s;
+};
+
 /// The same for axes, which come as states, not events.
 struct AxisHolder {
     Action action;
@@ -69,6 +69,7 @@ struct ActionLatch::Impl {
     Bindings bindings;
     LabelLookup label_of{us_label};
     std::vector<Holder> holders;
+    std::vector<Waiting> waiting;
     std::vector<AxisHolder> axis_holders;
     std::bitset<kActionCount> toggled;
     std::array<std::uint8_t, kActionCount> step_presses{};
@@ -87,9 +88,11 @@ struct ActionLatch::Impl {
 
     bool is_live(Action action) const;
     bool matches(const Input& input, const DeviceEvent& event) const;
-    std::uint8_t modifiers_down() const;
     void press(Action action);
+    bool begins_chords(const DeviceEvent& event) const;
     void on_press(const DeviceEvent& event);
+    void end_waiting(std::uint8_t chord);
+    void start_what_waited(double now_s);
     void on_release(DeviceEventKind kind, int code);
     void drop_broken_chords();
     void on_event(const DeviceEvent& event);
@@ -127,13 +130,6 @@ bool ActionLatch::Impl::matches(const Input& input, const DeviceEvent& event) co
     return false;
 }
 
-std::uint8_t ActionLatch::Impl::modifiers_down() const {
-    unsigned down = 0;
-    for (const ModifierKeys& keys : kModifierKeys)
-        if (keys_down[keys.left] || keys_down[keys.right]) down |= keys.modifier;
-    return static_cast<std::uint8_t>(down);
-}
-
 void ActionLatch::Impl::press(Action action) {
     const std::size_t i = index_of(action);
     if (step_presses[i] < 255) ++step_presses[i];
@@ -146,7 +142,7 @@ void ActionLatch::Impl::press(Action action) {
 // beats the plain key, and the plain key works whatever else is down.
 void ActionLatch::Impl::on_press(const DeviceEvent& event) {
     on_release(event.kind, event.code);
-    const std::uint8_t down = modifiers_down();
+    const std::uint8_t down = modifiers_down(keys_down);
     int most = -1;
     std::vector<Holder> found;
     for (std::size_t i = 0; i < kActionCount; ++i) {
@@ -161,18 +157,61 @@ void ActionLatch::Impl::on_press(const DeviceEvent& event) {
             found.push_back({action, event.kind, event.code, input.modifiers});
         }
     }
+    if (most > 0) end_waiting(found.front().modifiers);
+    const bool waits = begins_chords(event);
     for (const Holder& holder : found) {
+        if (waits) {
+            waiting.push_back({holder, last_now_s});
+            continue;
+        }
         press(holder.action);
         if (event.kind != DeviceEventKind::Wheel) holders.push_back(holder);
     }
 }
 
+bool ActionLatch::Impl::begins_chords(const DeviceEvent& event) const {
+    if (event.kind != DeviceEventKind::Key) return false;
+    const std::uint8_t modifier = modifier_of(event.code);
+    if (modifier == 0) return false;
+    for (std::size_t i = 0; i < kActionCount; ++i) {
+        if (!is_live(static_cast<Action>(i))) continue;
+        for (const Input& input : bindings.inputs[i])
+            if ((input.modifiers & modifier) != 0) return true;
+    }
+    return false;
+}
+
+// What the chord's own keys drive by themselves was not meant.
+void ActionLatch::Impl::end_waiting(std::uint8_t chord) {
+    const auto in_chord = [&](const Holder& holder) {
+        return holder.kind == DeviceEventKind::Key && (modifier_of(holder.code) & chord) != 0;
+    };
+    std::erase_if(waiting, [&](const Waiting& each) { return in_chord(each.holder); });
+    std::erase_if(holders, in_chord);
+}
+
+void ActionLatch::Impl::start_what_waited(double now_s) {
+    std::erase_if(waiting, [&](const Waiting& each) {
+        if (now_s - each.since_s < kChordWait_s) return false;
+        press(each.holder.action);
+        holders.push_back(each.holder);
+        return true;
+    });
+}
+
 void ActionLatch::Impl::on_release(DeviceEventKind kind, int code) {
-    std::erase_if(holders, [&](const Holder& h) { return h.kind == kind && h.code == code; });
+    const auto mine = [&](const Holder& h) { return h.kind == kind && h.code == code; };
+    std::erase_if(holders, mine);
+    // Let go before it was clear that no chord is meant: a press all the same.
+    std::erase_if(waiting, [&](const Waiting& each) {
+        if (!mine(each.holder)) return false;
+        press(each.holder.action);
+        return true;
+    });
 }
 
 void ActionLatch::Impl::drop_broken_chords() {
-    const std::uint8_t down = modifiers_down();
+    const std::uint8_t down = modifiers_down(keys_down);
     std::erase_if(holders, [&](const Holder& h) { return (h.modifiers & down) != h.modifiers; });
 }
 
@@ -198,6 +237,7 @@ void ActionLatch::Impl::on_event(const DeviceEvent& event) {
 
 void ActionLatch::Impl::release_everything() {
     holders.clear();
+    waiting.clear();
     axis_holders.clear();
     axis_trusted.fill(false);
     toggled.reset();
@@ -210,6 +250,7 @@ void ActionLatch::Impl::release_everything() {
 
 void ActionLatch::Impl::release_keyboard() {
     std::erase_if(holders, [](const Holder& h) { return h.kind == DeviceEventKind::Key; });
+    waiting.clear();
 }
 
 void ActionLatch::Impl::release_pad() {
@@ -341,6 +382,7 @@ void ActionLatch::update(const InputSnapshot& input, const InputFocus& focus) {
     latch.drop_sudden_focus_changes(input, focus);
     for (const DeviceEvent& event : input.events) latch.on_event(event);
     latch.keys_down = input.keys;
+    latch.start_what_waited(input.now_s);
     if (!input.focused) {
         latch.release_everything();
         return;

@@ -79,11 +79,17 @@ std::string misfit(const Input& input, Action action, HoldMode mode) {
     return {};
 }
 
+/// A message whose last words are what an action keeps: known only once every layer is laid.
+struct Kept {
+    Diagnostic fault;
+    Action action;
+};
+
 /// Lays one layer over the table.
 class Merge {
 public:
-    Merge(Bindings& bindings, std::string layer, Diagnostics& faults)
-        : bindings_(bindings), layer_(std::move(layer)), faults_(faults) {}
+    Merge(Bindings& bindings, std::string layer, std::vector<Kept>& reports)
+        : bindings_(bindings), layer_(std::move(layer)), reports_(reports) {}
 
     void apply(const std::vector<LayerLine>& lines) {
         for (const LayerLine& line : lines) apply_line(line);
@@ -101,8 +107,10 @@ private:
         return place.line > 0 ? fmt::format("{}:{}", layer_, place.line) : layer_;
     }
 
-    void report(Severity severity, Place place, std::string message) {
-        faults_.add({severity, layer_, place.line, place.column, {}, std::move(message)});
+    /// `message` ends where the words that `action` keeps follow.
+    void report(Severity severity, Place place, std::string message, Action action) {
+        reports_.push_back(
+            {{severity, layer_, place.line, place.column, {}, std::move(message)}, action});
     }
 
     const Accepted* clashing(const Input& input, Action action) const {
@@ -159,11 +167,11 @@ private:
         for (const EntryFault& fault : faults)
             report(Severity::Error,
                    fault.place,
-                   fmt::format("{}. {}; \"{}\" keeps: {}",
+                   fmt::format("{}. {}; \"{}\" keeps: ",
                                with_action(fault.message, line.action),
                                is_used ? "This entry is left out" : "Line ignored",
-                               action_name(line.action),
-                               words_of(kept)));
+                               action_name(line.action)),
+                   line.action);
     }
 
     /// `unknown input "x"` becomes `unknown input "x" for action "jump"`.
@@ -193,21 +201,20 @@ private:
                                                      entry.input.word,
                                                      action_name(entry.action),
                                                      origin_of(entry.place)));
-            report(
-                Severity::Warning,
-                entry.place,
-                fmt::format("\"{}\" now drives \"{}\" and no longer \"{}\" ({}), which keeps: {}",
-                            entry.input.word,
-                            action_name(entry.action),
-                            action_name(other),
-                            from,
-                            words_of(inputs)));
+            report(Severity::Warning,
+                   entry.place,
+                   fmt::format("\"{}\" now drives \"{}\" and no longer \"{}\" ({}), which keeps: ",
+                               entry.input.word,
+                               action_name(entry.action),
+                               action_name(other),
+                               from),
+                   other);
         }
     }
 
     Bindings& bindings_;
     std::string layer_;
-    Diagnostics& faults_;
+    std::vector<Kept>& reports_;
     std::vector<Accepted> accepted_;
 };
 
@@ -242,10 +249,27 @@ void drop_wheels_that_cannot_hold(Bindings& bindings, Diagnostics& faults) {
 
 }  // namespace
 
+std::vector<Action> also_drives(const Bindings& bindings, const Input& input, Action action) {
+    std::vector<Action> others;
+    for (std::size_t i = 0; i < kActionCount; ++i) {
+        const auto other = static_cast<Action>(i);
+        const auto clashes = [&](const Input& theirs) {
+            return clash(input, action, theirs, other);
+        };
+        if (std::ranges::any_of(bindings.inputs[i], clashes)) others.push_back(other);
+    }
+    return others;
+}
+
+std::string why_not(const Bindings& bindings, const Input& input, Action action) {
+    return misfit(input, action, bindings.hold_mode[index_of(action)]);
+}
+
 Bindings load_bindings(const std::vector<BindingLayer>& layers,
                        const std::vector<std::string>& command_line,
                        Diagnostics& faults) {
     Bindings bindings = built_in_bindings();
+    std::vector<Kept> reports;
     for (const BindingLayer& layer : layers) {
         const std::optional<LayerContent> content = read_layer(layer, bindings.tuning, faults);
         if (!content) {
@@ -255,15 +279,19 @@ Bindings load_bindings(const std::vector<BindingLayer>& layers,
         for (const std::string& alias : content->aliases) log_note("{}", alias);
         for (const LayerHold& hold : content->holds)
             bindings.hold_mode[index_of(hold.action)] = hold.mode;
-        Merge(bindings, layer.name, faults).apply(content->lines);
+        Merge(bindings, layer.name, reports).apply(content->lines);
     }
     std::vector<LayerLine> options;
     for (const std::string& option : command_line)
         if (std::optional<LayerLine> line = read_bind_option(option, faults))
             options.push_back(std::move(*line));
-    Merge(bindings, "--bind", faults).apply(options);
+    Merge(bindings, "--bind", reports).apply(options);
     drop_wheels_that_cannot_hold(bindings, faults);
     keep_escape(bindings);
+    for (Kept& report : reports) {
+        report.fault.message += words_of(bindings.of(report.action));
+        faults.add(std::move(report.fault));
+    }
     return bindings;
 }
 

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -106,6 +107,11 @@ Bindings load_bindings(const std::vector<BindingLayer>& layers,
                        const std::vector<std::string>& command_line,
                        Diagnostics& faults);
 
+/// The other actions that this input drives while `action` is live.
+std::vector<Action> also_drives(const Bindings& bindings, const Input& input, Action action);
+/// Why this input cannot drive this action at all; empty when it can.
+std::string why_not(const Bindings& bindings, const Input& input, Action action);
+
 /// The table in the program, with no file at all.
 Bindings built_in_bindings();
 
@@ -113,10 +119,15 @@ Bindings built_in_bindings();
 /// "uparrow") are taken and canonical words given back.
 Result<Input> parse_input(std::string_view word);
 
+/// What this key, button, wheel step or axis is called, with its chord; nothing where it has no word.
+std::optional<Input> input_of(DeviceKind kind, int code, int direction, std::uint8_t modifiers);
+
 /// Every word that parse_input takes, canonical spelling, for --list-keys and nearest names.
 const std::vector<std::string_view>& input_words();
 
 /// The effective table as TOML, a comment on each line saying which layer it came from.
 std::string print_bindings(const Bindings& bindings);
+/// The list of a line, as TOML: ["w", "up"].
+std::string inputs_text(const std::vector<Input>& inputs);
 
 }  // namespace plumbline::input

@@ -61,6 +61,15 @@ void print_holds(std::string& text, const Bindings& bindings) {
 
 }  // namespace
 
+std::string inputs_text(const std::vector<Input>& inputs) {
+    std::string list;
+    for (const Input& input : inputs) {
+        if (!list.empty()) list += ", ";
+        list += in_quotes(input.word);
+    }
+    return "[" + list + "]";
+}
+
 std::string print_bindings(const Bindings& bindings) {
     std::string text =
         "# What drives what, all layers together. Each line says which layer it comes from.\n"
@@ -74,12 +83,8 @@ std::string print_bindings(const Bindings& bindings) {
             group = group_name(group_of(action));
             text += fmt::format("\n[{}]\n", group);
         }
-        std::string list;
-        for (const Input& input : bindings.inputs[i]) {
-            if (!list.empty()) list += ", ";
-            list += in_quotes(input.word);
-        }
-        const std::string line = fmt::format("{} = [{}]", action_name(action), list);
+        const std::string line =
+            fmt::format("{} = {}", action_name(action), inputs_text(bindings.inputs[i]));
         text += fmt::format("{:<56}  # {}\n", line, comment_of(bindings, action));
     }
     return text;

@@ -325,6 +325,15 @@ const std::vector<std::string_view>& input_words() {
     return kAll;
 }
 
+std::optional<Input> input_of(DeviceKind kind, int code, int direction, std::uint8_t modifiers) {
+    const auto* const found = std::ranges::find_if(kWords, [&](const Word& word) {
+        return word.kind == kind && word.code == code && word.direction == direction;
+    });
+    if (found == kWords.end()) return std::nullopt;
+    Result<Input> input = parse_input(with_modifiers(modifiers, found->word));
+    return input ? std::optional<Input>{*input} : std::nullopt;
+}
+
 Result<Input> parse_input(std::string_view word) {
     if (word.size() > kLongestWord)
         return Error{.message = fmt::format("unknown input of {} letters", word.size())};

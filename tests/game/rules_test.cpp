@@ -279,6 +279,27 @@ TEST(Rules, FliesOrbitsAndWalksAgain) {
     EXPECT_NEAR(play.feet().y, 0, 1e-3);
 }
 
+// The keys of the profiles `book`, `nature` and `viewer` do something in the mode a scene starts in.
+TEST(Rules, TurnsByKeysAndZoomsByTheWheelWhileWalking) {
+    Playground play;
+    const auto forward = [&] {
+        return play.game->view(*play.simulation, 1, 0.0F, 0.0F).world_from_camera.orientation *
+               Vec3{0, 0, -1};
+    };
+    play.run(0.5, hold({Action::RotateLeft}));
+    EXPECT_NEAR(forward().x, -std::sin(0.8), 0.02);  // 1.6 rad/s to the left
+    play.run(0.5, hold({Action::RotateRight}));
+    EXPECT_NEAR(forward().x, 0.0, 0.02);
+
+    const Real before = play.game->view(*play.simulation, 1, 0.0F, 0.0F).fov_y_rad;
+    Actions wheel;
+    wheel.pressed[static_cast<std::size_t>(Action::ZoomIn)] = 2;
+    play.step(wheel);
+    EXPECT_NEAR(play.game->view(*play.simulation, 1, 0.0F, 0.0F).fov_y_rad,
+                before * std::exp(-0.2_r),
+                1e-4);
+}
+
 TEST(Rules, AViewWithoutAPlayerStartsAtTheCamera) {
     scene::SceneDescription scene = meadow();
     scene.player.reset();

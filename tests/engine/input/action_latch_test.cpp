@@ -13,6 +13,7 @@ constexpr int kEscape = 256;
 constexpr int kF3 = 292;
 constexpr int kLeftShift = 340;
 constexpr int kRightShift = 344;
+constexpr int kLeftControl = 341;
 constexpr double kFrame_s = 1.0 / 60.0;
 
 /// Devices played by hand: what is pressed stays down until released.
@@ -168,10 +169,57 @@ TEST(ActionLatch, APlainKeyWorksWhateverModifiersAreDown) {
     Hands hands;
     hands.key(kLeftShift, true);
     hands.key('W', true);
-    hands.frame();
+    for (int i = 0; i < 12; ++i) hands.frame();  // by then no chord can be meant
     const Actions actions = hands.latch.take();
     EXPECT_TRUE(actions.is_held(Action::Forward));
     EXPECT_TRUE(actions.is_held(Action::Sprint));
+}
+
+// Ctrl+R reads the scene again, and Ctrl alone crouches or flies down.
+TEST(ActionLatch, AChordsOwnKeysDriveNothing) {
+    Hands hands;
+    hands.key(kLeftControl, true);
+    for (int i = 0; i < 6; ++i) {
+        hands.frame();  // 0.1 s
+        EXPECT_FALSE(hands.latch.take().is_held(Action::Crouch));
+    }
+    hands.tap('R');
+    for (int i = 0; i < 30; ++i) {
+        hands.frame();
+        const Actions actions = hands.latch.take();
+        EXPECT_FALSE(actions.is_held(Action::Crouch));
+        EXPECT_EQ(actions.presses(Action::Crouch), 0);
+    }
+    hands.key(kLeftControl, false);
+    hands.frame();
+    EXPECT_EQ(hands.latch.take().presses(Action::Crouch), 0);
+    EXPECT_EQ(hands.latch.take_frame_presses(Action::Reload), 1);
+    EXPECT_EQ(hands.latch.take_frame_presses(Action::Reset), 0);
+}
+
+TEST(ActionLatch, AChordAfterAllEndsWhatItsKeyHeld) {
+    Hands hands;
+    hands.key(kLeftControl, true);
+    for (int i = 0; i < 12; ++i) hands.frame();
+    EXPECT_TRUE(hands.latch.take().is_held(Action::Crouch));
+    hands.tap('R');
+    hands.frame();
+    EXPECT_FALSE(hands.latch.take().is_held(Action::Crouch));
+}
+
+TEST(ActionLatch, AModifierThatIsTappedIsAPressOfItsOwn) {
+    Hands hands("[hold]\ncrouch = \"toggle\"\n");
+    hands.tap(kLeftControl);
+    hands.frame();
+    EXPECT_EQ(hands.latch.take().presses(Action::Crouch), 1);
+    EXPECT_TRUE(hands.latch.take().is_held(Action::Crouch));
+}
+
+TEST(ActionLatch, AModifierThatBeginsNoChordActsAtOnce) {
+    Hands hands("[view]\nrecord = [\"f6\"]\n");  // the only chord with Shift is gone
+    hands.key(kLeftShift, true);
+    hands.frame();
+    EXPECT_TRUE(hands.latch.take().is_held(Action::Sprint));
 }
 
 TEST(ActionLatch, TheLongerChordWins) {

@@ -1,0 +1,15 @@
+// What actions are called where people read: in the help, the controls pages and messages.
+#pragma once
+
+#include "engine/core/actions.h"
+
+#include <string_view>
+
+namespace plumbline::app {
+
+std::string_view action_words(Action action);     ///< "drop the chosen thing"
+std::string_view group_words(ActionGroup group);  ///< "Things"
+/// False for actions that files may name and this version does not do.
+bool in_this_version(Action action);
+
+}  // namespace plumbline::app

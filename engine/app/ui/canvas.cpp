@@ -1,0 +1,247 @@
+#include "engine/app/ui/canvas_impl.h"
+#include "engine/app/ui/ui_scale.h"
+#include "engine/assets/image_import.h"
+#include "engine/core/log.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+
+namespace plumbline::app::ui {
+namespace {
+
+constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+
+// Latin, Greek and Cyrillic (key labels of other layouts), dashes and quotes, arrows.
+constexpr std::array<ImWchar, 11> kLetters{
+    0x20, 0x17F, 0x370, 0x3FF, 0x400, 0x52F, 0x2010, 0x203A, 0x2190, 0x2199, 0};
+
+ImU32 color_of(Tone tone, float alpha) {
+    const auto a = static_cast<int>(std::clamp(alpha, 0.0F, 1.0F) * 255.0F);
+    switch (tone) {
+        case Tone::Plain:
+            return IM_COL32(245, 245, 245, a);
+        case Tone::Head:
+            return IM_COL32(255, 209, 115, a);
+        case Tone::Good:
+            return IM_COL32(140, 230, 140, a);
+        case Tone::Bad:
+            return IM_COL32(255, 125, 110, a);
+        case Tone::Faint:
+            return IM_COL32(205, 205, 205, a);
+    }
+    return IM_COL32_WHITE;
+}
+
+void apply_style(float font_px) {
+    ImGuiStyle& style = ImGui::GetStyle();
+    style = ImGuiStyle();
+    ImGui::StyleColorsDark();
+    style.WindowRounding = 6.0F;
+    style.FrameRounding = 4.0F;
+    style.WindowBorderSize = 0.0F;
+    style.WindowPadding = {10.0F, 8.0F};
+    style.ScaleAllSizes(font_px / kUsualFont_px);
+}
+
+}  // namespace
+
+Canvas::Canvas() : impl_(std::make_unique<Impl>()) {
+    IMGUI_CHECKVERSION();
+    impl_->context = ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+    impl_->text_size.width_px = [impl = impl_.get()](const std::string& words) {
+        const ImFont* font = ImGui::GetIO().Fonts->Fonts[0];
+        return font
+            ->CalcTextSizeA(impl->font_px, FLT_MAX, 0.0F, words.data(), words.data() + words.size())
+            .x;
+    };
+    impl_->text_size.height_px = [impl = impl_.get()](const std::string& words, float wrap_px) {
+        if (words.empty()) return 0.0F;
+        const ImFont* font = ImGui::GetIO().Fonts->Fonts[0];
+        return font
+            ->CalcTextSizeA(impl->font_px,
+                            FLT_MAX,
+                            std::max(1.0F, wrap_px),
+                            words.data(),
+                            words.data() + words.size())
+            .y;
+    };
+}
+
+Canvas::~Canvas() {
+    ImGui::DestroyContext(impl_->context);
+}
+
+void Canvas::set_pictures(std::map<std::string, std::filesystem::path> files) {
+    impl_->picture_files = std::move(files);
+}
+
+bool Canvas::load_pictures() {
+    if (std::exchange(impl_->pictures_loaded, true)) return false;
+    for (const auto& [name, file] : impl_->picture_files) {
+        const Result<assets::ImageData> image = assets::import_image(file);
+        if (!image) {
+            log_note("no picture of {}: {}", name, image.error().message);
+            continue;
+        }
+        const std::uint32_t bytes = assets::bytes_per_pixel(image->format);
+        constexpr std::uint32_t kLargest_px = 512;
+        if (bytes < 3 || bytes > 4 || image->width > kLargest_px || image->height > kLargest_px)
+            continue;
+        Impl::Picture picture{.width = static_cast<int>(image->width),
+                              .height = static_cast<int>(image->height)};
+        for (std::size_t i = 0; i + bytes <= image->bytes.size(); i += bytes) {
+            picture.rgba.insert(picture.rgba.end(), &image->bytes[i], &image->bytes[i] + 3);
+            picture.rgba.push_back(255);
+        }
+        impl_->pictures.emplace(name, std::move(picture));
+    }
+    if (impl_->font_px > 0.0F) impl_->build_atlas();
+    return true;
+}
+
+void Canvas::Impl::build_atlas() {
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    if (!pictures.empty()) atlas.TexDesiredWidth = 2048;
+    std::error_code ignored;
+    if (std::filesystem::exists(kFont, ignored)) {
+        atlas.AddFontFromFileTTF(kFont, font_px, nullptr, kLetters.data());
+    } else {
+        ImFontConfig config;
+        config.SizePixels = font_px;
+        atlas.AddFontDefault(&config);
+    }
+    for (auto& [name, picture] : pictures)
+        picture.place = atlas.AddCustomRectRegular(picture.width, picture.height);
+    unsigned char* pixels = nullptr;
+    int width = 0;
+    int height = 0;
+    atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
+    for (const auto& [name, picture] : pictures) {
+        const ImFontAtlasCustomRect* at = atlas.GetCustomRectByIndex(picture.place);
+        if (at == nullptr || !at->IsPacked()) continue;
+        const std::size_t row = static_cast<std::size_t>(picture.width) * 4;
+        for (int y = 0; y < picture.height; ++y) {
+            const std::size_t to =
+                (static_cast<std::size_t>(at->Y + y) * static_cast<std::size_t>(width) + at->X) * 4;
+            std::copy_n(&picture.rgba[static_cast<std::size_t>(y) * row], row, pixels + to);
+        }
+    }
+    apply_style(font_px);
+}
+
+std::optional<PictureUv> Canvas::Impl::picture(const std::string& name) const {
+    const auto found = pictures.find(name);
+    if (found == pictures.end() || found->second.place < 0) return std::nullopt;
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    const ImFontAtlasCustomRect* at = atlas.GetCustomRectByIndex(found->second.place);
+    if (at == nullptr || !at->IsPacked()) return std::nullopt;
+    PictureUv uv;
+    atlas.CalcCustomRectUV(at, &uv.from, &uv.to);
+    return uv;
+}
+
+bool Canvas::resize(int width_px, int height_px, float content_scale, float setting) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(width_px), static_cast<float>(height_px)};
+    const float wanted = font_size_px(io.DisplaySize.x, io.DisplaySize.y, content_scale, setting);
+    if (wanted == impl_->font_px) return false;
+    impl_->font_px = wanted;
+    impl_->build_atlas();
+    return true;
+}
+
+float Canvas::font_px() const {
+    return impl_->font_px;
+}
+
+const TextSize& Canvas::text_size() const {
+    return impl_->text_size;
+}
+
+float Canvas::width_px() const {
+    return ImGui::GetIO().DisplaySize.x;
+}
+
+float Canvas::height_px() const {
+    return ImGui::GetIO().DisplaySize.y;
+}
+
+void Canvas::begin(const InputSnapshot& input) {
+    ImGuiIO& io = ImGui::GetIO();
+    constexpr double kLongest_s = 0.25;
+    const double elapsed_s = impl_->last_now_s < 0.0 ? 0.0 : input.now_s - impl_->last_now_s;
+    impl_->last_now_s = input.now_s;
+    io.DeltaTime = static_cast<float>(std::clamp(elapsed_s, 1e-3, kLongest_s));
+    io.MousePos = {static_cast<float>(input.cursor_px[0]), static_cast<float>(input.cursor_px[1])};
+    for (std::size_t i = 0; i < 3; ++i) io.MouseDown[i] = input.buttons[i];
+    for (const DeviceEvent& event : input.events) {
+        // A click shorter than a frame counts as down for one.
+        if (event.kind == DeviceEventKind::MouseButton && event.pressed && event.code < 3)
+            io.MouseDown[event.code] = true;
+        if (event.kind == DeviceEventKind::Wheel && event.code < 2)
+            io.MouseWheel += event.code == 0 ? 1.0F : -1.0F;
+    }
+    impl_->cut.clear();
+    ImGui::NewFrame();
+}
+
+void Canvas::Impl::text(ImDrawList& list, const Box& box, ImU32 color, const std::string& words) {
+    if (words.empty()) return;
+    constexpr float kSlack_px = 1.5F;
+    const float width = text_size.width_px(words);
+    const float height = text_size.height_px(words, box.width);
+    const bool breaks = words.find(' ') != std::string::npos;
+    if (height > box.height + kSlack_px || (!breaks && width > box.width + kSlack_px))
+        cut.push_back(words);
+    list.AddText(ImGui::GetIO().Fonts->Fonts[0],
+                 font_px,
+                 {std::floor(box.x), std::floor(box.y)},
+                 color,
+                 words.data(),
+                 words.data() + words.size(),
+                 std::max(1.0F, box.width + 0.5F));
+}
+
+void Canvas::draw(const HudPanel& panel, float opacity, Layer layer) {
+    if (panel.texts.empty()) return;
+    ImDrawList& list =
+        layer == Layer::Above ? *ImGui::GetForegroundDrawList() : *ImGui::GetBackgroundDrawList();
+    float strongest = 0.0F;
+    for (const PlacedText& text : panel.texts) strongest = std::max(strongest, text.line.alpha);
+    list.AddRectFilled({panel.box.x, panel.box.y},
+                       {panel.box.right(), panel.box.bottom()},
+                       IM_COL32(12, 12, 16, static_cast<int>(opacity * strongest * 255.0F)),
+                       impl_->font_px * 0.3F);
+    for (const PlacedText& text : panel.texts)
+        impl_->text(list, text.box, color_of(text.line.tone, text.line.alpha), text.line.text);
+}
+
+void Canvas::end() {
+    ImGui::Render();
+}
+
+std::vector<Canvas::ShownWindow> Canvas::windows() const {
+    std::vector<ShownWindow> shown;
+    for (const ImGuiWindow* window : impl_->context->Windows) {
+        if (!window->WasActive && !window->Active) continue;
+        if (window->Hidden || (window->Flags & ImGuiWindowFlags_NoBackground) != 0) continue;
+        shown.push_back(
+            {window->Name, {window->Pos.x, window->Pos.y, window->Size.x, window->Size.y}});
+    }
+    return shown;
+}
+
+const std::vector<std::string>& Canvas::cut_texts() const {
+    return impl_->cut;
+}
+
+}  // namespace plumbline::app::ui

@@ -1,0 +1,42 @@
+// Private to canvas.cpp and menu_draw.cpp.
+#pragma once
+
+#include "engine/app/ui/canvas.h"
+#include "engine/app/ui/menu.h"
+
+#include <imgui.h>
+
+#include <optional>
+
+namespace plumbline::app::ui {
+
+struct PictureUv {
+    ImVec2 from;
+    ImVec2 to;
+};
+
+struct Canvas::Impl {
+    ImGuiContext* context{nullptr};
+    float font_px{0.0F};
+    double last_now_s{-1.0};
+    TextSize text_size;
+    std::map<std::string, std::filesystem::path> picture_files;
+    struct Picture {
+        int width;
+        int height;
+        std::vector<std::uint8_t> rgba;
+        int place{-1};
+    };
+    std::map<std::string, Picture> pictures;
+    bool pictures_loaded{false};
+    std::vector<std::string> cut;
+
+    void build_atlas();
+    std::optional<PictureUv> picture(const std::string& name) const;
+    /// Wrapped into the box; notes it when it does not fit.
+    void text(ImDrawList& list, const Box& box, ImU32 color, const std::string& words);
+};
+
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size_px, ImU32 color);
+
+}  // namespace plumbline::app::ui

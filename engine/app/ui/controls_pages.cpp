@@ -1,0 +1,190 @@
+#include "engine/app/action_words.h"
+#include "engine/app/key_labels.h"
+#include "engine/app/ui/pages.h"
+
+#include <fmt/format.h>
+
+#include <bitset>
+#include <utility>
+
+namespace plumbline::app::ui {
+
+using input::PressCapture;
+
+namespace {
+
+/// What was down before this frame's events.
+std::bitset<kKeyCount> keys_before(const InputSnapshot& input) {
+    std::bitset<kKeyCount> keys = input.keys;
+    for (std::size_t i = input.events.size(); i-- > 0;) {
+        const DeviceEvent& event = input.events[i];
+        if (event.kind == DeviceEventKind::Key && event.code >= 0 && event.code < kKeyCount)
+            keys[static_cast<std::size_t>(event.code)] = !event.pressed;
+    }
+    return keys;
+}
+
+}  // namespace
+
+void MenuPages::change_bindings(const std::function<void(input::Bindings&)>& change) {
+    input::Bindings wanted = world_.bindings.stored();
+    change(wanted);
+    world_.change_bindings(wanted);
+}
+
+Line MenuPages::binding_line(Action action) {
+    const input::Bindings& stored = world_.bindings.stored();
+    const input::Bindings& below = world_.bindings.below();
+    Line line{.kind = LineKind::Cells, .label = std::string(action_words(action))};
+    const std::vector<input::Input>& inputs = stored.of(action);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        line.cells.push_back({.text = label_of(inputs[i]),
+                              .activate =
+                                  [this, action, i] {
+                                      wait_for_press({action, i});
+                                  },
+                              .remove =
+                                  [this, action, i] {
+                                      change_bindings([&](input::Bindings& wanted) {
+                                          input::remove_input(wanted, action, i);
+                                      });
+                                  }});
+    }
+    line.cells.push_back({.text = "+", .activate = [this, action, count = inputs.size()] {
+                              wait_for_press({action, count});
+                          }});
+    const auto index = static_cast<std::size_t>(action);
+    const bool holds = stored.hold_mode[index] == input::HoldMode::Hold;
+    const bool can_toggle =
+        action == Action::Crouch || action == Action::Sprint || action == Action::Grab;
+    if (can_toggle) {
+        line.cells.push_back(
+            {.text = holds ? "while held" : "on and off", .activate = [this, index, holds] {
+                 change_bindings([&](input::Bindings& wanted) {
+                     wanted.hold_mode[index] =
+                         holds ? input::HoldMode::Toggle : input::HoldMode::Hold;
+                 });
+             }});
+    }
+    if (!input::same_inputs(stored, below, action) ||
+        stored.hold_mode[index] != below.hold_mode[index]) {
+        line.cells.push_back({.text = "reset", .icon = Icon::Again, .activate = [this, action] {
+                                  change_bindings([&](input::Bindings& wanted) {
+                                      input::reset_action(wanted, world_.bindings.below(), action);
+                                  });
+                              }});
+    }
+    return line;
+}
+
+Page MenuPages::controls() {
+    Page page{.title = "Controls"};
+    page.lines.push_back(
+        {.kind = LineKind::Cells,
+         .cells = {back_cell(), {.text = "Reset all", .icon = Icon::Again, .activate = [this] {
+                                     world_.change_bindings(world_.bindings.below());
+                                 }}}});
+    page.lines.push_back({.kind = LineKind::Text,
+                          .label = "Choose a key to press another one in its place, + to add one; "
+                                   "Delete takes it away. Everything is stored at once."});
+    std::optional<ActionGroup> group;
+    for (std::size_t i = 0; i < kActionCount; ++i) {
+        const auto action = static_cast<Action>(i);
+        // How one looks around is a whole stick or the mouse: no press names those.
+        if (!in_this_version(action) || action == Action::Look) continue;
+        if (group != group_of(action)) {
+            group = group_of(action);
+            page.lines.push_back(
+                {.kind = LineKind::Heading, .label = std::string(group_words(*group))});
+            page.lines.push_back({.kind = LineKind::Cells,
+                                  .cells = {{.text = "Reset this group",
+                                             .icon = Icon::Again,
+                                             .activate = [this, of = *group] {
+                                                 change_bindings([&](input::Bindings& wanted) {
+                                                     input::reset_group(
+                                                         wanted, world_.bindings.below(), of);
+                                                 });
+                                             }}}});
+        }
+        page.lines.push_back(binding_line(action));
+    }
+    return page;
+}
+
+void MenuPages::wait_for_press(Slot slot) {
+    slot_ = slot;
+    refused_.clear();
+    wanted_.reset();
+    capture_begins_ = true;
+    capture_.emplace(std::bitset<kKeyCount>{});
+    menu_.push([this] { return press_page(); });
+}
+
+Page MenuPages::press_page() {
+    Page page{.title = fmt::format("Press what shall do: {}", action_words(slot_.action))};
+    if (!refused_.empty()) page.lines.push_back({.kind = LineKind::Text, .label = refused_});
+    page.lines.push_back(
+        {.kind = LineKind::Text,
+         .label =
+             "A key, a mouse button, the wheel, a pad button, a trigger or a stick; with Ctrl, "
+             "Shift, Alt or Super held as a chord. Escape leaves it as it was."});
+    return page;
+}
+
+void MenuPages::take_press(const InputSnapshot& input) {
+    if (std::exchange(capture_begins_, false)) capture_.emplace(keys_before(input));
+    const PressCapture::State state = capture_->take(input);
+    if (state == PressCapture::State::Waiting) return;
+    if (state == PressCapture::State::Cancelled) {
+        capture_.reset();
+        menu_.back();
+        return;
+    }
+    const input::Input taken = capture_->taken();
+    const input::Bindings& stored = world_.bindings.stored();
+    refused_ = input::why_not(stored, taken, slot_.action);
+    if (!refused_.empty()) {
+        capture_.emplace(input.keys);
+        return;
+    }
+    capture_.reset();
+    menu_.back();
+    if (input::also_drives(stored, taken, slot_.action).empty()) {
+        bind(slot_, taken);
+        return;
+    }
+    wanted_ = taken;
+    menu_.push([this] { return conflict_page(); });
+}
+
+void MenuPages::bind(Slot slot, const input::Input& input) {
+    change_bindings(
+        [&](input::Bindings& wanted) { input::put_input(wanted, slot.action, slot.index, input); });
+}
+
+Page MenuPages::conflict_page() {
+    Page page{.title = fmt::format("{} is taken", label_of(*wanted_))};
+    std::string others;
+    for (const Action other :
+         input::also_drives(world_.bindings.stored(), *wanted_, slot_.action)) {
+        others += fmt::format("{}\"{}\"", others.empty() ? "" : " and ", action_words(other));
+    }
+    page.lines.push_back({.kind = LineKind::Text,
+                          .label = fmt::format("{} does {} now. Shall it do \"{}\" instead?",
+                                               label_of(*wanted_),
+                                               others,
+                                               action_words(slot_.action))});
+    page.lines.push_back({.kind = LineKind::List,
+                          .cells = {{.text = fmt::format("Yes: {}", action_words(slot_.action)),
+                                     .activate =
+                                         [this] {
+                                             bind(slot_, *wanted_);
+                                             menu_.back();
+                                         }},
+                                    {.text = fmt::format("No: it stays with {}", others),
+                                     .icon = Icon::Back,
+                                     .activate = [this] { menu_.back(); }}}});
+    return page;
+}
+
+}  // namespace plumbline::app::ui

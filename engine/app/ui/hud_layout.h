@@ -1,0 +1,57 @@
+// Where the HUD's texts stand: pure arithmetic, so that a test can ask for any window.
+#pragma once
+
+#include "engine/app/ui/menu_layout.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace plumbline::app::ui {
+
+enum class Tone : std::uint8_t { Plain, Head, Good, Bad, Faint };
+
+struct HudLine {
+    std::string text;
+    Tone tone{Tone::Plain};
+    float alpha{1.0F};
+};
+
+/// What is written over the picture; an empty list: nothing of it.
+struct HudTexts {
+    std::vector<HudLine> status;    ///< top left: what is not as usual
+    std::vector<HudLine> verdict;   ///< below it: how a hard case stands
+    std::vector<HudLine> side;      ///< top right: what a frame costs
+    std::vector<HudLine> target;    ///< below the crosshair: what is looked at
+    std::vector<HudLine> messages;  ///< above the hint, newest last; the oldest go first
+    std::vector<HudLine> hint;      ///< at the bottom
+};
+
+struct PlacedText {
+    HudLine line;
+    Box box;  ///< wraps at its width
+};
+
+struct HudPanel {
+    Box box;
+    std::vector<PlacedText> texts;
+};
+
+struct HudLayout {
+    HudPanel status;
+    HudPanel verdict;
+    HudPanel side;
+    HudPanel target;
+    HudPanel messages;
+    HudPanel hint;
+};
+
+/// `right_taken_px`: at the right edge, for a panel with things to choose in it.
+HudLayout layout_of(const HudTexts& texts,
+                    float width_px,
+                    float height_px,
+                    float font_px,
+                    float right_taken_px,
+                    const TextSize& text);
+
+}  // namespace plumbline::app::ui

@@ -1,0 +1,36 @@
+// The menu with its pages and its share of the input.
+#pragma once
+
+#include "engine/app/ui/menu.h"
+#include "engine/app/ui/menu_input.h"
+#include "engine/app/ui/pages.h"
+
+namespace plumbline::app::ui {
+
+class MenuControl {
+public:
+    explicit MenuControl(MenuWorld world) : pages_(menu_, std::move(world)) {}
+
+    bool open() const { return menu_.open(); }
+    const Menu& menu() const { return menu_; }
+    void show_start();
+
+    /// As the window and its letters are now; before take() and before drawing.
+    void lay_out(float width_px, float height_px, float font_px, const TextSize& text) {
+        menu_.lay_out(width_px, height_px, font_px, text);
+    }
+
+    /// Takes this frame's events one by one, in order: the one that opens the menu, and from there
+    /// on what is the menu's. Returns what is left for playing.
+    InputSnapshot take(const InputSnapshot& input, const input::Bindings& bindings);
+
+private:
+    void take_event(const DeviceEvent& event, const input::Bindings& bindings);
+
+    Menu menu_;
+    MenuPages pages_;
+    MenuKeys keys_;
+    bool help_alone_{false};  ///< opened by the help's key, which closes it as well
+};
+
+}  // namespace plumbline::app::ui

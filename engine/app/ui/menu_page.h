@@ -1,0 +1,68 @@
+// A page of the menu as plain data: lines of cells that can be chosen. Says nothing of where they
+// are drawn or which device chose them.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline::app::ui {
+
+/// Small pictures that need no words.
+enum class Icon : std::uint8_t {
+    None,
+    Play,
+    Again,
+    Scenes,
+    Settings,
+    Keys,
+    Help,
+    Quit,
+    Back,
+    Picture,
+    Screen,
+    Sound,
+    Mouse,
+    Accuracy,
+    On,
+    Off,
+    Light
+};
+
+/// Something that can be chosen. Functions that are empty are not offered.
+struct Cell {
+    std::string text;
+    std::string note{};     ///< cards: the line below
+    std::string picture{};  ///< cards: name of a thumbnail
+    Icon icon{Icon::None};
+    std::optional<float> fraction{};            ///< sliders: 0…1 of the way is filled
+    std::function<void()> activate{};           ///< Enter, a click, the pad's accept
+    std::function<void(int)> adjust{};          ///< left -1, right +1
+    std::function<void(float)> set_fraction{};  ///< a click or drag at 0…1 of the width
+    std::function<void()> remove{};             ///< Delete
+    bool marked{false};                         ///< the one that is in force
+};
+
+enum class LineKind : std::uint8_t {
+    Heading,
+    Text,   ///< wrapped, not chosen
+    Cells,  ///< cells side by side as wide as their text, wrapped; label before them, if any
+    List,   ///< cells below each other over the whole width
+    Cards,  ///< cells with pictures, as many beside each other as fit
+    Keys,   ///< label and value in two columns, not chosen; as many such beside each other as fit
+};
+
+struct Line {
+    LineKind kind{LineKind::Text};
+    std::string label{};
+    std::string value{};
+    std::vector<Cell> cells{};
+};
+
+struct Page {
+    std::string title;
+    std::vector<Line> lines;
+};
+
+}  // namespace plumbline::app::ui

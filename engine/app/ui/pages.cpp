@@ -1,0 +1,188 @@
+#include "engine/app/ui/pages.h"
+
+#include "engine/app/action_words.h"
+#include "engine/app/key_labels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace plumbline::app::ui {
+namespace {
+
+constexpr std::string_view kHardFolder = "hard";
+constexpr std::string_view kBenchFolder = "bench";
+
+/// "hard/H05" is in "hard", "bench/peers/x" in "bench/peers"; a scene at the top in "".
+std::string folder_of(const scene::ListedScene& scene) {
+    const std::size_t slash = scene.name.rfind('/');
+    return slash == std::string::npos ? std::string{} : scene.name.substr(0, slash);
+}
+
+std::string last_part(const std::string& name) {
+    return name.substr(name.rfind('/') + 1);
+}
+
+std::string title_of(const scene::ListedScene& scene) {
+    return scene.title.empty() ? last_part(scene.name) : scene.title;
+}
+
+/// "book" reads "Book"; "book/nature" "Book: nature".
+std::string folder_words(std::string name) {
+    std::ranges::replace(name, '_', ' ');
+    const std::size_t slash = name.find('/');
+    if (slash != std::string::npos) name.replace(slash, 1, ": ");
+    if (!name.empty() && name[0] >= 'a' && name[0] <= 'z')
+        name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    return name;
+}
+
+}  // namespace
+
+Cell MenuPages::to_page(std::string text, Icon icon, Page (MenuPages::*page)()) {
+    return {.text = std::move(text), .icon = icon, .activate = [this, page] {
+                menu_.push([this, page] { return (this->*page)(); });
+            }};
+}
+
+Cell MenuPages::back_cell() {
+    return {.text = "Back", .icon = Icon::Back, .activate = [this] { menu_.back(); }};
+}
+
+std::vector<Cell> MenuPages::cards(const std::string& folder) {
+    std::vector<Cell> cells;
+    for (const scene::ListedScene& scene : world_.scenes) {
+        if (folder_of(scene) != folder) continue;
+        cells.push_back({.text = title_of(scene),
+                         .note = scene.description,
+                         .picture = scene.name,
+                         .activate = [this, file = scene.file] { world_.open_scene(file); }});
+    }
+    return cells;
+}
+
+void MenuPages::add_scenes(Page& page) {
+    page.lines.push_back({.kind = LineKind::Heading, .label = "Scenes"});
+    page.lines.push_back({.kind = LineKind::Cards, .cells = cards({})});
+    std::map<std::string, std::size_t> folders;
+    for (const scene::ListedScene& scene : world_.scenes) ++folders[folder_of(scene)];
+    Line more{.kind = LineKind::List};
+    for (const auto& [name, count] : folders) {
+        if (name.empty() || name.starts_with(kBenchFolder)) continue;
+        const bool hard = name == kHardFolder;
+        more.cells.push_back(
+            {.text = hard ? fmt::format("Hard cases: {} scenes", count)
+                          : fmt::format("{}: {} scenes", folder_words(name), count),
+             .note = hard ? "The gallery: each asks one hard thing of the solver and says at once "
+                            "whether it holds"
+                          : "",
+             .icon = Icon::Scenes,
+             .activate = [this, folder = name] {
+                 menu_.push([this, folder] { return this->folder(folder); });
+             }});
+    }
+    if (!more.cells.empty()) page.lines.push_back(std::move(more));
+}
+
+Page MenuPages::folder(const std::string& name) {
+    const bool hard = name == kHardFolder;
+    Page page{.title = hard ? "Hard cases" : folder_words(name)};
+    page.lines.push_back({.kind = LineKind::Cells, .cells = {back_cell()}});
+    Line list{.kind = hard ? LineKind::List : LineKind::Cards};
+    if (hard) {
+        for (const scene::ListedScene& scene : world_.scenes) {
+            if (folder_of(scene) != name) continue;
+            const std::string id = last_part(scene.name);
+            const bool says_id = scene.title.starts_with(id);
+            list.cells.push_back(
+                {.text = says_id ? scene.title : fmt::format("{}  {}", id, title_of(scene)),
+                 .note = scene.description,
+                 .activate = [this, file = scene.file] { world_.open_scene(file); }});
+        }
+    } else {
+        list.cells = cards(name);
+    }
+    page.lines.push_back(std::move(list));
+    return page;
+}
+
+Page MenuPages::start() {
+    Page page{.title = "Plumbline"};
+    page.lines.push_back(
+        {.kind = LineKind::Cells,
+         .cells = {{.text = fmt::format("Continue: {}", world_.scene_title),
+                    .icon = Icon::Play,
+                    .activate = [this] { menu_.close(); },
+                    .marked = true},
+                   to_page("Settings", Icon::Settings, &MenuPages::settings),
+                   to_page("Controls", Icon::Keys, &MenuPages::controls),
+                   to_page("Help", Icon::Help, &MenuPages::help),
+                   {.text = "Quit", .icon = Icon::Quit, .activate = [this] { world_.quit(); }}}});
+    add_scenes(page);
+    return page;
+}
+
+Page MenuPages::in_play() {
+    Page page{.title = world_.scene_title};
+    page.lines.push_back(
+        {.kind = LineKind::List,
+         .cells = {{.text = "Go on", .icon = Icon::Play, .activate = [this] { menu_.close(); }},
+                   {.text = "Start the scene again",
+                    .icon = Icon::Again,
+                    .activate =
+                        [this] {
+                            world_.start_again();
+                            menu_.close();
+                        }},
+                   to_page("Other scenes", Icon::Scenes, &MenuPages::all_scenes),
+                   to_page("Settings", Icon::Settings, &MenuPages::settings),
+                   to_page("Controls", Icon::Keys, &MenuPages::controls),
+                   to_page("Help", Icon::Help, &MenuPages::help),
+                   {.text = "Quit", .icon = Icon::Quit, .activate = [this] { world_.quit(); }}}});
+    return page;
+}
+
+Page MenuPages::all_scenes() {
+    Page page{.title = "Scenes"};
+    page.lines.push_back({.kind = LineKind::Cells, .cells = {back_cell()}});
+    add_scenes(page);
+    return page;
+}
+
+Page MenuPages::help() {
+    Page page{.title = "Help"};
+    page.lines.push_back(
+        {.kind = LineKind::Cells,
+         .cells = {back_cell(),
+                   to_page("Controls", Icon::Keys, &MenuPages::controls),
+                   {.text = "Show the first hints again", .icon = Icon::Again, .activate = [this] {
+                        world_.forget_first_minute();
+                    }}}});
+    const input::Bindings& bindings = world_.bindings.current();
+    constexpr std::array kGroups{ActionGroup::Walk,
+                                 ActionGroup::Things,
+                                 ActionGroup::View,
+                                 ActionGroup::Light,
+                                 ActionGroup::CameraPath,
+                                 ActionGroup::Time,
+                                 ActionGroup::Menu};
+    for (const ActionGroup group : kGroups) {
+        std::vector<Line> lines;
+        for (std::size_t i = 0; i < kActionCount; ++i) {
+            const auto action = static_cast<Action>(i);
+            if (group_of(action) != group || !in_this_version(action)) continue;
+            if (bindings.of(action).empty()) continue;
+            lines.push_back({.kind = LineKind::Keys,
+                             .label = all_labels(bindings, action),
+                             .value = std::string(action_words(action))});
+        }
+        if (lines.empty()) continue;
+        page.lines.push_back({.kind = LineKind::Heading, .label = std::string(group_words(group))});
+        std::ranges::move(lines, std::back_inserter(page.lines));
+    }
+    return page;
+}
+
+}  // namespace plumbline::app::ui

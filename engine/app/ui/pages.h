@@ -1,0 +1,95 @@
+// The pages of the menu: what is on them and what choosing does.
+#pragma once
+
+#include "engine/app/live_bindings.h"
+#include "engine/app/live_config.h"
+#include "engine/app/ui/menu.h"
+#include "engine/input/bindings_edit.h"
+#include "engine/scene/scene_list.h"
+#include "engine/study/setting.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline::app::ui {
+
+/// What the pages read and do. All of it must outlive them.
+struct MenuWorld {
+    const LiveConfig& config;
+    const LiveBindings& bindings;
+    std::vector<scene::ListedScene> scenes;
+    std::string scene_title;                   ///< of the one that is open
+    std::function<study::Setting()> accuracy;  ///< as the world runs now
+    bool accuracy_is_recorded{false};          ///< it cannot be changed then
+
+    std::function<void(const AppConfig&)> change_config;
+    std::function<void(const input::Bindings&)> change_bindings;
+    std::function<void(const study::Setting&)> change_accuracy;
+    std::function<void(const std::filesystem::path&)> open_scene;
+    std::function<void()> start_again;
+    std::function<void()> quit;
+    std::function<void()> forget_first_minute;
+};
+
+class MenuPages {
+public:
+    MenuPages(Menu& menu, MenuWorld world) : menu_(menu), world_(std::move(world)) {}
+    MenuPages(const MenuPages&) = delete;
+    MenuPages& operator=(const MenuPages&) = delete;
+
+    /// With the running scene behind it, which goes on from here.
+    Page start();
+    Page in_play();
+    Page help();
+
+    /// While a press is waited for, the devices' events belong here and nowhere else.
+    bool waits_for_press() const { return capture_.has_value(); }
+    void take_press(const InputSnapshot& input);
+
+private:
+    enum class Tab : std::uint8_t { Picture, Sound, Mouse, Screen, Accuracy };
+    /// The place of a binding that waits for its press.
+    struct Slot {
+        Action action{Action::Count};
+        std::size_t index{0};
+    };
+
+    // pages.cpp
+    Page all_scenes();
+    Page folder(const std::string& name);
+    std::vector<Cell> cards(const std::string& folder);
+    void add_scenes(Page& page);
+    Cell to_page(std::string text, Icon icon, Page (MenuPages::*page)());
+    Cell back_cell();
+
+    // settings_pages.cpp
+    Page settings();
+    void add_settings(Page& page, std::vector<std::string_view> tables);
+    void add_mouse(Page& page);
+    void add_accuracy(Page& page);
+    Line setting_line(std::size_t row);
+    void change_setting(std::size_t row, const std::function<void(const Setting&)>& change);
+
+    // controls_pages.cpp
+    Page controls();
+    Page press_page();
+    Page conflict_page();
+    Line binding_line(Action action);
+    void change_bindings(const std::function<void(input::Bindings&)>& change);
+    void wait_for_press(Slot slot);
+    void bind(Slot slot, const input::Input& input);
+
+    Menu& menu_;
+    MenuWorld world_;
+    Tab tab_{Tab::Picture};
+    bool capture_begins_{false};
+    std::optional<input::PressCapture> capture_;
+    Slot slot_;
+    std::string refused_;  ///< why the last press could not drive the action
+    std::optional<input::Input> wanted_;
+};
+
+}  // namespace plumbline::app::ui

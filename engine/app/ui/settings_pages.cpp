@@ -1,0 +1,318 @@
+#include "engine/app/accuracy_choice.h"
+#include "engine/app/ui/pages.h"
+#include "engine/input/tuning_keys.h"
+#include "engine/scene/accuracy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace plumbline::app::ui {
+namespace {
+
+struct NamedTuning {
+    std::string_view key;
+    std::string_view label;
+};
+constexpr std::array<NamedTuning, 7> kTuning{{{"mouse_deg_per_count", "Mouse: speed"},
+                                              {"invert_y", "Up and down exchanged"},
+                                              {"pad_look_deg_per_sec", "Stick: speed"},
+                                              {"pad_inner_dead_zone", "Stick: at rest below"},
+                                              {"pad_outer_dead_zone", "Stick: full above"},
+                                              {"pad_curve", "Stick: finer near the middle"},
+                                              {"trigger_threshold", "Trigger: pressed from"}}};
+
+std::string on_or_off(bool on) {
+    return on ? "on" : "off";
+}
+
+Cell toggle(bool on, const std::function<void(bool)>& set) {
+    return {.text = on_or_off(on),
+            .icon = on ? Icon::On : Icon::Off,
+            .activate = [on, set] { set(!on); },
+            .adjust = [set](int direction) { set(direction > 0); }};
+}
+
+/// A number between two ends that moves by equal parts of its way.
+Cell slider(std::string text,
+            double value,
+            double min,
+            double max,
+            double step,
+            const std::function<void(double)>& set) {
+    const auto on_step = [=](double wanted) {
+        return std::clamp(min + std::round((wanted - min) / step) * step, min, max);
+    };
+    return {.text = std::move(text),
+            .fraction = static_cast<float>((value - min) / (max - min)),
+            .adjust =
+                [=](int direction) {
+                    // Values between two steps go to the next one in the direction.
+                    const double at = on_step(value);
+                    const bool lies_ahead = direction > 0 ? at > value : at < value;
+                    const bool between = std::abs(at - value) > step * 1e-3;
+                    set(between && lies_ahead ? at : on_step(at + direction * step));
+                },
+            .set_fraction =
+                [=](float fraction) {
+                    const double wanted =
+                        on_step(min + static_cast<double>(fraction) * (max - min));
+                    if (std::abs(wanted - value) > step * 1e-3) set(wanted);
+                }};
+}
+
+/// As floats are written: without the digits that a float cannot hold.
+float tidy(double value) {
+    return static_cast<float>(std::round(value * 1e4) / 1e4);
+}
+
+std::string percent(float share) {
+    return fmt::format("{:.0f} %", static_cast<double>(share) * 100.0);
+}
+
+Cell number_cell(std::string_view key,
+                 const FloatSetting& real,
+                 const std::function<void(float)>& set) {
+    const float now = *real.value;
+    const auto take = [set](double value) { set(tidy(value)); };
+    if (key == "fov_deg") {
+        return slider(fmt::format("{:.0f}°", now), static_cast<double>(now), 30, 120, 5, take);
+    }
+    if (key == "target_ms") {
+        return slider(fmt::format("{:.0f} ms, {:.0f} a second", now, 1000.0F / now),
+                      static_cast<double>(now),
+                      5,
+                      100,
+                      5,
+                      take);
+    }
+    if (key == "render_scale") {
+        // The lowest step is 0: by the level.
+        const auto by_level = [take](double value) { take(value < 0.25 ? 0.0 : value); };
+        return slider(now == 0.0F ? "by the level" : percent(now),
+                      now == 0.0F ? 0.2 : static_cast<double>(now),
+                      0.2,
+                      1,
+                      0.05,
+                      by_level);
+    }
+    if (key == "ui_scale") {
+        const auto automatic = [take](double value) { take(value < 0.75 ? 0.0 : value); };
+        return slider(now == 0.0F ? "by the window" : percent(now),
+                      now == 0.0F ? 0.5 : static_cast<double>(now),
+                      0.5,
+                      3,
+                      0.25,
+                      automatic);
+    }
+    return slider(percent(now),
+                  static_cast<double>(now),
+                  static_cast<double>(real.min),
+                  static_cast<double>(real.max),
+                  0.05,
+                  take);
+}
+
+Cell count_cell(std::string_view key,
+                const IntSetting& whole,
+                const std::function<void(int)>& set) {
+    const bool frames = key == "max_fps";
+    const int max = frames ? 240 : whole.max;
+    const int min = frames ? 10 : whole.min;
+    return slider(fmt::format("{}", *whole.value),
+                  std::clamp(*whole.value, min, max),
+                  min,
+                  max,
+                  frames ? 10 : 1,
+                  [set](double value) { set(static_cast<int>(std::lround(value))); });
+}
+
+}  // namespace
+
+void MenuPages::change_setting(std::size_t row, const std::function<void(const Setting&)>& change) {
+    AppConfig wanted = world_.config.current();
+    change(settings_of(wanted)[row]);
+    world_.change_config(wanted);
+}
+
+Line MenuPages::setting_line(std::size_t row) {
+    AppConfig now = world_.config.current();
+    const Setting setting = settings_of(now)[row];
+    Line line{.kind = LineKind::Cells, .label = std::string(setting.label)};
+    if (bool* const* flag = std::get_if<bool*>(&setting.target)) {
+        line.cells.push_back(toggle(**flag, [this, row](bool on) {
+            change_setting(row, [on](const Setting& s) { *std::get<bool*>(s.target) = on; });
+        }));
+    } else if (PictureLevel* const* level = std::get_if<PictureLevel*>(&setting.target)) {
+        for (std::size_t i = 0; i < kPictureLevelNames.size(); ++i) {
+            const auto each = static_cast<PictureLevel>(i);
+            line.cells.push_back({.text = std::string(kPictureLevelNames[i]),
+                                  .activate =
+                                      [this, row, each] {
+                                          change_setting(row, [each](const Setting& s) {
+                                              *std::get<PictureLevel*>(s.target) = each;
+                                          });
+                                      },
+                                  .marked = **level == each});
+        }
+    } else if (const auto* real = std::get_if<FloatSetting>(&setting.target)) {
+        line.cells.push_back(number_cell(setting.key, *real, [this, row](float value) {
+            change_setting(row, [value](const Setting& s) {
+                *std::get<FloatSetting>(s.target).value = value;
+            });
+        }));
+    } else {
+        const auto& whole = std::get<IntSetting>(setting.target);
+        line.cells.push_back(count_cell(setting.key, whole, [this, row](int value) {
+            change_setting(
+                row, [value](const Setting& s) { *std::get<IntSetting>(s.target).value = value; });
+        }));
+    }
+    return line;
+}
+
+void MenuPages::add_settings(Page& page, std::vector<std::string_view> tables) {
+    // What only counts at the next start is for the file.
+    constexpr std::array<std::string_view, 4> kAtStart{
+        "width", "height", "voices", "max_steps_per_frame"};
+    AppConfig now = world_.config.current();
+    const std::vector<Setting> settings = settings_of(now);
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        const bool shown = std::ranges::find(tables, settings[i].table) != tables.end() &&
+                           std::ranges::find(kAtStart, settings[i].key) == kAtStart.end();
+        if (shown) page.lines.push_back(setting_line(i));
+    }
+}
+
+void MenuPages::add_mouse(Page& page) {
+    const input::Bindings& bindings = world_.bindings.stored();
+    for (const NamedTuning& named : kTuning) {
+        const input::TuningKey& key = *input::find_tuning_key(named.key);
+        Line line{.kind = LineKind::Cells, .label = std::string(named.label)};
+        if (key.flag != nullptr) {
+            line.cells.push_back(toggle(bindings.tuning.*key.flag, [this, &key](bool on) {
+                change_bindings([&](input::Bindings& wanted) { wanted.tuning.*key.flag = on; });
+            }));
+        } else {
+            // Equal parts of the logarithm where the range is wide: each step feels alike.
+            const bool wide = key.min > 0.0 && key.max / key.min >= 100.0;
+            const auto from = [wide](double value) { return wide ? std::log2(value) : value; };
+            const auto back = [wide](double value) { return wide ? std::exp2(value) : value; };
+            const auto value = static_cast<double>(bindings.tuning.*key.number);
+            line.cells.push_back(slider(
+                fmt::format("{:.3g}", value),
+                from(value),
+                from(key.min),
+                from(key.max),
+                (from(key.max) - from(key.min)) / (wide ? 44.0 : 20.0),
+                [this, &key, back](double wanted_value) {
+                    const float rounded = tidy(back(wanted_value));
+                    change_bindings([&](input::Bindings& wanted) {
+                        wanted.tuning.*key.number = std::clamp(
+                            rounded, static_cast<float>(key.min), static_cast<float>(key.max));
+                    });
+                }));
+        }
+        page.lines.push_back(std::move(line));
+    }
+    page.lines.push_back(
+        {.kind = LineKind::Cells,
+         .cells = {{.text = "Reset these", .icon = Icon::Again, .activate = [this] {
+                        change_bindings([this](input::Bindings& wanted) {
+                            wanted.tuning = world_.bindings.below().tuning;
+                        });
+                    }}}});
+}
+
+Page MenuPages::settings() {
+    Page page{.title = "Settings"};
+    struct NamedTab {
+        Tab tab;
+        const char* text;
+        Icon icon;
+    };
+    constexpr std::array<NamedTab, 5> kTabs{{{Tab::Picture, "Picture", Icon::Picture},
+                                             {Tab::Screen, "Screen", Icon::Screen},
+                                             {Tab::Sound, "Sound", Icon::Sound},
+                                             {Tab::Mouse, "Mouse and pad", Icon::Mouse},
+                                             {Tab::Accuracy, "Accuracy", Icon::Accuracy}}};
+    Line tabs{.kind = LineKind::Cells, .cells = {back_cell()}};
+    for (const NamedTab& each : kTabs) {
+        tabs.cells.push_back({.text = each.text,
+                              .icon = each.icon,
+                              .activate = [this, tab = each.tab] { tab_ = tab; },
+                              .marked = tab_ == each.tab});
+    }
+    tabs.cells.push_back(to_page("Controls", Icon::Keys, &MenuPages::controls));
+    page.lines.push_back(std::move(tabs));
+    if (tab_ == Tab::Mouse) {
+        add_mouse(page);
+        return page;
+    }
+    if (tab_ == Tab::Accuracy) {
+        add_accuracy(page);
+        return page;
+    }
+    std::vector<std::string_view> tables;
+    if (tab_ == Tab::Picture) tables = {"picture"};
+    if (tab_ == Tab::Screen) tables = {"window", "hud"};
+    if (tab_ == Tab::Sound) tables = {"sound"};
+    add_settings(page, tables);
+    page.lines.push_back(
+        {.kind = LineKind::Cells,
+         .cells = {{.text = "Reset these", .icon = Icon::Again, .activate = [this, tables] {
+                        AppConfig wanted = world_.config.current();
+                        AppConfig below = world_.config.below();
+                        const std::vector<Setting> to = settings_of(wanted);
+                        const std::vector<Setting> from = settings_of(below);
+                        for (std::size_t i = 0; i < to.size(); ++i) {
+                            if (std::ranges::find(tables, to[i].table) != tables.end())
+                                copy_value(from[i], to[i]);
+                        }
+                        world_.change_config(wanted);
+                    }}}});
+    return page;
+}
+
+void MenuPages::add_accuracy(Page& page) {
+    const study::Setting now = world_.accuracy();
+    page.lines.push_back(
+        {.kind = LineKind::Text, .label = fmt::format("Now: {}", study::setting_text(now))});
+    if (world_.accuracy_is_recorded) {
+        page.lines.push_back({.kind = LineKind::Text, .label = "A recording keeps its accuracy."});
+        return;
+    }
+    const auto choice = [&](std::string text, const study::Setting& setting) {
+        return Cell{.text = std::move(text),
+                    .activate = [this, setting] { world_.change_accuracy(setting); },
+                    .marked = setting == now};
+    };
+    Line presets{.kind = LineKind::Cells, .label = "Preset"};
+    for (const scene::Preset& preset : scene::presets()) {
+        if (preset.name == "auto") continue;  // a study chooses that one, before the scene opens
+        presets.cells.push_back(choice(std::string(preset.name), with_preset(now, preset.name)));
+    }
+    Line solvers{.kind = LineKind::Cells, .label = "Solver"};
+    for (const physics::Solver solver : offered_solvers()) {
+        const study::Setting other = solver == now.solver ? now : with_solver(now, solver);
+        solvers.cells.push_back(choice(std::string(physics::solver_name(solver)), other));
+    }
+    Line rates{.kind = LineKind::Cells, .label = "Steps a second"};
+    for (const int hz : offered_rates_hz()) {
+        study::Setting other = now;
+        other.step_hz = hz;
+        rates.cells.push_back(choice(fmt::format("{}", hz), other));
+    }
+    page.lines.push_back(std::move(presets));
+    page.lines.push_back(std::move(solvers));
+    page.lines.push_back(std::move(rates));
+    page.lines.push_back(
+        {.kind = LineKind::Text,
+         .label = "For this sitting; the scene starts anew at a step's edge. What it costs and how "
+                  "good it is stands in the accuracy panel in play, where it can be written into a "
+                  "copy of the scene."});
+}
+
+}  // namespace plumbline::app::ui

@@ -1,0 +1,88 @@
+#include "engine/scene/scene_list.h"
+
+#include "engine/core/files.h"
+#include "engine/core/limits.h"
+#include "engine/core/nearest_name.h"
+#include "engine/scene/toml_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace plumbline::scene {
+namespace fs = std::filesystem;
+namespace {
+
+/// All of a file that is there to be included.
+constexpr std::array<std::string_view, 3> kIncludedOnly{"scene", "material", "prefab"};
+
+/// Every .toml below assets/scenes, named but not read.
+std::vector<ListedScene> scene_files(const fs::path& assets_folder) {
+    const fs::path root = assets_folder / "scenes";
+    std::vector<ListedScene> files;
+    std::error_code failed;
+    for (fs::recursive_directory_iterator entry(root, failed), end; !failed && entry != end;
+         entry.increment(failed)) {
+        if (entry->path().extension() != ".toml") continue;
+        fs::path name = entry->path().lexically_relative(root);
+        name.replace_extension();
+        files.push_back({.name = name.string(), .file = entry->path()});
+    }
+    std::ranges::sort(files, [](const ListedScene& a, const ListedScene& b) {
+        const bool a_in_folder = a.name.find('/') != std::string::npos;
+        const bool b_in_folder = b.name.find('/') != std::string::npos;
+        return a_in_folder != b_in_folder ? b_in_folder : a.name < b.name;
+    });
+    return files;
+}
+
+std::string text_under(const TomlTable& table, std::string_view key) {
+    const TomlNode* node = find_key(table, key);
+    const std::string* text = node != nullptr ? node->text() : nullptr;
+    return text != nullptr ? *text : "";
+}
+
+/// Fills in what the file says of itself. False when it is there to be included.
+bool read_heading(ListedScene& scene) {
+    const Result<std::string> text = read_file(scene.file, limits::kSceneFileBytes);
+    if (!text) return true;
+    const std::string name = scene.file.string();
+    const auto parsed = parse_toml(*text, name);
+    const auto* root = std::get_if<TomlNode>(&parsed);
+    if (root == nullptr || root->table() == nullptr) return true;
+    const TomlNode* heading = find_key(*root->table(), "scene");
+    if (heading != nullptr && heading->table() != nullptr) {
+        scene.title = text_under(*heading->table(), "title");
+        scene.description = text_under(*heading->table(), "description");
+    }
+    return std::ranges::any_of(*root->table(), [](const TomlEntry& entry) {
+        return std::ranges::find(kIncludedOnly, entry.key) == kIncludedOnly.end();
+    });
+}
+
+}  // namespace
+
+std::vector<ListedScene> list_scenes(const fs::path& assets_folder) {
+    std::vector<ListedScene> scenes = scene_files(assets_folder);
+    std::erase_if(scenes, [](ListedScene& scene) { return !read_heading(scene); });
+    return scenes;
+}
+
+std::string nearest_scene(const std::string& name, const fs::path& assets_folder) {
+    const std::vector<ListedScene> scenes = scene_files(assets_folder);
+    std::vector<std::string_view> known;
+    for (const ListedScene& scene : scenes) known.emplace_back(scene.name);
+    const std::string_view whole = nearest_name(name, known);
+    if (!whole.empty()) return std::string(whole);
+    // "scenes/gardn.toml", or "H5" for "hard/H05": the last part may tell.
+    const std::string last = fs::path(name).stem().string();
+    std::vector<std::string> stems;
+    for (const ListedScene& scene : scenes) stems.push_back(fs::path(scene.name).filename());
+    const std::vector<std::string_view> views(stems.begin(), stems.end());
+    const std::string_view stem = nearest_name(last, views);
+    const auto place = std::ranges::find(views, stem);
+    if (stem.empty() || place == views.end()) return {};
+    return scenes[static_cast<std::size_t>(place - views.begin())].name;
+}
+
+}  // namespace plumbline::scene

@@ -1,0 +1,83 @@
+#include "engine/app/first_minute.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace plumbline::app {
+namespace {
+namespace fs = std::filesystem;
+
+class FirstMinuteTest : public testing::Test {
+protected:
+    void SetUp() override {
+        folder_ = fs::path(testing::TempDir()) /
+                  testing::UnitTest::GetInstance()->current_test_info()->name();
+        fs::remove_all(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::uint64_t& presses(Action action) { return seen_[static_cast<std::size_t>(action)]; }
+    fs::path file() const { return folder_ / "first_minute"; }
+
+    fs::path folder_;
+    std::array<std::uint64_t, kActionCount> seen_{};
+};
+
+TEST_F(FirstMinuteTest, SaysOneThingAtATimeUntilItHasBeenDone) {
+    FirstMinute minute({});
+    EXPECT_EQ(minute.now(true), FirstStep::Look);
+    presses(Action::Look) = 10;
+    minute.see(seen_);
+    EXPECT_EQ(minute.now(true), FirstStep::Walk);
+    presses(Action::Left) = 1;  // any direction is walking
+    presses(Action::Throw) = 1;
+    minute.see(seen_);
+    EXPECT_EQ(minute.now(true), FirstStep::Drop);
+    presses(Action::Drop) = 1;
+    minute.see(seen_);
+    EXPECT_EQ(minute.now(true), FirstStep::Grab);  // thrown before it was asked for
+    presses(Action::Grab) = 1;
+    minute.see(seen_);
+    EXPECT_EQ(minute.now(true), FirstStep::Flashlight);
+    EXPECT_EQ(minute.now(false), FirstStep::Menu);  // there is none in this scene
+    presses(Action::Menu) = 1;
+    presses(Action::Flashlight) = 1;
+    minute.see(seen_);
+    EXPECT_EQ(minute.now(true), std::nullopt);
+}
+
+TEST_F(FirstMinuteTest, WhatWasDoneDoesNotComeAgainInTheNextSitting) {
+    {
+        FirstMinute minute(file());
+        presses(Action::Look) = 50;
+        presses(Action::Forward) = 2;
+        minute.see(seen_);
+    }
+    EXPECT_EQ(FirstMinute(file()).now(true), FirstStep::Drop);
+}
+
+TEST_F(FirstMinuteTest, ForgettingSaysAllAgainAndCountsFromThere) {
+    FirstMinute minute(file());
+    presses(Action::Look) = 50;
+    minute.see(seen_);
+    minute.forget();
+    minute.see(seen_);
+    EXPECT_EQ(minute.now(true), FirstStep::Look);
+    EXPECT_EQ(FirstMinute(file()).now(true), FirstStep::Look);
+    presses(Action::Look) = 60;
+    minute.see(seen_);
+    EXPECT_EQ(minute.now(true), FirstStep::Walk);
+}
+
+TEST_F(FirstMinuteTest, ADamagedFileCountsAsEmpty) {
+    fs::create_directories(folder_);
+    std::ofstream(file()) << std::string(5000, 'x');
+    EXPECT_EQ(FirstMinute(file()).now(true), FirstStep::Look);
+    std::ofstream(file()) << "look\n\x1b[31m nonsense walk";
+    EXPECT_EQ(FirstMinute(file()).now(true), FirstStep::Drop);
+}
+
+}  // namespace
+}  // namespace plumbline::app
