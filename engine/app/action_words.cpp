@@ -56,8 +56,8 @@ constexpr auto kWords = [] {
     say(Action::Fullscreen, "full screen");
     say(Action::ZoomIn, "zoom in; orbiting: nearer");
     say(Action::ZoomOut, "zoom out; orbiting: farther");
-    say(Action::RotateLeft, "orbiting: turn left");
-    say(Action::RotateRight, "orbiting: turn right");
+    say(Action::RotateLeft, "turn left; orbiting: about what you see");
+    say(Action::RotateRight, "turn right; orbiting: about what you see");
     say(Action::SunFaster, "move the sun, faster each time");
     say(Action::SunStop, "stop the sun");
     say(Action::LightBrighter, "brighter light");

@@ -121,7 +121,8 @@ void MenuPages::wait_for_press(Slot slot) {
 }
 
 Page MenuPages::press_page() {
-    Page page{.title = fmt::format("Press what shall do: {}", action_words(slot_.action))};
+    Page page{.title = fmt::format("Press what shall do: {}", action_words(slot_.action)),
+              .most_width = 40.0F};
     if (!refused_.empty()) page.lines.push_back({.kind = LineKind::Text, .label = refused_});
     page.lines.push_back(
         {.kind = LineKind::Text,
@@ -163,7 +164,7 @@ void MenuPages::bind(Slot slot, const input::Input& input) {
 }
 
 Page MenuPages::conflict_page() {
-    Page page{.title = fmt::format("{} is taken", label_of(*wanted_))};
+    Page page{.title = fmt::format("{} is taken", label_of(*wanted_)), .most_width = 40.0F};
     std::string others;
     for (const Action other :
          input::also_drives(world_.bindings.stored(), *wanted_, slot_.action)) {

@@ -40,7 +40,9 @@ public:
         list_.AddRectFilled({0.0F, 0.0F}, display, kShade);
         list_.AddRectFilled(corner(layout.panel), far_corner(layout.panel), kPanel, em_ * 0.4F);
         canvas_.text(list_, layout.title, kHead, menu_.page().title);
-        list_.PushClipRect(corner(layout.view), far_corner(layout.view), true);
+        // The frame of what is chosen stands a little outside.
+        const Box clip = inset(layout.view, -em_ * 0.15F, -em_ * 0.15F);
+        list_.PushClipRect(corner(clip), far_corner(clip), true);
         draw_labels();
         for (const PlacedCell& cell : layout.cells) draw_cell(cell);
         list_.PopClipRect();
@@ -124,7 +126,8 @@ private:
         text.y = box.y + std::max(0.0F, (box.height - height - note_height) * 0.5F);
         text.height = height;
         if (cell.fraction && !wide) {
-            const float width = std::min(text.width, std::ceil(canvas_.text_size.width_px(cell.text)) + 2.0F);
+            const float width =
+                std::min(text.width, std::ceil(canvas_.text_size.width_px(cell.text)) + 2.0F);
             text.x += (text.width - width) * 0.5F;
             text.width = width;
         }

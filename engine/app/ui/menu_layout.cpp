@@ -184,7 +184,7 @@ MenuLayout layout_of(const Page& page,
                      const TextSize& text) {
     MenuLayout layout;
     const float margin = font_px * 0.8F;
-    const float width = std::min(window_width_px - 2 * margin, font_px * 64.0F);
+    const float width = std::min(window_width_px - 2 * margin, font_px * page.most_width);
     const float pad = font_px * 0.9F;
     layout.panel = {(window_width_px - width) * 0.5F, margin, width, window_height_px - 2 * margin};
     layout.title = {layout.panel.x + pad,

@@ -63,6 +63,7 @@ struct Line {
 struct Page {
     std::string title;
     std::vector<Line> lines;
+    float most_width{64.0F};  ///< of the panel, in letters' heights
 };
 
 }  // namespace plumbline::app::ui

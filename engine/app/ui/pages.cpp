@@ -125,7 +125,7 @@ Page MenuPages::start() {
 }
 
 Page MenuPages::in_play() {
-    Page page{.title = world_.scene_title};
+    Page page{.title = world_.scene_title, .most_width = 26.0F};
     page.lines.push_back(
         {.kind = LineKind::List,
          .cells = {{.text = "Go on", .icon = Icon::Play, .activate = [this] { menu_.close(); }},
