@@ -10,15 +10,8 @@ namespace {
 // Each bin reaches half as far again as the one before.
 constexpr float kBinRatioLog = 0.405F;
 
-using Materials = std::span<const assets::MaterialId>;
-
-Materials materials_of(const DrawItem& item) {
-    return {item.materials, item.material_count};
-}
-
-bool same_group(const DrawItem& a, const DrawItem& b) {
-    return a.mesh == b.mesh && a.material_count == b.material_count &&
-           (a.materials == b.materials || std::ranges::equal(materials_of(a), materials_of(b)));
+bool same_group(const VisibleItem& a, const VisibleItem& b) {
+    return a.item->mesh == b.item->mesh && std::ranges::equal(a.materials, b.materials);
 }
 
 Instance instance_of(const DrawItem& item) {
@@ -27,9 +20,9 @@ Instance instance_of(const DrawItem& item) {
 }
 
 /// The material of one part; {} where the item brings too few.
-assets::MaterialId material_of(const DrawItem& item, const assets::SubMesh& part) {
-    return part.material < item.material_count ? item.materials[part.material]
-                                               : assets::MaterialId{};
+assets::MaterialId material_of(const VisibleItem& member, const assets::SubMesh& part) {
+    return part.material < member.materials.size() ? member.materials[part.material]
+                                                   : assets::MaterialId{};
 }
 
 const assets::MaterialData& look_of(const assets::AssetLibrary& library, assets::MaterialId id) {
@@ -55,17 +48,17 @@ struct SortEntry {
 std::vector<SortEntry> sort_entries(const std::vector<VisibleItem>& visible) {
     std::vector<SortEntry> entries;
     entries.reserve(visible.size());
-    std::vector<const DrawItem*> groups;
+    std::vector<const VisibleItem*> groups;
     std::uint32_t group = 0;
     for (std::uint32_t i = 0; i < visible.size(); ++i) {
-        const DrawItem& item = *visible[i].item;
-        if (groups.empty() || !same_group(*groups[group], item)) {
+        const VisibleItem& member = visible[i];
+        if (groups.empty() || !same_group(*groups[group], member)) {
             const auto found = std::ranges::find_if(
-                groups, [&](const DrawItem* other) { return same_group(*other, item); });
+                groups, [&](const VisibleItem* other) { return same_group(*other, member); });
             group = static_cast<std::uint32_t>(found - groups.begin());
-            if (found == groups.end()) groups.push_back(&item);
+            if (found == groups.end()) groups.push_back(&member);
         }
-        const float distance_m = visible[i].distance_m;
+        const float distance_m = member.distance_m;
         const int bin = static_cast<int>(std::log(std::max(distance_m, 1.0F)) / kBinRatioLog);
         entries.push_back({bin, group, distance_m, i});
     }
@@ -113,10 +106,10 @@ void build_opaque(const std::vector<VisibleItem>& visible,
                   const assets::AssetLibrary& library,
                   DrawList& list) {
     for_each_group(visible, [&](std::span<const SortEntry> entries) {
-        const DrawItem& item = *visible[entries.front().index].item;
+        const VisibleItem& first = visible[entries.front().index];
         DrawRun run = append_instances(visible, entries, list);
-        for (const assets::SubMesh& part : library.mesh(item.mesh).sub_meshes) {
-            run.material = material_of(item, part);
+        for (const assets::SubMesh& part : library.mesh(run.mesh).sub_meshes) {
+            run.material = material_of(first, part);
             const assets::MaterialData& look = look_of(library, run.material);
             if (look.alpha_mode == assets::AlphaMode::Blend) continue;
             set_part(run, part, look);
@@ -139,7 +132,7 @@ void build_translucent(std::vector<VisibleItem>& visible,
                     .bounds_world = member.bounds_world};
         bool has_part = false;
         for (const assets::SubMesh& part : library.mesh(item.mesh).sub_meshes) {
-            run.material = material_of(item, part);
+            run.material = material_of(member, part);
             const assets::MaterialData& look = look_of(library, run.material);
             if (look.alpha_mode != assets::AlphaMode::Blend) continue;
             set_part(run, part, look);
@@ -152,19 +145,19 @@ void build_translucent(std::vector<VisibleItem>& visible,
 
 }  // namespace
 
-std::vector<VisibleItem> cull(const std::vector<DrawItem>& items,
+std::vector<VisibleItem> cull(const RenderFrame& frame,
                               const assets::AssetLibrary& library,
                               const Frustum& frustum,
                               const Vec3f& eye_world) {
     std::vector<VisibleItem> visible;
-    visible.reserve(items.size());
-    for (const DrawItem& item : items) {
+    visible.reserve(frame.items.size());
+    for (const DrawItem& item : frame.items) {
         if (item.mesh.value == 0) continue;
         const Aabb bounds = transformed(library.mesh(item.mesh).bounds, item.world_from_body);
         if (!frustum.may_touch(bounds)) continue;
         const float distance_m =
             glm::distance(eye_world, bounds.center()) + glm::length(bounds.size()) * 0.5F;
-        visible.push_back({&item, bounds, distance_m});
+        visible.push_back({&item, materials_of(frame, item), bounds, distance_m});
     }
     return visible;
 }
@@ -185,10 +178,10 @@ void build_depth_draws(std::vector<VisibleItem> visible,
                        DrawList& list) {
     std::erase_if(visible, [](const VisibleItem& member) { return !member.item->casts_shadow; });
     for_each_group(visible, [&](std::span<const SortEntry> entries) {
-        const DrawItem& item = *visible[entries.front().index].item;
+        const VisibleItem& first = visible[entries.front().index];
         DrawRun run = append_instances(visible, entries, list);
-        for (const assets::SubMesh& part : library.mesh(item.mesh).sub_meshes) {
-            const assets::MaterialId material = material_of(item, part);
+        for (const assets::SubMesh& part : library.mesh(run.mesh).sub_meshes) {
+            const assets::MaterialId material = material_of(first, part);
             const assets::MaterialData& look = look_of(library, material);
             if (look.alpha_mode == assets::AlphaMode::Blend) continue;
             const bool masked = look.alpha_mode == assets::AlphaMode::Mask;

@@ -7,6 +7,7 @@
 #include "engine/render/render_frame.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace plumbline::render {
@@ -45,12 +46,13 @@ struct DrawList {
 /// An item that passed the cull.
 struct VisibleItem {
     const DrawItem* item{nullptr};
+    std::span<const assets::MaterialId> materials;  ///< the frame's; one per sub-mesh material
     Aabb bounds_world;
     float distance_m{0.0F};  ///< from the eye to the far side of the bounds
 };
 
 /// Items whose bounds touch the frustum, in the frame's order.
-std::vector<VisibleItem> cull(const std::vector<DrawItem>& items,
+std::vector<VisibleItem> cull(const RenderFrame& frame,
                               const assets::AssetLibrary& library,
                               const Frustum& frustum,
                               const Vec3f& eye_world);

@@ -152,8 +152,8 @@ void Renderer::Impl::set_up_flashlight(const Flashlight& flashlight) {
 void Renderer::Impl::build_draw_lists() {
     opaque_draws.clear();
     translucent_draws.clear();
-    std::vector<VisibleItem> visible = cull(
-        frame->items, scene.library, Frustum{block.clip_from_world}, frame->camera.position_world);
+    std::vector<VisibleItem> visible =
+        cull(*frame, scene.library, Frustum{block.clip_from_world}, frame->camera.position_world);
     build_draws(visible, scene.library, DrawKind::Opaque, opaque_draws);
     build_draws(std::move(visible), scene.library, DrawKind::Translucent, translucent_draws);
 }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace plumbline::render {
@@ -26,8 +27,7 @@ struct Camera {
 /// One mesh with its materials at one place. Equal (mesh, materials) pairs become one instanced draw.
 struct DrawItem {
     assets::MeshId mesh{};
-    const assets::MaterialId* materials{
-        nullptr};  ///< one per sub-mesh material; lives as long as the frame
+    std::uint32_t first_material{0};  ///< in the frame's material_ids: one per sub-mesh material
     std::uint32_t material_count{0};
     Mat4f world_from_body{1.0F};
     Vec3f tint{1.0F};  ///< multiplies the base colour
@@ -91,6 +91,7 @@ struct RenderFrame {
     Vec3f clear_color{0.6F, 0.65F, 0.85F};  ///< linear; seen where there is no sky
     Vec3f ambient{0.1F};                    ///< radiance from everywhere
     std::vector<DrawItem> items;
+    std::vector<assets::MaterialId> material_ids;  ///< of all items, one after the other
     std::optional<DirectionalLight> sun;
     std::optional<SunShadow> sun_shadow;  ///< needs sun
     std::optional<Flashlight> flashlight;
@@ -102,5 +103,10 @@ struct RenderFrame {
     std::optional<assets::Shading> shading;  ///< over every material's own (`render --shading`)
     LineList lines;                          ///< collision shapes, contacts
 };
+
+/// Appends the item with its materials; sets its first_material and material_count.
+void add_item(RenderFrame& frame, DrawItem item, std::span<const assets::MaterialId> materials);
+/// Good until the frame's material_ids change.
+std::span<const assets::MaterialId> materials_of(const RenderFrame& frame, const DrawItem& item);
 
 }  // namespace plumbline::render

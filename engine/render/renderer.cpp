@@ -99,12 +99,12 @@ void Renderer::prepare(const RenderFrame& frame) {
     for (const DrawItem& item : frame.items) {
         if (item.mesh.value == 0) continue;
         r.scene.meshes.get(item.mesh);
-        for (std::uint32_t i = 0; i < item.material_count; ++i) {
-            if (item.materials[i].value == 0) continue;
-            const auto& material = r.scene.library.material(item.materials[i]);
-            const auto& wanted = r.scene.materials.textures(item.materials[i]);
+        for (const assets::MaterialId id : materials_of(frame, item)) {
+            if (id.value == 0) continue;
+            const auto& material = r.scene.library.material(id);
+            const auto& wanted = r.scene.materials.textures(id);
             textures.insert(textures.end(), wanted.begin(), wanted.end());
-            variants.insert(variant_of(r.scene.materials.features(item.materials[i]), r.features));
+            variants.insert(variant_of(r.scene.materials.features(id), r.features));
             has_mask = has_mask || material.alpha_mode == assets::AlphaMode::Mask;
         }
     }
@@ -132,13 +132,13 @@ void Renderer::shadows() {
     if (r.nothing_to_draw) return;
     if ((r.features & feature::kSunShadow) != 0) {
         const gl::PassTimers::Scope timed(r.timers, "shadow.sun");
-        r.sun_shadow.render(r.sun_view, r.frame->items, r.scene, r.stats);
+        r.sun_shadow.render(r.sun_view, *r.frame, r.scene, r.stats);
     } else {
         r.sun_shadow.free();
     }
     if ((r.features & feature::kFlashlight) != 0) {
         const gl::PassTimers::Scope timed(r.timers, "shadow.flashlight");
-        r.flashlight_shadow.render(r.flashlight_view, r.frame->items, r.scene, r.stats);
+        r.flashlight_shadow.render(r.flashlight_view, *r.frame, r.scene, r.stats);
     } else {
         r.flashlight_shadow.free();
     }

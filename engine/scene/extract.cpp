@@ -27,14 +27,13 @@ void add_items(const Simulation& simulation, Real blend_share, render::RenderFra
     for (auto [entity, visual, placement] :
          simulation.registry.view<const Visual, const Placement>()) {
         const Pose pose = drawn_pose(simulation, entity, placement, blend_share);
-        frame.items.push_back(
-            {.mesh = visual.mesh,
-             .materials = visual.materials.data(),
-             .material_count = static_cast<std::uint32_t>(visual.materials.size()),
-             .world_from_body = matrix_of(pose, placement.scale),
-             .tint = visual.tint,
-             .casts_shadow = visual.casts_shadow,
-             .is_static = visual.is_static});
+        render::add_item(frame,
+                         {.mesh = visual.mesh,
+                          .world_from_body = matrix_of(pose, placement.scale),
+                          .tint = visual.tint,
+                          .casts_shadow = visual.casts_shadow,
+                          .is_static = visual.is_static},
+                         visual.materials);
     }
 }
 

@@ -140,16 +140,12 @@ int run(const Options& options) {
     for (int i = -kWarmUp; i < options.frames; ++i) {
         if (i == 0) start_cpu_s = process_cpu_s();
         frame.items.clear();
-        frame.items.push_back(
-            {.mesh = ground,
-             .materials = ground_look.data(),
-             .material_count = 1,
-             .world_from_body = glm::translate(Mat4f{1.0F}, Vec3f{0.0F, -0.5F, 0.0F})});
+        frame.material_ids.clear();
+        const Mat4f ground_pose = glm::translate(Mat4f{1.0F}, Vec3f{0.0F, -0.5F, 0.0F});
+        add_item(frame, {.mesh = ground, .world_from_body = ground_pose}, ground_look);
         for (int b = 0; b < options.boxes; ++b) {
-            frame.items.push_back({.mesh = box,
-                                   .materials = box_look.data(),
-                                   .material_count = 1,
-                                   .world_from_body = box_pose(b, options.still ? 0 : i)});
+            const Mat4f pose = box_pose(b, options.still ? 0 : i);
+            add_item(frame, {.mesh = box, .world_from_body = pose}, box_look);
         }
         if (i == -kWarmUp) renderer.prepare(frame);
         draw(renderer, frame);

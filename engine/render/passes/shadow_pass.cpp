@@ -28,7 +28,7 @@ std::uint64_t hash_of(const ShadowView& view, const std::vector<VisibleItem>& ca
         const DrawItem& item = *caster.item;
         hasher.add(&item.mesh, sizeof(item.mesh));
         hasher.add(&item.world_from_body, sizeof(item.world_from_body));
-        hasher.add(item.materials, item.material_count * sizeof(assets::MaterialId));
+        hasher.add(caster.materials.data(), caster.materials.size_bytes());
     }
     return hasher.digest();
 }
@@ -36,7 +36,7 @@ std::uint64_t hash_of(const ShadowView& view, const std::vector<VisibleItem>& ca
 }  // namespace
 
 void ShadowPass::render(const ShadowView& view,
-                        const std::vector<DrawItem>& items,
+                        const RenderFrame& frame,
                         SceneResources& resources,
                         FrameStats& stats) {
     GLint largest = 0;
@@ -50,7 +50,7 @@ void ShadowPass::render(const ShadowView& view,
         drawn_hash_ = 0;
     }
     std::vector<VisibleItem> casters =
-        cull(items, resources.library, caster_volume(view.clip_from_world), view.eye_world);
+        cull(frame, resources.library, caster_volume(view.clip_from_world), view.eye_world);
     std::erase_if(casters, [](const VisibleItem& c) { return !c.item->casts_shadow; });
     const std::uint64_t hash = hash_of(view, casters);
     if (hash == drawn_hash_) {

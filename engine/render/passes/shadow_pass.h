@@ -24,7 +24,7 @@ class ShadowPass {
 public:
     /// Draws the casters in sight of the light, or nothing if the map shows them already.
     void render(const ShadowView& view,
-                const std::vector<DrawItem>& items,
+                const RenderFrame& frame,
                 SceneResources& resources,
                 FrameStats& stats);
     /// Frees the map.

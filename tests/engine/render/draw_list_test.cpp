@@ -4,37 +4,48 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <vector>
 
 namespace plumbline::render {
 namespace {
 
 class DrawListTest : public testing::Test {
 protected:
-    DrawItem item(assets::MeshId mesh,
-                  const std::array<assets::MaterialId, 1>& materials,
-                  float z) {
-        return {.mesh = mesh,
-                .materials = materials.data(),
-                .material_count = 1,
-                .world_from_body = glm::translate(Mat4f{1.0F}, Vec3f{0.0F, 0.0F, z})};
+    struct Thing {
+        assets::MeshId mesh;
+        assets::MaterialId material;
+        float z;
+        bool casts_shadow{true};
+    };
+    const RenderFrame& frame_of(const std::vector<Thing>& things) {
+        frame_ = {};
+        for (const Thing& thing : things) {
+            add_item(frame_,
+                     {.mesh = thing.mesh,
+                      .world_from_body = glm::translate(Mat4f{1.0F}, Vec3f{0.0F, 0.0F, thing.z}),
+                      .casts_shadow = thing.casts_shadow},
+                     {&thing.material, 1});
+        }
+        return frame_;
     }
-    std::vector<VisibleItem> all_of(const std::vector<DrawItem>& items) {
+    std::vector<VisibleItem> all_of(const std::vector<Thing>& things) {
         const Mat4f everything = glm::ortho(-1e4F, 1e4F, -1e4F, 1e4F, -1e4F, 1e4F);
-        return cull(items, library_, Frustum{everything}, Vec3f{0.0F});
+        return cull(frame_of(things), library_, Frustum{everything}, Vec3f{0.0F});
     }
+
+    RenderFrame frame_;  ///< what all_of() tells of lives in it
 
     assets::AssetLibrary library_;
     assets::MeshId box_{library_.add_mesh("box", assets::box_mesh(Vec3f{1.0F}))};
     assets::MeshId ball_{library_.add_mesh("ball", assets::sphere_mesh(0.5F))};
-    std::array<assets::MaterialId, 1> red_{library_.add_material({.name = "red"})};
-    std::array<assets::MaterialId, 1> glass_{
+    assets::MaterialId red_{library_.add_material({.name = "red"})};
+    assets::MaterialId glass_{
         library_.add_material({.name = "glass", .alpha_mode = assets::AlphaMode::Blend})};
 };
 
 TEST_F(DrawListTest, JoinsEqualItemsNearestFirst) {
-    const std::vector<DrawItem> items{
-        item(box_, red_, -20.6F), item(box_, red_, -20.2F), item(box_, red_, -20.4F)};
+    const std::vector<Thing> items{
+        {box_, red_, -20.6F}, {box_, red_, -20.2F}, {box_, red_, -20.4F}};
     DrawList list;
     build_draws(all_of(items), library_, DrawKind::Opaque, list);
     ASSERT_EQ(list.runs.size(), 1U);
@@ -45,8 +56,8 @@ TEST_F(DrawListTest, JoinsEqualItemsNearestFirst) {
 }
 
 TEST_F(DrawListTest, DrawsNearThingsOfAnyKindBeforeFarOnes) {
-    const std::vector<DrawItem> items{
-        item(box_, red_, -90.0F), item(ball_, red_, -30.0F), item(box_, red_, -3.0F)};
+    const std::vector<Thing> items{
+        {box_, red_, -90.0F}, {ball_, red_, -30.0F}, {box_, red_, -3.0F}};
     DrawList list;
     build_draws(all_of(items), library_, DrawKind::Opaque, list);
     ASSERT_EQ(list.runs.size(), 3U);
@@ -56,12 +67,12 @@ TEST_F(DrawListTest, DrawsNearThingsOfAnyKindBeforeFarOnes) {
 }
 
 TEST_F(DrawListTest, PutsGlassLastAndFarGlassFirst) {
-    const std::vector<DrawItem> items{
-        item(box_, glass_, -3.0F), item(box_, red_, -5.0F), item(box_, glass_, -9.0F)};
+    const std::vector<Thing> items{
+        {box_, glass_, -3.0F}, {box_, red_, -5.0F}, {box_, glass_, -9.0F}};
     DrawList opaque;
     build_draws(all_of(items), library_, DrawKind::Opaque, opaque);
     ASSERT_EQ(opaque.runs.size(), 1U);
-    EXPECT_EQ(opaque.runs[0].material, red_[0]);
+    EXPECT_EQ(opaque.runs[0].material, red_);
     DrawList translucent;
     build_draws(all_of(items), library_, DrawKind::Translucent, translucent);
     ASSERT_EQ(translucent.runs.size(), 2U);
@@ -70,9 +81,8 @@ TEST_F(DrawListTest, PutsGlassLastAndFarGlassFirst) {
 }
 
 TEST_F(DrawListTest, CastsNoShadowOfGlassNorOfWhatCastsNone) {
-    std::vector<DrawItem> items{
-        item(box_, glass_, -3.0F), item(box_, red_, -5.0F), item(ball_, red_, -5.0F)};
-    items[2].casts_shadow = false;
+    const std::vector<Thing> items{
+        {box_, glass_, -3.0F}, {box_, red_, -5.0F}, {ball_, red_, -5.0F, false}};
     DrawList list;
     build_depth_draws(all_of(items), library_, list);
     ASSERT_EQ(list.runs.size(), 1U);
@@ -81,9 +91,9 @@ TEST_F(DrawListTest, CastsNoShadowOfGlassNorOfWhatCastsNone) {
 }
 
 TEST_F(DrawListTest, CullsWhatIsOutOfSight) {
-    const std::vector<DrawItem> items{item(box_, red_, -10.0F), item(box_, red_, 10.0F)};
+    const std::vector<Thing> items{{box_, red_, -10.0F}, {box_, red_, 10.0F}};
     const Mat4f ahead = glm::perspective(1.0F, 1.0F, 0.1F, 100.0F);
-    EXPECT_EQ(cull(items, library_, Frustum{ahead}, Vec3f{0.0F}).size(), 1U);
+    EXPECT_EQ(cull(frame_of(items), library_, Frustum{ahead}, Vec3f{0.0F}).size(), 1U);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -58,11 +57,7 @@ protected:
                   assets::MeshId mesh,
                   assets::MaterialId material,
                   const Mat4f& world_from_body) {
-        materials_.push_back({material});
-        frame.items.push_back({.mesh = mesh,
-                               .materials = materials_.back().data(),
-                               .material_count = 1,
-                               .world_from_body = world_from_body});
+        render::add_item(frame, {.mesh = mesh, .world_from_body = world_from_body}, {&material, 1});
     }
     void add_box(RenderFrame& frame,
                  const Vec3f& size_m,
@@ -97,7 +92,6 @@ protected:
     std::unique_ptr<platform::OffscreenContext> context_;
     assets::AssetLibrary library_;
     std::unique_ptr<Renderer> renderer_;
-    std::deque<std::vector<assets::MaterialId>> materials_;
 };
 
 /// Looks from `eye` at `target`.

@@ -45,8 +45,24 @@ TEST(Extract, TellsWhatCannotMove) {
     EXPECT_TRUE(frame.items[0].is_static);
     EXPECT_FALSE(frame.items[1].is_static);
     EXPECT_TRUE(frame.items[2].is_static);
-    EXPECT_EQ(frame.items[0].material_count, 1U);
-    EXPECT_NE(frame.items[0].materials, nullptr);
+}
+
+TEST(Extract, WhatItGivesOutlivesTheWorld) {
+    render::RenderFrame frame;
+    std::vector<assets::MaterialId> materials;
+    {
+        Running run(scene_of({cube("a", {0, 5, 0}), ground()}));
+        frame = frame_of(run, 1);
+        for (auto [entity, visual] : run->registry.view<Visual>()) {
+            materials.insert(materials.end(), visual.materials.begin(), visual.materials.end());
+        }
+    }
+    EXPECT_EQ(frame.material_ids, materials);
+    ASSERT_EQ(frame.items.size(), 2U);
+    for (const render::DrawItem& item : frame.items) {
+        ASSERT_EQ(render::materials_of(frame, item).size(), 1U);
+    }
+    EXPECT_EQ(frame.items[1].first_material, 1U);
 }
 
 TEST(Extract, EqualThingsShareOneMesh) {
