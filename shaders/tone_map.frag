@@ -1,5 +1,6 @@
-// Radiance to the screen: bloom added, exposure, tone curve, sRGB. Passes: post. Reads the HDR
-// image, the bloom image and, where lines follow, the depth image.
+// Radiance to what a screen shows: bloom added, exposure and tone curve where the frame asks for
+// them, sRGB. The only place where light is encoded. Passes: post. Reads the scene's image, the
+// bloom image and, where lines follow, the depth image.
 #include "include/blocks.glsl"
 #include "include/color.glsl"
 
@@ -20,8 +21,13 @@ void main() {
 #ifdef PL_BLOOM
     color = mix(color, texture(bloom_image, screen_uv).rgb, frame.tone.y);
 #endif
-#ifdef PL_KEEP_DEPTH
-    gl_FragDepth = texelFetch(depth_image, ivec2(gl_FragCoord.xy), 0).r;
+#ifdef PL_TONE_MAP
+    color = tone_mapped(color, frame.tone.x);
 #endif
-    out_color = vec4(srgb_from_linear(tone_mapped(color, frame.tone.x)), 1.0);
+    color = srgb_from_linear(color);
+#ifdef PL_KEEP_DEPTH
+    gl_FragDepth = texture(depth_image, screen_uv).r;
+#endif
+    // The passes that smooth and sharpen want to know how bright a pixel looks.
+    out_color = vec4(color, dot(color, vec3(0.299, 0.587, 0.114)));
 }

@@ -4,6 +4,7 @@
 #include "engine/render/renderer_impl.h"
 #include "engine/render/shadow_fit.h"
 
+#include <fmt/format.h>
 #include <glad/gl.h>
 
 #include <algorithm>
@@ -25,13 +26,14 @@ Vec3f forward_of(const Camera& camera) {
     return camera.orientation * Vec3f{0.0F, 0.0F, -1.0F};
 }
 
-bool wants_hdr(const RenderFrame& frame) {
-    return frame.post && frame.post->bloom > 0.0F;
+std::uint32_t scaled_px(std::uint32_t side_px, float scale, std::uint32_t largest_px) {
+    const float scaled = std::round(static_cast<float>(side_px) * scale);
+    return std::clamp(static_cast<std::uint32_t>(scaled), 1U, largest_px);
 }
 
 }  // namespace
 
-FeatureSet frame_features_of(const RenderFrame& frame, bool hdr) {
+FeatureSet frame_features_of(const RenderFrame& frame) {
     FeatureSet features = 0;
     if (frame.sun) features |= feature::kSun;
     if (frame.sun && frame.sun_shadow) features |= feature::kSunShadow;
@@ -39,26 +41,28 @@ FeatureSet frame_features_of(const RenderFrame& frame, bool hdr) {
     if (!frame.lights.empty()) features |= feature::kLocalLights;
     if (frame.fog) features |= feature::kFog;
     if (frame.sky) features |= feature::kSkyLight;
-    if (hdr) return features;
-    if (frame.post) features |= feature::kToneMap;
-    return features | feature::kEncode;
+    return features;
 }
 
 void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     frame = &new_frame;
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    width_px = std::min(new_frame.width_px, static_cast<std::uint32_t>(largest));
-    height_px = std::min(new_frame.height_px, static_cast<std::uint32_t>(largest));
+    width_px = new_frame.width_px;
+    height_px = new_frame.height_px;
     nothing_to_draw = width_px == 0 || height_px == 0;
     if (nothing_to_draw) return;
 
     size_targets();
+    if (nothing_to_draw) return;
     scene.sky.want(new_frame.sky ? new_frame.sky->folder : std::filesystem::path{});
-    scene.materials.update(new_frame.shading);
-    features = frame_features_of(new_frame, post.ready());
-    const FeatureSet shadowed = feature::kSunShadow | feature::kFlashlight;
-    if (!is_software_gl && (features & shadowed) != 0) features |= feature::kSoftShadows;
+    scene.materials.update(new_frame.shading, quality.surface_maps);
+    features = frame_features_of(new_frame);
+    if ((features & (feature::kSunShadow | feature::kFlashlight)) != 0) {
+        if (!quality.shadow_filter) {
+            features |= feature::kHardShadows;
+        } else if (!is_software_gl) {
+            features |= feature::kSoftShadows;
+        }
+    }
 
     const Camera& camera = new_frame.camera;
     const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
@@ -91,22 +95,69 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     if (!new_frame.lights.empty()) upload_local_lights(lights_buffer, new_frame.lights);
 }
 
+void Renderer::Impl::size_own_target() {
+    if (target != PresentTarget::Offscreen) return;
+    // An image of one's own cannot be larger than the driver allows; a window can.
+    width_px = std::min(width_px, limits.texture_px);
+    height_px = std::min(height_px, limits.texture_px);
+    if (color_image.width() == width_px && color_image.height() == height_px) return;
+    own_framebuffer = {};
+    color_image =
+        gl::Texture::target(gl::TargetFormat::Rgba8, width_px, height_px, gl::Filter::Nearest);
+    depth_image =
+        gl::Texture::target(gl::TargetFormat::Depth24, width_px, height_px, gl::Filter::Nearest);
+    own_framebuffer = gl::Framebuffer{&color_image, &depth_image};
+}
+
 void Renderer::Impl::size_targets() {
-    if (target == PresentTarget::Offscreen &&
-        (color_image.width() != width_px || color_image.height() != height_px)) {
-        own_framebuffer = {};
-        color_image =
-            gl::Texture::target(gl::TargetFormat::Rgba8, width_px, height_px, gl::Filter::Nearest);
-        depth_image = gl::Texture::target(
-            gl::TargetFormat::Depth24, width_px, height_px, gl::Filter::Nearest);
-        own_framebuffer = gl::Framebuffer{&color_image, &depth_image};
+    size_own_target();
+    if (asked_px_ != PixelSize{width_px, height_px}) {
+        asked_px_ = {width_px, height_px};
+        given_up_ = 0;
     }
-    if (!wants_hdr(*frame)) {
-        post.free();
-        return;
+    for (;; ++given_up_) {
+        quality = frame->quality;
+        if (given_up_ == 1) quality.render_scale *= 0.5F;
+        if (given_up_ == 2) {
+            quality = quality_of(PictureLevel::Low);
+            quality.render_scale = kSmallestRenderScale;
+        }
+        const Result<Done> sized = try_scene_targets();
+        if (sized) return;
+        if (given_up_ == 2) {
+            log_error("nothing can be drawn: {}", sized.error().message);
+            nothing_to_draw = true;
+            return;
+        }
+        log_warning("{}: {}",
+                    sized.error().message,
+                    given_up_ == 0 ? "half the render scale is tried"
+                                   : "the lowest picture level is tried");
     }
-    const auto sized = post.resize(width_px, height_px);
-    if (!sized) log_warning("drawing without bloom: {}", sized.error().message);
+}
+
+Result<Done> Renderer::Impl::try_scene_targets() {
+    // Both sides by one factor: what is too wide for the driver keeps its shape.
+    const auto longer_px = static_cast<float>(std::max(width_px, height_px));
+    const float scale = std::min(std::clamp(quality.render_scale, 0.1F, 1.0F),
+                                 static_cast<float>(limits.texture_px) / longer_px);
+    post_view = {.scene_px = {scaled_px(width_px, scale, limits.texture_px),
+                              scaled_px(height_px, scale, limits.texture_px)},
+                 .present_px = {width_px, height_px},
+                 .bloom = frame->post && frame->post->bloom > 0.0F,
+                 .tone_curve = frame->post.has_value(),
+                 .fxaa = quality.fxaa,
+                 .keeps_depth = !frame->lines.vertices.empty()};
+    stats.scene_width_px = post_view.scene_px.width;
+    stats.scene_height_px = post_view.scene_px.height;
+    const PixelSize& size_px = post_view.scene_px;
+    if (limits.target_bytes > 0 &&
+        SceneTarget::bytes_for(size_px.width, size_px.height) > limits.target_bytes) {
+        return Error{fmt::format(
+            "the driver has no memory for a picture of {} x {}", size_px.width, size_px.height)};
+    }
+    const Result<Done> sized = scene_target.resize(size_px.width, size_px.height);
+    return sized ? post.resize(post_view) : sized;
 }
 
 void Renderer::Impl::set_up_light() {
@@ -121,15 +172,17 @@ void Renderer::Impl::set_up_light() {
                          .forward_world = forward_of(frame->camera),
                          .fov_y_rad = frame->camera.fov_y_rad,
                          .aspect = static_cast<float>(width_px) / static_cast<float>(height_px)};
+    const std::uint32_t size_px =
+        scaled_px(shadow.size_px, quality.shadow_detail, limits.texture_px);
     const SunShadowFit fit =
-        fit_sun_shadow(view, direction, std::max(shadow.distance_m, 1.0F), shadow.size_px);
+        fit_sun_shadow(view, direction, std::max(shadow.distance_m, 1.0F), size_px);
     block.sun_shadow_from_world = kTextureFromClip * fit.clip_from_world;
     block.camera_world.w = fit.texel_m;
     block.to_sun_world.w = 1.0F / std::max(shadow.distance_m, 1.0F);
-    block.sun_radiance.w = 1.0F / static_cast<float>(shadow.size_px);
+    block.sun_radiance.w = 1.0F / static_cast<float>(size_px);
     sun_view = {.clip_from_world = fit.clip_from_world,
                 .eye_world = frame->camera.position_world - direction * 1e4F,
-                .size_px = shadow.size_px};
+                .size_px = size_px};
 }
 
 void Renderer::Impl::set_up_flashlight(const Flashlight& flashlight) {
@@ -158,18 +211,12 @@ void Renderer::Impl::build_draw_lists() {
     build_draws(std::move(visible), scene.library, DrawKind::Translucent, translucent_draws);
 }
 
-void Renderer::Impl::bind_present_target() const {
-    glBindFramebuffer(GL_FRAMEBUFFER,
-                      target == PresentTarget::Offscreen ? own_framebuffer.name() : 0U);
-    glViewport(0, 0, static_cast<GLsizei>(width_px), static_cast<GLsizei>(height_px));
+unsigned int Renderer::Impl::present_framebuffer() const {
+    return target == PresentTarget::Offscreen ? own_framebuffer.name() : 0U;
 }
 
-void Renderer::Impl::bind_scene_target() const {
-    if (!post.ready()) {
-        bind_present_target();
-        return;
-    }
-    glBindFramebuffer(GL_FRAMEBUFFER, post.hdr_framebuffer().name());
+void Renderer::Impl::bind_present_target() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, present_framebuffer());
     glViewport(0, 0, static_cast<GLsizei>(width_px), static_cast<GLsizei>(height_px));
 }
 

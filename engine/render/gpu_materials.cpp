@@ -89,16 +89,22 @@ GpuMaterials::GpuMaterials(const assets::AssetLibrary& library, GpuTextures& tex
     stride_ = (sizeof(MaterialBlock) + step - 1) / step * step;
 }
 
-void GpuMaterials::update(std::optional<assets::Shading> shading) {
+void GpuMaterials::update(std::optional<assets::Shading> shading, bool surface_maps) {
     const std::size_t count = library_.material_count() + 1;
-    if (materials_.size() == count && shading_ == shading) return;
+    if (materials_.size() == count && shading_ == shading && surface_maps_ == surface_maps) return;
     shading_ = shading;
+    surface_maps_ = surface_maps;
     materials_.clear();
     std::vector<std::byte> bytes(count * stride_);
     for (std::uint32_t id = 0; id < count; ++id) {
         assets::MaterialData material =
             id == 0 ? assets::MaterialData{} : library_.material(assets::MaterialId{id});
         if (shading) material.shading = *shading;
+        if (!surface_maps) {
+            material.normal_map.clear();
+            // What is metal where is in there, too.
+            if (material.metallic == 0.0F) material.orm_map.clear();
+        }
         const MaterialBlock block = block_of(material);
         std::memcpy(bytes.data() + id * stride_, &block, sizeof(block));
         materials_.push_back(

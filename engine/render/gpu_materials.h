@@ -22,8 +22,9 @@ public:
     GpuMaterials(const assets::AssetLibrary& library, GpuTextures& textures);
 
     /// Uploads materials that the library has got since the last call. Once a frame.
-    /// `shading`: over every material's own.
-    void update(std::optional<assets::Shading> shading);
+    /// `shading`: over every material's own. `surface_maps`: false leaves normal maps out, and
+    /// the maps of roughness where nothing is metal.
+    void update(std::optional<assets::Shading> shading, bool surface_maps);
     FeatureSet features(assets::MaterialId id) const { return materials_[id.value].features; }
     const std::vector<TextureRequest>& textures(assets::MaterialId id) const {
         return materials_[id.value].textures;
@@ -42,6 +43,7 @@ private:
         std::vector<TextureRequest> textures;
     };
     std::optional<assets::Shading> shading_;
+    bool surface_maps_{true};
     std::vector<Entry> materials_;  ///< by id; [0]: what draws without a material get
 };
 

@@ -1,6 +1,7 @@
 #include "engine/render/gpu_sky.h"
 
 #include "engine/core/log.h"
+#include "engine/render/mip_chain.h"
 
 #include <algorithm>
 #include <array>
@@ -34,6 +35,16 @@ std::filesystem::path face_file(const std::filesystem::path& folder, const char*
 
 assets::ImageData gray_face() {
     return {.width = 1, .height = 1, .format = assets::PixelFormat::Rgb8, .bytes = {128, 128, 128}};
+}
+
+/// As it is, or small enough for the driver.
+assets::ImageData fitted(assets::ImageData face, std::uint32_t largest_px) {
+    while (std::max(face.width, face.height) > largest_px) {
+        face = face.format == assets::PixelFormat::Rgb16F
+                   ? half_floats_of(resized(radiance_of(face), largest_px))
+                   : mip_chain(face, MipContent::Color, 0.0F).at(1);
+    }
+    return face;
 }
 
 /// A cube map wants six squares of one size and kind: where they differ, all become half floats as
@@ -88,7 +99,7 @@ void GpuSky::load(const std::filesystem::path& folder) {
             faces.push_back(gray_face());
             continue;
         }
-        faces.push_back(*library_.take_image(file));
+        faces.push_back(fitted(*library_.take_image(file), largest_px_));
     }
     make_alike(faces);
 

@@ -12,7 +12,9 @@ namespace plumbline::render {
 
 class GpuSky {
 public:
-    explicit GpuSky(assets::AssetLibrary& library) : library_(library) {}
+    /// Faces larger than `largest_px` on a side are made smaller.
+    GpuSky(assets::AssetLibrary& library, std::uint32_t largest_px)
+        : library_(library), largest_px_(largest_px) {}
 
     /// Loads when the folder differs from the last; a missing face is grey, with one warning. An empty path frees everything.
     void want(const std::filesystem::path& folder);
@@ -36,6 +38,7 @@ private:
     void load(const std::filesystem::path& folder);
 
     assets::AssetLibrary& library_;
+    std::uint32_t largest_px_;
     std::filesystem::path folder_;
     gl::Texture background_;
     gl::Texture reflection_;

@@ -1,5 +1,6 @@
 #include "engine/render/gpu_textures.h"
 
+#include <algorithm>
 #include <deque>
 #include <future>
 
@@ -19,7 +20,11 @@ constexpr std::size_t kChainsUnderWay = 4;
 
 const gl::Texture& GpuTextures::add(const TextureRequest& request,
                                     const std::vector<assets::ImageData>& levels) {
-    gl::Texture texture = gl::Texture::tiling(levels, filter_for(request.content));
+    const auto fits = std::ranges::find_if(levels, [&](const assets::ImageData& level) {
+        return std::max(level.width, level.height) <= largest_px_;
+    });
+    gl::Texture texture =
+        gl::Texture::tiling(std::span{fits, levels.end()}, filter_for(request.content));
     bytes_ += texture.bytes();
     return textures_.insert_or_assign(Key{request.file, request.content}, std::move(texture))
         .first->second;

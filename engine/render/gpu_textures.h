@@ -6,8 +6,10 @@
 #include "engine/render/mip_chain.h"
 #include "engine/render/shader_blocks.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,7 +25,9 @@ struct TextureRequest {
 
 class GpuTextures {
 public:
-    explicit GpuTextures(assets::AssetLibrary& library) : library_(library) {}
+    /// Images larger than `largest_px` on a side are halved until they fit.
+    GpuTextures(assets::AssetLibrary& library, std::uint32_t largest_px)
+        : library_(library), largest_px_(largest_px) {}
 
     /// Uploads at the first call; the reference is good until clear().
     const gl::Texture& get(const TextureRequest& request);
@@ -40,6 +44,7 @@ private:
                            const std::vector<assets::ImageData>& levels);
 
     assets::AssetLibrary& library_;
+    std::uint32_t largest_px_;
     std::map<Key, gl::Texture> textures_;
     std::size_t bytes_{0};
 };

@@ -6,6 +6,7 @@
 #include "engine/assets/asset_library.h"
 #include "engine/core/lines.h"
 #include "engine/core/math.h"
+#include "engine/render/quality.h"
 
 #include <array>
 #include <cstdint>
@@ -98,7 +99,8 @@ struct RenderFrame {
     std::vector<LocalLight> lights;
     std::optional<Fog> fog;
     std::optional<Sky> sky;
-    std::optional<Post> post;  ///< absent: plain clamp and sRGB, no HDR target
+    std::optional<Post> post;  ///< absent: plain clamp and sRGB
+    Quality quality;
     FillMode fill_mode{FillMode::Filled};
     std::optional<assets::Shading> shading;  ///< over every material's own (`render --shading`)
     LineList lines;                          ///< collision shapes, contacts

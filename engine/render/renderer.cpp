@@ -1,7 +1,6 @@
 #include "engine/render/renderer.h"
 
 #include "engine/core/log.h"
-#include "engine/render/display_color.h"
 #include "engine/render/gl/debug.h"
 #include "engine/render/renderer_impl.h"
 
@@ -54,16 +53,19 @@ GLenum polygon_mode(FillMode mode) {
     return GL_FILL;
 }
 
-/// What the target is cleared to, in the target's own encoding.
-Vec3f clear_code(const RenderFrame& frame, FeatureSet features) {
-    Vec3f color = frame.clear_color;
-    if (frame.fog) {
-        // The background is as far as the camera sees.
-        const float depth = frame.fog->density_per_m * frame.camera.far_m;
-        color = glm::mix(frame.fog->color, color, std::exp(-depth * depth));
-    }
-    if ((features & feature::kToneMap) != 0) color = tone_mapped(color, frame.post->exposure);
-    return (features & feature::kEncode) != 0 ? srgb_from_linear(color) : color;
+/// The background, which is as far as the camera sees.
+Vec3f background_of(const RenderFrame& frame) {
+    if (!frame.fog) return frame.clear_color;
+    const float depth = frame.fog->density_per_m * frame.camera.far_m;
+    return glm::mix(frame.fog->color, frame.clear_color, std::exp(-depth * depth));
+}
+
+GpuLimits within_driver(GpuLimits limits) {
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    const auto driver_px = static_cast<std::uint32_t>(std::max(largest, 1024));
+    limits.texture_px = limits.texture_px == 0 ? driver_px : std::min(limits.texture_px, driver_px);
+    return limits;
 }
 
 }  // namespace
@@ -74,15 +76,20 @@ Renderer::~Renderer() = default;
 Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader,
                                                    PresentTarget target,
                                                    const std::filesystem::path& shader_folder,
-                                                   assets::AssetLibrary& library) {
+                                                   assets::AssetLibrary& library,
+                                                   const GpuLimits& limits) {
     auto info = load_gl(loader);
     if (!info) return info.error();
     gl::listen_to_driver();
-    auto impl = std::make_unique<Impl>(target, shader_folder, library);
+    auto impl = std::make_unique<Impl>(target, shader_folder, library, within_driver(limits));
     impl->gl = std::move(*info);
     impl->is_software_gl = draws_in_software(impl->gl);
-    const auto compiled = impl->scene.shaders.compile(
-        kMeshShader, feature::kUnlit | feature::kVertexColor | feature::kEncode);
+    for (const ShaderPair& pair : kShaderPairs) {
+        const auto found = impl->scene.shaders.check_files(pair);
+        if (!found) return found.error();
+    }
+    const auto compiled =
+        impl->scene.shaders.compile(kMeshShader, feature::kUnlit | feature::kVertexColor);
     if (!compiled) return compiled.error();
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     glPointSize(2.0F);
@@ -148,8 +155,8 @@ void Renderer::opaque() {
     Impl& r = *impl_;
     if (r.nothing_to_draw) return;
     const gl::PassTimers::Scope timed(r.timers, "opaque");
-    r.bind_scene_target();
-    const Vec3f clear = clear_code(*r.frame, r.features);
+    r.scene_target.bind();
+    const Vec3f clear = background_of(*r.frame);
     glClearColor(clear.x, clear.y, clear.z, 1.0F);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -197,15 +204,14 @@ void Renderer::translucent() {
 
 void Renderer::post() {
     Impl& r = *impl_;
-    if (r.nothing_to_draw || !r.post.ready()) return;
-    {
+    if (r.nothing_to_draw) return;
+    if (r.post_view.bloom) {
         const gl::PassTimers::Scope timed(r.timers, "post.bloom");
-        r.post.render_bloom(r.triangle, r.scene, r.stats);
+        r.post.render_bloom(r.scene_target, r.triangle, r.scene, r.stats);
     }
-    const gl::PassTimers::Scope timed(r.timers, "post.tone_map");
-    r.bind_present_target();
-    const FeatureSet keep_depth = r.frame->lines.vertices.empty() ? 0U : feature::kKeepDepth;
-    r.post.render_tone_map(r.triangle, feature::kBloom | keep_depth, r.scene, r.stats);
+    const gl::PassTimers::Scope timed(r.timers, "post.picture");
+    r.post.render_picture(
+        r.scene_target, r.post_view, r.present_framebuffer(), r.triangle, r.scene, r.stats);
 }
 
 void Renderer::lines() {
@@ -279,7 +285,7 @@ std::vector<GpuBytes> Renderer::gpu_bytes() const {
             {"post", r.post.bytes()},
             {"meshes", r.scene.meshes.bytes()},
             {"textures", r.scene.textures.bytes()},
-            {"targets", r.color_image.bytes() + r.depth_image.bytes()}};
+            {"targets", r.color_image.bytes() + r.depth_image.bytes() + r.scene_target.bytes()}};
 }
 
 const GlInfo& Renderer::gl() const {

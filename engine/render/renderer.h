@@ -4,6 +4,7 @@
 
 #include "engine/assets/image_data.h"
 #include "engine/core/result.h"
+#include "engine/render/gpu_limits.h"
 #include "engine/render/render_frame.h"
 
 #include <filesystem>
@@ -24,7 +25,7 @@ struct GlInfo {
 /// One pass of the latest frame. Passes that did not run are not listed.
 struct PassTiming {
     std::string_view
-        name;  ///< "shadow.sun", "shadow.flashlight", "opaque", "sky", "translucent", "post.bloom", "post.tone_map", "lines", "ui"
+        name;  ///< "shadow.sun", "shadow.flashlight", "opaque", "sky", "translucent", "post.bloom", "post.picture", "lines", "ui"
     double cpu_ms{0};   ///< of the calling thread
     double gpu_ms{-1};  ///< timer query of an earlier frame; -1 where the driver has none
 };
@@ -36,6 +37,8 @@ struct FrameStats {
     std::uint32_t instances{0};
     std::uint32_t shadow_passes_rendered{0};
     std::uint32_t shadow_passes_cached{0};
+    std::uint32_t scene_width_px{0};  ///< of the image that the scene is drawn into
+    std::uint32_t scene_height_px{0};
 };
 
 /// GPU memory by what called for it: "sun_shadow", "flashlight", "sky", "post", "meshes", "textures", "targets".
@@ -52,12 +55,14 @@ using GlLoader = void (*(*)(const char*))();
 
 class Renderer {
 public:
-    /// Loads GL, checks the version (3.3 at least) and compiles what every frame needs.
-    /// The error names vendor, renderer, found and needed.
+    /// Loads GL, checks the version (3.3 at least) and that all shader files are there, and
+    /// compiles what every frame needs. The error names vendor, renderer, found and needed, or the
+    /// file. `limits`: as if the driver had no more.
     static Result<std::unique_ptr<Renderer>> create(GlLoader loader,
                                                     PresentTarget target,
                                                     const std::filesystem::path& shader_folder,
-                                                    assets::AssetLibrary& library);
+                                                    assets::AssetLibrary& library,
+                                                    const GpuLimits& limits = {});
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;

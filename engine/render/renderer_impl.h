@@ -4,10 +4,12 @@
 #include "engine/render/gl/buffer.h"
 #include "engine/render/gl/framebuffer.h"
 #include "engine/render/gl/pass_timer.h"
+#include "engine/render/gpu_limits.h"
 #include "engine/render/passes/line_pass.h"
 #include "engine/render/passes/mesh_pass.h"
 #include "engine/render/passes/post_pass.h"
 #include "engine/render/passes/scene_resources.h"
+#include "engine/render/passes/scene_target.h"
 #include "engine/render/passes/shadow_pass.h"
 #include "engine/render/passes/sky_pass.h"
 #include "engine/render/renderer.h"
@@ -16,10 +18,14 @@
 namespace plumbline::render {
 
 struct Renderer::Impl {
-    Impl(PresentTarget present, const std::filesystem::path& shaders, assets::AssetLibrary& library)
-        : target(present), scene(shaders, library) {}
+    Impl(PresentTarget present,
+         const std::filesystem::path& shaders,
+         assets::AssetLibrary& library,
+         const GpuLimits& gpu_limits)
+        : target(present), limits(gpu_limits), scene(shaders, library, gpu_limits.texture_px) {}
 
     PresentTarget target;
+    GpuLimits limits;  ///< texture_px is set
     GlInfo gl{};
     bool is_software_gl{false};
     SceneResources scene;
@@ -29,7 +35,9 @@ struct Renderer::Impl {
     bool nothing_to_draw{true};
     std::uint32_t width_px{0};
     std::uint32_t height_px{0};
+    Quality quality{};       ///< in force: the frame's, or less where memory is short
     FeatureSet features{0};  ///< of the frame
+    PostView post_view{};
     FrameBlock block;
     ShadowView sun_view{};
     ShadowView flashlight_view{};
@@ -41,6 +49,7 @@ struct Renderer::Impl {
     gl::Texture color_image;  ///< Offscreen only
     gl::Texture depth_image;
     gl::Framebuffer own_framebuffer;
+    SceneTarget scene_target;
     FullscreenTriangle triangle;
     ShadowPass sun_shadow;
     ShadowPass flashlight_shadow;
@@ -56,15 +65,20 @@ struct Renderer::Impl {
     void set_up(const RenderFrame& new_frame);
     void build_draw_lists();
     void bind_present_target() const;
-    void bind_scene_target() const;  ///< HDR image or present target
+    unsigned int present_framebuffer() const;
 
 private:
     void size_targets();
+    void size_own_target();
+    Result<Done> try_scene_targets();
     void set_up_light();
     void set_up_flashlight(const Flashlight& flashlight);
+
+    PixelSize asked_px_{};  ///< for which size memory was short
+    int given_up_{0};       ///< 0: nothing; 1: half the render scale; 2: the lowest level
 };
 
-/// The shader code that all of a frame's draws share. `hdr`: passes write radiance.
-FeatureSet frame_features_of(const RenderFrame& frame, bool hdr);
+/// The shader code that all of a frame's draws share.
+FeatureSet frame_features_of(const RenderFrame& frame);
 
 }  // namespace plumbline::render

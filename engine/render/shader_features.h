@@ -31,14 +31,18 @@ inline constexpr FeatureSet kFlashlight = 1U << 18U;
 inline constexpr FeatureSet kLocalLights = 1U << 19U;
 inline constexpr FeatureSet kFog = 1U << 20U;
 inline constexpr FeatureSet kSkyLight = 1U << 21U;
-inline constexpr FeatureSet kToneMap = 1U << 22U;  ///< exposure and tone curve in this shader
-inline constexpr FeatureSet kEncode = 1U << 23U;   ///< sRGB in this shader
-inline constexpr FeatureSet kBloom = 1U << 24U;
-inline constexpr FeatureSet kKeepDepth = 1U << 25U;
-inline constexpr FeatureSet kSoftShadows = 1U << 26U;  ///< more taps: where lookups are cheap
+inline constexpr FeatureSet kSoftShadows = 1U << 22U;  ///< four taps: where lookups are cheap
+inline constexpr FeatureSet kHardShadows = 1U << 23U;  ///< one tap
+// of the passes after the scene
+inline constexpr FeatureSet kToneMap = 1U << 24U;  ///< exposure and tone curve
+inline constexpr FeatureSet kBloom = 1U << 25U;
+inline constexpr FeatureSet kKeepDepth = 1U << 26U;  ///< lines will be drawn over the picture
+inline constexpr FeatureSet kFxaa = 1U << 27U;
+inline constexpr FeatureSet kSharpen = 1U << 28U;
+inline constexpr FeatureSet kSkyCodes = 1U << 29U;  ///< the sky's faces hold sRGB codes
 }  // namespace feature
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 23> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 26> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -57,11 +61,14 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 23> kFeatur
     {feature::kLocalLights, "PL_LOCAL_LIGHTS"},
     {feature::kFog, "PL_FOG"},
     {feature::kSkyLight, "PL_SKY_LIGHT"},
+    {feature::kSoftShadows, "PL_SOFT_SHADOWS"},
+    {feature::kHardShadows, "PL_HARD_SHADOWS"},
     {feature::kToneMap, "PL_TONE_MAP"},
-    {feature::kEncode, "PL_ENCODE"},
     {feature::kBloom, "PL_BLOOM"},
     {feature::kKeepDepth, "PL_KEEP_DEPTH"},
-    {feature::kSoftShadows, "PL_SOFT_SHADOWS"},
+    {feature::kFxaa, "PL_FXAA"},
+    {feature::kSharpen, "PL_SHARPEN"},
+    {feature::kSkyCodes, "PL_SKY_CODES"},
 }};
 
 }  // namespace plumbline::render

@@ -23,6 +23,14 @@ Result<gl::Program> ShaderLibrary::build(const Key& key) const {
                  ExitCode::NoDisplay};
 }
 
+Result<Done> ShaderLibrary::check_files(const ShaderPair& files) const {
+    for (const char* file : {files.vertex, files.fragment}) {
+        const auto source = load_shader(folder_, file, 0);
+        if (!source) return source.error();
+    }
+    return Done{};
+}
+
 Result<const gl::Program*> ShaderLibrary::compile(const ShaderPair& files, FeatureSet features) {
     Key key{files.vertex, files.fragment, features};
     const auto found = programs_.find(key);

@@ -30,6 +30,8 @@ public:
     Result<const gl::Program*> compile(const ShaderPair& files, FeatureSet features);
     /// Compiles all programs anew. One that fails keeps its old program; the error holds all texts.
     Result<Done> reload();
+    /// That all files of the pair are there; the error names the one that is not.
+    Result<Done> check_files(const ShaderPair& files) const;
     std::size_t size() const { return programs_.size(); }
 
 private:

@@ -15,6 +15,16 @@ float flashlight_shadow(sampler2DShadow map, vec3 at, float texel) {
     return sun_shadow(map, at, texel);
 }
 
+#elif defined(PL_HARD_SHADOWS)
+
+float sun_shadow(sampler2DShadow map, vec3 at, float texel) {
+    return texture(map, at);
+}
+
+float flashlight_shadow(sampler2DShadow map, vec3 at, float texel) {
+    return texture(map, at);
+}
+
 #else
 
 // Two taps across one diagonal: most of the smoothness at half the cost.

@@ -90,6 +90,10 @@ std::size_t upload_level(GLenum target, GLint level, const assets::ImageData& im
 
 }  // namespace
 
+std::size_t bytes_per_pixel(TargetFormat format) {
+    return format_of(format).bytes_per_pixel;
+}
+
 Texture Texture::target(TargetFormat format,
                         std::uint32_t width,
                         std::uint32_t height,

@@ -15,6 +15,9 @@ enum class TargetFormat { Rgba8, HdrColor, Depth16, Depth24 };
 enum class Filter { Nearest, Linear, LinearMipNearest, Trilinear };
 enum class TextureKind { Flat, Cube };
 
+/// What an image of that format holds for one pixel.
+std::size_t bytes_per_pixel(TargetFormat format);
+
 class Texture {
 public:
     Texture() = default;

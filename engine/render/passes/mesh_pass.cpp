@@ -13,7 +13,7 @@ namespace {
 
 constexpr FeatureSet kLightFeatures = feature::kSun | feature::kSunShadow | feature::kFlashlight |
                                       feature::kLocalLights | feature::kSkyLight |
-                                      feature::kSoftShadows;
+                                      feature::kSoftShadows | feature::kHardShadows;
 
 float distance_to(const Aabb& box, const Vec3f& point) {
     return glm::distance(point, glm::clamp(point, box.min, box.max));

@@ -13,52 +13,74 @@ namespace {
 constexpr std::size_t kBloomLevels = 6;
 constexpr std::uint32_t kSmallestSide_px = 4;
 
-void set_viewport(const gl::Texture& image) {
-    glViewport(0, 0, static_cast<GLsizei>(image.width()), static_cast<GLsizei>(image.height()));
+void set_viewport(const PixelSize& size_px) {
+    glViewport(0, 0, static_cast<GLsizei>(size_px.width), static_cast<GLsizei>(size_px.height));
+}
+
+PixelSize size_of(const gl::Texture& image) {
+    return {image.width(), image.height()};
+}
+
+/// Depth is only written while the test is on.
+void write_depth(bool keeps_depth) {
+    if (!keeps_depth) {
+        glDisable(GL_DEPTH_TEST);
+        return;
+    }
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    glDepthMask(GL_TRUE);
 }
 
 }  // namespace
 
-Result<Done> PostPass::resize(std::uint32_t width_px, std::uint32_t height_px) {
-    using gl::Filter;
-    using gl::TargetFormat;
-    if (ready() && hdr_image_.width() == width_px && hdr_image_.height() == height_px) {
-        return Done{};
-    }
-    free();
-    hdr_image_ = gl::Texture::target(TargetFormat::HdrColor, width_px, height_px, Filter::Linear);
-    depth_image_ = gl::Texture::target(TargetFormat::Depth24, width_px, height_px, Filter::Nearest);
-    hdr_framebuffer_ = gl::Framebuffer{&hdr_image_, &depth_image_};
-    bool complete = hdr_framebuffer_.complete();
-    for (std::size_t i = 0; i < kBloomLevels; ++i) {
-        width_px = std::max(width_px / 2, 1U);
-        height_px = std::max(height_px / 2, 1U);
-        if (std::min(width_px, height_px) < kSmallestSide_px) break;
-        Level& level = bloom_levels_.emplace_back();
-        level.image =
-            gl::Texture::target(TargetFormat::HdrColor, width_px, height_px, Filter::Linear);
-        level.framebuffer = gl::Framebuffer{&level.image, nullptr};
-        complete = complete && level.framebuffer.complete();
-    }
-    if (complete) return Done{};
-    free();
-    return Error{"the driver has no memory for the HDR image"};
+bool PostPass::resize_image(Image& target, gl::TargetFormat format, const PixelSize& size_px) {
+    if (target.framebuffer && size_of(target.image) == size_px) return true;
+    target.framebuffer = {};
+    target.image = gl::Texture::target(format, size_px.width, size_px.height, gl::Filter::Linear);
+    target.framebuffer = gl::Framebuffer{&target.image, nullptr};
+    return target.framebuffer.complete();
 }
 
-void PostPass::free() {
-    hdr_framebuffer_ = {};
-    hdr_image_ = {};
-    depth_image_ = {};
-    bloom_levels_.clear();
+bool PostPass::resize_bloom(const PostView& view) {
+    std::size_t level = 0;
+    PixelSize size_px = view.scene_px;
+    while (view.bloom && level < kBloomLevels) {
+        size_px = {std::max(size_px.width / 2, 1U), std::max(size_px.height / 2, 1U)};
+        if (std::min(size_px.width, size_px.height) < kSmallestSide_px) break;
+        if (level == bloom_levels_.size()) bloom_levels_.emplace_back();
+        if (!resize_image(bloom_levels_[level], gl::TargetFormat::HdrColor, size_px)) return false;
+        ++level;
+    }
+    bloom_levels_.resize(level);
+    return true;
+}
+
+Result<Done> PostPass::resize(const PostView& view) {
+    bool complete = resize_bloom(view);
+    if (view.fxaa) {
+        complete = complete && resize_image(toned_, gl::TargetFormat::Rgba8, view.scene_px);
+    } else {
+        toned_ = {};
+    }
+    if (view.is_scaled()) {
+        complete = complete && resize_image(smooth_, gl::TargetFormat::Rgba8, view.scene_px);
+    } else {
+        smooth_ = {};
+    }
+    if (complete) return Done{};
+    *this = {};
+    return Error{"the driver has no memory for the images after the scene's"};
 }
 
 std::size_t PostPass::bytes() const {
-    std::size_t bytes = hdr_image_.bytes() + depth_image_.bytes();
-    for (const Level& level : bloom_levels_) bytes += level.image.bytes();
+    std::size_t bytes = toned_.image.bytes() + smooth_.image.bytes();
+    for (const Image& level : bloom_levels_) bytes += level.image.bytes();
     return bytes;
 }
 
-void PostPass::render_bloom(const FullscreenTriangle& triangle,
+void PostPass::render_bloom(const SceneTarget& scene_target,
+                            const FullscreenTriangle& triangle,
                             SceneResources& resources,
                             FrameStats& stats) {
     const gl::Program* down = resources.shaders.find(kBloomDownShader, 0);
@@ -68,10 +90,10 @@ void PostPass::render_bloom(const FullscreenTriangle& triangle,
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     down->use();
-    const gl::Texture* source = &hdr_image_;
-    for (const Level& level : bloom_levels_) {
+    const gl::Texture* source = &scene_target.color();
+    for (const Image& level : bloom_levels_) {
         glBindFramebuffer(GL_FRAMEBUFFER, level.framebuffer.name());
-        set_viewport(level.image);
+        set_viewport(size_of(level.image));
         gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, *source);
         triangle.draw();
         ++stats.draw_calls;
@@ -81,9 +103,9 @@ void PostPass::render_bloom(const FullscreenTriangle& triangle,
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     for (std::size_t i = bloom_levels_.size() - 1; i > 0; --i) {
-        const Level& target = bloom_levels_[i - 1];
+        const Image& target = bloom_levels_[i - 1];
         glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
-        set_viewport(target.image);
+        set_viewport(size_of(target.image));
         gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, bloom_levels_[i].image);
         triangle.draw();
         ++stats.draw_calls;
@@ -91,31 +113,53 @@ void PostPass::render_bloom(const FullscreenTriangle& triangle,
     glDisable(GL_BLEND);
 }
 
-void PostPass::render_tone_map(const FullscreenTriangle& triangle,
-                               FeatureSet features,
-                               SceneResources& resources,
-                               FrameStats& stats) const {
-    if (bloom_levels_.empty()) features &= ~feature::kBloom;
-    const gl::Program* program = resources.shaders.find(kToneMapShader, features);
-    if (program == nullptr) return;
-    program->use();
-    gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, hdr_image_);
-    gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, depth_image_);
+void PostPass::render_picture(const SceneTarget& scene_target,
+                              const PostView& view,
+                              unsigned int present_framebuffer,
+                              const FullscreenTriangle& triangle,
+                              SceneResources& resources,
+                              FrameStats& stats) const {
+    struct Step {
+        ShaderPair shader;
+        FeatureSet features;
+        const gl::Texture& source;
+        const gl::Framebuffer* target;  ///< null: the present target
+    };
+    const gl::Framebuffer* before_scaling = view.is_scaled() ? &smooth_.framebuffer : nullptr;
+    std::vector<Step> steps;
+    steps.push_back({kToneMapShader,
+                     (view.tone_curve ? feature::kToneMap : 0U) |
+                         (bloom_levels_.empty() ? 0U : feature::kBloom),
+                     scene_target.color(),
+                     view.fxaa ? &toned_.framebuffer : before_scaling});
+    if (view.fxaa) {
+        steps.push_back({kSmoothEdgesShader,
+                         feature::kFxaa | (view.is_scaled() ? feature::kSharpen : 0U),
+                         toned_.image,
+                         before_scaling});
+    }
+    if (view.is_scaled()) steps.push_back({kScaleUpShader, 0, smooth_.image, nullptr});
+
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, scene_target.depth());
     if (!bloom_levels_.empty()) {
         gl::bind_texture(kBloomUnit, gl::TextureKind::Flat, bloom_levels_.front().image);
     }
-    glDisable(GL_CULL_FACE);
-    // Depth is only written while the test is on.
-    const bool keeps_depth = (features & feature::kKeepDepth) != 0;
-    if (keeps_depth) {
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_ALWAYS);
-        glDepthMask(GL_TRUE);
-    } else {
-        glDisable(GL_DEPTH_TEST);
+    for (const Step& step : steps) {
+        const bool is_last = step.target == nullptr;
+        const bool keeps_depth = is_last && view.keeps_depth;
+        glBindFramebuffer(GL_FRAMEBUFFER, is_last ? present_framebuffer : step.target->name());
+        set_viewport(is_last ? view.present_px : view.scene_px);
+        const gl::Program* program = resources.shaders.find(
+            step.shader, step.features | (keeps_depth ? feature::kKeepDepth : 0U));
+        if (program == nullptr) continue;
+        program->use();
+        gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, step.source);
+        write_depth(keeps_depth);
+        triangle.draw();
+        ++stats.draw_calls;
     }
-    triangle.draw();
-    ++stats.draw_calls;
 }
 
 }  // namespace plumbline::render

@@ -1,10 +1,12 @@
-// From HDR radiance to the screen: bloom and tone map. Exists only while a frame asks for bloom;
-// without bloom the shaders of the passes before write the finished picture themselves.
+// From the scene's light to the finished picture: bloom, tone map and sRGB, smooth edges, scaling
+// up. Each step has its images only while a frame asks for it; without any there is one pass, from
+// the scene's image straight to the screen.
 #pragma once
 
 #include "engine/render/gl/framebuffer.h"
 #include "engine/render/gl/texture.h"
 #include "engine/render/passes/scene_resources.h"
+#include "engine/render/passes/scene_target.h"
 #include "engine/render/passes/sky_pass.h"
 
 #include <cstddef>
@@ -13,36 +15,53 @@
 
 namespace plumbline::render {
 
+struct PixelSize {
+    std::uint32_t width{0};
+    std::uint32_t height{0};
+    friend bool operator==(const PixelSize&, const PixelSize&) = default;
+};
+
+struct PostView {
+    PixelSize scene_px;    ///< the scene's image
+    PixelSize present_px;  ///< the finished picture
+    bool bloom{false};
+    bool tone_curve{false};
+    bool fxaa{false};
+    bool keeps_depth{false};  ///< lines will be drawn over the picture
+
+    bool is_scaled() const { return scene_px != present_px; }
+};
+
 class PostPass {
 public:
-    /// Makes the images for that size; nothing if they are there. The error: out of memory.
-    Result<Done> resize(std::uint32_t width_px, std::uint32_t height_px);
-    void free();
-
-    bool ready() const { return static_cast<bool>(hdr_framebuffer_); }
-    /// What opaque, sky and translucent draw into.
-    const gl::Framebuffer& hdr_framebuffer() const { return hdr_framebuffer_; }
+    /// Makes the images that the steps need and frees those that none does. The error: no memory.
+    Result<Done> resize(const PostView& view);
     std::size_t bytes() const;
 
-    void render_bloom(const FullscreenTriangle& triangle,
+    void render_bloom(const SceneTarget& scene_target,
+                      const FullscreenTriangle& triangle,
                       SceneResources& resources,
                       FrameStats& stats);
-    /// Into the framebuffer that is bound. `features` may hold kBloom and kKeepDepth.
-    void render_tone_map(const FullscreenTriangle& triangle,
-                         FeatureSet features,
-                         SceneResources& resources,
-                         FrameStats& stats) const;
+    /// All steps after bloom; the last one draws into `present_framebuffer`.
+    void render_picture(const SceneTarget& scene_target,
+                        const PostView& view,
+                        unsigned int present_framebuffer,
+                        const FullscreenTriangle& triangle,
+                        SceneResources& resources,
+                        FrameStats& stats) const;
 
 private:
-    struct Level {
+    struct Image {
         gl::Texture image;
         gl::Framebuffer framebuffer;
     };
+    bool resize_bloom(const PostView& view);
+    /// False: no memory.
+    static bool resize_image(Image& target, gl::TargetFormat format, const PixelSize& size_px);
 
-    gl::Texture hdr_image_;
-    gl::Texture depth_image_;
-    gl::Framebuffer hdr_framebuffer_;
-    std::vector<Level> bloom_levels_;
+    std::vector<Image> bloom_levels_;  ///< from half the scene's size down
+    Image toned_;   ///< the picture before its edges are smoothed; only with FXAA
+    Image smooth_;  ///< the picture before it is scaled up; only when it is
 };
 
 }  // namespace plumbline::render

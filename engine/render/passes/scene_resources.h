@@ -8,16 +8,20 @@
 #include "engine/render/renderer.h"
 #include "engine/render/shader_library.h"
 
+#include <array>
+
 namespace plumbline::render {
 
 struct SceneResources {
-    SceneResources(const std::filesystem::path& shader_folder, assets::AssetLibrary& asset_library)
+    SceneResources(const std::filesystem::path& shader_folder,
+                   assets::AssetLibrary& asset_library,
+                   std::uint32_t largest_texture_px)
         : library(asset_library),
           shaders(shader_folder),
           meshes(asset_library),
-          textures(asset_library),
+          textures(asset_library, largest_texture_px),
           materials(asset_library, textures),
-          sky(asset_library) {}
+          sky(asset_library, largest_texture_px) {}
 
     assets::AssetLibrary& library;
     ShaderLibrary shaders;
@@ -33,7 +37,19 @@ inline constexpr ShaderPair kSkyShader{"fullscreen.vert", "sky.frag"};
 inline constexpr ShaderPair kToneMapShader{"fullscreen.vert", "tone_map.frag"};
 inline constexpr ShaderPair kBloomDownShader{"fullscreen.vert", "bloom_down.frag"};
 inline constexpr ShaderPair kBloomUpShader{"fullscreen.vert", "bloom_up.frag"};
+inline constexpr ShaderPair kSmoothEdgesShader{"fullscreen.vert", "smooth_edges.frag"};
+inline constexpr ShaderPair kScaleUpShader{"fullscreen.vert", "scale_up.frag"};
 inline constexpr ShaderPair kLineShader{"line.vert", "line.frag"};
+/// All there are: a missing file is found at the start, not when its effect first runs.
+inline constexpr std::array kShaderPairs{kMeshShader,
+                                         kDepthShader,
+                                         kSkyShader,
+                                         kToneMapShader,
+                                         kBloomDownShader,
+                                         kBloomUpShader,
+                                         kSmoothEdgesShader,
+                                         kScaleUpShader,
+                                         kLineShader};
 
 /// Adds a draw to the statistics.
 inline void count_draw(FrameStats& stats, const DrawRun& run) {

@@ -39,10 +39,7 @@ void ShadowPass::render(const ShadowView& view,
                         const RenderFrame& frame,
                         SceneResources& resources,
                         FrameStats& stats) {
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    const std::uint32_t size =
-        std::clamp(view.size_px, 16U, static_cast<std::uint32_t>(std::max(largest, 16)));
+    const std::uint32_t size = std::max(view.size_px, 16U);
     if (map_.width() != size) {
         framebuffer_ = {};
         map_ = gl::Texture::target(gl::TargetFormat::Depth16, size, size, gl::Filter::Linear);

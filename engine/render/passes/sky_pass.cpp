@@ -21,11 +21,11 @@ void render_sky(const FullscreenTriangle& triangle,
                 FeatureSet frame_features,
                 SceneResources& resources,
                 FrameStats& stats) {
-    constexpr FeatureSet kUsed = feature::kFog | feature::kToneMap | feature::kEncode;
-    const gl::Program* program = resources.shaders.find(kSkyShader, frame_features & kUsed);
+    FeatureSet features = frame_features & feature::kFog;
+    if (resources.sky.is_srgb()) features |= feature::kSkyCodes;
+    const gl::Program* program = resources.shaders.find(kSkyShader, features);
     if (program == nullptr) return;
     program->use();
-    glUniform1i(program->location("sky_is_srgb"), resources.sky.is_srgb() ? 1 : 0);
     gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, resources.sky.background());
     glDisable(GL_CULL_FACE);
     glDepthFunc(GL_LEQUAL);

@@ -38,9 +38,9 @@ protected:
         make_renderer(PL_SOURCE_DIR "/shaders");
     }
 
-    void make_renderer(const std::filesystem::path& shaders) {
-        auto made =
-            Renderer::create(context_->gl_loader(), PresentTarget::Offscreen, shaders, library_);
+    void make_renderer(const std::filesystem::path& shaders, const GpuLimits& limits = {}) {
+        auto made = Renderer::create(
+            context_->gl_loader(), PresentTarget::Offscreen, shaders, library_, limits);
         ASSERT_TRUE(made.ok()) << made.error().message;
         renderer_ = std::move(*made);
     }

@@ -1,8 +1,11 @@
 // Pictures whose colours can be computed by hand.
-#include "engine/render/display_color.h"
+#include "engine/assets/image_import.h"
+#include "tests/engine/render/display_color.h"
 #include "tests/engine/render/gl_fixture.h"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace plumbline::render {
 namespace {
@@ -96,7 +99,114 @@ TEST_F(PictureGl, GlassBlendsOverWhatIsBehind) {
                                               .alpha = 0.5F,
                                               .alpha_mode = assets::AlphaMode::Blend});
     add_box(frame, {4.0F, 4.0F, 0.1F}, {0.0F, 0.0F, -1.0F}, glass);
-    EXPECT_NEAR(center(frame).r, 128, 1);
+    // Half of the light, not half of the code: 188, not 128. With a tone curve and without.
+    EXPECT_NEAR(center(frame).r, code_of(0.5F), 1);
+    frame.post = Post{.exposure = 1.0F};
+    expect_near(center(frame), srgb_from_linear(tone_mapped(Vec3f{0.5F}, 1.0F)), 1);
+}
+
+TEST_F(PictureGl, LightBeyondWhiteIsKeptUntilTheExposureTakesIt) {
+    RenderFrame frame = wall(unlit(Vec3f{3.0F}));
+    EXPECT_EQ(center(frame).r, 255);
+    frame.post = Post{.exposure = 0.1F};
+    expect_near(center(frame), srgb_from_linear(tone_mapped(Vec3f{3.0F}, 0.1F)), 1);
+}
+
+/// A white half and a black half, the edge turned a little: stairs.
+class EdgeGl : public PictureGl {
+protected:
+    RenderFrame slope() {
+        RenderFrame frame = empty_frame(120, 90);
+        frame.camera = camera_at(Vec3f{0.0F}, {0.0F, 0.0F, -1.0F});
+        const auto mesh = library_.add_mesh("board", assets::box_mesh({20.0F, 10.0F, 0.1F}));
+        const Mat4f turned = glm::rotate(Mat4f{1.0F}, 0.12F, Vec3f{0.0F, 0.0F, 1.0F});
+        add_item(frame,
+                 mesh,
+                 unlit(Vec3f{1.0F}),
+                 turned * glm::translate(Mat4f{1.0F}, Vec3f{0.0F, -5.0F, -4.0F}));
+        return frame;
+    }
+    /// Pixels that are neither black nor white.
+    static std::size_t greys(const assets::ImageData& image) {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < image.bytes.size(); i += 3) {
+            if (image.bytes[i] > 8 && image.bytes[i] < 247) ++count;
+        }
+        return count;
+    }
+};
+
+TEST_F(EdgeGl, FxaaTurnsStairsIntoGreysAndLeavesTheRest) {
+    RenderFrame frame = slope();
+    const auto plain = draw(frame);
+    EXPECT_EQ(greys(plain), 0U);
+    EXPECT_EQ(bytes_of("post"), 0U);
+    frame.quality.fxaa = true;
+    const auto smooth = draw(frame);
+    // One grey at least for each column of the edge, and none off it.
+    EXPECT_GE(greys(smooth), 100U);
+    EXPECT_LE(greys(smooth), 4U * 120U);
+    EXPECT_EQ(bytes_of("post"), 120U * 90U * 4U);
+    std::size_t changed_off_edge = 0;
+    for (std::uint32_t x = 0; x < 120; ++x) {
+        for (const std::uint32_t y : {0U, 10U, 80U, 89U}) {
+            if (pixel_at(plain, x, y).r != pixel_at(smooth, x, y).r) ++changed_off_edge;
+        }
+    }
+    EXPECT_EQ(changed_off_edge, 0U);
+}
+
+TEST_F(EdgeGl, RenderScaleDrawsFewerPixelsAndLinesInFull) {
+    RenderFrame frame = slope();
+    frame.quality.render_scale = 0.5F;
+    const auto half = draw(frame);
+    EXPECT_EQ(half.width, 120U);
+    EXPECT_EQ(renderer_->stats().scene_width_px, 60U);
+    EXPECT_EQ(renderer_->stats().scene_height_px, 45U);
+    EXPECT_EQ(pixel_at(half, 60, 5).r, 0);
+    EXPECT_EQ(pixel_at(half, 60, 85).r, 255);
+    // A line in front is one pixel wide in the picture, not two.
+    frame.lines.add({-5.0F, 1.0F, -3.0F}, {5.0F, 1.0F, -3.0F}, {1.0F, 0.0F, 0.0F});
+    const auto lined = draw(frame);
+    int red = 0;
+    for (std::uint32_t y = 0; y < 90; ++y) {
+        const Pixel pixel = pixel_at(lined, 60, y);
+        if (pixel.r > 200 && pixel.g < 60) ++red;
+    }
+    EXPECT_EQ(red, 1);
+    // One behind the board shows through faintly only: the depth came along.
+    frame.lines = {};
+    frame.lines.add({-5.0F, -1.0F, -6.0F}, {5.0F, -1.0F, -6.0F}, {1.0F, 0.0F, 0.0F});
+    const auto hidden = draw(frame);
+    int least_green = 255;
+    for (std::uint32_t y = 50; y < 90; ++y) {
+        least_green = std::min(least_green, pixel_at(hidden, 60, y).g);
+    }
+    EXPECT_NEAR(least_green, 204, 2);  // a fifth of the line
+}
+
+// EXPERIENCE G21
+TEST_F(PictureGl, ImagesLargerThanTheDriverTakesAreHalvedUntilTheyFit) {
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / "plumbline_large_image.png";
+    assets::ImageData stripes{.width = 256,
+                              .height = 64,
+                              .format = assets::PixelFormat::Rgb8,
+                              .bytes = std::vector<std::uint8_t>(256 * 64 * 3, 200)};
+    ASSERT_TRUE(assets::write_png(file, stripes).ok());
+    const auto material = library_.add_material(
+        {.name = "stripes", .shading = assets::Shading::Unlit, .base_color_map = file});
+    const RenderFrame frame = wall(material);
+    const Pixel whole = center(frame);
+    const std::uint64_t before = bytes_of("textures");
+    make_renderer(PL_SOURCE_DIR "/shaders", {.texture_px = 64});
+    const Pixel halved = center(frame);
+    EXPECT_NEAR(halved.r, whole.r, 1);
+    EXPECT_NEAR(whole.r, 200, 1);
+    // 256 x 64 with all levels is a little over 4/3 of 65536; 64 x 16 a sixteenth of it.
+    EXPECT_NEAR(
+        static_cast<double>(bytes_of("textures")) / static_cast<double>(before), 1.0 / 16.0, 0.001);
+    std::filesystem::remove(file);
 }
 
 /// Ground, a box of 2 m on it, and a sun whose shadow of the box can be computed.

@@ -3,6 +3,7 @@
 #include "tests/engine/render/gl_fixture.h"
 
 #include <filesystem>
+#include <string>
 
 namespace plumbline::render {
 namespace {
@@ -55,7 +56,8 @@ TEST_F(RendererGl, FollowsTheFramesSize) {
         frame.width_px = side;
         frame.height_px = side;
         EXPECT_EQ(draw(frame).width, side);
-        EXPECT_EQ(bytes_of("targets"), std::uint64_t{side} * side * 8);
+        // Light in half floats and codes of 4 bytes, each with a depth of 4.
+        EXPECT_EQ(bytes_of("targets"), std::uint64_t{side} * side * (8 + 4 + 4 + 4));
     }
     // Twice the same size costs the same memory: nothing leaks.
     const std::uint64_t before = bytes_of("post");
@@ -113,14 +115,15 @@ TEST_F(RendererGl, WhatAFrameDoesNotAskForHoldsNoMemory) {
     EXPECT_EQ(bytes_of("flashlight"), 0U);
     EXPECT_EQ(bytes_of("post"), 0U);
     EXPECT_EQ(bytes_of("sky"), 0U);
-    ASSERT_EQ(renderer_->stats().passes.size(), 1U);
+    ASSERT_EQ(renderer_->stats().passes.size(), 2U);
     EXPECT_EQ(renderer_->stats().passes[0].name, "opaque");
+    EXPECT_EQ(renderer_->stats().passes[1].name, "post.picture");
 
     renderer_->forget_scene();
     EXPECT_EQ(bytes_of("meshes"), 0U);
 }
 
-TEST_F(RendererGl, PostWithoutBloomNeedsNoImages) {
+TEST_F(RendererGl, PostWithoutBloomNeedsNoMoreImages) {
     RenderFrame frame = sunny_box();
     frame.post = Post{};
     draw(frame);
@@ -135,9 +138,48 @@ TEST_F(RendererGl, CountsInstancesAndDraws) {
         add_box(frame, Vec3f{1.0F}, {static_cast<float>(i) * 0.2F, 0.0F, 0.0F}, material);
     }
     draw(frame);
-    EXPECT_EQ(renderer_->stats().draw_calls, 1U);
+    EXPECT_EQ(renderer_->stats().draw_calls, 2U);  // and the one that encodes the picture
     EXPECT_EQ(renderer_->stats().instances, 10U);
     EXPECT_EQ(renderer_->stats().triangles, 120U);
+}
+
+// EXPERIENCE A9
+TEST_F(RendererGl, ShortOfMemoryHalvesTheRenderScaleOnceThenTakesTheLowestLevel) {
+    RenderFrame frame = sunny_box();
+    frame.width_px = 200;
+    frame.height_px = 100;
+    const std::size_t whole = 200 * 100 * (8 + 4);
+    make_renderer(PL_SOURCE_DIR "/shaders", {.target_bytes = whole});
+    draw(frame);
+    EXPECT_EQ(renderer_->stats().scene_width_px, 200U);
+    make_renderer(PL_SOURCE_DIR "/shaders", {.target_bytes = whole - 1});
+    EXPECT_EQ(draw(frame).width, 200U);
+    EXPECT_EQ(renderer_->stats().scene_width_px, 100U);
+    EXPECT_EQ(renderer_->stats().scene_height_px, 50U);
+    make_renderer(PL_SOURCE_DIR "/shaders", {.target_bytes = whole / 4 - 1});
+    draw(frame);
+    EXPECT_EQ(renderer_->stats().scene_width_px, 80U);  // four tenths
+    make_renderer(PL_SOURCE_DIR "/shaders", {.target_bytes = 100});
+    draw(frame);
+    EXPECT_TRUE(renderer_->stats().passes.empty());
+}
+
+// EXPERIENCE A12
+TEST_F(RendererGl, PictureBeyondTheTextureLimitIsDrawnSmallerInItsShapeAndScaledUp) {
+    // The renderer's own present target has the driver's limit, so it is the window's that can be
+    // larger than an image; here the scene's limit alone is lowered.
+    RenderFrame frame = sunny_box();
+    frame.width_px = 20'000;
+    frame.height_px = 10;
+    EXPECT_EQ(draw(frame).width, 16'384U);
+    EXPECT_LE(renderer_->stats().scene_width_px, 16'384U);
+    frame.quality.render_scale = 0.5F;
+    frame.width_px = 400;
+    frame.height_px = 200;
+    const auto image = draw(frame);
+    EXPECT_EQ(image.width, 400U);
+    EXPECT_EQ(renderer_->stats().scene_width_px, 200U);
+    EXPECT_EQ(renderer_->stats().scene_height_px, 100U);
 }
 
 /// A copy of the shaders that a test may break.
@@ -177,6 +219,62 @@ TEST_F(BrokenShadersGl, AtTheStartAreAnErrorWithFileAndLine) {
               std::string::npos)
         << made.error().message;
     EXPECT_EQ(made.error().exit_code, ExitCode::NoDisplay);
+}
+
+// Missing files are one error with one exit code, whichever is missing and whether or not the
+// first frame would need it.
+TEST_F(BrokenShadersGl, MissingFilesAreOneErrorAtTheStart) {
+    for (const char* name : {"mesh.vert",
+                             "mesh.frag",
+                             "depth.vert",
+                             "depth.frag",
+                             "sky.frag",
+                             "line.vert",
+                             "bloom_up.frag",
+                             "smooth_edges.frag",
+                             "scale_up.frag",
+                             "include/shadow.glsl"}) {
+        std::filesystem::rename(folder_ / name, folder_ / "away");
+        const auto made =
+            Renderer::create(context_->gl_loader(), PresentTarget::Offscreen, folder_, library_);
+        ASSERT_FALSE(made.ok()) << name;
+        EXPECT_EQ(made.error().exit_code, ExitCode::NoDisplay) << name;
+        EXPECT_NE(made.error().message.find(name), std::string::npos) << made.error().message;
+        std::filesystem::rename(folder_ / "away", folder_ / name);
+    }
+}
+
+// EXPERIENCE A8
+TEST_F(BrokenShadersGl, VaryingThatTheStagesDisagreeAboutIsAnErrorAndOnReloadKeepsThePicture) {
+    make_renderer(folder_);
+    const RenderFrame frame = sunny_box();
+    const auto before = draw(frame);
+    auto text = read_file(folder_ / "mesh.vert", 1 << 20);
+    ASSERT_TRUE(text.ok());
+    const std::string varying = "out vec3 surface_color;";
+    std::string without = *text;
+    without.replace(without.find(varying), varying.size(), "flat out vec3 surface_color;");
+    ASSERT_TRUE(write_file_atomically(folder_ / "mesh.vert", without).ok());
+    const auto reloaded = renderer_->reload_shaders();
+    ASSERT_FALSE(reloaded.ok());
+    EXPECT_NE(reloaded.error().message.find("mesh.vert + mesh.frag"), std::string::npos);
+    EXPECT_NE(reloaded.error().message.find("surface_color"), std::string::npos);
+    EXPECT_EQ(draw(frame).bytes, before.bytes);
+    const auto made =
+        Renderer::create(context_->gl_loader(), PresentTarget::Offscreen, folder_, library_);
+    ASSERT_FALSE(made.ok());
+    EXPECT_EQ(made.error().exit_code, ExitCode::NoDisplay);
+    // A uniform that nobody declares any more is skipped.
+    const std::string uniform = "uniform float opacity;";
+    auto line = read_file(folder_ / "line.frag", 1 << 20);
+    ASSERT_TRUE(line.ok());
+    line->replace(line->find(uniform), uniform.size(), "const float opacity = 1.0;");
+    ASSERT_TRUE(write_file_atomically(folder_ / "line.frag", *line).ok());
+    ASSERT_TRUE(write_file_atomically(folder_ / "mesh.vert", *text).ok());
+    EXPECT_TRUE(renderer_->reload_shaders().ok());
+    RenderFrame with_lines = frame;
+    with_lines.lines.add({-5, 1, 0}, {5, 1, 0}, {1, 0, 0});
+    EXPECT_NE(draw(with_lines).bytes, before.bytes);
 }
 
 TEST_F(BrokenShadersGl, OnReloadLeaveThePictureAsItWas) {

@@ -54,7 +54,7 @@ constexpr ShaderPair kMesh{"mesh.vert", "mesh.frag"};
 
 TEST_F(ShaderBlocksGl, FrameLiesAsInCpp) {
     const FeatureSet all = feature::kSun | feature::kSunShadow | feature::kFlashlight |
-                           feature::kFog | feature::kSkyLight | feature::kToneMap;
+                           feature::kFog | feature::kSkyLight;
     const Offsets offsets = reflected(program_of(kMesh, all), "Frame");
     const Offsets expected{
         {"", sizeof(FrameBlock)},
@@ -122,22 +122,25 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
                                          kFlashlight,
                                          kLocalLights,
                                          kSun | kSunShadow | kFlashlight | kLocalLights,
-                                         kSun | kSunShadow | kFlashlight | kSoftShadows};
+                                         kSun | kSunShadow | kFlashlight | kSoftShadows,
+                                         kSun | kSunShadow | kFlashlight | kHardShadows};
     const std::vector<FeatureSet> air{0, kFog, kSkyLight, kFog | kSkyLight};
-    const std::vector<FeatureSet> output{0, kEncode, kEncode | kToneMap};
     for (const FeatureSet material : material_variants()) {
         for (const FeatureSet light : lights) {
             for (const FeatureSet a : air) {
-                program_of(kMesh, variant_of(material, light | a | output[light % 3]));
+                program_of(kMesh, variant_of(material, light | a));
             }
         }
     }
-    for (const FeatureSet o : output) {
-        program_of({"fullscreen.vert", "sky.frag"}, o);
-        program_of({"fullscreen.vert", "sky.frag"}, o | kFog);
+    for (const FeatureSet f : {FeatureSet{0}, kFog, kFog | kSkyCodes}) {
+        program_of({"fullscreen.vert", "sky.frag"}, f);
     }
-    for (const FeatureSet f : {FeatureSet{0}, kBloom, kKeepDepth, kBloom | kKeepDepth}) {
+    for (const FeatureSet f : {FeatureSet{0}, kKeepDepth}) {
         program_of({"fullscreen.vert", "tone_map.frag"}, f);
+        program_of({"fullscreen.vert", "tone_map.frag"}, f | kBloom | kToneMap);
+        program_of({"fullscreen.vert", "smooth_edges.frag"}, f | kFxaa);
+        program_of({"fullscreen.vert", "smooth_edges.frag"}, f | kFxaa | kSharpen);
+        program_of({"fullscreen.vert", "scale_up.frag"}, f);
     }
     program_of({"fullscreen.vert", "bloom_down.frag"}, 0);
     program_of({"fullscreen.vert", "bloom_up.frag"}, 0);

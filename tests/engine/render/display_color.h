@@ -1,10 +1,14 @@
-#include "engine/render/display_color.h"
+// What the shaders make of light, computed with the standard's own curves: pictures are predicted
+// with it.
+#pragma once
+
+#include "engine/core/math.h"
 
 #include <cmath>
 
 namespace plumbline::render {
 
-Vec3f srgb_from_linear(const Vec3f& light) {
+inline Vec3f srgb_from_linear(const Vec3f& light) {
     Vec3f code{0.0F};
     for (int i = 0; i < 3; ++i) {
         const float c = glm::clamp(light[i], 0.0F, 1.0F);
@@ -13,7 +17,7 @@ Vec3f srgb_from_linear(const Vec3f& light) {
     return code;
 }
 
-Vec3f tone_mapped(const Vec3f& radiance, float exposure) {
+inline Vec3f tone_mapped(const Vec3f& radiance, float exposure) {
     Vec3f c = glm::max(radiance, Vec3f{0.0F}) * exposure;
     const float luminance = glm::dot(c, Vec3f{0.2126F, 0.7152F, 0.0722F});
     c = glm::mix(c, Vec3f{luminance}, 0.35F * luminance / (luminance + 4.0F));

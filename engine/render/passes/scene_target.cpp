@@ -1,0 +1,33 @@
+#include "engine/render/passes/scene_target.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+namespace plumbline::render {
+
+Result<Done> SceneTarget::resize(std::uint32_t width_px, std::uint32_t height_px) {
+    using gl::Filter;
+    using gl::TargetFormat;
+    if (framebuffer_ && color_.width() == width_px && color_.height() == height_px) return Done{};
+    framebuffer_ = {};
+    color_ = gl::Texture::target(TargetFormat::HdrColor, width_px, height_px, Filter::Linear);
+    depth_ = gl::Texture::target(TargetFormat::Depth24, width_px, height_px, Filter::Nearest);
+    framebuffer_ = gl::Framebuffer{&color_, &depth_};
+    if (framebuffer_.complete()) return Done{};
+    *this = {};
+    return Error{
+        fmt::format("the driver has no memory for a picture of {} x {}", width_px, height_px)};
+}
+
+std::size_t SceneTarget::bytes_for(std::uint32_t width_px, std::uint32_t height_px) {
+    return std::size_t{width_px} * height_px *
+           (gl::bytes_per_pixel(gl::TargetFormat::HdrColor) +
+            gl::bytes_per_pixel(gl::TargetFormat::Depth24));
+}
+
+void SceneTarget::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    glViewport(0, 0, static_cast<GLsizei>(color_.width()), static_cast<GLsizei>(color_.height()));
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,32 @@
+// What the passes of the scene draw into: one image of linear light with depth, of any size.
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/render/gl/framebuffer.h"
+#include "engine/render/gl/texture.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace plumbline::render {
+
+class SceneTarget {
+public:
+    /// Makes the images for that size; nothing if they are there. The error: out of memory.
+    Result<Done> resize(std::uint32_t width_px, std::uint32_t height_px);
+    /// Bytes that images of that size hold.
+    static std::size_t bytes_for(std::uint32_t width_px, std::uint32_t height_px);
+
+    /// Makes it what is drawn into, all of it.
+    void bind() const;
+    const gl::Texture& color() const { return color_; }
+    const gl::Texture& depth() const { return depth_; }
+    std::size_t bytes() const { return color_.bytes() + depth_.bytes(); }
+
+private:
+    gl::Texture color_;
+    gl::Texture depth_;
+    gl::Framebuffer framebuffer_;
+};
+
+}  // namespace plumbline::render

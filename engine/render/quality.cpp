@@ -1,0 +1,50 @@
+#include "engine/render/quality.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace plumbline::render {
+
+Quality quality_of(PictureLevel level) {
+    switch (level) {
+        case PictureLevel::Low:
+            return {.render_scale = 0.6F,
+                    .surface_maps = false,
+                    .shadow_filter = false,
+                    .shadow_detail = 0.5F,
+                    .lod_error_px = 2.0F,
+                    .smallest_px = 4.0F};
+        case PictureLevel::Medium:
+            return {.render_scale = 0.8F, .fxaa = true, .lod_error_px = 1.5F, .smallest_px = 2.0F};
+        case PictureLevel::High:
+            return {.fxaa = true, .lod_error_px = 0.75F};
+    }
+    return {};
+}
+
+std::optional<PictureLevel> picture_level_named(std::string_view name) {
+    for (std::size_t i = 0; i < kPictureLevelNames.size(); ++i) {
+        if (kPictureLevelNames[i] == name) return static_cast<PictureLevel>(i);
+    }
+    return std::nullopt;
+}
+
+std::string what_gave_way(const Quality& quality) {
+    std::string list;
+    const auto add = [&](std::string_view what) {
+        if (!list.empty()) list += ", ";
+        list += what;
+    };
+    if (quality.render_scale < 1.0F) {
+        add(fmt::format("render scale {:.0f} %", std::round(quality.render_scale * 100.0F)));
+    }
+    if (!quality.surface_maps) add("surface maps");
+    if (!quality.shadow_filter) add("smooth shadows");
+    if (quality.shadow_detail < 1.0F) add("fine shadows");
+    if (quality.lod_error_px > 1.0F) add("detail far off");
+    if (quality.smallest_px > 0.0F) add(fmt::format("things below {:.0f} px", quality.smallest_px));
+    return list;
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,43 @@
+// What a picture may cost, as plain data: part of every RenderFrame.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace plumbline::render {
+
+enum class PictureLevel : std::uint8_t { Low, Medium, High };
+
+inline constexpr std::array<std::string_view, 3> kPictureLevelNames{"low", "medium", "high"};
+
+inline constexpr float kSmallestRenderScale = 0.4F;
+
+/// The defaults leave nothing out and smooth nothing.
+struct Quality {
+    /// Of width and height, kSmallestRenderScale…1: the scene is drawn so large and scaled up.
+    /// Lines and UI keep the full size.
+    float render_scale{1.0F};
+    bool fxaa{false};           ///< smooths edges of the finished picture
+    bool surface_maps{true};    ///< normal maps, and roughness maps of what is no metal
+    bool shadow_filter{true};   ///< several lookups in a shadow map instead of one
+    float shadow_detail{1.0F};  ///< of the shadow map's side: 0.25…1
+    float lod_error_px{0.0F};   ///< a mesh may be coarser by so much; 0: always the full mesh
+    float smallest_px{0.0F};    ///< things that look smaller than this are left out; 0: nothing is
+};
+
+/// Low is for drawing on the CPU; High leaves out nothing that can be seen at 1280x720.
+Quality quality_of(PictureLevel level);
+
+/// "low", "medium", "high"; nothing for other words.
+std::optional<PictureLevel> picture_level_named(std::string_view name);
+inline std::string_view name_of(PictureLevel level) {
+    return kPictureLevelNames[static_cast<std::size_t>(level)];
+}
+
+/// What such a picture lacks, for the statistics: "render scale 60 %, surface maps"; empty: nothing.
+std::string what_gave_way(const Quality& quality);
+
+}  // namespace plumbline::render
