@@ -42,6 +42,8 @@ void add_play(CLI::App& app, PlayOptions& options) {
                      options.scene,
                      "A .toml scene, a .glb .gltf .obj model, or a name below assets/scenes");
     play->add_option("--size", options.size, "WIDTHxHEIGHT of the window");
+    play->add_option("--level", options.level, "Of the picture: auto, low, medium or high")
+        ->check(CLI::IsMember({"auto", "low", "medium", "high"}));
     play->add_option("--seconds", options.seconds, "Ends after so much time")
         ->check(CLI::PositiveNumber);
     play->add_option("--record", options.record, "Writes every action to this file");
@@ -59,6 +61,16 @@ void add_render(CLI::App& app, RenderOptions& options) {
     render->add_option("scene", options.scene, "As for play")->required();
     render->add_option("--out", options.out, "The PNG file");
     render->add_option("--size", options.size, "WIDTHxHEIGHT, 1280x720 if not given");
+    render
+        ->add_option("--level",
+                     options.level,
+                     "Of the picture: low, medium or high; without it nothing is left out")
+        ->check(CLI::IsMember({"low", "medium", "high"}));
+    render
+        ->add_option("--render-scale",
+                     options.render_scale,
+                     "With --level: of width and height, instead of the level's own")
+        ->check(CLI::Range(0.4, 1.0));
     render->add_option("--at", options.at_s, "Simulated seconds before the picture")
         ->check(CLI::NonNegativeNumber);
     render->add_option("--camera", options.camera, "x,y,z,yaw,pitch in metres and degrees");

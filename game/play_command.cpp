@@ -1,6 +1,7 @@
 #include "game/play_command.h"
 
 #include "engine/app/frame_loop.h"
+#include "engine/app/picture_control.h"
 #include "engine/core/files.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/log.h"
@@ -105,6 +106,7 @@ app::PlayDef play_def(const PlayOptions& options,
             .unattended = unattended,
             .sound = !common.no_sound,
             .audio_device = options.audio_device,
+            .level = app::picture_level_named(options.level),
             .seconds = options.seconds,
             .record = options.record,
             .report = options.report,

@@ -14,6 +14,7 @@ struct PlayOptions {
     std::filesystem::path record;
     std::filesystem::path replay;
     std::filesystem::path report;
+    std::string level;  ///< of the picture; empty: as the settings say
     std::optional<double> seconds{};
     std::optional<std::uint64_t> random_input{};
     std::optional<std::string> expect_hash{};

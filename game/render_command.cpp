@@ -33,7 +33,7 @@ struct Studio {
 
 Result<Studio> open_studio(const std::string& scene_name,
                            const std::string& size,
-                           std::optional<assets::Shading> shading) {
+                           app::OffscreenDef def) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
     const Result<std::filesystem::path> scene = scene::find_scene(scene_name, folders->assets);
@@ -53,12 +53,11 @@ Result<Studio> open_studio(const std::string& scene_name,
     if (!session) return session.error();
     Studio studio{.session = std::move(*session), .run = nullptr};
     studio.session->library.prefetch_images();
+    def.shader_folder = folders->shaders;
+    def.width_px = static_cast<std::uint32_t>(width);
+    def.height_px = static_cast<std::uint32_t>(height);
     Result<std::unique_ptr<app::OffscreenRun>> run =
-        app::OffscreenRun::create(*studio.session,
-                                  {.shader_folder = folders->shaders,
-                                   .width_px = static_cast<std::uint32_t>(width),
-                                   .height_px = static_cast<std::uint32_t>(height),
-                                   .shading = shading});
+        app::OffscreenRun::create(*studio.session, def);
     if (!run) return run.error();
     studio.run = std::move(*run);
     return studio;
@@ -81,7 +80,12 @@ std::uint64_t steps_in(double seconds, const scene::Simulation& simulation) {
 ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
     const Result<std::optional<assets::Shading>> shading = parse_shading(options.shading);
     if (!shading) return refuse(shading.error());
-    Result<Studio> studio = open_studio(options.scene, options.size, *shading);
+    Result<Studio> studio = open_studio(options.scene,
+                                        options.size,
+                                        {.shader_folder = {},
+                                         .shading = *shading,
+                                         .level = render::picture_level_named(options.level),
+                                         .render_scale = options.render_scale});
     if (!studio) return refuse(studio.error());
     scene::Simulation& simulation = *studio->session->simulation;
 
@@ -118,7 +122,7 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
 }
 
 ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
-    Result<Studio> studio = open_studio(options.scene, options.size, std::nullopt);
+    Result<Studio> studio = open_studio(options.scene, options.size, {});
     if (!studio) return refuse(studio.error());
     std::error_code failed;
     std::filesystem::create_directories(options.out, failed);

@@ -17,6 +17,8 @@ struct RenderOptions {
     std::string shading;
     std::uint64_t frames{1};  ///< one fixed step before each frame after the first
     std::filesystem::path report;
+    std::string level;         ///< of the picture; empty: nothing is left out
+    float render_scale{0.0F};  ///< with a level; 0: the level's own
     bool flashlight{false};
     bool fog{false};  ///< switched on even where the scene has none
 };

@@ -54,8 +54,9 @@ PlayEnd run(platform::Window& window,
         // Sound: what the steps asked for, heard from where this frame is seen.
         parts.play_sound(view, input.now_s);
 
+        const double present_s = wall_s();
         window.present();
-        parts.finish_frame(frame_start_s);
+        parts.finish_frame(frame_start_s, present_s);
     }
     return {.code = parts.close(), .next_scene = parts.next_scene()};
 }

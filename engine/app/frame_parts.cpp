@@ -49,6 +49,8 @@ FrameParts::FrameParts(platform::Window& window,
       menu_(menu_world()),
       first_minute_(def.user_data_folder.empty() ? std::filesystem::path()
                                                  : def.user_data_folder / "first_minute"),
+      picture_wish_(picture_wish_of(config.current(), def.level)),
+      picture_control_(picture_wish_, renderer->draws_in_software()),
       start_s_(window.now_s()) {
     stepper.after_step = [this] { accuracy_.after_step(); };
     latch.set_label_lookup(platform::printed_key_name);
@@ -58,7 +60,7 @@ FrameParts::FrameParts(platform::Window& window,
             session.library);
     }
     apply_config();
-    if (renderer->gl().renderer.find("llvmpipe") != std::string::npos) {
+    if (renderer->draws_in_software()) {
         overlay_.say("drawing on the CPU (no GPU driver): expect few frames a second", start_s_);
     }
     if (!def.first_message.empty()) say(def.first_message);
@@ -109,6 +111,10 @@ void FrameParts::apply_config() {
     const AppConfig& config = config_.current();
     window_.set_vsync(config.vsync);
     if (mixer_) mixer_->set_master_gain(config.mute ? 0.0F : config.master_gain);
+    const PictureWish wish = picture_wish_of(config, def_.level);
+    if (wish == picture_wish_) return;
+    picture_wish_ = wish;
+    picture_control_ = PictureControl(wish, renderer->draws_in_software());
 }
 
 bool FrameParts::ended(double now_s) const {
@@ -170,9 +176,18 @@ void FrameParts::let_go_of_nothing() {
     if (!session_.game->holds()) latch.release(Action::Grab);
 }
 
-void FrameParts::finish_frame(double frame_start_s) {
+void FrameParts::finish_frame(double frame_start_s, double present_s) {
     session_.effects->add_render_stats(renderer->stats(), renderer->gpu_bytes());
-    report.add_frame((wall_s() - frame_start_s) * 1e3, renderer->stats());
+    const double wall_ms = (wall_s() - frame_start_s) * 1e3;
+    report.add_frame(wall_ms, renderer->stats());
+    FrameCost cost{.wall_ms = wall_ms, .cpu_ms = (present_s - frame_start_s) * 1e3};
+    for (const render::PassTiming& pass : renderer->stats().passes) {
+        if (pass.gpu_ms >= 0.0) cost.gpu_ms = std::max(cost.gpu_ms, 0.0) + pass.gpu_ms;
+    }
+    if (!window_.iconified()) picture_control_.add_frame(cost);
+    report.set_picture({.level = name_of(picture_control_.level()),
+                        .is_automatic = picture_control_.is_automatic(),
+                        .quality = picture_control_.quality()});
     // Hidden windows do not block in present(); without vsync nothing does.
     const double least_s = window_.iconified() ? 0.1 : 1.0 / config_.current().max_fps;
     const double left_s = least_s - (wall_s() - frame_start_s);

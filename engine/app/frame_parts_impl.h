@@ -5,6 +5,7 @@
 #include "engine/app/frame_controls.h"
 #include "engine/app/frame_loop.h"
 #include "engine/app/overlay.h"
+#include "engine/app/picture_control.h"
 #include "engine/app/ui/menu_control.h"
 #include "engine/audio/mixer.h"
 #include "engine/core/frame_clock.h"
@@ -30,7 +31,7 @@ public:
     render::RenderFrame extract(const scene::ViewPoint& view, Real blend);
     void draw_overlay(const render::RenderFrame& frame);
     void play_sound(const scene::ViewPoint& view, double now_s);
-    void finish_frame(double frame_start_s);
+    void finish_frame(double frame_start_s, double present_s);
     /// Writes what was asked for; the exit code of the sitting.
     ExitCode close();
     const std::filesystem::path& next_scene() const { return controls_.open_scene; }
@@ -80,6 +81,8 @@ private:
     ui::MenuControl menu_;
     FirstMinute first_minute_;
     InputSnapshot devices_;                    ///< of this frame
+    PictureWish picture_wish_;
+    PictureControl picture_control_;
     std::unique_ptr<audio::Mixer> mixer_;      ///< null with --no-sound
     std::vector<effects::LedgerLine> ledger_;  ///< refreshed for the statistics panel
     double start_s_;

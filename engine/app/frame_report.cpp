@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace plumbline::app {
 namespace {
@@ -79,6 +80,11 @@ std::string FrameReport::json(const scene::Simulation& simulation,
         {"cpu_ms", cpu},
         {"gpu_ms", gpu},
         {"process_cpu_ms_per_frame", (last_cpu_s_ - first_frame_cpu_s_) * 1e3 / between_frames},
+        {"picture",
+         {{"level", picture_.level},
+          {"automatic", picture_.is_automatic},
+          {"render_scale", std::round(double{picture_.quality.render_scale} * 1e3) / 1e3},
+          {"gave_way", render::what_gave_way(picture_.quality)}}},
         {"draw_calls", last_.draw_calls},
         {"triangles", last_.triangles},
         {"instances", last_.instances},

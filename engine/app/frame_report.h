@@ -11,9 +11,17 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plumbline::app {
+
+/// How the picture is drawn.
+struct PictureInForce {
+    std::string_view level{"full"};  ///< "low", "medium", "high"; "full": none was asked for
+    bool is_automatic{false};
+    render::Quality quality{};
+};
 
 /// Collects frame by frame; ask for the JSON at the end.
 class FrameReport {
@@ -21,6 +29,9 @@ public:
     void add_step(const physics::StepCost& cost) { physics_.add(cost); }
     /// wall_ms: from this frame's begin to its end, waiting for the screen included.
     void add_frame(double wall_ms, const render::FrameStats& stats);
+
+    void set_picture(const PictureInForce& picture) { picture_ = picture; }
+    const PictureInForce& picture() const { return picture_; }
 
     std::uint64_t frames() const { return frames_; }
     /// Of the last 120 frames, for the HUD.
@@ -42,6 +53,7 @@ private:
         std::uint64_t gpu_samples{0};
     };
 
+    PictureInForce picture_;
     scene::CostHistory physics_;
     std::vector<float> frame_ms_;
     std::map<std::string, PassTotal> passes_;

@@ -23,7 +23,12 @@ Result<std::unique_ptr<OffscreenRun>> OffscreenRun::create(Session& session,
 }
 
 OffscreenRun::OffscreenRun(Session& session, const OffscreenDef& def)
-    : session_(session), def_(def) {}
+    : session_(session), def_(def) {
+    if (!def.level) return;
+    render::Quality quality = render::quality_of(*def.level);
+    if (def.render_scale > 0.0F) quality.render_scale = def.render_scale;
+    report_.set_picture({.level = render::name_of(*def.level), .quality = quality});
+}
 
 void OffscreenRun::simulate(std::uint64_t steps) {
     for (std::uint64_t i = 0; i < steps; ++i) {
@@ -39,6 +44,7 @@ void OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
     render::RenderFrame frame =
         scene::extract(*session_.simulation, seen_from, Real{1}, def_.width_px, def_.height_px);
     frame.shading = def_.shading;
+    frame.quality = report_.picture().quality;
     session_.effects->refresh(*session_.simulation);
     session_.effects->extract(*session_.simulation, seen_from, frame);
     if (report_.frames() == 0) renderer_->prepare(frame);

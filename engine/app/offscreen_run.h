@@ -17,7 +17,9 @@ struct OffscreenDef {
     std::filesystem::path shader_folder;
     std::uint32_t width_px{1280};
     std::uint32_t height_px{720};
-    std::optional<assets::Shading> shading{};  ///< --shading: over every material's own
+    std::optional<assets::Shading> shading{};     ///< --shading: over every material's own
+    std::optional<render::PictureLevel> level{};  ///< absent: nothing is left out, full scale
+    float render_scale{0.0F};                     ///< with a level; 0: the level's own
 };
 
 class OffscreenRun {

@@ -102,6 +102,14 @@ std::vector<HudLine> stats_lines(const OverlayInput& input) {
                     input.clock.lost_s()));
     add(fmt::format("deepest contact {:.2f} mm",
                     input.simulation.physics.max_penetration_m() * 1e3));
+    const PictureInForce& picture = input.report.picture();
+    const std::string without = render::what_gave_way(picture.quality);
+    add(fmt::format("picture {}{}  {} x {}{}",
+                    picture.level,
+                    picture.is_automatic ? " (auto)" : "",
+                    stats.scene_width_px,
+                    stats.scene_height_px,
+                    without.empty() ? "" : "; gave way: " + without));
     add(fmt::format("{} draws  {} triangles  {} instances  shadow maps {} drawn {} kept",
                     stats.draw_calls,
                     stats.triangles,

@@ -11,7 +11,8 @@ namespace {
 constexpr float kBinRatioLog = 0.405F;
 
 bool same_group(const VisibleItem& a, const VisibleItem& b) {
-    return a.item->mesh == b.item->mesh && std::ranges::equal(a.materials, b.materials);
+    return a.item->mesh == b.item->mesh && a.parts.data() == b.parts.data() &&
+           std::ranges::equal(a.materials, b.materials);
 }
 
 Instance instance_of(const DrawItem& item) {
@@ -35,6 +36,25 @@ void set_part(DrawRun& run, const assets::SubMesh& part, const assets::MaterialD
     run.first_index = part.first_index;
     run.index_count = part.index_count;
     run.two_sided = look.two_sided;
+}
+
+/// The coarsest version that is fine enough.
+std::span<const assets::SubMesh> parts_of(const DrawItem& item,
+                                          const assets::MeshData& mesh,
+                                          const CullView& view,
+                                          float near_m) {
+    const float allowed_m = view.error_m + view.error_rad * near_m;
+    if (view.lods == nullptr || allowed_m <= 0.0F) return mesh.sub_meshes;
+    const auto found = view.lods->find(item.mesh);
+    if (found == view.lods->end()) return mesh.sub_meshes;
+    const float scale = std::max({glm::length(Vec3f{item.world_from_body[0]}),
+                                  glm::length(Vec3f{item.world_from_body[1]}),
+                                  glm::length(Vec3f{item.world_from_body[2]})});
+    std::span<const assets::SubMesh> parts{mesh.sub_meshes};
+    for (const MeshLod& lod : found->second) {
+        if (lod.error_m * scale <= allowed_m) parts = lod.sub_meshes;
+    }
+    return parts;
 }
 
 struct SortEntry {
@@ -108,7 +128,7 @@ void build_opaque(const std::vector<VisibleItem>& visible,
     for_each_group(visible, [&](std::span<const SortEntry> entries) {
         const VisibleItem& first = visible[entries.front().index];
         DrawRun run = append_instances(visible, entries, list);
-        for (const assets::SubMesh& part : library.mesh(run.mesh).sub_meshes) {
+        for (const assets::SubMesh& part : first.parts) {
             run.material = material_of(first, part);
             const assets::MaterialData& look = look_of(library, run.material);
             if (look.alpha_mode == assets::AlphaMode::Blend) continue;
@@ -131,7 +151,7 @@ void build_translucent(std::vector<VisibleItem>& visible,
                     .instance_count = 1,
                     .bounds_world = member.bounds_world};
         bool has_part = false;
-        for (const assets::SubMesh& part : library.mesh(item.mesh).sub_meshes) {
+        for (const assets::SubMesh& part : member.parts) {
             run.material = material_of(member, part);
             const assets::MaterialData& look = look_of(library, run.material);
             if (look.alpha_mode != assets::AlphaMode::Blend) continue;
@@ -147,17 +167,23 @@ void build_translucent(std::vector<VisibleItem>& visible,
 
 std::vector<VisibleItem> cull(const RenderFrame& frame,
                               const assets::AssetLibrary& library,
-                              const Frustum& frustum,
-                              const Vec3f& eye_world) {
+                              const CullView& view) {
     std::vector<VisibleItem> visible;
     visible.reserve(frame.items.size());
     for (const DrawItem& item : frame.items) {
         if (item.mesh.value == 0) continue;
-        const Aabb bounds = transformed(library.mesh(item.mesh).bounds, item.world_from_body);
-        if (!frustum.may_touch(bounds)) continue;
-        const float distance_m =
-            glm::distance(eye_world, bounds.center()) + glm::length(bounds.size()) * 0.5F;
-        visible.push_back({&item, materials_of(frame, item), bounds, distance_m});
+        const assets::MeshData& mesh = library.mesh(item.mesh);
+        const Aabb bounds = transformed(mesh.bounds, item.world_from_body);
+        if (!view.frustum.may_touch(bounds)) continue;
+        const float size_m = glm::length(bounds.size());
+        const float near_m =
+            glm::distance(view.eye_world, glm::clamp(view.eye_world, bounds.min, bounds.max));
+        if (size_m < view.smallest_rad * near_m) continue;
+        visible.push_back({&item,
+                           materials_of(frame, item),
+                           parts_of(item, mesh, view, near_m),
+                           bounds,
+                           glm::distance(view.eye_world, bounds.center()) + size_m * 0.5F});
     }
     return visible;
 }
@@ -180,7 +206,7 @@ void build_depth_draws(std::vector<VisibleItem> visible,
     for_each_group(visible, [&](std::span<const SortEntry> entries) {
         const VisibleItem& first = visible[entries.front().index];
         DrawRun run = append_instances(visible, entries, list);
-        for (const assets::SubMesh& part : library.mesh(run.mesh).sub_meshes) {
+        for (const assets::SubMesh& part : first.parts) {
             const assets::MaterialId material = material_of(first, part);
             const assets::MaterialData& look = look_of(library, material);
             if (look.alpha_mode == assets::AlphaMode::Blend) continue;

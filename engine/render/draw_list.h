@@ -4,6 +4,7 @@
 #include "engine/assets/asset_library.h"
 #include "engine/core/bounds.h"
 #include "engine/render/frustum.h"
+#include "engine/render/mesh_lods.h"
 #include "engine/render/render_frame.h"
 
 #include <cstdint>
@@ -47,15 +48,25 @@ struct DrawList {
 struct VisibleItem {
     const DrawItem* item{nullptr};
     std::span<const assets::MaterialId> materials;  ///< the frame's; one per sub-mesh material
+    std::span<const assets::SubMesh> parts;         ///< the mesh's, as fine as the view needs them
     Aabb bounds_world;
     float distance_m{0.0F};  ///< from the eye to the far side of the bounds
+};
+
+/// From where things are looked at, and how closely.
+struct CullView {
+    Frustum frustum;
+    Vec3f eye_world{0.0F};
+    const LodTable* lods{nullptr};  ///< null: full meshes only
+    float error_m{0.0F};            ///< a mesh may be off by so much anywhere,
+    float error_rad{0.0F};          ///< or by so much as seen from the eye
+    float smallest_rad{0.0F};       ///< what looks smaller is left out
 };
 
 /// Items whose bounds touch the frustum, in the frame's order.
 std::vector<VisibleItem> cull(const RenderFrame& frame,
                               const assets::AssetLibrary& library,
-                              const Frustum& frustum,
-                              const Vec3f& eye_world);
+                              const CullView& view);
 
 enum class DrawKind {
     Opaque,      ///< all but Blend materials; near to far

@@ -53,6 +53,7 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
 
     size_targets();
     if (nothing_to_draw) return;
+    if (quality.lod_error_px > 0.0F) scene.meshes.make_lods();
     scene.sky.want(new_frame.sky ? new_frame.sky->folder : std::filesystem::path{});
     scene.materials.update(new_frame.shading, quality.surface_maps);
     features = frame_features_of(new_frame);
@@ -180,9 +181,12 @@ void Renderer::Impl::set_up_light() {
     block.camera_world.w = fit.texel_m;
     block.to_sun_world.w = 1.0F / std::max(shadow.distance_m, 1.0F);
     block.sun_radiance.w = 1.0F / static_cast<float>(size_px);
+    // Half a texel of the map cannot be seen in it.
+    const bool is_coarse = quality.lod_error_px > 0.0F;
     sun_view = {.clip_from_world = fit.clip_from_world,
                 .eye_world = frame->camera.position_world - direction * 1e4F,
-                .size_px = size_px};
+                .size_px = size_px,
+                .error_m = is_coarse ? 0.5F * fit.texel_m : 0.0F};
 }
 
 void Renderer::Impl::set_up_flashlight(const Flashlight& flashlight) {
@@ -205,8 +209,16 @@ void Renderer::Impl::set_up_flashlight(const Flashlight& flashlight) {
 void Renderer::Impl::build_draw_lists() {
     opaque_draws.clear();
     translucent_draws.clear();
+    const float pixel_rad = 2.0F * std::tan(frame->camera.fov_y_rad * 0.5F) /
+                            static_cast<float>(post_view.scene_px.height);
     std::vector<VisibleItem> visible =
-        cull(*frame, scene.library, Frustum{block.clip_from_world}, frame->camera.position_world);
+        cull(*frame,
+             scene.library,
+             {.frustum = Frustum{block.clip_from_world},
+              .eye_world = frame->camera.position_world,
+              .lods = quality.lod_error_px > 0.0F ? &scene.meshes.lods() : nullptr,
+              .error_rad = quality.lod_error_px * pixel_rad,
+              .smallest_rad = quality.smallest_px * pixel_rad});
     build_draws(visible, scene.library, DrawKind::Opaque, opaque_draws);
     build_draws(std::move(visible), scene.library, DrawKind::Translucent, translucent_draws);
 }

@@ -206,16 +206,32 @@ const GpuMesh& GpuMeshes::get(assets::MeshId id) {
         if (mesh.version == data.version) return mesh;
         bytes_ -= mesh.bytes;
         mesh = uploaded(data, MeshLife::Changing);
+        lods_.erase(id);
         bytes_ += mesh.bytes;
         return mesh;
     }
-    GpuMesh mesh = uploaded(data, MeshLife::Kept);
+    GpuMesh mesh = makes_lods_ ? uploaded_with_lods(id, data) : uploaded(data, MeshLife::Kept);
     bytes_ += mesh.bytes;
     return meshes_.emplace(id, std::move(mesh)).first->second;
 }
 
+GpuMesh GpuMeshes::uploaded_with_lods(assets::MeshId id, const assets::MeshData& data) {
+    assets::MeshData all = data;
+    std::vector<MeshLod> lods = add_lods(all);
+    if (lods.empty()) return uploaded(data, MeshLife::Kept);
+    lods_.insert_or_assign(id, std::move(lods));
+    return uploaded(all, MeshLife::Kept);
+}
+
+void GpuMeshes::make_lods() {
+    if (makes_lods_) return;
+    clear();
+    makes_lods_ = true;
+}
+
 void GpuMeshes::clear() {
     meshes_.clear();
+    lods_.clear();
     bytes_ = 0;
 }
 

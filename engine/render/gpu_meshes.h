@@ -34,9 +34,17 @@ public:
     const GpuMesh& get(assets::MeshId id);
     void clear();
     std::size_t bytes() const { return bytes_; }
+    /// Coarser versions of what was uploaded since make_lods(). Meshes that change have none.
+    const LodTable& lods() const { return lods_; }
+    /// From now on every mesh gets coarser versions, those there already with their next use.
+    void make_lods();
 
 private:
+    GpuMesh uploaded_with_lods(assets::MeshId id, const assets::MeshData& data);
+
     const assets::AssetLibrary& library_;
+    LodTable lods_;
+    bool makes_lods_{false};
     std::map<assets::MeshId, GpuMesh> meshes_;
     std::size_t bytes_{0};
 };

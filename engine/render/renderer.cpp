@@ -36,7 +36,7 @@ Result<GlInfo> load_gl(GlLoader loader) {
 }
 
 /// Mesa's renderers that draw on the CPU: there every shadow lookup costs milliseconds.
-bool draws_in_software(const GlInfo& info) {
+bool is_software(const GlInfo& info) {
     return info.renderer.find("llvmpipe") != std::string::npos ||
            info.renderer.find("softpipe") != std::string::npos;
 }
@@ -83,7 +83,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader,
     gl::listen_to_driver();
     auto impl = std::make_unique<Impl>(target, shader_folder, library, within_driver(limits));
     impl->gl = std::move(*info);
-    impl->is_software_gl = draws_in_software(impl->gl);
+    impl->is_software_gl = is_software(impl->gl);
     for (const ShaderPair& pair : kShaderPairs) {
         const auto found = impl->scene.shaders.check_files(pair);
         if (!found) return found.error();
@@ -209,7 +209,7 @@ void Renderer::post() {
         const gl::PassTimers::Scope timed(r.timers, "post.bloom");
         r.post.render_bloom(r.scene_target, r.triangle, r.scene, r.stats);
     }
-    const gl::PassTimers::Scope timed(r.timers, "post.picture");
+    const gl::PassTimers::Scope timed(r.timers, "picture");
     r.post.render_picture(
         r.scene_target, r.post_view, r.present_framebuffer(), r.triangle, r.scene, r.stats);
 }
@@ -282,10 +282,16 @@ std::vector<GpuBytes> Renderer::gpu_bytes() const {
     return {{"sun_shadow", r.sun_shadow.bytes()},
             {"flashlight", r.flashlight_shadow.bytes()},
             {"sky", r.scene.sky.bytes()},
-            {"post", r.post.bytes()},
+            {"post", r.post.bloom_bytes()},
             {"meshes", r.scene.meshes.bytes()},
             {"textures", r.scene.textures.bytes()},
-            {"targets", r.color_image.bytes() + r.depth_image.bytes() + r.scene_target.bytes()}};
+            {"targets",
+             r.color_image.bytes() + r.depth_image.bytes() + r.scene_target.bytes() +
+                 r.post.picture_bytes()}};
+}
+
+bool Renderer::draws_in_software() const {
+    return impl_->is_software_gl;
 }
 
 const GlInfo& Renderer::gl() const {

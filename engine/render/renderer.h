@@ -25,7 +25,7 @@ struct GlInfo {
 /// One pass of the latest frame. Passes that did not run are not listed.
 struct PassTiming {
     std::string_view
-        name;  ///< "shadow.sun", "shadow.flashlight", "opaque", "sky", "translucent", "post.bloom", "post.picture", "lines", "ui"
+        name;  ///< "shadow.sun", "shadow.flashlight", "opaque", "sky", "translucent", "post.bloom", "picture", "lines", "ui"
     double cpu_ms{0};   ///< of the calling thread
     double gpu_ms{-1};  ///< timer query of an earlier frame; -1 where the driver has none
 };
@@ -93,6 +93,8 @@ public:
     const FrameStats& stats() const;
     std::vector<GpuBytes> gpu_bytes() const;
     const GlInfo& gl() const;
+    /// By the driver's name: pictures are drawn on the CPU.
+    bool draws_in_software() const;
 
 private:
     struct Impl;

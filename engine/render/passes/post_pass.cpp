@@ -73,8 +73,8 @@ Result<Done> PostPass::resize(const PostView& view) {
     return Error{"the driver has no memory for the images after the scene's"};
 }
 
-std::size_t PostPass::bytes() const {
-    std::size_t bytes = toned_.image.bytes() + smooth_.image.bytes();
+std::size_t PostPass::bloom_bytes() const {
+    std::size_t bytes = 0;
     for (const Image& level : bloom_levels_) bytes += level.image.bytes();
     return bytes;
 }

@@ -36,7 +36,8 @@ class PostPass {
 public:
     /// Makes the images that the steps need and frees those that none does. The error: no memory.
     Result<Done> resize(const PostView& view);
-    std::size_t bytes() const;
+    std::size_t bloom_bytes() const;
+    std::size_t picture_bytes() const { return toned_.image.bytes() + smooth_.image.bytes(); }
 
     void render_bloom(const SceneTarget& scene_target,
                       const FullscreenTriangle& triangle,

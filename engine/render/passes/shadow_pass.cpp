@@ -28,6 +28,7 @@ std::uint64_t hash_of(const ShadowView& view, const std::vector<VisibleItem>& ca
         const DrawItem& item = *caster.item;
         hasher.add(&item.mesh, sizeof(item.mesh));
         hasher.add(&item.world_from_body, sizeof(item.world_from_body));
+        hasher.add(caster.parts.data(), caster.parts.size_bytes());
         hasher.add(caster.materials.data(), caster.materials.size_bytes());
     }
     return hasher.digest();
@@ -47,7 +48,12 @@ void ShadowPass::render(const ShadowView& view,
         drawn_hash_ = 0;
     }
     std::vector<VisibleItem> casters =
-        cull(frame, resources.library, caster_volume(view.clip_from_world), view.eye_world);
+        cull(frame,
+             resources.library,
+             {.frustum = caster_volume(view.clip_from_world),
+              .eye_world = view.eye_world,
+              .lods = view.error_m > 0.0F ? &resources.meshes.lods() : nullptr,
+              .error_m = view.error_m});
     std::erase_if(casters, [](const VisibleItem& c) { return !c.item->casts_shadow; });
     const std::uint64_t hash = hash_of(view, casters);
     if (hash == drawn_hash_) {

@@ -18,6 +18,7 @@ struct ShadowView {
     Vec3f eye_world{0.0F};  ///< casters nearest to it are drawn first
     std::uint32_t size_px{1024};
     float slope_bias{1.5F};
+    float error_m{0.0F};  ///< casters may be coarser by so much; 0: full meshes
 };
 
 class ShadowPass {

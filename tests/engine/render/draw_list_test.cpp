@@ -30,7 +30,7 @@ protected:
     }
     std::vector<VisibleItem> all_of(const std::vector<Thing>& things) {
         const Mat4f everything = glm::ortho(-1e4F, 1e4F, -1e4F, 1e4F, -1e4F, 1e4F);
-        return cull(frame_of(things), library_, Frustum{everything}, Vec3f{0.0F});
+        return cull(frame_of(things), library_, {.frustum = Frustum{everything}});
     }
 
     RenderFrame frame_;  ///< what all_of() tells of lives in it
@@ -93,7 +93,38 @@ TEST_F(DrawListTest, CastsNoShadowOfGlassNorOfWhatCastsNone) {
 TEST_F(DrawListTest, CullsWhatIsOutOfSight) {
     const std::vector<Thing> items{{box_, red_, -10.0F}, {box_, red_, 10.0F}};
     const Mat4f ahead = glm::perspective(1.0F, 1.0F, 0.1F, 100.0F);
-    EXPECT_EQ(cull(frame_of(items), library_, Frustum{ahead}, Vec3f{0.0F}).size(), 1U);
+    EXPECT_EQ(cull(frame_of(items), library_, {.frustum = Frustum{ahead}}).size(), 1U);
+}
+
+TEST_F(DrawListTest, LeavesOutWhatLooksTooSmall) {
+    // A box of 1 m has a diagonal of 1.732 m; its near side is 99.5 m off.
+    const std::vector<Thing> items{{box_, red_, -100.0F}, {box_, red_, -10.0F}};
+    const Mat4f everything = glm::ortho(-1e4F, 1e4F, -1e4F, 1e4F, -1e4F, 1e4F);
+    CullView view{.frustum = Frustum{everything}, .smallest_rad = 0.0173F};
+    EXPECT_EQ(cull(frame_of(items), library_, view).size(), 2U);
+    view.smallest_rad = 0.0175F;
+    EXPECT_EQ(cull(frame_of(items), library_, view).size(), 1U);
+}
+
+TEST_F(DrawListTest, TakesTheCoarsestVersionThatIsFineEnough) {
+    const LodTable lods{{box_,
+                         {{.error_m = 0.01F, .sub_meshes = {{36, 24, 0}}},
+                          {.error_m = 0.1F, .sub_meshes = {{60, 12, 0}}}}}};
+    const Mat4f everything = glm::ortho(-1e4F, 1e4F, -1e4F, 1e4F, -1e4F, 1e4F);
+    // A thousandth of the distance: 1 cm from 10 m on, 10 cm from 100 m on.
+    const CullView view{.frustum = Frustum{everything}, .lods = &lods, .error_rad = 1e-3F};
+    const auto visible =
+        cull(frame_of({{box_, red_, -9.0F}, {box_, red_, -50.0F}, {box_, red_, -200.0F}}),
+             library_,
+             view);
+    ASSERT_EQ(visible.size(), 3U);
+    EXPECT_EQ(visible[0].parts[0].index_count, 36U);
+    EXPECT_EQ(visible[1].parts[0].index_count, 24U);
+    EXPECT_EQ(visible[2].parts[0].index_count, 12U);
+    DrawList list;
+    build_draws(visible, library_, DrawKind::Opaque, list);
+    ASSERT_EQ(list.runs.size(), 3U);
+    EXPECT_EQ(list.runs[2].first_index, 60U);
 }
 
 }  // namespace

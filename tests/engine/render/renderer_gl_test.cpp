@@ -117,7 +117,7 @@ TEST_F(RendererGl, WhatAFrameDoesNotAskForHoldsNoMemory) {
     EXPECT_EQ(bytes_of("sky"), 0U);
     ASSERT_EQ(renderer_->stats().passes.size(), 2U);
     EXPECT_EQ(renderer_->stats().passes[0].name, "opaque");
-    EXPECT_EQ(renderer_->stats().passes[1].name, "post.picture");
+    EXPECT_EQ(renderer_->stats().passes[1].name, "picture");
 
     renderer_->forget_scene();
     EXPECT_EQ(bytes_of("meshes"), 0U);

@@ -1,0 +1,232 @@
+#include "engine/render/mesh_lods.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+
+namespace plumbline::render {
+namespace {
+
+using assets::MeshData;
+using assets::SubMesh;
+using assets::Vertex;
+
+constexpr std::size_t kCheapTriangles = 300;
+/// A loose piece with no more triangles than this is a card.
+constexpr std::uint32_t kCardTriangles = 32;
+
+struct Detail {
+    float error_share;  ///< of the mesh's diagonal
+    float kept_cards;   ///< share
+    float card_scale;   ///< the kept ones cover what all did, nearly
+};
+constexpr std::array<Detail, 4> kDetails{{{1.0F / 300.0F, 0.6F, 1.25F},
+                                          {1.0F / 150.0F, 0.4F, 1.45F},
+                                          {1.0F / 75.0F, 0.25F, 1.7F},
+                                          {1.0F / 37.0F, 0.15F, 2.0F}}};
+
+std::uint64_t key_of(const Vec3f& position, float cell_m) {
+    const auto part = [&](float value) {
+        const auto cell = static_cast<std::int64_t>(std::floor(value / cell_m));
+        return static_cast<std::uint64_t>(cell) & 0x7FFFFU;
+    };
+    return part(position.x) | part(position.y) << 19U | part(position.z) << 38U;
+}
+
+/// Which of 24 directions a normal is nearest to: the sharp edges of a box stay sharp.
+std::uint64_t facing_of(const Vec3f& normal) {
+    const Vec3f size = glm::abs(normal);
+    const std::uint64_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    return axis << 3U | (normal.x < 0.0F ? 4U : 0U) | (normal.y < 0.0F ? 2U : 0U) |
+           (normal.z < 0.0F ? 1U : 0U);
+}
+
+/// For each vertex the first one of the mesh with the same key.
+template <class Key>
+std::vector<std::uint32_t> first_with(const std::vector<Vertex>& vertices, Key&& key) {
+    std::unordered_map<std::uint64_t, std::uint32_t> first_of_key;
+    first_of_key.reserve(vertices.size());
+    std::vector<std::uint32_t> first(vertices.size());
+    for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+        first[i] = first_of_key.emplace(key(vertices[i]), i).first->second;
+    }
+    return first;
+}
+
+std::vector<std::uint32_t> clustered(const std::vector<Vertex>& vertices, float cell_m) {
+    return first_with(vertices, [&](const Vertex& v) { return key_of(v.position_body, cell_m); });
+}
+
+std::vector<std::uint32_t> clustered_by_facing(const std::vector<Vertex>& vertices, float cell_m) {
+    return first_with(vertices, [&](const Vertex& v) {
+        return key_of(v.position_body, cell_m) | facing_of(v.normal_body) << 57U;
+    });
+}
+
+/// Sets of vertices that triangles join.
+class Pieces {
+public:
+    explicit Pieces(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0U);
+    }
+    std::uint32_t find(std::uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void join(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+struct Piece {
+    std::uint32_t triangles{0};
+    std::int64_t open_edges{0};  ///< an edge of two triangles counts once there and once back
+    Vec3f sum{0.0F};
+    std::uint32_t corners{0};
+};
+
+/// What the pieces of a mesh are, by the vertex that stands for them.
+struct Analysis {
+    std::vector<std::uint32_t> piece_of;  ///< by vertex
+    std::vector<Piece> pieces;            ///< by piece; most are empty
+    bool is_card(std::uint32_t vertex) const {
+        const Piece& piece = pieces[piece_of[vertex]];
+        return piece.triangles <= kCardTriangles && piece.open_edges != 0;
+    }
+};
+
+Analysis analysed(const MeshData& mesh, float weld_m) {
+    const std::vector<std::uint32_t> welded = clustered(mesh.vertices, weld_m);
+    Pieces joined(mesh.vertices.size());
+    std::unordered_map<std::uint64_t, std::int32_t> edge_use;
+    edge_use.reserve(mesh.indices.size());
+    const auto edge = [&](std::uint32_t a, std::uint32_t b) {
+        return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
+    };
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = welded[mesh.indices[i + k]];
+            const std::uint32_t b = welded[mesh.indices[i + (k + 1) % 3]];
+            joined.join(a, b);
+            edge_use[edge(a, b)] += a < b ? 1 : -1;
+        }
+    }
+    Analysis analysis;
+    analysis.pieces.resize(mesh.vertices.size());
+    for (const std::uint32_t vertex : welded) analysis.piece_of.push_back(joined.find(vertex));
+    for (const auto& [ends, use] : edge_use) {
+        const auto vertex = static_cast<std::uint32_t>(ends);
+        analysis.pieces[analysis.piece_of[vertex]].open_edges += std::abs(use);
+    }
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        Piece& piece = analysis.pieces[analysis.piece_of[mesh.indices[i]]];
+        if (i % 3 == 0) ++piece.triangles;
+        piece.sum += mesh.vertices[mesh.indices[i]].position_body;
+        ++piece.corners;
+    }
+    return analysis;
+}
+
+/// Evenly spread over 0…1, the same for the same number.
+float share_of(std::uint32_t number) {
+    std::uint32_t h = number * 0x9E3779B9U;
+    h ^= h >> 16U;
+    h *= 0x85EBCA6BU;
+    h ^= h >> 13U;
+    return static_cast<float>(h >> 8U) / static_cast<float>(1U << 24U);
+}
+
+class Coarser {
+public:
+    Coarser(MeshData& mesh, const Analysis& analysis, const Detail& detail, float error_m)
+        : mesh_(mesh),
+          analysis_(analysis),
+          detail_(detail),
+          cell_of_(clustered(mesh.vertices, 1.5F * error_m)),
+          stand_in_(clustered_by_facing(mesh.vertices, 1.5F * error_m)) {}
+
+    /// Appends what is left of one part.
+    SubMesh add(const SubMesh& part) {
+        SubMesh coarse{part};
+        coarse.first_index = static_cast<std::uint32_t>(mesh_.indices.size());
+        for (std::uint32_t i = 0; i + 2 < part.index_count; i += 3) {
+            const std::array<std::uint32_t, 3> corners{mesh_.indices[part.first_index + i],
+                                                       mesh_.indices[part.first_index + i + 1],
+                                                       mesh_.indices[part.first_index + i + 2]};
+            if (analysis_.is_card(corners[0])) {
+                add_card(corners);
+            } else {
+                add_clustered(corners);
+            }
+        }
+        coarse.index_count = static_cast<std::uint32_t>(mesh_.indices.size()) - coarse.first_index;
+        return coarse;
+    }
+
+private:
+    void add_card(const std::array<std::uint32_t, 3>& corners) {
+        const std::uint32_t piece_index = analysis_.piece_of[corners[0]];
+        if (share_of(piece_index) > detail_.kept_cards) return;
+        const Piece& piece = analysis_.pieces[piece_index];
+        const Vec3f center = piece.sum / static_cast<float>(piece.corners);
+        for (const std::uint32_t corner : corners) {
+            const auto [found, is_new] =
+                enlarged_.emplace(corner, static_cast<std::uint32_t>(mesh_.vertices.size()));
+            if (is_new) {
+                Vertex vertex = mesh_.vertices[corner];
+                vertex.position_body =
+                    center + (vertex.position_body - center) * detail_.card_scale;
+                mesh_.vertices.push_back(vertex);
+            }
+            mesh_.indices.push_back(found->second);
+        }
+    }
+
+    void add_clustered(const std::array<std::uint32_t, 3>& corners) {
+        const std::uint32_t a = cell_of_[corners[0]];
+        const std::uint32_t b = cell_of_[corners[1]];
+        const std::uint32_t c = cell_of_[corners[2]];
+        if (a == b || b == c || c == a) return;
+        for (const std::uint32_t corner : corners) mesh_.indices.push_back(stand_in_[corner]);
+    }
+
+    MeshData& mesh_;
+    const Analysis& analysis_;
+    const Detail& detail_;
+    std::vector<std::uint32_t> cell_of_;
+    std::vector<std::uint32_t> stand_in_;
+    std::unordered_map<std::uint32_t, std::uint32_t> enlarged_;
+};
+
+}  // namespace
+
+std::vector<MeshLod> add_lods(MeshData& mesh) {
+    if (mesh.indices.size() / 3 <= kCheapTriangles) return {};
+    const float diagonal_m = glm::length(mesh.bounds.size());
+    if (!(diagonal_m > 0.0F) || !std::isfinite(diagonal_m)) return {};
+    const Analysis analysis = analysed(mesh, diagonal_m * 1e-5F);
+    const std::vector<SubMesh> parts = mesh.sub_meshes;
+    std::vector<MeshLod> lods;
+    std::size_t before = mesh.indices.size();
+    for (const Detail& detail : kDetails) {
+        MeshLod lod{.error_m = diagonal_m * detail.error_share, .sub_meshes = {}};
+        const std::size_t first = mesh.indices.size();
+        Coarser coarser(mesh, analysis, detail, lod.error_m);
+        for (const SubMesh& part : parts) lod.sub_meshes.push_back(coarser.add(part));
+        const std::size_t count = mesh.indices.size() - first;
+        // A version that saves little is not worth a change of picture.
+        if (count * 10 > before * 9) {
+            mesh.indices.resize(first);  // vertices made for it stay, unused
+            continue;
+        }
+        before = count;
+        lods.push_back(std::move(lod));
+    }
+    return lods;
+}
+
+}  // namespace plumbline::render

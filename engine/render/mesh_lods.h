@@ -1,0 +1,26 @@
+// Coarser versions of a mesh for when it is far off. Pure arithmetic on mesh data; no GL.
+//
+// Loose cards (leaves, petals, blades of grass) become fewer and larger: the crown stays as dense.
+// Everything else is drawn through the vertices of a grid, one vertex a cell.
+#pragma once
+
+#include "engine/assets/asset_library.h"
+
+#include <map>
+#include <vector>
+
+namespace plumbline::render {
+
+struct MeshLod {
+    float error_m{0.0F};  ///< how far a point may have moved, in body space
+    std::vector<assets::SubMesh> sub_meshes;
+};
+
+/// By mesh, the finest first; a mesh without an entry has none.
+using LodTable = std::map<assets::MeshId, std::vector<MeshLod>>;
+
+/// Appends the vertices and indices of coarser versions; the mesh's own stay as they are. Nothing
+/// for meshes that are cheap already.
+std::vector<MeshLod> add_lods(assets::MeshData& mesh);
+
+}  // namespace plumbline::render
