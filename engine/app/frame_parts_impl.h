@@ -80,7 +80,7 @@ private:
     Overlay overlay_;
     ui::MenuControl menu_;
     FirstMinute first_minute_;
-    InputSnapshot devices_;                    ///< of this frame
+    InputSnapshot devices_;  ///< of this frame
     PictureWish picture_wish_;
     PictureControl picture_control_;
     std::unique_ptr<audio::Mixer> mixer_;      ///< null with --no-sound

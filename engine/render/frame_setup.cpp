@@ -209,6 +209,11 @@ void Renderer::Impl::set_up_flashlight(const Flashlight& flashlight) {
 void Renderer::Impl::build_draw_lists() {
     opaque_draws.clear();
     translucent_draws.clear();
+    // What is new is uploaded now: its materials are known here.
+    for (const DrawItem& item : frame->items) {
+        if (quality.lod_error_px > 0.0F && item.mesh.value != 0)
+            scene.meshes.get(item.mesh, materials_of(*frame, item));
+    }
     const float pixel_rad = 2.0F * std::tan(frame->camera.fov_y_rad * 0.5F) /
                             static_cast<float>(post_view.scene_px.height);
     std::vector<VisibleItem> visible =

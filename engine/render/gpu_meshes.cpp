@@ -1,5 +1,7 @@
 #include "engine/render/gpu_meshes.h"
 
+#include "engine/render/gpu_materials.h"
+
 #include <glad/gl.h>
 
 #include <algorithm>
@@ -198,7 +200,7 @@ GpuMesh uploaded(const assets::MeshData& data, MeshLife life) {
 
 }  // namespace
 
-const GpuMesh& GpuMeshes::get(assets::MeshId id) {
+const GpuMesh& GpuMeshes::get(assets::MeshId id, std::span<const assets::MaterialId> materials) {
     const assets::MeshData& data = library_.mesh(id);
     const auto found = meshes_.find(id);
     if (found != meshes_.end()) {
@@ -210,14 +212,25 @@ const GpuMesh& GpuMeshes::get(assets::MeshId id) {
         bytes_ += mesh.bytes;
         return mesh;
     }
-    GpuMesh mesh = makes_lods_ ? uploaded_with_lods(id, data) : uploaded(data, MeshLife::Kept);
+    GpuMesh mesh =
+        makes_lods_ ? uploaded_with_lods(id, data, materials) : uploaded(data, MeshLife::Kept);
     bytes_ += mesh.bytes;
     return meshes_.emplace(id, std::move(mesh)).first->second;
 }
 
-GpuMesh GpuMeshes::uploaded_with_lods(assets::MeshId id, const assets::MeshData& data) {
+GpuMesh GpuMeshes::uploaded_with_lods(assets::MeshId id,
+                                      const assets::MeshData& data,
+                                      std::span<const assets::MaterialId> materials) {
+    std::vector<bool> is_foliage;
+    for (const assets::SubMesh& part : data.sub_meshes) {
+        const bool has_material =
+            part.material < materials.size() && materials[part.material].value != 0;
+        is_foliage.push_back(
+            has_material &&
+            (features_of(library_.material(materials[part.material])) & feature::kLeaf) != 0);
+    }
     assets::MeshData all = data;
-    std::vector<MeshLod> lods = add_lods(all);
+    std::vector<MeshLod> lods = add_lods(all, is_foliage);
     if (lods.empty()) return uploaded(data, MeshLife::Kept);
     lods_.insert_or_assign(id, std::move(lods));
     return uploaded(all, MeshLife::Kept);

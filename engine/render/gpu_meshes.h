@@ -31,7 +31,9 @@ public:
     explicit GpuMeshes(const assets::AssetLibrary& library) : library_(library) {}
 
     /// Uploads what is not there yet, and again what has another version.
-    const GpuMesh& get(assets::MeshId id);
+    const GpuMesh& get(assets::MeshId id) { return get(id, {}); }
+    /// `materials`: of the first thing that is drawn with it; they tell what is foliage.
+    const GpuMesh& get(assets::MeshId id, std::span<const assets::MaterialId> materials);
     void clear();
     std::size_t bytes() const { return bytes_; }
     /// Coarser versions of what was uploaded since make_lods(). Meshes that change have none.
@@ -40,7 +42,9 @@ public:
     void make_lods();
 
 private:
-    GpuMesh uploaded_with_lods(assets::MeshId id, const assets::MeshData& data);
+    GpuMesh uploaded_with_lods(assets::MeshId id,
+                               const assets::MeshData& data,
+                               std::span<const assets::MaterialId> materials);
 
     const assets::AssetLibrary& library_;
     LodTable lods_;

@@ -15,7 +15,7 @@ using assets::SubMesh;
 using assets::Vertex;
 
 constexpr std::size_t kCheapTriangles = 300;
-/// A loose piece with no more triangles than this is a card.
+/// A loose piece of foliage with no more triangles than this is a card.
 constexpr std::uint32_t kCardTriangles = 32;
 
 struct Detail {
@@ -150,14 +150,14 @@ public:
           stand_in_(clustered_by_facing(mesh.vertices, 1.5F * error_m)) {}
 
     /// Appends what is left of one part.
-    SubMesh add(const SubMesh& part) {
+    SubMesh add(const SubMesh& part, bool is_foliage) {
         SubMesh coarse{part};
         coarse.first_index = static_cast<std::uint32_t>(mesh_.indices.size());
         for (std::uint32_t i = 0; i + 2 < part.index_count; i += 3) {
             const std::array<std::uint32_t, 3> corners{mesh_.indices[part.first_index + i],
                                                        mesh_.indices[part.first_index + i + 1],
                                                        mesh_.indices[part.first_index + i + 2]};
-            if (analysis_.is_card(corners[0])) {
+            if (is_foliage && analysis_.is_card(corners[0])) {
                 add_card(corners);
             } else {
                 add_clustered(corners);
@@ -204,7 +204,7 @@ private:
 
 }  // namespace
 
-std::vector<MeshLod> add_lods(MeshData& mesh) {
+std::vector<MeshLod> add_lods(MeshData& mesh, const std::vector<bool>& is_foliage) {
     if (mesh.indices.size() / 3 <= kCheapTriangles) return {};
     const float diagonal_m = glm::length(mesh.bounds.size());
     if (!(diagonal_m > 0.0F) || !std::isfinite(diagonal_m)) return {};
@@ -216,7 +216,9 @@ std::vector<MeshLod> add_lods(MeshData& mesh) {
         MeshLod lod{.error_m = diagonal_m * detail.error_share, .sub_meshes = {}};
         const std::size_t first = mesh.indices.size();
         Coarser coarser(mesh, analysis, detail, lod.error_m);
-        for (const SubMesh& part : parts) lod.sub_meshes.push_back(coarser.add(part));
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            lod.sub_meshes.push_back(coarser.add(parts[i], i < is_foliage.size() && is_foliage[i]));
+        }
         const std::size_t count = mesh.indices.size() - first;
         // A version that saves little is not worth a change of picture.
         if (count * 10 > before * 9) {

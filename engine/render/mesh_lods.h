@@ -1,7 +1,7 @@
 // Coarser versions of a mesh for when it is far off. Pure arithmetic on mesh data; no GL.
 //
-// Loose cards (leaves, petals, blades of grass) become fewer and larger: the crown stays as dense.
-// Everything else is drawn through the vertices of a grid, one vertex a cell.
+// Loose cards of foliage (leaves, petals, blades of grass) become fewer and larger: the crown stays
+// as dense. Everything else is drawn through the vertices of a grid, one vertex a cell.
 #pragma once
 
 #include "engine/assets/asset_library.h"
@@ -20,7 +20,7 @@ struct MeshLod {
 using LodTable = std::map<assets::MeshId, std::vector<MeshLod>>;
 
 /// Appends the vertices and indices of coarser versions; the mesh's own stay as they are. Nothing
-/// for meshes that are cheap already.
-std::vector<MeshLod> add_lods(assets::MeshData& mesh);
+/// for meshes that are cheap already. `is_foliage` by sub-mesh; parts beyond its end are none.
+std::vector<MeshLod> add_lods(assets::MeshData& mesh, const std::vector<bool>& is_foliage);
 
 }  // namespace plumbline::render

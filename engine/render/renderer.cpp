@@ -105,7 +105,7 @@ void Renderer::prepare(const RenderFrame& frame) {
     bool has_mask = false;
     for (const DrawItem& item : frame.items) {
         if (item.mesh.value == 0) continue;
-        r.scene.meshes.get(item.mesh);
+        r.scene.meshes.get(item.mesh, materials_of(frame, item));
         for (const assets::MaterialId id : materials_of(frame, item)) {
             if (id.value == 0) continue;
             const auto& material = r.scene.library.material(id);

@@ -56,14 +56,14 @@ MeshData cards(int count) {
 TEST(MeshLods, CheapMeshesHaveNone) {
     MeshData box = assets::box_mesh(Vec3f{1.0F});
     const std::size_t before = box.indices.size();
-    EXPECT_TRUE(add_lods(box).empty());
+    EXPECT_TRUE(add_lods(box, {}).empty());
     EXPECT_EQ(box.indices.size(), before);
 }
 
 TEST(MeshLods, EachIsCoarserAndTheFullMeshStays) {
     MeshData ball = assets::sphere_mesh(1.0F);
     const MeshData before = ball;
-    const auto lods = add_lods(ball);
+    const auto lods = add_lods(ball, {});
     ASSERT_FALSE(lods.empty());
     EXPECT_TRUE(std::equal(before.indices.begin(), before.indices.end(), ball.indices.begin()));
     std::size_t triangles = before.indices.size() / 3;
@@ -87,7 +87,7 @@ TEST(MeshLods, EachIsCoarserAndTheFullMeshStays) {
 TEST(MeshLods, FewerCardsAreLargerAndCoverAsMuch) {
     MeshData crown = cards(1000);
     const float full = area_of(crown, crown.sub_meshes);
-    const auto lods = add_lods(crown);
+    const auto lods = add_lods(crown, {true});
     ASSERT_EQ(lods.size(), 4U);
     const std::array<float, 4> kept{0.6F, 0.4F, 0.25F, 0.15F};
     for (std::size_t i = 0; i < lods.size(); ++i) {
@@ -98,11 +98,21 @@ TEST(MeshLods, FewerCardsAreLargerAndCoverAsMuch) {
     }
 }
 
+TEST(MeshLods, LoosePiecesOfWhatIsNoFoliageAllStay) {
+    // Tiles of a roof: none may be missing, however coarse. Cards of 10 cm are cells of their own.
+    MeshData roof = cards(400);
+    const float full = area_of(roof, roof.sub_meshes);
+    for (const MeshLod& lod : add_lods(roof, {false})) {
+        if (lod.error_m > 0.04F) break;
+        EXPECT_NEAR(area_of(roof, lod.sub_meshes), full, 1e-3F * full);
+    }
+}
+
 TEST(MeshLods, WhatHasNoSizeHasNone) {
     MeshData point = cards(400);
     for (auto& vertex : point.vertices) vertex.position_body = Vec3f{0.0F};
     point.bounds = assets::bounds_of(point);
-    EXPECT_TRUE(add_lods(point).empty());
+    EXPECT_TRUE(add_lods(point, {true}).empty());
 }
 
 }  // namespace
