@@ -13,6 +13,12 @@ constexpr Real kFastest_mps = 200;
 constexpr Real kNotch = 1.25_r;
 constexpr Real kSprint = 3;
 constexpr Real kFlySmoothing_s = 0.08_r;
+constexpr Real kFlyClearance_m = 0.15_r;
+constexpr Real kOrbitClearance_m = 0.1_r;
+constexpr Real kOrbitClearance = 0.3_r;  // of the distance, where that is less
+constexpr Real kTouching_m = 1e-3_r;
+constexpr Real kDeepestGround_m = 100;  // longer rays are less exact at their start
+constexpr int kHalvings = 12;           // of a step that would end under the ground
 constexpr Real kOrbitTurn_radps = 1.6_r;
 constexpr Real kOrbitZoom_per_s = 1.5_r;
 constexpr Real kOrbitNotch = 0.88_r;
@@ -25,7 +31,29 @@ Real clamped_pitch(Real pitch_rad) {
     return std::clamp(pitch_rad, -Look::kSteepest_rad, Look::kSteepest_rad);
 }
 
+/// The largest share of a step that `is_free`, which its start is.
+template <class IsFree>
+Real free_share(const IsFree& is_free) {
+    Real free = 0;
+    Real blocked = 1;
+    for (int i = 0; i < kHalvings; ++i) {
+        const Real middle = (free + blocked) / 2;
+        (is_free(middle) ? free : blocked) = middle;
+    }
+    return free;
+}
+
 }  // namespace
+
+bool GroundBelow::operator()(const Vec3& place_m) const {
+    const Vec3 deep_m = place_m - Vec3{0, kDeepestGround_m, 0};
+    auto hit = world.cast_ray(place_m, deep_m, {.ignored = own_body});
+    // What the place itself lies in may be met at once; ground is what comes after it.
+    if (hit && hit->distance_m < kTouching_m) {
+        hit = world.cast_ray(place_m, deep_m, {.ignored = own_body, .also_ignored = hit->body});
+    }
+    return hit.has_value();
+}
 
 Real travel_of(const Actions& actions, Action action) {
     if (!actions.is_held(action)) return 0;
@@ -92,7 +120,10 @@ void FlyCamera::change_speed(int notches) {
         speed_mps_ * std::pow(kNotch, static_cast<Real>(notches)), kSlowest_mps, kFastest_mps);
 }
 
-void FlyCamera::act(const Actions& actions, const Look& look, Real step_s) {
+void FlyCamera::act(const Actions& actions,
+                    const Look& look,
+                    const GroundBelow& ground,
+                    Real step_s) {
     const Vec3 forward = look.orientation() * Vec3{0, 0, -1};
     Vec3 wish = forward * (travel_of(actions, Action::Forward) - travel_of(actions, Action::Back)) +
                 level_right(look.yaw_rad()) *
@@ -103,19 +134,32 @@ void FlyCamera::act(const Actions& actions, const Look& look, Real step_s) {
     velocity_mps_ += (wish - velocity_mps_) * (1 - std::exp(-step_s / kFlySmoothing_s));
     previous_m_ = position_m_;
     position_m_ += velocity_mps_ * step_s;
+    const auto is_above = [&](const Vec3& eye_m, Real clearance_m) {
+        return ground(eye_m - Vec3{0, clearance_m, 0});
+    };
+    const Vec3 level{position_m_.x, previous_m_.y, position_m_.z};
+    if (position_m_.y >= previous_m_.y || is_above(position_m_, kFlyClearance_m)) return;
+    // Past the edge of the world, or under the ground already. Half, as the last step ended near it.
+    if (!is_above(level, kFlyClearance_m / 2)) return;
+    const Vec3 down = position_m_ - level;
+    const Real share =
+        free_share([&](Real part) { return is_above(level + down * part, kFlyClearance_m); });
+    position_m_ = level + down * share;
+    velocity_mps_.y = 0;
 }
 
 Vec3 FlyCamera::position_m(Real blend) const {
     return glm::mix(previous_m_, position_m_, blend);
 }
 
-void OrbitCamera::place(const Vec3& target_m, Real distance_m) {
+void OrbitCamera::place(const Vec3& target_m, Real distance_m, Real pitch_rad) {
     target_m_ = target_m;
     distance_m_ = std::clamp(distance_m, kNearest_m, kFarthest_m);
     previous_distance_m_ = distance_m_;
+    steady_pitch_rad_ = pitch_rad;
 }
 
-void OrbitCamera::act(const Actions& actions, Look& look, Real step_s) {
+void OrbitCamera::act(const Actions& actions, Look& look, const GroundBelow& ground, Real step_s) {
     const Real turn = kOrbitTurn_radps * step_s;
     const Real left = travel_of(actions, Action::RotateLeft) + travel_of(actions, Action::Left);
     const Real right = travel_of(actions, Action::RotateRight) + travel_of(actions, Action::Right);
@@ -130,6 +174,25 @@ void OrbitCamera::act(const Actions& actions, Look& look, Real step_s) {
     distance_m_ *= std::exp(zoom * kOrbitZoom_per_s * step_s) *
                    std::pow(kOrbitNotch, static_cast<Real>(notches));
     distance_m_ = std::clamp(distance_m_, kNearest_m, kFarthest_m);
+    stay_above(ground, look);
+    steady_pitch_rad_ = look.pitch_rad();
+}
+
+void OrbitCamera::stay_above(const GroundBelow& ground, Look& look) {
+    const Real pitch = look.pitch_rad() - steady_pitch_rad_;
+    const Real zoom = distance_m_ - previous_distance_m_;
+    const auto is_above = [&](Real part, Real clearance_share) {
+        const Real distance = previous_distance_m_ + zoom * part;
+        const Vec3 eye_m =
+            target_m_ +
+            orientation_of(look.yaw_rad(), steady_pitch_rad_ + pitch * part) * Vec3{0, 0, distance};
+        const Real clearance_m = std::min(kOrbitClearance_m, kOrbitClearance * distance);
+        return ground(eye_m - Vec3{0, clearance_m * clearance_share, 0});
+    };
+    if (is_above(1, 1) || !is_above(0, 0.5_r)) return;
+    const Real share = free_share([&](Real part) { return is_above(part, 1); });
+    look.turn_smoothly(0, (share - 1) * pitch);
+    distance_m_ = previous_distance_m_ + zoom * share;
 }
 
 Vec3 OrbitCamera::position_m(const Quat& orientation, Real blend) const {

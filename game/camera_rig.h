@@ -43,11 +43,20 @@ private:
     Real smooth_pitch_rad_{0};
 };
 
-/// Flies through everything, where it looks.
+/// What keeps cameras above the ground. Ground is whatever lies under a place, up to 100 m deep; where
+/// there is none, past the edge of the world, a camera may go down.
+struct GroundBelow {
+    const physics::PhysicsWorld& world;
+    physics::BodyId own_body{};  ///< the person's capsule is no ground
+
+    bool operator()(const Vec3& place_m) const;
+};
+
+/// Flies through everything but the ground, where it looks.
 class FlyCamera {
 public:
     void place(const Vec3& position_m);
-    void act(const Actions& actions, const Look& look, Real step_s);
+    void act(const Actions& actions, const Look& look, const GroundBelow& ground, Real step_s);
     /// One notch of the wheel: +1 faster, -1 slower.
     void change_speed(int notches);
 
@@ -68,18 +77,21 @@ public:
     static constexpr Real kNearest_m = 0.1_r;
     static constexpr Real kFarthest_m = 500;
 
-    void place(const Vec3& target_m, Real distance_m);
-    /// Turns `look` by the keys as well.
-    void act(const Actions& actions, Look& look, Real step_s);
+    void place(const Vec3& target_m, Real distance_m, Real pitch_rad);
+    /// Turns `look` by the keys as well, and back where that would take the eye under the ground.
+    void act(const Actions& actions, Look& look, const GroundBelow& ground, Real step_s);
 
     Vec3 position_m(const Quat& orientation, Real blend) const;
     Real distance_m() const { return distance_m_; }
     const Vec3& target_m() const { return target_m_; }
 
 private:
+    void stay_above(const GroundBelow& ground, Look& look);
+
     Vec3 target_m_{0, 0, 0};
     Real distance_m_{5};
     Real previous_distance_m_{5};
+    Real steady_pitch_rad_{0};  ///< of the last step
 };
 
 }  // namespace plumbline::game

@@ -123,13 +123,15 @@ void PlaygroundGame::move(scene::Simulation& simulation, const Actions& actions)
         if (left != 0) look_.turn_smoothly(left * kKeyTurn_radps * step_s_, 0);
     }
     if (player_) player_->act(simulation, actions, look_, mode_ == MoveMode::Walk);
+    const GroundBelow ground{.world = simulation.physics,
+                             .own_body = player_ ? player_->body() : physics::BodyId{}};
     if (mode_ == MoveMode::Fly) {
         if (!grab_.holding()) {
             fly_.change_speed(actions.presses(Action::Push) - actions.presses(Action::Pull));
         }
-        fly_.act(actions, look_, step_s_);
+        fly_.act(actions, look_, ground, step_s_);
     } else if (mode_ == MoveMode::Orbit) {
-        orbit_.act(actions, look_, step_s_);
+        orbit_.act(actions, look_, ground, step_s_);
     }
 }
 
@@ -147,7 +149,7 @@ void PlaygroundGame::next_mode(scene::Simulation& simulation) {
         const auto seen = simulation.physics.cast_ray(
             eye, eye + forward * kOrbitSight_m, {.ignored = now.own_body});
         const Real distance = seen ? seen->distance_m : kDefaultOrbit_m;
-        orbit_.place(eye + forward * distance, distance);
+        orbit_.place(eye + forward * distance, distance, look_.pitch_rad());
         say("orbiting what you looked at");
     } else {
         mode_ = MoveMode::Walk;

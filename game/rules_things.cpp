@@ -151,7 +151,8 @@ scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
     const auto looked = looked_at(simulation, aim(), Grab::kReach_m);
     if (looked && simulation.registry.alive(looked->entity) &&
         simulation.physics.kind(looked->body) == physics::BodyKind::Dynamic) {
-        content.looking_at = simulation.registry.get<scene::Name>(looked->entity).text;
+        const auto& name = simulation.registry.get<scene::Name>(looked->entity);
+        content.looking_at = name.label.empty() ? name.text : name.label;
     }
     content.messages = std::move(messages_);
     messages_.clear();

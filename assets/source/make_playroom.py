@@ -104,11 +104,13 @@ surface = "plank"
 
 [[prefab]]
 name = "cream_domino"
+label = "cream domino"
 prefab = "domino"
 material = "paint_cream"
 
 [[prefab]]
 name = "blue_domino"
+label = "blue domino"
 prefab = "domino"
 material = "paint_blue"
 

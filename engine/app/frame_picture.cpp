@@ -40,7 +40,8 @@ render::RenderFrame FrameParts::extract(const scene::ViewPoint& view, Real blend
     session_.effects->extract(*session_.simulation, view, frame);
     accuracy_.take_answers();
     accuracy_.add_ghost_lines(frame.lines);
-    if (controls_.collision_shapes) session_.simulation->physics.add_debug_lines(frame.lines);
+    if (controls_.collision_shapes)
+        session_.simulation->physics.add_debug_lines(frame.lines, view.world_from_camera.position);
     return frame;
 }
 

@@ -1,5 +1,6 @@
 // Outlines of collision shapes and contact normals, from Bullet's debug drawing.
 #include "engine/physics/bullet_convert_impl.h"
+#include "engine/physics/character.h"
 #include "engine/physics/physics_world_impl.h"
 
 #include <LinearMath/btIDebugDraw.h>
@@ -36,6 +37,15 @@ btVector3 color_of(const BodyRecord& record) {
     return record.rigid->isActive() ? btVector3(0.2_r, 1, 0.3_r) : btVector3(0.2_r, 0.4_r, 0.8_r);
 }
 
+bool is_capsule_round(const BodyRecord& record, const Vec3& eye_world) {
+    if (record.user != kCharacterMark) return false;
+    btVector3 low;
+    btVector3 high;
+    record.rigid->getAabb(low, high);
+    return glm::all(glm::greaterThanEqual(eye_world, from_bullet(low))) &&
+           glm::all(glm::lessThanEqual(eye_world, from_bullet(high)));
+}
+
 }  // namespace
 
 void PhysicsWorld::add_shape_lines(ShapeId shape,
@@ -52,12 +62,13 @@ void PhysicsWorld::add_shape_lines(ShapeId shape,
     world.setDebugDrawer(nullptr);
 }
 
-void PhysicsWorld::add_debug_lines(LineList& lines) const {
+void PhysicsWorld::add_debug_lines(LineList& lines, const std::optional<Vec3>& eye_world) const {
     LineCollector collector(lines);
     StepWorld& world = *impl_->world;
     // Only for the length of this call: a drawer left in place would be asked during steps.
     world.setDebugDrawer(&collector);
     impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+        if (eye_world && is_capsule_round(*record, *eye_world)) return;
         world.debugDrawObject(record->rigid->getWorldTransform(),
                               record->rigid->getCollisionShape(),
                               color_of(*record));

@@ -213,8 +213,9 @@ public:
                          const Pose& world_from_body,
                          const Vec3f& color,
                          LineList& lines) const;
-    /// Outlines of every collision shape, coloured by kind and sleep, and contact normals.
-    void add_debug_lines(LineList& lines) const;
+    /// Outlines of every collision shape, coloured by kind and sleep, and contact normals. The capsule
+    /// of a character round the eye, if one is given, is left out: it would be all there is to see.
+    void add_debug_lines(LineList& lines, const std::optional<Vec3>& eye_world = {}) const;
 
 private:
     struct Impl;

@@ -17,6 +17,7 @@ namespace plumbline::scene {
 /// As in the scene file; copies made in play are numbered: "crate#3".
 struct Name {
     std::string text;
+    std::string label;  ///< what a person reads: "oak crate"; empty: the text stands for it
 };
 
 /// Where the scene file describes it: "garden.toml", 14. Empty for what play made.

@@ -313,7 +313,7 @@ Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
         }
         registry.add<BodyRef>(entity, BodyRef{.body = *body});
     }
-    registry.add<Name>(entity, Name{.text = name});
+    registry.add<Name>(entity, Name{.text = name, .label = description.label});
     registry.add<Placement>(
         entity,
         Placement{.world_from_body = description.world_from_body, .scale = description.scale});

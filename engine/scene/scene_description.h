@@ -172,6 +172,7 @@ struct MotionDescription {
 
 struct EntityDescription {
     std::string name;
+    std::string label;  ///< what a person reads: "clay pot"; empty: the name stands for it
     Pose world_from_body{};
     Vec3 scale{1, 1, 1};
     VisualDescription visual{};

@@ -138,14 +138,18 @@ bool is_good_name(std::string_view name) {
            std::ranges::none_of(name, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
 }
 
-std::string read_name(TableReader& table) {
-    const TomlNode* node = table.find("name");
-    std::string name = table.text("name", {});
-    if (node != nullptr && node->text() != nullptr && !is_good_name(name)) {
-        table.error("name", fmt::format("{}; expected 1 to {} letters", found(*node), kNameBytes));
+std::string read_short_text(TableReader& table, const char* key) {
+    const TomlNode* node = table.find(key);
+    std::string text = table.text(key, {});
+    if (node != nullptr && node->text() != nullptr && !is_good_name(text)) {
+        table.error(key, fmt::format("{}; expected 1 to {} letters", found(*node), kNameBytes));
         return {};
     }
-    return name;
+    return text;
+}
+
+std::string read_name(TableReader& table) {
+    return read_short_text(table, "name");
 }
 
 EntityDescription read_entity(TableReader& table, EntityUse use, LoadContext& context) {
@@ -153,6 +157,7 @@ EntityDescription read_entity(TableReader& table, EntityUse use, LoadContext& co
     entity.origin = origin_of(table.place());
     table.find("prefab");
     table.find("name");
+    entity.label = read_short_text(table, "label");
     entity.world_from_body = read_pose(table);
     constexpr Range kScale{1e-3, 1e4, "a factor from 0.001 to 10000"};
     entity.scale = table.vector("scale", Vec3{1, 1, 1}, kScale);

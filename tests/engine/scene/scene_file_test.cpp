@@ -455,6 +455,7 @@ body = { kind = "kinematic" }
 TEST_F(SceneFileTest, EntitiesStartFromTheirPrefabKeyByKey) {
     const Outcome outcome = load(R"([[prefab]]
 name = "thing"
+label = "light thing"
 primitive = { box = [1, 1, 1] }
 rotation_deg = [0, 45, 0]
 [prefab.body]
@@ -462,6 +463,7 @@ mass_kg = 5
 friction = 0.9
 [[prefab]]
 name = "heavy_thing"
+label = "heavy thing"
 prefab = "thing"
 [prefab.body]
 mass_kg = 50
@@ -483,6 +485,8 @@ restitution = 0.5
     EXPECT_EQ(a.body->friction, 0.9_r);
     EXPECT_EQ(a.body->restitution, 0.5_r);
     EXPECT_EQ(outcome.scene->prefabs.at("thing").body->mass_kg, Real{5});
+    EXPECT_EQ(a.label, "heavy thing");
+    EXPECT_EQ(outcome.scene->prefabs.at("thing").label, "light thing");
     EXPECT_EQ(outcome.scene->prefabs.size(), 2U);
 }
 
