@@ -110,7 +110,7 @@ def fitting(m, wall, hole):
     def part(u, y, depth, size, material):
         m.part(wall.place(u, y, depth), size, material, wall.yaw_deg)
 
-    frame = 0.045
+    frame = plan.DOOR_FRAME
     for side in (-1, 1):
         part(middle + side * ((u1 - u0) / 2 - frame / 2), (y0 + y1) / 2, 0.12, (frame, height, 0.1), "oak")
     part(middle, y1 - frame / 2, 0.12, (u1 - u0 - 2 * frame, frame, 0.1), "oak")

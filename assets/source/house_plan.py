@@ -17,8 +17,9 @@ STEP = ((0, 0.06, 3.15), (1.7, 0.12, 0.7))  # before the door: centre, size
 WINDOW = (0.95, 1.25)               # width, height
 SILL = 1.05
 DOOR = (1.05, 2.18)                 # of the opening: width, top
-DOOR_LEAF = (0.93, 2.03, 0.05)
-ROOM_DOOR_LEAF = (0.78, 1.97, 0.04)
+DOOR_LEAF = (0.948, 2.005, 0.05)
+ROOM_DOOR_LEAF = (0.81, 1.945, 0.04)
+DOOR_FRAME = 0.045                  # its thickness on either side
 SHUTTER = (0.46, 1.21, 0.035)
 GLASS_DEPTH = 0.15                  # of the panes, behind the wall's outer face
 
@@ -101,7 +102,7 @@ BENCH = [("oak", (0, 0.43, 0), (1.0, 0.04, 0.34)), ("oak", (-0.42, 0.205, 0), (0
 SHELF_LEVELS = (0.1, 0.52, 0.94, 1.36)  # tops of the boards that things stand on
 SHELF = [("oak", (-0.44, 0.9, 0), (0.03, 1.8, 0.28)), ("oak", (0.44, 0.9, 0), (0.03, 1.8, 0.28)),
          *[("oak", (0, top - 0.0125, 0.005), (0.85, 0.025, 0.27)) for top in (*SHELF_LEVELS, 1.79)],
-         ("oak", (0, 0.9, -0.135), (0.85, 1.78, 0.01)), ("oak", (0, 0.0375, 0.11), (0.85, 0.075, 0.02))]
+         ("oak", (0, 0.91, -0.135), (0.85, 1.76, 0.01)), ("oak", (0, 0.0375, 0), (0.85, 0.075, 0.26))]
 BED = [("oak", (0, 0.27, 0), (0.96, 0.14, 1.96)), ("oak", (0, 0.5, -1.0), (1.0, 1.0, 0.04)),
        ("oak", (0, 0.34, 1.0), (1.0, 0.68, 0.04)), ("linen", (0, 0.42, 0), (0.9, 0.16, 1.94)),
        ("cloth", (0, 0.438, 0.3), (0.93, 0.17, 1.35))]

@@ -40,8 +40,10 @@ def array(name, prefab, origin, count, spacing):
     put(f"count = {vec(*count)}\nspacing_m = {vec(*spacing)}")
 
 
-def prefab(name, lines):
+def prefab(name, lines, label=None):
     put(f'\n[[prefab]]\nname = "{name}"')
+    if label:
+        put(f'label = "{label}"')
     for line in lines:
         put(line)
 
@@ -156,6 +158,9 @@ HX, HZ, RISE = plan.HX, plan.HZ, plan.RIDGE - plan.EAVES
 parts = [box(c, s) for wall in plan.OUTER + plan.INNER for c, s in wall.boxes()]
 for wall in plan.OUTER:
     parts += [box(*wall.box(*hole, plan.GLASS_DEPTH - 0.015, plan.GLASS_DEPTH + 0.015)) for hole in wall.windows()]
+u0, u1, y0, y1 = plan.OUTER[0].holes[2]
+for a, b, low in ((u0, u0 + plan.DOOR_FRAME, y0), (u1 - plan.DOOR_FRAME, u1, y0), (u0, u1, y1 - plan.DOOR_FRAME)):
+    parts.append(box(*plan.OUTER[0].box(a, b, low, y1, 0.07, 0.17)))
 corners = [(x, y, z) for x in (-HX, HX) for y, z in ((plan.CEILING, -HZ), (plan.CEILING, HZ), (plan.EAVES, -HZ), (plan.EAVES, HZ), (plan.RIDGE, 0))]
 parts.append("{ hull_m = [" + ", ".join(vec(*c) for c in corners) + "] }")
 slope = math.atan2(RISE, HZ)
@@ -172,18 +177,20 @@ entity("house_floor", in_house(0, plan.FLOOR / 2 - 0.15, 0), material='"vcol_flo
 
 heading("doors and shutters on hinges; a little friction holds them where they were left")
 w, h, t = plan.DOOR_LEAF
-place = in_house(-w / 2 - 0.005, plan.FLOOR + 0.012, HZ - plan.THICK / 2)
+place = in_house(-w / 2 - 0.001, plan.FLOOR + 0.006, HZ - 0.12)
 entity("front_door", place, model='"models/door.glb"',
+       label='"front door"',
        body=[compound([box((w / 2, h / 2, 0), (w, h, t))]), "mass_kg = 28", "angular_damping_per_s = 0.8"])
 hinge("front_door", "house", place, (-95, 95), 2)
 w, h, t = plan.ROOM_DOOR_LEAF
 place = in_house(plan.HALL_X, plan.FLOOR + 0.012, plan.ROOM_DOOR_Z + w / 2 + 0.005)
 entity("bedroom_door", place, model='"models/room_door.glb"', rotation_deg="[0, 30, 0]",
+       label='"bedroom door"',
        body=[compound([box((w / 2, h / 2, 0), (w, h, t))]), "mass_kg = 18", "angular_damping_per_s = 0.8"])
 hinge("bedroom_door", "house", place, (-35, 150), 1.5)
 w, h, t = plan.SHUTTER
 prefab("shutter", ['model = "models/shutter.glb"', "[prefab.body]", compound([box((w / 2, 0, 0.025), (w, h, 0.045))]),
-                   "mass_kg = 6", "angular_damping_per_s = 0.8"])
+                   "mass_kg = 6", "angular_damping_per_s = 0.8"], "window shutter")
 for wall in plan.OUTER:
     for i, hole in enumerate(wall.windows()):
         for side, u, turn, limits in (("left", hole[0] - 0.03, 180, (0, 172)), ("right", hole[1] + 0.03, 0, (-172, 0))):
@@ -194,9 +201,10 @@ for wall in plan.OUTER:
             hinge(name, "house", place, limits, 0.4)
 
 heading("furniture")
-MASS_KG = {"chair": 5, "table": 24, "desk": 18, "stool": 4, "bench": 11, "shelf": 32, "bed": 45, "chest": 22}
-for name, mass in MASS_KG.items():
-    prefab(name, [f'model = "models/furniture_{name}.glb"', "[prefab.body]", solids(name), f"mass_kg = {mass}", "friction = 0.5"])
+PIECES = {"chair": ("kitchen chair", 5), "table": ("dining table", 24), "desk": ("desk", 18), "stool": ("stool", 4),
+          "bench": ("oak bench", 11), "shelf": ("bookshelf", 32), "bed": ("bed", 45), "chest": ("wooden chest", 22)}
+for name, (label, mass) in PIECES.items():
+    prefab(name, [f'model = "models/furniture_{name}.glb"', "[prefab.body]", solids(name), f"mass_kg = {mass}", "friction = 0.5"], label)
 for i, (name, x, z, turn) in enumerate([
     ("table", -1.15, -1.3, 0), ("chair", -1.5, -1.9, 4), ("chair", -0.82, -1.92, -7), ("chair", -1.47, -0.68, 176), ("chair", -0.75, -0.62, 160),
     ("shelf", -1.07, 1.25, -90), ("bench", -3.14, 0.05, 90), ("bench", -0.6, 0.72, 90), ("bed", 2.85, -1.5, 0), ("stool", 2.08, -2.3, 0),
@@ -207,19 +215,19 @@ entity("counter", in_house(-2.38, plan.FLOOR, 2.26), model='"models/furniture_co
 entity("stove", in_house(*plan.CHIMNEY[:1], plan.FLOOR, plan.CHIMNEY[1]), model='"models/furniture_stove.glb"', rotation_deg="[0, 90, 0]",
        body=['kind = "static"', compound([box((0, 0.4, 0), (0.56, 0.8, 0.48)), "{ cylinder = [0.075, 1.7], position_m = [0, 1.65, -0.06] }"])])
 entity("rug", in_house(1.85, plan.FLOOR + 0.004, 0.35), primitive="{ box = [1.1, 0.008, 1.7] }", material='"cloth"', casts_shadow="false")
-prefab("pot", ['model = "models/pot.glb"', "[prefab.body]", compound([prism(0.125, 0, 0.205)]), "mass_kg = 1.8", "restitution = 0.1"])
+prefab("pot", ['model = "models/pot.glb"', "[prefab.body]", compound([box((0, 0.07, 0), (0.16, 0.14, 0.16)), prism(0.132, 0.14, 0.205)]), "mass_kg = 1.8", "restitution = 0.1"], "clay pot")
 prefab("vase", ['model = "models/vase.glb"', "[prefab.body]",
-                compound([box((0, 0.08, 0), (0.1, 0.16, 0.1)), prism(0.042, 0.16, 0.26)]), "mass_kg = 0.8", "restitution = 0.1"])
-prefab("mug", ['model = "models/mug.glb"', "[prefab.body]", compound([box((0, 0.045, 0), (0.066, 0.09, 0.066))]), "mass_kg = 0.3"])
-prefab("pillow", ["primitive = { box = [0.6, 0.1, 0.36] }", 'material = "linen"', "[prefab.body]", "mass_kg = 0.8", "friction = 0.8"])
+                compound([box((0, 0.08, 0), (0.1, 0.16, 0.1)), prism(0.042, 0.16, 0.26)]), "mass_kg = 0.8", "restitution = 0.1"], "blue vase")
+prefab("mug", ['model = "models/mug.glb"', "[prefab.body]", compound([box((0, 0.045, 0), (0.066, 0.09, 0.066))]), "mass_kg = 0.3"], "mug")
+prefab("pillow", ["primitive = { box = [0.6, 0.1, 0.36] }", 'material = "linen"', "[prefab.body]", "mass_kg = 0.8", "friction = 0.8"], "pillow")
 BOOK = (0.034, 0.21, 0.15)
 for color in ("red", "blue", "green"):
-    prefab(f"book_{color}", [f"primitive = {{ box = {vec(*BOOK)} }}", f'material = "book_{color}"', "[prefab.body]", "mass_kg = 0.6", "friction = 0.5"])
+    prefab(f"book_{color}", [f"primitive = {{ box = {vec(*BOOK)} }}", f'material = "book_{color}"', "[prefab.body]", "mass_kg = 0.6", "friction = 0.5"], f"{color} book")
 table_top, counter_top, desk_top, chest_top, stool_top, bed_top = 0.7525, 0.88, 0.74, 0.46, 0.45, 0.50
 for i, (name, x, y, z, turn) in enumerate([
     ("vase", -1.1, table_top, -1.25, 0), ("mug", -1.5, table_top, -1.5, 40), ("mug", -0.8, table_top, -1.08, 200),
     ("pot", -2.9, counter_top, 2.3, 0), ("pot", -2.55, counter_top, 2.35, 0), ("mug", -1.7, counter_top, 2.2, 90),
-    ("vase", 2.7, chest_top, -0.08, 0), ("pot", -1.04, plan.SHELF_LEVELS[3], 1.52, 0), ("vase", -1.04, plan.SHELF_LEVELS[2], 0.97, 0),
+    ("vase", 2.7, chest_top, -0.08, 0), ("pot", -1.078, plan.SHELF_LEVELS[3], 1.5, 0), ("vase", -1.04, plan.SHELF_LEVELS[2], 0.97, 0),
 ]):
     entity(f"{name}_{i + 1}", in_house(x, plan.FLOOR + y, z), prefab=f'"{name}"', rotation_deg=f"[0, {turn}, 0]")
 entity("pillow", in_house(2.85, plan.FLOOR + bed_top + 0.05, -2.22), prefab='"pillow"')
@@ -241,12 +249,14 @@ for i, color in enumerate(("blue", "red", "green")):
 heading("lamps")
 GLOW = "color = [1, 0.72, 0.42]"
 entity("pendant_lamp", in_house(-1.15, plan.CEILING - 0.6, -1.3), model='"models/lamp_pendant.glb"', casts_shadow="false",
+       label='"hanging lamp"',
        light=f'{{ kind = "point", {GLOW}, intensity = 3.2, radius_m = 4.5 }}',
-       body=["shape = { compound = [{ cylinder = [0.2, 0.2], position_m = [0, 0.04, 0] }] }", "mass_kg = 1.5", "angular_damping_per_s = 0.5"])
+       body=["shape = { compound = [{ cylinder = [0.2, 0.2], position_m = [0, 0.04, 0] }] }", "mass_kg = 1.5", "angular_damping_per_s = 0.8"])
 put(f'\n[[joint]]\nname = "pendant_cord"\nkind = "ball"\na = "pendant_lamp"\nb = "house"\nanchor_m = {vec(*in_house(-1.15, plan.CEILING, -1.3))}')
 entity("bedside_lamp", in_house(2.08, plan.FLOOR + stool_top, -2.3), model='"models/lamp_table.glb"', casts_shadow="false",
+       label='"bedside lamp"',
        light=f'{{ kind = "point", {GLOW}, intensity = 1.6, radius_m = 3.2 }}',
-       body=[compound([prism(0.075, 0, 0.03), prism(0.03, 0.03, 0.2), prism(0.1, 0.2, 0.36)]), "mass_kg = 1.2"])
+       body=[compound([box((0, 0.015, 0), (0.13, 0.03, 0.13)), prism(0.03, 0.03, 0.2), prism(0.1, 0.2, 0.36)]), "mass_kg = 1.2"])
 
 heading("fountain")
 parts = ["{ cylinder = [1.5, 0.18], position_m = [0, 0.09, 0] }"]
@@ -355,10 +365,10 @@ entity("shed", (SX, 0, SZ), model='"models/shed.glb"', body=['kind = "static"', 
 
 heading("things lying about")
 THINGS = [("crate", 6.2, 0.407, 2.0, 12), ("crate", 5.2, 0.407, 1.7, -9), ("crate", 5.75, 1.222, 1.85, 28), ("crate", 7.4, 0.407, 3.6, 55),
-          ("barrel", 6.9, 0, 0.9, 0), ("barrel", 7.7, 0, 1.6, 30), ("crate", -12.4, 0.47, -9.3, 8), ("crate", -12.4, 1.285, -9.35, 20), ("barrel", -10.7, 0.07, -9.4, 0)]
+          ("barrel", 6.9, 0, 0.9, 0), ("barrel", 7.7, 0, 1.6, 30), ("crate", -12.4, 0.467, -9.3, 8), ("crate", -12.4, 1.281, -9.27, 20), ("barrel", -10.7, 0.06, -9.4, 0)]
 for i, (kind, x, y, z, turn) in enumerate(THINGS):
     entity(f"{kind}_{i + 1}", (x, y, z), prefab=f'"{kind}"', rotation_deg=f"[0, {turn}, 0]")
-entity("barrel_lying", (8.6, 0.31, 4.9), prefab='"barrel"', rotation_deg="[90, 35, 0]")
+entity("barrel_lying", (8.6, 0.304, 4.9), prefab='"barrel"', rotation_deg="[90, 35, 0]")
 for i, (x, z, h) in enumerate([(2.6, 10.4, 0.12), (-2.2, 7.3, 0.12), (4.1, 5.6, 0.12)]):
     entity(f"ball_{i + 1}", (x, h, z), prefab='"ball"')
 for row in range(3):
