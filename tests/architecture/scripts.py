@@ -142,6 +142,25 @@ class Scripts(unittest.TestCase):
             machine.run("play", *words)
             self.assertEqual(machine.called("plumbline"), [" ".join(f"[{word}]" for word in words)])
 
+    def test_a_scene_s_name_means_a_window_too(self):
+        machine = self.machine()
+        scenes = machine.root / "assets/scenes"
+        scenes.mkdir(parents=True)
+        (scenes / "pile.toml").touch()
+        for name in ("pile", "hard/H05", "a model.glb"):
+            machine.run("play", name)
+        self.assertEqual([line.split("] ")[-1] for line in machine.called("plumbline")],
+                         ["[pile]", "[hard/H05]", "[a model.glb]"])
+        self.assertTrue(all(line.startswith("[tour]") for line in machine.called("plumbline")))
+
+    def test_all_that_the_program_starts_is_built(self):
+        """plumbline-f64 too: no target is named, and nothing that is built is optional."""
+        machine = self.machine()
+        machine.stand_in("ninja")
+        machine.run("play", DISPLAY=":1")
+        build = machine.root / "build/release"
+        self.assertEqual(machine.called("ninja"), [f"[-C] [{build}] [-n]", f"[-C] [{build}]"])
+
     def test_configures_once(self):
         machine = self.machine()
         machine.run("play", DISPLAY=":1")
