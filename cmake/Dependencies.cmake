@@ -28,6 +28,7 @@ target_compile_definitions(glm::glm INTERFACE
 
 # Bullet in both precisions. The dynamics part only: no soft bodies, no OpenCL.
 find_path(BULLET_INCLUDE_DIR btBulletDynamicsCommon.h PATH_SUFFIXES bullet REQUIRED)
+pkg_check_modules(BULLET REQUIRED bullet)  # for its version
 foreach(suffix "" "-float64")
     set(target "bullet${suffix}")
     add_library(${target} INTERFACE IMPORTED)

@@ -1,8 +1,10 @@
-# plumbline_module(NAME FILES ... [DEPENDS modules ...] [PRIVATE targets ...] [PRIVATE_F64 targets ...])
+# plumbline_module(NAME [F64|ANY_PRECISION] FILES ... [FILES_F64 ...] [DEPENDS modules ...]
+#                  [PRIVATE targets ...] [PRIVATE_F64 targets ...])
 #
-# Makes the static library plumbline_NAME. With PRIVATE_F64 or F64 it also makes plumbline_NAME_f64,
-# the same files with core/math.h's Real as double: what the program plumbline-f64 links.
-# PRIVATE libraries never reach those who link the module.
+# Makes the static library plumbline_NAME. With F64 it also makes plumbline_NAME_f64, the same files
+# (or FILES_F64: those that plumbline-f64 needs) with core/math.h's Real as double. With ANY_PRECISION
+# no source of it depends on Real, which architecture.precision checks, and both programs link the
+# one library. PRIVATE libraries never reach those who link the module.
 
 include(Warnings)
 include(Sanitizers)
@@ -27,7 +29,7 @@ function(plumbline_target_settings target)
 endfunction()
 
 function(plumbline_module name)
-    cmake_parse_arguments(ARG "F64" "" "FILES;FILES_F64;DEPENDS;PRIVATE;PRIVATE_F64" ${ARGN})
+    cmake_parse_arguments(ARG "F64;ANY_PRECISION" "" "FILES;FILES_F64;DEPENDS;PRIVATE;PRIVATE_F64" ${ARGN})
     add_library(plumbline_${name} STATIC ${ARG_FILES})
     set_target_properties(plumbline_${name} PROPERTIES LINKER_LANGUAGE CXX)
     add_library(plumbline::${name} ALIAS plumbline_${name})
@@ -37,6 +39,12 @@ function(plumbline_module name)
     endforeach()
     target_link_libraries(plumbline_${name} PRIVATE ${ARG_PRIVATE})
 
+    if(ARG_ANY_PRECISION)
+        add_library(plumbline_${name}_f64 INTERFACE)
+        add_library(plumbline::${name}_f64 ALIAS plumbline_${name}_f64)
+        target_compile_definitions(plumbline_${name}_f64 INTERFACE PL_DOUBLE_PRECISION)
+        target_link_libraries(plumbline_${name}_f64 INTERFACE plumbline_${name})
+    endif()
     if(ARG_F64)
         set(files ${ARG_FILES})
         if(ARG_FILES_F64)

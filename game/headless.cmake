@@ -1,13 +1,22 @@
 # `simulate` in both precisions: a library for the program plumbline, and plumbline-f64 as a whole.
+# What it prints about the command line does not depend on the precision.
+add_library(plumbline_command_docs STATIC command_docs.h command_docs.cpp)
+plumbline_target_settings(plumbline_command_docs)
+target_link_libraries(plumbline_command_docs PRIVATE CLI11::CLI11)
+
+string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} -ffp-contract=off" plumbline_build_flags)
 foreach(suffix "" "_f64")
     set(target plumbline_simulate${suffix})
     add_library(${target} STATIC
         parse_error.h parse_error.cpp
+        program_words.h program_words.cpp
         simulate_cli.h simulate_cli.cpp
         simulate_command.h simulate_command.cpp)
     plumbline_target_settings(${target})
-    target_compile_definitions(${target} PRIVATE PL_VERSION="${PROJECT_VERSION}")
-    target_link_libraries(${target} PUBLIC plumbline::effects${suffix} PRIVATE plumbline::study${suffix} CLI11::CLI11)
+    target_compile_definitions(${target} PRIVATE PL_VERSION="${PROJECT_VERSION}"
+        PL_BULLET_VERSION="${BULLET_VERSION}" PL_BUILD_FLAGS="${plumbline_build_flags}")
+    target_link_libraries(${target} PUBLIC plumbline::effects${suffix} PRIVATE plumbline::study${suffix} plumbline_command_docs CLI11::CLI11)
 endforeach()
 target_compile_options(plumbline_simulate_f64 PRIVATE -Wno-useless-cast)
 

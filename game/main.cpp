@@ -6,6 +6,7 @@
 #include "game/other_commands.h"
 #include "game/parse_error.h"
 #include "game/play_command.h"
+#include "game/program_words.h"
 #include "game/render_command.h"
 #include "game/simulate_cli.h"
 #include "game/stability_command.h"
@@ -15,8 +16,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 namespace plumbline::game {
 namespace {
@@ -99,23 +98,12 @@ void add_other_commands(CLI::App& app, Words& words) {
 }
 
 /// "plumbline garden.toml --seconds 3" means play: the word is put in where no command stands.
-std::vector<std::string> with_command(int argc, char** argv) {
-    constexpr std::array<std::string_view, 13> kCommands{"play",
-                                                         "render",
-                                                         "tour",
-                                                         "simulate",
-                                                         "stability",
-                                                         "explain",
-                                                         "controls",
-                                                         "check",
-                                                         "study",
-                                                         "study-worker",
-                                                         "--help",
-                                                         "-h",
-                                                         "--version"};
+std::vector<std::string> with_command(const CLI::App& app, int argc, char** argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
     const bool has_command = std::ranges::any_of(words, [&](const std::string& word) {
-        return std::ranges::find(kCommands, word) != kCommands.end();
+        const auto is_named_so = [&](const CLI::App* command) { return command->check_name(word); };
+        return word == "--help" || word == "-h" || word == "--version" ||
+               !app.get_subcommands(is_named_so).empty();
     });
     if (!has_command) words.insert(words.begin(), "play");
     std::ranges::reverse(words);  // CLI11 takes them from the back
@@ -142,7 +130,6 @@ ExitCode run_command(const CLI::App& app, const Words& words) {
 int run_program(int argc, char** argv) {
     return_large_blocks_early();
     CLI::App app("Plumbline: a physics playground that shows what accuracy costs", "plumbline");
-    app.set_version_flag("--version", version_text());
     app.require_subcommand(1);
     app.fallthrough();
     Words words;
@@ -155,8 +142,9 @@ int run_program(int argc, char** argv) {
     add_stability(app, words.stability);
     add_study(app, words.study);
     add_other_commands(app, words);
+    add_program_words(app);
     try {
-        app.parse(with_command(argc, argv));
+        app.parse(with_command(app, argc, argv));
     } catch (const CLI::ParseError& error) {
         return static_cast<int>(answer_parse_error(app, error));
     }

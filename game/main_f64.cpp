@@ -4,6 +4,7 @@
 #include "engine/core/log.h"
 #include "engine/study/worker.h"
 #include "game/parse_error.h"
+#include "game/program_words.h"
 #include "game/simulate_cli.h"
 
 #include <CLI/CLI.hpp>
@@ -13,7 +14,6 @@ namespace {
 
 int run_program(int argc, char** argv) {
     CLI::App app("Plumbline in double precision, without window or sound", "plumbline-f64");
-    app.set_version_flag("--version", version_text());
     app.require_subcommand(1);
     app.fallthrough();
     bool verbose = false;
@@ -23,6 +23,7 @@ int run_program(int argc, char** argv) {
     SimulateOptions options;
     add_simulate(app, options);
     app.add_subcommand("study-worker", "Answers the jobs of a study")->group("");
+    add_program_words(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

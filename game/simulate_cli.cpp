@@ -37,10 +37,6 @@ void take_solver(const std::string& name, std::optional<physics::Solver>& solver
     throw CLI::ValidationError(complaint + "; known: " + list);
 }
 
-std::string version_text() {
-    return fmt::format("plumbline {} ({})", PL_VERSION, kPrecisionName);
-}
-
 CLI::App* add_simulate(CLI::App& app, SimulateOptions& options) {
     CLI::App* simulate =
         app.add_subcommand("simulate", "Steps a scene and writes what became of it");

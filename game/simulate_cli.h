@@ -12,9 +12,6 @@ class App;
 
 namespace plumbline::game {
 
-/// "plumbline 0.1.0 (float32)".
-std::string version_text();
-
 /// The solver of that name; throws a CLI::ValidationError that names the nearest one.
 void take_solver(const std::string& name, std::optional<physics::Solver>& solver);
 

@@ -6,6 +6,7 @@
 #include "engine/study/gallery/stability.h"
 #include "engine/study/job.h"
 #include "engine/study/machine.h"
+#include "game/program_words.h"
 #include "game/simulate_cli.h"
 
 #include <CLI/CLI.hpp>

@@ -13,8 +13,8 @@
 #include "engine/study/scenarios/scenario_study.h"
 #include "engine/study/scenarios/scenario_text.h"
 #include "game/effects_command.h"
+#include "game/program_words.h"
 #include "game/scene_study_command.h"
-#include "game/simulate_cli.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

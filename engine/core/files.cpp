@@ -133,27 +133,34 @@ FileCalls& file_calls() {
 }
 
 Result<DataFolders> find_data_folders() {
-    std::vector<fs::path> candidates;
+    const auto folders_below = [](const fs::path& root) {
+        return DataFolders{
+            .assets = root / "assets", .shaders = root / "shaders", .config = root / "config"};
+    };
+    // Who names a folder means that one: another in its place would hide the mistake.
     const fs::path named = absolute_from_environment("PLUMBLINE_DATA");
-    if (!named.empty()) candidates.push_back(named);
+    if (!named.empty()) {
+        if (is_data_root(named)) return folders_below(named);
+        return Error{.message = fmt::format(
+                         "PLUMBLINE_DATA (or --data) names {}, which does not hold the program's "
+                         "data: assets, shaders and config",
+                         named.string())};
+    }
+    std::vector<fs::path> candidates;
     std::error_code failed;
-    const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+    const fs::path folder = fs::read_symlink("/proc/self/exe", failed).parent_path();
     if (!failed) {
-        for (fs::path folder = program.parent_path(); folder.has_relative_path();
-             folder = folder.parent_path()) {
-            candidates.push_back(folder);
-        }
-        candidates.push_back(program.parent_path().parent_path() / "share" / "plumbline");
+        candidates.push_back(folder.parent_path() / "share" / "plumbline");  // installed
+        for (fs::path above = folder; above.has_relative_path(); above = above.parent_path())
+            candidates.push_back(above);  // in a build folder
     }
     std::string tried;
     for (const fs::path& root : candidates) {
-        if (is_data_root(root)) {
-            return DataFolders{
-                .assets = root / "assets", .shaders = root / "shaders", .config = root / "config"};
-        }
+        if (is_data_root(root)) return folders_below(root);
         tried += "\n  " + root.string();
     }
-    return Error{.message = "the program's data (assets, shaders, config) is in none of:" + tried};
+    return Error{.message = "the program's data (assets, shaders, config) is in none of:" + tried +
+                            "\nname its folder with --data or PLUMBLINE_DATA"};
 }
 
 Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {

@@ -17,8 +17,9 @@ struct DataFolders {
     std::filesystem::path config;
 };
 
-/// Looks, in order, at PLUMBLINE_DATA, beside and above the program, and in ../share/plumbline.
-/// Never in the current folder. The error names the folders tried.
+/// PLUMBLINE_DATA where it is set (what --data does), else ../share/plumbline from the program, where
+/// it is installed, else beside and above the program, in a build folder. Never the current folder.
+/// The error names the folders tried.
 Result<DataFolders> find_data_folders();
 
 /// The whole file as bytes. Refuses folders, FIFOs and devices, and files over max_bytes.

@@ -34,7 +34,7 @@ FrameTime FrameClock::advance(double now_s) {
         time.steps = 1;
     }
     if (paused_) {
-        time.blend = Real{1};
+        time.blend = 1.0F;
         return time;
     }
 
@@ -51,7 +51,7 @@ FrameTime FrameClock::advance(double now_s) {
         std::min(static_cast<int>((pending_s_ + slack_s) / step_s_), max_steps_per_frame_);
     time.steps += due;
     pending_s_ = std::max(0.0, pending_s_ - due * step_s_);
-    time.blend = static_cast<Real>(std::clamp(pending_s_ / step_s_, 0.0, 1.0));
+    time.blend = static_cast<float>(std::clamp(pending_s_ / step_s_, 0.0, 1.0));
     return time;
 }
 

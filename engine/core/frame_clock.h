@@ -1,14 +1,12 @@
 // Wall time in, whole fixed steps out: the only clock of the simulation.
 #pragma once
 
-#include "engine/core/math.h"
-
 namespace plumbline {
 
 /// What one frame owes the simulation.
 struct FrameTime {
     int steps{0};      ///< whole fixed steps to run now
-    Real blend{0};     ///< 0…1: how far the picture stands between the last two poses
+    float blend{0};    ///< 0…1: how far the picture stands between the last two poses
     double lost_s{0};  ///< wall time dropped in this frame because the cap was reached
 };
 

@@ -262,6 +262,17 @@ TEST(DataFolders, AreFoundWhereTheVariableSays) {
     EXPECT_EQ(found->shaders, folder / "shaders");
 }
 
+TEST(DataFolders, ThatAreNamedAndAreNotThereAreAnError) {
+    const TemporaryFolder folder;
+    folder.write("assets/x", "");
+    const ScopedVariable data("PLUMBLINE_DATA", folder.path().string());
+    const auto found = find_data_folders();
+    ASSERT_FALSE(found);
+    EXPECT_EQ(found.error().message,
+              "PLUMBLINE_DATA (or --data) names " + folder.path().string() +
+                  ", which does not hold the program's data: assets, shaders and config");
+}
+
 TEST(DataFolders, AreFoundAboveTheProgramNotInTheCurrentFolder) {
     const TemporaryFolder elsewhere;
     for (const char* name : {"assets/x", "shaders/x", "config/x"}) elsewhere.write(name, "");

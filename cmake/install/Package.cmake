@@ -1,0 +1,40 @@
+# `cpack --preset package`: a .deb of what Install.cmake puts in place.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME plumbline)
+set(CPACK_PACKAGE_CONTACT "The Plumbline authors <plumbline@example.org>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "physics playground that shows what accuracy costs")
+set(CPACK_PACKAGE_DESCRIPTION
+"Walk through a garden with a flashlight in your hand; drop, grab, throw,
+freeze and stack things that a rigid-body simulation moves. Any scene can be
+run at several settings and compared with what is right: error beside
+milliseconds, on screen and in a report. A gallery of hard cases is there to
+walk into, and runs without a window too.")
+set(CPACK_PACKAGE_DIRECTORY "${CMAKE_BINARY_DIR}/package")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_SET_DESTDIR OFF)
+
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION education)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# Loaded by name at run time, so that shlibdeps does not see it.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libgl1")
+# OpenAL Soft and GL load their drivers by name; without them there is silence, or no picture.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core, libasound2, libgl1-mesa-dri, libpulse0")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gnuplot-nox")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
+
+# Debian's policy wants both of every package.
+file(READ "${CMAKE_SOURCE_DIR}/LICENSE" licence)
+file(WRITE "${CMAKE_BINARY_DIR}/install/copyright" "Plumbline\n\n${licence}\nModels, sounds and pictures: CREDITS.md in this folder.\n")
+file(WRITE "${CMAKE_BINARY_DIR}/install/changelog"
+"plumbline (${PROJECT_VERSION}) unstable; urgency=medium
+
+  * The sources' own history says what changed.
+
+ -- ${CPACK_PACKAGE_CONTACT}  Sun, 22 Nov 2026 00:00:00 +0000
+")
+execute_process(COMMAND gzip -9nf "${CMAKE_BINARY_DIR}/install/changelog")
+install(FILES "${CMAKE_BINARY_DIR}/install/copyright" "${CMAKE_BINARY_DIR}/install/changelog.gz"
+    DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+include(CPack)
