@@ -65,10 +65,11 @@ def holed(m, u0, u1, y0, y1, holes, put):
                 put(a, b, c, d)
 
 
-def reveals(m, wall, hole, d0, d1, material):
-    """The four sides of a hole from depth d0 to d1."""
+def reveals(m, wall, hole, d0, d1, material, open_top=False):
+    """The sides of a hole from depth d0 to d1."""
     u0, u1, y0, y1 = hole
-    for (p, q), (r, s) in (((u0, y0), (u0, y1)), ((u0, y1), (u1, y1)), ((u1, y1), (u1, y0)), ((u1, y0), (u0, y0))):
+    sides = [((u0, y0), (u0, y1)), ((u1, y1), (u1, y0)), ((u1, y0), (u0, y0)), ((u0, y1), (u1, y1))]
+    for (p, q), (r, s) in sides[:3] if open_top else sides:
         m.quad([wall.place(p, q, d0), wall.place(r, s, d0), wall.place(r, s, d1), wall.place(p, q, d1)], material)
 
 
@@ -91,7 +92,7 @@ def outer_wall(m, wall, half):
     for hole in wall.holes:
         reveals(m, wall, hole, 0, plan.THICK, "plaster")
         if hole[2] < plan.PLINTH:
-            reveals(m, wall, (hole[0], hole[1], hole[2], plan.PLINTH), -0.04, 0, "brick")
+            reveals(m, wall, (hole[0], hole[1], hole[2], plan.PLINTH), -0.04, 0, "brick", open_top=True)
     # A stone course on the bricks, broken by the door.
     breaks = sorted((h[0], h[1]) for h in wall.holes if h[2] < plan.PLINTH)
     u = -half - 0.06
