@@ -40,8 +40,7 @@ uniform samplerCube sky_map;
 #endif
 #ifdef PL_LOCAL_LIGHTS
 layout(std140) uniform LocalLights { LocalLight local_lights[PL_MAX_LIGHTS]; };
-uniform int light_count;
-uniform int light_index[PL_MAX_LIGHTS_PER_DRAW];
+uniform usamplerBuffer light_lists;
 #endif
 
 layout(location = 0) out vec4 out_color;
@@ -71,11 +70,31 @@ vec3 shading_normal() {
     return n;
 }
 
+#ifdef PL_CASCADES
+// From the first cascade's coordinates to the place in the map where the cascade of that distance
+// lies. One cascade goes over into the next pixel by pixel: half way through the last tenth of its
+// range, half of the pixels.
+vec3 in_cascade(vec3 at, float eye_distance_m) {
+    float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    float distance_m = eye_distance_m * (1.0 + 0.1 * noise);
+    int i = int(distance_m > frame.cascade_ends.x) + int(distance_m > frame.cascade_ends.y) +
+            int(distance_m > frame.cascade_ends.z);
+    vec4 cascade = frame.cascades[i];
+    at = at * cascade.w + cascade.xyz;
+    // Coarse texels want to be looked up further off the surface.
+    at.z -= i > 0 ? frame.clusters.w : 0.0;
+    return vec3((at.x + float(i)) * frame.clusters.z, at.yz);
+}
+#endif
+
 #ifdef PL_SUN
 vec3 sun_light(Surface s, float eye_distance_m) {
     float lit = 1.0;
 #ifdef PL_SUN_SHADOW
     vec3 at = surface_sun_shadow;
+#ifdef PL_CASCADES
+    at = in_cascade(at, eye_distance_m);
+#endif
     lit = sun_shadow(sun_shadow_map, vec3(at.xy, min(at.z, 1.0)), frame.sun_radiance.w);
     // The last tenth of the distance fades the shadow out.
     lit = mix(lit, 1.0, clamp(eye_distance_m * frame.to_sun_world.w * 10.0 - 9.0, 0.0, 1.0));
@@ -123,6 +142,26 @@ vec3 local_light(Surface s, LocalLight light) {
 }
 #endif
 
+#ifdef PL_LOCAL_LIGHTS
+// The lights whose list this part of the picture has; light_clusters.h says how lists lie.
+vec3 local_lights_light(Surface s) {
+    ivec2 tile = min(ivec2(gl_FragCoord.xy * frame.clusters.xy),
+                     ivec2(PL_CLUSTERS_X - 1, PL_CLUSTERS_Y - 1));
+    float near_share = 1.0 / (gl_FragCoord.w * PL_CLUSTER_NEAR_M);
+    int slice = near_share < 1.0
+                    ? 0
+                    : min(1 + int(log2(near_share) * PL_CLUSTERS_PER_OCTAVE), PL_CLUSTERS_Z - 1);
+    uint head = texelFetch(light_lists, (slice * PL_CLUSTERS_Y + tile.y) * PL_CLUSTERS_X + tile.x).r;
+    int first = int(head >> 9u);
+    int end = first + int(head & 511u);
+    vec3 color = vec3(0.0);
+    for (int i = first; i < end; ++i) {
+        color += local_light(s, local_lights[int(texelFetch(light_lists, i).r)]);
+    }
+    return color;
+}
+#endif
+
 vec3 ambient_light(Surface s, float occlusion) {
     vec3 f0 = mix(vec3(0.04), s.base_color, s.metallic);
     vec3 mirrored = ambient_fresnel(s, f0);
@@ -162,7 +201,7 @@ vec3 lit_color(vec3 base_color, float eye_distance_m, vec3 to_eye) {
     color += flashlight_light(s);
 #endif
 #ifdef PL_LOCAL_LIGHTS
-    for (int i = 0; i < light_count; ++i) color += local_light(s, local_lights[light_index[i]]);
+    color += local_lights_light(s);
 #endif
     return color;
 }

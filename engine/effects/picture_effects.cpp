@@ -10,8 +10,10 @@ public:
                  const scene::ViewPoint&,
                  render::RenderFrame& frame) override {
         const scene::ShadowDescription& shadow = *simulation.description().sun->shadow;
-        frame.sun_shadow = render::SunShadow{.size_px = static_cast<std::uint32_t>(shadow.size_px),
-                                             .distance_m = static_cast<float>(shadow.distance_m)};
+        frame.sun_shadow =
+            render::SunShadow{.size_px = static_cast<std::uint32_t>(shadow.size_px),
+                              .distance_m = static_cast<float>(shadow.distance_m),
+                              .cascades = static_cast<std::uint32_t>(shadow.cascades)};
         ++work_.calls;
     }
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }

@@ -36,7 +36,10 @@ std::uint32_t scaled_px(std::uint32_t side_px, float scale, std::uint32_t larges
 FeatureSet frame_features_of(const RenderFrame& frame) {
     FeatureSet features = 0;
     if (frame.sun) features |= feature::kSun;
-    if (frame.sun && frame.sun_shadow) features |= feature::kSunShadow;
+    if (frame.sun && frame.sun_shadow) {
+        features |= feature::kSunShadow;
+        if (frame.sun_shadow->cascades > 1) features |= feature::kCascades;
+    }
     if (frame.flashlight) features |= feature::kFlashlight;
     if (!frame.lights.empty()) features |= feature::kLocalLights;
     if (frame.fog) features |= feature::kFog;
@@ -90,10 +93,18 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
         }
         block.tone.w = scene.sky.exposure() * new_frame.sky->brightness;
     }
+    block.clusters.x = PL_CLUSTERS_X / static_cast<float>(post_view.scene_px.width);
+    block.clusters.y = PL_CLUSTERS_Y / static_cast<float>(post_view.scene_px.height);
     set_up_light();
     if (new_frame.flashlight) set_up_flashlight(*new_frame.flashlight);
     frame_buffer.upload(&block, sizeof(block));
-    if (!new_frame.lights.empty()) upload_local_lights(lights_buffer, new_frame.lights);
+    if (new_frame.lights.empty()) {
+        lights.free();
+    } else {
+        lights.upload(
+            new_frame.lights,
+            {.view_from_world = view_from_world, .tan_x = tan_y * aspect, .tan_y = tan_y});
+    }
 }
 
 void Renderer::Impl::size_own_target() {
@@ -173,20 +184,35 @@ void Renderer::Impl::set_up_light() {
                          .forward_world = forward_of(frame->camera),
                          .fov_y_rad = frame->camera.fov_y_rad,
                          .aspect = static_cast<float>(width_px) / static_cast<float>(height_px)};
+    const auto count = std::clamp<std::uint32_t>(shadow.cascades, 1, kMaxCascades);
     const std::uint32_t size_px =
-        scaled_px(shadow.size_px, quality.shadow_detail, limits.texture_px);
-    const SunShadowFit fit =
-        fit_sun_shadow(view, direction, std::max(shadow.distance_m, 1.0F), size_px);
-    block.sun_shadow_from_world = kTextureFromClip * fit.clip_from_world;
-    block.camera_world.w = fit.texel_m;
-    block.to_sun_world.w = 1.0F / std::max(shadow.distance_m, 1.0F);
+        scaled_px(shadow.size_px, quality.shadow_detail, limits.texture_px / count);
+    const float distance_m = std::max(shadow.distance_m, 1.0F);
+    SunShadowFit first{};
+    sun_views.clear();
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const float end_m = cascade_end_m(i, count, distance_m);
+        const SunShadowFit fit = fit_sun_shadow(view, direction, end_m, size_px);
+        if (i == 0) first = fit;
+        if (i + 1 < count) block.cascade_ends[static_cast<int>(i)] = end_m;
+        block.cascades[i] = cascade_from_first(first, fit);
+        // Half a texel of the map cannot be seen in it.
+        const bool is_coarse = quality.lod_error_px > 0.0F;
+        sun_views.push_back({.clip_from_world = fit.clip_from_world,
+                             .eye_world = frame->camera.position_world - direction * 1e4F,
+                             .size_px = size_px,
+                             .error_m = is_coarse ? 0.5F * fit.texel_m : 0.0F});
+    }
+    // Unused ends lie beyond all: nothing is in a cascade that there is not.
+    for (std::uint32_t i = count - 1; i < kMaxCascades; ++i) {
+        block.cascade_ends[static_cast<int>(i)] = 1e9F;
+    }
+    block.sun_shadow_from_world = kTextureFromClip * first.clip_from_world;
+    block.camera_world.w = first.texel_m;
+    block.to_sun_world.w = 1.0F / distance_m;
     block.sun_radiance.w = 1.0F / static_cast<float>(size_px);
-    // Half a texel of the map cannot be seen in it.
-    const bool is_coarse = quality.lod_error_px > 0.0F;
-    sun_view = {.clip_from_world = fit.clip_from_world,
-                .eye_world = frame->camera.position_world - direction * 1e4F,
-                .size_px = size_px,
-                .error_m = is_coarse ? 0.5F * fit.texel_m : 0.0F};
+    block.clusters.z = 1.0F / static_cast<float>(count);
+    block.clusters.w = 1.5F / static_cast<float>(size_px);
 }
 
 void Renderer::Impl::set_up_flashlight(const Flashlight& flashlight) {

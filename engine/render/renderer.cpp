@@ -139,13 +139,13 @@ void Renderer::shadows() {
     if (r.nothing_to_draw) return;
     if ((r.features & feature::kSunShadow) != 0) {
         const gl::PassTimers::Scope timed(r.timers, "shadow.sun");
-        r.sun_shadow.render(r.sun_view, *r.frame, r.scene, r.stats);
+        r.sun_shadow.render(r.sun_views, *r.frame, r.scene, r.stats);
     } else {
         r.sun_shadow.free();
     }
     if ((r.features & feature::kFlashlight) != 0) {
         const gl::PassTimers::Scope timed(r.timers, "shadow.flashlight");
-        r.flashlight_shadow.render(r.flashlight_view, *r.frame, r.scene, r.stats);
+        r.flashlight_shadow.render({&r.flashlight_view, 1}, *r.frame, r.scene, r.stats);
     } else {
         r.flashlight_shadow.free();
     }

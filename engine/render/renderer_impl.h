@@ -4,6 +4,7 @@
 #include "engine/render/gl/buffer.h"
 #include "engine/render/gl/framebuffer.h"
 #include "engine/render/gl/pass_timer.h"
+#include "engine/render/gpu_lights.h"
 #include "engine/render/gpu_limits.h"
 #include "engine/render/passes/line_pass.h"
 #include "engine/render/passes/mesh_pass.h"
@@ -39,13 +40,13 @@ struct Renderer::Impl {
     FeatureSet features{0};  ///< of the frame
     PostView post_view{};
     FrameBlock block;
-    ShadowView sun_view{};
+    std::vector<ShadowView> sun_views;  ///< one a cascade
     ShadowView flashlight_view{};
     DrawList opaque_draws;
     DrawList translucent_draws;
 
     gl::Buffer frame_buffer{gl::BufferUse::Uniforms, gl::BufferLife::PerFrame};
-    gl::Buffer lights_buffer{gl::BufferUse::Uniforms, gl::BufferLife::PerFrame};
+    GpuLights lights;
     gl::Texture color_image;  ///< Offscreen only
     gl::Texture depth_image;
     gl::Framebuffer own_framebuffer;

@@ -13,7 +13,7 @@
 namespace plumbline::render {
 
 inline constexpr std::size_t kMaxLights = PL_MAX_LIGHTS;
-inline constexpr std::size_t kMaxLightsPerDraw = PL_MAX_LIGHTS_PER_DRAW;
+inline constexpr std::size_t kMaxCascades = PL_MAX_CASCADES;
 inline constexpr std::size_t kSkyCoefficients = PL_SKY_COEFFICIENTS;
 
 /// Same for all draws of a frame.
@@ -32,11 +32,15 @@ struct FrameBlock {
     Vec4f flashlight_intensity{0.0F};  ///< w: 1 / (inner cosine - outer cosine)
     /// x: exposure; y: bloom's share; z: the sky's smallest mip level; w: the sky's own exposure
     Vec4f tone{1.0F, 0.0F, 0.0F, 1.0F};
+    Vec4f clusters{0.0F};  ///< xy: tiles a pixel; z: 1 / cascades; w: bias of the far ones' depth
+    Vec4f cascade_ends{0.0F};  ///< eye distance at which each but the last ends, m
+    /// From the first cascade's texture coordinates to each one's: xyz: offset; w: scale.
+    std::array<Vec4f, kMaxCascades> cascades{};
     std::array<Vec4f, kSkyCoefficients> sky_light{};  ///< radiance of the sky, order-2 harmonics
 };
-static_assert(sizeof(FrameBlock) == 4 * 64 + 9 * 16 + kSkyCoefficients * 16);
+static_assert(sizeof(FrameBlock) == 4 * 64 + 11 * 16 + kMaxCascades * 16 + kSkyCoefficients * 16);
 static_assert(offsetof(FrameBlock, camera_world) == 256);
-static_assert(offsetof(FrameBlock, sky_light) == 400);
+static_assert(offsetof(FrameBlock, sky_light) == 496);
 
 /// Same for all instances of a draw.
 struct MaterialBlock {
@@ -55,7 +59,7 @@ struct LocalLightEntry {
     Vec4f direction_world{0.0F};  ///< w: 1 / (inner cosine - outer cosine)
 };
 
-/// All local lights of the frame; draws name those that reach them.
+/// All local lights of the frame; the lists of the clusters name those that reach a surface.
 struct LocalLightsBlock {
     std::array<LocalLightEntry, kMaxLights> lights{};
 };
@@ -83,10 +87,11 @@ enum TextureUnit : unsigned int {
     kSourceUnit,
     kBloomUnit,
     kDepthUnit,
-    kEmissiveUnit
+    kEmissiveUnit,
+    kLightListsUnit
 };
 
-inline constexpr std::array<std::pair<const char*, unsigned int>, 10> kSamplerUnits{{
+inline constexpr std::array<std::pair<const char*, unsigned int>, 11> kSamplerUnits{{
     {"base_color_map", kBaseColorUnit},
     {"normal_map", kNormalUnit},
     {"orm_map", kOrmUnit},
@@ -97,6 +102,7 @@ inline constexpr std::array<std::pair<const char*, unsigned int>, 10> kSamplerUn
     {"bloom_image", kBloomUnit},
     {"depth_image", kDepthUnit},
     {"emissive_map", kEmissiveUnit},
+    {"light_lists", kLightListsUnit},
 }};
 
 }  // namespace plumbline::render

@@ -33,6 +33,7 @@ inline constexpr FeatureSet kFog = 1U << 20U;
 inline constexpr FeatureSet kSkyLight = 1U << 21U;
 inline constexpr FeatureSet kSoftShadows = 1U << 22U;  ///< four taps: where lookups are cheap
 inline constexpr FeatureSet kHardShadows = 1U << 23U;  ///< one tap
+inline constexpr FeatureSet kCascades = 1U << 30U;     ///< more than one
 // of the passes after the scene
 inline constexpr FeatureSet kToneMap = 1U << 24U;  ///< exposure and tone curve
 inline constexpr FeatureSet kBloom = 1U << 25U;
@@ -42,7 +43,7 @@ inline constexpr FeatureSet kSharpen = 1U << 28U;
 inline constexpr FeatureSet kSkyCodes = 1U << 29U;  ///< the sky's faces hold sRGB codes
 }  // namespace feature
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 26> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 27> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -63,6 +64,7 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 26> kFeatur
     {feature::kSkyLight, "PL_SKY_LIGHT"},
     {feature::kSoftShadows, "PL_SOFT_SHADOWS"},
     {feature::kHardShadows, "PL_HARD_SHADOWS"},
+    {feature::kCascades, "PL_CASCADES"},
     {feature::kToneMap, "PL_TONE_MAP"},
     {feature::kBloom, "PL_BLOOM"},
     {feature::kKeepDepth, "PL_KEEP_DEPTH"},

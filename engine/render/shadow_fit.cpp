@@ -1,5 +1,7 @@
 #include "engine/render/shadow_fit.h"
 
+#include <glm/gtc/matrix_access.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -61,6 +63,20 @@ SunShadowFit fit_sun_shadow(const ViewShape& view,
     clip_from_light[2][2] = -1.0F / half_m;
     clip_from_light[3] = Vec4f{-center_light.x, -center_light.y, center_light.z, half_m} / half_m;
     return {.clip_from_world = clip_from_light * Mat4f{light_from_world}, .texel_m = texel_m};
+}
+
+float cascade_end_m(std::uint32_t i, std::uint32_t count, float distance_m) {
+    const float share = static_cast<float>(i + 1) / static_cast<float>(count);
+    return distance_m * std::pow(share, 2.2F);
+}
+
+Vec4f cascade_from_first(const SunShadowFit& first, const SunShadowFit& other) {
+    // Both look the same way, so only width and centre differ.
+    const float scale = glm::length(Vec3f{glm::row(other.clip_from_world, 0)}) /
+                        glm::length(Vec3f{glm::row(first.clip_from_world, 0)});
+    const Vec3f origin_first = Vec3f{first.clip_from_world[3]} * 0.5F + 0.5F;
+    const Vec3f origin_other = Vec3f{other.clip_from_world[3]} * 0.5F + 0.5F;
+    return {origin_other - origin_first * scale, scale};
 }
 
 Mat4f fit_spot_shadow(const Vec3f& position_world,

@@ -28,6 +28,14 @@ SunShadowFit fit_sun_shadow(const ViewShape& view,
                             float distance_m,
                             std::uint32_t size_px);
 
+/// Where the cascade ends that is number `i` of `count`: near ones are short, as shadows are there
+/// that one looks at; the last ends at the distance.
+float cascade_end_m(std::uint32_t i, std::uint32_t count, float distance_m);
+
+/// From texture coordinates and depth (0...1) in one fit to those in another of the same light:
+/// xyz: offset, w: scale.
+Vec4f cascade_from_first(const SunShadowFit& first, const SunShadowFit& other);
+
 /// A perspective along the spot's axis, a little wider than its cone.
 Mat4f fit_spot_shadow(const Vec3f& position_world,
                       const Vec3f& direction_world,

@@ -26,7 +26,7 @@ void read_cone(TableReader& table, float& inner_deg, float& outer_deg) {
 }
 
 /// `shadow = { … }`, or true for one with the usual numbers, or false for none.
-std::optional<ShadowDescription> read_sun_shadow(TableReader& sun, LoadContext& context) {
+std::optional<ShadowDescription> read_sun_shadow(TableReader& sun) {
     const TomlNode* node = sun.find("shadow");
     if (node == nullptr) return {};
     ShadowDescription shadow;
@@ -37,11 +37,7 @@ std::optional<ShadowDescription> read_sun_shadow(TableReader& sun, LoadContext& 
     }
     auto table = sun.table("shadow");
     if (!table) return {};
-    const int cascades = table->integer("cascades", 1, 1, 4);
-    if (cascades > 1) {
-        context.note_not_built(table->find("cascades")->place,
-                               fmt::format("{} shadow cascades (1 is used)", cascades));
-    }
+    shadow.cascades = table->integer("cascades", shadow.cascades, 1, 4);
     shadow.size_px = table->integer("size_px", shadow.size_px, 64, 8192);
     constexpr Range kDistance_m{1, 1e4, "a length from 1 to 10000 m"};
     shadow.distance_m = table->number("distance_m", shadow.distance_m, kDistance_m);
@@ -60,7 +56,7 @@ void read_sun(TableReader& root, SceneDescription& scene, LoadContext& context) 
     constexpr Range kTurn_degps{-3600, 3600, "degrees per second from -3600 to 3600"};
     sun.rotation_radps =
         radians_from_degrees(table->number("rotation_degps", Real{0}, kTurn_degps));
-    sun.shadow = read_sun_shadow(*table, context);
+    sun.shadow = read_sun_shadow(*table);
     table->finish();
     scene.sun = sun;
 }

@@ -1,4 +1,10 @@
 // Numbers that shaders and C++ share. Only #define lines: GLSL reads this file too.
 #define PL_MAX_LIGHTS 256
-#define PL_MAX_LIGHTS_PER_DRAW 8
+#define PL_CLUSTERS_X 16
+#define PL_CLUSTERS_Y 9
+#define PL_CLUSTERS_Z 10
+#define PL_CLUSTER_NEAR_M 1.0F
+#define PL_CLUSTERS_PER_OCTAVE 1.5F
+#define PL_LIGHT_WORDS 65536
+#define PL_MAX_CASCADES 4
 #define PL_SKY_COEFFICIENTS 9

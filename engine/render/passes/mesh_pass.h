@@ -24,7 +24,4 @@ private:
 /// Features of the frame that a material makes use of; unlit ones need no lights.
 FeatureSet variant_of(FeatureSet material_features, FeatureSet frame_features);
 
-/// Uploads the frame's local lights for all passes; the first kMaxLights count.
-void upload_local_lights(gl::Buffer& buffer, const std::vector<LocalLight>& lights);
-
 }  // namespace plumbline::render

@@ -20,12 +20,17 @@ Frustum caster_volume(const Mat4f& clip_from_world) {
     return Frustum{open};
 }
 
-std::uint64_t hash_of(const ShadowView& view, const std::vector<VisibleItem>& casters) {
+enum class Casters { Static, Moving };
+
+std::uint64_t hash_of(const ShadowView& view,
+                      const std::vector<VisibleItem>& casters,
+                      Casters which) {
     Hasher hasher;
     hasher.add(&view.clip_from_world, sizeof(view.clip_from_world));
     hasher.add(&view.size_px, sizeof(view.size_px));
     for (const VisibleItem& caster : casters) {
         const DrawItem& item = *caster.item;
+        if (item.is_static != (which == Casters::Static)) continue;
         hasher.add(&item.mesh, sizeof(item.mesh));
         hasher.add(&item.world_from_body, sizeof(item.world_from_body));
         hasher.add(caster.parts.data(), caster.parts.size_bytes());
@@ -34,43 +39,61 @@ std::uint64_t hash_of(const ShadowView& view, const std::vector<VisibleItem>& ca
     return hasher.digest();
 }
 
+/// So many frames may a far cascade be behind what moves in it.
+constexpr int kFarLag_frames = 3;
+
 }  // namespace
 
-void ShadowPass::render(const ShadowView& view,
+void ShadowPass::render(std::span<const ShadowView> views,
                         const RenderFrame& frame,
                         SceneResources& resources,
                         FrameStats& stats) {
-    const std::uint32_t size = std::max(view.size_px, 16U);
-    if (map_.width() != size) {
+    const std::uint32_t size = std::max(views.front().size_px, 16U);
+    const auto count = static_cast<std::uint32_t>(views.size());
+    if (map_.width() != size * count || map_.height() != size) {
         framebuffer_ = {};
-        map_ = gl::Texture::target(gl::TargetFormat::Depth16, size, size, gl::Filter::Linear);
+        map_ =
+            gl::Texture::target(gl::TargetFormat::Depth16, size * count, size, gl::Filter::Linear);
         framebuffer_ = gl::Framebuffer{nullptr, &map_};
-        drawn_hash_ = 0;
+        drawn_.assign(count, {});
     }
-    std::vector<VisibleItem> casters =
-        cull(frame,
-             resources.library,
-             {.frustum = caster_volume(view.clip_from_world),
-              .eye_world = view.eye_world,
-              .lods = view.error_m > 0.0F ? &resources.meshes.lods() : nullptr,
-              .error_m = view.error_m});
-    std::erase_if(casters, [](const VisibleItem& c) { return !c.item->casts_shadow; });
-    const std::uint64_t hash = hash_of(view, casters);
-    if (hash == drawn_hash_) {
-        ++stats.shadow_passes_cached;
-        return;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const ShadowView& view = views[i];
+        std::vector<VisibleItem> casters =
+            cull(frame,
+                 resources.library,
+                 {.frustum = caster_volume(view.clip_from_world),
+                  .eye_world = view.eye_world,
+                  .lods = view.error_m > 0.0F ? &resources.meshes.lods() : nullptr,
+                  .error_m = view.error_m});
+        std::erase_if(casters, [](const VisibleItem& c) { return !c.item->casts_shadow; });
+        const Cascade seen{.view_and_statics = hash_of(view, casters, Casters::Static),
+                           .moving = hash_of(view, casters, Casters::Moving)};
+        Cascade& shown = drawn_[i];
+        const bool may_lag = i > 0 && ++shown.age_frames <= kFarLag_frames;
+        if (seen.view_and_statics == shown.view_and_statics &&
+            (seen.moving == shown.moving || may_lag)) {
+            ++stats.shadow_passes_cached;
+            continue;
+        }
+        shown = seen;
+        ++stats.shadow_passes_rendered;
+        draws_.clear();
+        build_depth_draws(std::move(casters), resources.library, draws_);
+        draw(view, i, resources, stats);
     }
-    drawn_hash_ = hash;
-    ++stats.shadow_passes_rendered;
-    draws_.clear();
-    build_depth_draws(std::move(casters), resources.library, draws_);
-    draw(view, resources, stats);
 }
 
-void ShadowPass::draw(const ShadowView& view, SceneResources& resources, FrameStats& stats) {
+void ShadowPass::draw(const ShadowView& view,
+                      std::size_t cascade,
+                      SceneResources& resources,
+                      FrameStats& stats) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    const auto size = static_cast<GLsizei>(map_.width());
-    glViewport(0, 0, size, size);
+    const auto size = static_cast<GLsizei>(map_.height());
+    const auto left = static_cast<GLint>(cascade) * size;
+    glViewport(left, 0, size, size);
+    glScissor(left, 0, size, size);
+    glEnable(GL_SCISSOR_TEST);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
@@ -106,12 +129,13 @@ void ShadowPass::draw(const ShadowView& view, SceneResources& resources, FrameSt
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_CLAMP);
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void ShadowPass::free() {
     framebuffer_ = {};
     map_ = {};
-    drawn_hash_ = 0;
+    drawn_.clear();
 }
 
 }  // namespace plumbline::render

@@ -1,4 +1,6 @@
-// One shadow map: what a light sees, as depth. Drawn again only when something it sees moved.
+// The shadow map of a light: what it sees, as depth; several cascades lie side by side in one image.
+// Drawn again only when something in sight moved. Where far cascades show moving things only they
+// may lag: a few frames behind, they are drawn in turns.
 //
 // Does not move with its casters: the light's matrix comes from shadow_fit.
 #pragma once
@@ -8,6 +10,7 @@
 #include "engine/render/passes/scene_resources.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace plumbline::render {
@@ -23,8 +26,9 @@ struct ShadowView {
 
 class ShadowPass {
 public:
-    /// Draws the casters in sight of the light, or nothing if the map shows them already.
-    void render(const ShadowView& view,
+    /// Draws the casters in sight of the light, or nothing if the map shows them already. All views
+    /// have one size; the first is the nearest.
+    void render(std::span<const ShadowView> views,
                 const RenderFrame& frame,
                 SceneResources& resources,
                 FrameStats& stats);
@@ -35,11 +39,20 @@ public:
     std::size_t bytes() const { return map_.bytes(); }
 
 private:
-    void draw(const ShadowView& view, SceneResources& resources, FrameStats& stats);
+    /// What one cascade shows.
+    struct Cascade {
+        std::uint64_t view_and_statics{0};  ///< hashes
+        std::uint64_t moving{0};
+        int age_frames{0};
+    };
+    void draw(const ShadowView& view,
+              std::size_t cascade,
+              SceneResources& resources,
+              FrameStats& stats);
 
     gl::Texture map_;
     gl::Framebuffer framebuffer_;
-    std::uint64_t drawn_hash_{0};
+    std::vector<Cascade> drawn_;
     DrawList draws_;
     InstanceStream instances_;
 };

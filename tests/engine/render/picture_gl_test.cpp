@@ -228,6 +228,20 @@ protected:
         frame_.sun_shadow = SunShadow{.size_px = 2048, .distance_m = 80.0F};
     }
 
+    /// Acne would darken single pixels of the lit ground, at any height of the sun.
+    void expect_no_specks() {
+        for (const float height : {0.25F, 0.6F, 3.0F}) {
+            frame_.sun->direction_world = glm::normalize(Vec3f{1.0F, -height, 0.37F});
+            const auto image = draw(frame_);
+            const int lit = ground(image, -5.0F, -5.0F);
+            for (float z = -5.5F; z < 5.5F; z += 0.1F) {
+                for (float x = -5.5F; x < -1.3F; x += 0.1F) {
+                    ASSERT_NEAR(ground(image, x, z), lit, 4) << x << ' ' << z << ' ' << height;
+                }
+            }
+        }
+    }
+
     /// How bright the ground is at (x, z), 0 to 255.
     int ground(const assets::ImageData& image, float x, float z) const {
         const auto pixel = [](float at_m) {
@@ -254,17 +268,46 @@ TEST_F(ShadowGl, LiesWhereGeometryPutsIt) {
 }
 
 TEST_F(ShadowGl, LeavesNoSpecksOnWhatTheSunShinesOn) {
-    // Acne would darken single pixels of the lit ground, at any height of the sun.
-    for (const float height : {0.25F, 0.6F, 3.0F}) {
-        frame_.sun->direction_world = glm::normalize(Vec3f{1.0F, -height, 0.37F});
+    expect_no_specks();
+}
+
+TEST_F(ShadowGl, CascadesShowTheSameShadowNearAndFar) {
+    // The camera is 60 m up: of four cascades to 300 m the ground lies in the second, of two to
+    // 80 m in the last.
+    const auto one = draw(frame_);
+    for (const auto& [cascades, distance_m] :
+         {std::pair{2U, 80.0F}, {2U, 290.0F}, {3U, 100.0F}, {4U, 300.0F}}) {
+        frame_.sun_shadow =
+            SunShadow{.size_px = 2048, .distance_m = distance_m, .cascades = cascades};
         const auto image = draw(frame_);
-        const int lit = ground(image, -5.0F, -5.0F);
-        for (float z = -5.5F; z < 5.5F; z += 0.1F) {
-            for (float x = -5.5F; x < -1.3F; x += 0.1F) {
-                ASSERT_NEAR(ground(image, x, z), lit, 4) << x << ' ' << z << ' ' << height;
-            }
+        for (const float x : {-3.0F, 1.3F, 2.0F, 2.6F, 3.4F, 5.0F}) {
+            EXPECT_NEAR(ground(image, x, 0.0F), ground(one, x, 0.0F), 4)
+                << cascades << ' ' << distance_m << ' ' << x;
         }
+        EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{2048} * 2048 * 2 * cascades);
     }
+}
+
+TEST_F(ShadowGl, FarCascadesLeaveNoSpecksEither) {
+    frame_.sun_shadow = SunShadow{.size_px = 1024, .distance_m = 200.0F, .cascades = 2};
+    expect_no_specks();
+}
+
+TEST_F(ShadowGl, FarCascadesFollowWhatMovesAFewFramesLater) {
+    frame_.sun_shadow = SunShadow{.size_px = 512, .distance_m = 200.0F, .cascades = 2};
+    draw(frame_);
+    EXPECT_EQ(renderer_->stats().shadow_passes_rendered, 2U);
+    int far_drawn = 0;
+    for (int i = 1; i <= 12; ++i) {
+        frame_.items[1].world_from_body =
+            glm::translate(Mat4f{1.0F}, Vec3f{0.1F * static_cast<float>(i), 1.0F, 0.0F});
+        draw(frame_);
+        far_drawn += static_cast<int>(renderer_->stats().shadow_passes_rendered) - 1;
+    }
+    EXPECT_EQ(far_drawn, 3);
+    // At rest both are kept, once the far one has caught up.
+    for (int i = 0; i < 5; ++i) draw(frame_);
+    EXPECT_EQ(renderer_->stats().shadow_passes_cached, 2U);
 }
 
 TEST_F(ShadowGl, EndsWithItsDistance) {
@@ -333,7 +376,7 @@ TEST_F(PictureGl, PointLightFallsWithTheSquareAndEndsAtItsRadius) {
     EXPECT_EQ(center(frame).r, 0);
 }
 
-TEST_F(PictureGl, NearestEightOfManyLightsAreTaken) {
+TEST_F(PictureGl, FarLightsBeyondTheFirst256AreLeftOut) {
     RenderFrame frame = wall(matt(Vec3f{1.0F}), 2.0F);
     for (int i = 0; i < 300; ++i) {
         frame.lights.push_back({.position_world = {0.0F, 0.0F, 500.0F + static_cast<float>(i)},
@@ -341,8 +384,70 @@ TEST_F(PictureGl, NearestEightOfManyLightsAreTaken) {
                                 .radius_m = 10.0F});
     }
     EXPECT_EQ(center(frame).r, 0);
-    frame.lights[200].position_world = Vec3f{0.0F};
+    frame.lights[255].position_world = Vec3f{0.0F};
     EXPECT_GT(center(frame).r, 40);
+}
+
+/// One floor seen from above, and lamps in rows over it.
+class LampsGl : public PictureGl {
+protected:
+    static constexpr std::uint32_t kSide_px = 320;
+    static constexpr float kHalf_m = 16.0F;
+
+    RenderFrame floor_under(int side) {
+        RenderFrame frame = empty_frame(kSide_px, kSide_px);
+        frame.camera = camera_at({0.0F, 100.0F, 0.0F}, Vec3f{0.0F});
+        frame.camera.fov_y_rad = 2.0F * std::atan(kHalf_m / 100.0F);
+        add_box(frame, {60.0F, 1.0F, 60.0F}, {0.0F, -0.5F, 0.0F}, matt(Vec3f{1.0F}));
+        const float step_m = 2.0F * kHalf_m / static_cast<float>(side);
+        for (int z = 0; z < side; ++z) {
+            for (int x = 0; x < side; ++x) {
+                frame.lights.push_back(
+                    {.position_world = {(static_cast<float>(x) + 0.5F) * step_m - kHalf_m,
+                                        0.5F,
+                                        (static_cast<float>(z) + 0.5F) * step_m - kHalf_m},
+                     .intensity = Vec3f{0.6F},
+                     .radius_m = 0.48F * step_m});
+            }
+        }
+        return frame;
+    }
+    /// Under a lamp 0.5 m up: intensity / 0.25, what the window leaves of it, by pi.
+    static float under_lamp(const LocalLight& light) {
+        const float share = 0.25F / (light.radius_m * light.radius_m);
+        const float window = 1.0F - share * share;
+        return light.intensity.x * window * window / 0.25F * glm::one_over_pi<float>();
+    }
+};
+
+TEST_F(LampsGl, EveryLampOverOneFloorLightsIt) {
+    for (const int side : {5, 16}) {
+        const RenderFrame frame = floor_under(side);
+        const auto image = draw(frame);
+        for (const LocalLight& light : frame.lights) {
+            const auto pixel = [](float at_m) {
+                return static_cast<std::uint32_t>((at_m + kHalf_m) / (2.0F * kHalf_m) * kSide_px);
+            };
+            const Vec3f& at = light.position_world;
+            const int seen = pixel_at(image, pixel(at.x), pixel(at.z)).r;
+            ASSERT_NEAR(seen, code_of(under_lamp(light)), 9) << side << ": " << at.x << ' ' << at.z;
+        }
+        // Half way between four lamps none reaches.
+        EXPECT_EQ(pixel_at(image, side == 5 ? 128 : 160, side == 5 ? 128 : 160).r, 0);
+    }
+}
+
+TEST_F(LampsGl, LampsAddUp) {
+    // 200 lamps at one place are as bright as one 200 times as strong.
+    RenderFrame many = floor_under(1);
+    many.lights.front().radius_m = 20.0F;
+    many.lights.front().intensity = Vec3f{0.0005F};
+    RenderFrame one = many;
+    one.lights.front().intensity *= 200.0F;
+    many.lights.resize(200, many.lights.front());
+    const int together = pixel_at(draw(many), 160, 160).r;
+    EXPECT_GT(together, 40);
+    EXPECT_NEAR(together, pixel_at(draw(one), 160, 160).r, 1);
 }
 
 }  // namespace

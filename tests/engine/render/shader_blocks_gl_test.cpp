@@ -71,6 +71,9 @@ TEST_F(ShaderBlocksGl, FrameLiesAsInCpp) {
         {"Frame.flashlight_direction", offsetof(FrameBlock, flashlight_direction)},
         {"Frame.flashlight_intensity", offsetof(FrameBlock, flashlight_intensity)},
         {"Frame.tone", offsetof(FrameBlock, tone)},
+        {"Frame.clusters", offsetof(FrameBlock, clusters)},
+        {"Frame.cascade_ends", offsetof(FrameBlock, cascade_ends)},
+        {"Frame.cascades[0]", offsetof(FrameBlock, cascades)},
         {"Frame.sky_light[0]", offsetof(FrameBlock, sky_light)},
     };
     EXPECT_EQ(offsets, expected);
@@ -123,7 +126,8 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
                                          kLocalLights,
                                          kSun | kSunShadow | kFlashlight | kLocalLights,
                                          kSun | kSunShadow | kFlashlight | kSoftShadows,
-                                         kSun | kSunShadow | kFlashlight | kHardShadows};
+                                         kSun | kSunShadow | kFlashlight | kHardShadows,
+                                         kSun | kSunShadow | kCascades | kLocalLights};
     const std::vector<FeatureSet> air{0, kFog, kSkyLight, kFog | kSkyLight};
     for (const FeatureSet material : material_variants()) {
         for (const FeatureSet light : lights) {

@@ -86,6 +86,34 @@ TEST(SunShadowFit, PutsWhatIsNearerTheLightInFront) {
     EXPECT_LT(clip_of(fit, {0.0F, 5.0F, 0.0F}).z, clip_of(fit, {0.0F, 0.0F, 0.0F}).z);
 }
 
+TEST(SunShadowFit, OneCascadesCoordinatesLeadToAnothers) {
+    const ViewShape view = view_at({12.3F, 1.7F, -4.0F}, {0.3F, -0.2F, 1.0F});
+    const SunShadowFit near = fit_sun_shadow(view, kSun, 20.0F, kSize_px);
+    const SunShadowFit far = fit_sun_shadow(view, kSun, 140.0F, kSize_px);
+    const Vec4f lead = cascade_from_first(near, far);
+    EXPECT_NEAR(lead.w, 20.0F / 140.0F, 1e-4F);
+    for (const Vec3f& point : {Vec3f{0.0F}, Vec3f{30.0F, 2.0F, -50.0F}, Vec3f{-8.0F, 9.0F, 3.0F}}) {
+        const Vec3f in_near = clip_of(near, point) * 0.5F + 0.5F;
+        const Vec3f in_far = clip_of(far, point) * 0.5F + 0.5F;
+        EXPECT_LT(glm::distance(in_near * lead.w + Vec3f{lead}, in_far), 1e-4F);
+    }
+}
+
+TEST(SunShadowFit, CascadesEndAtTheDistanceAndGrow) {
+    EXPECT_FLOAT_EQ(cascade_end_m(0, 1, 34.0F), 34.0F);
+    for (std::uint32_t count = 2; count <= 4; ++count) {
+        float before = 0.0F;
+        float length = 0.0F;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const float end = cascade_end_m(i, count, 140.0F);
+            EXPECT_GT(end - before, length);
+            length = end - before;
+            before = end;
+        }
+        EXPECT_FLOAT_EQ(before, 140.0F);
+    }
+}
+
 TEST(SpotShadowFit, SeesTheWholeConeAndNotMuchMore) {
     const float outer_rad = 0.38F;
     const Vec3f position{1.0F, 2.0F, 3.0F};

@@ -1,0 +1,42 @@
+#include "engine/render/gpu_lights.h"
+
+#include "engine/render/shader_blocks.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+
+namespace plumbline::render {
+
+void GpuLights::upload(std::span<const LocalLight> lights, const ClusterView& view) {
+    if (!words_texture_) {
+        lights_ = gl::Buffer{gl::BufferUse::Uniforms, gl::BufferLife::PerFrame};
+        words_ = gl::Buffer{gl::BufferUse::Vertices, gl::BufferLife::PerFrame};
+        GLuint name = 0;
+        glGenTextures(1, &name);
+        words_texture_ = gl::TextureObject{name};
+    }
+    LocalLightsBlock block;
+    for (std::size_t i = 0; i < std::min(lights.size(), kMaxLights); ++i) {
+        const LocalLight& light = lights[i];
+        const float width = std::max(light.inner_cos - light.outer_cos, 1e-3F);
+        block.lights[i] = {
+            .position_world = Vec4f{light.position_world, 1.0F / std::max(light.radius_m, 1e-3F)},
+            .intensity = Vec4f{light.intensity * glm::one_over_pi<float>(),
+                               light.is_spot ? light.outer_cos : -2.0F},
+            .direction_world = Vec4f{light.direction_world, 1.0F / width}};
+    }
+    lights_.upload(&block, sizeof(block));
+    gl::bind_uniforms(kLocalLightsBinding, lights_, 0, sizeof(block));
+    const std::vector<std::uint32_t> words = light_clusters(view, lights);
+    words_.upload(words.data(), words.size() * sizeof(std::uint32_t));
+    glActiveTexture(GL_TEXTURE0 + kLightListsUnit);
+    glBindTexture(GL_TEXTURE_BUFFER, words_texture_.name());
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, words_.name());
+}
+
+void GpuLights::free() {
+    *this = {};
+}
+
+}  // namespace plumbline::render

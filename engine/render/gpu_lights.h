@@ -1,0 +1,25 @@
+// The frame's local lights and their lists by cluster, as the shaders read them.
+#pragma once
+
+#include "engine/render/gl/buffer.h"
+#include "engine/render/gl/object.h"
+#include "engine/render/light_clusters.h"
+
+#include <span>
+
+namespace plumbline::render {
+
+class GpuLights {
+public:
+    /// Uploads the first PL_MAX_LIGHTS lights and makes them what the next draws read.
+    void upload(std::span<const LocalLight> lights, const ClusterView& view);
+    /// For frames without lights.
+    void free();
+
+private:
+    gl::Buffer lights_;
+    gl::Buffer words_;
+    gl::TextureObject words_texture_;
+};
+
+}  // namespace plumbline::render

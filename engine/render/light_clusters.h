@@ -1,0 +1,33 @@
+// Which local lights reach which part of the picture. Pure arithmetic: tested without GL.
+//
+// The view is cut into clusters: tiles of the screen times slices of depth. Each has a list of the
+// lights that may reach into it, so a surface is lit by any number of lights and pays for those
+// near it only.
+#pragma once
+
+#include "engine/core/math.h"
+#include "engine/render/render_frame.h"
+#include "shaders/shared/limits.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace plumbline::render {
+
+struct ClusterView {
+    Mat4f view_from_world{1.0F};
+    float tan_x{1.0F};  ///< of half the field of view
+    float tan_y{1.0F};
+};
+
+/// Words for the shader: for each cluster (x fastest, then y, then the slice) where its list starts
+/// and how long it is, start << 9 | length; behind them the lists, indices into `lights`. At most
+/// PL_LIGHT_WORDS; where the lists grow longer, the clusters left share one list of all lights.
+std::vector<std::uint32_t> light_clusters(const ClusterView& view,
+                                          std::span<const LocalLight> lights);
+
+/// The slice of a depth in metres; the first begins at the eye, the last has no end.
+int cluster_slice(float depth_m);
+
+}  // namespace plumbline::render
