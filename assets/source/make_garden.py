@@ -78,7 +78,7 @@ fov_deg = 55
 direction = [-0.545, -0.53, -0.65]      # as in the sky's picture
 color = [1.0, 0.93, 0.82]
 intensity = 3.4
-shadow = { cascades = 1, size_px = 2048, distance_m = 34 }
+shadow = { cascades = 2, size_px = 2048, distance_m = 150 }
 
 [sky]
 skybox = "skies/garden"

@@ -45,7 +45,7 @@ std::optional<ShadowDescription> read_sun_shadow(TableReader& sun) {
     return shadow;
 }
 
-void read_sun(TableReader& root, SceneDescription& scene, LoadContext& context) {
+void read_sun(TableReader& root, SceneDescription& scene) {
     auto table = root.table("sun");
     if (!table) return;
     SunDescription sun;
@@ -158,7 +158,7 @@ std::optional<LightDescription> read_light(TableReader& entity) {
 }
 
 void read_lights_and_air(TableReader& root, SceneDescription& scene, LoadContext& context) {
-    read_sun(root, scene, context);
+    read_sun(root, scene);
     read_sky(root, scene, context);
     if (auto table = root.table("ambient")) {
         scene.ambient = table->color("color", scene.ambient);

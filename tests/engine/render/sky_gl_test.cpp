@@ -1,7 +1,9 @@
 // Which way the faces of a sky look.
 #include "engine/assets/image_import.h"
+#include "tests/engine/render/display_color.h"
 #include "tests/engine/render/gl_fixture.h"
 
+#include <cmath>
 #include <filesystem>
 
 namespace plumbline::render {
@@ -50,6 +52,19 @@ void expect_color(const Pixel& seen, const Pixel& expected) {
     EXPECT_NEAR(seen.r, expected.r, 2);
     EXPECT_NEAR(seen.g, expected.g, 2);
     EXPECT_NEAR(seen.b, expected.b, 2);
+}
+
+TEST_F(SkyGl, FogHidesTheHorizonAndLeavesTheSkyOverhead) {
+    for (const char* face : {"px", "nx", "py", "ny", "pz", "nz"}) write_face(face, {255, 255, 255});
+    RenderFrame frame = looking({0.0F, 1.0F, 0.0F});
+    frame.camera.fov_y_rad = 0.02F;
+    frame.fog = Fog{.color = Vec3f{0.0F}, .density_per_m = 0.02F};
+    // 30 m of it: exp(-0.36) of the sky's light gets through.
+    const Pixel above = pixel_at(draw(frame), 32, 32);
+    EXPECT_NEAR(above.r, srgb_from_linear(Vec3f{std::exp(-0.36F)}).x * 255.0F, 2.0F);
+    frame.camera = camera_at(Vec3f{0.0F}, {1.0F, 0.0F, 0.0F});
+    frame.camera.fov_y_rad = 0.02F;
+    EXPECT_EQ(pixel_at(draw(frame), 32, 32).r, 0);
 }
 
 TEST_F(SkyGl, EachFaceIsSeenAlongItsAxisUpright) {
