@@ -28,6 +28,9 @@ void PlaygroundGame::light(scene::Simulation& simulation, const Actions& actions
         bool& fog = scene.fog ? switches.fog : switches.fog_added;
         fog = !fog;
     }
+    const bool wants_sun =
+        actions.presses(Action::SunFaster) + actions.presses(Action::SunStop) > 0;
+    if (wants_sun && !scene.sun) say("no sun in this scene");
     switches.sun_rotation_radps +=
         kSunNotch_radps * static_cast<float>(actions.presses(Action::SunFaster));
     if (actions.presses(Action::SunStop) > 0) switches.sun_rotation_radps = 0.0F;

@@ -24,6 +24,18 @@ Real charge_after(Real held_s) {
     return std::clamp((held_s - kChargeFrom_s) / (kChargeTo_s - kChargeFrom_s), Real{0}, Real{1});
 }
 
+/// What a person reads: the label, or the name without its numbers ("oak_crate#3" is an oak crate);
+/// nothing for what the scene gave no name.
+std::string words_of(const scene::Name& name) {
+    if (!name.label.empty()) return name.label;
+    std::string words = name.text.substr(0, name.text.find_first_of("#["));
+    if (words == "entity" || words == "array") return {};
+    while (!words.empty() && (words.back() >= '0' && words.back() <= '9')) words.pop_back();
+    std::ranges::replace(words, '_', ' ');
+    while (!words.empty() && words.back() == ' ') words.pop_back();
+    return words;
+}
+
 }  // namespace
 
 void PlaygroundGame::choose(const Actions& actions) {
@@ -151,8 +163,10 @@ scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
     const auto looked = looked_at(simulation, aim(), Grab::kReach_m);
     if (looked && simulation.registry.alive(looked->entity) &&
         simulation.physics.kind(looked->body) == physics::BodyKind::Dynamic) {
-        const auto& name = simulation.registry.get<scene::Name>(looked->entity);
-        content.looking_at = name.label.empty() ? name.text : name.label;
+        const Real mass_kg = simulation.physics.mass_properties(looked->body).mass_kg;
+        const std::string words = words_of(simulation.registry.get<scene::Name>(looked->entity));
+        content.looking_at =
+            fmt::format("{}{}{:.3g} kg", words, words.empty() ? "" : ", ", mass_kg);
     }
     content.messages = std::move(messages_);
     messages_.clear();

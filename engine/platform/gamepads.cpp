@@ -8,6 +8,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 
@@ -54,17 +55,23 @@ void Gamepads::load_mappings() {
         use_mappings("SDL_GAMECONTROLLERCONFIG", lines);
 }
 
-int Gamepads::find_pad() {
-    if (index_ >= 0 && glfwJoystickIsGamepad(index_) == GLFW_TRUE &&
-        text_of(glfwGetJoystickGUID(index_)) == guid_)
-        return index_;
+int pad_to_read(std::span<const std::string> guids, int index, const std::string& guid) {
+    const auto is_there = [&](std::size_t i) { return !guids[i].empty() && guids[i] == guid; };
+    if (index >= 0 && is_there(static_cast<std::size_t>(index))) return index;
     int first = -1;
-    for (int i = GLFW_JOYSTICK_1; i <= GLFW_JOYSTICK_LAST; ++i) {
-        if (glfwJoystickIsGamepad(i) != GLFW_TRUE) continue;
-        if (!guid_.empty() && text_of(glfwGetJoystickGUID(i)) == guid_) return i;
-        if (first < 0) first = i;
+    for (std::size_t i = 0; i < guids.size(); ++i) {
+        if (is_there(i)) return static_cast<int>(i);
+        if (first < 0 && !guids[i].empty()) first = static_cast<int>(i);
     }
     return first;
+}
+
+int Gamepads::find_pad() {
+    std::array<std::string, GLFW_JOYSTICK_LAST + 1> guids;
+    for (int i = GLFW_JOYSTICK_1; i <= GLFW_JOYSTICK_LAST; ++i)
+        if (glfwJoystickIsGamepad(i) == GLFW_TRUE)
+            guids[static_cast<std::size_t>(i)] = text_of(glfwGetJoystickGUID(i));
+    return pad_to_read(guids, index_, guid_);
 }
 
 PadReading Gamepads::read() {

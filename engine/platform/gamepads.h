@@ -3,9 +3,14 @@
 
 #include "engine/platform/device_events.h"
 
+#include <span>
 #include <string>
 
 namespace plumbline::platform {
+
+/// Which pad to read: the one at `index` if it still is the one called `guid`, else where that one is
+/// now, else the first; -1 without any. `guids`: by index, empty where there is no gamepad.
+int pad_to_read(std::span<const std::string> guids, int index, const std::string& guid);
 
 class Gamepads {
 public:

@@ -29,9 +29,9 @@ struct FootstepEvent {
 /// What the HUD says for the game; the app draws it.
 struct HudContent {
     bool crosshair{true};
-    float charge{0.0F};                 ///< 0…1 while a throw is charged
-    std::string chosen_thing;           ///< "barrel"
-    std::string looking_at;             ///< name of the entity in reach, or empty
+    float charge{0.0F};        ///< 0…1 while a throw is charged
+    std::string chosen_thing;  ///< "barrel"
+    std::string looking_at;    ///< what is in reach, for people: "oak crate, 30 kg"; or empty
     std::vector<std::string> messages;  ///< newest last; the app fades them
 };
 

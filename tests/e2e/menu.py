@@ -2,6 +2,7 @@
 """The menu as a person uses it: the start page, Enter, a setting and a key changed by pressing it,
 kept over a restart and over a kill, another scene opened from it. EXPERIENCE D16."""
 import signal
+import subprocess
 import sys
 import time
 
@@ -44,6 +45,10 @@ def change_a_setting_and_be_killed(folder, environment):
         game.stop()
 
 
+def controls(environment, *words):
+    return subprocess.run([program_file, "controls", *words], env=environment, capture_output=True, text=True).stdout
+
+
 def bind_a_key(folder, environment):
     """Controls, the first action: forward. K in the place of W."""
     game = start(folder, environment, "falling_cube")
@@ -56,6 +61,9 @@ def bind_a_key(folder, environment):
     finally:
         game.stop()
     wait_for(folder / "config/plumbline/app.ui.toml", 'level = "low"', "kept over the next sitting")
+    shown = controls(environment)
+    expect("bindings.ui.toml:" in shown.split("forward =")[1].split("\n")[0], shown)
+    expect("bindings.ui.toml" not in controls(environment, "--safe"), "--safe reads nobody's files")
 
 
 def play_with_it(folder, environment):

@@ -279,6 +279,22 @@ TEST(Rules, FliesOrbitsAndWalksAgain) {
     EXPECT_NEAR(play.feet().y, 0, 1e-3);
 }
 
+TEST(Rules, TargetsHaveNamesThatAPersonReads) {
+    scene::SceneDescription scene = meadow();
+    scene.entities.push_back(
+        block("oak_crate_12", {0.8_r, 3, 0.8_r}, {0, 1.5_r, -2}, physics::BodyKind::Dynamic, 30));
+    Playground unlabelled(scene);
+    EXPECT_EQ(unlabelled.game->hud(*unlabelled.simulation).looking_at, "oak crate, 30 kg");
+    scene.entities.back().label = "ball of wool";
+    scene.entities.back().body->mass_kg = 0.25_r;
+    Playground labelled(scene);
+    EXPECT_EQ(labelled.game->hud(*labelled.simulation).looking_at, "ball of wool, 0.25 kg");
+    scene.entities.back().label.clear();
+    scene.entities.back().name = "entity[1]";
+    Playground nameless(scene);
+    EXPECT_EQ(nameless.game->hud(*nameless.simulation).looking_at, "0.25 kg");
+}
+
 // The keys of the profiles `book`, `nature` and `viewer` do something in the mode a scene starts in.
 TEST(Rules, TurnsByKeysAndZoomsByTheWheelWhileWalking) {
     Playground play;

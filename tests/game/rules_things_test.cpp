@@ -13,9 +13,9 @@ TEST(RulesThings, AThingInSightIsCalledByItsLabel) {
     pillar("crate_17", "oak crate", {0, 1, -2});
     pillar("stone_3", "", {2, 1, 0});
     Playground play(scene);
-    EXPECT_EQ(play.game->hud(*play.simulation).looking_at, "oak crate");
+    EXPECT_EQ(play.game->hud(*play.simulation).looking_at, "oak crate, 1 kg");
     play.step(look(-static_cast<float>(kPi) / 2, 0.0F));
-    EXPECT_EQ(play.game->hud(*play.simulation).looking_at, "stone_3") << "where there is none";
+    EXPECT_EQ(play.game->hud(*play.simulation).looking_at, "stone, 1 kg") << "where there is none";
     EXPECT_EQ(play.simulation->registry.get<scene::Name>(play.simulation->find("crate_17")).text,
               "crate_17")
         << "files and reports go on with its name";

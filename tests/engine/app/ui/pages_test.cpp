@@ -329,6 +329,20 @@ TEST_F(PagesTest, OneAGroupAndAllAreReset) {
         EXPECT_EQ(bindings_->current().of(action), bindings_->below().of(action));
 }
 
+// EXPERIENCE A14: the window goes to a monitor of another scale. Letters are made once, and what was
+// chosen stays chosen.
+TEST_F(PagesTest, AnotherMonitorsScaleRemakesTheLettersOnceAndKeepsThePlace) {
+    keys({kEscape, 264, 264, 264});
+    const std::string chosen = cell(control_->menu().focus()).text;
+    EXPECT_EQ(canvas_.font_px(), 17.0F);
+    EXPECT_TRUE(canvas_.resize(1280, 720, 1.25F, 0.0F));
+    EXPECT_EQ(canvas_.font_px(), 21.0F);
+    EXPECT_FALSE(canvas_.resize(1280, 720, 1.25F, 0.0F));
+    lay_out();
+    EXPECT_EQ(cell(control_->menu().focus()).text, chosen);
+    EXPECT_EQ(chosen, "Settings");
+}
+
 // Every page at the sizes people have: nothing cut, nothing over something else, all in the window.
 class PagesAtSize : public PagesTest, public testing::WithParamInterface<std::pair<int, int>> {
 protected:
