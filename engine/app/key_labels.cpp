@@ -2,6 +2,7 @@
 
 #include "engine/platform/window.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <string_view>
@@ -26,16 +27,37 @@ std::string without_modifiers(const std::string& word) {
     return plus == std::string::npos || plus + 1 == word.size() ? word : word.substr(plus + 1);
 }
 
-// A pad's buttons by place, with the letters that most pads print.
+struct PadName {
+    std::string_view word;
+    std::string_view label;
+};
+// A pad's buttons by place, with the letters that most pads print; sticks by where they are pushed.
+constexpr auto kPadNames = std::to_array<PadName>({{"pad.a", "South (A)"},
+                                                   {"pad.b", "East (B)"},
+                                                   {"pad.x", "West (X)"},
+                                                   {"pad.y", "North (Y)"},
+                                                   {"pad.left_thumb", "Left stick pressed"},
+                                                   {"pad.right_thumb", "Right stick pressed"},
+                                                   {"pad.left_x-", "Left stick left"},
+                                                   {"pad.left_x+", "Left stick right"},
+                                                   {"pad.left_y-", "Left stick up"},
+                                                   {"pad.left_y+", "Left stick down"},
+                                                   {"pad.right_x-", "Right stick left"},
+                                                   {"pad.right_x+", "Right stick right"},
+                                                   {"pad.right_y-", "Right stick up"},
+                                                   {"pad.right_y+", "Right stick down"},
+                                                   {"pad.dpad_up", "Pad up"},
+                                                   {"pad.dpad_right", "Pad right"},
+                                                   {"pad.dpad_down", "Pad down"},
+                                                   {"pad.dpad_left", "Pad left"},
+                                                   {"pad.back", "Pad Back"},
+                                                   {"pad.start", "Pad Start"},
+                                                   {"pad.guide", "Pad Guide"}});
+
 std::string pad_label(const std::string& word) {
-    constexpr std::array<std::array<std::string_view, 2>, 4> kByPlace{{{"pad.a", "South (A)"},
-                                                                       {"pad.b", "East (B)"},
-                                                                       {"pad.x", "West (X)"},
-                                                                       {"pad.y", "North (Y)"}}};
-    for (const auto& [name, place] : kByPlace) {
-        if (word == name) return std::string(place);
-    }
-    return "pad " + capitalised(word.substr(word.find('.') + 1));
+    const auto* const named = std::ranges::find(kPadNames, word, &PadName::word);
+    if (named != kPadNames.end()) return std::string(named->label);
+    return capitalised(word.substr(word.find('.') + 1));
 }
 
 bool on_pad(const Input& input) {
@@ -60,11 +82,11 @@ std::string label_of(const Input& input) {
         case DeviceKind::Label:
             return label + capitalised(std::string(1, input.label));
         case DeviceKind::MouseButton:
-            return label + word.substr(word.find('.') + 1) + " mouse";
+            return label + capitalised(word.substr(word.find('.') + 1)) + " mouse";
         case DeviceKind::MouseMove:
-            return label + "mouse";
+            return label + "Mouse";
         case DeviceKind::Wheel:
-            return label + "wheel " + word.substr(word.find('.') + 1);
+            return label + "Wheel " + word.substr(word.find('.') + 1);
         case DeviceKind::PadButton:
         case DeviceKind::PadAxis:
         case DeviceKind::PadStick:

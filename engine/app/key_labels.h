@@ -9,7 +9,7 @@
 
 namespace plumbline::app {
 
-/// "Q", "Ctrl+R", "left mouse", "South (A)": the printed label of a key in its place.
+/// "Q", "Ctrl+R", "Left mouse", "South (A)": the printed label of a key in its place.
 std::string label_of(const input::Input& input);
 
 /// The action's first input on the device used last, or "unbound".
