@@ -199,13 +199,14 @@ MenuLayout layout_of(const Page& page,
     layouter.finish();
     // A page that needs less than the window is as high as it needs, in the middle.
     const float spare = layout.view.height - layout.content_height;
-    if (spare > 0.0F) {
+    if (spare >= 0.0F) {
+        layout.content_height = layout.view.height - spare;
         const float down = spare * 0.5F;
         layout.panel.y += down;
         layout.panel.height -= spare;
         layout.title.y += down;
         layout.view.y += down;
-        layout.view.height -= spare;
+        layout.view.height = layout.content_height;
         for (Box& label : layout.labels) label.y += down;
         for (PlacedCell& cell : layout.cells) cell.box.y += down;
     }
