@@ -220,11 +220,11 @@ def roof(m):
 def ridge_tiles(m, x1):
     count = 20
     width = 2 * x1 / count
-    profile = [(math.cos(math.pi * q / 6) * 0.15, math.sin(math.pi * q / 6) * 0.12) for q in range(7)]
+    profile = [(math.cos(math.pi * q / 6) * 0.15, math.sin(math.pi * q / 6) * 0.17) for q in range(7)]
     for k in range(count):
         left, right = -x1 + k * width - 0.01, -x1 + (k + 1) * width + 0.01
         for i, ((z0, y0), (z1, y1)) in enumerate(zip(profile, profile[1:])):
-            base = plan.RIDGE + 0.04
+            base = plan.RIDGE - 0.1  # their lower edges lie in the courses
             m.quad([(left, base + y0 * 1.1, z0 * 1.1), (right, base + y0, z0), (right, base + y1, z1),
                     (left, base + y1 * 1.1, z1 * 1.1)], "roof",
                    [(0.05, 0.27 + 0.012 * (i + 1)), (0.25, 0.27 + 0.012 * (i + 1)), (0.25, 0.27 + 0.012 * i), (0.05, 0.27 + 0.012 * i)])
@@ -241,7 +241,10 @@ def gables(m):
         m.part((x, y, 0), (0.15, 0.48, 0.035), "oak")
         m.part((x, y, 0), (0.15, 0.035, 0.48), "oak")
     x, z = plan.CHIMNEY
-    m.part((x, plan.RIDGE - 0.05, z), (0.62, 1.9, 0.62), "brick")
+    corners = [(x - 0.31, z + 0.31), (x + 0.31, z + 0.31), (x + 0.31, z - 0.31), (x - 0.31, z - 0.31)]
+    low, high = plan.RIDGE - 1, plan.RIDGE + 0.9
+    for (x0, z0), (x1, z1) in zip(corners, corners[1:] + corners[:1]):  # not a part: its courses lie level
+        m.quad([(x0, low, z0), (x1, low, z1), (x1, high, z1), (x0, high, z0)], "brick")
     m.part((x, plan.RIDGE + 0.94, z), (0.74, 0.1, 0.74), "stone")
     m.lathe([(0.13, 0), (0.12, 0.3), (0.14, 0.34), (0.09, 0.34), (0.09, 0.1)], named("roof"), 10,
             blender((x, plan.RIDGE + 0.98, z)))
