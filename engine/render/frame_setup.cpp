@@ -240,8 +240,10 @@ void Renderer::Impl::build_draw_lists() {
         if (quality.lod_error_px > 0.0F && item.mesh.value != 0)
             scene.meshes.get(item.mesh, materials_of(*frame, item));
     }
-    const float pixel_rad = 2.0F * std::tan(frame->camera.fov_y_rad * 0.5F) /
-                            static_cast<float>(post_view.scene_px.height);
+    // However few pixels there are, a roof must not lose its tiles: no coarser than at six tenths.
+    const float lines = std::max(static_cast<float>(post_view.scene_px.height),
+                                 0.6F * static_cast<float>(post_view.present_px.height));
+    const float pixel_rad = 2.0F * std::tan(frame->camera.fov_y_rad * 0.5F) / lines;
     std::vector<VisibleItem> visible =
         cull(*frame,
              scene.library,

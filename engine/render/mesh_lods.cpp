@@ -18,6 +18,9 @@ constexpr std::size_t kCheapTriangles = 300;
 /// A loose piece of foliage with no more triangles than this is a card.
 constexpr std::uint32_t kCardTriangles = 32;
 
+/// Of the error, for what is no foliage: thin boards and tiles fall into their neighbours early.
+constexpr float kCell = 0.6F;
+
 struct Detail {
     float error_share;  ///< of the mesh's diagonal
     float kept_cards;   ///< share
@@ -146,8 +149,8 @@ public:
         : mesh_(mesh),
           analysis_(analysis),
           detail_(detail),
-          cell_of_(clustered(mesh.vertices, 1.5F * error_m)),
-          stand_in_(clustered_by_facing(mesh.vertices, 1.5F * error_m)) {}
+          cell_of_(clustered(mesh.vertices, kCell * error_m)),
+          stand_in_(clustered_by_facing(mesh.vertices, kCell * error_m)) {}
 
     /// Appends what is left of one part.
     SubMesh add(const SubMesh& part, bool is_foliage) {

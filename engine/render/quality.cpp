@@ -13,10 +13,10 @@ Quality quality_of(PictureLevel level) {
                     .surface_maps = false,
                     .shadow_filter = false,
                     .shadow_detail = 0.5F,
-                    .lod_error_px = 2.0F,
+                    .lod_error_px = 1.5F,
                     .smallest_px = 4.0F};
         case PictureLevel::Medium:
-            return {.render_scale = 0.8F, .fxaa = true, .lod_error_px = 1.5F, .smallest_px = 2.0F};
+            return {.render_scale = 0.8F, .fxaa = true, .lod_error_px = 1.2F, .smallest_px = 2.0F};
         case PictureLevel::High:
             return {.fxaa = true, .lod_error_px = 0.75F};
     }
