@@ -51,6 +51,9 @@ a scene or a model was refused
 .B 5
 a hash or another expectation differs
 .TP
+.B 6
+memory was refused
+.TP
 .B 130
 interrupted
 )";

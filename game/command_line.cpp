@@ -1,6 +1,8 @@
 #include "game/command_line.h"
 
+#include "engine/app/screenshot.h"
 #include "engine/core/log.h"
+#include "engine/core/output.h"
 
 #include <CLI/CLI.hpp>
 
@@ -23,14 +25,15 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
                    options.config_folder,
                    "Folder of your settings, instead of ~/.config/plumbline")
         ->check(CLI::ExistingDirectory);
-    app.add_flag("--safe", options.safe, "Built-in settings only: reads no file of yours");
+    app.add_flag("--safe", options.safe, "Built-in settings only: reads no file of yours")
+        ->excludes("--config");
     app.add_option("--bind", options.binds, "action=key[,key]; may be repeated")
         ->allow_extra_args(false);
     app.add_option(
         "--profile", options.profile, "Controls of config/controls: book, nature, viewer");
     app.add_flag("--no-sound", options.no_sound, "Opens no sound device");
     app.add_flag("--verbose", options.verbose, "Says more");
-    app.add_flag("--quiet", options.quiet, "Says only what went wrong");
+    app.add_flag("--quiet", options.quiet, "Says only what went wrong")->excludes("--verbose");
 }
 
 void apply_log_level(const CommonOptions& options) {
@@ -49,6 +52,20 @@ app::BindingsDef bindings_def(const CommonOptions& options, const DataFolders& f
             .profile = options.profile,
             .command_line = options.binds,
             .safe = options.safe};
+}
+
+Result<std::filesystem::path> default_output(const std::string& kind,
+                                             const std::string& name,
+                                             const std::string& extension) {
+    const std::filesystem::path data = user_data_folder();
+    if (data.empty()) {
+        return Error{.message =
+                         "nowhere to write: neither XDG_DATA_HOME nor HOME is set; name a "
+                         "place with --out"};
+    }
+    const std::filesystem::path folder = data / kind;
+    if (const Result<Done> made = make_output_folder(folder, {}); !made) return made.error();
+    return app::unused_file(folder, name, extension);
 }
 
 bool parse_size(const std::string& text, int& width, int& height) {

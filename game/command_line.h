@@ -35,6 +35,12 @@ void apply_log_level(const CommonOptions& options);
 std::filesystem::path user_settings_folder(const CommonOptions& options);
 app::BindingsDef bindings_def(const CommonOptions& options, const DataFolders& folders);
 
+/// A new name for what was given none: KIND/NAME_DATE_TIME_N, with `extension`, in the folder of the
+/// user's data. The folder KIND is made.
+Result<std::filesystem::path> default_output(const std::string& kind,
+                                             const std::string& name,
+                                             const std::string& extension);
+
 /// "1280x720" to two numbers in 1…16384; false when it is none.
 bool parse_size(const std::string& text, int& width, int& height);
 

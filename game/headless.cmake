@@ -9,8 +9,11 @@ string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} -ffp-contract=off" p
 foreach(suffix "" "_f64")
     set(target plumbline_simulate${suffix})
     add_library(${target} STATIC
+        option_ranges.h option_ranges.cpp
         parse_error.h parse_error.cpp
+        program.h program.cpp
         program_words.h program_words.cpp
+        refuse.h
         simulate_cli.h simulate_cli.cpp
         simulate_command.h simulate_command.cpp)
     plumbline_target_settings(${target})

@@ -1,13 +1,17 @@
 // The program `plumbline`: words on the command line to commands.
 
+#include "engine/core/crash_report.h"
 #include "engine/core/process_memory.h"
 #include "engine/study/worker.h"
 #include "game/command_line.h"
+#include "game/option_ranges.h"
 #include "game/other_commands.h"
 #include "game/parse_error.h"
 #include "game/play_command.h"
+#include "game/program.h"
 #include "game/program_words.h"
 #include "game/render_command.h"
+#include "game/scenes_command.h"
 #include "game/simulate_cli.h"
 #include "game/stability_command.h"
 #include "game/study_command.h"
@@ -16,6 +20,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace plumbline::game {
 namespace {
@@ -31,10 +36,17 @@ struct Words {
     StudyOptions study;
     std::string explained_scene;
     bool explain_as_json{false};
+    bool list_as_json{false};
     std::vector<std::filesystem::path> checked;
 };
 
-void add_play(CLI::App& app, PlayOptions& options) {
+/// A word of the command line, with its options, and what it does.
+struct Command {
+    const CLI::App* word;
+    std::function<ExitCode()> run;
+};
+
+CLI::App* add_play(CLI::App& app, PlayOptions& options) {
     CLI::App* play =
         app.add_subcommand("play", "A scene in a window (also without the word: plumbline SCENE)");
     play->add_option("scene",
@@ -44,21 +56,27 @@ void add_play(CLI::App& app, PlayOptions& options) {
     play->add_option("--level", options.level, "Of the picture: auto, low, medium or high")
         ->check(CLI::IsMember({"auto", "low", "medium", "high"}));
     play->add_option("--seconds", options.seconds, "Ends after so much time")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_up_to(kLongestRun_s));
     play->add_option("--record", options.record, "Writes every action to this file");
     play->add_option("--replay", options.replay, "Plays such a file instead of you")
         ->excludes("--record");
     play->add_option("--report", options.report, "Writes what it cost (JSON)");
-    play->add_option("--random-input", options.random_input, "A monkey with this seed plays");
+    play->add_option("--random-input", options.random_input, "A monkey with this seed plays")
+        ->excludes("--replay");
     play->add_option(
         "--expect-hash", options.expect_hash, "Exit code 5 unless the end state has this hash");
     play->add_option("--audio-device", options.audio_device, "Name of the sound device");
+    return play;
 }
 
-void add_render(CLI::App& app, RenderOptions& options) {
+CLI::App* add_render(CLI::App& app, RenderOptions& options) {
+    constexpr double kMostFrames = 1e9;
     CLI::App* render = app.add_subcommand("render", "One picture, without a window");
     render->add_option("scene", options.scene, "As for play")->required();
-    render->add_option("--out", options.out, "The PNG file");
+    render->add_option("--out",
+                       options.out,
+                       "The PNG file, or - for the standard output; without --out and --report "
+                       "one in ~/.local/share/plumbline/shots");
     render->add_option("--size", options.size, "WIDTHxHEIGHT, 1280x720 if not given");
     render
         ->add_option("--level",
@@ -69,32 +87,74 @@ void add_render(CLI::App& app, RenderOptions& options) {
         ->add_option("--render-scale",
                      options.render_scale,
                      "With --level: of width and height, instead of the level's own")
-        ->check(CLI::Range(0.4, 1.0));
+        ->check(between(0.4, 1.0));
     render->add_option("--at", options.at_s, "Simulated seconds before the picture")
-        ->check(CLI::NonNegativeNumber);
+        ->check(between(0.0, kLongestRun_s));
     render->add_option("--camera", options.camera, "x,y,z,yaw,pitch in metres and degrees");
     render->add_option("--shading", options.shading, "pbr, blinn_phong or unlit, for everything");
     render->add_option("--frames", options.frames, "Draws so many frames, one step each")
-        ->check(CLI::PositiveNumber);
+        ->check(between(1.0, kMostFrames));
     render->add_option("--report", options.report, "Writes what it cost (JSON)");
     render->add_flag("--flashlight", options.flashlight, "Switches the flashlight on");
     render->add_flag("--fog", options.fog, "Switches fog on");
+    return render;
 }
 
-void add_other_commands(CLI::App& app, Words& words) {
+CLI::App* add_tour(CLI::App& app, TourOptions& options) {
     CLI::App* tour =
         app.add_subcommand("tour", "Pictures of a scene into a folder, without a window");
-    tour->add_option("scene", words.tour.scene, "As for play");
-    tour->add_option("--out", words.tour.out, "The folder");
-    tour->add_option("--size", words.tour.size, "WIDTHxHEIGHT");
+    tour->add_option("scene", options.scene, "As for play");
+    tour->add_option("--out", options.out, "The folder");
+    tour->add_option("--size", options.size, "WIDTHxHEIGHT");
+    return tour;
+}
+
+CLI::App* add_scenes(CLI::App& app, Words& words) {
+    CLI::App* scenes = app.add_subcommand("scenes", "The scenes that play takes by name");
+    scenes->add_flag("--json", words.list_as_json, "As JSON");
+    return scenes;
+}
+
+CLI::App* add_explain(CLI::App& app, Words& words) {
     CLI::App* explain =
         app.add_subcommand("explain", "Which effects a scene calls for, why, and what they cost");
     explain->add_option("scene", words.explained_scene, "As for play")->required();
     explain->add_flag("--json", words.explain_as_json, "As JSON");
-    app.add_subcommand("controls", "What every action is bound to, and where that was said");
-    app.add_subcommand("study-worker", "Answers the jobs of a study")->group("");
+    return explain;
+}
+
+CLI::App* add_check(CLI::App& app, Words& words) {
     CLI::App* check = app.add_subcommand("check", "Names every fault of scenes and config files");
     check->add_option("files", words.checked, "Scenes or config files")->required();
+    return check;
+}
+
+/// The one table of commands. What has an empty group is not in the help.
+std::vector<Command> add_commands(CLI::App& app, Words& words) {
+    std::vector<Command> commands;
+    const auto add = [&](const CLI::App* word, std::function<ExitCode()> run) {
+        commands.push_back({.word = word, .run = std::move(run)});
+    };
+    add(add_play(app, words.play), [&] { return run_play(words.play, words.common); });
+    add(add_scenes(app, words), [&] { return run_scenes(words.list_as_json); });
+    add(add_render(app, words.render), [&] { return run_render(words.render, words.common); });
+    add(add_tour(app, words.tour), [&] { return run_tour(words.tour, words.common); });
+    add(add_simulate(app, words.simulate), [&] { return run_simulate(words.simulate); });
+    add(add_stability(app, words.stability), [&] { return run_stability(words.stability); });
+    add(add_study(app, words.study), [&] {
+        words.study.quiet = words.common.quiet;
+        return run_study(words.study);
+    });
+    add(add_explain(app, words),
+        [&] { return run_explain(words.explained_scene, words.explain_as_json); });
+    add(app.add_subcommand("controls", "What every action is bound to, and where that was said"),
+        [&] { return run_controls(words.common); });
+    add(add_check(app, words), [&] { return run_check(words.checked); });
+    add(app.add_subcommand("study-worker", "Answers the jobs of a study")->group(""), [] {
+        study::run_study_worker();
+        return ExitCode::Good;
+    });
+    return commands;
 }
 
 /// "plumbline garden.toml --seconds 3" means play: the word is put in where no command stands.
@@ -110,38 +170,17 @@ std::vector<std::string> with_command(const CLI::App& app, int argc, char** argv
     return words;
 }
 
-ExitCode run_command(const CLI::App& app, const Words& words) {
-    if (app.got_subcommand("play")) return run_play(words.play, words.common);
-    if (app.got_subcommand("render")) return run_render(words.render, words.common);
-    if (app.got_subcommand("tour")) return run_tour(words.tour, words.common);
-    if (app.got_subcommand("simulate")) return run_simulate(words.simulate);
-    if (app.got_subcommand("study")) return run_study(words.study);
-    if (app.got_subcommand("stability")) return run_stability(words.stability);
-    if (app.got_subcommand("explain"))
-        return run_explain(words.explained_scene, words.explain_as_json);
-    if (app.got_subcommand("study-worker")) {
-        study::run_study_worker();
-        return ExitCode::Good;
-    }
-    if (app.got_subcommand("controls")) return run_controls(words.common);
-    return run_check(words.checked);
-}
-
-int run_program(int argc, char** argv) {
+int run_commands(int argc, char** argv) {
     return_large_blocks_early();
     CLI::App app("Plumbline: a physics playground that shows what accuracy costs", "plumbline");
     app.require_subcommand(1);
     app.fallthrough();
     Words words;
-    words.stability.command = fmt::format("plumbline {}", fmt::join(argv + 1, argv + argc, " "));
-    words.study.command = words.stability.command;
+    const std::string typed = fmt::format("plumbline {}", fmt::join(argv + 1, argv + argc, " "));
+    words.stability.command = typed;
+    words.study.command = typed;
     add_common_options(app, words.common);
-    add_play(app, words.play);
-    add_render(app, words.render);
-    add_simulate(app, words.simulate);
-    add_stability(app, words.stability);
-    add_study(app, words.study);
-    add_other_commands(app, words);
+    const std::vector<Command> commands = add_commands(app, words);
     add_program_words(app);
     try {
         app.parse(with_command(app, argc, argv));
@@ -149,13 +188,16 @@ int run_program(int argc, char** argv) {
         return static_cast<int>(answer_parse_error(app, error));
     }
     apply_log_level(words.common);
-    words.study.quiet = words.common.quiet;
-    return static_cast<int>(run_command(app, words));
+    const auto chosen = std::ranges::find_if(
+        commands, [](const Command& command) { return command.word->parsed(); });
+    const bool is_hidden = chosen->word->get_group().empty();
+    if (!is_hidden) report_crashes(user_state_folder(), version_text() + "\n" + typed);
+    return static_cast<int>(chosen->run());
 }
 
 }  // namespace
 }  // namespace plumbline::game
 
 int main(int argc, char** argv) {
-    return plumbline::game::run_program(argc, argv);
+    return plumbline::game::run_program(plumbline::game::run_commands, argc, argv);
 }

@@ -4,6 +4,7 @@
 #include "engine/core/log.h"
 #include "engine/study/worker.h"
 #include "game/parse_error.h"
+#include "game/program.h"
 #include "game/program_words.h"
 #include "game/simulate_cli.h"
 
@@ -12,7 +13,7 @@
 namespace plumbline::game {
 namespace {
 
-int run_program(int argc, char** argv) {
+int run_commands(int argc, char** argv) {
     CLI::App app("Plumbline in double precision, without window or sound", "plumbline-f64");
     app.require_subcommand(1);
     app.fallthrough();
@@ -42,5 +43,5 @@ int run_program(int argc, char** argv) {
 }  // namespace plumbline::game
 
 int main(int argc, char** argv) {
-    return plumbline::game::run_program(argc, argv);
+    return plumbline::game::run_program(plumbline::game::run_commands, argc, argv);
 }

@@ -3,7 +3,9 @@
 #include "engine/app/offscreen_run.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
+#include "engine/core/printable.h"
 #include "game/camera_text.h"
+#include "game/refuse.h"
 
 #include <fmt/format.h>
 
@@ -13,11 +15,6 @@ namespace plumbline::game {
 namespace {
 
 constexpr double kExplained_s = 1.0;
-
-ExitCode refuse(const Error& error) {
-    log_error("{}", error.message);
-    return error.exit_code;
-}
 
 bool is_binding_file(const std::filesystem::path& file) {
     return file.filename().string().starts_with("bindings") ||
@@ -42,7 +39,8 @@ ExitCode check_file(const std::filesystem::path& file, const DataFolders& folder
         const Result<scene::SceneDescription> scene =
             scene::load_scene(file, folders.assets, faults);
         // What is wrong with the file as a whole is in the error alone.
-        if (!scene && faults.list().empty()) std::cout << scene.error().message << '\n';
+        if (!scene && faults.list().empty())
+            std::cout << printable_lines(scene.error().message) << '\n';
         if (!scene && !faults.has_errors()) return when_bad;
     }
     for (const Diagnostic& fault : faults.list()) std::cout << to_string(fault) << '\n';
@@ -91,7 +89,7 @@ ExitCode run_controls(const CommonOptions& common) {
     if (!folders) return refuse(folders.error());
     const app::LiveBindings bindings(bindings_def(common, *folders));
     for (const Diagnostic& fault : bindings.faults().list()) std::cerr << to_string(fault) << '\n';
-    std::cout << input::print_bindings(bindings.current());
+    std::cout << printable_lines(input::print_bindings(bindings.current()));
     return bindings.faults().has_errors() ? ExitCode::BadUsage : ExitCode::Good;
 }
 
@@ -101,7 +99,7 @@ ExitCode run_check(const std::vector<std::filesystem::path>& files) {
     ExitCode worst = ExitCode::Good;
     for (const std::filesystem::path& file : files) {
         const ExitCode code = check_file(file, *folders);
-        if (code == ExitCode::Good) std::cout << file.string() << ": good\n";
+        if (code == ExitCode::Good) std::cout << printable(file.string()) << ": good\n";
         if (static_cast<int>(code) > static_cast<int>(worst)) worst = code;
     }
     return worst;

@@ -1,6 +1,7 @@
 #include "game/parse_error.h"
 
 #include "engine/core/nearest_name.h"
+#include "engine/core/printable.h"
 
 #include <CLI/CLI.hpp>
 
@@ -26,6 +27,34 @@ std::vector<std::string> known_words(const CLI::App& app) {
     return words;
 }
 
+/// What was typed, short enough to be read.
+std::string shortened(const std::string& text) {
+    constexpr std::size_t kShownBytes = 60;
+    return text.size() <= kShownBytes ? text : text.substr(0, kShownBytes) + "...";
+}
+
+std::string command_names(const CLI::App& app) {
+    std::string names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        const bool is_hidden = command->get_group().empty();
+        if (!is_hidden) names += (names.empty() ? "" : ", ") + command->get_name();
+    }
+    return names;
+}
+
+std::string about_unknown(const CLI::App& app, const std::string& word) {
+    if (!word.starts_with('-')) {
+        return "unexpected word \"" + shortened(word) + "\"; the commands are " +
+               command_names(app);
+    }
+    std::string line = "unknown option \"" + shortened(word) + "\"";
+    const std::vector<std::string> words = known_words(app);
+    const std::vector<std::string_view> views(words.begin(), words.end());
+    const std::string_view nearest = nearest_name(word, views);
+    if (!nearest.empty()) line += "; the nearest is \"" + std::string(nearest) + "\"";
+    return line;
+}
+
 }  // namespace
 
 ExitCode answer_parse_error(const CLI::App& app, const CLI::ParseError& error) {
@@ -33,17 +62,11 @@ ExitCode answer_parse_error(const CLI::App& app, const CLI::ParseError& error) {
         app.exit(error);  // --help and --version
         return ExitCode::Good;
     }
-    std::string line = error.what();
+    constexpr std::size_t kLineBytes = 400;
     const std::vector<std::string> unknown = app.remaining(true);
-    if (!unknown.empty()) {
-        line = "unknown option \"" + unknown.front() + "\"";
-        const std::vector<std::string> words = known_words(app);
-        const std::vector<std::string_view> views(words.begin(), words.end());
-        const std::string_view nearest = nearest_name(unknown.front(), views);
-        if (!nearest.empty()) line += "; the nearest is \"" + std::string(nearest) + "\"";
-    }
+    const std::string line = unknown.empty() ? error.what() : about_unknown(app, unknown.front());
     const std::string& program = app.get_name();
-    std::cerr << program << ": " << line << "\n"
+    std::cerr << program << ": " << printable(line.substr(0, kLineBytes)) << "\n"
               << program << " --help lists commands and options\n";
     return ExitCode::BadUsage;
 }

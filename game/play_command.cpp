@@ -2,22 +2,21 @@
 
 #include "engine/app/frame_loop.h"
 #include "engine/app/picture_control.h"
+#include "engine/core/crash_report.h"
 #include "engine/core/files.h"
 #include "engine/core/interrupt.h"
-#include "engine/core/log.h"
+#include "engine/core/output.h"
+#include "game/program.h"
+#include "game/refuse.h"
 #include "game/rules.h"
 
 #include <fmt/format.h>
 
+#include <new>
 #include <utility>
 
 namespace plumbline::game {
 namespace {
-
-ExitCode refuse(const Error& error) {
-    log_error("{}", error.message);
-    return error.exit_code;
-}
 
 app::LiveConfig read_config(const CommonOptions& common, const DataFolders& folders) {
     const std::filesystem::path shipped = common.safe ? std::filesystem::path() : folders.config;
@@ -38,20 +37,14 @@ class Sessions {
 public:
     Sessions(const DataFolders& folders, bool sound) : folders_(folders), sound_(sound) {}
 
+    /// Where memory is refused, what ran before goes on.
     Opened open(const std::string& name) const {
-        const Result<std::filesystem::path> scene = scene::find_scene(name, folders_.assets);
-        if (!scene) return {.error = scene.error()};
-        Result<std::unique_ptr<app::Session>> session = app::Session::open(
-            {.scene = *scene,
-             .folders = folders_,
-             .served = {.picture = true, .sound = sound_},
-             .make_game = [assets = folders_.assets](
-                              scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
-                 return std::make_unique<PlaygroundGame>(simulation, assets);
-             }});
-        if (!session) return {.error = session.error()};
-        (*session)->library.prefetch_images();
-        return {.session = std::move(*session)};
+        try {
+            return open_scene(name);
+        } catch (const std::bad_alloc&) {
+            return {.error = {.message = fmt::format("there is not enough memory for {}", name),
+                              .exit_code = static_cast<ExitCode>(kOutOfMemory)}};
+        }
     }
 
     /// The scene of the last sitting; the garden where there is none, or none any more.
@@ -80,6 +73,22 @@ public:
     }
 
 private:
+    Opened open_scene(const std::string& name) const {
+        const Result<std::filesystem::path> scene = scene::find_scene(name, folders_.assets);
+        if (!scene) return {.error = scene.error()};
+        Result<std::unique_ptr<app::Session>> session = app::Session::open(
+            {.scene = *scene,
+             .folders = folders_,
+             .served = {.picture = true, .sound = sound_},
+             .make_game = [assets = folders_.assets](
+                              scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
+                 return std::make_unique<PlaygroundGame>(simulation, assets);
+             }});
+        if (!session) return {.error = session.error()};
+        (*session)->library.prefetch_images();
+        return {.session = std::move(*session)};
+    }
+
     static std::filesystem::path memory() {
         const std::filesystem::path folder = user_data_folder();
         return folder.empty() ? folder : folder / "last_scene";
@@ -114,9 +123,27 @@ app::PlayDef play_def(const PlayOptions& options,
             .steps = {.replay = options.replay, .random_seed = options.random_input}};
 }
 
+/// What an earlier run left that did not end as it should.
+void tidy_up() {
+    const std::filesystem::path data = user_data_folder();
+    remove_stale_saves(user_config_folder());
+    if (!data.empty()) {
+        remove_stale_saves(data / "shots");
+        remove_stale_saves(data / "recordings");
+    }
+    const std::filesystem::path report = take_crash_report(user_state_folder());
+    if (report.empty()) return;
+    log_warning("the last run crashed: {}; with --safe only built-in settings are used",
+                report.string());
+}
+
 }  // namespace
 
 ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
+    tidy_up();
+    for (const std::filesystem::path& file : {options.record, options.report}) {
+        if (const Result<Done> open = check_output(file); !open) return refuse(open.error());
+    }
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return refuse(folders.error());
     app::LiveConfig config = read_config(common, *folders);

@@ -29,6 +29,10 @@ std::string version_text() {
 }
 
 void add_program_words(CLI::App& app) {
+    app.footer(
+        "Exit codes: 0 good, 1 failed, 2 bad option or setting, 3 no display or no OpenGL, "
+        "4 scene or file refused,\n5 a hash or expectation differs, 6 not enough memory, "
+        "130 interrupted.");
     app.set_version_flag("--version",
                          fmt::format("{}\nBullet {} in {}, OpenGL 3.3 core\n{}: {}",
                                      version_text(),

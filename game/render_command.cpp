@@ -3,9 +3,11 @@
 #include "engine/app/offscreen_run.h"
 #include "engine/assets/image_import.h"
 #include "engine/core/files.h"
-#include "engine/core/log.h"
+#include "engine/core/output.h"
+#include "engine/core/printable.h"
 #include "game/camera_text.h"
 #include "game/contact_sheet.h"
+#include "game/refuse.h"
 
 #include <fmt/format.h>
 
@@ -16,14 +18,11 @@
 namespace plumbline::game {
 namespace {
 
-ExitCode refuse(const Error& error) {
-    log_error("{}", error.message);
-    return error.exit_code;
-}
-
 Error bad_option(std::string message) {
     return {.message = std::move(message), .exit_code = ExitCode::BadUsage};
 }
+
+constexpr const char* kSheet = "contact_sheet.png";
 
 /// A session without a player in it, and an off-screen renderer for it.
 struct Studio {
@@ -71,6 +70,21 @@ Result<std::optional<assets::Shading>> parse_shading(const std::string& name) {
     return bad_option(fmt::format("--shading {}: expected pbr, blinn_phong or unlit", name));
 }
 
+/// Where the picture goes; empty when only a report is asked for. Found to be writable.
+Result<std::filesystem::path> picture_file(const RenderOptions& options) {
+    std::filesystem::path file = options.out;
+    if (file.empty() && options.report.empty()) {
+        const std::string name = std::filesystem::path(options.scene).stem().string();
+        const Result<std::filesystem::path> unnamed = default_output("shots", name, ".png");
+        if (!unnamed) return unnamed;
+        file = *unnamed;
+    }
+    for (const std::filesystem::path& each : {file, options.report}) {
+        if (const Result<Done> open = check_output(each); !open) return open.error();
+    }
+    return file;
+}
+
 std::uint64_t steps_in(double seconds, const scene::Simulation& simulation) {
     return static_cast<std::uint64_t>(std::llround(std::max(0.0, seconds) / simulation.step_s()));
 }
@@ -80,6 +94,8 @@ std::uint64_t steps_in(double seconds, const scene::Simulation& simulation) {
 ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
     const Result<std::optional<assets::Shading>> shading = parse_shading(options.shading);
     if (!shading) return refuse(shading.error());
+    const Result<std::filesystem::path> picture = picture_file(options);
+    if (!picture) return refuse(picture.error());
     Result<Studio> studio = open_studio(options.scene,
                                         options.size,
                                         {.shader_folder = {},
@@ -107,13 +123,14 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
         run.simulate(1);
         run.draw(view);
     }
-    if (!options.out.empty()) {
-        if (const Result<Done> written = assets::write_png(options.out, run.pixels()); !written) {
+    if (!picture->empty()) {
+        if (const Result<Done> written = assets::write_png(*picture, run.pixels()); !written) {
             return refuse(written.error());
         }
     }
+    if (options.out.empty() && !picture->empty()) std::cout << printable(picture->string()) << '\n';
     if (!options.report.empty()) {
-        if (const Result<Done> written = write_file_atomically(options.report, run.report_json());
+        if (const Result<Done> written = write_output(options.report, run.report_json());
             !written) {
             return refuse(written.error());
         }
@@ -122,13 +139,10 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
 }
 
 ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
+    const Result<Done> open = make_output_folder(options.out, {kSheet});
+    if (!open) return refuse(open.error());
     Result<Studio> studio = open_studio(options.scene, options.size, {});
     if (!studio) return refuse(studio.error());
-    std::error_code failed;
-    std::filesystem::create_directories(options.out, failed);
-    if (failed)
-        return refuse(
-            {.message = fmt::format("cannot make {}: {}", options.out.string(), failed.message())});
 
     const scene::SceneDescription& scene = studio->session->simulation->description();
     std::vector<assets::ImageData> pictures;
@@ -144,13 +158,13 @@ ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
         if (const Result<Done> written = assets::write_png(file, pictures.back()); !written) {
             return refuse(written.error());
         }
-        std::cout << file.string() << '\n';
+        std::cout << printable(file.string()) << '\n';
     }
-    const std::filesystem::path sheet = options.out / "contact_sheet.png";
+    const std::filesystem::path sheet = options.out / kSheet;
     if (const Result<Done> written = assets::write_png(sheet, contact_sheet(pictures)); !written) {
         return refuse(written.error());
     }
-    std::cout << "all of them on one sheet: " << sheet.string() << '\n';
+    std::cout << "all of them on one sheet: " << printable(sheet.string()) << '\n';
     return ExitCode::Good;
 }
 

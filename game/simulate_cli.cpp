@@ -3,6 +3,7 @@
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 #include "engine/core/nearest_name.h"
+#include "game/option_ranges.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -18,7 +19,6 @@ constexpr std::array kSolvers{physics::Solver::SmallStep,
                               physics::Solver::BulletNncg,
                               physics::Solver::BulletDantzig,
                               physics::Solver::BulletPgs};
-constexpr double kLongestRun_s = 1e6;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ CLI::App* add_simulate(CLI::App& app, SimulateOptions& options) {
         ->add_option("scene", options.scene, "A scene or model file, or a name below assets/scenes")
         ->required();
     simulate->add_option("--seconds", options.seconds, "Simulated time")
-        ->check(CLI::Range(0.0, kLongestRun_s));
+        ->check(between(0.0, kLongestRun_s));
     simulate->add_option_function<std::string>(
         "--solver",
         [&options](const std::string& name) { take_solver(name, options.solver); },
@@ -56,17 +56,19 @@ CLI::App* add_simulate(CLI::App& app, SimulateOptions& options) {
     simulate->add_option("--iterations", options.iterations, "Solver sweeps")
         ->check(CLI::Range(1, 10'000));
     simulate->add_option("--seed", options.seed, "Of everything random");
-    simulate->add_option("--state", options.state_file, "Writes the state at the end (JSON)");
+    simulate->add_option("--state",
+                         options.state_file,
+                         "Writes the state at the end (JSON); - is the standard output");
     simulate->add_option("--trace", options.trace_file, "Writes states on the way (JSON lines)");
     simulate->add_option("--every", options.trace_every_s, "Simulated time between trace lines")
-        ->check(CLI::NonNegativeNumber);
+        ->check(between(0.0, kLongestRun_s));
     simulate->add_option(
         "--expect-hash", options.expect_hash, "Exit code 5 unless the end state has this hash");
     simulate
         ->add_option("--drive-fps",
                      options.drive_fps,
                      "Takes the steps as a window with this frame rate would; same result")
-        ->check(CLI::Range(1.0, 100'000.0));
+        ->check(between(1.0, 100'000.0));
     return simulate;
 }
 

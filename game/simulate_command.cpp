@@ -5,10 +5,12 @@
 #include "engine/core/hash.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/log.h"
+#include "engine/core/output.h"
 #include "engine/effects/advance.h"
 #include "engine/scene/scene_file.h"
 #include "engine/scene/state_report.h"
 #include "engine/study/any_scene/auto_accuracy.h"
+#include "game/refuse.h"
 
 #include <fmt/format.h>
 
@@ -24,12 +26,6 @@ namespace {
 /// Longest stretch of wall time that one frame may catch up with.
 constexpr double kCatchUp_s = 0.25;
 
-ExitCode refuse(const Error& error) {
-    log_error("{}", error.message);
-    return error.exit_code;
-}
-
-/// A file, or a name below assets/scenes.
 /// What is loaded for one run. The library outlives the simulation.
 struct World {
     assets::AssetLibrary library;
@@ -132,13 +128,22 @@ private:
     double lost_s_{0.0};
 };
 
-void print_summary(const scene::Simulation& simulation, const scene::CostHistory& costs) {
+/// Beside what a file may take of the standard output.
+std::ostream& summary_stream(const SimulateOptions& options) {
+    const bool taken =
+        is_standard_output(options.state_file) || is_standard_output(options.trace_file);
+    return taken ? std::cerr : std::cout;
+}
+
+void print_summary(std::ostream& out,
+                   const scene::Simulation& simulation,
+                   const scene::CostHistory& costs) {
     const physics::Energy energy = simulation.physics.energy();
     const scene::Percentiles step_ms = scene::percentiles_of(costs.step_ms);
     const auto awake = std::count_if(simulation.moving_bodies().begin(),
                                      simulation.moving_bodies().end(),
                                      [](const scene::MovingBody& body) { return body.awake; });
-    std::cout << fmt::format(
+    out << fmt::format(
         "{:.3f} s in {} steps of {:.3f} ms, {} ({})\n"
         "{} moving bodies, {} awake, {} removed, {} not finite\n"
         "kinetic {:.4g} J, potential {:.4g} J\n"
@@ -165,21 +170,23 @@ void print_summary(const scene::Simulation& simulation, const scene::CostHistory
 
 ExitCode run_simulate(const SimulateOptions& options) {
     catch_interrupts();
+    for (const fs::path& file : {options.state_file, options.trace_file}) {
+        if (const Result<Done> open = check_output(file); !open) return refuse(open.error());
+    }
     World world;
     if (const Result<Done> loaded = load(options, world); !loaded) return refuse(loaded.error());
     scene::Simulation& simulation = *world.simulation;
     Run run(options, simulation);
     run.all_steps();
-    print_summary(simulation, run.costs());
+    print_summary(summary_stream(options), simulation, run.costs());
 
     ExitCode code = interrupted() ? ExitCode::Interrupted : ExitCode::Good;
     const auto write = [&](const fs::path& file, const std::string& text) {
-        if (file.empty()) return;
-        const Result<Done> written = write_file_atomically(file, text);
+        const Result<Done> written = write_output(file, text);
         if (!written) code = refuse(written.error());
     };
-    write(options.state_file, run.state(false) + "\n");
-    write(options.trace_file, run.trace_lines());
+    if (!options.state_file.empty()) write(options.state_file, run.state(false) + "\n");
+    if (!options.trace_file.empty()) write(options.trace_file, run.trace_lines());
     const std::string hash = hex_of(simulation.state_hash());
     if (code == ExitCode::Good && options.expect_hash && *options.expect_hash != hash) {
         log_error("the state at the end is {}, expected {}", hash, *options.expect_hash);

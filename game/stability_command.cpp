@@ -3,10 +3,13 @@
 #include "engine/core/files.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/log.h"
+#include "engine/core/output.h"
+#include "engine/core/printable.h"
 #include "engine/study/gallery/stability.h"
 #include "engine/study/job.h"
 #include "engine/study/machine.h"
 #include "game/program_words.h"
+#include "game/refuse.h"
 #include "game/simulate_cli.h"
 
 #include <CLI/CLI.hpp>
@@ -23,11 +26,6 @@ using physics::Solver;
 
 constexpr int kPictureWidth_px = 240;
 constexpr int kPictureHeight_px = 150;
-
-ExitCode refuse(const Error& error) {
-    log_error("{}", error.message);
-    return error.exit_code;
-}
 
 std::vector<Solver> solvers_of(const StabilityOptions& options) {
     if (options.solver) return {*options.solver};
@@ -57,13 +55,13 @@ Result<study::StabilityTable> planned(const StabilityOptions& options) {
     return table;
 }
 
+constexpr const char* kTable = "stability.json";
+constexpr const char* kPage = "stability.html";
+
 Result<Done> write_files(const study::StabilityTable& table, const fs::path& folder) {
-    std::error_code ignored;  // writing says what is wrong
-    fs::create_directories(folder, ignored);
-    const Result<Done> json =
-        write_file_atomically(folder / "stability.json", study::stability_json(table));
+    const Result<Done> json = write_output(folder / kTable, study::stability_json(table));
     if (!json) return json;
-    return write_file_atomically(folder / "stability.html", study::stability_page(table));
+    return write_output(folder / kPage, study::stability_page(table));
 }
 
 /// What is asked of the outcome, once it is told and written.
@@ -80,7 +78,7 @@ ExitCode judged(const study::StabilityTable& table, bool expect_green) {
 
 }  // namespace
 
-void add_stability(CLI::App& app, StabilityOptions& options) {
+CLI::App* add_stability(CLI::App& app, StabilityOptions& options) {
     CLI::App* stability =
         app.add_subcommand("stability", "Runs the gallery of hard cases: who holds which");
     stability->add_option("cases", options.cases, "Ids like H05; none: all of the tier");
@@ -99,11 +97,16 @@ void add_stability(CLI::App& app, StabilityOptions& options) {
     stability->add_flag("--expect-green",
                         options.expect_green,
                         "Exit code 5 when small_step fails a case that is not known red");
+    return stability;
 }
 
 ExitCode run_stability(const StabilityOptions& options) {
     Result<study::StabilityTable> table = planned(options);
     if (!table) return refuse(table.error());
+    if (!options.out.empty()) {
+        const Result<Done> open = make_output_folder(options.out, {kTable, kPage});
+        if (!open) return refuse(open.error());
+    }
     catch_interrupts();
     const int workers = options.jobs > 0 ? options.jobs : study::default_workers();
     const std::size_t all = table->runs.size();
@@ -120,7 +123,7 @@ ExitCode run_stability(const StabilityOptions& options) {
         }
         if (const Result<Done> written = write_files(*table, options.out); !written)
             return refuse(written.error());
-        std::cout << (options.out / "stability.html").string() << '\n';
+        std::cout << printable((options.out / kPage).string()) << '\n';
     }
     return judged(*table, options.expect_green);
 }

@@ -27,7 +27,7 @@ struct StabilityOptions {
     std::string command;  ///< the command line, for the page
 };
 
-void add_stability(CLI::App& app, StabilityOptions& options);
+CLI::App* add_stability(CLI::App& app, StabilityOptions& options);
 ExitCode run_stability(const StabilityOptions& options);
 
 }  // namespace plumbline::game

@@ -4,6 +4,8 @@
 #include "engine/core/interrupt.h"
 #include "engine/core/log.h"
 #include "engine/core/nearest_name.h"
+#include "engine/core/output.h"
+#include "engine/core/printable.h"
 #include "engine/scene/scene_file.h"
 #include "engine/study/findings_json.h"
 #include "engine/study/job.h"
@@ -12,8 +14,11 @@
 #include "engine/study/report/report.h"
 #include "engine/study/scenarios/scenario_study.h"
 #include "engine/study/scenarios/scenario_text.h"
+#include "game/command_line.h"
 #include "game/effects_command.h"
+#include "game/option_ranges.h"
 #include "game/program_words.h"
+#include "game/refuse.h"
 #include "game/scene_study_command.h"
 
 #include <CLI/CLI.hpp>
@@ -26,11 +31,6 @@ namespace plumbline::game {
 namespace {
 
 namespace fs = std::filesystem;
-
-ExitCode refuse(const Error& error) {
-    log_error("{}", error.message);
-    return error.exit_code;
-}
 
 /// What the words of the command line mean.
 struct Chosen {
@@ -80,23 +80,32 @@ Result<Chosen> chosen_by(const StudyOptions& options) {
     return chosen;
 }
 
-/// Before hours of work: can the results be written?
-Result<Done> make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        return Error{.message = fmt::format(
-                         "cannot make the folder {}: {}", folder.string(), error.message())};
-    return write_file_atomically(folder / "findings.csv", "");
+constexpr const char* kJson = "findings.json";
+constexpr const char* kCsv = "findings.csv";
+constexpr const char* kPage = "report.html";
+
+/// The folder for the files, made; empty where just lines are asked for. Looked at before hours of
+/// work, which leaves an earlier study's files alone until they can be replaced.
+Result<fs::path> output_folder(const StudyOptions& options) {
+    fs::path folder = options.out;
+    if (folder.empty() && (options.tolerance || options.budget_ms)) return folder;
+    if (folder.empty()) {
+        const std::string name =
+            options.cases.empty() ? "scenarios" : fs::path(options.cases.front()).stem().string();
+        const Result<fs::path> unnamed = default_output("studies", name, "");
+        if (!unnamed) return unnamed;
+        folder = *unnamed;
+    }
+    if (const Result<Done> made = make_output_folder(folder, {kJson, kCsv, kPage}); !made)
+        return made.error();
+    return folder;
 }
 
 Result<Done> write_files(const study::Findings& findings, const fs::path& folder) {
-    const std::pair<const char*, std::string> files[] = {
-        {"findings.json", study::findings_to_json(findings)},
-        {"findings.csv", study::findings_to_csv(findings)}};
+    const std::pair<const char*, std::string> files[] = {{kJson, study::findings_to_json(findings)},
+                                                         {kCsv, study::findings_to_csv(findings)}};
     for (const auto& [name, text] : files) {
-        if (Result<Done> written = write_file_atomically(folder / name, text); !written)
-            return written;
+        if (Result<Done> written = write_output(folder / name, text); !written) return written;
     }
     return study::write_report(findings, folder);
 }
@@ -166,29 +175,32 @@ ExitCode study_effects(const StudyOptions& options) {
 
 }  // namespace
 
-void add_study(CLI::App& app, StudyOptions& options) {
+CLI::App* add_study(CLI::App& app, StudyOptions& options) {
     CLI::App* study = app.add_subcommand("study", "What accuracy costs: error against CPU time");
     study->add_option(
         "cases", options.cases, "Scenarios (A20, or A for all that begin so) or scenes; none: all");
-    study->add_option(
-        "--out", options.out, "Folder for report.html, findings.json and findings.csv");
+    study->add_option("--out",
+                      options.out,
+                      "Folder for report.html, findings.json and findings.csv; one in "
+                      "~/.local/share/plumbline/studies if not given");
     study->add_flag("--quick", options.quick, "Two solvers, four step rates");
     study->add_flag("--list", options.list, "Names all scenarios");
     study->add_flag("--effects", options.effects, "What each effect of a scene costs");
     study->add_option("--jobs", options.jobs, "Runs at once; as many as cores if not given")
         ->check(CLI::Range(1, 256));
     study->add_option("--seconds", options.seconds, "Of a scene: simulated time")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_up_to(kLongestRun_s));
     study
         ->add_option("--tolerance",
                      options.tolerance,
                      "Of a scene: just the lines for a relative error of at most this")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_up_to(1.0));
     study
         ->add_option("--budget-ms",
                      options.budget_ms,
                      "Of a scene: just the lines for at most so many CPU ms a frame")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_up_to(1e6));
+    return study;
 }
 
 ExitCode run_study(const StudyOptions& options) {
@@ -200,9 +212,8 @@ ExitCode run_study(const StudyOptions& options) {
     if (options.effects) return study_effects(options);
     const Result<Chosen> chosen = chosen_by(options);
     if (!chosen) return refuse(chosen.error());
-    if (!options.out.empty()) {
-        if (const Result<Done> made = make_folder(options.out); !made) return refuse(made.error());
-    }
+    const Result<fs::path> folder = output_folder(options);
+    if (!folder) return refuse(folder.error());
     study::Findings findings{.command = options.command,
                              .machine = study::machine_text(),
                              .build = fmt::format("{}, {}", version_text(), study::build_text()),
@@ -213,14 +224,14 @@ ExitCode run_study(const StudyOptions& options) {
     }
     if (const Result<Done> added = add_scenes(options, *chosen, findings); !added)
         return refuse(added.error());
-    if (!options.out.empty()) {
-        if (const Result<Done> written = write_files(findings, options.out); !written)
+    if (!folder->empty()) {
+        if (const Result<Done> written = write_files(findings, *folder); !written)
             return refuse(written.error());
-        std::cout << (options.out / "report.html").string() << '\n';
+        std::cout << printable((*folder / kPage).string()) << '\n';
     }
     if (findings.complete) return ExitCode::Good;
     log_warning("interrupted: what was done by then is {}",
-                options.out.empty() ? "above" : "above and written");
+                folder->empty() ? "above" : "above and written");
     return ExitCode::Interrupted;
 }
 

@@ -28,7 +28,7 @@ struct StudyOptions {
     std::string command;  ///< the command line, for the report
 };
 
-void add_study(CLI::App& app, StudyOptions& options);
+CLI::App* add_study(CLI::App& app, StudyOptions& options);
 ExitCode run_study(const StudyOptions& options);
 
 }  // namespace plumbline::game

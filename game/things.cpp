@@ -1,5 +1,6 @@
 #include "game/things.h"
 
+#include "engine/scene/entity_builder.h"
 #include "engine/scene/scene_file.h"
 #include "game/components.h"
 #include "game/placement.h"
@@ -101,7 +102,7 @@ void destroy(scene::Simulation& simulation, ecs::Entity entity) {
     simulation.registry.destroy(entity);
 }
 
-Things::Things(const scene::Simulation& simulation, const std::filesystem::path& assets_folder) {
+Things::Things(scene::Simulation& simulation, const std::filesystem::path& assets_folder) {
     const scene::SceneDescription& scene = simulation.description();
     scene::SceneDescription shipped;
     const std::filesystem::path file = assets_folder / "scenes" / "things.toml";
@@ -113,17 +114,13 @@ Things::Things(const scene::Simulation& simulation, const std::filesystem::path&
         Diagnostics faults;
         if (auto loaded = scene::load_scene(file, assets_folder, faults)) shipped = *loaded;
     }
+    simulation.builder().lend_materials(shipped.materials);
     for (std::size_t i = 0; i < kThingCount; ++i) {
         const std::string name(kThingNames[i]);
         if (const auto own = scene.prefabs.find(name); own != scene.prefabs.end()) {
             things_[i] = make_from(own->second, i);
         } else if (const auto known = shipped.prefabs.find(name); known != shipped.prefabs.end()) {
             things_[i] = make_from(known->second, i);
-            const auto material = shipped.materials.find(known->second.material);
-            if (material != shipped.materials.end() &&
-                !scene.materials.contains(known->second.material)) {
-                things_[i].material = material->second;
-            }
         } else {
             things_[i] = make_plain(i);
         }

@@ -23,7 +23,7 @@ extern const std::array<std::string_view, kThingCount> kThingNames;
 /// plain shape of our own.
 struct Thing {
     scene::EntityDescription description;
-    std::optional<assets::MaterialData> material{};  ///< where the scene does not know it
+    std::optional<assets::MaterialData> material{};  ///< of a plain shape
     std::optional<Vec3> size_m{};                    ///< world box at rest, once one was made
 };
 
@@ -32,7 +32,8 @@ public:
     static constexpr std::size_t kMost = 500;
     static constexpr Real kReach_m = 1.6_r;  ///< how far in front things appear, plus their radius
 
-    Things(const scene::Simulation& simulation, const std::filesystem::path& assets_folder);
+    /// Lends the simulation the materials of things that its scene does not know.
+    Things(scene::Simulation& simulation, const std::filesystem::path& assets_folder);
 
     void choose(std::size_t index);  ///< others than 0…kThingCount-1 are ignored
     void choose_next(int steps);

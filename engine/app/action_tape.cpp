@@ -2,6 +2,7 @@
 
 #include "engine/core/files.h"
 #include "engine/core/hash.h"
+#include "engine/core/output.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -85,9 +86,14 @@ std::string difference(const json& header, const TapeHeader& expected) {
             return fmt::format("recorded with {} {}, this run has {}", what, recorded, here);
         };
     if (header.value("format", 0) != kFormat) return "not a recording of format 1";
+    const std::string scene = header.value("scene", "");
+    if (header.value("scene_hash", "") != expected.scene_hash) {
+        if (scene == expected.scene)
+            return fmt::format("recorded in another version of the scene {}", scene);
+        return fmt::format("recorded in the scene {}, this one is {}", scene, expected.scene);
+    }
     for (const std::string& found :
-         {compare("scene contents", header.value("scene_hash", ""), expected.scene_hash),
-          compare("precision", header.value("precision", ""), expected.precision),
+         {compare("precision", header.value("precision", ""), expected.precision),
           compare("a step of",
                   fmt::format("{} s", header.value("step_s", 0.0)),
                   fmt::format("{} s", expected.step_s))}) {
@@ -105,7 +111,8 @@ TapeRecorder::TapeRecorder(const TapeHeader& header) {
                        {"precision", header.precision},
                        {"step_s", header.step_s},
                        {"seed", header.seed}};
-    text_ = line.dump() + "\n";
+    // A file's name may be any bytes.
+    text_ = line.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 void TapeRecorder::add_step(std::uint64_t step, const Actions& actions) {
@@ -127,7 +134,7 @@ Result<Done> TapeRecorder::save(const std::filesystem::path& file,
                                 std::uint64_t steps,
                                 std::uint64_t hash) const {
     const json last = {{"n", steps}, {"end", true}, {"hash", hex_of(hash)}};
-    return write_file_atomically(file, text_ + last.dump() + "\n");
+    return write_output(file, text_ + last.dump() + "\n");
 }
 
 Result<TapePlayer> TapePlayer::open(const std::filesystem::path& file, const TapeHeader& expected) {

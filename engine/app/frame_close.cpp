@@ -1,9 +1,9 @@
 // The end of a sitting: the files that were asked for, and the exit code.
 #include "engine/app/frame_parts_impl.h"
-#include "engine/core/files.h"
 #include "engine/core/hash.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/log.h"
+#include "engine/core/output.h"
 
 #include <algorithm>
 
@@ -27,12 +27,12 @@ ExitCode FrameParts::close() {
     };
     if (!def_.record.empty()) failed(stepper.save_recording(def_.record));
     if (!def_.report.empty()) {
-        failed(write_file_atomically(def_.report,
-                                     report.json(*session_.simulation,
-                                                 session_.effects->ledger(),
-                                                 renderer->gl(),
-                                                 clock.lost_s(),
-                                                 actions_seen())));
+        failed(write_output(def_.report,
+                            report.json(*session_.simulation,
+                                        session_.effects->ledger(),
+                                        renderer->gl(),
+                                        clock.lost_s(),
+                                        actions_seen())));
     }
     const std::string hash = hex_of(session_.simulation->state_hash());
     if (!stepper.divergence().empty()) code = ExitCode::Differs;

@@ -49,7 +49,7 @@ void FrameParts::save_recording_so_far() {
     const std::filesystem::path folder = def_.user_data_folder / "recordings";
     std::error_code ignored;  // the save says what is wrong
     std::filesystem::create_directories(folder, ignored);
-    const std::filesystem::path file = unused_file(folder, scene_name(), "tape");
+    const std::filesystem::path file = unused_file(folder, scene_name(), ".tape");
     const Result<Done> saved = stepper.save_recording(file);
     say(saved ? "actions so far saved: " + file.string() : saved.error().message);
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <ctime>
 
@@ -13,12 +14,15 @@ namespace fs = std::filesystem;
 fs::path unused_file(const fs::path& folder,
                      const std::string& scene,
                      const std::string& extension) {
-    // The clock may jump back, so the number, not the time, keeps names apart.
-    const std::string stem =
-        fmt::format("{}_{:%Y-%m-%d_%H-%M-%S}", scene, fmt::localtime(std::time(nullptr)));
+    // The clock may jump back, so the number, not the time, keeps names apart; it begins with one
+    // that no other running copy of the program begins with.
+    constexpr std::size_t kSceneBytes = 100;  // leaves room for the rest of a file's name
+    const std::string stem = fmt::format("{}_{:%Y-%m-%d_%H-%M-%S}",
+                                         scene.substr(0, kSceneBytes),
+                                         fmt::localtime(std::time(nullptr)));
     std::error_code ignored;
-    for (int number = 1;; ++number) {
-        fs::path file = folder / fmt::format("{}_{}.{}", stem, number, extension);
+    for (int number = ::getpid();; ++number) {
+        fs::path file = folder / fmt::format("{}_{}{}", stem, number, extension);
         if (!fs::exists(file, ignored)) return file;
     }
 }
@@ -33,7 +37,7 @@ Result<fs::path> save_screenshot(const render::Renderer& renderer,
     if (failed)
         return Error{.message =
                          fmt::format("cannot make {}: {}", folder.string(), failed.message())};
-    const fs::path file = unused_file(folder, scene, "png");
+    const fs::path file = unused_file(folder, scene, ".png");
     if (const Result<Done> written = assets::write_png(file, renderer.read_pixels()); !written) {
         return written.error();
     }

@@ -14,7 +14,7 @@ Result<std::filesystem::path> save_screenshot(const render::Renderer& renderer,
                                               const std::filesystem::path& folder,
                                               const std::string& scene);
 
-/// FOLDER/SCENE_DATE_TIME_N.EXTENSION that no file has yet.
+/// FOLDER/SCENE_DATE_TIME_NEXTENSION that no file has yet; `extension` with its dot, or "".
 std::filesystem::path unused_file(const std::filesystem::path& folder,
                                   const std::string& scene,
                                   const std::string& extension);

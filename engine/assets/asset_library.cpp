@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <condition_variable>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <set>
+#include <string_view>
+#include <system_error>
 #include <thread>
 
 namespace plumbline::assets {
@@ -33,6 +36,11 @@ ImageData checkerboard() {
     return image;
 }
 
+Error out_of_memory(std::string_view kind, const fs::path& file) {
+    return {.message = fmt::format("there is not enough memory for {} {}", kind, file.string()),
+            .exit_code = ExitCode::Refused};
+}
+
 std::uint32_t id_after(std::size_t index) {
     return static_cast<std::uint32_t>(index + 1);
 }
@@ -52,6 +60,9 @@ struct AssetLibrary::Images {
     std::map<fs::path, Pixels> ready;
     std::map<fs::path, std::shared_ptr<const std::string>> embedded;  // by EmbeddedImage::name
     bool closing{false};
+
+    std::map<fs::path, std::size_t> decoded_bytes;  // of every image decoded so far
+    std::size_t decoded_sum{0};
 
     std::vector<std::thread> workers;
     std::set<fs::path> prefetched;  // ever, so that a second call does not decode again
@@ -75,7 +86,7 @@ struct AssetLibrary::Images {
             waiting.pop_front();
             in_work.insert(file);
             lock.unlock();
-            Pixels pixels = decoded(file);
+            Pixels pixels = decode(file);
             lock.lock();
             in_work.erase(file);
             ready.emplace(file, std::move(pixels));
@@ -83,16 +94,34 @@ struct AssetLibrary::Images {
         }
     }
 
-    /// From the model file that holds it, or from its own.
-    Pixels decoded(const fs::path& file) {
+    /// Counts the image's bytes among the scene's; once, however often it is decoded. False when
+    /// there is no room for it.
+    bool count_bytes(const fs::path& file, std::size_t bytes) {
+        const std::lock_guard lock(mutex);
+        std::size_t& counted = decoded_bytes[file];
+        const std::size_t others = decoded_sum - counted;
+        const bool fits = bytes <= kSceneImageBytes - others;
+        counted = fits ? bytes : 0;
+        decoded_sum = others + counted;
+        return fits;
+    }
+
+    /// From the model file that holds it, or from its own; without the lock.
+    Pixels decode(const fs::path& file) {
         std::shared_ptr<const std::string> bytes;
         {
             const std::lock_guard lock(mutex);
             const auto found = embedded.find(file);
             if (found != embedded.end()) bytes = found->second;
         }
-        return std::make_shared<const Result<ImageData>>(bytes ? decode_image(*bytes, file.string())
-                                                               : import_image(file));
+        const auto fits = [&](std::size_t decoded) { return count_bytes(file, decoded); };
+        Result<ImageData> image = out_of_memory("image", file);
+        try {
+            image = bytes ? decode_image(*bytes, file.string(), fits) : import_image(file, fits);
+        } catch (const std::bad_alloc&) {  // says so already
+        }
+        if (!image) count_bytes(file, 0);
+        return std::make_shared<const Result<ImageData>>(std::move(image));
     }
 
     /// The result if it is ready or being made; null if nobody has begun.
@@ -233,7 +262,13 @@ Result<SoundId> AssetLibrary::sound(const fs::path& file) {
     const fs::path key = file.lexically_normal();
     const auto known = sounds_by_file_.find(key);
     if (known != sounds_by_file_.end()) return known->second;
-    Result<SoundData> imported = import_sound(file);
+    Result<SoundData> imported = [&]() -> Result<SoundData> {
+        try {
+            return import_sound(file);
+        } catch (const std::bad_alloc&) {
+            return out_of_memory("sound", file);
+        }
+    }();
     if (!imported) return imported.error();
     sounds_.push_back(std::move(*imported));
     const SoundId id{id_after(sounds_.size() - 1)};
@@ -301,8 +336,13 @@ void AssetLibrary::prefetch_images() {
     images_->work_added.notify_all();
     const std::size_t wanted =
         std::min<std::size_t>(pending, std::max(1U, std::thread::hardware_concurrency()));
-    while (images_->workers.size() < wanted) {
-        images_->workers.emplace_back([images = images_.get()] { images->work(); });
+    try {
+        while (images_->workers.size() < wanted) {
+            images_->workers.emplace_back([images = images_.get()] { images->work(); });
+        }
+    } catch (const std::system_error& fault) {
+        // What no worker has begun, take_image() decodes.
+        log_note("images are decoded with {} threads: {}", images_->workers.size(), fault.what());
     }
 }
 
@@ -310,7 +350,7 @@ std::shared_ptr<const ImageData> AssetLibrary::take_image(const fs::path& file) 
     const fs::path key = file.lexically_normal();
     Images::Pixels decoded = images_->claim(key);
     if (decoded == nullptr) {
-        decoded = images_->decoded(key);
+        decoded = images_->decode(key);
     }
     if (decoded->ok()) return {decoded, &decoded->value()};  // shares ownership of the result
     if (images_->warned.insert(key).second) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/assets/image_data.h"
+#include "engine/assets/image_import.h"
 #include "engine/core/result.h"
 
 #include <string>
@@ -10,9 +11,15 @@
 namespace plumbline::assets {
 
 /// `name` is for messages. Each looks at the header, checks it, and only then decodes.
-Result<ImageData> decode_png(std::string_view bytes, const std::string& name);
-Result<ImageData> decode_jpeg(std::string_view bytes, const std::string& name);
-Result<ImageData> decode_exr(std::string_view bytes, const std::string& name);
+Result<ImageData> decode_png(std::string_view bytes,
+                             const std::string& name,
+                             const ImageBytesAllowed& allowed);
+Result<ImageData> decode_jpeg(std::string_view bytes,
+                              const std::string& name,
+                              const ImageBytesAllowed& allowed);
+Result<ImageData> decode_exr(std::string_view bytes,
+                             const std::string& name,
+                             const ImageBytesAllowed& allowed);
 
 /// The PNG file's bytes.
 Result<std::string> encode_png(const ImageData& image);
@@ -20,7 +27,10 @@ Result<std::string> encode_png(const ImageData& image);
 /// "image NAME is refused: WHY".
 Error image_error(const std::string& name, std::string_view why);
 /// Empty when an image of that size may be decoded.
-std::string size_fault(std::uint64_t width, std::uint64_t height, PixelFormat format);
+std::string size_fault(std::uint64_t width,
+                       std::uint64_t height,
+                       PixelFormat format,
+                       const ImageBytesAllowed& allowed);
 /// Sets up `image` with room for its pixels.
 ImageData blank_image(std::uint32_t width, std::uint32_t height, PixelFormat format);
 

@@ -46,15 +46,19 @@ Imath::half clamped(Imath::half value) {
     return value;
 }
 
-Result<ImageData> decode(std::string_view bytes, const std::string& name) {
+Result<ImageData> decode(std::string_view bytes,
+                         const std::string& name,
+                         const ImageBytesAllowed& allowed) {
     MemoryStream stream(bytes, name);
     Imf::RgbaInputFile file(stream, 1);
     const Imath::Box2i window = file.dataWindow();
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
     if (width < 1 || height < 1) return image_error(name, "its data window is empty");
-    const std::string fault = size_fault(
-        static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), PixelFormat::Rgb16F);
+    const std::string fault = size_fault(static_cast<std::uint64_t>(width),
+                                         static_cast<std::uint64_t>(height),
+                                         PixelFormat::Rgb16F,
+                                         allowed);
     if (!fault.empty()) return image_error(name, fault);
 
     ImageData image = blank_image(
@@ -82,9 +86,11 @@ Result<ImageData> decode(std::string_view bytes, const std::string& name) {
 
 }  // namespace
 
-Result<ImageData> decode_exr(std::string_view bytes, const std::string& name) {
+Result<ImageData> decode_exr(std::string_view bytes,
+                             const std::string& name,
+                             const ImageBytesAllowed& allowed) {
     try {
-        return decode(bytes, name);
+        return decode(bytes, name, allowed);
     } catch (const std::exception& fault) {
         return image_error(name, fault.what());
     }

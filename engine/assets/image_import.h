@@ -4,19 +4,32 @@
 #include "engine/assets/image_data.h"
 #include "engine/core/result.h"
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace plumbline::assets {
 
+/// Asked after the header is read, with the bytes that the pixels will take: false refuses them.
+using ImageBytesAllowed = std::function<bool(std::size_t bytes)>;
+/// What the images of a scene may take, decoded, all together.
+inline constexpr std::size_t kSceneImageBytes = 1024ULL * 1024 * 1024;
+inline bool any_image_bytes(std::size_t /*bytes*/) {
+    return true;
+}
+
 /// The kind is told by the content, not the name. 8-bit files become R8, Rgb8 or Rgba8 (16-bit,
 /// palette and CMYK are converted); EXR becomes Rgb16F, negatives and non-finite values clamped.
-Result<ImageData> import_image(const std::filesystem::path& file);
+Result<ImageData> import_image(const std::filesystem::path& file,
+                               const ImageBytesAllowed& allowed = any_image_bytes);
 /// The same for bytes that are there already; `name` is for messages.
-Result<ImageData> decode_image(std::string_view content, const std::string& name);
+Result<ImageData> decode_image(std::string_view content,
+                               const std::string& name,
+                               const ImageBytesAllowed& allowed = any_image_bytes);
 
-/// R8, Rgb8 or Rgba8; written atomically.
+/// R8, Rgb8 or Rgba8, to where write_output takes it.
 Result<Done> write_png(const std::filesystem::path& file, const ImageData& image);
 
 }  // namespace plumbline::assets

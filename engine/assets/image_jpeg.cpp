@@ -111,7 +111,9 @@ struct Decoder {
 
 }  // namespace
 
-Result<ImageData> decode_jpeg(std::string_view bytes, const std::string& name) {
+Result<ImageData> decode_jpeg(std::string_view bytes,
+                              const std::string& name,
+                              const ImageBytesAllowed& allowed) {
     Progress progress{};
     Decoder decoder;
     jpeg_decompress_struct& jpeg = decoder.jpeg;
@@ -126,7 +128,7 @@ Result<ImageData> decode_jpeg(std::string_view bytes, const std::string& name) {
     PixelFormat format = PixelFormat::Rgb8;
     if (jpeg.num_components == 1) format = PixelFormat::R8;
     if (jpeg.num_components == 4) format = PixelFormat::Rgba8;  // for a moment: C, M, Y, K
-    const std::string fault = size_fault(jpeg.image_width, jpeg.image_height, format);
+    const std::string fault = size_fault(jpeg.image_width, jpeg.image_height, format, allowed);
     if (!fault.empty()) return image_error(name, fault);
     ImageData image = blank_image(jpeg.image_width, jpeg.image_height, format);
     const std::size_t row_bytes = std::size_t{image.width} * bytes_per_pixel(format);

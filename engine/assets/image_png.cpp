@@ -158,7 +158,9 @@ std::vector<png_bytep> rows_of(ImageData& image) {
 
 }  // namespace
 
-Result<ImageData> decode_png(std::string_view bytes, const std::string& name) {
+Result<ImageData> decode_png(std::string_view bytes,
+                             const std::string& name,
+                             const ImageBytesAllowed& allowed) {
     Progress progress{
         .bytes = static_cast<const unsigned char*>(static_cast<const void*>(bytes.data())),
         .size = bytes.size(),
@@ -171,7 +173,7 @@ Result<ImageData> decode_png(std::string_view bytes, const std::string& name) {
     PixelFormat format = PixelFormat::Rgba8;
     if (header.channels == 1) format = PixelFormat::R8;
     if (header.channels == 3) format = PixelFormat::Rgb8;
-    const std::string fault = size_fault(header.width, header.height, format);
+    const std::string fault = size_fault(header.width, header.height, format, allowed);
     if (!fault.empty()) return image_error(name, fault);
     ImageData image = blank_image(header.width, header.height, format);
     std::vector<png_bytep> rows = rows_of(image);

@@ -81,6 +81,44 @@ bool breaks_off(std::string_view bytes) {
     return false;
 }
 
+constexpr std::size_t kChunkHead = 8;  // four letters and a length
+
+/// A WAV file of what is played alone: format, number of frames, samples. libsndfile never ends
+/// with some of the other chunks, whose lengths it does not check. The error says what is missing.
+Result<std::string> plain_wav(std::string_view bytes) {
+    constexpr std::size_t kFirstChunk = 12;
+    std::string plain = "RIFF....WAVE";
+    std::string_view kept;
+    for (std::size_t at = kFirstChunk; at + kChunkHead <= bytes.size() && kept != "data";) {
+        const std::string_view id = bytes.substr(at, 4);
+        const std::size_t length = little_u32(bytes, at + 4);
+        if (id == "fmt " || id == "fact" || id == "data") {
+            kept = id;
+            const std::string_view content = bytes.substr(at + kChunkHead, length);
+            plain += id;
+            for (std::size_t i = 0; i < 4; ++i)
+                plain += static_cast<char>(content.size() >> (8 * i) & 0xFFU);
+            plain += content;
+            if (content.size() % 2 != 0) plain += '\0';
+        }
+        at += kChunkHead + length + length % 2;
+    }
+    if (kept != "data") return Error{.message = "it has no samples"};
+    const std::size_t size = plain.size() - kChunkHead;
+    for (std::size_t i = 0; i < 4; ++i) plain[4 + i] = static_cast<char>(size >> (8 * i) & 0xFFU);
+    return plain;
+}
+
+/// The containers that scenes may use; libsndfile knows more, and trusts some of them too much.
+bool is_known_container(std::string_view bytes) {
+    if (bytes.size() < 12) return false;
+    const bool mpeg_frame =
+        bytes[0] == '\xff' && (static_cast<unsigned>(bytes[1]) & 0xE0U) == 0xE0U;
+    return (bytes.starts_with("RIFF") && bytes.substr(8, 4) == "WAVE") ||
+           bytes.starts_with("OggS") || bytes.starts_with("fLaC") || bytes.starts_with("ID3") ||
+           mpeg_frame;
+}
+
 /// Some containers with senseless headers are turned away by libsndfile with a general message;
 /// the field at fault is read here so that the message can name it.
 std::string wav_field_at_fault(std::string_view bytes) {
@@ -145,7 +183,13 @@ Result<SoundData> import_sound(const std::filesystem::path& file) {
     const std::string wav_fault = wav_field_at_fault(*bytes);
     if (!wav_fault.empty()) return refuse(wav_fault);
 
-    MemoryFile memory{.bytes = *bytes};
+    if (!is_known_container(*bytes)) return refuse("its content is none of WAV, Ogg, FLAC and MP3");
+    Result<std::string> plain = std::string();
+    const bool is_wav = bytes->starts_with("RIFF");
+    if (is_wav) plain = plain_wav(*bytes);
+    if (!plain) return refuse(plain.error().message);
+
+    MemoryFile memory{.bytes = is_wav ? *plain : *bytes};
     SF_VIRTUAL_IO access{
         .get_filelen = size_of, .seek = seek, .read = read, .write = refuse_write, .tell = tell};
     SF_INFO header{};

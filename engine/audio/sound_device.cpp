@@ -145,10 +145,11 @@ void SoundDevice::close() {
 
 bool SoundDevice::retry_in_background(const std::string& name) {
     if (!opening_.valid()) {
-        opening_ = std::async(std::launch::async, open_or_default, name);
+        // Where no thread can be made it is opened by whoever asks next.
+        opening_ = std::async(std::launch::async | std::launch::deferred, open_or_default, name);
         return false;
     }
-    if (opening_.wait_for(std::chrono::seconds{0}) != std::future_status::ready) return false;
+    if (opening_.wait_for(std::chrono::seconds{0}) == std::future_status::timeout) return false;
     return adopt(opening_.get(), nullptr);
 }
 

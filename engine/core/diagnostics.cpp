@@ -1,5 +1,7 @@
 #include "engine/core/diagnostics.h"
 
+#include "engine/core/printable.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,9 +14,8 @@ std::string to_string(const Diagnostic& diagnostic) {
     if (diagnostic.line > 0 && diagnostic.column > 0)
         place += fmt::format(":{}", diagnostic.column);
     const char* severity = diagnostic.severity == Severity::Error ? "error" : "warning";
-    if (diagnostic.key.empty())
-        return fmt::format("{}: {}: {}", place, severity, diagnostic.message);
-    return fmt::format("{}: {}: {}: {}", place, severity, diagnostic.key, diagnostic.message);
+    const std::string key = diagnostic.key.empty() ? "" : diagnostic.key + ": ";
+    return printable_lines(fmt::format("{}: {}: {}{}", place, severity, key, diagnostic.message));
 }
 
 bool Diagnostics::has_errors() const {

@@ -1,6 +1,9 @@
 #include "engine/core/files.h"
 
+#include "engine/core/crash_report.h"
 #include "engine/core/files_impl.h"
+#include "engine/core/interrupt.h"
+#include "engine/core/output.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -19,80 +22,65 @@ namespace plumbline {
 namespace fs = std::filesystem;
 namespace {
 
-Error system_error(std::string_view what, const fs::path& path) {
-    return {.message = fmt::format("{} {}: {}", what, path.string(), std::strerror(errno))};
-}
-
-/// Closes its descriptor when it goes.
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0) file_calls().close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    bool open() const { return number_ >= 0; }
-    int number() const { return number_; }
-    /// Closing may be where a write fails: true when it did not.
-    bool close_now() {
-        const int number = number_;
-        number_ = -1;
-        return file_calls().close(number) == 0;
-    }
-
-private:
-    int number_;
-};
-
-bool write_all(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = file_calls().write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return true;
-}
-
-/// A link stays a link: what it points to is replaced.
-fs::path link_target(const fs::path& path) {
-    std::error_code failed;
-    if (!fs::is_symlink(path, failed)) return path;
-    const fs::path target = fs::weakly_canonical(path, failed);
-    return failed ? path : target;
-}
-
 fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// How temporary files begin that become `target`: nothing that a person would name a file.
-std::string temporary_prefix(const fs::path& target) {
-    return "." + target.filename().string() + ".saving-";
-}
+/// How files begin that are being written. Short, so that any name that the system takes can be
+/// saved under; nothing that a person would name a file.
+constexpr std::string_view kTemporaryPrefix = ".plumbline-saving-";
 
 /// Differs between processes, threads and times, so that two savers never share a file.
-std::string unique_name(const std::string& prefix) {
+std::string temporary_name() {
     static std::atomic<unsigned> count{0};
     timespec now{};
     clock_gettime(CLOCK_REALTIME, &now);
-    return fmt::format("{}{}-{}-{}", prefix, ::getpid(), now.tv_nsec, count++);
+    return fmt::format("{}{}-{}-{}", kTemporaryPrefix, ::getpid(), now.tv_nsec, count++);
 }
 
-/// Removes what killed programs left of earlier saves. A save takes far less than a minute; older
-/// ones are nobody's. Should one be somebody's after all, only that save fails, and says so.
-void remove_stale(const fs::path& folder, const std::string& prefix) {
-    constexpr std::time_t kLongestSave_s = 60;
-    std::error_code failed;
-    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
-         entry.increment(failed)) {
-        if (entry->path().filename().string().rfind(prefix, 0) != 0) continue;
-        struct stat status {};
-        if (::lstat(entry->path().c_str(), &status) != 0 || !S_ISREG(status.st_mode)) continue;
-        if (std::time(nullptr) - status.st_mtime > kLongestSave_s) ::unlink(entry->path().c_str());
+/// Where a save goes, and what is there now.
+struct Target {
+    fs::path path;  ///< links followed: a link stays a link, what it points to is replaced
+    bool exists{false};
+    struct stat status {};
+};
+
+/// Refuses what a rename would destroy: folders, devices, FIFOs, and files that may not be written.
+Result<Target> find_target(const fs::path& path) {
+    Target target{.path = path};
+    struct stat link {};
+    if (::lstat(path.c_str(), &link) == 0 && S_ISLNK(link.st_mode)) {
+        std::error_code failed;
+        target.path = fs::weakly_canonical(path, failed);
+        if (failed) errno = failed.value();
+        if (failed) return system_error("cannot write", path);
     }
+    target.exists = ::stat(path.c_str(), &target.status) == 0;
+    if (!target.exists && errno != ENOENT) return system_error("cannot write", path);
+    if (!target.exists) return target;
+    if (S_ISDIR(target.status.st_mode)) errno = EISDIR;
+    if (S_ISDIR(target.status.st_mode)) return system_error("cannot write", path);
+    if (!S_ISREG(target.status.st_mode))
+        return Error{.message = fmt::format("{} is not a regular file", path.string())};
+    if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
+        return system_error("cannot write", path);
+    return target;
+}
+
+/// Gives the new file the old one's owner, as far as the system lets us, and mode. A group that it
+/// could not get is given no rights.
+bool take_over_owner_and_mode(int file, const struct stat& old) {
+    const bool owned = ::fchown(file, old.st_uid, old.st_gid) == 0 ||
+                       ::fchown(file, static_cast<uid_t>(-1), old.st_gid) == 0;
+    const mode_t mode = old.st_mode & (owned ? mode_t{07777} : mode_t{0707});
+    return ::fchmod(file, mode) == 0;
+}
+
+/// A new empty file in the folder of `target`: its descriptor and its path.
+int open_temporary(const Target& target, fs::path& temporary) {
+    temporary = folder_of(target.path) / temporary_name();
+    const mode_t mode = target.exists ? 0600 : 0666;
+    return file_calls().open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
 }
 
 bool is_data_root(const fs::path& root) {
@@ -120,6 +108,21 @@ fs::path user_folder(const char* variable, const char* below_home) {
 }
 
 }  // namespace
+
+Error system_error(std::string_view what, const fs::path& path) {
+    return {.message = fmt::format("{} {}: {}", what, path.string(), std::strerror(errno))};
+}
+
+bool write_all(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = file_calls().write(file, bytes.data(), bytes.size());
+        // A pipe that nobody reads keeps a program waiting; Ctrl-C ends that.
+        if (written < 0 && errno == EINTR && !interrupted()) continue;
+        if (written <= 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
 
 FileCalls& file_calls() {
     static FileCalls calls{
@@ -192,29 +195,52 @@ Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
 }
 
 Result<Done> write_file_atomically(const fs::path& path, std::string_view bytes) {
-    const fs::path target = link_target(path);
-    const std::string prefix = temporary_prefix(target);
-    remove_stale(folder_of(target), prefix);
+    const Result<Target> target = find_target(path);
+    if (!target) return target.error();
+    remove_stale_saves(folder_of(target->path));
 
-    const fs::path temporary = folder_of(target) / unique_name(prefix);
-    Descriptor file(
-        file_calls().open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    fs::path temporary;
+    Descriptor file(open_temporary(*target, temporary));
     if (!file.open()) return system_error("cannot create a file beside", path);
     const auto give_up = [&](std::string_view what) {
         Error error = system_error(what, path);
         ::unlink(temporary.c_str());
         return error;
     };
+    if (target->exists && !take_over_owner_and_mode(file.number(), target->status))
+        return give_up("cannot keep the mode of");
     if (!write_all(file.number(), bytes)) return give_up("cannot write");
     if (file_calls().sync(file.number()) != 0) return give_up("cannot store");
     if (!file.close_now()) return give_up("cannot finish");
-    if (file_calls().rename(temporary.c_str(), target.c_str()) != 0)
+    if (file_calls().rename(temporary.c_str(), target->path.c_str()) != 0)
         return give_up("cannot replace");
     // From here on the new file stands; whether the folder is stored now or later, it is whole.
     Descriptor folder(
-        file_calls().open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC, 0));
+        file_calls().open(folder_of(target->path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC, 0));
     if (folder.open()) file_calls().sync(folder.number());
     return Done{};
+}
+
+Result<Done> check_writable(const fs::path& path) {
+    const Result<Target> target = find_target(path);
+    if (!target) return target.error();
+    fs::path temporary;
+    const Descriptor file(open_temporary(*target, temporary));
+    if (!file.open()) return system_error("cannot create a file beside", path);
+    ::unlink(temporary.c_str());
+    return Done{};
+}
+
+void remove_stale_saves(const fs::path& folder) {
+    constexpr std::time_t kLongestSave_s = 60;
+    std::error_code failed;
+    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
+         entry.increment(failed)) {
+        if (!entry->path().filename().string().starts_with(kTemporaryPrefix)) continue;
+        struct stat status {};
+        if (::lstat(entry->path().c_str(), &status) != 0 || !S_ISREG(status.st_mode)) continue;
+        if (std::time(nullptr) - status.st_mtime > kLongestSave_s) ::unlink(entry->path().c_str());
+    }
 }
 
 bool is_inside(const fs::path& root, const fs::path& path) {
@@ -264,6 +290,10 @@ fs::path user_config_folder() {
 
 fs::path user_data_folder() {
     return user_folder("XDG_DATA_HOME", ".local/share");
+}
+
+fs::path user_state_folder() {
+    return user_folder("XDG_STATE_HOME", ".local/state");
 }
 
 fs::path user_cache_folder() {

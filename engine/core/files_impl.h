@@ -1,10 +1,15 @@
-// Private: the system calls that core/files makes, as a table, so that tests can let any one of
-// them fail (tests/engine/core/files_faults_test.cpp). The program never changes the table.
+// Private to core/files and core/output: the system calls that they make, as a table, so that tests
+// can let any one of them fail (tests/engine/core/files_faults_test.cpp), and what both are made of.
+// The program never changes the table.
 #pragma once
+
+#include "engine/core/result.h"
 
 #include <sys/types.h>
 
 #include <cstddef>
+#include <filesystem>
+#include <string_view>
 
 namespace plumbline {
 
@@ -20,5 +25,37 @@ struct FileCalls {
 
 /// The table in use. Not thread-safe to change.
 FileCalls& file_calls();
+
+/// Closes its descriptor when it goes.
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0) file_calls().close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    bool open() const { return number_ >= 0; }
+    int number() const { return number_; }
+    /// Closing may be where a write fails: true when it did not.
+    bool close_now() {
+        const int number = number_;
+        number_ = -1;
+        return file_calls().close(number) == 0;
+    }
+
+private:
+    int number_;
+};
+
+/// False, with errno, when not every byte could be written; EINTR after Ctrl-C.
+bool write_all(int file, std::string_view bytes);
+
+/// Whether write_file_atomically would work now, tried out. Leaves everything as it is.
+Result<Done> check_writable(const std::filesystem::path& path);
+
+/// "`what` /the/path: " and what errno means.
+Error system_error(std::string_view what, const std::filesystem::path& path);
 
 }  // namespace plumbline

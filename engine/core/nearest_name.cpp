@@ -1,6 +1,7 @@
 #include "engine/core/nearest_name.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace plumbline {
@@ -29,6 +30,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> known) {
     constexpr std::size_t kLongestWord = 64;  // keeps hostile input from costing time
     if (word.size() > kLongestWord) return {};
+    // A unit left out: "mass" means "mass_kg", however near another word is.
+    const std::string with_unit = std::string(word) + '_';
+    for (const std::string_view name : known) {
+        if (!word.empty() && name.starts_with(with_unit)) return name;
+    }
     std::string_view best;
     std::size_t best_distance = word.size() / 3 + 2;
     for (const std::string_view name : known) {

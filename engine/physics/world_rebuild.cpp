@@ -8,14 +8,17 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 #include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
+#include <LinearMath/btAlignedAllocator.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <new>
 
 namespace plumbline::physics {
 namespace {
 
-// Bullet combines materials through four global function pointers, for every world of the process.
-// Setting them again to the same functions is harmless, so each world does it.
+// Bullet combines materials and gets its memory through global function pointers, for every world of
+// the process. Setting them again to the same functions is harmless, so each world does it.
 btScalar combined_friction(const btCollisionObject* a, const btCollisionObject* b) {
     return std::sqrt(a->getFriction() * b->getFriction());
 }
@@ -30,7 +33,15 @@ btScalar combined_spinning_friction(const btCollisionObject* a, const btCollisio
     return std::max(a->getSpinningFriction(), b->getSpinningFriction());
 }
 
+// Bullet does not look whether it got the memory that it asked for.
+void* allocate_or_throw(std::size_t bytes) {
+    void* memory = std::malloc(bytes);
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+
 void install_global_callbacks() {
+    btAlignedAllocSetCustom(allocate_or_throw, std::free);
     gCalculateCombinedFrictionCallback = combined_friction;
     gCalculateCombinedRestitutionCallback = combined_restitution;
     gCalculateCombinedRollingFrictionCallback = combined_rolling_friction;

@@ -106,7 +106,8 @@ void GpuSky::load(const std::filesystem::path& folder) {
     std::vector<RadianceImage> level;
     std::vector<std::future<RadianceImage>> under_way;
     for (const auto& face : faces) {
-        under_way.push_back(std::async(std::launch::async, [&face] { return small_face(face); }));
+        under_way.push_back(std::async(std::launch::async | std::launch::deferred,
+                                       [&face] { return small_face(face); }));
     }
     for (auto& face : under_way) level.push_back(face.get());
 

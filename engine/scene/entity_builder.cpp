@@ -101,12 +101,21 @@ void EntityBuilder::warn_once(const std::string& text) {
     if (std::find(known.begin(), known.end(), text) == known.end()) simulation_.add_warning(text);
 }
 
+void EntityBuilder::lend_materials(const std::map<std::string, assets::MaterialData>& materials) {
+    lent_ = materials;
+}
+
+const assets::MaterialData* EntityBuilder::described_material(const std::string& name) const {
+    const auto& own = simulation_.description().materials;
+    if (const auto found = own.find(name); found != own.end()) return &found->second;
+    const auto found = lent_.find(name);
+    return found != lent_.end() ? &found->second : nullptr;
+}
+
 assets::MaterialId EntityBuilder::material_named(const std::string& name) {
     if (const auto known = materials_.find(name); known != materials_.end()) return known->second;
-    const auto& described = simulation_.description().materials;
-    const auto found = described.find(name);
     assets::MaterialData material;
-    if (found != described.end()) material = found->second;
+    if (const assets::MaterialData* described = described_material(name)) material = *described;
     material.name = name;
     const assets::MaterialId id = simulation_.library().add_material(std::move(material));
     materials_.emplace(name, id);
@@ -153,7 +162,7 @@ EntityBuilder::Look EntityBuilder::look_of_model(const EntityDescription& descri
         const std::string& own_name = simulation_.library().material(material).name;
         if (!description.material.empty()) {
             material = material_named(description.material);
-        } else if (simulation_.description().materials.contains(own_name)) {
+        } else if (described_material(own_name) != nullptr) {
             material = material_named(own_name);
         }
     }
@@ -174,9 +183,8 @@ EntityBuilder::Look EntityBuilder::look_of(const EntityDescription& description)
 
 std::uint16_t EntityBuilder::surface_of(const EntityDescription& description,
                                         const Look& look) const {
-    const auto& described = simulation_.description().materials;
-    const auto named = described.find(description.material);
-    if (named != described.end()) return simulation_.surfaces().find(named->second.surface);
+    if (const assets::MaterialData* named = described_material(description.material))
+        return simulation_.surfaces().find(named->surface);
     if (look.materials.empty()) return 0;
     return simulation_.surfaces().find(
         simulation_.library().material(look.materials.front()).surface);

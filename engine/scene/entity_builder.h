@@ -19,6 +19,8 @@ public:
 
     /// Names the group's bit; groups beyond the 32nd are an error.
     Result<std::uint32_t> group_bit(const std::string& name);
+    /// Materials that stand in where the scene has none of the name: for things from outside it.
+    void lend_materials(const std::map<std::string, assets::MaterialData>& materials);
     /// Adds the entity under `name`. On an error nothing is left of it.
     Result<ecs::Entity> build(const EntityDescription& description, const std::string& name);
 
@@ -32,6 +34,8 @@ private:
     Look look_of(const EntityDescription& description);
     Look look_of_model(const EntityDescription& description, const ModelVisual& visual);
     Look placeholder_for(const EntityDescription& description);
+    /// The scene's own, else a lent one, else null.
+    const assets::MaterialData* described_material(const std::string& name) const;
     assets::MaterialId material_named(const std::string& name);
     std::uint16_t surface_of(const EntityDescription& description, const Look& look) const;
     Result<BuiltShape> shape_of(const EntityDescription& description, const Look& look);
@@ -48,6 +52,7 @@ private:
     Simulation& simulation_;
     ShapeFactory shapes_;
     std::map<std::string, assets::MaterialId> materials_;
+    std::map<std::string, assets::MaterialData> lent_;
     std::map<std::string, std::uint32_t> groups_;
     std::set<std::filesystem::path> refused_models_;
 };

@@ -1,5 +1,9 @@
 #include "engine/scene/json_text.h"
 
+#include "engine/core/printable.h"
+
+#include <algorithm>
+
 namespace plumbline::scene {
 
 namespace {
@@ -56,16 +60,20 @@ JsonText& JsonText::key(std::string_view name) {
 JsonText& JsonText::text(std::string_view value) {
     separate();
     text_ += '"';
-    for (const char c : value) {
-        const auto byte = static_cast<unsigned char>(c);
+    for (std::size_t i = 0; i < value.size();) {
+        const char c = value[i];
+        const std::size_t length = utf8_length(value, i);
         if (c == '"' || c == '\\') {
             text_ += '\\';
             text_ += c;
-        } else if (byte < 0x20) {
-            text_ += fmt::format("\\u{:04x}", static_cast<unsigned>(byte));
+        } else if (static_cast<unsigned char>(c) < 0x20) {
+            text_ += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        } else if (length == 0) {
+            text_ += "\\ufffd";  // file names may be any bytes, JSON may not
         } else {
-            text_ += c;
+            text_ += value.substr(i, length);
         }
+        i += std::max<std::size_t>(length, 1);
     }
     text_ += '"';
     return *this;

@@ -3,6 +3,7 @@
 #include "engine/core/files.h"
 #include "engine/core/hash.h"
 #include "engine/core/limits.h"
+#include "engine/scene/scene_list.h"
 #include "engine/scene/scene_parts.h"
 
 #include <fmt/format.h>
@@ -125,13 +126,19 @@ private:
                                          const Place& place,
                                          const std::string& key,
                                          const fs::path& including) {
-        const Result<Reference> reference = find_reference(including, context_.assets_folder, name);
+        Result<Reference> reference = find_reference(including, context_.assets_folder, name);
         if (!reference) {
             faults_.error(place, key, reference.error().message);
             return {};
         }
-        if (!reference->exists) {
-            faults_.error(place, key, fmt::format("\"{}\" does not exist", shown(name)));
+        if (!reference->exists)  // what is shipped is at hand by its bare name
+            reference = find_reference(including, context_.assets_folder, "scenes/" + name);
+        if (!reference || !reference->exists) {
+            faults_.error(place,
+                          key,
+                          fmt::format("\"{}\" does not exist beside this file, in assets or in "
+                                      "assets/scenes",
+                                      shown(name)));
             return {};
         }
         const fs::path file = reference->file.lexically_normal();
@@ -295,23 +302,26 @@ Result<SceneDescription> load_scene(const fs::path& file,
     return std::move(*scene);
 }
 
-Result<std::filesystem::path> find_scene(const std::string& name,
-                                         const std::filesystem::path& assets_folder) {
-    const std::filesystem::path scenes = assets_folder / "scenes";
-    std::error_code ignored;
-    for (const std::filesystem::path& candidate : {std::filesystem::path(name),
-                                                   scenes / name,
-                                                   scenes / (name + ".toml"),
-                                                   std::filesystem::path(name + ".toml")}) {
+Result<fs::path> find_scene(const std::string& name, const fs::path& assets_folder) {
+    const fs::path scenes = assets_folder / "scenes";
+    std::string oddity;  // what is there under that name, and is no scene
+    for (const fs::path& candidate :
+         {fs::path(name), scenes / name, scenes / (name + ".toml"), fs::path(name + ".toml")}) {
+        std::error_code failed;
+        const fs::file_status status = fs::status(candidate, failed);
         // What is there but no file, a FIFO say, gets its own message from the reader.
-        if (std::filesystem::exists(candidate, ignored) &&
-            !std::filesystem::is_directory(candidate, ignored)) {
-            return candidate;
-        }
+        if (fs::exists(status) && !fs::is_directory(status)) return candidate;
+        if (!oddity.empty()) continue;
+        if (fs::is_directory(status)) oddity = "it is a folder";
+        if (failed && status.type() != fs::file_type::not_found) oddity = failed.message();
     }
-    return Error{
-        .message = fmt::format("there is no scene \"{}\" here or in {}", name, scenes.string()),
-        .exit_code = ExitCode::Refused};
+    std::string why = fmt::format("here or in {}", scenes.string());
+    if (!oddity.empty()) why += ": " + oddity;
+    const std::string nearest = nearest_scene(name, assets_folder);
+    if (!nearest.empty()) why += fmt::format("; the nearest is \"{}\"", nearest);
+    return Error{.message = fmt::format(
+                     "there is no scene \"{}\" {}; plumbline scenes lists them", shown(name), why),
+                 .exit_code = ExitCode::Refused};
 }
 
 }  // namespace plumbline::scene

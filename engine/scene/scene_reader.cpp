@@ -2,6 +2,7 @@
 
 #include "engine/core/assert.h"
 #include "engine/core/nearest_name.h"
+#include "engine/core/printable.h"
 
 #include <fmt/format.h>
 
@@ -70,22 +71,10 @@ void FaultList::warning(const Place& place, std::string key, std::string message
 
 std::string shown(std::string_view text) {
     constexpr std::size_t kShownBytes = 60;
-    std::string out;
-    for (const char c : text.substr(0, kShownBytes)) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x20 || byte == 0x7f)
-            out += fmt::format("\\x{:02x}", static_cast<unsigned>(byte));
-        else
-            out += c;
-    }
-    // Never half of a UTF-8 character at the cut.
-    if (text.size() > kShownBytes) {
-        while (!out.empty() && (static_cast<unsigned char>(out.back()) & 0xC0U) == 0x80U)
-            out.pop_back();
-        if (!out.empty() && (static_cast<unsigned char>(out.back()) & 0x80U) != 0) out.pop_back();
-        out += "…";
-    }
-    return out;
+    if (text.size() <= kShownBytes) return printable(text);
+    std::size_t end = kShownBytes;  // never half of a UTF-8 character
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+    return printable(text.substr(0, end)) + "…";
 }
 
 std::string found(const TomlNode& node) {

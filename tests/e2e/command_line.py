@@ -17,7 +17,7 @@ CUBE = "assets/scenes/falling_cube.toml"
 
 
 def run(*words, of=program, code=0, says="", **changes):
-    done = subprocess.run([of, *map(str, words)], env={**environment, **changes}, capture_output=True, text=True, timeout=120)
+    done = subprocess.run([of, *map(str, words)], env={**environment, **changes}, capture_output=True, text=True, errors="replace", timeout=120)
     output = done.stdout + done.stderr
     assert done.returncode == code, f"{words}: exit {done.returncode}, expected {code}\n{output}"
     assert says in output, f"{words}: expected to read {says!r} in\n{output}"
@@ -52,12 +52,53 @@ def one_hash_at_any_frame_rate():
 def usage():
     run("--version", says="plumbline 0.")
     run("--help", says="simulate")
+    run("--help", says="6 not enough memory", of=program_f64)
     run("simulate", CUBE, "--secnds", 1, code=2, says='the nearest is "--seconds"')
     run("simulate", CUBE, "--seconds", "many", code=2)
     run("simulate", CUBE, "--solver", "bullet_sj", code=2, says="bullet_si")
     run("render", CUBE, "--shading", "toon", code=2, says="expected pbr, blinn_phong or unlit")
     run("render", CUBE, "--camera", "1,2", code=2, says="expected x,y,z,yaw,pitch")
-    run("play", CUBE, "--replay", "a", "--record", "b", code=2)
+    # EXPERIENCE D20
+    for words in (["--replay", "a", "--record", "b"], ["--replay", "a", "--random-input", "3"], ["--safe", "--config", folder],
+                  ["--quiet", "--verbose"]):
+        options = [word for word in words if str(word).startswith("--")]
+        said = run("play", CUBE, *words, code=2).stderr  # both are named
+        assert all(option in said for option in options), said
+    run("simulat", CUBE, code=2, says='unexpected word "assets/scenes/falling_cube.toml"; the commands are play, scenes, render')
+    for words in (["simulate", "--seconds"], ["simulate", "--drive-fps"], ["simulate", "--every"], ["render", "--at"],
+                  ["render", "--frames"], ["play", "--seconds"], ["study", "--seconds"], ["study", "--tolerance"],
+                  ["study", "--budget-ms"]):
+        for number in ("nan", "-nan", "inf", "-1", "1e400", "1,5", ""):
+            done = run(words[0], CUBE, f"{words[1]}={number}", code=2, says=words[1])
+            assert len(done.stderr) < 300, done.stderr
+    run("render", CUBE, "--frames", 0, code=2, says="--frames: 0: expected a number from 1 to 1000000000")
+
+
+# EXPERIENCE D19
+def hostile_words():
+    for command in ([], ["simulate"], ["render"]):
+        run(*command, *["x"] * 10_000, code=2)
+        done = run(*command, "--" + "y" * 100_000, code=2)
+        assert len(done.stderr) < 500, len(done.stderr)
+    done = subprocess.run([program, b"--\xff\xfe\x1b]0;title\x07"], env=environment, capture_output=True, timeout=60)
+    assert done.returncode == 2 and b"\\xff\\xfe\\x1b]0;title\\x07" in done.stderr and b"\x1b" not in done.stderr, done
+    done = subprocess.run([program, "check", b"no\x1b[2Jsuch\xff.toml"], env=environment, capture_output=True, timeout=60)
+    assert done.returncode == 4 and b"no\\x1b[2Jsuch\\xff.toml" in done.stdout + done.stderr, done
+
+
+# EXPERIENCE D21
+def decimal_commas():
+    made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", folder / "de_DE.UTF-8"], capture_output=True, text=True)
+    assert (folder / "de_DE.UTF-8" / "LC_NUMERIC").exists(), made.stderr
+    said = {}
+    for locale in ("C", "de_DE.UTF-8"):
+        state = folder / "s.json"
+        words = ("simulate", CUBE, "--seconds", "0.5", "--state", state)
+        lines = run(*words, LOCPATH=str(folder), LC_ALL=locale, LANG=locale).stdout.splitlines()
+        said[locale] = [json.loads(state.read_text())["hash"], lines[0], lines[2]]
+        run("render", CUBE, "--at", "0.5", "--camera", "0,1.5,4,0,-10.5", "--size", "64x64", "--out", "-", LOCPATH=str(folder),
+            LC_ALL=locale)
+    assert said["C"] == said["de_DE.UTF-8"] and "0.500 s" in said["C"][1], said
 
 
 def display():
@@ -66,6 +107,21 @@ def display():
 
 def scenes():
     run("simulate", "no_such_scene", code=4, says="no_such_scene")
+    run("play", "gardn", code=4, says='there is no scene "gardn" here')
+    run("render", "gardn", code=4, says='; the nearest is "garden"; plumbline scenes lists them')
+    run("simulate", "scenes/gardn.toml", code=4, says='the nearest is "garden"')
+    run("explain", "assets", code=4, says="it is a folder")
+    circle = folder / "circle.toml"
+    circle.symlink_to(circle)
+    run("simulate", circle, code=4, says="Too many levels of symbolic links")
+    listed = json.loads(run("scenes", "--json").stdout)
+    names = [scene["name"] for scene in listed]
+    assert names[0] == "falling_cube" and "garden" in names and "hard/H05" in names, names
+    assert "materials" not in names and "things" not in names, names
+    assert all(scene["title"] and scene["description"] and pathlib.Path(scene["file"]).is_file() for scene in listed), listed
+    lines = run("scenes").stdout.splitlines()
+    assert len(lines) == len(listed) and lines[0].split() == ["falling_cube", "Falling", "cube:", "One", "cube,", "8", "m", "above", "the", "ground"]
+    run("simulate", names[-1], "--seconds", 0)
     bad = folder / "bad.toml"
     bad.write_text('[scene]\ntitle = "bad"\n[[entity]]\nname = "a"\npositon_m = [0, 1, 0]\n')
     run("simulate", bad, code=4, says="position_m")
@@ -74,6 +130,18 @@ def scenes():
     run("check", bad, code=4, says="leads out of its folder")
     run("check", *sorted(pathlib.Path("assets/scenes").rglob("*.toml")), says="good")
     run("check", "config/bindings.toml", "config/app.toml", "config/surfaces.toml", says="good")
+
+
+def the_door_of_the_docs_can_be_struck():
+    docs = pathlib.Path("docs/SCENE-FORMAT.md").read_text()
+    door = docs.split("A door that gives way", 1)[1].split("```toml\n", 1)[1].split("```", 1)[0]
+    scene, state = folder / "door.toml", folder / "door.json"
+    scene.write_text(door + '[[entity]]\nname = "ball"\nposition_m = [0.8, 1.1, 2]\nprimitive = { sphere = 0.2 }\n'
+                     '[entity.body]\nmass_kg = 5\nvelocity_mps = [0, 1, -8]\n[[entity]]\nprimitive = { plane = [50, 50] }\n'
+                     '[entity.body]\nkind = "static"\n')
+    run("simulate", scene, "--seconds", 1, "--state", state)
+    [hinge] = json.loads(state.read_text())["joints"]
+    assert 0.1 < hinge["position"] < 1.75 and hinge["error_m"] < 1e-3, hinge
 
 
 def settings():
@@ -111,6 +179,6 @@ def interruption():
     assert json.loads((folder / "half.json").read_text())["steps"] > 0
 
 
-for test in (usage, falls_as_galileo_says, one_hash_at_any_frame_rate, display, scenes, settings, pictures, interruption):
+for test in (usage, hostile_words, decimal_commas, falls_as_galileo_says, one_hash_at_any_frame_rate, display, scenes, the_door_of_the_docs_can_be_struck, settings, pictures, interruption):
     print(test.__name__, flush=True)
     test()

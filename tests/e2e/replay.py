@@ -32,4 +32,4 @@ with virtual_screen() as screen, home() as folder:
     wrong_hash = play(environment, "playroom", "--size", "320x180", "--replay", tape, "--expect-hash", "0123456789abcdef")
     expect(wrong_hash.returncode == 5, f"a wrong hash gives exit {wrong_hash.returncode}")
     other_scene = play(environment, "falling_cube", "--size", "320x180", "--replay", tape)
-    expect(other_scene.returncode == 5 and "recorded with scene contents" in other_scene.stderr, other_scene.stderr)
+    expect(other_scene.returncode == 5 and "recorded in the scene playroom.toml, this one is falling_cube.toml" in other_scene.stderr, other_scene.stderr)

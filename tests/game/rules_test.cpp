@@ -115,6 +115,12 @@ TEST(Rules, TheShippedThingsAreDroppedInScenesThatDoNotKnowThem) {
         EXPECT_GT(place.world_from_body.position.y, -0.01);
         EXPECT_LT(place.world_from_body.position.y, 1) << "at rest on the ground";
         EXPECT_FALSE(visual.materials.empty()) << play.simulation->describe(entity);
+        for (const assets::MaterialId id : visual.materials) {
+            const assets::MaterialData& material = play.simulation->library().material(id);
+            EXPECT_FALSE(material.base_color_map.empty() && material.surface.empty())
+                << play.simulation->describe(entity) << " is grey: nobody knows its "
+                << material.name;
+        }
     }
     EXPECT_TRUE(play.simulation->warnings().empty()) << play.simulation->warnings().front();
 }

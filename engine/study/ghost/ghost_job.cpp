@@ -164,7 +164,7 @@ std::string start_body(const GhostStart& start) {
                   {"setting", json_of(start.setting)},
                   {"time_s", start.time_s},
                   {"bodies", std::move(bodies)}}}}
-        .dump();
+        .dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 std::string go_on_body(double seconds) {

@@ -1,6 +1,7 @@
 #include "engine/study/report/report.h"
 
 #include "engine/core/files.h"
+#include "engine/core/output.h"
 #include "engine/study/report/diagrams.h"
 #include "engine/study/report/gnuplot.h"
 #include "engine/study/report/html_text.h"
@@ -207,7 +208,7 @@ Result<Done> write_report(const Findings& findings, const std::filesystem::path&
         html += section(findings.subjects[i], i, tools);
     }
     html += "</body>\n</html>\n";
-    return write_file_atomically(folder / "report.html", html);
+    return write_output(folder / "report.html", html);
 }
 
 }  // namespace plumbline::study

@@ -6,6 +6,8 @@
 #include "engine/assets/primitives.h"
 #include "tests/engine/assets/fixture.h"
 
+#include <pthread.h>
+
 namespace plumbline::assets::test {
 namespace {
 
@@ -167,6 +169,28 @@ TEST(AssetLibrary, gives_a_checkerboard_and_one_warning_for_a_broken_image) {
     const std::size_t warning = log.find("a checkerboard is shown instead");
     ASSERT_NE(warning, std::string::npos) << log;
     EXPECT_EQ(log.find("a checkerboard is shown instead", warning + 1), std::string::npos) << log;
+}
+
+// EXPERIENCE I14
+TEST(AssetLibrary, decodes_without_threads_where_none_can_be_made) {
+    const TempFolder folder;
+    const fs::path file = write_image(folder, "a.png", 7);
+    pthread_attr_t attributes;
+    ASSERT_EQ(::pthread_attr_init(&attributes), 0);
+    std::size_t usual_bytes = 0;
+    ASSERT_EQ(::pthread_attr_getstacksize(&attributes, &usual_bytes), 0);
+    // More than there are addresses: no thread can have it.
+    ASSERT_EQ(::pthread_attr_setstacksize(&attributes, std::size_t{1} << 48), 0);
+    ASSERT_EQ(::pthread_setattr_default_np(&attributes), 0);
+    {
+        AssetLibrary library;
+        library.add_material({.base_color_map = file});
+        library.prefetch_images();
+        EXPECT_EQ(library.take_image(file)->bytes, (std::vector<std::uint8_t>{7}));
+    }
+    ASSERT_EQ(::pthread_attr_setstacksize(&attributes, usual_bytes), 0);
+    ASSERT_EQ(::pthread_setattr_default_np(&attributes), 0);
+    ::pthread_attr_destroy(&attributes);
 }
 
 TEST(AssetLibrary, ends_while_images_are_still_waiting) {

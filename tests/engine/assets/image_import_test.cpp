@@ -2,6 +2,7 @@
 
 #include "engine/assets/image_import.h"
 
+#include "engine/assets/asset_library.h"
 #include "engine/core/limits.h"
 #include "tests/engine/assets/fixture.h"
 
@@ -70,6 +71,36 @@ private:
 };
 
 using Bytes = std::vector<std::uint8_t>;
+
+/// 256 MiB decoded, in a file of 32 kB.
+std::string largest_grey_png() {
+    constexpr std::uint32_t kSide = limits::kImageSide;
+    return PngFile(kSide, kSide, 1, 0)
+        .pixels(std::string(std::size_t{kSide} * (kSide / 8 + 1), '\0'))
+        .done();
+}
+
+// EXPERIENCE G19
+TEST(SceneImages, take_a_gibibyte_and_no_byte_more) {
+    const TempFolder folder;
+    const std::string large = largest_grey_png();
+    ASSERT_LT(large.size(), 50'000U);
+    static_assert(kSceneImageBytes == 4 * limits::kImageBytes);
+    AssetLibrary library;
+    for (const char* name : {"0.png", "1.png", "2.png"})
+        EXPECT_EQ(library.take_image(folder.write(name, large))->width, limits::kImageSide);
+    library.take_image(folder.path() / "2.png");  // counts once, however often
+    library.take_image(folder.write("broken.png", large.substr(0, large.size() / 2)));
+    EXPECT_EQ(library.take_image(folder.write("3.png", large))->width, limits::kImageSide);
+    const fs::path one_more = folder.write("4.png", PngFile(1, 1, 8, 0).pixels({0, 1}).done());
+    ::testing::internal::CaptureStderr();
+    EXPECT_EQ(library.take_image(one_more)->width, 64U) << "the checkerboard";
+    const std::string log = ::testing::internal::GetCapturedStderr();
+    EXPECT_TRUE(contains(log,
+                         "4.png is refused: it takes 1 bytes; all images of a scene may take "
+                         "1073741824; a checkerboard is shown instead"))
+        << log;
+}
 
 TEST(PngImport, gives_back_what_was_written_in_every_format) {
     const TempFolder folder;

@@ -73,6 +73,7 @@ TEST(SoundImport, widens_8_bit_and_limits_floats) {
     EXPECT_EQ(floats.sound->samples, (std::vector<std::int16_t>{16'384, 32'767, -32'768, 0}));
 }
 
+// EXPERIENCE G24
 TEST(SoundImport, takes_one_sample_and_192_khz) {
     const SoundImport import(wav({.rate_hz = 192'000, .data_bytes = 2}, pcm16({5})));
     ASSERT_TRUE(import.sound.ok()) << import.error();
@@ -89,6 +90,41 @@ TEST(SoundImport, names_the_field_that_makes_no_sense) {
     EXPECT_TRUE(contains(empty.error(), "is refused: it has 0 frames")) << empty.error();
     EXPECT_EQ(empty.sound.error().exit_code, ExitCode::Refused);
     EXPECT_FALSE(SoundImport("this is no sound").sound.ok());
+}
+
+/// A list with a part of -8 bytes: with it, libsndfile 1.2.0 opens a file for ever.
+std::string endless_list() {
+    constexpr char kChunk[] =
+        "\x4c\x49\x53\x54\x35\x00\x00\x00\x49\x4e\x46\x4f\x65\x74\x69\x6d"
+        "\xf8\xff\xff\xff\x88\x00\xff\xff\xff\x00\xff\xff\x00\x00\x42\xd2"
+        "\xff\x00\x00\xff\x00\x00\x00\x6c\x61\x62\x6c\x10\x00\x00\x00\x00"
+        "\x00\xff\x00\x00\xff\x00\x01\x00\x00\xff\x00\x21\x00";
+    return {kChunk, sizeof(kChunk) - 1};
+}
+
+// EXPERIENCE B7
+TEST(SoundImport, ends_with_chunks_that_libsndfile_never_leaves) {
+    const std::string whole = wav({.data_bytes = 6}, pcm16({1, 2, 3}));
+    const std::size_t data = whole.find("data");
+    const SoundImport between(whole.substr(0, data) + endless_list() + whole.substr(data));
+    ASSERT_TRUE(between.sound.ok()) << between.error();
+    EXPECT_EQ(between.sound->samples, (std::vector<std::int16_t>{1, 2, 3}));
+    const SoundImport behind(whole + endless_list());
+    ASSERT_TRUE(behind.sound.ok()) << behind.error();
+    EXPECT_EQ(behind.sound->samples, (std::vector<std::int16_t>{1, 2, 3}));
+    const SoundImport alone(whole.substr(0, data) + endless_list());
+    EXPECT_TRUE(contains(alone.error(), "is refused: it has no samples")) << alone.error();
+}
+
+TEST(SoundImport, takes_containers_that_are_asked_for_only) {
+    const SoundImport aiff(std::string("FORM\0\0\0\x2e"
+                                       "AIFFCOMM\0\0\0\x12",
+                                       20) +
+                           std::string(40, '\0'));
+    EXPECT_TRUE(contains(aiff.error(), "its content is none of WAV, Ogg, FLAC and MP3"))
+        << aiff.error();
+    EXPECT_TRUE(contains(SoundImport("RIFF").error(), "none of WAV"));
+    EXPECT_TRUE(contains(SoundImport(wav({}, "").substr(0, 20)).error(), "no samples"));
 }
 
 TEST(SoundImport, keeps_what_decoded_of_a_file_that_breaks_off) {
@@ -114,6 +150,7 @@ TEST(SoundImport, keeps_what_decoded_of_an_ogg_that_breaks_off) {
     EXPECT_TRUE(contains(half.log, "breaks off")) << half.log;
 }
 
+// EXPERIENCE G24
 TEST(SoundImport, refuses_more_than_its_limit) {
     // 8 bits a sample in the file become 16: one more frame than fits.
     constexpr std::uint32_t kFrames = limits::kSoundBytes / 2;

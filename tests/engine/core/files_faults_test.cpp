@@ -2,6 +2,7 @@
 
 #include "engine/core/files.h"
 #include "engine/core/files_impl.h"
+#include "engine/core/output.h"
 #include "engine/core/random.h"
 #include "tests/support/temporary_folder.h"
 
@@ -246,23 +247,34 @@ TEST(SaveFaults, WhatAKilledSaveLeftGoesWithALaterOne) {
     ASSERT_TRUE(write_file_atomically(file, "new"));
     EXPECT_EQ(folder.count(), 2U) << "young: it could still be somebody's";
     for (const auto& entry : fs::directory_iterator(folder.path())) make_older(entry.path(), 3600);
-    ASSERT_TRUE(write_file_atomically(file, "newer"));
+    ASSERT_TRUE(write_file_atomically(folder / "other", "newer")) << "whatever is saved there";
+    EXPECT_EQ(folder.count(), 2U);
+    EXPECT_EQ(folder.read("save"), "new");
+}
+
+// EXPERIENCE E2: at a start, without a save.
+TEST(SaveFaults, WhatKilledSavesLeftCanBeSwept) {
+    const TemporaryFolder folder;
+    for (int i = 0; i < 32; ++i)
+        make_older(folder.write(".plumbline-saving-9-9-" + std::to_string(i), "half"), 61);
+    folder.write(".plumbline-saving-1-2-3", "young");
+    remove_stale_saves(folder.path());
     EXPECT_EQ(folder.count(), 1U);
-    EXPECT_EQ(folder.read("save"), "newer");
+    remove_stale_saves(folder / "no such folder");
 }
 
 TEST(SaveFaults, OtherPeoplesFilesAreLeftAlone) {
     const TemporaryFolder folder;
     for (const char* name : {"save",
                              "save.backup",
-                             "save.saving-1",
+                             "plumbline-saving-1",
                              ".save",
-                             ".save2.saving-1-2-3",
-                             ".other.saving-1-2-3"}) {
+                             ".plumbline",
+                             ".other.plumbline-saving-1-2-3"}) {
         make_older(folder.write(name, "x"), 3600);
     }
-    fs::create_directory(folder / ".save.saving-a folder");
-    make_older(folder / ".save.saving-a folder", 3600);
+    fs::create_directory(folder / ".plumbline-saving-a folder");
+    make_older(folder / ".plumbline-saving-a folder", 3600);
     ASSERT_TRUE(write_file_atomically(folder / "save", "new"));
     EXPECT_EQ(folder.count(), 7U);
 }

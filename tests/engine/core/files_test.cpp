@@ -1,5 +1,6 @@
 #include "engine/core/files.h"
 
+#include "engine/core/files_impl.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -134,6 +135,67 @@ TEST(WriteFile, ALinkStaysALink) {
     EXPECT_EQ(folder.read("dotfiles/bindings.toml"), "new");
 }
 
+TEST(WriteFile, ACircleOfLinksStays) {
+    const TemporaryFolder folder;
+    fs::create_symlink("b", folder / "a");
+    fs::create_symlink("a", folder / "b");
+    const auto written = write_file_atomically(folder / "a", "x");
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().message,
+              "cannot write " + (folder / "a").string() + ": Too many levels of symbolic links");
+    EXPECT_TRUE(fs::is_symlink(folder / "a"));
+}
+
+TEST(WriteFile, AReplacedFileKeepsItsModeAndOwner) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("private", "old");
+    const bool is_root = ::geteuid() == 0;  // only root can give files away
+    if (is_root) {
+        ASSERT_EQ(::chown(file.c_str(), 1234, 2345), 0);
+    }
+    ASSERT_EQ(::chmod(file.c_str(), 0620), 0);
+    ASSERT_TRUE(write_file_atomically(file, "new"));
+    struct stat status {};
+    ASSERT_EQ(::stat(file.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 07777U, 0620U);
+    EXPECT_EQ(status.st_uid, is_root ? 1234U : ::geteuid());
+    EXPECT_EQ(status.st_gid, is_root ? 2345U : ::getegid());
+    EXPECT_EQ(folder.read("private"), "new");
+}
+
+// EXPERIENCE E14
+TEST(WriteFile, TakesTheLongestNamesThatTheSystemTakes) {
+    const TemporaryFolder folder;
+    for (const std::size_t length : {230U, 255U}) {
+        const std::string name(length, 'n');
+        ASSERT_TRUE(write_file_atomically(folder / name, "x")) << length;
+        EXPECT_EQ(folder.read(name), "x");
+    }
+    const auto too_long = write_file_atomically(folder / std::string(256, 'n'), "x");
+    ASSERT_FALSE(too_long);
+    EXPECT_NE(too_long.error().message.find("File name too long"), std::string::npos);
+}
+
+TEST(WriteFile, RefusesWhatIsNoFile) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    const auto written = write_file_atomically(folder / "pipe", "x");
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().message, (folder / "pipe").string() + " is not a regular file");
+    EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
+}
+
+TEST(WriteFile, CanBeTriedOut) {
+    const TemporaryFolder folder;
+    folder.write("old", "old");
+    EXPECT_TRUE(check_writable(folder / "old"));
+    EXPECT_TRUE(check_writable(folder / "new"));
+    EXPECT_FALSE(check_writable(folder / "no folder" / "new"));
+    EXPECT_FALSE(check_writable(folder.path()));
+    EXPECT_EQ(folder.read("old"), "old");
+    EXPECT_EQ(folder.count(), 1U);
+}
+
 TEST(WriteFile, RespectsTheMaskForNewFiles) {
     const TemporaryFolder folder;
     const mode_t before = ::umask(0077);
@@ -155,7 +217,7 @@ TEST(WriteFile, SaysWhereItCannotWrite) {
     const auto onto_folder = write_file_atomically(folder / "folder", "x");
     ASSERT_FALSE(onto_folder);
     EXPECT_EQ(onto_folder.error().message,
-              "cannot replace " + (folder / "folder").string() + ": Is a directory");
+              "cannot write " + (folder / "folder").string() + ": Is a directory");
     EXPECT_EQ(folder.count(), 1U);
 }
 

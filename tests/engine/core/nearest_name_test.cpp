@@ -32,6 +32,14 @@ TEST(NearestName, FindsWhatWasMeant) {
     EXPECT_EQ(nearest_name("sleep", kKeys), "sleep");
 }
 
+TEST(NearestName, KnowsANameWithoutItsUnit) {
+    EXPECT_EQ(nearest_name("mass", kKeys), "mass_kg");
+    EXPECT_EQ(nearest_name("mass", std::array<std::string_view, 2>{"mast", "mass_kg"}), "mass_kg");
+    EXPECT_EQ(nearest_name("density", std::array<std::string_view, 1>{"density_kgpm3"}),
+              "density_kgpm3");
+    EXPECT_EQ(nearest_name("", std::array<std::string_view, 1>{"_"}), "_") << "one letter off";
+}
+
 TEST(NearestName, SaysNothingWhenNothingIsNear) {
     EXPECT_EQ(nearest_name("zzzz", kKeys), "");
     EXPECT_EQ(nearest_name("colour", kKeys), "");

@@ -1,8 +1,11 @@
 // The scenes in assets/ load without a word.
+#include "engine/core/files.h"
 #include "engine/scene/scene_file.h"
+#include "engine/scene/scene_list.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace plumbline::scene {
@@ -29,6 +32,64 @@ TEST(ShippedScenes, LoadWithoutAWord) {
         ++scenes;
     }
     EXPECT_GE(scenes, 8);
+}
+
+TEST(ShippedScenes, TheDocsNameWhatMayBeIncluded) {
+    std::string said;
+    const auto things = load_shipped(kScenes / "things.toml", said);
+    ASSERT_TRUE(things.ok()) << said;
+    const Result<std::string> docs =
+        read_file(fs::path(PL_SOURCE_DIR) / "docs/SCENE-FORMAT.md", std::size_t{1} << 20);
+    ASSERT_TRUE(docs.ok());
+    const std::size_t start = docs->find("Two files are shipped to be included");
+    ASSERT_NE(start, std::string::npos);
+    const std::string list = docs->substr(start, docs->find("\n#", start) - start);
+    std::size_t named = 0;
+    for (std::size_t tick = list.find('`'); tick != std::string::npos;
+         tick = list.find('`', list.find('`', tick + 1) + 1)) {
+        const std::string name = list.substr(tick + 1, list.find('`', tick + 1) - tick - 1);
+        if (name.find(' ') != std::string::npos) continue;  // include = …
+        EXPECT_TRUE(things->materials.contains(name) || things->prefabs.contains(name)) << name;
+        ++named;
+    }
+    EXPECT_GE(named, 25U);
+    for (const auto& [name, prefab] : things->prefabs)
+        EXPECT_NE(list.find("`" + name + "`"), std::string::npos) << name;
+}
+
+TEST(ShippedScenes, AreListedByName) {
+    const std::vector<ListedScene> scenes = list_scenes(fs::path(PL_SOURCE_DIR) / "assets");
+    std::vector<std::string> names;
+    for (const ListedScene& scene : scenes) {
+        names.push_back(scene.name);
+        EXPECT_FALSE(scene.title.empty() || scene.description.empty()) << scene.name;
+        const auto found = find_scene(scene.name, fs::path(PL_SOURCE_DIR) / "assets");
+        ASSERT_TRUE(found.ok()) << scene.name;
+        EXPECT_EQ(*found, scene.file);
+    }
+    const auto has = [&](const char* name) {
+        return std::ranges::find(names, name) != names.end();
+    };
+    EXPECT_TRUE(has("garden") && has("playroom") && has("hard/H05"));
+    EXPECT_FALSE(has("materials") || has("things")) << "there to be included";
+}
+
+TEST(ShippedScenes, TheNearestIsNamed) {
+    const fs::path assets = fs::path(PL_SOURCE_DIR) / "assets";
+    EXPECT_EQ(nearest_scene("gardn", assets), "garden");
+    EXPECT_EQ(nearest_scene("Garden", assets), "garden");
+    EXPECT_EQ(nearest_scene("assets/scenes/gardn.toml", assets), "garden");
+    EXPECT_EQ(nearest_scene("H05", assets), "hard/H05");
+    EXPECT_EQ(nearest_scene("hard/H5", assets), "hard/H05");
+    EXPECT_EQ(nearest_scene("entirely_elsewhere", assets), "");
+    const auto missing = find_scene("gardn", assets);
+    ASSERT_FALSE(missing.ok());
+    EXPECT_EQ(missing.error().message,
+              "there is no scene \"gardn\" here or in " + (assets / "scenes").string() +
+                  "; the nearest is \"garden\"; plumbline scenes lists them");
+    const auto folder = find_scene(PL_SOURCE_DIR "/docs", assets);
+    ASSERT_FALSE(folder.ok());
+    EXPECT_NE(folder.error().message.find(": it is a folder"), std::string::npos);
 }
 
 TEST(ShippedScenes, TheCubeHasEightMetresToFall) {

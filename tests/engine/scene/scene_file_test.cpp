@@ -528,6 +528,30 @@ spacing_m = [1.1, 1.2, 1.3]
     ASSERT_EQ(outcome.faults.size(), 1U);
 }
 
+TEST_F(SceneFileTest, ShippedFilesAreIncludedByTheirBareNames) {
+    write("assets/scenes/materials.toml", "[[material]]\nname = \"oak\"\n");
+    const Outcome bare = load("[scene]\ninclude = [\"materials.toml\"]\n");
+    ASSERT_TRUE(bare.scene.ok()) << bare.scene.error().message;
+    EXPECT_TRUE(bare.scene->materials.contains("oak"));
+    write("materials.toml", "[[material]]\nname = \"elm\"\n");
+    const Outcome beside = load("[scene]\ninclude = [\"materials.toml\"]\n");
+    ASSERT_TRUE(beside.scene.ok()) << beside.scene.error().message;
+    EXPECT_TRUE(beside.scene->materials.contains("elm")) << "one's own comes first";
+    const Outcome neither = load("[scene]\ninclude = [\"material.toml\"]\n");
+    ASSERT_EQ(neither.faults.size(), 1U);
+    EXPECT_EQ(neither.faults[0],
+              "scene.toml:2:12: error: scene.include[0]: \"material.toml\" does not exist beside "
+              "this file, in assets or in assets/scenes");
+}
+
+TEST_F(SceneFileTest, AKeyWithoutItsUnitIsNamed) {
+    const Outcome outcome =
+        load("[[entity]]\nprimitive = { box = [1, 1, 1] }\n[entity.body]\nmass = 3\n");
+    ASSERT_EQ(outcome.faults.size(), 1U);
+    EXPECT_EQ(outcome.faults[0],
+              "scene.toml:4:1: error: entity[0].body.mass: unknown key; did you mean \"mass_kg\"?");
+}
+
 TEST_F(SceneFileTest, JointsOfEveryKind) {
     const Outcome outcome = load(R"([[prefab]]
 name = "link"

@@ -1,0 +1,34 @@
+// What a person names on the command line to be written: a file, a device, a pipe, or "-" for the
+// standard output. Files are replaced atomically; the others are written straight through.
+#pragma once
+
+#include "engine/core/result.h"
+
+#include <filesystem>
+#include <initializer_list>
+#include <string_view>
+
+namespace plumbline {
+
+/// "-", or another name of the standard output.
+bool is_standard_output(const std::filesystem::path& path);
+
+/// Whether write_output can be expected to work, for before the work whose result it keeps. Changes
+/// nothing, and opens no device and no pipe. An empty path is fine: nothing will be written.
+Result<Done> check_output(const std::filesystem::path& path);
+
+/// Makes `folder`, and checks that files of these names can be written there.
+Result<Done> make_output_folder(const std::filesystem::path& folder,
+                                std::initializer_list<const char*> names);
+
+/// Waits for a reader where `path` is a FIFO; Ctrl-C ends that.
+Result<Done> write_output(const std::filesystem::path& path, std::string_view bytes);
+
+/// Removes what killed programs left of their saves in `folder`. A save takes far less than a
+/// minute; older ones are nobody's. Should one be somebody's after all, only that save fails.
+void remove_stale_saves(const std::filesystem::path& folder);
+
+/// What std::cout still holds, out. The error when anything of it was lost, also earlier.
+Result<Done> flush_standard_output();
+
+}  // namespace plumbline

@@ -1,0 +1,17 @@
+// Text from outside, made fit for a terminal.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace plumbline {
+
+/// `text` with every control character (an escape sequence could do anything to a terminal) and
+/// every byte that is not UTF-8 as \xNN. Line breaks and tabs pass only through printable_lines().
+std::string printable(std::string_view text);
+std::string printable_lines(std::string_view text);
+
+/// Bytes of the UTF-8 character that begins at `i`; 0 where none does.
+std::size_t utf8_length(std::string_view text, std::size_t i);
+
+}  // namespace plumbline

@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+"""The program as a process: signals, crashes, memory, handles, threads, clocks and copies of itself."""
+import json
+import os
+import pathlib
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+program, program_f64 = sys.argv[1:3]
+folder = pathlib.Path(tempfile.mkdtemp())
+environment = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+environment.update(HOME=str(folder), XDG_CONFIG_HOME=str(folder / "config"), XDG_DATA_HOME=str(folder / "data"),
+                   XDG_STATE_HOME=str(folder / "state"))
+CUBE = "assets/scenes/falling_cube.toml"
+sanitized = b"__asan_init" in pathlib.Path(program).read_bytes()
+
+
+def run(*words, of=program, code=0, says="", limits=(), **changes):
+    def set_limits():
+        for limit, value in limits:
+            resource.setrlimit(limit, (value, value))
+
+    done = subprocess.run([of, *map(str, words)], env={**environment, **changes}, capture_output=True, text=True, errors="replace",
+                          timeout=200, preexec_fn=set_limits)
+    output = done.stdout + done.stderr
+    assert done.returncode == code, f"{words}: exit {done.returncode}, expected {code}\n{output}"
+    assert says in output, f"{words}: expected to read {says!r} in\n{output}"
+    assert "terminate called" not in output, output
+    return done
+
+
+def start(*words):
+    return subprocess.Popen([program, *map(str, words)], env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def pile_of(bodies):
+    """A scene of so many boxes, in a grid that does not touch."""
+    scene = folder / f"pile_{bodies}.toml"
+    scene.write_text(f'[[prefab]]\nname = "b"\nprimitive = {{ box = [1, 1, 1] }}\n[prefab.body]\nmass_kg = 1\n'
+                     f'[[array]]\nname = "a"\nprefab = "b"\ncount = [{bodies // 50}, 1, 50]\nspacing_m = [2, 2, 2]\n')
+    return scene
+
+
+# EXPERIENCE I1 and I2: the first signal ends the run with its files, the second ends the program.
+def a_second_interrupt_leaves_at_once():
+    state = folder / "state.json"
+    busy = start("simulate", pile_of(40_000), "--seconds", 3600, "--state", state)
+    time.sleep(1)  # still building the scene, which asks for no signals
+    busy.send_signal(signal.SIGINT)
+    time.sleep(0.2)
+    busy.send_signal(signal.SIGINT)
+    assert busy.wait(5) == 130
+    assert not state.exists()
+
+
+# EXPERIENCE I4
+def a_crash_leaves_a_report_and_the_next_start_says_so():
+    if sanitized:
+        print("the sanitizer reports crashes itself: not tried")
+        return
+    running = start("simulate", CUBE, "--seconds", 1e6, "--hz", 1000)
+    time.sleep(2)
+    running.send_signal(signal.SIGSEGV)
+    _, said = running.communicate(timeout=20)
+    report = folder / "state/plumbline/crash.txt"
+    assert running.returncode == -signal.SIGSEGV and str(report) in said, (running.returncode, said)
+    text = report.read_text()
+    assert "simulate" in text and "signal SIGSEGV" in text and "plumbline(" in text.split("backtrace:")[1], text
+    said = run("play", CUBE, "--no-sound", code=3, says="with --safe only built-in settings are used").stderr
+    assert "crash.old.txt" in said
+    assert "crash" not in run("play", CUBE, "--no-sound", code=3).stderr, "told once"
+
+
+# EXPERIENCE G26
+def refused_memory_is_a_line_and_a_code():
+    if sanitized:
+        print("the sanitizer needs more addresses than this: not tried")
+        return
+    for of, solver in ((program, "small_step"), (program_f64, "bullet_si"), (program_f64, "small_step")):
+        codes = []
+        for room in (250, 200, 170, 140, 110, 80):
+            done = subprocess.run([of, "simulate", pile_of(49_950), "--seconds", "0.05", "--solver", solver], env=environment,
+                                  capture_output=True, text=True, timeout=200,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (room << 20, room << 20)))
+            codes.append(done.returncode)
+            assert done.returncode in (0, 6), (room, done)
+            assert done.stderr.count("not enough memory") == (1 if done.returncode == 6 else 0), (room, done)
+        assert 6 in codes, codes
+    # Mesa's own code meets the limit too; whatever happens, it is said.
+    for room in (200 << 20, 400 << 20, 700 << 20, 1 << 30):
+        picture = subprocess.run([program, "render", "garden", "--size", "320x180", "--out", folder / "g.png"], env=environment,
+                                 capture_output=True, text=True, timeout=200,
+                                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (room, room)))
+        assert picture.returncode in (0, 1, 3, 4, 6) and (picture.returncode == 0 or picture.stderr.strip()), (room, picture)
+
+
+# EXPERIENCE I14
+def threads_that_cannot_be_made_are_not_needed():
+    if os.geteuid() != 0 or sanitized:
+        print("only root can become somebody who may have few threads: not tried")
+        return
+    home = folder / "nobody"
+    home.mkdir()
+    os.chown(home, 65533, 65533)
+    os.chmod(folder, 0o755)
+
+    def become_somebody_without_threads():
+        resource.setrlimit(resource.RLIMIT_NPROC, (1, 1))
+        os.setgid(65533)
+        os.setuid(65533)
+
+    done = subprocess.run([program, "explain", "playroom"], env={**environment, "HOME": str(home), "XDG_STATE_HOME": str(home)},
+                          capture_output=True, text=True, timeout=200, preexec_fn=become_somebody_without_threads)
+    if "Permission denied" in done.stderr:
+        print("the program's folder is not for everybody: not tried")
+        return
+    assert done.returncode == 0, done
+
+
+# EXPERIENCE I8
+def few_file_handles_do():
+    for handles in (256, 24):
+        run("render", "garden", "--size", "160x90", "--out", folder / "p.png", limits=[(resource.RLIMIT_NOFILE, handles)])
+    run("simulate", "playroom", "--seconds", 0.1, limits=[(resource.RLIMIT_NOFILE, 12)])
+    run("simulate", "playroom", code=1, says="Too many open files", limits=[(resource.RLIMIT_NOFILE, 3)])
+
+
+# EXPERIENCE I12
+def two_copies_do_not_meet():
+    running = [start("render", CUBE, "--size", "64x64", "--at", 0.2) for _ in range(4)]
+    files = {one.communicate(timeout=60)[0].strip() for one in running}
+    assert all(one.returncode == 0 for one in running)
+    assert len(files) == 4 and all(pathlib.Path(file).stat().st_size > 0 for file in files), files
+
+
+# EXPERIENCE I13 and E13
+def any_date_will_do():
+    faketime = shutil.which("faketime")
+    if faketime is None:
+        print("there is no faketime: not tried")
+        return
+    hashes = set()
+    for date in ("1970-01-02 00:00:00", "2038-01-20 00:00:00", "2100-01-01 00:00:00"):
+        state = folder / "dated.json"
+        run(date, program, "simulate", CUBE, "--seconds", 0.5, "--state", state, of=faketime)
+        hashes.add(json.loads(state.read_text())["hash"])
+        pictures = {run(date, program, "render", CUBE, "--size", "64x64", of=faketime).stdout for _ in range(2)}
+        assert len(pictures) == 2 and date[:4] in min(pictures), pictures
+    assert len(hashes) == 1, hashes
+
+
+# EXPERIENCE E14
+def names_may_be_anything():
+    for name in (b"two words", b"it's \"quoted\"", b"line\nbreak", b"$(reboot); `x` & *", b"not utf-8 \xff\xfe", b"-rf", b"%2e", b"n" * 230):
+        base = os.fsencode(folder) + b"/names/" + (name if len(name) < 200 else b"long")
+        os.makedirs(base, exist_ok=True)
+        scene = base + b"/" + name + b".toml"
+        shutil.copy(CUBE, scene)
+        state = base + b"/" + name + b".json"
+        picture = base + b"/" + name + b".png"
+        report = base + b"/report"
+        for words in ([b"simulate", scene, b"--seconds", b"0.1", b"--state", state], [b"check", scene],
+                      [b"render", scene, b"--size", b"64x64", b"--out", picture, b"--report", report]):
+            done = subprocess.run([program, *words], env=environment, capture_output=True, timeout=60)
+            assert done.returncode == 0, done
+            assert all(byte >= 32 or byte == 10 for byte in done.stdout + done.stderr), done
+        read = json.loads(open(state, "rb").read().decode())
+        assert read["steps"] == 6, read
+        json.loads(open(report, "rb").read().decode())
+        assert open(picture, "rb").read(4) == b"\x89PNG"
+        done = subprocess.run([program, b"render", scene, b"--size", b"64x64"], env=environment, capture_output=True, timeout=60)
+        assert done.returncode == 0 and b"shots" in done.stdout, done
+
+
+for test in (a_second_interrupt_leaves_at_once, a_crash_leaves_a_report_and_the_next_start_says_so, refused_memory_is_a_line_and_a_code,
+             threads_that_cannot_be_made_are_not_needed, few_file_handles_do, two_copies_do_not_meet, any_date_will_do, names_may_be_anything):
+    print(test.__name__, flush=True)
+    test()
