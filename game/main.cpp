@@ -1,5 +1,6 @@
 // The program `plumbline`: words on the command line to commands.
 
+#include "engine/assets/foreign_import.h"
 #include "engine/core/crash_report.h"
 #include "engine/core/process_memory.h"
 #include "engine/study/worker.h"
@@ -37,6 +38,7 @@ struct Words {
     std::string explained_scene;
     bool explain_as_json{false};
     bool list_as_json{false};
+    std::filesystem::path foreign_model;
     std::vector<std::filesystem::path> checked;
 };
 
@@ -51,7 +53,8 @@ CLI::App* add_play(CLI::App& app, PlayOptions& options) {
         app.add_subcommand("play", "A scene in a window (also without the word: plumbline SCENE)");
     play->add_option("scene",
                      options.scene,
-                     "A .toml scene, a .glb .gltf .obj model, or a name below assets/scenes");
+                     "A .toml scene, a model (.glb .gltf .obj .ply .stl .dae .fbx), or a name "
+                     "below assets/scenes");
     play->add_option("--size", options.size, "WIDTHxHEIGHT of the window");
     play->add_option("--level", options.level, "Of the picture: auto, low, medium or high")
         ->check(CLI::IsMember({"auto", "low", "medium", "high"}));
@@ -154,6 +157,10 @@ std::vector<Command> add_commands(CLI::App& app, Words& words) {
         study::run_study_worker();
         return ExitCode::Good;
     });
+    CLI::App* reader =
+        app.add_subcommand("model-worker", "Reads a Collada or FBX file for another")->group("");
+    reader->add_option("file", words.foreign_model)->required();
+    add(reader, [&] { return assets::run_model_worker(words.foreign_model); });
     return commands;
 }
 

@@ -42,6 +42,7 @@ ExitCode check_file(const std::filesystem::path& file, const DataFolders& folder
         if (!scene && faults.list().empty())
             std::cout << printable_lines(scene.error().message) << '\n';
         if (!scene && !faults.has_errors()) return when_bad;
+        if (scene) scene::check_models(*scene, faults);
     }
     for (const Diagnostic& fault : faults.list()) std::cout << to_string(fault) << '\n';
     const bool config_fault = when_bad == ExitCode::BadUsage && !faults.list().empty();

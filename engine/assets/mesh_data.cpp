@@ -65,6 +65,15 @@ void compute_normals(MeshData& mesh) {
 }
 
 void compute_tangents(MeshData& mesh) {
+    const bool has_uv = std::any_of(mesh.vertices.begin(),
+                                    mesh.vertices.end(),
+                                    [](const Vertex& vertex) { return vertex.uv != Vec2f{0.0F}; });
+    if (!has_uv) {
+        for (Vertex& vertex : mesh.vertices) {
+            vertex.tangent_body = Vec4f{any_tangent(vertex.normal_body), 1.0F};
+        }
+        return;
+    }
     std::vector<TriangleFrame> sums(mesh.vertices.size());
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const std::array<std::uint32_t, 3> corner{

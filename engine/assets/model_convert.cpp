@@ -74,6 +74,12 @@ std::vector<std::uint32_t> indices_of(const aiMesh& mesh) {
     return indices;
 }
 
+bool has_colors(const ModelMesh& mesh) {
+    return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Vertex& vertex) {
+        return vertex.color != Vec3f{1.0F};
+    });
+}
+
 std::string fault_of(const ModelMesh& mesh) {
     if (mesh.indices.empty()) return "it has no usable triangles";
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
@@ -113,14 +119,16 @@ std::vector<ModelNode> nodes_of(const aiScene& scene,
 
 }  // namespace
 
-ModelData convert_scene(const aiScene& scene,
-                        std::vector<MaterialData> materials,
-                        const std::string& name) {
-    ModelData model{.materials = std::move(materials)};
+ConvertedScene convert_tree(const aiScene& scene,
+                            std::vector<MaterialData> materials,
+                            const std::function<std::size_t(const aiMesh&)>& material_of,
+                            const std::string& name) {
+    ConvertedScene converted;
+    ModelData& model = converted.model;
+    model.materials = std::move(materials);
     const std::size_t known = model.materials.size();
-    std::map<const aiNode*, std::uint32_t> places;
-    model.nodes = nodes_of(scene, places);
-    std::vector<std::optional<std::uint32_t>> numbers(scene.mNumMeshes);
+    model.nodes = nodes_of(scene, converted.places);
+    converted.meshes.resize(scene.mNumMeshes);
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
         const aiMesh& source = *scene.mMeshes[i];
         ModelMesh mesh{.name = source.mName.C_Str(),
@@ -131,21 +139,34 @@ ModelData convert_scene(const aiScene& scene,
             log_warning("model {}: mesh \"{}\" is left out: {}", name, mesh.name, fault);
             continue;
         }
-        const std::size_t material = numbered_material(scene, source, known);
+        const std::size_t material = std::min(material_of(source), known);
         if (material == known && model.materials.size() == known) {
             model.materials.push_back({.name = "default"});
         }
         mesh.material = static_cast<std::uint32_t>(material);
-        numbers[i] = static_cast<std::uint32_t>(model.meshes.size());
+        if (has_colors(mesh)) model.materials[material].vertex_colors = true;
+        converted.meshes[i] = static_cast<std::uint32_t>(model.meshes.size());
         model.meshes.push_back(std::move(mesh));
     }
-    for (const auto& [source, place] : places) {
+    for (const auto& [source, place] : converted.places) {
         for (unsigned i = 0; i < source->mNumMeshes; ++i) {
-            const std::optional<std::uint32_t> number = numbers[source->mMeshes[i]];
+            const std::optional<std::uint32_t> number = converted.meshes[source->mMeshes[i]];
             if (number) model.nodes[place].meshes.push_back(*number);
         }
     }
-    return model;
+    return converted;
+}
+
+ModelData convert_scene(const aiScene& scene,
+                        std::vector<MaterialData> materials,
+                        const std::string& name) {
+    const std::size_t known = materials.size();
+    return convert_tree(
+               scene,
+               std::move(materials),
+               [&](const aiMesh& mesh) { return numbered_material(scene, mesh, known); },
+               name)
+        .model;
 }
 
 }  // namespace plumbline::assets

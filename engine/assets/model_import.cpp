@@ -2,8 +2,10 @@
 
 #include "engine/assets/checked_model.h"
 #include "engine/assets/confined_io_impl.h"
+#include "engine/assets/foreign_import_impl.h"
 #include "engine/assets/model_convert_impl.h"
 #include "engine/assets/model_pose.h"
+#include "engine/assets/single_mesh_impl.h"
 #include "engine/core/files.h"
 #include "engine/core/limits.h"
 
@@ -15,7 +17,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <memory>
 #include <new>
@@ -24,8 +25,6 @@ namespace plumbline::assets {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<std::string_view, 3> kExtensions{".glb", ".gltf", ".obj"};
 
 /// assimp registers 48 importers, and hands a file to whichever likes its bytes. One is left.
 void keep_obj_importer(Assimp::Importer& importer) {
@@ -66,11 +65,17 @@ Result<ModelData> read_obj(std::string_view bytes,
     }
 }
 
-Result<ModelData> read_kind(const std::string& extension,
+Result<ModelData> read_kind(const fs::path& file,
+                            const std::string& extension,
                             std::string_view bytes,
                             const std::string& name,
                             ModelReferences& references) {
     if (extension == ".obj") return read_obj(bytes, name, references);
+    if (extension == ".ply") return read_ply(bytes, name);
+    if (extension == ".stl") return read_stl(bytes, name);
+    if (extension == ".dae" || extension == ".fbx") {
+        return import_foreign(file, bytes, name, references);
+    }
     return read_gltf(bytes, name, references);
 }
 
@@ -92,16 +97,21 @@ Error model_error(const std::string& name, std::string_view why) {
             .exit_code = ExitCode::Refused};
 }
 
+bool is_model_file(const fs::path& file) {
+    const std::string extension = lower_extension(file);
+    return std::find(kModelExtensions.begin(), kModelExtensions.end(), extension) !=
+           kModelExtensions.end();
+}
+
 Result<ModelData> import_model(const fs::path& file, const fs::path& root) {
     const std::string name = file.string();
     const std::string extension = lower_extension(file);
-    const bool is_known =
-        std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+    const bool is_known = is_model_file(file);
     if (!is_known) {
         return model_error(name,
                            fmt::format("{} files are not read; convert to glTF (readable: {})",
                                        extension.empty() ? "nameless" : extension,
-                                       fmt::join(kExtensions, " ")));
+                                       fmt::join(kModelExtensions, " ")));
     }
     if (!is_inside(root, file)) {
         return model_error(name, fmt::format("it lies outside {}", root.string()));
@@ -110,7 +120,7 @@ Result<ModelData> import_model(const fs::path& file, const fs::path& root) {
     if (!bytes) return model_error(name, bytes.error().message);
     ModelReferences references(file, root);
     try {
-        Result<ModelData> model = read_kind(extension, *bytes, name, references);
+        Result<ModelData> model = read_kind(file, extension, *bytes, name, references);
         if (!model) return model;
         model->files.insert(model->files.begin(), file);
         return finished(std::move(*model), name);

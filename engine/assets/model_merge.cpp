@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <functional>
 #include <string_view>
-#include <unordered_map>
 
 namespace plumbline::assets {
 namespace {
@@ -161,21 +162,30 @@ void mend_normals(MeshData& part, MissingNormals how) {
 /// OBJ comes with vertices of their own for every corner: equal ones become one.
 void weld(MeshData& part) {
     static_assert(sizeof(Vertex) == 15 * sizeof(float), "no padding: equal bytes, equal vertices");
-    std::unordered_map<std::string_view, std::uint32_t> places;
-    places.reserve(part.vertices.size());
+    // Open addressing: a million triangles bring three million vertices.
+    std::size_t room = 16;
+    while (room < part.vertices.size() * 2) room *= 2;
+    constexpr std::uint32_t kEmpty = ~0U;
+    std::vector<std::uint32_t> places(room, kEmpty);
     std::vector<std::uint32_t> new_index(part.vertices.size());
-    std::vector<std::size_t> kept;
+    std::vector<std::uint32_t> kept;
     for (std::size_t i = 0; i < part.vertices.size(); ++i) {
-        const std::string_view bytes(
-            static_cast<const char*>(static_cast<const void*>(&part.vertices[i])), sizeof(Vertex));
-        const auto [place, is_new] =
-            places.try_emplace(bytes, static_cast<std::uint32_t>(kept.size()));
-        if (is_new) kept.push_back(i);
-        new_index[i] = place->second;
+        const void* bytes = &part.vertices[i];
+        const std::string_view content(static_cast<const char*>(bytes), sizeof(Vertex));
+        std::size_t place = std::hash<std::string_view>{}(content) & (room - 1);
+        while (places[place] != kEmpty &&
+               std::memcmp(&part.vertices[kept[places[place]]], bytes, sizeof(Vertex)) != 0) {
+            place = (place + 1) & (room - 1);
+        }
+        if (places[place] == kEmpty) {
+            places[place] = static_cast<std::uint32_t>(kept.size());
+            kept.push_back(static_cast<std::uint32_t>(i));
+        }
+        new_index[i] = places[place];
     }
     std::vector<Vertex> vertices;
     vertices.reserve(kept.size());
-    for (const std::size_t i : kept) vertices.push_back(part.vertices[i]);
+    for (const std::uint32_t i : kept) vertices.push_back(part.vertices[i]);
     for (std::uint32_t& index : part.indices) index = new_index[index];
     part.vertices = std::move(vertices);
 }

@@ -1,5 +1,6 @@
 #include "engine/assets/checked_model.h"
 #include "engine/assets/obj_check_impl.h"
+#include "engine/assets/single_mesh_impl.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 
@@ -30,6 +31,7 @@ struct ObjReader {
     std::string clean{"# checked\n"};
     std::array<std::size_t, 3> counts{};  ///< positions, texture coordinates, normals so far
     std::vector<bool> finite{};           ///< by position
+    bool has_colors{false};               ///< "v x y z r g b"; the first vertex decides
     std::size_t corners{0};
     std::size_t bad_faces{0};
     std::size_t other_elements{0};
@@ -46,12 +48,28 @@ struct ObjReader {
             all_finite = all_finite && value.has_value();
             fmt::format_to(std::back_inserter(clean), " {}", value.value_or(0.0F));
         }
+        if (kind == 'v') read_color(rest);
         clean += '\n';
         ++counts[kind == 'v' ? 0 : (kind == 't' ? 1 : 2)];
         if (kind == 'v') finite.push_back(all_finite);
         if (counts[0] > limits::kVertices) {
             fault = fmt::format("it has more than {} vertices", limits::kVertices);
         }
+    }
+
+    /// Colours are stored as screens show them.
+    void read_color(std::string_view rest) {
+        std::array<float, 3> color{1.0F, 1.0F, 1.0F};
+        std::size_t found = 0;
+        for (; found < 3; ++found) {
+            const std::optional<float> value = finite_number(next_word(rest));
+            if (!value) break;
+            color[found] = linear_from_srgb(std::clamp(*value, 0.0F, 1.0F));
+        }
+        if (finite.empty()) has_colors = found == 3;
+        if (!has_colors) return;
+        if (found < 3) color = {1.0F, 1.0F, 1.0F};
+        fmt::format_to(std::back_inserter(clean), " {} {} {}", color[0], color[1], color[2]);
     }
 
     /// "7", "7/2", "7//3", "7/2/3"; negative numbers count back from the latest.

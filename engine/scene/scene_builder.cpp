@@ -102,41 +102,19 @@ void warn_of_lights(Simulation& simulation) {
     }
 }
 
-/// A camera for a model on its own: from the front right, a little above, with
-/// all that is not flat ground in view.
-void frame_everything(Simulation& simulation) {
-    Aabb everything;
-    for (auto [entity, visual, placement] :
-         simulation.registry.view<const Visual, const Placement>()) {
-        if (visual.mesh.value == 0) continue;
-        const Aabb& body = simulation.library().mesh(visual.mesh).bounds;
-        constexpr float kFlat_m = 1e-3F;
-        if (body.empty() || body.size().y < kFlat_m) continue;
-        const Mat4f world_from_body = matrix_of(placement.world_from_body, placement.scale);
-        for (int corner = 0; corner < 8; ++corner) {
-            const Vec3f point{(corner & 1) != 0 ? body.max.x : body.min.x,
-                              (corner & 2) != 0 ? body.max.y : body.min.y,
-                              (corner & 4) != 0 ? body.max.z : body.min.z};
-            everything.include(Vec3f{world_from_body * Vec4f{point, 1.0F}});
-        }
-    }
-    if (everything.empty()) return;
-    const Sphere sphere = sphere_around(everything);
-    CameraDescription camera = simulation.description().camera;
-    const Real distance_m = static_cast<Real>(sphere.radius) / std::sin(camera.fov_y_rad / 2);
-    camera.target_m = Vec3{sphere.center};
-    camera.position_m = camera.target_m + glm::normalize(Vec3{1.0_r, 0.6_r, 1.6_r}) * distance_m;
-    camera.far_m = std::max(camera.far_m, distance_m * 4);
-    simulation.set_camera(camera);
-}
-
 }  // namespace
 
-Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& description,
+Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& described,
                                                      const SimulationOverrides& overrides,
                                                      assets::AssetLibrary& library,
                                                      const SurfaceTable& surfaces) {
     PL_ASSERT(!surfaces.surfaces.empty(), "a surface table with its default surface");
+    SceneDescription staged;
+    if (described.shows_model) {
+        staged = described;
+        if (const Result<Done> fits = fit_stage(staged, library); !fits) return fits.error();
+    }
+    const SceneDescription& description = described.shows_model ? staged : described;
     const std::size_t bodies = body_count_of(description);
     if (bodies > limits::kBodies) {
         return Error{fmt::format("{}: {} bodies; at most {} are allowed",
@@ -165,7 +143,6 @@ Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& des
     warn_of_joints(*simulation);
     warn_of_overlaps(*simulation);
     warn_of_lights(*simulation);
-    if (description.frames_everything) frame_everything(*simulation);
     return simulation;
 }
 

@@ -292,7 +292,8 @@ struct SceneDescription {
     std::optional<PlayerDescription> player{};
     CameraDescription camera{};
     bool has_camera{false};
-    bool frames_everything{false};          ///< the camera moves back until all is in view: models
+    bool shows_model{false};  ///< a model file by itself, on a stage fitted to it
+    Real model_radius_m{0};   ///< of the sphere round that model, once it was imported
     Vec3f clear_color{0.6F, 0.65F, 0.85F};  ///< [camera] clear_color
     std::optional<SunDescription> sun{};
     std::optional<SkyDescription> sky{};

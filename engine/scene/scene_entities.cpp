@@ -1,4 +1,5 @@
 // [[entity]], [[prefab]], [[array]]: what stands in the scene.
+#include "engine/assets/model_import.h"
 #include "engine/core/limits.h"
 #include "engine/core/nearest_name.h"
 #include "engine/scene/scene_parts.h"
@@ -15,11 +16,10 @@ constexpr std::size_t kNameBytes = 64;
 constexpr std::size_t kPrefabChain = 32;
 
 void read_visual(TableReader& table, EntityDescription& entity, const LoadContext& context) {
-    constexpr std::array<std::string_view, 3> kModels{".glb", ".gltf", ".obj"};
     const std::string_view key = table.either("model", "primitive");
     if (key == "model") {
-        const auto model =
-            read_file_reference(table, key, kModels, "a box stands in for it", context);
+        const auto model = read_file_reference(
+            table, key, assets::kModelExtensions, "a box stands in for it", context);
         if (model) entity.visual = ModelVisual{.file = model->file, .root = model->root};
     } else if (key == "primitive") {
         if (const auto primitive = read_entity_primitive(table)) entity.visual = *primitive;

@@ -1,5 +1,6 @@
 #include "engine/scene/scene_file.h"
 
+#include "engine/assets/model_import.h"
 #include "engine/core/files.h"
 #include "engine/core/hash.h"
 #include "engine/core/limits.h"
@@ -18,7 +19,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kIncludeDepth = 16;
-constexpr std::array<std::string_view, 3> kModelExtensions{".glb", ".gltf", ".obj"};
 // Everything that a scene may hold beside materials and prefabs.
 constexpr std::array<std::string_view, 17> kSceneOnly{"world",
                                                       "accuracy",
@@ -274,12 +274,8 @@ Result<SceneDescription> load_scene(const fs::path& file,
                                     const fs::path& assets_folder,
                                     Diagnostics& faults) {
     const std::size_t before = faults.list().size();
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    if (std::ranges::find(kModelExtensions, extension) != kModelExtensions.end())
-        return load_model(file, assets_folder, faults);
+    if (assets::is_model_file(file)) return load_model(file, assets_folder, faults);
+    const std::string extension = file.extension().string();
     if (extension != ".toml") {
         faults.add(
             {Severity::Error,
@@ -290,7 +286,7 @@ Result<SceneDescription> load_scene(const fs::path& file,
              fmt::format("\"{}\" is no kind of scene that is read; expected .toml, or a model: "
                          "{} (convert others to glTF)",
                          shown(extension),
-                         fmt::join(kModelExtensions, " "))});
+                         fmt::join(assets::kModelExtensions, " "))});
         return refuse(faults, before);
     }
     std::optional<SceneDescription> scene;

@@ -9,13 +9,17 @@
 
 namespace plumbline::scene {
 
-/// Loads a Plumbline scene (.toml) with its includes, or a model (.glb .gltf .obj), which gets a
+/// Loads a Plumbline scene (.toml) with its includes, or a model (.glb .gltf .obj .ply .stl .dae .fbx), which gets a
 /// ground plane, a sun and a camera. Faults go to `faults`; the result is an error (exit code 4,
 /// first fault in the message) when any of them is one. Reads no model, image or sound: it checks
 /// only that they exist and lie inside `assets_folder` or the scene's own folder.
 Result<SceneDescription> load_scene(const std::filesystem::path& file,
                                     const std::filesystem::path& assets_folder,
                                     Diagnostics& faults);
+
+/// Imports the models of a loaded scene and tells what is wrong with them (errors, each once, at the
+/// entity that shows it).
+void check_models(const SceneDescription& scene, Diagnostics& faults);
 
 /// SCENE as people name it: a path, or a name below assets/scenes with or without ".toml".
 Result<std::filesystem::path> find_scene(const std::string& name,

@@ -1,12 +1,29 @@
+#include "engine/assets/model_import.h"
+#include "engine/scene/scene_file.h"
 #include "engine/scene/scene_parts.h"
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+
 namespace plumbline::scene {
+namespace {
+
+constexpr std::string_view kGroundName = "ground";
+// Of the radius of the sphere round the model. A depth buffer of 24 bits bears their quotients.
+constexpr Real kNearShare = 0.005_r;
+constexpr Real kFarShare = 100;
+constexpr Real kGroundShare = 20;
+constexpr Real kShadowShare = 10;
+constexpr Real kLeastRadius_m = 1e-5_r;
+
+}  // namespace
 
 SceneDescription scene_of_model(const std::filesystem::path& file,
                                 const std::filesystem::path& root) {
     const Origin origin{.file = file.filename().string()};
     SceneDescription scene;
-    scene.frames_everything = true;
+    scene.shows_model = true;
     scene.file = file;
     scene.title = file.stem().string();
     scene.description = "a model on a ground plane";
@@ -22,7 +39,7 @@ SceneDescription scene_of_model(const std::filesystem::path& file,
     scene.materials.emplace(floor.name, floor);
 
     EntityDescription ground;
-    ground.name = "ground";
+    ground.name = kGroundName;
     ground.visual = Primitive{physics::PlaneShape{.size_m = Vec2{200, 200}}};
     ground.material = floor.name;
     ground.body = BodyDescription{.kind = physics::BodyKind::Static};
@@ -36,6 +53,58 @@ SceneDescription scene_of_model(const std::filesystem::path& file,
     model.origin = origin;
     scene.entities.push_back(std::move(model));
     return scene;
+}
+
+void place_on_stage(SceneDescription& scene, const Aabb& bounds) {
+    const Sphere sphere = sphere_around(bounds);
+    const Real radius_m = std::max(static_cast<Real>(sphere.radius), kLeastRadius_m);
+    scene.model_radius_m = radius_m;
+    CameraDescription& camera = scene.camera;
+    const Real distance_m = radius_m / std::sin(camera.fov_y_rad / 2);
+    camera.target_m = Vec3{sphere.center};
+    camera.position_m = camera.target_m + glm::normalize(Vec3{1.0_r, 0.6_r, 1.6_r}) * distance_m;
+    camera.near_m = radius_m * kNearShare;
+    camera.far_m = radius_m * kFarShare;
+    if (scene.sun && scene.sun->shadow) scene.sun->shadow->distance_m = radius_m * kShadowShare;
+    for (EntityDescription& entity : scene.entities) {
+        auto* primitive = std::get_if<Primitive>(&entity.visual);
+        if (primitive == nullptr || entity.name != kGroundName) continue;
+        const Real side_m = radius_m * kGroundShare;
+        *primitive = physics::PlaneShape{.size_m = {side_m, side_m}, .thickness_m = radius_m};
+        entity.world_from_body.position = {
+            camera.target_m.x, Real{bounds.min.y}, camera.target_m.z};
+    }
+}
+
+Result<Done> fit_stage(SceneDescription& scene, assets::AssetLibrary& library) {
+    for (const EntityDescription& entity : scene.entities) {
+        const auto* visual = std::get_if<ModelVisual>(&entity.visual);
+        if (visual == nullptr) continue;
+        const Result<assets::Model> model = library.model(visual->file, visual->root);
+        if (!model) return model.error();
+        place_on_stage(scene, library.mesh(model->mesh).bounds);
+        return Done{};
+    }
+    return Done{};
+}
+
+void check_models(const SceneDescription& scene, Diagnostics& faults) {
+    std::set<std::filesystem::path> checked;
+    const auto check = [&](const EntityDescription& entity) {
+        const auto* visual = std::get_if<ModelVisual>(&entity.visual);
+        if (visual == nullptr || !checked.insert(visual->file).second) return;
+        const Result<assets::ModelData> model = assets::import_model(visual->file, visual->root);
+        if (model) return;
+        faults.add({Severity::Error,
+                    entity.origin.file,
+                    entity.origin.line,
+                    0,
+                    scene.shows_model ? "" : "model",
+                    model.error().message});
+    };
+    for (const EntityDescription& entity : scene.entities) check(entity);
+    for (const auto& [name, prefab] : scene.prefabs) check(prefab);
+    for (const ArrayDescription& array : scene.arrays) check(array.prefab);
 }
 
 }  // namespace plumbline::scene

@@ -2,6 +2,8 @@
 // scene module.
 #pragma once
 
+#include "engine/assets/asset_library.h"
+#include "engine/core/result.h"
 #include "engine/scene/scene_description.h"
 #include "engine/scene/scene_paths.h"
 #include "engine/scene/scene_reader.h"
@@ -112,8 +114,13 @@ void read_hard_case(TableReader& root, SceneDescription& scene, LoadContext& con
 void check_whole_scene(SceneDescription& scene, LoadContext& context);
 
 // --- scene_model_file.cpp
-/// A model by itself: on a ground plane, in sunlight.
+/// A model by itself: on a ground plane, in sunlight. fit_stage() gives them their sizes.
 SceneDescription scene_of_model(const std::filesystem::path& file,
                                 const std::filesystem::path& root);
+/// Imports the model of such a scene, and sets it: see place_on_stage. The error is the model's.
+Result<Done> fit_stage(SceneDescription& scene, assets::AssetLibrary& library);
+/// Ground under the bounds and as wide as suits them, a camera from the front right, a little above,
+/// that sees all of them, shadows as far as they reach: from a millimetre to ten kilometres.
+void place_on_stage(SceneDescription& scene, const Aabb& bounds);
 
 }  // namespace plumbline::scene

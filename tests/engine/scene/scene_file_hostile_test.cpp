@@ -42,11 +42,12 @@ TEST_F(SceneFileHostile, MissingFolderAndFifo) {
 }
 
 TEST_F(SceneFileHostile, OtherKindsOfFile) {
-    for (const char* name : {"a.fbx", "a.json", "a", "a.toml.exe"}) {
+    for (const char* name : {"a.blend", "a.json", "a", "a.toml.exe"}) {
         write(name, "");
         const Outcome outcome = load_file(name);
         ASSERT_EQ(outcome.faults.size(), 1U) << name;
-        EXPECT_NE(outcome.faults[0].find("expected .toml, or a model: .glb .gltf .obj"),
+        EXPECT_NE(outcome.faults[0].find(
+                      "expected .toml, or a model: .glb .gltf .obj .ply .stl .dae .fbx"),
                   std::string::npos);
     }
     EXPECT_FALSE(load_file("none.glb").scene.ok());

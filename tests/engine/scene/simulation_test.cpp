@@ -36,19 +36,6 @@ TEST(Simulation, FallsAsGalileoSays) {
     EXPECT_DOUBLE_EQ(run->time_s(), 1.0);
 }
 
-TEST(Simulation, FramesAModelsSphereExactly) {
-    SceneDescription scene = scene_of({box("tower", {10, 2, 0}, {2, 4, 4})});
-    scene.frames_everything = true;
-    Running run(scene);
-    const CameraDescription& camera = run->description().camera;
-    EXPECT_NEAR(glm::distance(camera.target_m, Vec3(10, 2, 0)), 0, 1e-5);
-    // The sphere round 2 x 4 x 4 has radius 3; half of 60 degrees touches it at twice that.
-    EXPECT_NEAR(glm::distance(camera.position_m, camera.target_m), 6, 1e-4);
-    scene.frames_everything = false;
-    Running plain(scene);
-    EXPECT_EQ(plain->description().camera.position_m, CameraDescription{}.position_m);
-}
-
 TEST(Simulation, OverridesStandAboveTheScene) {
     Running run(
         scene_of({}),

@@ -1,0 +1,34 @@
+// What PLY and STL have in common: one mesh, and z up. Private to engine/assets.
+#pragma once
+
+#include "engine/assets/checked_model.h"
+#include "engine/core/math.h"
+
+#include <cmath>
+#include <utility>
+
+namespace plumbline::assets {
+
+/// sRGB as files store colours of vertices, to linear light.
+inline float linear_from_srgb(float value) {
+    return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
+}
+
+/// A model of one node, turned so that the file's +Z becomes our +Y.
+inline ModelData model_with_z_up(ModelMesh mesh, bool has_colors) {
+    ModelNode node{.name = mesh.name, .meshes = {0}};
+    node.rest.rotation = glm::angleAxis(radians_from_degrees(-90.0F), Vec3f{1, 0, 0});
+    // Exact, where the quaternion would round.
+    node.parent_from_node = Mat4f{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
+    ModelData model;
+    model.nodes.push_back(std::move(node));
+    model.materials.push_back({.name = "default", .vertex_colors = has_colors});
+    model.meshes.push_back(std::move(mesh));
+    return model;
+}
+
+/// "ply" or "stl" files by a reader of our own: assimp's are not hardened.
+Result<ModelData> read_ply(std::string_view bytes, const std::string& name);
+Result<ModelData> read_stl(std::string_view bytes, const std::string& name);
+
+}  // namespace plumbline::assets
