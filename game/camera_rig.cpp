@@ -8,8 +8,6 @@ namespace plumbline::game {
 
 namespace {
 
-constexpr Real kSlowest_mps = 0.1_r;
-constexpr Real kFastest_mps = 200;
 constexpr Real kNotch = 1.25_r;
 constexpr Real kSprint = 3;
 constexpr Real kFlySmoothing_s = 0.08_r;
@@ -46,6 +44,7 @@ Real free_share(const IsFree& is_free) {
 }  // namespace
 
 bool GroundBelow::operator()(const Vec3& place_m) const {
+    if (hidden) return true;
     const Vec3 deep_m = place_m - Vec3{0, kDeepestGround_m, 0};
     auto hit = world.cast_ray(place_m, deep_m, {.ignored = own_body});
     // What the place itself lies in may be met at once; ground is what comes after it.
@@ -117,7 +116,14 @@ void FlyCamera::place(const Vec3& position_m) {
 
 void FlyCamera::change_speed(int notches) {
     speed_mps_ = std::clamp(
-        speed_mps_ * std::pow(kNotch, static_cast<Real>(notches)), kSlowest_mps, kFastest_mps);
+        speed_mps_ * std::pow(kNotch, static_cast<Real>(notches)), slowest_mps_, fastest_mps_);
+}
+
+void FlyCamera::suit(Real speed_mps) {
+    constexpr Real kRange = 50;
+    speed_mps_ = speed_mps;
+    slowest_mps_ = speed_mps / kRange;
+    fastest_mps_ = speed_mps * kRange;
 }
 
 void FlyCamera::act(const Actions& actions,
@@ -154,9 +160,19 @@ Vec3 FlyCamera::position_m(Real blend) const {
 
 void OrbitCamera::place(const Vec3& target_m, Real distance_m, Real pitch_rad) {
     target_m_ = target_m;
-    distance_m_ = std::clamp(distance_m, kNearest_m, kFarthest_m);
+    distance_m_ = std::clamp(distance_m, nearest_m_, farthest_m_);
     previous_distance_m_ = distance_m_;
     steady_pitch_rad_ = pitch_rad;
+}
+
+void OrbitCamera::suit(Real radius_m) {
+    nearest_m_ = radius_m * 0.02_r;
+    farthest_m_ = radius_m * 50;
+}
+
+void OrbitCamera::pan(const Quat& orientation, Real yaw_rad, Real pitch_rad) {
+    if (!std::isfinite(yaw_rad) || !std::isfinite(pitch_rad)) return;
+    target_m_ += orientation * Vec3{yaw_rad, -pitch_rad, 0} * distance_m_;
 }
 
 void OrbitCamera::act(const Actions& actions, Look& look, const GroundBelow& ground, Real step_s) {
@@ -173,7 +189,7 @@ void OrbitCamera::act(const Actions& actions, Look& look, const GroundBelow& gro
                         notches_of(actions, Action::ZoomIn, Action::ZoomOut);
     distance_m_ *= std::exp(zoom * kOrbitZoom_per_s * step_s) *
                    std::pow(kOrbitNotch, static_cast<Real>(notches));
-    distance_m_ = std::clamp(distance_m_, kNearest_m, kFarthest_m);
+    distance_m_ = std::clamp(distance_m_, nearest_m_, farthest_m_);
     stay_above(ground, look);
     steady_pitch_rad_ = look.pitch_rad();
 }

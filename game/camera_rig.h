@@ -48,6 +48,7 @@ private:
 struct GroundBelow {
     const physics::PhysicsWorld& world;
     physics::BodyId own_body{};  ///< the person's capsule is no ground
+    bool hidden{false};          ///< nobody sees it: it holds no camera
 
     bool operator()(const Vec3& place_m) const;
 };
@@ -59,6 +60,8 @@ public:
     void act(const Actions& actions, const Look& look, const GroundBelow& ground, Real step_s);
     /// One notch of the wheel: +1 faster, -1 slower.
     void change_speed(int notches);
+    /// For things of another size than gardens: starts at this speed, and bounds it around it.
+    void suit(Real speed_mps);
 
     Vec3 position_m(Real blend) const;
     const Vec3& velocity_mps() const { return velocity_mps_; }
@@ -69,6 +72,8 @@ private:
     Vec3 previous_m_{0, 0, 0};
     Vec3 velocity_mps_{0, 0, 0};
     Real speed_mps_{5};
+    Real slowest_mps_{0.1_r};
+    Real fastest_mps_{200};
 };
 
 /// Turns around a point.
@@ -78,6 +83,10 @@ public:
     static constexpr Real kFarthest_m = 500;
 
     void place(const Vec3& target_m, Real distance_m, Real pitch_rad);
+    /// For things of another size than gardens: how near and far it goes for that radius.
+    void suit(Real radius_m);
+    /// Moves what it turns around across the picture, by angles as the pointer gives them.
+    void pan(const Quat& orientation, Real yaw_rad, Real pitch_rad);
     /// Turns `look` by the keys as well, and back where that would take the eye under the ground.
     void act(const Actions& actions, Look& look, const GroundBelow& ground, Real step_s);
 
@@ -92,6 +101,8 @@ private:
     Real distance_m_{5};
     Real previous_distance_m_{5};
     Real steady_pitch_rad_{0};  ///< of the last step
+    Real nearest_m_{kNearest_m};
+    Real farthest_m_{kFarthest_m};
 };
 
 }  // namespace plumbline::game

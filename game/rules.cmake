@@ -13,6 +13,7 @@ add_library(plumbline_rules STATIC
     "${CMAKE_CURRENT_LIST_DIR}/rules.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/rules.h"
     "${CMAKE_CURRENT_LIST_DIR}/rules_light.cpp"
+    "${CMAKE_CURRENT_LIST_DIR}/rules_viewer.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/rules_things.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/things.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/things.h")

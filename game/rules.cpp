@@ -54,6 +54,7 @@ PlaygroundGame::PlaygroundGame(scene::Simulation& simulation,
     mode_ = MoveMode::Fly;
     look_.aim_along(scene.camera.target_m - scene.camera.position_m);
     fly_.place(scene.camera.position_m);
+    begin_view(scene);
     start_feet_m_ = scene.camera.position_m;
     base_fov_rad_ = scene.camera.fov_y_rad;
     fov_rad_ = base_fov_rad_;
@@ -101,7 +102,9 @@ void PlaygroundGame::act(scene::Simulation& simulation, const Actions& actions) 
     look_turns_held_ = grab_.holding() && actions.is_held(Action::RotateHeld);
     const Real yaw = Real{actions.look_yaw_rad};
     const Real pitch = Real{actions.look_pitch_rad};
-    if (!look_turns_held_) {
+    if (views_model()) {
+        turn_model(actions);
+    } else if (!look_turns_held_) {
         look_.turn(yaw, pitch);
     } else if (std::isfinite(yaw) && std::isfinite(pitch)) {
         grab_.rotate(yaw, pitch);
@@ -109,11 +112,13 @@ void PlaygroundGame::act(scene::Simulation& simulation, const Actions& actions) 
     for (int i = 0; i < actions.presses(Action::MoveMode) % 3; ++i) next_mode(simulation);
     move(simulation, actions);
     zoom(actions);
+    switch_aids(simulation, actions);
+    light(simulation, actions);
+    if (views_model()) return;
     choose(actions);
     hold(simulation, actions);
     charge_and_throw(simulation, actions);
     drop(simulation, actions);
-    light(simulation, actions);
 }
 
 void PlaygroundGame::move(scene::Simulation& simulation, const Actions& actions) {
@@ -124,7 +129,8 @@ void PlaygroundGame::move(scene::Simulation& simulation, const Actions& actions)
     }
     if (player_) player_->act(simulation, actions, look_, mode_ == MoveMode::Walk);
     const GroundBelow ground{.world = simulation.physics,
-                             .own_body = player_ ? player_->body() : physics::BodyId{}};
+                             .own_body = player_ ? player_->body() : physics::BodyId{},
+                             .hidden = !simulation.switches.ground};
     if (mode_ == MoveMode::Fly) {
         if (!grab_.holding()) {
             fly_.change_speed(actions.presses(Action::Push) - actions.presses(Action::Pull));
@@ -187,8 +193,10 @@ scene::ViewPoint PlaygroundGame::view(const scene::Simulation&,
                                       Real blend,
                                       float pending_yaw_rad,
                                       float pending_pitch_rad) const {
-    const Real yaw = look_turns_held_ ? Real{0} : Real{pending_yaw_rad};
-    const Real pitch = look_turns_held_ ? Real{0} : Real{pending_pitch_rad};
+    const bool still = look_turns_held_ || (views_model() && !drags_view_);
+    const Real gain = still ? Real{0} : (drags_view_ && views_model() ? kDragGain : Real{1});
+    const Real yaw = Real{pending_yaw_rad} * gain;
+    const Real pitch = Real{pending_pitch_rad} * gain;
     const Quat orientation = look_.orientation(blend, yaw, pitch);
     const Pose camera = looking(eye_m(blend, orientation), orientation);
     return {.world_from_camera = camera,

@@ -32,6 +32,7 @@ public:
     scene::HudContent hud(const scene::Simulation& simulation) override;
 
     bool holds() const override { return grab_.holding(); }
+    bool frees_pointer() const override { return views_model(); }
 
     MoveMode mode() const { return mode_; }
     const Player* player() const { return player_ ? &*player_ : nullptr; }
@@ -47,6 +48,13 @@ private:
     Vec3 viewer_velocity_mps() const;
     Aim aim() const;
     void say(std::string message);
+
+    // rules_viewer.cpp
+    /// A model by itself is turned, not played with, until the mode is changed.
+    bool views_model() const { return model_radius_m_ > 0 && mode_ == MoveMode::Orbit; }
+    void begin_view(const scene::SceneDescription& scene);
+    void turn_model(const Actions& actions);
+    void switch_aids(scene::Simulation& simulation, const Actions& actions);
 
     // rules_things.cpp
     void choose(const Actions& actions);
@@ -77,6 +85,9 @@ private:
     Real throw_held_s_{-1};  ///< how long throw is down; negative: it is not
     bool grab_was_held_{false};
     bool look_turns_held_{false};
+    Real model_radius_m_{0};  ///< 0: the scene is more than a model
+    bool drags_view_{false};
+    static constexpr Real kDragGain = 4;  // a drag across the window turns a model about once
     std::vector<std::string> messages_;
 };
 

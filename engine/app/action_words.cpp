@@ -58,6 +58,16 @@ constexpr auto kWords = [] {
     say(Action::ZoomOut, "zoom out; orbiting: farther");
     say(Action::RotateLeft, "turn left; orbiting: about what you see");
     say(Action::RotateRight, "turn right; orbiting: about what you see");
+    say(Action::Grid, "a model by itself: grid");
+    say(Action::Axes, "a model by itself: axes");
+    say(Action::Normals, "a model by itself: normals");
+    say(Action::Turntable, "a model by itself: turn it slowly");
+    say(Action::Ground, "a model by itself: ground or none");
+    say(Action::Background, "a model by itself: next background");
+    say(Action::AnimationPause, "stop the animations of models, or go on");
+    say(Action::NextAnimation, "the model's next animation");
+    say(Action::TurnModel, "a model by itself: held, the mouse turns it");
+    say(Action::ShiftModel, "a model by itself: held, the mouse shifts it");
     say(Action::SunFaster, "move the sun, faster each time");
     say(Action::SunStop, "stop the sun");
     say(Action::LightBrighter, "brighter light");

@@ -150,6 +150,7 @@ void FrameParts::take_input(const InputSnapshot& input) {
     });
     if (!def_.unattended) first_minute_.see(latch.presses_seen());
     if (input.close_requested) controls_.quit = true;
+    if (!input.dropped_files.empty()) controls_.open_scene = input.dropped_files.front();
     if (input.lost_focus && config_.current().pause_on_focus_loss) clock.set_paused(true);
     capture_pointer_if_playing(input);
 }
@@ -164,7 +165,8 @@ void FrameParts::pause_under_menu() {
 void FrameParts::capture_pointer_if_playing(const InputSnapshot& input) {
     // The pointer is the person's while a menu or the accuracy panel is open or another window has
     // the keyboard; a click into the picture gives it back to the game.
-    if (menu_.open() || controls_.parts.accuracy || !input.focused || input.lost_focus) {
+    if (menu_.open() || controls_.parts.accuracy || session_.game->frees_pointer() ||
+        !input.focused || input.lost_focus) {
         window_.capture_pointer(false);
         wants_pointer_ = !input.lost_focus || wants_pointer_;
         return;

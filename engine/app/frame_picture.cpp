@@ -18,6 +18,31 @@ Real fov_with_setting_rad(Real fov_y_rad, Real setting_deg) {
     return std::min(scaled, std::max(kWidest_rad, fov_y_rad));
 }
 
+/// Of the first model that moves, where a model is shown by itself.
+std::optional<AnimationBar> bar_of(const scene::Simulation& simulation) {
+    if (!simulation.description().shows_model) return std::nullopt;
+    for (auto [entity, playing] : simulation.registry.view<const scene::PlayingModel>()) {
+        const assets::MovingModel* model = simulation.library().moving(playing.model);
+        if (model == nullptr) continue;
+        const assets::ModelAnimation& animation =
+            model->data.animations[playing.animation % model->data.animations.size()];
+        return AnimationBar{.name = animation.name,
+                            .length_s = static_cast<double>(animation.duration_s),
+                            .time_s = playing.time_s,
+                            .paused = playing.paused};
+    }
+    return std::nullopt;
+}
+
+/// What was done with the bar; it moves no body.
+void apply_bar(const AnimationBar& bar, scene::Simulation& simulation) {
+    for (auto [entity, playing] : simulation.registry.view<scene::PlayingModel>()) {
+        playing.paused = bar.paused;
+        playing.time_s = bar.next ? 0.0 : bar.time_s;
+        if (bar.next) ++playing.animation;
+    }
+}
+
 }  // namespace
 
 scene::ViewPoint FrameParts::view(Real blend) const {
@@ -53,6 +78,7 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
     if (controls_.parts.stats) ledger_ = session_.effects->ledger();
     const bool has_flashlight = session_.simulation->description().flashlight.has_value();
     const bool hints = config_.current().hints && !def_.unattended;
+    std::optional<AnimationBar> bar = bar_of(*session_.simulation);
     const AccuracyRequest asked =
         overlay_.draw({.parts = controls_.parts,
                        .hud = hud,
@@ -68,9 +94,11 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
                        .sound_silent = mixer_ && mixer_->silent(),
                        .reduce_motion = config_.current().reduce_motion,
                        .lines_not_shown = frame.lines.not_shown,
+                       .animation = bar ? &*bar : nullptr,
                        .now_s = now_s},
                       devices_,
                       menu_);
+    if (bar) apply_bar(*bar, *session_.simulation);
     do_accuracy(asked);
 }
 

@@ -95,6 +95,10 @@ AccuracyRequest Overlay::draw(const OverlayInput& input,
     float side_px = 0.0F;
     if (input.parts.accuracy && !menu.open())
         answer = panels::draw_accuracy(input.accuracy, input.clock, canvas.font_px(), side_px);
+    if (input.animation != nullptr && input.parts.hud && !menu.open()) {
+        panels::draw_animation_bar(
+            *input.animation, canvas.width_px(), canvas.height_px(), canvas.font_px());
+    }
     ui::HudTexts texts;
     if (!menu.open()) {
         texts = panels::hud_texts(input);

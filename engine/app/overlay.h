@@ -29,6 +29,15 @@ struct OverlayParts {
     bool accuracy{false};
 };
 
+/// The bar under a model with animations: what it shows, and what was done with it.
+struct AnimationBar {
+    std::string name;
+    double length_s{0};
+    double time_s{0};  ///< dragging the bar sets it
+    bool paused{false};
+    bool next{false};  ///< the next animation was asked for
+};
+
 /// All that the overlay reads in one frame.
 struct OverlayInput {
     const OverlayParts& parts;
@@ -45,6 +54,7 @@ struct OverlayInput {
     bool sound_silent{false};
     bool reduce_motion{false};
     std::size_t lines_not_shown{0};
+    AnimationBar* animation{nullptr};  ///< null: the scene is no model that moves
     double now_s{0};
 };
 

@@ -74,6 +74,26 @@ std::vector<HudLine> verdict_lines(const OverlayInput& input) {
     return lines;
 }
 
+/// A model by itself: its file and what it is made of.
+std::vector<HudLine> model_lines(const scene::Simulation& simulation) {
+    const assets::AssetLibrary& library = simulation.library();
+    std::vector<HudLine> lines;
+    for (auto [entity, name, visual] :
+         simulation.registry.view<const scene::Name, const scene::Visual>()) {
+        if (name.text != "model") continue;
+        const assets::MeshData& mesh = library.mesh(visual.mesh);
+        const Vec3f size = mesh.bounds.size();
+        lines.push_back({.text = simulation.description().file.filename().string()});
+        lines.push_back({.text = fmt::format("triangles {}   vertices {}   materials {}",
+                                             mesh.indices.size() / 3,
+                                             mesh.vertices.size(),
+                                             visual.materials.size())});
+        lines.push_back(
+            {.text = fmt::format("size {:.4g} x {:.4g} x {:.4g} m", size.x, size.y, size.z)});
+    }
+    return lines;
+}
+
 std::vector<HudLine> stats_lines(const OverlayInput& input) {
     const scene::Percentiles frame = input.report.recent_frame_ms();
     const physics::StepCost& cost = input.simulation.physics.cost();
@@ -133,7 +153,13 @@ std::vector<HudLine> stats_lines(const OverlayInput& input) {
 
 ui::HudTexts hud_texts(const OverlayInput& input) {
     ui::HudTexts texts;
-    if (input.parts.stats) texts.side = stats_lines(input);
+    if (input.parts.stats) {
+        texts.side = stats_lines(input);
+        if (input.simulation.description().shows_model) {
+            const std::vector<HudLine> model = model_lines(input.simulation);
+            texts.side.insert(texts.side.begin(), model.begin(), model.end());
+        }
+    }
     if (!input.parts.hud) return texts;
     texts.status = status_lines(input);
     if (input.judge != nullptr) texts.verdict = verdict_lines(input);

@@ -61,6 +61,7 @@ Result<Done> Session::reload() {
     log_faults(faults);
     if (!description_read) return description_read.error();
     description_read->accuracy = study::resolve_auto(*description_read);
+    library.doubt_models();
     scene::SceneDescription before = std::exchange(description, std::move(*description_read));
     Result<Done> built = build();
     if (!built) description = std::move(before);

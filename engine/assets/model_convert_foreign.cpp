@@ -237,6 +237,33 @@ ModelAnimation animation_of(const aiScene& scene,
     return animation;
 }
 
+/// FBX counts in units of so many centimetres, which assimp 5.2 leaves to its callers; Collada's units
+/// it applies itself.
+float metres_per_unit(const aiScene& scene) {
+    double centimetres = 0.0;
+    if (scene.mMetaData == nullptr) return 1.0F;
+    float single = 0.0F;
+    if (scene.mMetaData->Get("UnitScaleFactor", single)) centimetres = static_cast<double>(single);
+    scene.mMetaData->Get("UnitScaleFactor", centimetres);
+    const bool sane = std::isfinite(centimetres) && centimetres > 1e-6 && centimetres < 1e6;
+    return sane ? static_cast<float>(centimetres / 100.0) : 1.0F;
+}
+
+/// Puts a node of its own above everything, so that animations of the root keep their meaning.
+void scale_whole(ModelData& model, float factor) {
+    if (factor == 1.0F) return;
+    ModelNode top{.name = "metres", .parent_from_node = glm::scale(Mat4f{1.0F}, Vec3f{factor})};
+    top.rest.scale = Vec3f{factor};
+    for (ModelNode& node : model.nodes) node.parent = node.parent ? *node.parent + 1 : 0U;
+    for (ModelSkin& skin : model.skins) {
+        for (std::uint32_t& joint : skin.joints) ++joint;
+    }
+    for (ModelAnimation& animation : model.animations) {
+        for (AnimationChannel& channel : animation.channels) ++channel.node;
+    }
+    model.nodes.insert(model.nodes.begin(), std::move(top));
+}
+
 }  // namespace
 
 ModelData convert_foreign_scene(const aiScene& scene, const std::string& name) {
@@ -257,6 +284,7 @@ ModelData convert_foreign_scene(const aiScene& scene, const std::string& name) {
         ModelAnimation animation = animation_of(scene, *scene.mAnimations[i], i, converted);
         if (!animation.channels.empty()) model.animations.push_back(std::move(animation));
     }
+    scale_whole(model, metres_per_unit(scene));
     return model;
 }
 

@@ -71,6 +71,19 @@ Callers post_callers(const Simulation& simulation) {
     return {setting("[post]", post->origin)};
 }
 
+Callers model_animation_callers(const Simulation& simulation) {
+    EntityCallers callers(simulation);
+    for (auto [entity, playing] : simulation.registry.view<const scene::PlayingModel>()) {
+        callers.add(entity);
+    }
+    return callers.take();
+}
+
+Callers viewer_aids_callers(const Simulation& simulation) {
+    if (!simulation.description().shows_model) return {};
+    return {"a model by itself"};
+}
+
 Callers impact_sounds_callers(const Simulation& simulation) {
     EntityCallers callers(simulation);
     for (const scene::MovingBody& moving : simulation.moving_bodies()) {
@@ -117,7 +130,7 @@ Callers contact_events_callers(const Simulation& simulation) {
 }
 
 // A row may call for rows below it: impact sounds ask for contact events.
-constexpr std::array<EffectRow, 11> kTable{{
+constexpr std::array<EffectRow, 13> kTable{{
     {.name = "sun_shadow",
      .domain = Domain::Picture,
      .called_for_by = &sun_shadow_callers,
@@ -148,6 +161,18 @@ constexpr std::array<EffectRow, 11> kTable{{
      .make = &make_post,
      .gpu_owner = "post",
      .passes = "post."},
+    {.name = "model_animation",
+     .domain = Domain::Picture,
+     .called_for_by = &model_animation_callers,
+     .make = &make_model_animation,
+     .gpu_owner = {},
+     .passes = {}},
+    {.name = "viewer_aids",
+     .domain = Domain::Picture,
+     .called_for_by = &viewer_aids_callers,
+     .make = &make_viewer_aids,
+     .gpu_owner = {},
+     .passes = {}},
     {.name = "impact_sounds",
      .domain = Domain::Sound,
      .called_for_by = &impact_sounds_callers,

@@ -14,6 +14,9 @@ std::unique_ptr<Effect> make_fog(scene::Simulation&);
 std::unique_ptr<Effect> make_skybox(scene::Simulation&);
 std::unique_ptr<Effect> make_post(scene::Simulation&);
 
+std::unique_ptr<Effect> make_model_animation(scene::Simulation&);  // model_animation.cpp
+std::unique_ptr<Effect> make_viewer_aids(scene::Simulation&);      // viewer_aids.cpp
+
 std::unique_ptr<Effect> make_impact_sounds(scene::Simulation&);   // impact_sounds.cpp
 std::unique_ptr<Effect> make_ambient_sounds(scene::Simulation&);  // ambient_sounds.cpp
 std::unique_ptr<Effect> make_footsteps(scene::Simulation&);       // footsteps.cpp

@@ -65,7 +65,8 @@ void DeviceEvents::on_cursor(double x, double y) {
     const double right = x - cursor_[0];
     const double down = y - cursor_[1];
     cursor_ = {x, y};
-    if (!std::exchange(cursor_known_, true) || !captured_) return;
+    // A free pointer that drags moves the view of those who look at something.
+    if (!std::exchange(cursor_known_, true) || (!captured_ && next_.buttons.none())) return;
     // Window systems warp the pointer now and then; nobody turns that far between two reports.
     if (std::abs(right) > kJump_counts || std::abs(down) > kJump_counts) {
         ++jumps_dropped_;

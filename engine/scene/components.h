@@ -50,6 +50,14 @@ struct Visual {
     bool is_static{false};
 };
 
+/// A model with animations: drawn part by part in place of the Visual's mesh.
+struct PlayingModel {
+    assets::ModelId model{};
+    std::uint32_t animation{0};  ///< of the file's
+    double time_s{0};            ///< since the animation's start; it repeats
+    bool paused{false};
+};
+
 /// What it is made of: index into SurfaceTable. Sound and friction defaults hang on it.
 struct SurfaceRef {
     std::uint16_t surface{0};

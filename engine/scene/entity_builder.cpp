@@ -157,7 +157,8 @@ EntityBuilder::Look EntityBuilder::look_of_model(const EntityDescription& descri
                                             model.error().message));
         return placeholder_for(description);
     }
-    Look look{.mesh = model->mesh, .materials = model->materials, .is_model = true};
+    Look look{
+        .mesh = model->mesh, .materials = model->materials, .model = model->id, .is_model = true};
     for (assets::MaterialId& material : look.materials) {
         const std::string& own_name = simulation_.library().material(material).name;
         if (!description.material.empty()) {
@@ -338,6 +339,9 @@ Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
                                     .materials = look.materials,
                                     .casts_shadow = description.casts_shadow,
                                     .is_static = is_static});
+    }
+    if (simulation_.library().moving(look.model) != nullptr) {
+        registry.add<PlayingModel>(entity, PlayingModel{.model = look.model});
     }
     if (description.light) registry.add<PointLight>(entity, light_of(*description.light));
     if (description.sound) {

@@ -28,6 +28,7 @@ private:
     struct Look {
         assets::MeshId mesh{};
         std::vector<assets::MaterialId> materials;
+        assets::ModelId model{};
         bool is_model{false};  ///< `mesh` is the model's own, fit for shapes
     };
 

@@ -26,6 +26,7 @@ Pose drawn_pose(const Simulation& simulation,
 void add_items(const Simulation& simulation, Real blend_share, render::RenderFrame& frame) {
     for (auto [entity, visual, placement] :
          simulation.registry.view<const Visual, const Placement>()) {
+        if (simulation.registry.has<PlayingModel>(entity)) continue;  // an effect draws its parts
         const Pose pose = drawn_pose(simulation, entity, placement, blend_share);
         render::add_item(frame,
                          {.mesh = visual.mesh,

@@ -1,5 +1,6 @@
 #include "engine/core/limits.h"
 #include "engine/scene/entity_builder.h"
+#include "engine/scene/scene_parts.h"
 #include "engine/scene/simulation.h"
 
 #include <fmt/format.h>

@@ -16,6 +16,7 @@ constexpr Real kFarShare = 100;
 constexpr Real kGroundShare = 20;
 constexpr Real kShadowShare = 10;
 constexpr Real kLeastRadius_m = 1e-5_r;
+constexpr Real kWidestGround_m = 1e4_r;  // shapes are no larger
 
 }  // namespace
 
@@ -69,8 +70,9 @@ void place_on_stage(SceneDescription& scene, const Aabb& bounds) {
     for (EntityDescription& entity : scene.entities) {
         auto* primitive = std::get_if<Primitive>(&entity.visual);
         if (primitive == nullptr || entity.name != kGroundName) continue;
-        const Real side_m = radius_m * kGroundShare;
-        *primitive = physics::PlaneShape{.size_m = {side_m, side_m}, .thickness_m = radius_m};
+        const Real side_m = std::min(radius_m * kGroundShare, kWidestGround_m);
+        *primitive = physics::PlaneShape{.size_m = {side_m, side_m},
+                                         .thickness_m = std::min(radius_m, kWidestGround_m)};
         entity.world_from_body.position = {
             camera.target_m.x, Real{bounds.min.y}, camera.target_m.z};
     }

@@ -28,6 +28,12 @@ class EntityBuilder;
 
 /// Live switches that play may flip; effects read them.
 struct LiveSwitches {
+    bool grid{false};  ///< these six help to look at a model by itself
+    bool axes{false};
+    bool normals{false};
+    bool turntable{false};
+    bool ground{true};
+    int background{0};  ///< number in a list that repeats
     bool flashlight{false};
     bool fog{true};  ///< shows the scene's fog, if it has one (or a default one when toggled on)
     bool fog_added{false};  ///< toggled on in a scene without [fog]

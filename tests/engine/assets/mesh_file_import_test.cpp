@@ -198,7 +198,8 @@ TEST(CutFiles, never_do_more_than_be_refused) {
         for (std::size_t length = 0; length < bytes.size(); ++length) {
             const Import import(folder.write(name, std::string_view(bytes).substr(0, length)));
             // Text may lose its last line end and still be whole.
-            if (length + 1 < bytes.size()) EXPECT_FALSE(import.ok()) << name << ' ' << length;
+            if (length + 1 == bytes.size()) continue;
+            EXPECT_FALSE(import.ok()) << name << ' ' << length;
         }
     }
 }

@@ -57,6 +57,8 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "fog",
                                                  "skybox",
                                                  "post",
+                                                 "model_animation",
+                                                 "viewer_aids",
                                                  "impact_sounds",
                                                  "ambient_sounds",
                                                  "footsteps",

@@ -1,0 +1,126 @@
+// Plays the animations of models: their time in the step, their parts in the picture.
+#include "engine/effects/effects.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+namespace plumbline::effects {
+namespace {
+
+using assets::MeshId;
+using assets::MovingModel;
+
+/// A model's pose as it was drawn last. Deforming parts have meshes of their own for each entity.
+struct Posed {
+    std::vector<MeshId> meshes;  ///< by MovingModel::parts
+    assets::ModelPose pose;
+    double time_s{-1};
+    std::uint32_t animation{0};
+};
+
+class ModelAnimation final : public Effect {
+public:
+    explicit ModelAnimation(scene::Simulation& simulation) : library_(simulation.library()) {}
+
+    void after_step(scene::Simulation& simulation, const scene::Game&) override {
+        for (auto [entity, playing] : simulation.registry.view<scene::PlayingModel>()) {
+            const MovingModel* model = library_.moving(playing.model);
+            if (model == nullptr || playing.paused) continue;
+            const auto length_s = static_cast<double>(
+                model->data.animations[playing.animation % model->data.animations.size()]
+                    .duration_s);
+            playing.time_s += simulation.step_s();
+            if (length_s > 0.0) playing.time_s = std::fmod(playing.time_s, length_s);
+            ++work_.calls;
+        }
+    }
+
+    void extract(const scene::Simulation& simulation,
+                 const scene::ViewPoint&,
+                 render::RenderFrame& frame) override {
+        for (auto [entity, playing, visual, placement] :
+             simulation.registry
+                 .view<const scene::PlayingModel, const scene::Visual, const scene::Placement>()) {
+            const MovingModel* model = library_.moving(playing.model);
+            if (model == nullptr) continue;
+            Posed& posed = posed_of(entity, *model);
+            take_pose(*model, playing, posed);
+            add_items(*model,
+                      visual,
+                      matrix_of(placement.world_from_body, placement.scale),
+                      posed,
+                      frame);
+        }
+    }
+
+    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
+
+private:
+    Posed& posed_of(ecs::Entity entity, const MovingModel& model) {
+        const auto [found, is_new] = posed_.try_emplace(entity.index);
+        Posed& posed = found->second;
+        if (!is_new && posed.meshes.size() == model.parts.size()) return posed;
+        posed = Posed{.meshes = model.part_meshes};
+        for (std::size_t i = 0; i < model.parts.size(); ++i) {
+            if (!model.parts[i].deforms) continue;
+            // By name: a scene that starts anew takes the mesh that it had.
+            posed.meshes[i] =
+                library_.add_mesh(fmt::format("entity {} part {}", entity.index, i), {});
+            assets::MeshData mesh =
+                assets::part_mesh(model.data, model.parts[i], rest_pose(model.data));
+            assets::MeshData& place = library_.change_mesh(posed.meshes[i]);
+            mesh.version = place.version;
+            place = std::move(mesh);
+        }
+        return posed;
+    }
+
+    void take_pose(const MovingModel& model, const scene::PlayingModel& playing, Posed& posed) {
+        const std::size_t number = playing.animation % model.data.animations.size();
+        if (posed.time_s == playing.time_s && posed.animation == number) return;
+        posed.time_s = playing.time_s;
+        posed.animation = static_cast<std::uint32_t>(number);
+        posed.pose = assets::pose_at(
+            model.data, model.data.animations[number], static_cast<float>(playing.time_s));
+        for (std::size_t i = 0; i < model.parts.size(); ++i) {
+            if (!model.parts[i].deforms) continue;
+            assets::deform(
+                model.data, model.parts[i], posed.pose, library_.change_mesh(posed.meshes[i]));
+        }
+    }
+
+    void add_items(const MovingModel& model,
+                   const scene::Visual& visual,
+                   const Mat4f& world_from_body,
+                   const Posed& posed,
+                   render::RenderFrame& frame) const {
+        const auto add = [&](MeshId mesh, const Mat4f& world_from_part) {
+            render::add_item(frame,
+                             {.mesh = mesh,
+                              .world_from_body = world_from_part,
+                              .tint = visual.tint,
+                              .casts_shadow = visual.casts_shadow},
+                             visual.materials);
+        };
+        if (model.still != MeshId{}) add(model.still, world_from_body);
+        for (std::size_t i = 0; i < model.parts.size(); ++i) {
+            const assets::ModelPart& part = model.parts[i];
+            add(posed.meshes[i],
+                part.deforms ? world_from_body
+                             : world_from_body * posed.pose.model_from_node[part.node]);
+        }
+    }
+
+    assets::AssetLibrary& library_;
+    std::map<std::uint32_t, Posed> posed_;  ///< by the entity's index
+};
+
+}  // namespace
+
+std::unique_ptr<Effect> make_model_animation(scene::Simulation& simulation) {
+    return std::make_unique<ModelAnimation>(simulation);
+}
+
+}  // namespace plumbline::effects

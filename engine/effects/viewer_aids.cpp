@@ -1,0 +1,103 @@
+// What helps to look at a model by itself: grid, axes, normals, backgrounds, no ground.
+#include "engine/effects/effects.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace plumbline::effects {
+namespace {
+
+constexpr int kGridHalf = 10;
+constexpr std::size_t kMostNormals = 50'000;
+constexpr float kNormalShare = 0.02F;  // of the model's radius
+constexpr std::string_view kGroundName = "ground";
+
+/// A tenth of the radius or more, as people count: 1, 2 or 5 times a power of ten.
+float grid_step_m(float radius_m) {
+    const float least = radius_m * 0.2F;
+    const float power = std::pow(10.0F, std::floor(std::log10(least)));
+    for (const float factor : {1.0F, 2.0F, 5.0F}) {
+        if (factor * power >= least) return factor * power;
+    }
+    return 10.0F * power;
+}
+
+class ViewerAids final : public Effect {
+public:
+    void extract(const scene::Simulation& simulation,
+                 const scene::ViewPoint&,
+                 render::RenderFrame& frame) override {
+        const scene::LiveSwitches& switches = simulation.switches;
+        const auto radius_m = static_cast<float>(simulation.description().model_radius_m);
+        float floor_m = 0.0F;
+        for (auto [entity, name, visual, placement] :
+             simulation.registry
+                 .view<const scene::Name, const scene::Visual, const scene::Placement>()) {
+            if (name.text == kGroundName) {
+                floor_m = static_cast<float>(placement.world_from_body.position.y);
+                if (!switches.ground) hide(visual.mesh, frame);
+            } else if (switches.normals) {
+                add_normals(simulation.library().mesh(visual.mesh), radius_m, frame.lines);
+            }
+        }
+        // The bottom of what may be far from the origin, lifted a hair so that both are seen.
+        const Vec3f center(simulation.description().camera.target_m);
+        if (switches.grid)
+            add_grid({center.x, floor_m + radius_m * 1e-3F, center.z}, radius_m, frame.lines);
+        if (switches.axes) add_axes(radius_m, frame.lines);
+        constexpr std::array<Vec3f, 4> kBackgrounds{
+            Vec3f{0.0F}, Vec3f{1.0F}, Vec3f{0.18F}, Vec3f{0.0F}};
+        const auto chosen = static_cast<std::size_t>(switches.background) % kBackgrounds.size();
+        if (chosen != 0) frame.clear_color = kBackgrounds[chosen];
+        ++work_.calls;
+    }
+
+    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
+
+private:
+    static void hide(assets::MeshId mesh, render::RenderFrame& frame) {
+        std::erase_if(frame.items, [&](const render::DrawItem& item) { return item.mesh == mesh; });
+    }
+
+    static void add_grid(const Vec3f& center, float radius_m, LineList& lines) {
+        const float step_m = grid_step_m(radius_m);
+        const float half_m = step_m * kGridHalf;
+        const float x = std::round(center.x / step_m) * step_m;
+        const float z = std::round(center.z / step_m) * step_m;
+        for (int i = -kGridHalf; i <= kGridHalf; ++i) {
+            const float at_m = step_m * static_cast<float>(i);
+            const Vec3f color{i == 0 ? 0.6F : 0.3F};
+            lines.add({x + at_m, center.y, z - half_m}, {x + at_m, center.y, z + half_m}, color);
+            lines.add({x - half_m, center.y, z + at_m}, {x + half_m, center.y, z + at_m}, color);
+        }
+    }
+
+    static void add_axes(float radius_m, LineList& lines) {
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3f direction{0.0F};
+            direction[axis] = 1.0F;
+            lines.add(Vec3f{0.0F}, direction * (radius_m * 1.2F), direction);
+        }
+    }
+
+    /// At rest; of fine meshes every so many.
+    static void add_normals(const assets::MeshData& mesh, float radius_m, LineList& lines) {
+        const std::size_t step = std::max<std::size_t>(1, mesh.vertices.size() / kMostNormals);
+        for (std::size_t i = 0; i < mesh.vertices.size(); i += step) {
+            const assets::Vertex& vertex = mesh.vertices[i];
+            lines.add(vertex.position_body,
+                      vertex.position_body + vertex.normal_body * (radius_m * kNormalShare),
+                      {0.1F, 0.4F, 1.0F});
+        }
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Effect> make_viewer_aids(scene::Simulation&) {
+    return std::make_unique<ViewerAids>();
+}
+
+}  // namespace plumbline::effects

@@ -1,0 +1,62 @@
+// A model file as a scene: fitted at any size, refused when it cannot be read.
+#include "engine/scene/scene_file.h"
+#include "tests/support/scene_in_code.h"
+#include "tests/support/temporary_folder.h"
+
+#include <fstream>
+
+namespace plumbline::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path write_obj(const fs::path& folder, double size) {
+    const fs::path file = folder / "m.obj";
+    std::ofstream out(file);
+    out << "v 0 " << -size << " 0\nv " << size << " 0 0\nv 0 " << size << " 0\nf 1 2 3\n";
+    return file;
+}
+
+// FAULTS 29: 1 cm showed nothing, legs stood below the made ground, none was there for 200 units.
+TEST(ModelScene, FitsCameraGroundAndShadowsFromAMillimetreToTenKilometres) {
+    const test::TemporaryFolder folder;
+    for (const double size : {0.001, 1.0, 10'000.0}) {
+        const fs::path file = write_obj(folder.path(), size);
+        Diagnostics faults;
+        const auto scene = load_scene(file, {}, faults);
+        ASSERT_TRUE(scene.ok());
+        test::Running run(*scene);
+        ASSERT_NE(run.simulation, nullptr);
+        const SceneDescription& set = run->description();
+        // Bounds 1 x 2 times the size: half their diagonal.
+        const double radius = std::sqrt(5.0) / 2 * size;
+        EXPECT_NEAR(static_cast<double>(set.model_radius_m) / radius, 1, 1e-4) << size;
+        const Real distance = glm::distance(set.camera.position_m, set.camera.target_m);
+        EXPECT_NEAR(static_cast<double>(distance) / radius, 2, 1e-3) << "half of 60 degrees";
+        EXPECT_LT(set.camera.near_m, distance - set.model_radius_m);
+        EXPECT_GT(set.camera.far_m, distance + set.model_radius_m);
+        EXPECT_GT(set.sun->shadow->distance_m, distance + set.model_radius_m);
+        const auto& ground = run->registry.get<Placement>(run->find("ground"));
+        EXPECT_NEAR(static_cast<double>(ground.world_from_body.position.y) / size, -1, 1e-4);
+    }
+}
+
+// FAULTS 17: junk was "good", and simulated and drawn as a box.
+TEST(ModelScene, ThatCannotBeReadIsAnErrorEverywhere) {
+    const test::TemporaryFolder folder;
+    const fs::path file = folder.path() / "junk.glb";
+    std::ofstream(file) << "junk";
+    Diagnostics faults;
+    const auto scene = load_scene(file, {}, faults);
+    ASSERT_TRUE(scene.ok());
+    check_models(*scene, faults);
+    ASSERT_TRUE(faults.has_errors());
+    EXPECT_NE(faults.list()[0].message.find("its content is not glTF"), std::string::npos);
+    assets::AssetLibrary library;
+    const auto built = build_simulation(*scene, {}, library, test::plain_surfaces());
+    ASSERT_FALSE(built.ok());
+    EXPECT_EQ(built.error().exit_code, ExitCode::Refused);
+}
+
+}  // namespace
+}  // namespace plumbline::scene
