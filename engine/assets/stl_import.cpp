@@ -105,10 +105,10 @@ Result<ModelData> read_stl(std::string_view bytes, const std::string& name) {
     } else if (bytes.size() >= kHeaderBytes) {
         ByteReader reader(bytes.substr(kHeaderBytes - 4));
         const std::size_t promised = reader.number<std::uint32_t>();
-        return model_error(
-            name,
-            fmt::format(
-                "it says {} triangles and has room for {}", promised, reader.left() / kTriangleBytes));
+        return model_error(name,
+                           fmt::format("it says {} triangles and has room for {}",
+                                       promised,
+                                       reader.left() / kTriangleBytes));
     } else {
         return model_error(name, "its content is not STL");
     }
