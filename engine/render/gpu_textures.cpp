@@ -52,14 +52,13 @@ void GpuTextures::load(const std::vector<TextureRequest>& requests) {
     for (const TextureRequest& request : requests) {
         const Key key{request.file, request.content};
         if (textures_.contains(key) || !asked.emplace(key, true).second) continue;
-        auto image = library_.take_image(request.file);
-        under_way.push_back({request,
-                             // Deferred to whoever asks where no thread can be made.
-                             std::async(std::launch::async | std::launch::deferred,
-                                        [image = std::move(image), request] {
-                                            return mip_chain(
-                                                *image, request.content, request.alpha_cutoff);
-                                        })});
+        // Deferred to whoever asks where no thread can be made; given as a copy, for a failed start
+        // of a thread takes along what it was given.
+        const auto chain = [image = library_.take_image(request.file), request] {
+            return mip_chain(*image, request.content, request.alpha_cutoff);
+        };
+        under_way.push_back(
+            {request, std::async(std::launch::async | std::launch::deferred, chain)});
         if (under_way.size() >= kChainsUnderWay) finish_oldest();
     }
     while (!under_way.empty()) finish_oldest();
