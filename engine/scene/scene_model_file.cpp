@@ -15,6 +15,7 @@ constexpr Real kNearShare = 0.005_r;
 constexpr Real kFarShare = 100;
 constexpr Real kGroundShare = 20;
 constexpr Real kShadowShare = 10;
+constexpr std::size_t kMostSolidTriangles = 200'000;
 constexpr Real kLeastRadius_m = 1e-5_r;
 constexpr Real kWidestGround_m = 1e4_r;  // shapes are no larger
 
@@ -79,11 +80,13 @@ void place_on_stage(SceneDescription& scene, const Aabb& bounds) {
 }
 
 Result<Done> fit_stage(SceneDescription& scene, assets::AssetLibrary& library) {
-    for (const EntityDescription& entity : scene.entities) {
+    for (EntityDescription& entity : scene.entities) {
         const auto* visual = std::get_if<ModelVisual>(&entity.visual);
         if (visual == nullptr) continue;
         const Result<assets::Model> model = library.model(visual->file, visual->root);
         if (!model) return model.error();
+        // A collision tree for more takes longer than reading them: such a model is only looked at.
+        if (library.mesh(model->mesh).indices.size() / 3 > kMostSolidTriangles) entity.body.reset();
         place_on_stage(scene, library.mesh(model->mesh).bounds);
         return Done{};
     }
