@@ -102,7 +102,7 @@ std::vector<std::string> all_with_value(const CLI::App& app) {
         found.insert(found.end(), more.begin(), more.end());
     }
     std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

@@ -150,7 +150,8 @@ ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
         scene::LiveSwitches& switches = studio->session->simulation->switches;
         switches.flashlight = stop.flashlight;
         switches.light_scale = stop.light_scale;
-        studio->run->simulate(steps_in(stop.wait_s, *studio->session->simulation));
+        studio->run->simulate(
+            steps_in(static_cast<double>(stop.wait_s), *studio->session->simulation));
         studio->run->draw(view_from(stop.position_m, stop.target_m, scene.camera.fov_y_rad));
         pictures.push_back(studio->run->pixels());
         const std::filesystem::path file =

@@ -40,7 +40,8 @@ double median(std::vector<double> values) {
 }
 
 double cost_of(double level_cost, float scale) {
-    return level_cost * (kCostOfSizeZero + (1.0 - kCostOfSizeZero) * double{scale} * double{scale});
+    const auto side = static_cast<double>(scale);
+    return level_cost * (kCostOfSizeZero + (1.0 - kCostOfSizeZero) * side * side);
 }
 
 }  // namespace
@@ -146,7 +147,8 @@ bool PictureControl::decide(double median_ms) {
 }
 
 PictureWish picture_wish_of(const AppConfig& config, std::optional<PictureLevel> level) {
-    PictureWish wish{.render_scale = config.render_scale, .target_ms = double{config.target_ms}};
+    PictureWish wish{.render_scale = config.render_scale,
+                     .target_ms = static_cast<double>(config.target_ms)};
     switch (level.value_or(config.picture_level)) {
         case PictureLevel::Auto:
             break;
