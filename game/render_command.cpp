@@ -5,6 +5,7 @@
 #include "engine/core/files.h"
 #include "engine/core/output.h"
 #include "engine/core/printable.h"
+#include "engine/scene/scene_file.h"
 #include "game/camera_text.h"
 #include "game/contact_sheet.h"
 #include "game/refuse.h"
@@ -113,8 +114,8 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
                 bad_option(fmt::format("--camera {}: expected x,y,z,yaw,pitch", options.camera)));
         view = *asked;
     }
-    simulation.switches.flashlight = simulation.switches.flashlight || options.flashlight;
-    simulation.switches.fog_added = simulation.switches.fog_added || options.fog;
+    if (options.flashlight) simulation.switches.turn("flashlight", true);
+    if (options.fog) simulation.switches.turn("fog", true);
 
     app::OffscreenRun& run = *studio->run;
     run.simulate(steps_in(options.at_s, simulation));
@@ -148,7 +149,7 @@ ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
     std::vector<assets::ImageData> pictures;
     for (const scene::ViewDescription& stop : tour_stops(scene)) {
         scene::LiveSwitches& switches = studio->session->simulation->switches;
-        switches.flashlight = stop.flashlight;
+        switches.turn("flashlight", stop.flashlight);
         switches.light_scale = stop.light_scale;
         studio->run->simulate(
             steps_in(static_cast<double>(stop.wait_s), *studio->session->simulation));

@@ -19,15 +19,13 @@ void PlaygroundGame::light(scene::Simulation& simulation, const Actions& actions
     scene::LiveSwitches& switches = simulation.switches;
     if (actions.presses(Action::Flashlight) % 2 == 1) {
         if (scene.flashlight) {
-            switches.flashlight = !switches.flashlight;
+            switches.turn("flashlight", !switches.is_on("flashlight", scene.flashlight->on));
         } else {
             say("no flashlight in this scene");
         }
     }
-    if (actions.presses(Action::Fog) % 2 == 1) {
-        bool& fog = scene.fog ? switches.fog : switches.fog_added;
-        fog = !fog;
-    }
+    if (actions.presses(Action::Fog) % 2 == 1)
+        switches.turn("fog", !switches.is_on("fog", scene.fog.has_value()));
     const bool wants_sun =
         actions.presses(Action::SunFaster) + actions.presses(Action::SunStop) > 0;
     if (wants_sun && !scene.sun) say("no sun in this scene");

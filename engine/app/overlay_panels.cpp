@@ -184,7 +184,8 @@ void draw_crosshair(const OverlayInput& input, float font_px) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float em = font_px;
-    if (input.simulation.switches.flashlight) {
+    const auto& flashlight = input.simulation.description().flashlight;
+    if (flashlight && input.simulation.switches.is_on("flashlight", flashlight->on)) {
         // A sign without words, where nothing else stands.
         const ImVec2 at{screen.x - em * 1.7F, screen.y - em * 1.7F};
         list.AddCircleFilled(at, em * 0.95F, IM_COL32(12, 12, 16, 150));

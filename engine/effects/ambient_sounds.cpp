@@ -1,4 +1,5 @@
-#include "engine/effects/effects.h"
+#include "engine/effects/callers.h"
+#include "engine/effects/effect_table.h"
 #include "engine/effects/sound_bank.h"
 
 #include <set>
@@ -60,10 +61,25 @@ private:
     std::uint64_t revision_{0};
 };
 
+Callers callers(const scene::Simulation& simulation) {
+    EntityCallers callers(simulation);
+    for (auto [entity, ambient] : simulation.registry.view<const scene::AmbientSound>()) {
+        callers.add(entity);
+    }
+    return callers.take();
+}
+
+std::unique_ptr<Effect> make(scene::Simulation& simulation) {
+    return std::make_unique<AmbientSounds>(simulation);
+}
+
 }  // namespace
 
-std::unique_ptr<Effect> make_ambient_sounds(scene::Simulation& simulation) {
-    return std::make_unique<AmbientSounds>(simulation);
+EffectRow ambient_sounds() {
+    return {.name = "ambient_sounds",
+            .domain = Domain::Sound,
+            .called_for_by = &callers,
+            .make = &make};
 }
 
 }  // namespace plumbline::effects

@@ -6,28 +6,27 @@ namespace plumbline::effects {
 
 namespace {
 
-/// What callers depend on: while it stays the same, so do they.
+/// What an effect's callers depend on: while it stays the same, so do they.
 struct CallersKey {
     std::uint64_t revision{0};
-    bool flashlight{false};
-    bool fog{false};
-    bool fog_added{false};
-    scene::MotionDemand demand{};
+    std::optional<bool> switched{};
+    std::uint64_t own{0};
 
     friend bool operator==(const CallersKey&, const CallersKey&) = default;
 };
 
-CallersKey key_of(const scene::Simulation& simulation) {
-    return {.revision = simulation.revision(),
-            .flashlight = simulation.switches.flashlight,
-            .fog = simulation.switches.fog,
-            .fog_added = simulation.switches.fog_added,
-            .demand = simulation.motion_demand()};
+CallersKey key_of(const EffectRow& row, const scene::Simulation& simulation) {
+    CallersKey key{.revision = simulation.revision()};
+    const auto switched = simulation.switches.effects.find(row.name);
+    if (switched != simulation.switches.effects.end()) key.switched = switched->second;
+    if (row.key != nullptr) key.own = row.key(simulation);
+    return key;
 }
 
 struct Slot {
     std::unique_ptr<Effect> effect;
     Callers callers;
+    std::optional<CallersKey> key;  ///< that `callers` are of
     std::uint32_t constructions{0};
     EffectWork earlier;  ///< of effects that are gone, and of the hooks
     double gpu_ms{0};
@@ -39,8 +38,8 @@ struct Slot {
 
 struct EffectRuntime::Impl {
     ServedDomains served;
-    std::vector<Slot> slots{effect_table().size()};
-    std::optional<CallersKey> key;
+    std::span<const EffectRow> table;
+    std::vector<Slot> slots;
 
     bool serves(Domain domain) const {
         switch (domain) {
@@ -55,9 +54,12 @@ struct EffectRuntime::Impl {
     }
 
     void refresh_row(std::size_t row, scene::Simulation& simulation) {
-        const EffectRow& definition = effect_table()[row];
+        const EffectRow& definition = table[row];
         if (!serves(definition.domain) || definition.name == served.without) return;
         Slot& slot = slots[row];
+        CallersKey key = key_of(definition, simulation);
+        if (slot.key == key) return;
+        slot.key = key;
         slot.callers = definition.called_for_by(simulation);
         if (!slot.callers.empty() && !slot.effect) {
             const CpuTimer timer;
@@ -83,9 +85,13 @@ struct EffectRuntime::Impl {
     }
 };
 
-EffectRuntime::EffectRuntime(scene::Simulation& simulation, const ServedDomains& served)
+EffectRuntime::EffectRuntime(scene::Simulation& simulation,
+                             const ServedDomains& served,
+                             std::span<const EffectRow> table)
     : impl_(std::make_unique<Impl>()) {
     impl_->served = served;
+    impl_->table = table;
+    impl_->slots.resize(table.size());
     simulation.set_features(
         {.continuous_collision = false, .gyroscopic_torque = false, .contact_events = false});
     refresh(simulation);
@@ -94,12 +100,9 @@ EffectRuntime::EffectRuntime(scene::Simulation& simulation, const ServedDomains&
 EffectRuntime::~EffectRuntime() = default;
 
 void EffectRuntime::refresh(scene::Simulation& simulation) {
-    if (impl_->key == key_of(simulation)) return;
     for (std::size_t row = 0; row < impl_->slots.size(); ++row) {
         impl_->refresh_row(row, simulation);
     }
-    // Effects that came or went may have changed what others depend on; rows below saw it already.
-    impl_->key = key_of(simulation);
 }
 
 void EffectRuntime::before_step(scene::Simulation& simulation) {
@@ -124,7 +127,7 @@ SoundFrame EffectRuntime::sound(const scene::Simulation& simulation, const scene
 
 void EffectRuntime::add_render_stats(const render::FrameStats& stats,
                                      std::span<const render::GpuBytes> bytes) {
-    const std::span<const EffectRow> table = effect_table();
+    const std::span<const EffectRow> table = impl_->table;
     for (std::size_t row = 0; row < table.size(); ++row) {
         Slot& slot = impl_->slots[row];
         for (const render::PassTiming& pass : stats.passes) {
@@ -145,7 +148,7 @@ void EffectRuntime::add_render_stats(const render::FrameStats& stats,
 }
 
 std::vector<LedgerLine> EffectRuntime::ledger() const {
-    const std::span<const EffectRow> table = effect_table();
+    const std::span<const EffectRow> table = impl_->table;
     std::vector<LedgerLine> lines;
     lines.reserve(table.size());
     for (std::size_t row = 0; row < table.size(); ++row) {

@@ -34,14 +34,17 @@ struct ServedDomains {
 
 class EffectRuntime {
 public:
-    /// `simulation` must outlive it. Takes over the optional parts of its physics.
-    EffectRuntime(scene::Simulation& simulation, const ServedDomains& served);
+    /// `simulation` must outlive it, and so must the rows. Takes over the optional parts of its
+    /// physics.
+    EffectRuntime(scene::Simulation& simulation,
+                  const ServedDomains& served,
+                  std::span<const EffectRow> table = effect_table());
     ~EffectRuntime();
     EffectRuntime(const EffectRuntime&) = delete;
     EffectRuntime& operator=(const EffectRuntime&) = delete;
 
-    /// Makes and destroys effects as callers come and go. Called at the start of every step and
-    /// before every extraction; cheap when nothing changed.
+    /// Makes and destroys effects as callers come and go. Called at the start of every step, and
+    /// before extraction by whoever changed what callers look at since; cheap when nothing changed.
     void refresh(scene::Simulation& simulation);
 
     void before_step(scene::Simulation& simulation);

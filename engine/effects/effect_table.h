@@ -1,9 +1,10 @@
-// THE list of effects: name, what calls for it, how to make it. To add one: its source, a row here,
-// a test, a line in a scene; nothing else needs editing.
+// THE list of effects. To add one: a source file that defines its row, its name in the list below,
+// a test; no other code needs editing.
 #pragma once
 
 #include "engine/effects/effect.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,16 +21,39 @@ enum class Domain : std::uint8_t { Step, Picture, Sound };
 using Callers = std::vector<std::string>;
 
 struct EffectRow {
-    std::string_view name;  ///< as in reports: "sun_shadow"
+    std::string_view name;  ///< as in reports: "sun_shadow"; also of its live switch
     Domain domain;
     Callers (*called_for_by)(const scene::Simulation&);  ///< empty: not called for
     std::unique_ptr<Effect> (*make)(scene::Simulation&);
-    std::string_view gpu_owner;  ///< name in Renderer::gpu_bytes(); empty: none
-    std::string_view passes;     ///< prefix of its passes in FrameStats ("shadow.sun"); empty: none
+    /// What its callers depend on beside entities that come and go and its own switch: while the
+    /// number stays the same, so do they. Null: nothing.
+    std::uint64_t (*key)(const scene::Simulation&){nullptr};
+    std::string_view gpu_owner{};  ///< name in Renderer::gpu_bytes(); empty: none
+    std::string_view passes{};  ///< prefix of its passes in FrameStats ("shadow.sun"); empty: none
 };
 
-/// sun_shadow flashlight fog skybox post impact_sounds ambient_sounds footsteps
-/// continuous_collision gyroscopic_torque contact_events
+// Each is defined in the source file of its name. A row may call for rows below it: impact sounds
+// ask for contact events.
+#define PL_EFFECTS(ROW)       \
+    ROW(sun_shadow)           \
+    ROW(flashlight)           \
+    ROW(fog)                  \
+    ROW(skybox)               \
+    ROW(post)                 \
+    ROW(model_animation)      \
+    ROW(viewer_aids)          \
+    ROW(impact_sounds)        \
+    ROW(ambient_sounds)       \
+    ROW(footsteps)            \
+    ROW(continuous_collision) \
+    ROW(gyroscopic_torque)    \
+    ROW(contact_events)
+
+#define PL_DECLARE_ROW(name) EffectRow name();
+PL_EFFECTS(PL_DECLARE_ROW)
+#undef PL_DECLARE_ROW
+
+/// In the order of the list.
 std::span<const EffectRow> effect_table();
 
 }  // namespace plumbline::effects

@@ -1,4 +1,5 @@
-#include "engine/effects/effects.h"
+#include "engine/effects/callers.h"
+#include "engine/effects/effect_table.h"
 #include "engine/effects/sound_bank.h"
 
 #include <algorithm>
@@ -39,10 +40,24 @@ private:
     std::vector<audio::SoundCue> cues_;
 };
 
+Callers callers(const scene::Simulation& simulation) {
+    const auto& player = simulation.description().player;
+    const auto& surfaces = simulation.surfaces().surfaces;
+    const bool any_sound = std::any_of(surfaces.begin(), surfaces.end(), [](const auto& surface) {
+        return !surface.step_sounds.empty();
+    });
+    if (!player || !any_sound) return {};
+    return {setting("[player]", player->origin)};
+}
+
+std::unique_ptr<Effect> make(scene::Simulation&) {
+    return std::make_unique<Footsteps>();
+}
+
 }  // namespace
 
-std::unique_ptr<Effect> make_footsteps(scene::Simulation&) {
-    return std::make_unique<Footsteps>();
+EffectRow footsteps() {
+    return {.name = "footsteps", .domain = Domain::Sound, .called_for_by = &callers, .make = &make};
 }
 
 }  // namespace plumbline::effects

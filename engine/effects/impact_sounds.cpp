@@ -1,4 +1,5 @@
-#include "engine/effects/effects.h"
+#include "engine/effects/callers.h"
+#include "engine/effects/effect_table.h"
 #include "engine/effects/sound_bank.h"
 
 #include <algorithm>
@@ -135,10 +136,26 @@ private:
     std::map<Pair, double> sounded_at_s_;
 };
 
+Callers callers(const scene::Simulation& simulation) {
+    EntityCallers callers(simulation);
+    for (const scene::MovingBody& moving : simulation.moving_bodies()) {
+        if (moving.kind != physics::BodyKind::Dynamic) continue;
+        if (!simulation.registry.alive(moving.entity)) continue;
+        const auto& surface = simulation.registry.get<scene::SurfaceRef>(moving.entity);
+        if (simulation.is_heard(surface.surface)) callers.add(moving.entity);
+    }
+    return callers.take();
+}
+
+std::unique_ptr<Effect> make(scene::Simulation& simulation) {
+    return std::make_unique<ImpactSounds>(simulation);
+}
+
 }  // namespace
 
-std::unique_ptr<Effect> make_impact_sounds(scene::Simulation& simulation) {
-    return std::make_unique<ImpactSounds>(simulation);
+EffectRow impact_sounds() {
+    return {
+        .name = "impact_sounds", .domain = Domain::Sound, .called_for_by = &callers, .make = &make};
 }
 
 }  // namespace plumbline::effects

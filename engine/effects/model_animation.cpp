@@ -1,5 +1,6 @@
 // Plays the animations of models: their time in the step, their parts in the picture.
-#include "engine/effects/effects.h"
+#include "engine/effects/callers.h"
+#include "engine/effects/effect_table.h"
 
 #include <fmt/format.h>
 
@@ -117,10 +118,25 @@ private:
     std::map<std::uint32_t, Posed> posed_;  ///< by the entity's index
 };
 
+Callers callers(const scene::Simulation& simulation) {
+    EntityCallers callers(simulation);
+    for (auto [entity, playing] : simulation.registry.view<const scene::PlayingModel>()) {
+        callers.add(entity);
+    }
+    return callers.take();
+}
+
+std::unique_ptr<Effect> make(scene::Simulation& simulation) {
+    return std::make_unique<ModelAnimation>(simulation);
+}
+
 }  // namespace
 
-std::unique_ptr<Effect> make_model_animation(scene::Simulation& simulation) {
-    return std::make_unique<ModelAnimation>(simulation);
+EffectRow model_animation() {
+    return {.name = "model_animation",
+            .domain = Domain::Picture,
+            .called_for_by = &callers,
+            .make = &make};
 }
 
 }  // namespace plumbline::effects

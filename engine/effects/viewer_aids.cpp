@@ -1,5 +1,5 @@
 // What helps to look at a model by itself: grid, axes, normals, backgrounds, no ground.
-#include "engine/effects/effects.h"
+#include "engine/effects/effect_table.h"
 
 #include <algorithm>
 #include <array>
@@ -94,10 +94,20 @@ private:
     }
 };
 
+Callers callers(const scene::Simulation& simulation) {
+    if (!simulation.description().shows_model) return {};
+    return {"a model by itself"};
+}
+
+std::unique_ptr<Effect> make(scene::Simulation&) {
+    return std::make_unique<ViewerAids>();
+}
+
 }  // namespace
 
-std::unique_ptr<Effect> make_viewer_aids(scene::Simulation&) {
-    return std::make_unique<ViewerAids>();
+EffectRow viewer_aids() {
+    return {
+        .name = "viewer_aids", .domain = Domain::Picture, .called_for_by = &callers, .make = &make};
 }
 
 }  // namespace plumbline::effects

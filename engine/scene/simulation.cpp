@@ -48,7 +48,6 @@ Simulation::Simulation(SceneDescription description,
         switches.sun_direction = Vec3f(sun.direction);
         switches.sun_rotation_radps = static_cast<float>(sun.rotation_radps);
     }
-    switches.flashlight = description_.flashlight && description_.flashlight->on;
 
     registry.on_remove<BodyRef>([this, open = open_](ecs::Entity, BodyRef& ref) {
         if (!*open) return;

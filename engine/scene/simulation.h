@@ -26,7 +26,7 @@ namespace plumbline::scene {
 
 class EntityBuilder;
 
-/// Live switches that play may flip; effects read them.
+/// What play may switch while a scene runs; effects read it.
 struct LiveSwitches {
     bool grid{false};  ///< these six help to look at a model by itself
     bool axes{false};
@@ -34,9 +34,16 @@ struct LiveSwitches {
     bool turntable{false};
     bool ground{true};
     int background{0};  ///< number in a list that repeats
-    bool flashlight{false};
-    bool fog{true};  ///< shows the scene's fog, if it has one (or a default one when toggled on)
-    bool fog_added{false};  ///< toggled on in a scene without [fog]
+    /// Effects that were switched on or off, by name. The others are as the scene says.
+    std::map<std::string, bool, std::less<>> effects;
+    bool is_on(std::string_view effect, bool by_scene) const {
+        const auto switched = effects.find(effect);
+        return switched == effects.end() ? by_scene : switched->second;
+    }
+    void turn(std::string_view effect, bool on) {
+        effects.insert_or_assign(std::string(effect), on);
+    }
+
     Vec3f sun_direction{0.0F, -1.0F, 0.0F};
     float sun_rotation_radps{0.0F};  ///< about +Y, applied by every step
     float light_scale{1.0F};         ///< of sun and sky: below 1 is dusk

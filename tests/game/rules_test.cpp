@@ -221,22 +221,22 @@ TEST(Rules, AThrowTakesTheRunAlong) {
 TEST(Rules, TheFlashlightOnlyWorksWhereThereIsOne) {
     Playground dark;
     dark.step(press({Action::Flashlight}));
-    EXPECT_FALSE(dark.simulation->switches.flashlight);
+    EXPECT_TRUE(dark.simulation->switches.effects.empty());
     EXPECT_EQ(dark.messages(), std::vector<std::string>{"no flashlight in this scene"});
 
     scene::SceneDescription scene = meadow();
     scene.flashlight.emplace();
     Playground lit(scene);
     lit.step(press({Action::Flashlight}));
-    EXPECT_TRUE(lit.simulation->switches.flashlight);
+    EXPECT_TRUE(lit.simulation->switches.is_on("flashlight", false));
     lit.step(press({Action::Flashlight}));
-    EXPECT_FALSE(lit.simulation->switches.flashlight);
+    EXPECT_FALSE(lit.simulation->switches.is_on("flashlight", true));
 }
 
 TEST(Rules, FogAndLightAnswerTheirKeys) {
     Playground play;
     play.step(press({Action::Fog}));
-    EXPECT_TRUE(play.simulation->switches.fog_added);
+    EXPECT_TRUE(play.simulation->switches.is_on("fog", false));
     play.step(press({Action::LightBrighter}));
     EXPECT_FLOAT_EQ(play.simulation->switches.light_scale, 1.25F);
     play.step(press({Action::LightDimmer}));

@@ -68,6 +68,62 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
     EXPECT_EQ(names, expected);
 }
 
+/// As a source file of its own would: a lamp that is called for when time has come to it.
+struct Lamp final : Effect {
+    void extract(const scene::Simulation&,
+                 const scene::ViewPoint&,
+                 render::RenderFrame& frame) override {
+        frame.post = render::Post{.exposure = 3.0F, .bloom = 0.0F};
+        ++work_.calls;
+    }
+};
+EffectRow lamp() {
+    return {.name = "lamp",
+            .domain = Domain::Picture,
+            .called_for_by = [](const scene::Simulation& simulation) -> Callers {
+                const bool by_time = simulation.steps() >= 3;
+                if (!simulation.switches.is_on("lamp", by_time)) return {};
+                return {"the third step"};
+            },
+            .make = [](scene::Simulation&) -> std::unique_ptr<Effect> {
+                return std::make_unique<Lamp>();
+            },
+            .key = [](const scene::Simulation& simulation) { return simulation.steps() / 3; },
+            .gpu_owner = "lamp",
+            .passes = "lamp."};
+}
+
+// All that a new effect brings is in its row: key, switch, passes and memory on the GPU.
+TEST(EffectTable, AnEffectIsAddedByOneRow) {
+    std::vector<EffectRow> table(effect_table().begin(), effect_table().end());
+    table.push_back(lamp());
+    Running run(scene_of({}));
+    EffectRuntime effects(*run, kAll, table);
+    EXPECT_FALSE(draw(run, effects).post);
+    run.step(2, effects);
+    EXPECT_FALSE(draw(run, effects).post);
+    expect_nothing(line_of(effects, "lamp"));
+
+    run.step(1, effects);
+    EXPECT_EQ(draw(run, effects).post->exposure, 3.0F);
+    run->switches.turn("lamp", false);
+    EXPECT_FALSE(draw(run, effects).post);
+    run->switches.turn("lamp", true);
+    EXPECT_TRUE(draw(run, effects).post);
+
+    render::FrameStats stats;
+    stats.passes.push_back({.name = "lamp.glow", .cpu_ms = 2.0, .gpu_ms = 5.0});
+    const std::array bytes{render::GpuBytes{.owner = "lamp", .bytes = 77}};
+    effects.add_render_stats(stats, bytes);
+    const LedgerLine line = line_of(effects, "lamp");
+    EXPECT_EQ(line.called_for_by, Callers{"the third step"});
+    EXPECT_EQ(line.constructions, 2U);
+    EXPECT_EQ(line.calls, 2U);
+    EXPECT_GE(line.cpu_ms, 2.0);
+    EXPECT_EQ(line.gpu_ms, 5.0);
+    EXPECT_EQ(line.bytes_gpu, 77U);
+}
+
 // What `study --effects` measures by: called for, and yet not there.
 TEST(EffectRuntime, TheOneLeftOutIsNeverMade) {
     SceneDescription scene = scene_of({ground(), cube("cube", {0, 8.5_r, 0})});
@@ -141,7 +197,7 @@ TEST(EffectRuntime, TheFlashlightLivesWithItsSwitch) {
     EXPECT_FALSE(draw(run, effects).flashlight);
     expect_nothing(line_of(effects, "flashlight"));
 
-    run->switches.flashlight = true;
+    run->switches.turn("flashlight", true);
     const render::RenderFrame lit = draw(run, effects);
     ASSERT_TRUE(lit.flashlight);
     EXPECT_TRUE(test::near(lit.flashlight->intensity, Vec3f{10.0F}, 1e-6));
@@ -151,7 +207,7 @@ TEST(EffectRuntime, TheFlashlightLivesWithItsSwitch) {
         << "the beam starts at the hand";
     EXPECT_EQ(line_of(effects, "flashlight").called_for_by, Callers{"switch flashlight"});
 
-    run->switches.flashlight = false;
+    run->switches.turn("flashlight", false);
     EXPECT_FALSE(draw(run, effects).flashlight);
     const LedgerLine off = line_of(effects, "flashlight");
     EXPECT_FALSE(off.exists);
@@ -159,7 +215,7 @@ TEST(EffectRuntime, TheFlashlightLivesWithItsSwitch) {
     EXPECT_EQ(off.constructions, 1U);
     EXPECT_EQ(off.calls, 1U);
 
-    run->switches.flashlight = true;
+    run->switches.turn("flashlight", true);
     draw(run, effects);
     EXPECT_EQ(line_of(effects, "flashlight").constructions, 2U);
     EXPECT_EQ(line_of(effects, "flashlight").calls, 2U);
@@ -168,14 +224,14 @@ TEST(EffectRuntime, TheFlashlightLivesWithItsSwitch) {
 TEST(EffectRuntime, NoPlayerHasAFlashlightThatTheSceneDoesNotGive) {
     Running run(scene_of({}));
     EffectRuntime effects(*run, kAll);
-    run->switches.flashlight = true;
+    run->switches.turn("flashlight", true);
     EXPECT_FALSE(draw(run, effects).flashlight);
 }
 
 TEST(EffectRuntime, FogCanBeAddedAndTakenAway) {
     Running clear(scene_of({}));
     EffectRuntime effects(*clear, kAll);
-    clear->switches.fog_added = true;
+    clear->switches.turn("fog", true);
     ASSERT_TRUE(draw(clear, effects).fog);
     EXPECT_EQ(line_of(effects, "fog").called_for_by, Callers{"switch fog"});
 
@@ -184,7 +240,7 @@ TEST(EffectRuntime, FogCanBeAddedAndTakenAway) {
     Running run(misty);
     EffectRuntime others(*run, kAll);
     EXPECT_TRUE(draw(run, others).fog);
-    run->switches.fog = false;
+    run->switches.turn("fog", false);
     EXPECT_FALSE(draw(run, others).fog);
 }
 

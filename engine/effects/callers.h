@@ -1,0 +1,28 @@
+// Naming who calls for an effect.
+#pragma once
+
+#include "engine/effects/effect_table.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace plumbline::effects {
+
+/// "[fog] (garden.toml:12)"; the name alone where it stands in no file.
+std::string setting(std::string_view name, const scene::Origin& origin);
+
+/// Collects entities; names the first few.
+class EntityCallers {
+public:
+    explicit EntityCallers(const scene::Simulation& simulation) : simulation_(simulation) {}
+    void add(ecs::Entity entity);
+    Callers take();
+
+private:
+    const scene::Simulation& simulation_;
+    Callers callers_;
+    std::size_t count_{0};
+};
+
+}  // namespace plumbline::effects

@@ -1,0 +1,44 @@
+// The shadows of the sun.
+#include "engine/effects/callers.h"
+#include "engine/effects/effect_table.h"
+
+namespace plumbline::effects {
+namespace {
+
+class SunShadow final : public Effect {
+public:
+    void extract(const scene::Simulation& simulation,
+                 const scene::ViewPoint&,
+                 render::RenderFrame& frame) override {
+        const scene::ShadowDescription& shadow = *simulation.description().sun->shadow;
+        frame.sun_shadow =
+            render::SunShadow{.size_px = static_cast<std::uint32_t>(shadow.size_px),
+                              .distance_m = static_cast<float>(shadow.distance_m),
+                              .cascades = static_cast<std::uint32_t>(shadow.cascades)};
+        ++work_.calls;
+    }
+    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
+};
+
+Callers callers(const scene::Simulation& simulation) {
+    const auto& sun = simulation.description().sun;
+    if (!sun || !sun->shadow) return {};
+    return {setting("[sun] shadow", sun->shadow->origin)};
+}
+
+std::unique_ptr<Effect> make(scene::Simulation&) {
+    return std::make_unique<SunShadow>();
+}
+
+}  // namespace
+
+EffectRow sun_shadow() {
+    return {.name = "sun_shadow",
+            .domain = Domain::Picture,
+            .called_for_by = &callers,
+            .make = &make,
+            .gpu_owner = "sun_shadow",
+            .passes = "shadow.sun"};
+}
+
+}  // namespace plumbline::effects
