@@ -4,6 +4,7 @@
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 #include "engine/core/printable.h"
+#include "engine/scene/scene_file.h"
 #include "game/camera_text.h"
 #include "game/refuse.h"
 

@@ -6,6 +6,7 @@
 #include "engine/core/files.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/output.h"
+#include "engine/scene/scene_file.h"
 #include "game/program.h"
 #include "game/refuse.h"
 #include "game/rules.h"
@@ -67,7 +68,7 @@ public:
         std::error_code ignored;  // the write says what is wrong
         std::filesystem::create_directories(file.parent_path(), ignored);
         const std::filesystem::path scene =
-            std::filesystem::absolute(session.description.file, ignored);
+            std::filesystem::absolute(session.description().file, ignored);
         const Result<Done> written = write_file_atomically(file, scene.string());
         if (!written) log_note("{}", written.error().message);
     }
@@ -99,7 +100,7 @@ private:
 };
 
 std::string title_of(const app::Session& session) {
-    const std::string& title = session.description.title;
+    const std::string& title = session.description().title;
     return title.empty() ? "Plumbline" : title + " - Plumbline";
 }
 

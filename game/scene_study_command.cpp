@@ -2,7 +2,6 @@
 
 #include "engine/core/files.h"
 #include "engine/core/log.h"
-#include "engine/scene/scene_file.h"
 #include "engine/study/any_scene/study_cache.h"
 #include "engine/study/machine.h"
 #include "engine/study/progress.h"
@@ -15,17 +14,15 @@
 namespace plumbline::game {
 namespace {
 
-Result<std::uint64_t> content_hash(const std::filesystem::path& scene) {
+Result<scene::OpenedScene> opened(const std::filesystem::path& scene) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
     Diagnostics faults;
-    const Result<scene::SceneDescription> description =
-        scene::load_scene(scene, folders->assets, faults);
+    Result<scene::OpenedScene> opened = scene::open_scene(scene, {.folders = *folders}, faults);
     for (const Diagnostic& fault : faults.list())
         log_line(fault.severity == Severity::Error ? LogLevel::Error : LogLevel::Warning,
                  to_string(fault));
-    if (!description) return description.error();
-    return description->content_hash;
+    return opened;
 }
 
 /// The kept one serves where it is whole and of the asked-for length.
@@ -53,9 +50,9 @@ void print(const SceneStudyCommand& command, const study::SceneStudy& study) {
 }  // namespace
 
 Result<study::SceneStudy> run_scene_study(const SceneStudyCommand& command) {
-    const Result<std::uint64_t> hash = content_hash(command.scene);
-    if (!hash) return hash.error();
-    const study::StudyKey key = study::study_key(*hash);
+    const Result<scene::OpenedScene> scene = opened(command.scene);
+    if (!scene) return scene.error();
+    const study::StudyKey key = study::study_key(*scene);
     const std::filesystem::path folder = study::study_cache_folder();
     if (std::optional<study::SceneStudy> kept = kept_study(command, folder, key)) {
         print(command, *kept);

@@ -7,6 +7,7 @@
 #include "engine/core/log.h"
 #include "engine/core/output.h"
 #include "engine/effects/advance.h"
+#include "engine/scene/open_scene.h"
 #include "engine/scene/scene_file.h"
 #include "engine/scene/state_report.h"
 #include "engine/study/any_scene/auto_accuracy.h"
@@ -23,9 +24,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Longest stretch of wall time that one frame may catch up with.
-constexpr double kCatchUp_s = 0.25;
-
 /// What is loaded for one run. The library outlives the simulation.
 struct World {
     assets::AssetLibrary library;
@@ -38,29 +36,24 @@ Result<Done> load(const SimulateOptions& options, World& world) {
     const Result<fs::path> file = scene::find_scene(options.scene, folders->assets);
     if (!file) return file.error();
     Diagnostics faults;
-    const scene::SurfaceTable surfaces =
-        scene::load_surfaces(folders->config / "surfaces.toml", folders->assets, faults);
-    Result<scene::SceneDescription> description = scene::load_scene(*file, folders->assets, faults);
-    for (const Diagnostic& fault : faults.list()) {
-        log_line(fault.severity == Severity::Error ? LogLevel::Error : LogLevel::Warning,
-                 to_string(fault));
+    const Result<scene::OpenedScene> opened =
+        scene::open_scene(*file,
+                          {.folders = *folders,
+                           .overrides = {.solver = options.solver,
+                                         .step_hz = options.step_hz,
+                                         .substeps = options.substeps,
+                                         .iterations = options.iterations,
+                                         .seed = options.seed},
+                           .resolve_auto = study::resolve_auto},
+                          faults);
+    if (!opened) {
+        for (const Diagnostic& fault : faults.list()) log_error("{}", to_string(fault));
+        return opened.error();
     }
-    if (!description) return description.error();
-    description->accuracy = study::resolve_auto(*description);
-
-    Result<std::unique_ptr<scene::Simulation>> built =
-        scene::build_simulation(*description,
-                                {.solver = options.solver,
-                                 .step_hz = options.step_hz,
-                                 .substeps = options.substeps,
-                                 .iterations = options.iterations,
-                                 .seed = options.seed},
-                                world.library,
-                                surfaces);
+    Result<std::unique_ptr<scene::Simulation>> built = opened->build(world.library);
     if (!built) return built.error();
     world.simulation = std::move(*built);
     for (const std::string& warning : world.simulation->warnings()) log_warning("{}", warning);
-    for (const Diagnostic& fault : faults.list()) world.simulation->add_warning(to_string(fault));
     return Done{};
 }
 
@@ -85,8 +78,7 @@ public:
             while (!done()) step();
             return;
         }
-        const double step_s = simulation_.step_s();
-        FrameClock clock(step_s, std::max(1, static_cast<int>(std::ceil(kCatchUp_s / step_s))));
+        FrameClock clock(simulation_.step_s());
         for (std::uint64_t frame = 0; !done(); ++frame) {
             const double now_s = static_cast<double>(frame) / *options_.drive_fps;
             const int due = clock.advance(now_s).steps;

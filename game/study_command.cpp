@@ -212,6 +212,8 @@ ExitCode run_study(const StudyOptions& options) {
     if (options.effects) return study_effects(options);
     const Result<Chosen> chosen = chosen_by(options);
     if (!chosen) return refuse(chosen.error());
+    if (const Result<Done> there = study::check_worker_programs(); !there)
+        return refuse(there.error());
     const Result<fs::path> folder = output_folder(options);
     if (!folder) return refuse(folder.error());
     study::Findings findings{.command = options.command,

@@ -1,5 +1,6 @@
 #include "engine/app/accuracy_control.h"
 
+#include "engine/core/files.h"
 #include "engine/core/lines.h"
 
 #include <fmt/format.h>
@@ -67,8 +68,15 @@ std::string AccuracyControl::apply(const AccuracyRequest& request, FrameClock& c
     std::string said;
     if (request.setting && !recorded_) {
         chosen_ = request.setting;
-        use(*request.setting, clock);
         said = study::setting_text(*request.setting);
+        if (session_.judge) {
+            // What a case showed at one setting says nothing about another.
+            if (const Result<Done> reset = session_.reset(); !reset) return reset.error().message;
+            after_rebuild(clock);
+            said += "; the case starts anew";
+        } else {
+            use(*request.setting, clock);
+        }
     }
     if (request.stop_ghost) ghost_.reset();
     if (request.start_ghost) {
@@ -79,7 +87,10 @@ std::string AccuracyControl::apply(const AccuracyRequest& request, FrameClock& c
         said = fmt::format("ghost from here: {}", study::setting_text(*request.start_ghost));
     }
     if (request.adopt) {
-        const auto written = write_adopted_copy(session_.description.file, setting());
+        const auto written = write_adopted_copy(
+            session_.description().file,
+            setting(),
+            {.assets = session_.folders().assets, .user_scenes = user_data_folder() / "scenes"});
         said = written ? fmt::format("adopted in {}", written->string()) : written.error().message;
     }
     return said;

@@ -105,6 +105,12 @@ void apply_entry(const std::string& file,
                     .key = fmt::format("{}.{}", table, key),
                     .message = std::move(message)});
     };
+    if (table == "time" && key == "max_steps_per_frame") {
+        fault(
+            "no longer a setting: time is lost only where physics itself is too slow. Line "
+            "ignored.");
+        return;
+    }
     std::vector<std::string_view> known;
     for (const Setting& setting : settings_of(config)) {
         if (setting.table == table && setting.key == key) {
@@ -174,10 +180,6 @@ std::vector<Setting> settings_of(AppConfig& config) {
         {"picture", "target_ms", FloatSetting{&config.target_ms, 4, 200}, "Auto: ms a frame"},
         {"picture", "render_scale", FloatSetting{&config.render_scale, 0, 1}, "Render scale"},
         {"picture", "fov_deg", FloatSetting{&config.fov_deg, 30, 120}, "Field of view"},
-        {"time",
-         "max_steps_per_frame",
-         IntSetting{&config.max_steps_per_frame, 1, 64},
-         "Steps a frame at most"},
         {"hud", "ui_scale", FloatSetting{&config.ui_scale, 0, 3}, "Size of text"},
         {"hud", "hints", &config.hints, "Hints"},
         {"hud", "reduce_motion", &config.reduce_motion, "Reduce motion"},

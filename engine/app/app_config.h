@@ -27,10 +27,9 @@ struct AppConfig {
     bool pause_on_focus_loss{false};
     PictureLevel picture_level{PictureLevel::Auto};  ///< [picture]
     float target_ms{40.0F};                          ///< of a frame: what the level `auto` aims at
-    float render_scale{0.0F};    ///< of each side of the picture; 0: by the level
-    float fov_deg{70.0F};        ///< upright field of view of a walker; other cameras follow
-    int max_steps_per_frame{4};  ///< [time] time beyond is lost, and shown
-    float ui_scale{0.0F};        ///< [hud] 0: from window and screen
+    float render_scale{0.0F};  ///< of each side of the picture; 0: by the level
+    float fov_deg{70.0F};      ///< upright field of view of a walker; other cameras follow
+    float ui_scale{0.0F};      ///< [hud] 0: from window and screen
     bool hints{true};
     bool reduce_motion{false};  ///< nothing fades, sways or turns by itself
     float master_gain{1.0F};    ///< [sound] 0…1

@@ -6,6 +6,7 @@
 #include "engine/core/output.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace plumbline::app {
 
@@ -17,23 +18,30 @@ std::array<std::uint64_t, kActionCount> FrameParts::actions_seen() const {
     return seen;
 }
 
+bool FrameParts::write_files() {
+    if (written_) return true;
+    written_ = true;
+    bool good = true;
+    const auto note = [&](const Result<Done>& done) {
+        if (done) return;
+        log_error("{}", done.error().message);
+        good = false;
+    };
+    if (!def_.record.empty()) note(stepper.save_recording(def_.record));
+    if (!def_.report.empty())
+        note(write_output(def_.report,
+                          report.json(*session_.simulation,
+                                      session_.effects->ledger(),
+                                      renderer->gl(),
+                                      clock.lost_s(),
+                                      actions_seen())));
+    return good;
+}
+
 ExitCode FrameParts::close() {
     window_.capture_pointer(false);
     ExitCode code = interrupted() ? ExitCode::Interrupted : ExitCode::Good;
-    const auto failed = [&](const Result<Done>& written) {
-        if (written) return;
-        log_error("{}", written.error().message);
-        code = ExitCode::RunFailed;
-    };
-    if (!def_.record.empty()) failed(stepper.save_recording(def_.record));
-    if (!def_.report.empty()) {
-        failed(write_output(def_.report,
-                            report.json(*session_.simulation,
-                                        session_.effects->ledger(),
-                                        renderer->gl(),
-                                        clock.lost_s(),
-                                        actions_seen())));
-    }
+    if (!write_files()) code = ExitCode::RunFailed;
     const std::string hash = hex_of(session_.simulation->state_hash());
     if (!stepper.divergence().empty()) code = ExitCode::Differs;
     if (def_.expect_hash && *def_.expect_hash != hash) {
@@ -42,6 +50,28 @@ ExitCode FrameParts::close() {
     }
     log_note("{} steps, state {}", stepper.steps(), hash);
     return code;
+}
+
+namespace {
+
+/// What exit() may have to close; functions given to atexit() take no arguments.
+FrameParts* open_parts = nullptr;
+
+void close_open_parts() {
+    if (open_parts == nullptr) return;
+    log_error("the display is gone");
+    open_parts->write_files();
+}
+
+}  // namespace
+
+CloseAtExit::CloseAtExit(FrameParts& parts) {
+    [[maybe_unused]] static const int kAsked = std::atexit(close_open_parts);
+    open_parts = &parts;
+}
+
+CloseAtExit::~CloseAtExit() {
+    open_parts = nullptr;
 }
 
 }  // namespace plumbline::app

@@ -20,6 +20,7 @@ PlayEnd run(platform::Window& window,
         return {.code = made.error().exit_code};
     }
     FrameParts& parts = **made;
+    const CloseAtExit whatever_happens(parts);
 
     while (!parts.ended(window.now_s())) {
         const double frame_start_s = wall_s();
@@ -33,8 +34,8 @@ PlayEnd run(platform::Window& window,
 
         // Simulation: the only lines that change the world.
         parts.do_requests();
-        parts.stepper.run(time.steps, parts.latch, parts.report);
-        if (time.steps > 0) parts.let_go_of_nothing();
+        parts.run_steps(time);
+        session.effects->refresh(*session.simulation);
 
         // Extraction: the world is read, blended and copied into plain data.
         const scene::ViewPoint view = parts.view(time.blend);

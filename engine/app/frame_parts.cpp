@@ -1,10 +1,12 @@
 #include "engine/app/frame_parts_impl.h"
+#include "engine/app/key_labels.h"
 #include "engine/core/hash.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/log.h"
 #include "engine/core/stopwatch.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -35,7 +37,7 @@ FrameParts::FrameParts(platform::Window& window,
                        const PlayDef& def,
                        Stepper stepper_made,
                        std::unique_ptr<render::Renderer> renderer_made)
-    : clock(session.simulation->step_s(), config.current().max_steps_per_frame),
+    : clock(session.simulation->step_s()),
       latch(bindings.current()),
       stepper(std::move(stepper_made)),
       renderer(std::move(renderer_made)),
@@ -45,6 +47,7 @@ FrameParts::FrameParts(platform::Window& window,
       config_(config),
       def_(def),
       accuracy_(session, !def.record.empty() || stepper.replaying()),
+      scene_watch_(session.files()),
       overlay_(window, def.thumbnails),
       menu_(menu_world()),
       first_minute_(def.user_data_folder.empty() ? std::filesystem::path()
@@ -85,7 +88,7 @@ void FrameParts::change_bindings(const input::Bindings& wanted) {
 }
 
 ui::MenuWorld FrameParts::menu_world() {
-    const std::string& title = session_.description.title;
+    const std::string& title = session_.description().title;
     return {
         .config = config_,
         .bindings = bindings_,
@@ -174,8 +177,21 @@ void FrameParts::capture_pointer_if_playing(const InputSnapshot& input) {
     if (!window_.pointer_captured() && wants_pointer_) window_.capture_pointer(true);
 }
 
-void FrameParts::let_go_of_nothing() {
-    if (!session_.game->holds()) latch.release(Action::Grab);
+void FrameParts::run_steps(const FrameTime& time) {
+    const int run = stepper.run(time.steps, time.budget_s, latch, report);
+    if (!stepper.ended()) clock.drop(time.steps - run);
+    say_slow_motion();
+}
+
+void FrameParts::say_slow_motion() {
+    const std::optional<double> share = slow_motion_.look(window_.now_s(), clock.too_slow_s());
+    if (!share) return;
+    say(
+        fmt::format("slow motion: physics takes longer than real time ({:.0f} % of it is lost). "
+                    "Lower its rate or its sub-steps in the accuracy panel ({}), give the scene "
+                    "preset = \"draft\", or have fewer things",
+                    100.0 * *share,
+                    hint_for(latch.bindings(), Action::AccuracyPanel, latch.last_device())));
 }
 
 void FrameParts::finish_frame(double frame_start_s, double present_s) {

@@ -6,6 +6,8 @@
 #include "engine/app/frame_loop.h"
 #include "engine/app/overlay.h"
 #include "engine/app/picture_control.h"
+#include "engine/app/scene_watch.h"
+#include "engine/app/slow_motion.h"
 #include "engine/app/ui/menu_control.h"
 #include "engine/audio/mixer.h"
 #include "engine/core/frame_clock.h"
@@ -26,7 +28,7 @@ public:
     bool ended(double now_s) const;
     void take_input(const InputSnapshot& input);
     void do_requests();  ///< reset, reload, pictures, recordings: what frame actions asked for
-    void let_go_of_nothing();  ///< ends a toggled grab whose hand is empty
+    void run_steps(const FrameTime& time);
     scene::ViewPoint view(Real blend) const;
     render::RenderFrame extract(const scene::ViewPoint& view, Real blend);
     void draw_overlay(const render::RenderFrame& frame);
@@ -34,6 +36,8 @@ public:
     void finish_frame(double frame_start_s, double present_s);
     /// Writes what was asked for; the exit code of the sitting.
     ExitCode close();
+    /// The recording and the report, each once. False where one of them failed.
+    bool write_files();
     const std::filesystem::path& next_scene() const { return controls_.open_scene; }
 
     FrameClock clock;
@@ -54,6 +58,9 @@ private:
     void say_faults();
     void reset_scene();
     void reload_files();
+    void reload_scene();
+    void reload_what_was_saved(double now_s);
+    void say_slow_motion();
     void save_picture();
     void save_recording_so_far();
     std::string scene_name() const;
@@ -77,6 +84,8 @@ private:
     const PlayDef& def_;
     FrameControls controls_;
     AccuracyControl accuracy_;
+    SceneWatch scene_watch_;
+    std::string scene_fault_;  ///< why the latest save was refused; empty: it was not
     Overlay overlay_;
     ui::MenuControl menu_;
     FirstMinute first_minute_;
@@ -86,11 +95,23 @@ private:
     std::unique_ptr<audio::Mixer> mixer_;      ///< null with --no-sound
     std::vector<effects::LedgerLine> ledger_;  ///< refreshed for the statistics panel
     double start_s_;
+    SlowMotion slow_motion_;
     bool closing_{false};
     bool menu_was_open_{false};
     bool paused_before_menu_{false};
+    bool written_{false};
     bool wants_pointer_{true};
     bool said_not_stored_{false};
+};
+
+/// While it lives, the parts' files are written also when the program ends by exit(): Xlib does that
+/// when its display goes, from within whatever called it.
+class CloseAtExit {
+public:
+    explicit CloseAtExit(FrameParts& parts);
+    ~CloseAtExit();
+    CloseAtExit(const CloseAtExit&) = delete;
+    CloseAtExit& operator=(const CloseAtExit&) = delete;
 };
 
 }  // namespace plumbline::app

@@ -61,7 +61,6 @@ render::RenderFrame FrameParts::extract(const scene::ViewPoint& view, Real blend
                                                static_cast<std::uint32_t>(size.height));
     frame.fill_mode = controls_.fill_mode;
     frame.quality = picture_control_.quality();
-    session_.effects->refresh(*session_.simulation);
     session_.effects->extract(*session_.simulation, view, frame);
     accuracy_.take_answers();
     accuracy_.add_ghost_lines(frame.lines);

@@ -7,6 +7,7 @@ namespace plumbline::app {
 
 void FrameParts::do_requests() {
     accuracy_.watch(controls_.parts.accuracy);
+    reload_what_was_saved(window_.now_s());
     if (controls_.reset) reset_scene();
     if (controls_.reload) reload_files();
     if (controls_.screenshot) save_picture();
@@ -26,14 +27,30 @@ void FrameParts::reset_scene() {
 }
 
 void FrameParts::reload_files() {
-    const Result<Done> reloaded = session_.reload();
-    const Result<Done> shaders = renderer->reload_shaders();
-    if (reloaded) {
-        renderer->forget_scene();
-        accuracy_.after_rebuild(clock);
+    reload_scene();
+    if (const Result<Done> shaders = renderer->reload_shaders(); !shaders)
+        say(shaders.error().message);
+}
+
+void FrameParts::reload_scene() {
+    if (stepper.replaying()) {
+        say("a replay runs: the scene stays as it was recorded");
+        return;
     }
-    say(reloaded ? "scene read again" : reloaded.error().message);
-    if (!shaders) say(shaders.error().message);
+    const Result<Done> reloaded = session_.reload();
+    scene_watch_.watch(session_.files());
+    scene_fault_ = reloaded ? std::string() : reloaded.error().message;
+    if (!reloaded) return;
+    stepper.begin_anew();
+    renderer->forget_scene();
+    accuracy_.after_rebuild(clock);
+    say("scene read again");
+}
+
+void FrameParts::reload_what_was_saved(double now_s) {
+    if (scene_watch_.saved(now_s)) reload_scene();
+    // Said until the next good save.
+    if (!scene_fault_.empty()) say(scene_fault_);
 }
 
 void FrameParts::save_picture() {
@@ -55,7 +72,7 @@ void FrameParts::save_recording_so_far() {
 }
 
 std::string FrameParts::scene_name() const {
-    return session_.description.file.stem().string();
+    return session_.description().file.stem().string();
 }
 
 }  // namespace plumbline::app

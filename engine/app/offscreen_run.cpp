@@ -39,13 +39,13 @@ void OffscreenRun::simulate(std::uint64_t steps) {
 
 void OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
     const double start_s = wall_s();
+    session_.effects->refresh(*session_.simulation);  // switches may have been turned
     const scene::ViewPoint seen_from =
         view ? *view : session_.game->view(*session_.simulation, Real{1}, 0.0F, 0.0F);
     render::RenderFrame frame =
         scene::extract(*session_.simulation, seen_from, Real{1}, def_.width_px, def_.height_px);
     frame.shading = def_.shading;
     frame.quality = report_.picture().quality;
-    session_.effects->refresh(*session_.simulation);
     session_.effects->extract(*session_.simulation, seen_from, frame);
     if (report_.frames() == 0) renderer_->prepare(frame);
     renderer_->begin(frame);

@@ -3,14 +3,14 @@
 #include "engine/core/log.h"
 #include "engine/study/any_scene/auto_accuracy.h"
 
+#include <algorithm>
+
 namespace plumbline::app {
 namespace {
 
-void log_faults(const Diagnostics& faults) {
+void log_errors(const Diagnostics& faults) {
     for (const Diagnostic& fault : faults.list()) {
-        const LogLevel level =
-            fault.severity == Severity::Error ? LogLevel::Error : LogLevel::Warning;
-        log_line(level, to_string(fault));
+        if (fault.severity == Severity::Error) log_error("{}", to_string(fault));
     }
 }
 
@@ -18,54 +18,63 @@ void log_faults(const Diagnostics& faults) {
 
 Result<std::unique_ptr<Session>> Session::open(const SessionDef& def) {
     std::unique_ptr<Session> session(new Session(def));
-    Diagnostics faults;
-    session->surfaces =
-        scene::load_surfaces(def.folders.config / "surfaces.toml", def.folders.assets, faults);
-    Result<scene::SceneDescription> description =
-        scene::load_scene(def.scene, def.folders.assets, faults);
-    log_faults(faults);
-    if (!description) return description.error();
-    session->description = std::move(*description);
-    session->description.accuracy = study::resolve_auto(session->description);
-    if (const Result<Done> built = session->build(); !built) return built.error();
+    if (const Result<Done> opened = session->reload(); !opened) return opened.error();
     return session;
 }
 
-Result<Done> Session::build() {
-    Result<std::unique_ptr<scene::Simulation>> built =
-        scene::build_simulation(description, def_.overrides, library, surfaces);
+Result<scene::OpenedScene> Session::open_scene() {
+    Diagnostics faults;
+    Result<scene::OpenedScene> opened = scene::open_scene(
+        def_.scene,
+        {.folders = def_.folders, .overrides = def_.overrides, .resolve_auto = study::resolve_auto},
+        faults);
+    if (opened) return opened;
+    log_errors(faults);
+    // Whatever is mended first, one of these will change.
+    for (const Diagnostic& fault : faults.list()) watch(fault.file, scene::FileUse::Scene);
+    return opened;
+}
+
+void Session::watch(const std::filesystem::path& file, scene::FileUse use) {
+    const auto known = [&](const scene::FileStamp& each) { return each.path == file; };
+    if (!file.empty() && std::ranges::none_of(files_, known))
+        files_.push_back(scene::stamp_of(file, use));
+}
+
+Result<Done> Session::build(const scene::OpenedScene& opened) {
+    Result<std::unique_ptr<scene::Simulation>> built = opened.build(library);
     if (!built) return built.error();
+    std::unique_ptr<study::HardCaseJudge> judge_made;
+    if ((*built)->description().hard_case) {
+        Result<study::HardCaseJudge> made = study::HardCaseJudge::create(**built);
+        if (!made) return made.error();
+        judge_made = std::make_unique<study::HardCaseJudge>(std::move(*made));
+    }
     effects.reset();
     game.reset();
     simulation = std::move(*built);
+    judge = std::move(judge_made);
     for (const std::string& warning : simulation->warnings()) log_line(LogLevel::Warning, warning);
-    judge.reset();
-    if (simulation->description().hard_case) {
-        Result<study::HardCaseJudge> made = study::HardCaseJudge::create(*simulation);
-        if (!made) return made.error();
-        judge = std::make_unique<study::HardCaseJudge>(std::move(*made));
-    }
     game = def_.make_game(*simulation);
     effects = std::make_unique<effects::EffectRuntime>(*simulation, def_.served);
     return Done{};
 }
 
 Result<Done> Session::reset() {
-    return build();
+    return build(scene_);
 }
 
 Result<Done> Session::reload() {
-    Diagnostics faults;
-    Result<scene::SceneDescription> description_read =
-        scene::load_scene(def_.scene, def_.folders.assets, faults);
-    log_faults(faults);
-    if (!description_read) return description_read.error();
-    description_read->accuracy = study::resolve_auto(*description_read);
+    Result<scene::OpenedScene> opened = open_scene();
+    if (!opened) return opened.error();
+    files_ = opened->files;
     library.doubt_models();
-    scene::SceneDescription before = std::exchange(description, std::move(*description_read));
-    Result<Done> built = build();
-    if (!built) description = std::move(before);
-    return built;
+    if (const Result<Done> built = build(*opened); !built) return built;
+    // What models are made of shows when they are read: buffers, materials, pictures.
+    for (const std::filesystem::path& file : library.model_files())
+        watch(file, scene::FileUse::Model);
+    scene_ = std::move(*opened);
+    return Done{};
 }
 
 }  // namespace plumbline::app

@@ -5,8 +5,7 @@
 #include "engine/core/files.h"
 #include "engine/effects/advance.h"
 #include "engine/scene/game.h"
-#include "engine/scene/scene_file.h"
-#include "engine/scene/simulation.h"
+#include "engine/scene/open_scene.h"
 #include "engine/study/gallery/hard_case_judge.h"
 
 #include <filesystem>
@@ -36,12 +35,14 @@ public:
 
     /// The same description from its start. Assets stay loaded.
     Result<Done> reset();
-    /// Reads the file again. On an error the running scene stays.
+    /// Reads all files again. On an error the running scene stays.
     Result<Done> reload();
+    const scene::SceneDescription& description() const { return scene_.description; }
+    const DataFolders& folders() const { return def_.folders; }
+    /// What the running scene was read from; after a failed reload also what that one stumbled over.
+    const std::vector<scene::FileStamp>& files() const { return files_; }
 
     assets::AssetLibrary library;
-    scene::SurfaceTable surfaces;
-    scene::SceneDescription description;
     std::unique_ptr<scene::Simulation> simulation;
     std::unique_ptr<scene::Game> game;
     std::unique_ptr<effects::EffectRuntime> effects;
@@ -49,9 +50,14 @@ public:
 
 private:
     explicit Session(SessionDef def) : def_(std::move(def)) {}
-    Result<Done> build();
+    /// Replaces the running world, unless the new one is refused.
+    Result<Done> build(const scene::OpenedScene& opened);
+    Result<scene::OpenedScene> open_scene();
+    void watch(const std::filesystem::path& file, scene::FileUse use);
 
     SessionDef def_;
+    scene::OpenedScene scene_;
+    std::vector<scene::FileStamp> files_;
 };
 
 }  // namespace plumbline::app

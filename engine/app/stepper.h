@@ -28,10 +28,13 @@ public:
     /// Called after every step; may be empty.
     std::function<void()> after_step;
 
-    /// `count` fixed steps. The latch gives the person's actions; replays and monkeys only drain it.
-    void run(int count, input::ActionLatch& latch, FrameReport& report);
+    /// Up to `count` fixed steps, no further one once they have taken `budget_s` of wall time; how
+    /// many there were. The latch gives the person's actions; replays and monkeys only drain it.
+    int run(int count, double budget_s, input::ActionLatch& latch, FrameReport& report);
     /// Builds the scene anew and notes it. In a replay the recording alone resets.
     void reset();
+    /// The session has read another scene: steps count from here, and so does the recording.
+    void begin_anew();
 
     bool replaying() const { return player_.has_value(); }
     bool ended() const { return player_ && player_->ended(steps_); }
@@ -41,20 +44,24 @@ public:
     /// Presses per action that steps were told of.
     const std::array<std::uint64_t, kActionCount>& presses() const { return presses_; }
 
-    Result<Done> save_recording(const std::filesystem::path& file) const;
+    Result<Done> save_recording(const std::filesystem::path& file);
 
 private:
     Stepper(Session& session, const StepperDef& def);
+    void step(input::ActionLatch& latch, FrameReport& report);
     Actions next_actions(input::ActionLatch& latch);
-    void check(std::uint64_t hash);
+    void note_state();
+    void check(const TapeState& here);
     void rebuild();
 
     Session* session_;
+    std::uint64_t seed_;
     TapeRecorder recorder_;
     std::optional<TapePlayer> player_;
     std::optional<RandomActions> monkey_;
     std::uint64_t steps_{0};  ///< since the start, across resets
     std::array<std::uint64_t, kActionCount> presses_{};
+    std::vector<std::uint32_t> prints_;  ///< of the states since the last one that was noted
     std::string divergence_;
 };
 

@@ -3,12 +3,12 @@
 #include "engine/core/assert.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plumbline {
 
-FrameClock::FrameClock(double step_s, int max_steps_per_frame)
-    : step_s_(step_s), max_steps_per_frame_(max_steps_per_frame) {
-    PL_ASSERT(step_s > 0.0 && max_steps_per_frame >= 1, "a positive step and cap");
+FrameClock::FrameClock(double step_s) : step_s_(step_s) {
+    PL_ASSERT(step_s > 0.0, "a positive step");
 }
 
 void FrameClock::set_speed(double speed) {
@@ -38,21 +38,26 @@ FrameTime FrameClock::advance(double now_s) {
         return time;
     }
 
+    if (passed_s > kHole_s) {
+        time.lost_s = (passed_s - kAfterHole_s) * speed_;
+        lost_s_ += time.lost_s;
+        passed_s = kAfterHole_s;
+    }
+    time.budget_s = std::max(kLeastBudget_s, kStepShare * passed_s);
     pending_s_ += passed_s * speed_;
     // Rounding must not hold a step back that is due but for the last bit.
     const double slack_s = step_s_ * 1e-9;
-    const double cap_s = step_s_ * max_steps_per_frame_;
-    if (pending_s_ >= cap_s + step_s_) {
-        time.lost_s = pending_s_ - cap_s;
-        lost_s_ += time.lost_s;
-        pending_s_ = cap_s;
-    }
-    const int due =
-        std::min(static_cast<int>((pending_s_ + slack_s) / step_s_), max_steps_per_frame_);
+    const int due = static_cast<int>((pending_s_ + slack_s) / step_s_);
     time.steps += due;
     pending_s_ = std::max(0.0, pending_s_ - due * step_s_);
     time.blend = static_cast<float>(std::clamp(pending_s_ / step_s_, 0.0, 1.0));
     return time;
+}
+
+void FrameClock::drop(int steps) {
+    PL_ASSERT(steps >= 0, "a number of steps");
+    too_slow_s_ += steps * step_s_;
+    lost_s_ += steps * step_s_;
 }
 
 }  // namespace plumbline

@@ -25,6 +25,24 @@ const Preset& preset_of(std::string_view name) {
     return found != kPresets.end() ? *found : kBalanced;
 }
 
+void put_over(const SimulationOverrides& overrides, Accuracy& accuracy) {
+    if (overrides.solver) {
+        const bool small = *overrides.solver == physics::Solver::SmallStep;
+        // The other kind of solver takes none of these numbers.
+        if (small != (accuracy.solver == physics::Solver::SmallStep))
+            accuracy.substeps = accuracy.substeps_max = accuracy.iterations = {};
+        accuracy.solver = *overrides.solver;
+        accuracy.solver_given = true;
+    }
+    if (overrides.step_hz) {
+        accuracy.step_hz = *overrides.step_hz;
+        accuracy.step_hz_given = true;
+    }
+    if (overrides.substeps) accuracy.substeps = accuracy.substeps_max = overrides.substeps;
+    if (overrides.substeps_max) accuracy.substeps_max = overrides.substeps_max;
+    if (overrides.iterations) accuracy.iterations = overrides.iterations;
+}
+
 physics::WorldDef world_def(const SceneDescription& description,
                             const SimulationOverrides& overrides) {
     const Accuracy& accuracy = description.accuracy;

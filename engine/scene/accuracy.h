@@ -10,6 +10,10 @@
 
 namespace plumbline::scene {
 
+/// What [accuracy] takes at most.
+inline constexpr int kMostSubsteps = 64;
+inline constexpr int kMostIterations = 1'000;
+
 /// Settings that the command line may put over the scene's own.
 struct SimulationOverrides {
     std::optional<physics::Solver> solver{};
@@ -19,6 +23,9 @@ struct SimulationOverrides {
     std::optional<int> iterations{};
     std::uint64_t seed{1};
 };
+
+/// Writes them into what a scene says, as if its file said so itself.
+void put_over(const SimulationOverrides& overrides, Accuracy& accuracy);
 
 /// A word for a set of numbers. small_step chooses the sub-steps of each island between two bounds;
 /// for bullet_* a sub-step is a whole step of Bullet's.

@@ -285,6 +285,7 @@ struct SceneDescription {
     std::filesystem::path file;
     std::string title;
     std::string description;
+    std::vector<std::filesystem::path> source_files;  ///< the file and its includes, as read
     std::uint64_t content_hash{0};  ///< of the file and its includes: recordings name it
     Vec3 gravity_mps2{0, -9.81_r, 0};
     std::optional<Real> kill_below_m{};

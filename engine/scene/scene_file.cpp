@@ -88,6 +88,7 @@ private:
             return nullptr;
         }
         hasher_.add(text->data(), text->size());
+        scene_.source_files.push_back(file);
         auto parsed = parse_toml(*text, source->name);
         if (const auto* fault = std::get_if<TextFault>(&parsed)) {
             faults_.error({&source->name, fault->line, fault->column}, {}, fault->message);

@@ -27,6 +27,7 @@ SceneDescription scene_of_model(const std::filesystem::path& file,
     SceneDescription scene;
     scene.shows_model = true;
     scene.file = file;
+    scene.source_files.push_back(file);
     scene.title = file.stem().string();
     scene.description = "a model on a ground plane";
     scene.ambient = Vec3f{0.25F, 0.27F, 0.3F};

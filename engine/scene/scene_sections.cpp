@@ -131,9 +131,9 @@ Accuracy read_accuracy(TableReader& table) {
     accuracy.preset = preset.name;
     accuracy.step_hz =
         table.integer("step_hz", preset.step_hz, limits::kStepHzMin, limits::kStepHzMax);
-    accuracy.substeps = optional_integer(table, "substeps", 64);
-    accuracy.substeps_max = optional_integer(table, "substeps_max", 64);
-    accuracy.iterations = optional_integer(table, "iterations", 1000);
+    accuracy.substeps = optional_integer(table, "substeps", kMostSubsteps);
+    accuracy.substeps_max = optional_integer(table, "substeps_max", kMostSubsteps);
+    accuracy.iterations = optional_integer(table, "iterations", kMostIterations);
     constexpr Range kTolerance{1e-9, 1, "a relative error above 0, up to 1"};
     if (const auto tolerance = table.optional_number("tolerance", kTolerance))
         accuracy.tolerance = static_cast<double>(*tolerance);

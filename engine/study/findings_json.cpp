@@ -1,5 +1,6 @@
 #include "engine/study/findings_json.h"
 
+#include "engine/scene/json_read.h"
 #include "engine/study/findings_json_impl.h"
 
 #include <fmt/format.h>
@@ -124,7 +125,7 @@ Json array_of(const std::vector<T>& values) {
 template <class T>
 Result<T> parsed(const std::string& text, T (*convert)(const Json&)) {
     try {
-        return convert(Json::parse(text));
+        return convert(scene::read_json<Json>(text));
     } catch (const std::exception& fault) {
         return Error{.message = fmt::format("not what a study writes: {}", fault.what())};
     }
@@ -164,11 +165,19 @@ Json json_of(const Setting& setting) {
 }
 
 Setting setting_from(const Json& json) {
+    // What is no number of steps must not become one by conversion.
+    const auto whole = [&](const char* key) {
+        const Json& number = json.at(key);
+        if (!number.is_number_integer() || number < 0 || number > 1'000'000)
+            throw std::runtime_error(
+                fmt::format("{} is {}; expected a whole number", key, number.dump()));
+        return number.get<int>();
+    };
     return {.solver = solver_from(json.at("solver")),
-            .step_hz = json.at("step_hz"),
-            .substeps = json.at("substeps"),
-            .substeps_max = json.at("substeps_max"),
-            .iterations = json.at("iterations"),
+            .step_hz = whole("step_hz"),
+            .substeps = whole("substeps"),
+            .substeps_max = whole("substeps_max"),
+            .iterations = whole("iterations"),
             .precision = named(json.at("precision"), kPrecisions, precision_name)};
 }
 

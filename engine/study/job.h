@@ -38,6 +38,10 @@ Result<bool> run_jobs(std::span<const Job> jobs,
                       int workers,
                       const std::function<void(std::size_t job, const Answer& answer)>& done);
 
+/// Before hours of work: are both worker programs beside this one? Refused (exit code 1) with one
+/// line that says what makes the one that is missing.
+Result<Done> check_worker_programs();
+
 /// What `study-worker` does: answers jobs from `in` until it ends. Returns when it has.
 void serve_jobs(std::istream& in, std::ostream& out);
 

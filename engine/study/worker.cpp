@@ -1,5 +1,6 @@
 #include "engine/study/worker.h"
 
+#include "engine/scene/json_read.h"
 #include "engine/study/any_scene/effects_cost.h"
 #include "engine/study/any_scene/scene_run.h"
 #include "engine/study/gallery/gallery.h"
@@ -16,47 +17,65 @@
 #include <cerrno>
 #include <csignal>
 #include <iostream>
+#include <vector>
 
 namespace plumbline::study {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 // A row per kind of job.
-constexpr std::array<JobKind, 5> kJobKinds{{{"scenario", run_scenario_job},
-                                            {"hard_case", run_hard_case_job},
-                                            {"scene", run_scene_job},
-                                            {"effect", run_effect_job},
-                                            {"ghost", run_ghost_job}}};
+constexpr std::array<JobKind, 5> kJobKinds{{{"scenario", each_by_itself<run_scenario_job>},
+                                            {"hard_case", each_by_itself<run_hard_case_job>},
+                                            {"scene", scene_jobs},
+                                            {"effect", each_by_itself<run_effect_job>},
+                                            {"ghost", ghost_jobs}}};
 
 constexpr std::string_view kDone = "done";
 constexpr std::string_view kFailed = "failed";
 
 std::string answer_line(std::string_view status, const std::string& body) {
     // Text that is no UTF-8 must not end the worker.
-    return json{{"status", status}, {"body", body}}.dump(
-        -1, ' ', false, json::error_handler_t::replace);
+    return Json{{"status", status}, {"body", body}}.dump(
+        -1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string failed(const std::string& why) {
     return answer_line(kFailed, why);
 }
 
-std::string answer_to(std::span<const JobKind> kinds, const std::string& line) {
-    const json job = json::parse(line, nullptr, false);
-    if (!job.is_object() || !job.contains("kind") || !job["kind"].is_string() ||
-        !job.contains("body") || !job["body"].is_string())
-        return failed("expected a job: {\"kind\": text, \"body\": text} on one line");
-    const std::string kind = job["kind"];
-    const auto found = std::ranges::find(kinds, kind, &JobKind::name);
-    if (found == kinds.end())
-        return failed(fmt::format("there is no job of the kind \"{}\"", kind));
-    try {
-        return answer_line(kDone, found->run(job["body"].get<std::string>()));
-    } catch (const std::exception& fault) {
-        return failed(fmt::format("{}: {}", kind, fault.what()));
+/// Answers lines of jobs, and holds what their kinds keep.
+class JobServer {
+public:
+    explicit JobServer(std::span<const JobKind> kinds) : kinds_(kinds), made_(kinds.size()) {}
+
+    std::string answer_to(const std::string& line) {
+        Json job;
+        try {
+            job = scene::read_json<Json>(line);
+        } catch (const std::exception&) {
+            job = nullptr;
+        }
+        if (!job.is_object() || !job.contains("kind") || !job["kind"].is_string() ||
+            !job.contains("body") || !job["body"].is_string())
+            return failed("expected a job: {\"kind\": text, \"body\": text} on one line");
+        const std::string kind = job["kind"];
+        const auto found = std::ranges::find(kinds_, kind, &JobKind::name);
+        if (found == kinds_.end())
+            return failed(fmt::format("there is no job of the kind \"{}\"", kind));
+        try {
+            RunJob& run = made_[static_cast<std::size_t>(found - kinds_.begin())];
+            if (!run) run = found->make();
+            return answer_line(kDone, run(job["body"].get<std::string>()));
+        } catch (const std::exception& fault) {
+            return failed(fmt::format("{}: {}", kind, fault.what()));
+        }
     }
-}
+
+private:
+    std::span<const JobKind> kinds_;
+    std::vector<RunJob> made_;
+};
 
 /// False where nobody reads any more.
 bool write_all(int file, std::string_view text) {
@@ -76,8 +95,9 @@ std::span<const JobKind> job_kinds() {
 }
 
 void serve_jobs(std::span<const JobKind> kinds, std::istream& in, std::ostream& out) {
+    JobServer server(kinds);
     std::string line;
-    while (std::getline(in, line) && out) out << answer_to(kinds, line) << '\n' << std::flush;
+    while (std::getline(in, line) && out) out << server.answer_to(line) << '\n' << std::flush;
 }
 
 void serve_jobs(std::istream& in, std::ostream& out) {
@@ -88,19 +108,25 @@ void run_study_worker() {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     const int answers = dup(STDOUT_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO);
+    JobServer server(kJobKinds);
     std::string line;
     while (std::getline(std::cin, line)) {
-        if (!write_all(answers, fmt::format("{}\n", answer_to(kJobKinds, line)))) break;
+        if (!write_all(answers, fmt::format("{}\n", server.answer_to(line)))) break;
     }
 }
 
 std::string job_line(const Job& job) {
-    return json{{"kind", job.kind}, {"body", job.body}}.dump(
-        -1, ' ', false, json::error_handler_t::replace);
+    return Json{{"kind", job.kind}, {"body", job.body}}.dump(
+        -1, ' ', false, Json::error_handler_t::replace);
 }
 
 Result<Answer> parse_answer_line(const std::string& line) {
-    const json answer = json::parse(line, nullptr, false);
+    Json answer;
+    try {
+        answer = scene::read_json<Json>(line);
+    } catch (const std::exception&) {
+        answer = nullptr;
+    }
     if (!answer.is_object() || !answer.contains("status") || !answer.contains("body") ||
         !answer["body"].is_string())
         return Error{.message = "a worker answered with something that is no answer"};

@@ -3,15 +3,26 @@
 
 #include "engine/study/job.h"
 
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
 namespace plumbline::study {
 
-/// Does one kind of job. Never fails: what it refuses is part of its answer.
-using RunJob = std::string (*)(const std::string& body);
+/// Does one kind of job. Never fails: what it refuses is part of its answer. It may keep things from
+/// one job to the next: a worker has one of each kind that it was asked for.
+using RunJob = std::function<std::string(const std::string& body)>;
 
 struct JobKind {
     std::string_view name;
-    RunJob run;
+    RunJob (*make)();
 };
+/// For kinds that keep nothing.
+template <std::string (*kRun)(const std::string& body)>
+RunJob each_by_itself() {
+    return kRun;
+}
 /// All that this program can do.
 std::span<const JobKind> job_kinds();
 

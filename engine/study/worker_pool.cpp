@@ -9,6 +9,7 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <optional>
 #include <thread>
@@ -87,20 +88,6 @@ private:
     double deadline_s_{0};
 };
 
-Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Job> jobs) {
-    for (const Precision precision : {Precision::Float32, Precision::Float64}) {
-        const std::filesystem::path& program =
-            precision == Precision::Float32 ? programs.float32 : programs.float64;
-        std::error_code error;
-        const bool needed = std::ranges::find(jobs, precision, &Job::precision) != jobs.end();
-        if (needed && !std::filesystem::is_regular_file(program, error))
-            return Error{.message = fmt::format("{} runs need the program {}, which is not there",
-                                                precision_name(precision),
-                                                program.string())};
-    }
-    return Done{};
-}
-
 /// Waits until a busy slot has something to say, a limit is near, or a moment has passed.
 void wait_for_answers(std::vector<Slot>& slots, std::vector<pollfd>& waiting) {
     waiting.clear();
@@ -124,11 +111,32 @@ WorkerPrograms sibling_programs() {
     return {.float32 = folder / "plumbline", .float64 = folder / "plumbline-f64"};
 }
 
+Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Precision> needed) {
+    for (const Precision precision : needed) {
+        const std::filesystem::path& program =
+            precision == Precision::Float32 ? programs.float32 : programs.float64;
+        std::error_code error;
+        if (std::filesystem::is_regular_file(program, error)) continue;
+        return Error{.message = fmt::format("{} runs need the program {}, which is not there; "
+                                            "./play builds it, and so does `cmake --build` with "
+                                            "the target {}",
+                                            precision_name(precision),
+                                            program.string(),
+                                            program.filename().string())};
+    }
+    return Done{};
+}
+
 Result<bool> run_jobs(const WorkerPrograms& programs,
                       std::span<const Job> jobs,
                       int workers,
                       const std::function<void(std::size_t job, const Answer& answer)>& done) {
-    if (Result<Done> there = check_programs(programs, jobs); !there) return there.error();
+    std::vector<Precision> needed;
+    for (const Job& job : jobs) {
+        if (std::ranges::find(needed, job.precision) == needed.end())
+            needed.push_back(job.precision);
+    }
+    if (Result<Done> there = check_programs(programs, needed); !there) return there.error();
     // A worker that ended must show as a failed write, not end us.
     std::signal(SIGPIPE, SIG_IGN);
     const auto slot_count = static_cast<std::size_t>(std::max(1, workers));
@@ -161,6 +169,10 @@ Result<bool> run_jobs(const WorkerPrograms& programs,
         }
     }
     return true;
+}
+
+Result<Done> check_worker_programs() {
+    return check_programs(sibling_programs(), std::array{Precision::Float32, Precision::Float64});
 }
 
 Result<bool> run_jobs(std::span<const Job> jobs,

@@ -16,6 +16,9 @@ struct WorkerPrograms {
 };
 /// plumbline and plumbline-f64 beside the running program.
 WorkerPrograms sibling_programs();
+/// Refused (exit code 1): one of the programs that runs of these precisions need is not there. The
+/// message says what makes it.
+Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Precision> needed);
 
 /// As run_jobs, with other programs.
 Result<bool> run_jobs(const WorkerPrograms& programs,

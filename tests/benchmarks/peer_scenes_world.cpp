@@ -1,7 +1,6 @@
 #include "tests/benchmarks/peer_scenes_world.h"
 
-#include "engine/scene/scene_file.h"
-#include "engine/scene/simulation.h"
+#include "engine/scene/open_scene.h"
 
 #include <fmt/format.h>
 
@@ -135,11 +134,15 @@ Result<PeerScene> load_peer_scene(const std::filesystem::path& repository,
     Diagnostics faults;
     PeerScene scene;
     scene.name = name;
-    scene.surfaces = scene::load_surfaces(repository / "config/surfaces.toml", assets, faults);
-    Result<scene::SceneDescription> description = scene::load_scene(
-        assets / "scenes/bench/peers" / fmt::format("{}.toml", name), assets, faults);
-    if (!description) return description.error();
-    scene.description = std::move(*description);
+    Result<scene::OpenedScene> opened =
+        scene::open_scene(assets / "scenes/bench/peers" / fmt::format("{}.toml", name),
+                          {.folders = {.assets = assets,
+                                       .shaders = repository / "shaders",
+                                       .config = repository / "config"}},
+                          faults);
+    if (!opened) return opened.error();
+    scene.surfaces = std::move(opened->surfaces);
+    scene.description = std::move(opened->description);
     if (sleep == SleepMode::EveryBody) let_everything_sleep(scene.description);
     if (const Result<Done> done = add_bodies(scene); !done) return done.error();
     if (const Result<Done> done = add_joints(scene); !done) return done.error();

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "engine/effects/advance.h"
-#include "engine/scene/scene_file.h"
-#include "engine/scene/simulation.h"
+#include "engine/scene/open_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -27,13 +26,16 @@ struct SceneRun {
                       const effects::ServedDomains& served = {}) {
         Diagnostics faults;
         const std::filesystem::path assets = repository() / "assets";
-        const scene::SurfaceTable surfaces =
-            scene::load_surfaces(repository() / "config/surfaces.toml", assets, faults);
-        const Result<scene::SceneDescription> description =
-            scene::load_scene(assets / "scenes" / name, assets, faults);
+        const Result<scene::OpenedScene> opened =
+            scene::open_scene(assets / "scenes" / name,
+                              {.folders = {.assets = assets,
+                                           .shaders = repository() / "shaders",
+                                           .config = repository() / "config"},
+                               .overrides = overrides},
+                              faults);
         for (const Diagnostic& fault : faults.list()) ADD_FAILURE() << to_string(fault);
-        if (!description) return;
-        auto built = scene::build_simulation(*description, overrides, library, surfaces);
+        if (!opened) return;
+        auto built = opened->build(library);
         EXPECT_TRUE(built.ok()) << (built.ok() ? "" : built.error().message);
         if (!built) return;
         simulation = std::move(*built);

@@ -175,8 +175,7 @@ Line MenuPages::setting_line(std::size_t row) {
 
 void MenuPages::add_settings(Page& page, std::vector<std::string_view> tables) {
     // What only counts at the next start is for the file.
-    constexpr std::array<std::string_view, 4> kAtStart{
-        "width", "height", "voices", "max_steps_per_frame"};
+    constexpr std::array<std::string_view, 3> kAtStart{"width", "height", "voices"};
     AppConfig now = world_.config.current();
     const std::vector<Setting> settings = settings_of(now);
     for (std::size_t i = 0; i < settings.size(); ++i) {

@@ -58,10 +58,17 @@ Result<SceneStudy> calibrate(const scene::SceneDescription& description) {
 }
 
 /// Kept, or made now.
-Result<SceneStudy> study_of(const scene::SceneDescription& description) {
-    const StudyKey key = study_key(description.content_hash);
+Result<SceneStudy> study_of(const scene::OpenedScene& scene) {
+    const scene::SceneDescription& description = scene.description;
+    const StudyKey key = study_key(scene);
     const std::filesystem::path folder = study_cache_folder();
     if (std::optional<CachedStudy> kept = find_study(folder, key)) return std::move(kept->study);
+    const std::vector<Setting> grid = scene_grid(GridSize::Quick);
+    const auto fits = [&](const Setting& each) { return agrees(each, description.accuracy); };
+    if (std::ranges::none_of(grid, fits))
+        return Error{.message =
+                         "of the settings that it tries none is as the rest of [accuracy] "
+                         "or the command line asks"};
     Result<SceneStudy> made = calibrate(description);
     if (!made) return made;
     if (!made->complete) return Error{.message = "it was interrupted"};
@@ -90,11 +97,15 @@ std::optional<AutoChoice> auto_choice(const SceneStudy& study, const scene::Accu
     return chosen;
 }
 
-scene::Accuracy resolve_auto(const scene::SceneDescription& description) {
-    if (description.accuracy.preset != "auto") return description.accuracy;
+scene::Accuracy resolve_auto(const scene::OpenedScene& scene) {
+    const scene::SceneDescription& description = scene.description;
+    const scene::Accuracy& asked = description.accuracy;
+    if (asked.preset != "auto") return asked;
+    if (asked.solver_given && asked.step_hz_given && asked.substeps && asked.iterations)
+        return asked;
     if (std::string_view(kPrecisionName) == "float64")
         return balanced(description, "studies are the float32 program's");
-    const Result<SceneStudy> study = study_of(description);
+    const Result<SceneStudy> study = study_of(scene);
     if (!study) return balanced(description, study.error().message);
     if (study->seconds < kSecondsLeast)
         return balanced(description,

@@ -1,17 +1,18 @@
 // What preset = "auto" means for a scene on this machine: the setting that a study of it recommends.
 #pragma once
 
-#include "engine/scene/scene_description.h"
+#include "engine/scene/open_scene.h"
 #include "engine/study/any_scene/scene_text.h"
 #include "engine/study/any_scene/study_cache.h"
 
 namespace plumbline::study {
 
-/// Another preset comes back as it is. "auto": from the study that is kept, else from a short one of
-/// a few settings, made now in other processes (some 10 s, said on stderr, and kept). What the file
-/// gives beside the preset stands. Never fails: where no study can be had the numbers of "balanced"
+/// For OpenOptions::resolve_auto. Another preset comes back as it is. "auto": from the study that is
+/// kept, else from a short one of a few settings, made now in other processes (some 10 s, said on
+/// stderr, and kept). What the file or the command line gives beside the preset stands; where that
+/// leaves nothing to choose, no study is made. Never fails: where no study can be had the numbers of "balanced"
 /// come back, and a warning says why. In float64 always: there the program studies nothing.
-scene::Accuracy resolve_auto(const scene::SceneDescription& description);
+scene::Accuracy resolve_auto(const scene::OpenedScene& scene);
 
 /// The study's choice as a scene would give it, over what `asked` leaves open. None: the study has
 /// no setting that agrees with what the file gives.

@@ -3,7 +3,8 @@
 #include "engine/core/files.h"
 #include "engine/core/stopwatch.h"
 #include "engine/effects/advance.h"
-#include "engine/scene/scene_file.h"
+#include "engine/scene/json_read.h"
+#include "engine/scene/open_scene.h"
 #include "engine/study/findings_json_impl.h"
 #include "engine/study/job.h"
 
@@ -17,24 +18,6 @@ namespace {
 
 constexpr double kLimit_s = 120;
 
-struct LoadedScene {
-    scene::SurfaceTable surfaces;
-    scene::SceneDescription description;
-    assets::AssetLibrary library;
-};
-
-Result<Done> load(const std::filesystem::path& file, LoadedScene& loaded) {
-    const Result<DataFolders> folders = find_data_folders();
-    if (!folders) return folders.error();
-    Diagnostics faults;
-    loaded.surfaces =
-        scene::load_surfaces(folders->config / "surfaces.toml", folders->assets, faults);
-    Result<scene::SceneDescription> description = scene::load_scene(file, folders->assets, faults);
-    if (!description) return description.error();
-    loaded.description = std::move(*description);
-    return Done{};
-}
-
 /// CPU ms of a step and of a frame's sounds.
 struct Passed {
     double step_ms{0};
@@ -43,9 +26,9 @@ struct Passed {
 };
 
 /// One run from the start, a frame's sounds per step.
-Result<Passed> pass(LoadedScene& loaded, std::string_view without, double seconds) {
-    const Result<std::unique_ptr<scene::Simulation>> built =
-        scene::build_simulation(loaded.description, {}, loaded.library, loaded.surfaces);
+Result<Passed> pass(const scene::OpenedScene& scene, std::string_view without, double seconds) {
+    assets::AssetLibrary library;
+    const Result<std::unique_ptr<scene::Simulation>> built = scene.build(library);
     if (!built) return built.error();
     scene::Simulation& simulation = **built;
     scene::NoGame game(simulation.description().camera);
@@ -73,8 +56,8 @@ Json refusal(const std::string& why) {
 }
 
 /// Whom the scene calls for at all: the names, from one run.
-Json list_effects(LoadedScene& loaded, double seconds) {
-    const Result<Passed> passed = pass(loaded, {}, seconds);
+Json list_effects(const scene::OpenedScene& scene, double seconds) {
+    const Result<Passed> passed = pass(scene, {}, seconds);
     if (!passed) return refusal(passed.error().message);
     Json effects = Json::array();
     for (std::size_t row = 0; row < passed->ledger.size(); ++row) {
@@ -90,15 +73,18 @@ Json list_effects(LoadedScene& loaded, double seconds) {
 }
 
 /// Turn and turn about; what comes first changes from pair to pair.
-Json measure_pairs(LoadedScene& loaded, const std::string& name, double seconds, int pairs) {
+Json measure_pairs(const scene::OpenedScene& scene,
+                   const std::string& name,
+                   double seconds,
+                   int pairs) {
     std::array<std::vector<double>, 2> step_ms;
     std::array<std::vector<double>, 2> frame_ms;
-    if (const Result<Passed> warm = pass(loaded, {}, seconds); !warm)
+    if (const Result<Passed> warm = pass(scene, {}, seconds); !warm)
         return refusal(warm.error().message);
     for (int i = 0; i < 2 * pairs; ++i) {
         const std::size_t without = static_cast<std::size_t>((i + i / 2) % 2);
         const Result<Passed> passed =
-            pass(loaded, without == 1 ? std::string_view(name) : std::string_view(), seconds);
+            pass(scene, without == 1 ? std::string_view(name) : std::string_view(), seconds);
         if (!passed) return refusal(passed.error().message);
         step_ms[without].push_back(passed->step_ms);
         frame_ms[without].push_back(passed->frame_ms);
@@ -111,12 +97,15 @@ Json measure_pairs(LoadedScene& loaded, const std::string& name, double seconds,
 }
 
 Json answer_effect_job(const Json& job) {
-    LoadedScene loaded;
-    const std::string scene = job.at("scene");
-    if (const Result<Done> done = load(scene, loaded); !done) return refusal(done.error().message);
+    const std::filesystem::path file = job.at("scene").get<std::string>();
+    const Result<DataFolders> folders = find_data_folders();
+    if (!folders) return refusal(folders.error().message);
+    Diagnostics faults;
+    const Result<scene::OpenedScene> scene = scene::open_scene(file, {.folders = *folders}, faults);
+    if (!scene) return refusal(scene.error().message);
     const std::string effect = job.at("effect");
-    if (effect.empty()) return list_effects(loaded, job.at("seconds"));
-    return measure_pairs(loaded, effect, job.at("seconds"), job.at("pairs"));
+    if (effect.empty()) return list_effects(*scene, job.at("seconds"));
+    return measure_pairs(*scene, effect, job.at("seconds"), job.at("pairs"));
 }
 
 Job job_for(const EffectsRun& run, const std::string& effect) {
@@ -131,7 +120,12 @@ Job job_for(const EffectsRun& run, const std::string& effect) {
 
 Result<Json> json_from(const Answer& answer) {
     if (answer.status != AnswerStatus::Done) return Error{.message = answer.body};
-    Json json = Json::parse(answer.body, nullptr, false);
+    Json json;
+    try {
+        json = scene::read_json<Json>(answer.body);
+    } catch (const std::exception&) {
+        json = nullptr;
+    }
     if (!json.is_object() || !json.contains("refused"))
         return Error{.message = "a worker's answer cannot be read"};
     const std::string refused = json["refused"];
@@ -199,7 +193,7 @@ Difference paired_difference(std::span<const double> with, std::span<const doubl
 std::string run_effect_job(const std::string& body) {
     Json answer;
     try {
-        answer = answer_effect_job(Json::parse(body));
+        answer = answer_effect_job(scene::read_json<Json>(body));
     } catch (const std::exception& fault) {
         answer = refusal(fmt::format("expected an effect to measure: {}", fault.what()));
     }

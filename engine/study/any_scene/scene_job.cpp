@@ -1,4 +1,5 @@
 // SceneRun and SceneAnswer as the lines that worker and study exchange.
+#include "engine/scene/json_read.h"
 #include "engine/study/any_scene/scene_run.h"
 #include "engine/study/findings_json_impl.h"
 
@@ -96,31 +97,16 @@ SceneRun run_from_json(const Json& job) {
             .cpu_limit_s = job.at("cpu_limit_s")};
 }
 
-}  // namespace
-
-std::string scene_job_body(const SceneRun& run) {
-    return Json{{"scene", run.scene.string()},
-                {"setting", json_of(run.setting)},
-                {"moments", run.moments},
-                {"copies", run.copies},
-                {"seed", run.seed},
-                {"shift_m", run.shift_m},
-                {"repeats", run.repeats},
-                {"repeat_s", run.repeat_s},
-                {"cpu_limit_s", run.cpu_limit_s}}
-        .dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-std::string run_scene_job(const std::string& body) {
+std::string answer_scene_job(SceneRunner& runner, const std::string& body) {
     SceneRun run;
     try {
-        run = run_from_json(Json::parse(body));
+        run = run_from_json(scene::read_json<Json>(body));
     } catch (const std::exception& fault) {
         return refusal(fmt::format("expected a run of a scene: {}", fault.what()));
     }
     if (run.moments.empty() || run.copies < 1 || run.setting.step_hz < 1)
         return refusal("expected a run of a scene with moments, copies and a step rate");
-    const Result<SceneAnswer> answer = run_scene(run);
+    const Result<SceneAnswer> answer = runner.run(run);
     if (!answer) return refusal(answer.error().message);
     Point measured;
     measured.setting = run.setting;
@@ -140,9 +126,31 @@ std::string run_scene_job(const std::string& body) {
         .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+}  // namespace
+
+std::string scene_job_body(const SceneRun& run) {
+    return Json{{"scene", run.scene.string()},
+                {"setting", json_of(run.setting)},
+                {"moments", run.moments},
+                {"copies", run.copies},
+                {"seed", run.seed},
+                {"shift_m", run.shift_m},
+                {"repeats", run.repeats},
+                {"repeat_s", run.repeat_s},
+                {"cpu_limit_s", run.cpu_limit_s}}
+        .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+RunJob scene_jobs() {
+    // A std::function is copied; what it keeps is shared by its copies.
+    return [runner = std::make_shared<SceneRunner>()](const std::string& body) {
+        return answer_scene_job(*runner, body);
+    };
+}
+
 Result<SceneAnswer> parse_scene_answer(const std::string& body) {
     try {
-        const Json value = Json::parse(body);
+        const Json value = scene::read_json<Json>(body);
         SceneAnswer answer{.refused = value.at("refused")};
         if (!answer.refused.empty()) return answer;
         answer.bodies = value.at("bodies");

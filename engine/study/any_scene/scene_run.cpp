@@ -4,7 +4,6 @@
 #include "engine/core/random.h"
 #include "engine/core/stopwatch.h"
 #include "engine/effects/advance.h"
-#include "engine/scene/scene_file.h"
 #include "engine/scene/state_report.h"
 
 #include <fmt/format.h>
@@ -16,43 +15,6 @@ namespace plumbline::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A scene file as read, and the models that came with it.
-struct LoadedScene {
-    fs::path file;
-    fs::file_time_type written;
-    scene::SurfaceTable surfaces;
-    scene::SceneDescription description;
-    assets::AssetLibrary library;
-};
-
-Result<std::unique_ptr<LoadedScene>> load(const fs::path& file) {
-    const Result<DataFolders> folders = find_data_folders();
-    if (!folders) return folders.error();
-    auto loaded = std::make_unique<LoadedScene>();
-    loaded->file = file;
-    Diagnostics faults;
-    loaded->surfaces =
-        scene::load_surfaces(folders->config / "surfaces.toml", folders->assets, faults);
-    Result<scene::SceneDescription> description = scene::load_scene(file, folders->assets, faults);
-    if (!description) return description.error();
-    loaded->description = std::move(*description);
-    return loaded;
-}
-
-/// A worker is asked about one scene over and over: the latest one stays loaded.
-Result<LoadedScene*> loaded_scene(const fs::path& file) {
-    static std::unique_ptr<LoadedScene> latest;
-    std::error_code error;
-    const fs::file_time_type written = fs::last_write_time(file, error);
-    if (!latest || latest->file != file || latest->written != written) {
-        Result<std::unique_ptr<LoadedScene>> loaded = load(file);
-        if (!loaded) return loaded.error();
-        latest = std::move(*loaded);
-        latest->written = written;
-    }
-    return latest.get();
-}
 
 Vec3d up_of(const scene::Simulation& simulation) {
     return normalize_or(-Vec3d(simulation.description().gravity_mps2), Vec3d{0, 1, 0});
@@ -278,24 +240,37 @@ private:
     double work_per_s_{0};
 };
 
-Result<std::unique_ptr<scene::Simulation>> build(LoadedScene& loaded, const SceneRun& run) {
-    return scene::build_simulation(
-        loaded.description, overrides(run.setting), loaded.library, loaded.surfaces);
-}
-
 }  // namespace
 
-Result<SceneAnswer> run_scene(const SceneRun& run) {
+Result<Done> SceneRunner::open(const std::filesystem::path& file) {
+    if (opened_ && file_ == file && scene::unchanged(opened_->files)) return Done{};
+    const Result<DataFolders> folders = find_data_folders();
+    if (!folders) return folders.error();
+    opened_.reset();
+    library_ = std::make_unique<assets::AssetLibrary>();
+    Diagnostics faults;
+    Result<scene::OpenedScene> opened = scene::open_scene(file, {.folders = *folders}, faults);
+    if (!opened) return opened.error();
+    opened_ = std::move(*opened);
+    file_ = file;
+    return Done{};
+}
+
+Result<std::unique_ptr<scene::Simulation>> SceneRunner::build(const Setting& setting) {
+    opened_->overrides = overrides(setting);
+    return opened_->build(*library_);
+}
+
+Result<SceneAnswer> SceneRunner::run(const SceneRun& run) {
     const double start_s = wall_s();
     const double cpu_start_s = thread_cpu_s();
-    const Result<LoadedScene*> loaded = loaded_scene(run.scene);
-    if (!loaded) return loaded.error();
+    if (const Result<Done> opened = open(run.scene); !opened) return opened.error();
     SceneAnswer answer;
     CostBook book;
     const int runs = run.copies + run.repeats;
     for (int i = 0; i < runs; ++i) {
         if (i >= run.copies && book.total_s() > run.repeat_s) break;
-        const Result<std::unique_ptr<scene::Simulation>> built = build(**loaded, run);
+        const Result<std::unique_ptr<scene::Simulation>> built = build(run.setting);
         if (!built) return built.error();
         scene::Simulation& simulation = **built;
         OneRun one(run, simulation);

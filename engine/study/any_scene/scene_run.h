@@ -6,10 +6,14 @@
 
 #include "engine/core/math.h"
 #include "engine/core/result.h"
+#include "engine/scene/open_scene.h"
 #include "engine/study/findings.h"
+#include "engine/study/worker.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,11 +82,24 @@ struct SceneAnswer {
     RunCost cost{};
 };
 
-/// In this process. Refused: a scene that does not load, or has no dynamic body (exit code 4).
-Result<SceneAnswer> run_scene(const SceneRun& run);
+/// Runs scenes in this process. It is asked about one scene over and over: the latest one stays
+/// loaded until one of its files changes.
+class SceneRunner {
+public:
+    /// Refused: a scene that does not load, or has no dynamic body (exit code 4).
+    Result<SceneAnswer> run(const SceneRun& run);
 
-/// The kind "scene": run_scene() as a job.
-std::string run_scene_job(const std::string& body);
+private:
+    Result<Done> open(const std::filesystem::path& file);
+    Result<std::unique_ptr<scene::Simulation>> build(const Setting& setting);
+
+    std::filesystem::path file_;
+    std::optional<scene::OpenedScene> opened_;
+    std::unique_ptr<assets::AssetLibrary> library_;
+};
+
+/// The kind "scene": SceneRunner::run() as a job.
+RunJob scene_jobs();
 std::string scene_job_body(const SceneRun& run);
 Result<SceneAnswer> parse_scene_answer(const std::string& body);
 

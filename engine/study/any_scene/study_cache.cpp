@@ -2,12 +2,15 @@
 
 #include "engine/core/files.h"
 #include "engine/core/hash.h"
+#include "engine/core/limits.h"
 #include "engine/core/log.h"
+#include "engine/scene/json_read.h"
 #include "engine/study/findings_json_impl.h"
 #include "engine/study/machine.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace plumbline::study {
@@ -38,6 +41,19 @@ Json json_of(const StudyKey& key, const CachedStudy& cached) {
             {"subject", json_of(cached.study.subject)}};
 }
 
+/// As the keys of [accuracy] are checked: the program is about to run at one of these.
+void check(const Setting& setting) {
+    const auto within = [](const char* key, int value, int least, int most) {
+        if (value < least || value > most)
+            throw std::runtime_error(fmt::format(
+                "{} is {}; expected a whole number from {} to {}", key, value, least, most));
+    };
+    within("step_hz", setting.step_hz, limits::kStepHzMin, limits::kStepHzMax);
+    within("substeps", setting.substeps, 0, scene::kMostSubsteps);
+    within("substeps_max", setting.substeps_max, 1, scene::kMostSubsteps);
+    within("iterations", setting.iterations, 1, scene::kMostIterations);
+}
+
 CachedStudy cached_from(const Json& json, const StudyKey& key) {
     if (json.at("format") != kFormat || json.at("scene_hash") != hex_of(key.scene) ||
         json.at("program_hash") != hex_of(key.program) || json.at("machine") != key.machine)
@@ -49,13 +65,16 @@ CachedStudy cached_from(const Json& json, const StudyKey& key) {
                        .grid = json.at("grid") == "full" ? GridSize::Full : GridSize::Quick,
                        .made_on = json.at("made_on")};
     if (cached.study.subject.points.empty()) throw std::runtime_error("it has no settings");
+    for (const Point& point : cached.study.subject.points) check(point.setting);
+    if (!std::isfinite(cached.study.seconds) || cached.study.seconds < 0)
+        throw std::runtime_error("its seconds are no time");
     return cached;
 }
 
 }  // namespace
 
-StudyKey study_key(std::uint64_t scene_content_hash) {
-    StudyKey key{.scene = scene_content_hash, .machine = machine_text()};
+StudyKey study_key(const scene::OpenedScene& scene) {
+    StudyKey key{.scene = scene.motion_hash(), .machine = machine_text()};
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     const Result<std::string> bytes = read_file(program, kProgramMost_bytes);
@@ -84,9 +103,10 @@ std::optional<CachedStudy> find_study(const fs::path& folder, const StudyKey& ke
         return {};
     }
     try {
-        return cached_from(Json::parse(*text), key);
+        return cached_from(scene::read_json<Json>(*text), key);
     } catch (const std::exception& fault) {
-        log_warning("{}: the study kept there is not used: {}", file.string(), fault.what());
+        log_warning("{}: the study kept there is thrown away: {}", file.string(), fault.what());
+        fs::remove(file, error);
         return {};
     }
 }

@@ -2,6 +2,7 @@
 // $XDG_CACHE_HOME/plumbline/study. What is there can always be made again.
 #pragma once
 
+#include "engine/scene/open_scene.h"
 #include "engine/study/any_scene/scene_study.h"
 
 #include <cstdint>
@@ -11,14 +12,14 @@
 
 namespace plumbline::study {
 
-/// What a study depends on. Any change of the scene file or its includes, of the program's bytes or
-/// of the processor makes another key. Models and surfaces are not looked at.
+/// What a study depends on. Any change of the scene file, its includes, its models or the surfaces,
+/// of the program's bytes or of the processor makes another key.
 struct StudyKey {
-    std::uint64_t scene{0};    ///< SceneDescription::content_hash
+    std::uint64_t scene{0};    ///< OpenedScene::motion_hash()
     std::uint64_t program{0};  ///< of the running program's file; 0: it cannot be read
     std::string machine{};
 };
-StudyKey study_key(std::uint64_t scene_content_hash);
+StudyKey study_key(const scene::OpenedScene& scene);
 
 struct CachedStudy {
     SceneStudy study{};

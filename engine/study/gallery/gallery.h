@@ -17,7 +17,7 @@ struct CaseRun {
     std::filesystem::path scene;
     physics::Solver solver{physics::Solver::SmallStep};
     int step_hz{60};
-    double cpu_limit_s{60};  ///< of stepping; beyond it the run is given up, and has failed
+    double cpu_limit_s{60};  ///< of stepping; beyond it the run is given up
 };
 
 /// One rule of a run that ended, as the table shows it.
@@ -33,6 +33,8 @@ struct RuleResult {
 struct CaseResult {
     bool ran{false};  ///< false: `why` says what went wrong, and it counts as failed
     bool passed{false};
+    /// Time ran out before a rule had failed: neither passed nor failed, the machine was too slow.
+    bool gave_up{false};
     std::string why;  ///< of a run that was given up, too
     double simulated_s{0};
     double cpu_ms_per_s{0};  ///< thread CPU time of stepping, per simulated second

@@ -1,8 +1,9 @@
 // One hard case in a worker process: the scene, stepped as `simulate` would, and its judge.
 #include "engine/core/files.h"
 #include "engine/effects/advance.h"
+#include "engine/scene/json_read.h"
 #include "engine/scene/json_text.h"
-#include "engine/scene/scene_file.h"
+#include "engine/scene/open_scene.h"
 #include "engine/study/gallery/gallery.h"
 
 #include <fmt/format.h>
@@ -56,6 +57,7 @@ CaseResult run_to_the_end(scene::Simulation& simulation, HardCaseJudge& judge, d
     result.passed = judge.over() && judge.verdict() == Verdict::Pass;
     result.rules = results_of(judge);
     if (!judge.over()) {
+        result.gave_up = judge.verdict() != Verdict::Fail;
         result.why = fmt::format("given up after {:g} s of CPU time, {:.2g} s simulated",
                                  cpu_limit_s,
                                  result.simulated_s);
@@ -75,14 +77,13 @@ Result<CaseResult> run_case(const CaseRun& run) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
     Diagnostics faults;
-    const scene::SurfaceTable surfaces =
-        scene::load_surfaces(folders->config / "surfaces.toml", folders->assets, faults);
-    const Result<scene::SceneDescription> description =
-        scene::load_scene(run.scene, folders->assets, faults);
-    if (!description) return description.error();
+    const Result<scene::OpenedScene> opened = scene::open_scene(
+        run.scene,
+        {.folders = *folders, .overrides = {.solver = run.solver, .step_hz = run.step_hz}},
+        faults);
+    if (!opened) return opened.error();
     assets::AssetLibrary library;
-    const Result<std::unique_ptr<scene::Simulation>> simulation = scene::build_simulation(
-        *description, {.solver = run.solver, .step_hz = run.step_hz}, library, surfaces);
+    const Result<std::unique_ptr<scene::Simulation>> simulation = opened->build(library);
     if (!simulation) return simulation.error();
     Result<HardCaseJudge> judge = HardCaseJudge::create(**simulation);
     if (!judge) return judge.error();
@@ -93,6 +94,7 @@ std::string case_result_json(const CaseResult& result) {
     JsonText json(scene::JsonLayout::OneLine);
     json.begin_object();
     json.key("ran").boolean(result.ran).key("passed").boolean(result.passed);
+    json.key("gave_up").boolean(result.gave_up);
     json.key("why").text(result.why);
     json.key("simulated_s").number(result.simulated_s);
     json.key("cpu_ms_per_s").number(result.cpu_ms_per_s);
@@ -119,7 +121,12 @@ std::string case_job_body(const CaseRun& run) {
 
 std::string run_hard_case_job(const std::string& body) {
     const auto refused = [](std::string why) { return case_result_json({.why = std::move(why)}); };
-    const nlohmann::json job = nlohmann::json::parse(body, nullptr, false);
+    nlohmann::json job;
+    try {
+        job = scene::read_json<nlohmann::json>(body);
+    } catch (const std::exception&) {
+        job = nullptr;
+    }
     if (!job.is_object() || !job.contains("scene") || !job.contains("solver") ||
         !job.contains("step_hz") || !job.contains("cpu_limit_s"))
         return refused("expected a job with scene, solver, step_hz and cpu_limit_s");
@@ -134,9 +141,10 @@ std::string run_hard_case_job(const std::string& body) {
 
 Result<CaseResult> parse_case_result(const std::string& text) {
     try {
-        const nlohmann::json json = nlohmann::json::parse(text);
+        const nlohmann::json json = scene::read_json<nlohmann::json>(text);
         CaseResult result{.ran = json.at("ran"),
                           .passed = json.at("passed"),
+                          .gave_up = json.at("gave_up"),
                           .why = json.at("why"),
                           .simulated_s = json.at("simulated_s"),
                           .cpu_ms_per_s = json.at("cpu_ms_per_s"),
@@ -153,7 +161,7 @@ Result<CaseResult> parse_case_result(const std::string& text) {
                  .worst_at_s = rule.at("worst_at_s")});
         }
         return result;
-    } catch (const nlohmann::json::exception& fault) {
+    } catch (const std::exception& fault) {
         return Error{.message = fmt::format("not the result of a hard case: {}", fault.what()),
                      .exit_code = ExitCode::RunFailed};
     }

@@ -48,7 +48,7 @@ CaseResult result_of(const Answer& answer) {
             if (Result<CaseResult> result = parse_case_result(answer.body)) return *result;
             return {.why = "its worker's answer cannot be read"};
         case AnswerStatus::TimedOut:
-            return {.why = "took too long"};
+            return {.gave_up = true, .why = "took too long"};
         case AnswerStatus::Crashed:
             return {.why = "its worker crashed: " + answer.body};
         case AnswerStatus::Failed:
@@ -58,6 +58,10 @@ CaseResult result_of(const Answer& answer) {
 }
 
 }  // namespace
+
+std::string_view verdict_word(const CaseResult& result) {
+    return result.passed ? "pass" : result.gave_up ? "slow" : "FAIL";
+}
 
 Result<std::vector<CaseEntry>> find_cases(const fs::path& assets_folder) {
     const fs::path folder = assets_folder / "scenes" / "hard";
@@ -118,7 +122,8 @@ std::vector<std::string> StabilityTable::unexpected_reds() const {
     std::vector<std::string> reds;
     for (const StabilityRun& run : runs) {
         const bool counts = run.solver == physics::Solver::SmallStep &&
-                            run.step_hz == kGameRate_hz && run.result && !run.result->passed;
+                            run.step_hz == kGameRate_hz && run.result && !run.result->passed &&
+                            !run.result->gave_up;
         const scene::HardCase& hard = cases[run.entry].hard;
         if (counts && hard.known_red.empty()) reds.push_back(hard.id);
     }
@@ -189,11 +194,12 @@ std::string run_line(const StabilityTable& table, const StabilityRun& run) {
                                          physics::solver_name(run.solver),
                                          run.step_hz);
     if (!run.result) return head + "  not run";
-    if (!run.result->ran) return fmt::format("{}  FAIL  {}", head, run.result->why);
+    if (!run.result->ran)
+        return fmt::format("{}  {}  {}", head, verdict_word(*run.result), run.result->why);
     const RuleResult* worst = run.result->worst();
     return fmt::format("{}  {}  {:>16}  {:>9.2f} ms/s  {}",
                        head,
-                       run.result->passed ? "pass" : "FAIL",
+                       verdict_word(*run.result),
                        worst != nullptr ? margin_text(worst->margin) : "",
                        run.result->cpu_ms_per_s,
                        !run.result->why.empty() ? run.result->why
@@ -208,17 +214,20 @@ std::string stability_text(const StabilityTable& table) {
     for (const physics::Solver solver : table.solvers) {
         for (const int rate_hz : table.rates_hz) {
             int green = 0;
+            int slow = 0;
             int ran = 0;
             for (const StabilityRun& run : table.runs) {
                 if (run.solver != solver || run.step_hz != rate_hz || !run.result) continue;
                 ++ran;
                 green += run.green() ? 1 : 0;
+                slow += run.result->gave_up ? 1 : 0;
             }
-            text += fmt::format("{:<15}{:>4} Hz  {} of {} pass\n",
+            text += fmt::format("{:<15}{:>4} Hz  {} of {} pass{}\n",
                                 physics::solver_name(solver),
                                 rate_hz,
                                 green,
-                                ran);
+                                ran,
+                                slow > 0 ? fmt::format(", {} given up", slow) : "");
         }
     }
     return text;

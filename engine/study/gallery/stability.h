@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plumbline::study {
@@ -54,7 +55,7 @@ struct StabilityTable {
     std::string no_pictures;            ///< why there are none, or empty
 
     const StabilityRun* find(std::size_t entry, physics::Solver solver, int step_hz) const;
-    /// small_step's at 60 Hz that failed and are not listed as known red.
+    /// small_step's at 60 Hz that failed and are not listed as known red; not those given up.
     std::vector<std::string> unexpected_reds() const;
     /// Those that passed and are listed as known red all the same.
     std::vector<std::string> unneeded_reds() const;
@@ -75,6 +76,8 @@ Result<bool> run_table(StabilityTable& table,
 /// in child processes. Where the first fails, none is made and no_pictures says why.
 void take_pictures(StabilityTable& table, int workers, int width_px, int height_px);
 
+/// "pass", "FAIL", or "slow": given up before it had failed.
+std::string_view verdict_word(const CaseResult& result);
 /// "H05  small_step  60 Hz  pass  92 % inside  3.2 ms/s  sag_m of box_1 at most 0.1".
 std::string run_line(const StabilityTable& table, const StabilityRun& run);
 /// All lines and how many are green for each solver.

@@ -55,15 +55,22 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
+const char* cell_class(const CaseResult& result) {
+    return result.passed ? "pass" : result.gave_up ? "none" : "fail";
+}
+
 std::string cell(const StabilityRun* run) {
     if (run == nullptr || !run->result) return "<td class=\"none\">not run</td>";
     const CaseResult& result = *run->result;
     if (!result.ran)
-        return fmt::format("<td class=\"fail\"><b>FAIL</b><br>{}</td>", escape_html(result.why));
+        return fmt::format("<td class=\"{}\"><b>{}</b><br>{}</td>",
+                           cell_class(result),
+                           verdict_word(result),
+                           escape_html(result.why));
     const RuleResult* worst = result.worst();
     return fmt::format("<td class=\"{}\"><b>{}</b> {}<br>{}<br>{:.2f} ms/s</td>",
-                       result.passed ? "pass" : "fail",
-                       result.passed ? "pass" : "FAIL",
+                       cell_class(result),
+                       verdict_word(result),
                        worst != nullptr ? margin_text(worst->margin) : "",
                        !result.why.empty() ? escape_html(result.why)
                        : worst != nullptr  ? escape_html(worst->text)

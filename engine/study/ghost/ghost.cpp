@@ -9,6 +9,7 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <deque>
 
@@ -88,6 +89,8 @@ Result<std::unique_ptr<Ghost>> Ghost::start(const scene::Simulation& simulation,
                                             const Setting& setting) {
     std::signal(SIGPIPE, SIG_IGN);
     const WorkerPrograms programs = sibling_programs();
+    if (const Result<Done> there = check_programs(programs, std::array{setting.precision}); !there)
+        return there.error();
     Result<WorkerProcess> worker = WorkerProcess::start(
         setting.precision == Precision::Float32 ? programs.float32 : programs.float64,
         programs.arguments);

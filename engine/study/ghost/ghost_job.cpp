@@ -1,12 +1,14 @@
 #include "engine/core/files.h"
 #include "engine/effects/advance.h"
-#include "engine/scene/scene_file.h"
+#include "engine/scene/json_read.h"
+#include "engine/scene/open_scene.h"
 #include "engine/study/ghost/ghost_state.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -22,13 +24,10 @@ public:
         const Result<DataFolders> folders = find_data_folders();
         if (!folders) throw std::runtime_error(folders.error().message);
         Diagnostics faults;
-        const scene::SurfaceTable surfaces =
-            scene::load_surfaces(folders->config / "surfaces.toml", folders->assets, faults);
-        const Result<scene::SceneDescription> description =
-            scene::load_scene(start.scene, folders->assets, faults);
-        if (!description) throw std::runtime_error(description.error().message);
-        auto built =
-            scene::build_simulation(*description, overrides(start.setting), library_, surfaces);
+        const Result<scene::OpenedScene> opened = scene::open_scene(
+            start.scene, {.folders = *folders, .overrides = overrides(start.setting)}, faults);
+        if (!opened) throw std::runtime_error(opened.error().message);
+        auto built = opened->build(library_);
         if (!built) throw std::runtime_error(built.error().message);
         simulation_ = std::move(*built);
         simulation_->set_time(start.time_s);
@@ -174,7 +173,7 @@ std::string go_on_body(double seconds) {
 Result<GhostState> parse_ghost_state(const std::string& body) {
     constexpr std::size_t kNumbers = 7;
     try {
-        const json from = json::parse(body);
+        const json from = scene::read_json<json>(body);
         GhostState state{.time_s = from.at("time_s").get<double>(),
                          .cpu_ms = from.at("cpu_ms").get<double>()};
         const json& poses = from.at("poses");
@@ -183,22 +182,23 @@ Result<GhostState> parse_ghost_state(const std::string& body) {
                 {.position_m = read_vector(poses, at), .orientation = read_turn(poses, at + 3)});
         }
         return state;
-    } catch (const json::exception&) {
+    } catch (const std::exception&) {
         return Error{.message = "the ghost's process answered with something that is no state"};
     }
 }
 
-std::string run_ghost_job(const std::string& body) {
-    static std::optional<GhostWorld> world;
-    const json asked = json::parse(body);
-    if (asked.contains("start")) {
-        world.reset();
-        const GhostStart start = parse_start(asked.at("start"));
-        world.emplace(start);
-        return state_body({.time_s = start.time_s, .bodies = start.bodies});
-    }
-    if (!world) throw std::runtime_error("a ghost goes on only after it was started");
-    return state_body(world->go_on(asked.at("go_on_s").get<double>()));
+RunJob ghost_jobs() {
+    return [world = std::make_shared<std::optional<GhostWorld>>()](const std::string& body) {
+        const json asked = scene::read_json<json>(body);
+        if (asked.contains("start")) {
+            world->reset();
+            const GhostStart start = parse_start(asked.at("start"));
+            world->emplace(start);
+            return state_body({.time_s = start.time_s, .bodies = start.bodies});
+        }
+        if (!*world) throw std::runtime_error("a ghost goes on only after it was started");
+        return state_body((*world)->go_on(asked.at("go_on_s").get<double>()));
+    };
 }
 
 }  // namespace plumbline::study

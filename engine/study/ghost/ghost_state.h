@@ -3,6 +3,7 @@
 
 #include "engine/core/result.h"
 #include "engine/study/setting.h"
+#include "engine/study/worker.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -42,6 +43,6 @@ std::string go_on_body(double seconds);
 Result<GhostState> parse_ghost_state(const std::string& body);
 
 /// The kind "ghost": a job of either body; the world stays in this process between them.
-std::string run_ghost_job(const std::string& body);
+RunJob ghost_jobs();
 
 }  // namespace plumbline::study

@@ -1,6 +1,7 @@
 #include "engine/study/scenarios/scenario_study.h"
 
 #include "engine/core/stopwatch.h"
+#include "engine/scene/json_read.h"
 #include "engine/study/findings_json_impl.h"
 #include "engine/study/job.h"
 
@@ -62,7 +63,7 @@ Point point_of(const Setting& setting, const Answer& answer) {
             break;
     }
     try {
-        return point_from(Json::parse(answer.body));
+        return point_from(scene::read_json<Json>(answer.body));
     } catch (const std::exception& fault) {
         return Point{.setting = setting, .status = RunStatus::Refused, .why = fault.what()};
     }
@@ -137,7 +138,7 @@ Result<ScenarioStudy> study_scenarios(const ScenarioStudyOptions& options) {
 }
 
 std::string run_scenario_job(const std::string& body) {
-    const Json job = Json::parse(body);
+    const Json job = scene::read_json<Json>(body);
     const std::string id = job.at("scenario");
     const Scenario* scenario = scenario_of(id);
     if (!scenario) throw std::runtime_error("there is no scenario " + id);

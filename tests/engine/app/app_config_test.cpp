@@ -76,6 +76,13 @@ TEST_F(AppConfigTest, AnUnknownKeyNamesTheNearest) {
         "app.toml:2:9: warning: window.witdh: no such setting. Nearest: \"width\". Line ignored.");
 }
 
+TEST_F(AppConfigTest, AnOldFileWithTheStepLimitIsReadWithOneWarning) {
+    EXPECT_EQ(load("[time]\nmax_steps_per_frame = 4\n[window]\nwidth = 800\n").width, 800);
+    EXPECT_EQ(only_fault(),
+              "app.toml:2:23: warning: time.max_steps_per_frame: no longer a setting: time is lost "
+              "only where physics itself is too slow. Line ignored.");
+}
+
 TEST_F(AppConfigTest, ASyntaxErrorLeavesTheLowerLayerStanding) {
     EXPECT_EQ(load("[window\nwidth = 1\n").width, 1280);
     ASSERT_EQ(faults_.list().size(), 1U);

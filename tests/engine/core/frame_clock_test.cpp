@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -16,7 +17,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Steps in `seconds` at an even frame rate, beginning at an uneven time of day.
 int steps_at(double frames_per_s, double seconds) {
     constexpr double kStart_s = 12'345.678;
-    FrameClock clock(kStep_s, 30);
+    FrameClock clock(kStep_s);
     const int frames = static_cast<int>(std::lround(frames_per_s * seconds));
     int steps = 0;
     for (int i = 0; i <= frames; ++i) steps += clock.advance(kStart_s + i / frames_per_s).steps;
@@ -31,14 +32,14 @@ TEST(FrameClock, FrameRateDoesNotChangeTheNumberOfSteps) {
 }
 
 TEST(FrameClock, FirstFrameOwesNothing) {
-    FrameClock clock(kStep_s, 8);
+    FrameClock clock(kStep_s);
     const FrameTime time = clock.advance(1e6);
     EXPECT_EQ(time.steps, 0);
     EXPECT_EQ(time.lost_s, 0.0);
 }
 
 TEST(FrameClock, BlendIsTheShareOfTheStepThatHasPassed) {
-    FrameClock clock(kStep_s, 8);
+    FrameClock clock(kStep_s);
     clock.advance(0.0);
     const FrameTime quarter = clock.advance(kStep_s * 0.25);
     EXPECT_EQ(quarter.steps, 0);
@@ -48,29 +49,96 @@ TEST(FrameClock, BlendIsTheShareOfTheStepThatHasPassed) {
     EXPECT_NEAR(more.blend, Real{0.75}, 1e-6);
 }
 
-TEST(FrameClock, TimeBeyondTheCapIsLostAndCounted) {
-    FrameClock clock(kStep_s, 4);
-    clock.advance(0.0);
-    const FrameTime time = clock.advance(kStep_s * 10.5);
-    EXPECT_EQ(time.steps, 4);
-    EXPECT_NEAR(time.lost_s, kStep_s * 6.5, 1e-12);
-    EXPECT_EQ(clock.advance(kStep_s * 10.5).steps, 0) << "what is lost is not caught up with";
-    clock.advance(kStep_s * 20.5);
-    EXPECT_NEAR(clock.lost_s(), kStep_s * (6.5 + 6.0), 1e-12);
+// EXPERIENCE A16: half a second a frame, and all of it is simulated.
+TEST(FrameClock, ASlowPictureLosesNoTime) {
+    for (const double frames_per_s : {0.3, 1.0, 2.0, 4.0})
+        EXPECT_EQ(steps_at(frames_per_s, 50.0), 6000) << frames_per_s << " frames a second";
 }
 
-TEST(FrameClock, AHourlongGapIsCappedNotRun) {
-    FrameClock clock(kStep_s, 30);
+// EXPERIENCE H3, I5
+TEST(FrameClock, AHourlongHoleIsNotRun) {
+    FrameClock clock(kStep_s);
     clock.advance(0.0);
     const FrameTime time = clock.advance(kHour_s);
-    EXPECT_EQ(time.steps, 30);
+    EXPECT_EQ(time.steps, 30) << "a quarter of a second";
     EXPECT_NEAR(time.lost_s, kHour_s - 30 * kStep_s, 1e-9);
-    EXPECT_EQ(clock.advance(kHour_s + kStep_s).steps, 1);
+    EXPECT_EQ(clock.lost_s(), time.lost_s);
+    EXPECT_EQ(clock.too_slow_s(), 0.0) << "nothing was too slow";
+    EXPECT_EQ(clock.advance(kHour_s + kStep_s).steps, 1) << "what is lost is not caught up with";
+}
+
+TEST(FrameClock, ThreeQuartersOfAFrameAreForStepping) {
+    FrameClock clock(kStep_s);
+    clock.advance(0.0);
+    EXPECT_EQ(clock.advance(1.0).budget_s, 0.75);
+    EXPECT_EQ(clock.advance(1.01).budget_s, 0.05) << "short frames may take 50 ms all the same";
+    EXPECT_EQ(clock.advance(kHour_s).budget_s, 0.75 * 0.25) << "a hole is no long frame";
+}
+
+TEST(FrameClock, StepsThatDidNotRunAreLostAndCounted) {
+    FrameClock clock(kStep_s);
+    clock.advance(0.0);
+    EXPECT_EQ(clock.advance(kStep_s * 10.5).steps, 10);
+    clock.drop(6);
+    EXPECT_NEAR(clock.lost_s(), kStep_s * 6, 1e-12);
+    EXPECT_NEAR(clock.too_slow_s(), kStep_s * 6, 1e-12);
+    EXPECT_EQ(clock.advance(kStep_s * 11).steps, 1) << "what is lost is not caught up with";
+}
+
+/// A machine on a clock of its own: drawing takes `draw_s` a frame and a step costs `cost_s`.
+struct Machine {
+    double draw_s;
+    double cost_s;
+    double now_s{0};
+    double longest_frame_s{0};
+
+    /// Simulated seconds within `seconds` of wall time.
+    double play(FrameClock& clock, double seconds) {
+        const double end_s = now_s + seconds;
+        int steps = 0;
+        clock.advance(now_s);
+        while (now_s < end_s) {
+            const double start_s = now_s;
+            now_s += draw_s;
+            const FrameTime time = clock.advance(now_s);
+            double spent_s = 0;
+            int run = 0;
+            for (; run < time.steps && (run == 0 || spent_s <= time.budget_s); ++run)
+                spent_s += cost_s;
+            clock.drop(time.steps - run);
+            steps += run;
+            now_s += spent_s;
+            longest_frame_s = std::max(longest_frame_s, now_s - start_s);
+        }
+        return steps * clock.step_s();
+    }
+};
+
+TEST(FrameClock, PhysicsThatKeepsUpLosesNothingHoweverSlowThePicture) {
+    for (const double draw_s : {0.001, 0.016, 0.1, 0.4}) {
+        for (const double load : {0.01, 0.3, 0.6}) {
+            FrameClock clock(kStep_s);
+            Machine machine{.draw_s = draw_s, .cost_s = load * kStep_s};
+            const double simulated_s = machine.play(clock, 60.0);
+            EXPECT_EQ(clock.lost_s(), 0.0) << draw_s << " s a picture, load " << load;
+            EXPECT_NEAR(simulated_s, machine.now_s, machine.longest_frame_s + kStep_s);
+        }
+    }
+}
+
+// EXPERIENCE A16
+TEST(FrameClock, PhysicsThatIsTooSlowGivesSlowMotionNotASpiral) {
+    FrameClock clock(kStep_s);
+    Machine machine{.draw_s = 0.05, .cost_s = 3.0 * kStep_s};
+    const double simulated_s = machine.play(clock, 60.0);
+    EXPECT_LE(machine.longest_frame_s, 4 * 0.05 + 2 * machine.cost_s);
+    EXPECT_NEAR(simulated_s, 60.0 * 0.75 / 3.0, 2.0) << "three quarters go into steps";
+    EXPECT_NEAR(clock.too_slow_s() + simulated_s, machine.now_s, machine.longest_frame_s + kStep_s);
 }
 
 TEST(FrameClock, NonFiniteTimesOweNothingAndLeaveNoTrace) {
     for (const double broken_s : {kNan, kInfinity, -kInfinity}) {
-        FrameClock clock(kStep_s, 8);
+        FrameClock clock(kStep_s);
         clock.advance(0.0);
         EXPECT_EQ(clock.advance(broken_s).steps, 0);
         const FrameTime after = clock.advance(kStep_s * 3);
@@ -81,14 +149,14 @@ TEST(FrameClock, NonFiniteTimesOweNothingAndLeaveNoTrace) {
 }
 
 TEST(FrameClock, ANonFiniteFirstTimeIsNoFirstTime) {
-    FrameClock clock(kStep_s, 8);
+    FrameClock clock(kStep_s);
     clock.advance(kNan);
     EXPECT_EQ(clock.advance(kHour_s).steps, 0);
     EXPECT_EQ(clock.advance(kHour_s + kStep_s).steps, 1);
 }
 
 TEST(FrameClock, TimeThatStandsStillOrGoesBackOwesNothing) {
-    FrameClock clock(kStep_s, 8);
+    FrameClock clock(kStep_s);
     clock.advance(100.0);
     EXPECT_EQ(clock.advance(100.0).steps, 0);
     EXPECT_EQ(clock.advance(100.0 + 1e-9).steps, 0);
@@ -99,7 +167,7 @@ TEST(FrameClock, TimeThatStandsStillOrGoesBackOwesNothing) {
 }
 
 TEST(FrameClock, PausedTimeIsNeitherRunNorLost) {
-    FrameClock clock(kStep_s, 8);
+    FrameClock clock(kStep_s);
     clock.advance(0.0);
     clock.advance(kStep_s * 1.5);
     clock.set_paused(true);
@@ -112,7 +180,7 @@ TEST(FrameClock, PausedTimeIsNeitherRunNorLost) {
 }
 
 TEST(FrameClock, ARequestedStepRunsOnceEvenWhilePaused) {
-    FrameClock clock(kStep_s, 8);
+    FrameClock clock(kStep_s);
     clock.advance(0.0);
     clock.set_paused(true);
     clock.request_step();
@@ -125,7 +193,7 @@ TEST(FrameClock, ARequestedStepRunsOnceEvenWhilePaused) {
 }
 
 TEST(FrameClock, SpeedScalesWallTime) {
-    FrameClock clock(kStep_s, 100);
+    FrameClock clock(kStep_s);
     clock.set_speed(2.0);
     clock.advance(0.0);
     EXPECT_EQ(clock.advance(kStep_s * 10).steps, 20);
@@ -134,7 +202,7 @@ TEST(FrameClock, SpeedScalesWallTime) {
 }
 
 TEST(FrameClock, SpeedStaysInItsRange) {
-    FrameClock clock(kStep_s, 8);
+    FrameClock clock(kStep_s);
     clock.set_speed(1000.0);
     EXPECT_EQ(clock.speed(), 4.0);
     clock.set_speed(0.0);
@@ -144,8 +212,7 @@ TEST(FrameClock, SpeedStaysInItsRange) {
 }
 
 TEST(FrameClockDeathTest, NeedsAPositiveStep) {
-    EXPECT_DEATH(FrameClock(0.0, 8), "a positive step and cap");
-    EXPECT_DEATH(FrameClock(kStep_s, 0), "a positive step and cap");
+    EXPECT_DEATH(FrameClock(0.0), "a positive step");
 }
 
 }  // namespace

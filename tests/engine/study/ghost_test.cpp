@@ -45,11 +45,13 @@ double largest_m(const GhostState& ghost, const SceneRun& run) {
 class GhostJob : public testing::Test {
 protected:
     GhostJob() { ::setenv("PLUMBLINE_DATA", PL_SOURCE_DIR, 1); }
-    static GhostState answer(const std::string& body) {
+    GhostState answer(const std::string& body) {
         const Result<GhostState> state = parse_ghost_state(run_ghost_job(body));
         EXPECT_TRUE(state.ok());
         return state ? *state : GhostState{};
     }
+
+    RunJob run_ghost_job{ghost_jobs()};
 };
 
 TEST_F(GhostJob, AGhostOfTheSameSettingGoesTheSameWay) {

@@ -19,6 +19,7 @@ std::string many(const std::string& body) {
     return std::string(static_cast<std::size_t>(std::atoi(body.c_str())), 'x');
 }
 std::string crash(const std::string&) {
+    std::signal(SIGSEGV, SIG_DFL);  // a sanitizer would make an exit code of it
     std::raise(SIGSEGV);
     return {};
 }
@@ -36,13 +37,13 @@ std::string chatter(const std::string&) {
     return "after chatter";
 }
 
-constexpr std::array<JobKind, 7> kKinds{{{"echo", echo},
-                                         {"many", many},
-                                         {"crash", crash},
-                                         {"leave", leave},
-                                         {"hang", hang},
-                                         {"fail", fail},
-                                         {"chatter", chatter}}};
+constexpr std::array<JobKind, 7> kKinds{{{"echo", each_by_itself<echo>},
+                                         {"many", each_by_itself<many>},
+                                         {"crash", each_by_itself<crash>},
+                                         {"leave", each_by_itself<leave>},
+                                         {"hang", each_by_itself<hang>},
+                                         {"fail", each_by_itself<fail>},
+                                         {"chatter", each_by_itself<chatter>}}};
 
 }  // namespace
 }  // namespace plumbline::study

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace plumbline::study {
@@ -99,6 +100,25 @@ TEST(WorkerPool, RefusesWhereAProgramIsMissing) {
 
 TEST(WorkerPool, NoJobsEndAtOnce) {
     EXPECT_TRUE(answers_to({}, 4).empty());
+}
+
+TEST(WorkerPool, AMissingProgramIsNamedWithWhatMakesIt) {
+    WorkerPrograms programs = kFixture;
+    programs.float64 = "/nowhere/plumbline-f64";
+    EXPECT_TRUE(check_programs(programs, std::array{Precision::Float32}).ok());
+    const Result<Done> missing =
+        check_programs(programs, std::array{Precision::Float32, Precision::Float64});
+    ASSERT_FALSE(missing.ok());
+    EXPECT_EQ(missing.error().exit_code, ExitCode::RunFailed);
+    EXPECT_EQ(missing.error().message,
+              "float64 runs need the program /nowhere/plumbline-f64, which is not there; ./play "
+              "builds it, and so does `cmake --build` with the target plumbline-f64");
+    const Result<bool> ran =
+        run_jobs(programs,
+                 std::vector{Job{.kind = "echo", .precision = Precision::Float64}},
+                 1,
+                 [](std::size_t, const Answer&) { ADD_FAILURE(); });
+    EXPECT_FALSE(ran.ok());
 }
 
 }  // namespace

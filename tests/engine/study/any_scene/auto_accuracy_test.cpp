@@ -97,11 +97,33 @@ TEST(AutoAccuracy, WhatTheFileSaysLimitsTheChoice) {
 }
 
 TEST(AutoAccuracy, OtherPresetsAreLeftAlone) {
-    scene::SceneDescription description;
-    description.accuracy.preset = "precise";
-    description.accuracy.step_hz = 120;
-    EXPECT_EQ(resolve_auto(description).preset, "precise");
-    EXPECT_EQ(resolve_auto(description).step_hz, 120);
+    scene::OpenedScene scene;
+    scene.description.accuracy.preset = "precise";
+    scene.description.accuracy.step_hz = 120;
+    EXPECT_EQ(resolve_auto(scene).preset, "precise");
+    EXPECT_EQ(resolve_auto(scene).step_hz, 120);
+}
+
+// A study would start worker processes, which this program does not answer as.
+TEST(AutoAccuracy, WhereNothingIsLeftToChooseNothingIsStudied) {
+    scene::OpenedScene scene;
+    scene::Accuracy& asked = scene.description.accuracy;
+    asked.preset = "auto";
+    put_over({.solver = physics::Solver::BulletSi, .step_hz = 77, .substeps = 3, .iterations = 9},
+             asked);
+    const scene::Accuracy got = resolve_auto(scene);
+    EXPECT_EQ(got.preset, "auto");
+    EXPECT_EQ(got.step_hz, 77);
+    EXPECT_EQ(got.iterations, 9);
+}
+
+TEST(AutoAccuracy, ARateThatNoStudyTriesIsTakenWithBalanced) {
+    scene::OpenedScene scene;
+    scene.description.accuracy.preset = "auto";
+    put_over({.step_hz = 77}, scene.description.accuracy);
+    const scene::Accuracy got = resolve_auto(scene);
+    EXPECT_EQ(got.preset, "balanced");
+    EXPECT_EQ(got.step_hz, 77);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ TEST_F(SceneRunTest, AFallingBallIsWhereGalileoSays) {
     SceneRun run = run_of(kFalling);
     for (const int step_hz : {30, 60, 240}) {
         run.setting.step_hz = step_hz;
-        const Result<SceneAnswer> answer = run_scene(run);
+        const Result<SceneAnswer> answer = SceneRunner().run(run);
         ASSERT_TRUE(answer);
         EXPECT_EQ(answer->bodies, 1U);
         EXPECT_NEAR(answer->body_size_m, std::sqrt(3.0), 0.1);
@@ -64,7 +64,7 @@ TEST_F(SceneRunTest, AFallingBallIsWhereGalileoSays) {
 TEST_F(SceneRunTest, RepeatsAreForTheClockAlone) {
     SceneRun run = run_of(kFalling);
     run.repeats = 3;
-    const Result<SceneAnswer> answer = run_scene(run);
+    const Result<SceneAnswer> answer = SceneRunner().run(run);
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->traces.size(), 1U);
     EXPECT_EQ(answer->cost.repeats, 3);  // the first one warmed up
@@ -77,7 +77,7 @@ TEST_F(SceneRunTest, CopiesStartWithinTheirShift) {
     SceneRun run = run_of(kFalling);
     run.copies = 4;
     run.shift_m = 1e-3;
-    const Result<SceneAnswer> answer = run_scene(run);
+    const Result<SceneAnswer> answer = SceneRunner().run(run);
     ASSERT_TRUE(answer);
     ASSERT_EQ(answer->traces.size(), 4U);
     for (const Trace& trace : answer->traces) {
@@ -93,8 +93,8 @@ TEST_F(SceneRunTest, CopiesStartWithinTheirShift) {
 
 TEST_F(SceneRunTest, AJobSaysWhatTheRunSays) {
     const SceneRun run = run_of(kFalling);
-    const Result<SceneAnswer> here = run_scene(run);
-    const Result<SceneAnswer> told = parse_scene_answer(run_scene_job(scene_job_body(run)));
+    const Result<SceneAnswer> here = SceneRunner().run(run);
+    const Result<SceneAnswer> told = parse_scene_answer(scene_jobs()(scene_job_body(run)));
     ASSERT_TRUE(here);
     ASSERT_TRUE(told);
     EXPECT_TRUE(told->refused.empty());
@@ -110,7 +110,7 @@ TEST_F(SceneRunTest, ASceneWhereNothingMovesIsRefused) {
     const SceneRun run = run_of(
         "[[entity]]\nname = \"floor\"\n[entity.body]\nkind = \"static\"\n"
         "shape = { box = [9, 1, 9] }\n");
-    const Result<SceneAnswer> answer = run_scene(run);
+    const Result<SceneAnswer> answer = SceneRunner().run(run);
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error().exit_code, ExitCode::Refused);
     EXPECT_NE(answer.error().message.find("nothing in it moves"), std::string::npos);
@@ -119,7 +119,7 @@ TEST_F(SceneRunTest, ASceneWhereNothingMovesIsRefused) {
 TEST_F(SceneRunTest, TooMuchTimeStopsIt) {
     SceneRun run = run_of(kFalling);
     run.cpu_limit_s = 0;
-    const Result<SceneAnswer> answer = run_scene(run);
+    const Result<SceneAnswer> answer = SceneRunner().run(run);
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->traces.at(0).status, RunStatus::TimedOut);
     EXPECT_LT(answer->traces[0].end_s, 1.0);
@@ -128,7 +128,7 @@ TEST_F(SceneRunTest, TooMuchTimeStopsIt) {
 
 TEST_F(SceneRunTest, JobsThatAreNoneAreRefused) {
     for (const char* body : {"", "[]", "{}", "{\"scene\": 3}", "no JSON"}) {
-        const Result<SceneAnswer> answer = parse_scene_answer(run_scene_job(body));
+        const Result<SceneAnswer> answer = parse_scene_answer(scene_jobs()(body));
         ASSERT_TRUE(answer);
         EXPECT_FALSE(answer->refused.empty()) << body;
     }

@@ -98,6 +98,52 @@ TEST_F(StudyCacheTest, WhatCannotBeReadIsIgnored) {
     EXPECT_TRUE(find_study(folder_, key_));
 }
 
+// Whoever believed such a file would stop at an assert, or hang, at every start with "auto".
+TEST_F(StudyCacheTest, SettingsThatNoSceneMayAskForAreThrownAway) {
+    for (const Setting& wrong : {Setting{.step_hz = 0},
+                                 Setting{.step_hz = 29},
+                                 Setting{.step_hz = 1001},
+                                 Setting{.substeps = 65},
+                                 Setting{.substeps_max = 0},
+                                 Setting{.iterations = 0},
+                                 Setting{.iterations = 1001}}) {
+        CachedStudy kept = study(0.1);
+        kept.study.subject.points.at(0).setting = wrong;
+        ASSERT_TRUE(keep_study(folder_, key_, kept));
+        EXPECT_FALSE(find_study(folder_, key_)) << setting_text(wrong);
+        EXPECT_FALSE(fs::exists(study_file(folder_, key_))) << setting_text(wrong);
+    }
+    for (const Setting& right : {Setting{.step_hz = 30, .substeps = 64, .iterations = 1000},
+                                 Setting{.step_hz = 1000, .substeps_max = 64}}) {
+        CachedStudy kept = study(0.1);
+        kept.study.subject.points.at(0).setting = right;
+        ASSERT_TRUE(keep_study(folder_, key_, kept));
+        EXPECT_TRUE(find_study(folder_, key_)) << setting_text(right);
+    }
+}
+
+TEST_F(StudyCacheTest, NumbersThatAreNoneAreThrownAway) {
+    ASSERT_TRUE(keep_study(folder_, key_, study(0.1)));
+    const fs::path file = study_file(folder_, key_);
+    const std::string whole = read_file(file, 1 << 20).value();
+    const std::size_t at = whole.find("\"step_hz\": ") + 11;
+    for (const char* number : {"1e67", "-60", "60.5", "null", "\"60\""}) {
+        std::string text = whole;
+        text.replace(at, text.find_first_of(",\n", at) - at, number);
+        std::ofstream(file, std::ios::binary) << text;
+        EXPECT_FALSE(find_study(folder_, key_)) << number;
+        EXPECT_FALSE(fs::exists(file)) << number;
+    }
+}
+
+TEST_F(StudyCacheTest, DeepJsonIsThrownAwayNotCrashedOn) {
+    ASSERT_TRUE(keep_study(folder_, key_, study(0.1)));
+    const fs::path file = study_file(folder_, key_);
+    std::ofstream(file, std::ios::binary) << std::string(200'000, '[') << std::string(200'000, ']');
+    EXPECT_FALSE(find_study(folder_, key_));
+    EXPECT_FALSE(fs::exists(file));
+}
+
 TEST_F(StudyCacheTest, AFileOfAnotherKeyInItsPlaceIsNotUsed) {
     ASSERT_TRUE(keep_study(folder_, key_, study(0.1)));
     StudyKey other = key_;
@@ -112,11 +158,12 @@ TEST_F(StudyCacheTest, WithoutAFolderNothingIsKeptOrFound) {
 }
 
 TEST(StudyKey, NamesTheRunningProgram) {
-    const StudyKey key = study_key(5);
-    EXPECT_EQ(key.scene, 5U);
+    const scene::OpenedScene scene;
+    const StudyKey key = study_key(scene);
+    EXPECT_EQ(key.scene, scene.motion_hash());
     EXPECT_NE(key.program, 0U);
     EXPECT_FALSE(key.machine.empty());
-    EXPECT_EQ(study_key(5).program, key.program);
+    EXPECT_EQ(study_key(scene).program, key.program);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include "engine/study/gallery/stability.h"
 
 #include "engine/core/files.h"
-#include "engine/scene/scene_file.h"
+#include "engine/scene/open_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -59,13 +59,14 @@ TEST(Gallery, HoldsEveryRowThatTheFeaturesAllow) {
 
 TEST(Gallery, EveryCaseHasAJudge) {
     Diagnostics faults;
-    const scene::SurfaceTable surfaces =
-        scene::load_surfaces(PL_SOURCE_DIR "/config/surfaces.toml", kAssets, faults);
     for (const CaseEntry& each : shipped()) {
-        const auto description = scene::load_scene(each.scene, kAssets, faults);
-        ASSERT_TRUE(description.ok()) << each.hard.id;
+        const auto opened = scene::open_scene(
+            each.scene,
+            {.folders = {.assets = kAssets, .shaders = {}, .config = PL_SOURCE_DIR "/config"}},
+            faults);
+        ASSERT_TRUE(opened.ok()) << each.hard.id;
         assets::AssetLibrary library;
-        const auto simulation = scene::build_simulation(*description, {}, library, surfaces);
+        const auto simulation = opened->build(library);
         ASSERT_TRUE(simulation.ok()) << each.hard.id;
         // Those that are about overlap say so; nothing else is remarkable.
         const bool overlaps = each.hard.energy_from.find("overlap") != std::string::npos;
@@ -97,6 +98,7 @@ TEST(Gallery, ARunThatTakesTooLongIsGivenUp) {
     ASSERT_TRUE(result.ok());
     EXPECT_TRUE(result->ran);
     EXPECT_FALSE(result->passed);
+    EXPECT_TRUE(result->gave_up) << "nothing had failed by then";
     EXPECT_NE(result->why.find("given up"), std::string::npos) << result->why;
     EXPECT_NEAR(result->simulated_s, 1.0 / 60, 1e-9);
 }
@@ -182,6 +184,19 @@ TEST_F(StabilityTableTest, OnlyOurOwnUnexplainedRedsAreUnexpected) {
     EXPECT_TRUE(table.unneeded_reds().empty());
     table.cases[0].hard.known_red = "an old reason";
     EXPECT_EQ(table.unneeded_reds(), std::vector<std::string>{"H01"});
+}
+
+// A slow machine must not turn a case red.
+TEST_F(StabilityTableTest, WhatWasGivenUpIsNeitherGreenNorRed) {
+    table.runs[2].result->gave_up = true;
+    EXPECT_TRUE(table.unexpected_reds().empty());
+    const std::string text = stability_text(table);
+    EXPECT_NE(text.find("  slow  "), std::string::npos) << text;
+    EXPECT_NE(text.find("1 of 2 pass, 1 given up"), std::string::npos) << text;
+    EXPECT_NE(stability_page(table).find("<td class=\"none\"><b>slow</b>"), std::string::npos);
+    const Result<CaseResult> told = parse_case_result(case_result_json(*table.runs[2].result));
+    ASSERT_TRUE(told.ok());
+    EXPECT_TRUE(told->gave_up);
 }
 
 TEST_F(StabilityTableTest, TheTextCountsWhatPasses) {

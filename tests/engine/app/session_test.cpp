@@ -1,0 +1,91 @@
+#include "engine/app/session.h"
+
+#include "tests/engine/app/session_fixture.h"
+
+#include <algorithm>
+
+namespace plumbline::app {
+namespace {
+
+bool has(const Session& session, const std::filesystem::path& file) {
+    return std::ranges::any_of(session.files(),
+                               [&](const scene::FileStamp& each) { return each.path == file; });
+}
+
+TEST_F(SessionTest, ReloadReadsWhatWasSaved) {
+    const auto session = open();
+    ASSERT_TRUE(session);
+    EXPECT_EQ(session->simulation->moving_bodies().size(), 2U);
+    std::string text = kTwoCubes;
+    text.resize(text.rfind("[[entity]]"));
+    folder_.write("scene.toml", text);
+    ASSERT_TRUE(session->reload().ok());
+    EXPECT_EQ(session->simulation->moving_bodies().size(), 1U);
+    ASSERT_TRUE(session->reset().ok());
+    EXPECT_EQ(session->simulation->moving_bodies().size(), 1U) << "reset keeps what was read";
+}
+
+// EXPERIENCE F20
+TEST_F(SessionTest, TheHandIsOpenWhenWhatItHeldIsGone) {
+    const auto session = open();
+    ASSERT_TRUE(session);
+    Actions grab;
+    grab.pressed[static_cast<std::size_t>(Action::Grab)] = 1;
+    effects::advance(*session->simulation, *session->effects, *session->game, grab);
+    EXPECT_TRUE(session->game->holds());
+    std::string text = kTwoCubes;
+    text.resize(text.rfind("[[entity]]"));
+    folder_.write("scene.toml", text);
+    ASSERT_TRUE(session->reload().ok());
+    EXPECT_FALSE(session->game->holds());
+    for (int i = 0; i < 10; ++i)
+        effects::advance(*session->simulation, *session->effects, *session->game, grab);
+    EXPECT_FALSE(session->game->holds());
+}
+
+// EXPERIENCE F21
+TEST_F(SessionTest, AFaultLeavesTheRunningSceneAsItIs) {
+    const auto session = open();
+    ASSERT_TRUE(session);
+    effects::advance(*session->simulation, *session->effects, *session->game, {});
+    const scene::Simulation* running = session->simulation.get();
+    for (const char* broken : {"[[entity]\n", "[accuracy]\nstep_hz = 0\n", ""}) {
+        folder_.write("scene.toml", broken);
+        const Result<Done> reloaded = session->reload();
+        if (std::string_view(broken).empty()) {
+            EXPECT_TRUE(reloaded.ok()) << "an empty scene is a scene";
+            continue;
+        }
+        ASSERT_FALSE(reloaded.ok()) << broken;
+        EXPECT_NE(reloaded.error().message.find("scene.toml:"), std::string::npos);
+        EXPECT_EQ(session->simulation.get(), running);
+        EXPECT_EQ(running->steps(), 1U);
+    }
+}
+
+TEST_F(SessionTest, AFileThatTheFailedReloadStumbledOverIsWatchedToo) {
+    const auto session = open();
+    ASSERT_TRUE(session);
+    folder_.write("parts.toml", "[[material]\n");
+    folder_.write("scene.toml", std::string("scene.include = [\"parts.toml\"]\n"));
+    ASSERT_FALSE(session->reload().ok());
+    EXPECT_TRUE(has(*session, folder_.path() / "scene.toml"));
+    EXPECT_TRUE(has(*session, folder_.path() / "parts.toml"));
+}
+
+// What fifty saves add to the library: nothing.
+TEST_F(SessionTest, FiftyReloadsAddNoMaterialsAndNoMeshes) {
+    folder_.write("scene.toml",
+                  "[[material]]\nname = \"red\"\n[[entity]]\nname = \"one\"\n"
+                  "primitive = { box = [1, 1, 1] }\nmaterial = \"red\"\n");
+    const auto session = open();
+    ASSERT_TRUE(session);
+    const std::size_t materials = session->library.material_count();
+    const std::size_t meshes = session->library.mesh_count();
+    for (int i = 0; i < 50; ++i) ASSERT_TRUE(session->reload().ok());
+    EXPECT_EQ(session->library.material_count(), materials);
+    EXPECT_EQ(session->library.mesh_count(), meshes);
+}
+
+}  // namespace
+}  // namespace plumbline::app
