@@ -61,7 +61,7 @@ TEST_F(SceneFileFaults, EveryTableRefusesUnknownKeysAndNamesTheNearest) {
         {"[accuracy]\nstephz = 60",
          "scene.toml:2:1: error: accuracy.stephz: unknown key; did you mean \"step_hz\"?"},
         {"[player]\nyaw = 1\n[[entity]]\nprimitive={plane=[1,1]}\nbody={kind=\"static\"}",
-         "scene.toml:2:1: error: player.yaw: unknown key; known: pitch_deg, position_m, yaw_deg"},
+         "scene.toml:2:1: error: player.yaw: unknown key; did you mean \"yaw_deg\"?"},
         {"[camera]\nfovdeg = 1",
          "scene.toml:2:1: error: camera.fovdeg: unknown key; did you mean \"fov_deg\"?"},
         {"[sun]\ncolour = [1,1,1]",
