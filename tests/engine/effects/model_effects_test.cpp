@@ -60,8 +60,8 @@ TEST(ModelAnimation, MovesItsPartsWithTheStepsAndRepeats) {
     const TempFolder folder;
     test::Running run(model_scene(folder, sliding_model()));
     EffectRuntime effects(*run, {.picture = true});
-    const auto ground_x = static_cast<float>(
-        run->registry.get<scene::Placement>(run->find("ground")).world_from_body.position.x);
+    const float ground_x =
+        run->registry.get<scene::Placement>(run->find("ground")).world_from_body.position.x;
     run.step(15, effects);  // a quarter of the second
     render::RenderFrame frame = draw(run, effects);
     ASSERT_EQ(frame.items.size(), 3U) << "ground, what stands, what slides; not the model at rest";
