@@ -38,6 +38,9 @@ Result<Done> build_array(const ArrayDescription& array, EntityBuilder& builder) 
             for (int x = 0; x < array.count[0]; ++x) {
                 const Vec3 cell{static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)};
                 copy.world_from_body.position = array.origin_m + array.spacing_m * cell;
+                copy.world_from_body.orientation =
+                    glm::angleAxis(glm::dot(array.turn_rad, cell), Vec3{0, 1, 0}) *
+                    array.prefab.world_from_body.orientation;
                 const Result<ecs::Entity> made =
                     builder.build(copy, fmt::format("{}.{}.{}.{}", array.name, x, y, z));
                 if (!made) return made.error();

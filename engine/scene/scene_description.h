@@ -187,10 +187,11 @@ struct EntityDescription {
 
 struct ArrayDescription {
     std::string name;
-    EntityDescription prefab;  ///< its pose is ignored
+    EntityDescription prefab;  ///< its position is ignored
     Vec3 origin_m{0, 0, 0};
     std::array<int, 3> count{1, 1, 1};
     Vec3 spacing_m{1, 1, 1};
+    Vec3 turn_rad{0, 0, 0};  ///< about +Y; of each copy against the one before it along x, y, z
 };
 
 using physics::JointKind;

@@ -260,11 +260,14 @@ void read_arrays(TableReader& root, SceneDescription& scene, LoadContext& contex
         array.origin_m = table.vector("origin_m", array.origin_m, kCoordinate_m);
         array.spacing_m = table.vector("spacing_m", array.spacing_m, kCoordinate_m);
         array.count = read_count(table);
+        array.turn_rad = read_turn_of_copies(table);
+        const std::optional<Quat> turn = read_turn(table);
         if (!table.has("prefab")) {
             table.error("prefab", "missing; expected the name of the prefab to copy");
         } else if (auto prefab = layered(nodes[i], path, context).table.without_top()) {
             array.prefab = read_entity(*prefab, EntityUse::Entity, context);
             array.prefab.name = table.text("prefab", {});
+            if (turn) array.prefab.world_from_body.orientation = *turn;
         }
         table.finish();
         context.array_places.push_back(table.place());

@@ -100,6 +100,10 @@ BodyShapeDescription read_body_shape(TableReader& body, const VisualDescription&
 
 // --- scene_poses.cpp
 Pose read_pose(TableReader& table);
+/// rotation_deg or orientation; nothing where there is neither.
+std::optional<Quat> read_turn(TableReader& table);
+/// turn_deg of an array, in radians.
+Vec3 read_turn_of_copies(TableReader& table);
 
 // --- scene_joints.cpp
 void read_joints(TableReader& root, SceneDescription& scene, LoadContext& context);

@@ -51,13 +51,23 @@ Pose read_pose(TableReader& table) {
         table.warning("position_m",
                       "more than 10000 m from the origin: single precision resolves 1 mm there");
     }
-    const std::string_view turned = table.either("rotation_deg", "orientation");
-    if (turned == "rotation_deg")
-        pose.orientation =
-            quat_from_euler_deg(table.vector("rotation_deg", Vec3{0, 0, 0}, kAngle_deg));
-    else if (turned == "orientation")
-        pose.orientation = read_orientation(table);
+    pose.orientation = read_turn(table).value_or(kNoRotation);
     return pose;
+}
+
+std::optional<Quat> read_turn(TableReader& table) {
+    const std::string_view key = table.either("rotation_deg", "orientation");
+    if (key == "rotation_deg")
+        return quat_from_euler_deg(table.vector("rotation_deg", Vec3{0, 0, 0}, kAngle_deg));
+    if (key == "orientation") return read_orientation(table);
+    return {};
+}
+
+Vec3 read_turn_of_copies(TableReader& table) {
+    const Vec3 turn_deg = table.vector("turn_deg", Vec3{0, 0, 0}, kAngle_deg);
+    return {radians_from_degrees(turn_deg.x),
+            radians_from_degrees(turn_deg.y),
+            radians_from_degrees(turn_deg.z)};
 }
 
 }  // namespace plumbline::scene

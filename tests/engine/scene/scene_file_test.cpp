@@ -528,6 +528,29 @@ spacing_m = [1.1, 1.2, 1.3]
     ASSERT_EQ(outcome.faults.size(), 1U);
 }
 
+TEST_F(SceneFileTest, ArraysTurnTheirCopies) {
+    const std::string prefab =
+        "[[prefab]]\nname = \"plank\"\nprimitive = { box = [2, 1, 1] }\nbody = {}\n"
+        "rotation_deg = [0, 0, 90]\n[[array]]\nname = \"a\"\nprefab = \"plank\"\n";
+    const Outcome plain = load(prefab);
+    ASSERT_TRUE(plain.scene.ok()) << plain.scene.error().message;
+    const Quat own = plain.scene->arrays[0].prefab.world_from_body.orientation;
+    EXPECT_NEAR(glm::angle(own), glm::half_pi<Real>(), 1e-5) << "the prefab's turn stays";
+
+    const Outcome turned =
+        load(prefab + "rotation_deg = [0, 30, 0]\nturn_deg = [10, 20, 30]\ncount = [2, 2, 2]\n");
+    ASSERT_TRUE(turned.scene.ok()) << turned.scene.error().message;
+    const ArrayDescription& array = turned.scene->arrays[0];
+    EXPECT_NEAR(
+        glm::angle(array.prefab.world_from_body.orientation), radians_from_degrees(30.0), 1e-5)
+        << "the array's own counts over the prefab's";
+    expect_near(
+        array.turn_rad,
+        {radians_from_degrees(10.0_r), radians_from_degrees(20.0_r), radians_from_degrees(30.0_r)});
+    const Outcome both = load(prefab + "rotation_deg = [0, 0, 0]\norientation = [1, 0, 0, 0]\n");
+    EXPECT_FALSE(both.scene.ok());
+}
+
 TEST_F(SceneFileTest, ShippedFilesAreIncludedByTheirBareNames) {
     write("assets/scenes/materials.toml", "[[material]]\nname = \"oak\"\n");
     const Outcome bare = load("[scene]\ninclude = [\"materials.toml\"]\n");

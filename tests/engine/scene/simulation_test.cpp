@@ -65,6 +65,27 @@ TEST(Simulation, KeepsFileOrderAndNumbersArraysXFirst) {
     EXPECT_TRUE(near(run.state("pile.1.0.1").world_from_body.position, Vec3{3, 1, 4}, 1e-6));
 }
 
+TEST(Simulation, TurnsTheCopiesOfAnArrayStepByStep) {
+    EntityDescription plank = box("plank", {}, {2, 1, 1});
+    plank.world_from_body.orientation = quat_from_euler_deg({0, 0, 90});
+    SceneDescription scene = scene_of({});
+    const Vec3 turn_rad{0, radians_from_degrees(30.0_r), radians_from_degrees(5.0_r)};
+    scene.arrays.push_back({.name = "stairs",
+                            .prefab = plank,
+                            .count = {1, 4, 2},
+                            .spacing_m = {3, 3, 3},
+                            .turn_rad = turn_rad});
+    Running run(scene);
+    // Its long side is up, whatever the turn about +Y; its z side shows the turn.
+    const Quat turned = run.state("stairs.0.3.1").world_from_body.orientation;
+    EXPECT_TRUE(near(turned * Vec3{1, 0, 0}, Vec3{0, 1, 0}, 1e-6));
+    const Real angle = radians_from_degrees(95.0_r);  // 3 times 30 and 5
+    EXPECT_TRUE(near(turned * Vec3{0, 0, 1}, Vec3{std::sin(angle), 0, std::cos(angle)}, 1e-6));
+    EXPECT_TRUE(near(run.state("stairs.0.0.0").world_from_body.orientation * Vec3{0, 0, 1},
+                     Vec3{0, 0, 1},
+                     1e-6));
+}
+
 TEST(Simulation, WeighsByDensityVolumeAndScale) {
     EntityDescription given = box("given", {0, 10, 0}, {1, 2, 3});
     given.scale = {2, 1, 1};
