@@ -108,8 +108,19 @@ struct RenderFrame {
 };
 
 /// Appends the item with its materials; sets its first_material and material_count.
-void add_item(RenderFrame& frame, DrawItem item, std::span<const assets::MaterialId> materials);
+inline void add_item(RenderFrame& frame,
+                     DrawItem item,
+                     std::span<const assets::MaterialId> materials) {
+    item.first_material = static_cast<std::uint32_t>(frame.material_ids.size());
+    item.material_count = static_cast<std::uint32_t>(materials.size());
+    frame.material_ids.insert(frame.material_ids.end(), materials.begin(), materials.end());
+    frame.items.push_back(item);
+}
+
 /// Good until the frame's material_ids change.
-std::span<const assets::MaterialId> materials_of(const RenderFrame& frame, const DrawItem& item);
+inline std::span<const assets::MaterialId> materials_of(const RenderFrame& frame,
+                                                        const DrawItem& item) {
+    return std::span{frame.material_ids}.subspan(item.first_material, item.material_count);
+}
 
 }  // namespace plumbline::render
