@@ -65,6 +65,8 @@ Result<Done> Session::reset() {
 }
 
 Result<Done> Session::reload() {
+    // As they are before the reading: a save meanwhile is then seen as one, an old fault is not.
+    for (scene::FileStamp& file : files_) file = scene::stamp_of(file.path, file.use);
     Result<scene::OpenedScene> opened = open_scene();
     if (!opened) return opened.error();
     files_ = opened->files;

@@ -59,6 +59,7 @@ TEST_F(SessionTest, AFaultLeavesTheRunningSceneAsItIs) {
         ASSERT_FALSE(reloaded.ok()) << broken;
         EXPECT_NE(reloaded.error().message.find("scene.toml:"), std::string::npos);
         EXPECT_EQ(session->simulation.get(), running);
+        EXPECT_TRUE(scene::unchanged(session->files())) << "it is read again when it is mended";
         EXPECT_EQ(running->steps(), 1U);
     }
 }
