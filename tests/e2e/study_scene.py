@@ -97,7 +97,7 @@ def auto_uses_what_is_kept_or_looks_for_itself():
     # What is broken is not used, said once, and made anew.
     for file in studied():
         file.write_text(file.read_text()[:100])
-    run("simulate", path, "--seconds", 0.1, says="is not used")
+    run("simulate", path, "--seconds", 0.1, says="is thrown away")
     assert "looks for" not in run("simulate", path, "--seconds", 0.1).stderr
     run("simulate", scene("hard", '[accuracy]\npreset = "auto"\ntolerance = 0.000000001'), "--seconds", 0.1,
         says="the best it saw is")

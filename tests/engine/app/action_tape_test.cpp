@@ -3,6 +3,7 @@
 #include "engine/core/files.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -16,8 +17,10 @@ const TapeHeader kHeader{.scene = "a.toml",
                          .step_s = 1.0 / 60.0,
                          .seed = 3};
 
+/// One a process: tests run side by side.
 std::filesystem::path tape_file() {
-    return std::filesystem::path(testing::TempDir()) / "action_tape_test.tape";
+    return std::filesystem::path(testing::TempDir()) /
+           ("action_tape_test_" + std::to_string(getpid()) + ".tape");
 }
 
 bool same(const Actions& a, const Actions& b) {

@@ -33,10 +33,11 @@ TEST(GltfRefusal, of_other_content_under_its_name) {
 }
 
 TEST(GltfRefusal, of_other_formats_by_name) {
-    for (const char* name : {"a.fbx", "a.blend", "a.md5mesh", "a.GLTFX", "a"}) {
+    for (const char* name : {"a.blend", "a.md5mesh", "a.GLTFX", "a"}) {
         expect_refused(import_bytes("anything", name),
-                       "convert to glTF (readable: .glb .gltf .obj)");
+                       "convert to glTF (readable: .glb .gltf .obj .ply .stl .dae .fbx)");
     }
+    expect_refused(import_bytes("anything", "a.fbx"), "its content is neither Collada nor FBX");
 }
 
 TEST(GltfRefusal, of_missing_files_folders_and_devices) {

@@ -31,8 +31,12 @@ struct Loaded {
 
 TEST(Bindings, EveryActionOfTheBuiltInTableIsBound) {
     const Bindings bindings = built_in_bindings();
-    for (std::size_t i = 0; i < kActionCount; ++i)
-        EXPECT_FALSE(bindings.inputs[i].empty()) << action_name(static_cast<Action>(i));
+    for (std::size_t i = 0; i < kActionCount; ++i) {
+        // Throwing and turning what is held do these two until a profile gives them keys.
+        const auto action = static_cast<Action>(i);
+        if (action == Action::TurnModel || action == Action::ShiftModel) continue;
+        EXPECT_FALSE(bindings.inputs[i].empty()) << action_name(action);
+    }
     EXPECT_EQ(words(bindings, Action::Forward), "w up pad.left_y-");
     EXPECT_EQ(words(bindings, Action::Drop), "q pad.right_bumper");
     EXPECT_EQ(words(bindings, Action::Throw), "mouse.left pad.right_trigger");
