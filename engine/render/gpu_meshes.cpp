@@ -14,6 +14,9 @@
 namespace plumbline::render {
 namespace {
 
+/// Coarser versions of boards and tiles open gaps between them, and save little in a mesh this small.
+constexpr std::size_t kFewSolidTriangles = 4000;
+
 // Attribute locations, as in the vertex shaders.
 constexpr GLuint kPosition = 0;
 constexpr GLuint kNormal = 1;
@@ -229,6 +232,9 @@ GpuMesh GpuMeshes::uploaded_with_lods(assets::MeshId id,
             has_material &&
             (features_of(library_.material(materials[part.material])) & feature::kLeaf) != 0);
     }
+    const bool is_solid = std::ranges::find(is_foliage, true) == is_foliage.end();
+    if (is_solid && data.indices.size() / 3 <= kFewSolidTriangles)
+        return uploaded(data, MeshLife::Kept);
     assets::MeshData all = data;
     std::vector<MeshLod> lods = add_lods(all, is_foliage);
     if (lods.empty()) return uploaded(data, MeshLife::Kept);
