@@ -1,5 +1,7 @@
 #include "game/command_docs.h"
 
+#include "engine/core/text_case.h"
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -165,8 +167,7 @@ std::string man_options(const CLI::App& command) {
 std::string man_page(const CLI::App& app, const std::string& version) {
     const std::string name = app.get_name();
     std::string upper = name;
-    std::ranges::transform(
-        upper, upper.begin(), [](unsigned char letter) { return std::toupper(letter); });
+    for (char& letter : upper) letter = to_upper(letter);
     // "Plumbline: a playground" is how --help begins; a page's first line names the program anyway.
     std::string is = app.get_description();
     if (const std::size_t colon = is.find(": "); colon != std::string::npos) is.erase(0, colon + 2);

@@ -5,10 +5,6 @@
 namespace plumbline::app {
 namespace {
 
-constexpr std::size_t index_of(Action action) {
-    return static_cast<std::size_t>(action);
-}
-
 constexpr auto kWords = [] {
     std::array<std::string_view, kActionCount> words{};
     const auto say = [&](Action action, std::string_view text) { words[index_of(action)] = text; };

@@ -1,10 +1,10 @@
 #include "engine/app/key_labels.h"
 
+#include "engine/core/text_case.h"
 #include "engine/platform/window.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 
 namespace plumbline::app {
@@ -17,8 +17,7 @@ std::string capitalised(std::string text) {
     for (char& letter : text) {
         if (letter == '_') letter = ' ';
     }
-    if (!text.empty())
-        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    if (!text.empty()) text[0] = to_upper(text[0]);
     return text;
 }
 

@@ -1,5 +1,9 @@
 #include "engine/assets/confined_io_impl.h"
 
+#include <assimp/BaseImporter.h>
+#include <assimp/Importer.hpp>
+#include <assimp/importerdesc.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -56,6 +60,16 @@ Assimp::IOStream* ConfinedIo::Open(const char* file, const char* mode) {
     if (mode == nullptr || *mode != 'r') return nullptr;
     const auto found = model_.files.find(plain_name(file));
     return found == model_.files.end() ? nullptr : new MemoryStream(found->second);
+}
+
+void keep_importers(Assimp::Importer& importer, std::initializer_list<std::string_view> names) {
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        const std::string_view name = importer.GetImporterInfo(i)->mName;
+        if (std::ranges::find(names, name) != names.end()) continue;
+        Assimp::BaseImporter* unwanted = importer.GetImporter(i);
+        importer.UnregisterLoader(unwanted);
+        delete unwanted;
+    }
 }
 
 }  // namespace plumbline::assets

@@ -7,6 +7,13 @@
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 
+#include <initializer_list>
+#include <string_view>
+
+namespace Assimp {
+class Importer;
+}
+
 namespace plumbline::assets {
 
 class ConfinedIo final : public Assimp::IOSystem {
@@ -23,5 +30,8 @@ public:
 private:
     const CheckedModel& model_;
 };
+
+/// assimp registers 48 importers, and hands a file to whichever likes its bytes: these are left.
+void keep_importers(Assimp::Importer& importer, std::initializer_list<std::string_view> names);
 
 }  // namespace plumbline::assets

@@ -8,10 +8,9 @@
 #include "engine/assets/single_mesh_impl.h"
 #include "engine/core/files.h"
 #include "engine/core/limits.h"
+#include "engine/core/text_case.h"
 
-#include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
-#include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/ranges.h>
@@ -26,25 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// assimp registers 48 importers, and hands a file to whichever likes its bytes. One is left.
-void keep_obj_importer(Assimp::Importer& importer) {
-    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
-        const std::string_view name = importer.GetImporterInfo(i)->mName;
-        if (name == "Wavefront Object Importer") continue;
-        Assimp::BaseImporter* unwanted = importer.GetImporter(i);
-        importer.UnregisterLoader(unwanted);
-        delete unwanted;
-    }
-}
-
-std::string lower_extension(const fs::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](char letter) {
-        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-    });
-    return extension;
-}
-
 Result<ModelData> read_obj(std::string_view bytes,
                            const std::string& name,
                            ModelReferences& references) {
@@ -52,7 +32,7 @@ Result<ModelData> read_obj(std::string_view bytes,
     if (!checked) return checked.error();
     try {
         Assimp::Importer importer;
-        keep_obj_importer(importer);
+        keep_importers(importer, {"Wavefront Object Importer"});
         if (importer.GetImporterCount() != 1) {
             return model_error(name, "this build of assimp lacks the OBJ importer");
         }
@@ -98,14 +78,14 @@ Error model_error(const std::string& name, std::string_view why) {
 }
 
 bool is_model_file(const fs::path& file) {
-    const std::string extension = lower_extension(file);
+    const std::string extension = to_lower(file.extension().string());
     return std::find(kModelExtensions.begin(), kModelExtensions.end(), extension) !=
            kModelExtensions.end();
 }
 
 Result<ModelData> import_model(const fs::path& file, const fs::path& root) {
     const std::string name = file.string();
-    const std::string extension = lower_extension(file);
+    const std::string extension = to_lower(file.extension().string());
     const bool is_known = is_model_file(file);
     if (!is_known) {
         return model_error(name,

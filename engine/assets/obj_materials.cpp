@@ -2,6 +2,7 @@
 #include "engine/core/files.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
+#include "engine/core/text_case.h"
 
 #include <fmt/format.h>
 
@@ -133,14 +134,6 @@ struct MtlReader {
     }
 };
 
-std::string lower(std::string_view word) {
-    std::string text(word);
-    for (char& letter : text) {
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    }
-    return text;
-}
-
 }  // namespace
 
 Result<std::vector<MaterialData>> read_mtl(const fs::path& file,
@@ -155,7 +148,7 @@ Result<std::vector<MaterialData>> read_mtl(const fs::path& file,
     std::string_view text = *bytes;
     while (const std::optional<std::string> line = next_line(text)) {
         std::string_view rest = *line;
-        const std::string key = lower(next_word(rest));
+        const std::string key = to_lower(next_word(rest));
         if (key == "newmtl") {
             reader.materials.push_back({.name = std::string(trimmed(rest))});
             if (reader.materials.size() > limits::kModelMaterials) {

@@ -95,7 +95,7 @@ constexpr std::array<ActionRow, kActionCount> kRows{{
 
 std::string_view action_name(Action action) {
     PL_ASSERT(action < Action::Count, "an action");
-    return kRows[static_cast<std::size_t>(action)].name;
+    return kRows[index_of(action)].name;
 }
 
 std::optional<Action> action_from_name(std::string_view name) {
@@ -107,7 +107,7 @@ std::optional<Action> action_from_name(std::string_view name) {
 
 ActionGroup group_of(Action action) {
     PL_ASSERT(action < Action::Count, "an action");
-    return kRows[static_cast<std::size_t>(action)].group;
+    return kRows[index_of(action)].group;
 }
 
 std::string_view group_name(ActionGroup group) {

@@ -98,6 +98,10 @@ enum class Action : std::uint8_t {
 };
 
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(Action::Count);
+/// Its place in arrays of kActionCount.
+constexpr std::size_t index_of(Action action) {
+    return static_cast<std::size_t>(action);
+}
 
 /// Tables of the bindings file, and which actions are live together.
 enum class ActionGroup : std::uint8_t { Walk, Things, View, Light, CameraPath, Time, Menu };

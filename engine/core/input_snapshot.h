@@ -11,6 +11,7 @@
 namespace plumbline {
 
 inline constexpr int kKeyCount = 349;  ///< GLFW key codes 0…348
+inline constexpr int kEscapeKey = 256;
 inline constexpr int kMouseButtonCount = 8;
 inline constexpr int kPadButtonCount = 15;  ///< GLFW_GAMEPAD_BUTTON_*
 inline constexpr int kPadAxisCount = 6;     ///< GLFW_GAMEPAD_AXIS_*

@@ -1,110 +1,23 @@
-#include "engine/input/action_latch.h"
-
-#include "engine/core/math.h"
+#include "engine/core/text_case.h"
+#include "engine/input/action_latch_impl.h"
 #include "engine/input/modifier_keys.h"
-#include "engine/input/stick.h"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <utility>
 
 namespace plumbline::input {
 namespace {
 
-constexpr std::size_t kTriggerAxis = 4;  // this one and the next are triggers
-constexpr float kTriggerHysteresis = 0.1F;
-constexpr float kRestZone = 0.3F;  // a stick that came closer to its centre is trusted
-constexpr double kMaxLookStep_s = 0.1;
-constexpr double kJump_counts = 1'000.0;  // in a frame of kJumpFrame_s or less
-constexpr double kLargestJump_counts = 4'000.0;
-constexpr double kJumpFrame_s = 0.02;
 // A modifier key that begins chords as well drives its own action only once no chord can be meant.
 constexpr double kChordWait_s = 0.15;
 
-constexpr std::size_t index_of(Action action) {
-    return static_cast<std::size_t>(action);
-}
-
-/// Walking follows the stick's travel; everything else is pressed when an axis passes a threshold.
-bool is_analog(Action action) {
-    return action == Action::Forward || action == Action::Back || action == Action::Left ||
-           action == Action::Right;
-}
-
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 std::string us_label(int key) {
     if (key <= ' ' || key > '`') return {};
-    return std::string(1, lower(static_cast<char>(key)));
+    return std::string(1, to_lower(static_cast<char>(key)));
 }
 
-/// An input that holds its action down, and the key or button that does so.
-struct Holder {
-    Action action;
-    DeviceEventKind kind;
-    int code;
-    std::uint8_t modifiers;
-};
-
-/// A modifier key that may yet become part of a chord.
-struct Waiting {
-    Holder holder;
-    double since_s;
-};
-
-/// The same for axes, which come as states, not events.
-struct AxisHolder {
-    Action action;
-    std::size_t axis;
-    int direction;
-    float amount;
-};
-
 }  // namespace
-
-struct ActionLatch::Impl {
-    Bindings bindings;
-    LabelLookup label_of{us_label};
-    std::vector<Holder> holders;
-    std::vector<Waiting> waiting;
-    std::vector<AxisHolder> axis_holders;
-    std::bitset<kActionCount> toggled;
-    std::array<std::uint8_t, kActionCount> step_presses{};
-    std::array<int, kActionCount> frame_presses{};
-    std::array<std::uint64_t, kActionCount> presses_seen{};
-    std::bitset<kKeyCount> keys_down;  // as of the event being read
-    std::array<bool, kPadAxisCount> axis_trusted{};
-    double yaw_rad{0.0};
-    double pitch_rad{0.0};
-    double last_now_s{0.0};
-    std::uint64_t jumps_dropped{0};
-    LastDevice last_device{LastDevice::KeyboardMouse};
-    InputFocus focus{};
-    bool updated_once{false};
-    bool pad_present{false};
-
-    bool is_live(Action action) const;
-    bool matches(const Input& input, const DeviceEvent& event) const;
-    void press(Action action);
-    bool begins_chords(const DeviceEvent& event) const;
-    void on_press(const DeviceEvent& event);
-    void end_waiting(std::uint8_t chord);
-    void start_what_waited(double now_s);
-    void on_release(DeviceEventKind kind, int code);
-    void drop_broken_chords();
-    void on_event(const DeviceEvent& event);
-    void release_everything();
-    void release_keyboard();
-    void release_pad();
-    void follow_axes(const InputSnapshot& input);
-    void follow_axis(Action action, const Input& source, const InputSnapshot& input);
-    void follow_look(const InputSnapshot& input, double elapsed_s);
-    void drop_sudden_focus_changes(const InputSnapshot& input, const InputFocus& now);
-    float amount_of(Action action) const;
-};
 
 bool ActionLatch::Impl::is_live(Action action) const {
     if (action == Action::Menu) return true;
@@ -117,7 +30,7 @@ bool ActionLatch::Impl::matches(const Input& input, const DeviceEvent& event) co
             if (input.kind == DeviceKind::Key) return input.code == event.code;
             if (input.kind == DeviceKind::Label && event.code >= 0) {
                 const std::string printed = label_of(event.code);
-                return printed.size() == 1 && lower(printed[0]) == lower(input.label);
+                return printed.size() == 1 && to_lower(printed[0]) == to_lower(input.label);
             }
             return false;
         case DeviceEventKind::MouseButton:
@@ -216,7 +129,6 @@ void ActionLatch::Impl::drop_broken_chords() {
 }
 
 void ActionLatch::Impl::on_event(const DeviceEvent& event) {
-    constexpr int kEscape = 256;
     const bool is_key = event.kind == DeviceEventKind::Key;
     if (is_key && event.code >= 0 && event.code < kKeyCount)
         keys_down[static_cast<std::size_t>(event.code)] = event.pressed;
@@ -228,7 +140,7 @@ void ActionLatch::Impl::on_event(const DeviceEvent& event) {
     last_device =
         event.kind == DeviceEventKind::PadButton ? LastDevice::Gamepad : LastDevice::KeyboardMouse;
     // A text field gets what is typed, but Escape always leads out.
-    if (is_key && focus.ui_keyboard && event.code != kEscape) return;
+    if (is_key && focus.ui_keyboard && event.code != kEscapeKey) return;
     const bool is_mouse =
         event.kind == DeviceEventKind::MouseButton || event.kind == DeviceEventKind::Wheel;
     if (is_mouse && focus.ui_mouse) return;
@@ -260,92 +172,6 @@ void ActionLatch::Impl::release_pad() {
     last_device = LastDevice::KeyboardMouse;
 }
 
-void ActionLatch::Impl::follow_axis(Action action,
-                                    const Input& source,
-                                    const InputSnapshot& input) {
-    const auto axis = static_cast<std::size_t>(source.code);
-    const bool is_trigger = axis >= kTriggerAxis;
-    float amount = 0.0F;
-    if (is_trigger) {
-        amount = trigger_travel(input.pad_axes[axis]);
-    } else {
-        const std::size_t x = axis & ~std::size_t{1};
-        const auto shaped = shape_stick(input.pad_axes[x], input.pad_axes[x + 1], bindings.tuning);
-        amount = std::max(shaped[axis - x] * static_cast<float>(source.direction), 0.0F);
-    }
-    const auto held = std::ranges::find_if(axis_holders, [&](const AxisHolder& h) {
-        return h.action == action && h.axis == axis && h.direction == source.direction;
-    });
-    const bool was_held = held != axis_holders.end();
-    const float threshold =
-        is_analog(action) && !is_trigger
-            ? 0.0F
-            : bindings.tuning.trigger_threshold - (was_held ? kTriggerHysteresis : 0.0F);
-    const bool is_held = axis_trusted[axis] && amount > 0.0F && amount >= threshold;
-    if (is_held && was_held) {
-        held->amount = amount;
-    } else if (is_held) {
-        axis_holders.push_back({action, axis, source.direction, amount});
-        press(action);
-        last_device = LastDevice::Gamepad;
-    } else if (was_held) {
-        axis_holders.erase(held);
-    }
-}
-
-// Some pads report half-pressed triggers or a pushed stick until they are first touched: an axis
-// counts only after it has been seen at rest.
-void ActionLatch::Impl::follow_axes(const InputSnapshot& input) {
-    for (std::size_t axis = 0; axis < input.pad_axes.size(); ++axis) {
-        const float value = input.pad_axes[axis];
-        const float travel = axis >= kTriggerAxis ? trigger_travel(value) : std::abs(value);
-        if (travel < kRestZone) axis_trusted[axis] = true;
-    }
-    for (std::size_t i = 0; i < kActionCount; ++i) {
-        const auto action = static_cast<Action>(i);
-        if (!is_live(action)) continue;
-        for (const Input& source : bindings.inputs[i])
-            if (source.kind == DeviceKind::PadAxis) follow_axis(action, source, input);
-    }
-}
-
-void ActionLatch::Impl::follow_look(const InputSnapshot& input, double elapsed_s) {
-    const Tuning& tuning = bindings.tuning;
-    const double up = tuning.invert_y ? -1.0 : 1.0;
-    double yaw_deg = 0.0;
-    double pitch_deg = 0.0;
-    for (const Input& source : bindings.of(Action::Look)) {
-        if (source.kind == DeviceKind::MouseMove && !focus.ui_mouse) {
-            const double right = input.mouse_counts[0];
-            const double down = input.mouse_counts[1];
-            const double limit = std::clamp(
-                kJump_counts * elapsed_s / kJumpFrame_s, kJump_counts, kLargestJump_counts);
-            // Written so that a number which is none fails too.
-            if (!(std::abs(right) <= limit && std::abs(down) <= limit)) {
-                ++jumps_dropped;
-                continue;
-            }
-            const auto deg_per_count = static_cast<double>(tuning.mouse_deg_per_count);
-            yaw_deg -= right * deg_per_count;
-            pitch_deg -= down * deg_per_count * up;
-            if (right != 0.0 || down != 0.0) last_device = LastDevice::KeyboardMouse;
-        } else if (source.kind == DeviceKind::PadStick && input.pad_present) {
-            const std::size_t x = source.code == 0 ? 0 : 2;
-            if (!axis_trusted[x] || !axis_trusted[x + 1]) continue;
-            const auto shaped = shape_stick(input.pad_axes[x], input.pad_axes[x + 1], tuning);
-            const double step_deg = static_cast<double>(tuning.pad_look_deg_per_s) *
-                                    std::clamp(elapsed_s, 0.0, kMaxLookStep_s);
-            yaw_deg -= static_cast<double>(shaped[0]) * step_deg;
-            pitch_deg -= static_cast<double>(shaped[1]) * step_deg * up;
-            if (shaped[0] != 0.0F || shaped[1] != 0.0F) last_device = LastDevice::Gamepad;
-        }
-    }
-    if (yaw_deg == 0.0 && pitch_deg == 0.0) return;
-    yaw_rad += radians_from_degrees(yaw_deg);
-    pitch_rad += radians_from_degrees(pitch_deg);
-    ++presses_seen[index_of(Action::Look)];
-}
-
 float ActionLatch::Impl::amount_of(Action action) const {
     const std::size_t i = index_of(action);
     if (bindings.hold_mode[i] == HoldMode::Toggle) return toggled[i] ? 1.0F : 0.0F;
@@ -369,6 +195,7 @@ void ActionLatch::Impl::drop_sudden_focus_changes(const InputSnapshot& input,
 
 ActionLatch::ActionLatch(Bindings bindings) : impl_(std::make_unique<Impl>()) {
     impl_->bindings = std::move(bindings);
+    impl_->label_of = us_label;
 }
 
 ActionLatch::~ActionLatch() = default;

@@ -1,5 +1,6 @@
 #include "engine/input/bindings.h"
 
+#include "engine/core/input_snapshot.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 #include "engine/input/bindings_layer.h"
@@ -11,12 +12,6 @@
 
 namespace plumbline::input {
 namespace {
-
-constexpr int kEscapeKey = 256;
-
-constexpr std::size_t index_of(Action action) {
-    return static_cast<std::size_t>(action);
-}
 
 bool is_escape(const Input& input) {
     return input.kind == DeviceKind::Key && input.code == kEscapeKey && input.modifiers == 0;

@@ -74,9 +74,7 @@ struct Bindings {
     /// the table from before: a file being edited is not one being given up.
     std::vector<std::string> left_out;
 
-    const std::vector<Input>& of(Action action) const {
-        return inputs[static_cast<std::size_t>(action)];
-    }
+    const std::vector<Input>& of(Action action) const { return inputs[index_of(action)]; }
 };
 
 /// One layer to lay over what is there.

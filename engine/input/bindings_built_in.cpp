@@ -109,7 +109,7 @@ Bindings built_in_bindings() {
     Bindings bindings;
     bindings.origin.fill("built-in");
     for (const DefaultRow& row : kDefaults) set(bindings, row);
-    bindings.hold_mode[static_cast<std::size_t>(Action::Grab)] = HoldMode::Toggle;
+    bindings.hold_mode[index_of(Action::Grab)] = HoldMode::Toggle;
     return bindings;
 }
 

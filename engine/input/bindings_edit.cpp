@@ -13,13 +13,11 @@
 namespace plumbline::input {
 namespace {
 
-constexpr int kEscapeKey = 256;
-constexpr std::size_t kTriggerAxis = 4;
 constexpr float kPushed = 0.7F;  // of an axis' travel, when a press is waited for
 constexpr float kAtRest = 0.3F;
 
 std::vector<Input>& inputs_of(Bindings& bindings, Action action) {
-    return bindings.inputs[static_cast<std::size_t>(action)];
+    return bindings.inputs[index_of(action)];
 }
 
 }  // namespace
@@ -52,7 +50,7 @@ void reset_action(Bindings& bindings, const Bindings& below, Action action) {
     std::erase_if(
         inputs, [&](const Input& input) { return !also_drives(bindings, input, action).empty(); });
     inputs_of(bindings, action) = std::move(inputs);
-    const auto i = static_cast<std::size_t>(action);
+    const auto i = index_of(action);
     bindings.hold_mode[i] = below.hold_mode[i];
 }
 

@@ -19,7 +19,7 @@ std::string in_quotes(std::string_view word) {
 
 /// The layers behind a list, its losses, and who else it shares an input with.
 std::string comment_of(const Bindings& bindings, Action action) {
-    const auto i = static_cast<std::size_t>(action);
+    const auto i = index_of(action);
     std::string comment = bindings.origin[i].empty() ? std::string{"unbound"} : bindings.origin[i];
     for (const std::string& note : bindings.notes[i]) comment += "; " + note;
     for (const Input& input : bindings.inputs[i]) {

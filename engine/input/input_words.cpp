@@ -1,4 +1,5 @@
 #include "engine/core/nearest_name.h"
+#include "engine/core/text_case.h"
 #include "engine/input/bindings.h"
 
 #include <fmt/format.h>
@@ -263,13 +264,6 @@ constexpr auto kModifierWords = std::to_array<ModifierWord>({{"ctrl+", kCtrl},
 constexpr std::string_view kLabelPrefix = "label:";
 constexpr std::size_t kLongestWord = 64;
 
-std::string lower_case(std::string_view text) {
-    std::string lower{text};
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return lower;
-}
-
 std::uint8_t take_modifiers(std::string_view& word) {
     unsigned modifiers = 0;
     for (bool found = true; found;) {
@@ -298,7 +292,7 @@ Result<Input> parse_label(std::string_view label, std::uint8_t modifiers) {
     if (!prints)
         return Error{.message = fmt::format(
                          "\"label:{}\" needs one printed character, as in \"label:/\"", label)};
-    const char printed = lower_case(label)[0];
+    const char printed = to_lower(label[0]);
     return Input{.kind = Label,
                  .modifiers = modifiers,
                  .label = printed,
@@ -337,7 +331,7 @@ std::optional<Input> input_of(DeviceKind kind, int code, int direction, std::uin
 Result<Input> parse_input(std::string_view word) {
     if (word.size() > kLongestWord)
         return Error{.message = fmt::format("unknown input of {} letters", word.size())};
-    const std::string lower = lower_case(word);
+    const std::string lower = to_lower(word);
     std::string_view base = lower;
     const std::uint8_t modifiers = take_modifiers(base);
     if (base.starts_with(kLabelPrefix))

@@ -12,6 +12,8 @@ namespace plumbline::input {
 /// outer edge is rescaled to 0…1. Non-finite axes count as 0.
 std::array<float, 2> shape_stick(float x, float y, const Tuning& tuning);
 
+inline constexpr std::size_t kTriggerAxis = 4;  ///< this one and the next are triggers
+
 /// A trigger's travel, 0…1, from an axis that rests at -1.
 float trigger_travel(float axis);
 

@@ -1,3 +1,4 @@
+#include "engine/core/text_case.h"
 #include "engine/platform/window.h"
 
 #define GLFW_INCLUDE_NONE
@@ -70,8 +71,7 @@ std::string printed_key_name(int key) {
     // Without a window system there is no layout to ask: the US letter, which is GLFW's code.
     const bool prints_ascii = key > GLFW_KEY_SPACE && key <= GLFW_KEY_GRAVE_ACCENT;
     if (!prints_ascii) return {};
-    const char letter = static_cast<char>(key >= 'A' && key <= 'Z' ? key - 'A' + 'a' : key);
-    return std::string(1, letter);
+    return std::string(1, to_lower(static_cast<char>(key)));
 }
 
 }  // namespace plumbline::platform

@@ -1,3 +1,4 @@
+#include "engine/core/text_case.h"
 #include "engine/scene/scene_parts.h"
 
 #include <fmt/format.h>
@@ -9,14 +10,6 @@ namespace plumbline::scene {
 namespace {
 
 constexpr std::array<std::string_view, 4> kImages{".jpg", ".jpeg", ".png", ".exr"};
-
-std::string lower_extension(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return extension;
-}
 
 std::filesystem::path read_map(TableReader& table,
                                std::string_view key,
@@ -42,7 +35,8 @@ std::optional<Reference> read_file_reference(TableReader& table,
         table.error(key, reference.error().message);
         return {};
     }
-    if (std::ranges::find(extensions, lower_extension(name)) == extensions.end()) {
+    const std::string extension = std::filesystem::path(name).extension().string();
+    if (std::ranges::find(extensions, to_lower(extension)) == extensions.end()) {
         table.error(key,
                     fmt::format("\"{}\" is of a kind that is not read here; expected {}{}",
                                 shown(name),

@@ -53,7 +53,7 @@ Line MenuPages::binding_line(Action action) {
     line.cells.push_back({.text = "+", .activate = [this, action, count = inputs.size()] {
                               wait_for_press({action, count});
                           }});
-    const auto index = static_cast<std::size_t>(action);
+    const auto index = index_of(action);
     const bool holds = stored.hold_mode[index] == input::HoldMode::Hold;
     const bool can_toggle =
         action == Action::Crouch || action == Action::Sprint || action == Action::Grab;

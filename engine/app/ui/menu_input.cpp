@@ -13,7 +13,6 @@ constexpr double kRepeat_s = 0.07;
 constexpr float kStickOut = 0.55F;
 
 // GLFW's codes.
-constexpr int kEscape = 256;
 struct FixedKey {
     int code;
     MenuPress press;
@@ -27,7 +26,7 @@ constexpr std::array<FixedKey, 11> kKeys{{{265, MenuPress::Up},
                                           {257, MenuPress::Accept},  // Enter
                                           {335, MenuPress::Accept},  // Enter on the keypad
                                           {32, MenuPress::Accept},
-                                          {kEscape, MenuPress::Back},
+                                          {kEscapeKey, MenuPress::Back},
                                           {261, MenuPress::Remove}}};
 constexpr std::array<FixedKey, 4> kPadButtons{
     {{11, MenuPress::Up}, {12, MenuPress::Right}, {13, MenuPress::Down}, {14, MenuPress::Left}}};
@@ -113,7 +112,7 @@ std::vector<MenuPress> MenuKeys::repeats(const InputSnapshot& input) {
 
 bool opens_menu(const DeviceEvent& event, const input::Bindings& bindings) {
     if (!event.pressed) return false;
-    const bool escape = event.kind == DeviceEventKind::Key && event.code == kEscape;
+    const bool escape = event.kind == DeviceEventKind::Key && event.code == kEscapeKey;
     return escape || drives(bindings, Action::Menu, event);
 }
 

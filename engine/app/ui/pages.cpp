@@ -2,6 +2,7 @@
 
 #include "engine/app/action_words.h"
 #include "engine/app/key_labels.h"
+#include "engine/core/text_case.h"
 
 #include <fmt/format.h>
 
@@ -34,8 +35,7 @@ std::string folder_words(std::string name) {
     std::ranges::replace(name, '_', ' ');
     const std::size_t slash = name.find('/');
     if (slash != std::string::npos) name.replace(slash, 1, ": ");
-    if (!name.empty() && name[0] >= 'a' && name[0] <= 'z')
-        name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    if (!name.empty()) name[0] = to_upper(name[0]);
     return name;
 }
 

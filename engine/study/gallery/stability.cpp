@@ -1,6 +1,7 @@
 #include "engine/study/gallery/stability.h"
 
 #include "engine/core/nearest_name.h"
+#include "engine/core/text_case.h"
 #include "engine/scene/json_text.h"
 #include "engine/scene/scene_file.h"
 #include "engine/study/job.h"
@@ -38,7 +39,7 @@ Result<CaseEntry> load_entry(const fs::path& file, const fs::path& assets_folder
 /// "hard/h05.toml" and "h05" as "H05".
 std::string plain_id(const std::string& asked) {
     std::string id = fs::path(asked).stem().string();
-    if (!id.empty()) id[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(id[0])));
+    if (!id.empty()) id[0] = to_upper(id[0]);
     return id;
 }
 

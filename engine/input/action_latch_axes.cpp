@@ -1,0 +1,112 @@
+#include "engine/core/math.h"
+#include "engine/input/action_latch_impl.h"
+#include "engine/input/stick.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::input {
+namespace {
+
+constexpr float kTriggerHysteresis = 0.1F;
+constexpr float kRestZone = 0.3F;  // a stick that came closer to its centre is trusted
+constexpr double kMaxLookStep_s = 0.1;
+constexpr double kJump_counts = 1'000.0;  // in a frame of kJumpFrame_s or less
+constexpr double kLargestJump_counts = 4'000.0;
+constexpr double kJumpFrame_s = 0.02;
+
+/// Walking follows the stick's travel; everything else is pressed when an axis passes a threshold.
+bool is_analog(Action action) {
+    return action == Action::Forward || action == Action::Back || action == Action::Left ||
+           action == Action::Right;
+}
+
+}  // namespace
+
+void ActionLatch::Impl::follow_axis(Action action,
+                                    const Input& source,
+                                    const InputSnapshot& input) {
+    const auto axis = static_cast<std::size_t>(source.code);
+    const bool is_trigger = axis >= kTriggerAxis;
+    float amount = 0.0F;
+    if (is_trigger) {
+        amount = trigger_travel(input.pad_axes[axis]);
+    } else {
+        const std::size_t x = axis & ~std::size_t{1};
+        const auto shaped = shape_stick(input.pad_axes[x], input.pad_axes[x + 1], bindings.tuning);
+        amount = std::max(shaped[axis - x] * static_cast<float>(source.direction), 0.0F);
+    }
+    const auto held = std::ranges::find_if(axis_holders, [&](const AxisHolder& h) {
+        return h.action == action && h.axis == axis && h.direction == source.direction;
+    });
+    const bool was_held = held != axis_holders.end();
+    const float threshold =
+        is_analog(action) && !is_trigger
+            ? 0.0F
+            : bindings.tuning.trigger_threshold - (was_held ? kTriggerHysteresis : 0.0F);
+    const bool is_held = axis_trusted[axis] && amount > 0.0F && amount >= threshold;
+    if (is_held && was_held) {
+        held->amount = amount;
+    } else if (is_held) {
+        axis_holders.push_back({action, axis, source.direction, amount});
+        press(action);
+        last_device = LastDevice::Gamepad;
+    } else if (was_held) {
+        axis_holders.erase(held);
+    }
+}
+
+// Some pads report half-pressed triggers or a pushed stick until they are first touched: an axis
+// counts only after it has been seen at rest.
+void ActionLatch::Impl::follow_axes(const InputSnapshot& input) {
+    for (std::size_t axis = 0; axis < input.pad_axes.size(); ++axis) {
+        const float value = input.pad_axes[axis];
+        const float travel = axis >= kTriggerAxis ? trigger_travel(value) : std::abs(value);
+        if (travel < kRestZone) axis_trusted[axis] = true;
+    }
+    for (std::size_t i = 0; i < kActionCount; ++i) {
+        const auto action = static_cast<Action>(i);
+        if (!is_live(action)) continue;
+        for (const Input& source : bindings.inputs[i])
+            if (source.kind == DeviceKind::PadAxis) follow_axis(action, source, input);
+    }
+}
+
+void ActionLatch::Impl::follow_look(const InputSnapshot& input, double elapsed_s) {
+    const Tuning& tuning = bindings.tuning;
+    const double up = tuning.invert_y ? -1.0 : 1.0;
+    double yaw_deg = 0.0;
+    double pitch_deg = 0.0;
+    for (const Input& source : bindings.of(Action::Look)) {
+        if (source.kind == DeviceKind::MouseMove && !focus.ui_mouse) {
+            const double right = input.mouse_counts[0];
+            const double down = input.mouse_counts[1];
+            const double limit = std::clamp(
+                kJump_counts * elapsed_s / kJumpFrame_s, kJump_counts, kLargestJump_counts);
+            // Written so that a number which is none fails too.
+            if (!(std::abs(right) <= limit && std::abs(down) <= limit)) {
+                ++jumps_dropped;
+                continue;
+            }
+            const auto deg_per_count = static_cast<double>(tuning.mouse_deg_per_count);
+            yaw_deg -= right * deg_per_count;
+            pitch_deg -= down * deg_per_count * up;
+            if (right != 0.0 || down != 0.0) last_device = LastDevice::KeyboardMouse;
+        } else if (source.kind == DeviceKind::PadStick && input.pad_present) {
+            const std::size_t x = source.code == 0 ? 0 : 2;
+            if (!axis_trusted[x] || !axis_trusted[x + 1]) continue;
+            const auto shaped = shape_stick(input.pad_axes[x], input.pad_axes[x + 1], tuning);
+            const double step_deg = static_cast<double>(tuning.pad_look_deg_per_s) *
+                                    std::clamp(elapsed_s, 0.0, kMaxLookStep_s);
+            yaw_deg -= static_cast<double>(shaped[0]) * step_deg;
+            pitch_deg -= static_cast<double>(shaped[1]) * step_deg * up;
+            if (shaped[0] != 0.0F || shaped[1] != 0.0F) last_device = LastDevice::Gamepad;
+        }
+    }
+    if (yaw_deg == 0.0 && pitch_deg == 0.0) return;
+    yaw_rad += radians_from_degrees(yaw_deg);
+    pitch_rad += radians_from_degrees(pitch_deg);
+    ++presses_seen[index_of(Action::Look)];
+}
+
+}  // namespace plumbline::input
