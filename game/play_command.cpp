@@ -65,11 +65,10 @@ public:
     void remember(const app::Session& session) const {
         const std::filesystem::path file = memory();
         if (file.empty()) return;
-        std::error_code ignored;  // the write says what is wrong
-        std::filesystem::create_directories(file.parent_path(), ignored);
+        std::error_code ignored;
         const std::filesystem::path scene =
             std::filesystem::absolute(session.description().file, ignored);
-        const Result<Done> written = write_file_atomically(file, scene.string());
+        const Result<Done> written = write_file_and_folder(file, scene.string());
         if (!written) log_note("{}", written.error().message);
     }
 

@@ -94,7 +94,8 @@ void set_accuracy(const toml::table& root,
         return;
     }
     // The most that an island may get must not stay behind from another choice.
-    if (!keys.contains("substeps_max")) keys["substeps_max"] = keys.at("substeps");
+    const bool fixed = !keys.contains("substeps_max");
+    if (fixed) keys["substeps_max"] = keys.at("substeps");
     // All that a preset stands for is said now; "auto" would still look for more.
     keys["preset"] = "\"balanced\"";
     for (const auto& [key, node] : *table) {
@@ -104,7 +105,6 @@ void set_accuracy(const toml::table& root,
         keys.erase(wanted);
     }
     keys.erase("preset");
-    const bool fixed = wanted_keys(setting).count("substeps_max") == 0;
     if (fixed) keys.erase("substeps_max");
 
     const std::size_t begin = places.byte_of(table->source().begin);
@@ -217,13 +217,12 @@ Result<fs::path> write_adopted_copy(const fs::path& scene,
     } catch (const toml::parse_error& fault) {
         return Error{.message = fmt::format("{}: {}", scene.string(), fault.description())};
     }
-    std::error_code ignored;  // the save says what is wrong
-    fs::create_directories(folder.empty() ? "." : folder, ignored);
     const fs::path copy = unused_copy(folder, scene.stem().string());
-    const Result<Done> written = write_file_atomically(copy, edited(*text, std::move(edits)));
+    const Result<Done> written = write_file_and_folder(copy, edited(*text, std::move(edits)));
     if (!written) return written.error();
     const std::string wrong = what_is_wrong(copy, scene, setting, folders);
     if (wrong.empty()) return copy;
+    std::error_code ignored;
     fs::remove(copy, ignored);
     return Error{.message = fmt::format("{} cannot be adopted by itself ({}); write these lines "
                                         "under [accuracy]: {}",

@@ -83,9 +83,7 @@ void FirstMinute::store() const {
     for (const Row& row : kRows) {
         if (done_[static_cast<std::size_t>(row.step)]) text += std::string(row.name) + '\n';
     }
-    std::error_code ignored;  // the write says what is wrong
-    std::filesystem::create_directories(file_.parent_path(), ignored);
-    const Result<Done> written = write_file_atomically(file_, text);
+    const Result<Done> written = write_file_and_folder(file_, text);
     // The hints come again next time: not worth a message to somebody who is about to play.
     if (!written) log_note("{}", written.error().message);
 }

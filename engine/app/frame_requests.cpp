@@ -64,8 +64,10 @@ void FrameParts::save_recording_so_far() {
         return;
     }
     const std::filesystem::path folder = def_.user_data_folder / "recordings";
-    std::error_code ignored;  // the save says what is wrong
-    std::filesystem::create_directories(folder, ignored);
+    if (const Result<Done> made = make_folder(folder); !made) {
+        say(made.error().message);
+        return;
+    }
     const std::filesystem::path file = unused_file(folder, scene_name(), ".tape");
     const Result<Done> saved = stepper.save_recording(file);
     say(saved ? "actions so far saved: " + file.string() : saved.error().message);

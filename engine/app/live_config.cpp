@@ -36,12 +36,7 @@ Result<Done> write_user_setting(const std::filesystem::path& user_folder,
         return Error{.message = fmt::format("changes last for this session: {}", why)};
     };
     if (user_folder.empty()) return not_stored("there is no folder for your settings");
-    std::error_code error;
-    std::filesystem::create_directories(user_folder, error);
-    if (error) {
-        return not_stored(fmt::format("cannot make {}: {}", user_folder.string(), error.message()));
-    }
-    const Result<Done> written = write_file_atomically(user_folder / name, text);
+    const Result<Done> written = write_file_and_folder(user_folder / name, text);
     if (!written) return not_stored(written.error().message);
     return Done{};
 }

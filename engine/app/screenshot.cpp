@@ -1,6 +1,7 @@
 #include "engine/app/screenshot.h"
 
 #include "engine/assets/image_import.h"
+#include "engine/core/files.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -32,11 +33,7 @@ Result<fs::path> save_screenshot(const render::Renderer& renderer,
                                  const std::string& scene) {
     if (folder.empty())
         return Error{.message = "no folder for pictures: neither XDG_DATA_HOME nor HOME is set"};
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed)
-        return Error{.message =
-                         fmt::format("cannot make {}: {}", folder.string(), failed.message())};
+    if (const Result<Done> made = make_folder(folder); !made) return made.error();
     const fs::path file = unused_file(folder, scene, ".png");
     if (const Result<Done> written = assets::write_png(file, renderer.read_pixels()); !written) {
         return written.error();

@@ -6,9 +6,6 @@
 
 namespace plumbline {
 
-/// $XDG_STATE_HOME/plumbline, or ~/.local/state/plumbline; empty when there is no home either.
-std::filesystem::path user_state_folder();
-
 /// From now on a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) leaves `folder`/crash.txt:
 /// `heading`, the signal, a backtrace and the last lines of the log; then the signal does what it
 /// always does. Once a program. Without a folder, and under a sanitizer, nothing changes.

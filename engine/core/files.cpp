@@ -1,9 +1,7 @@
 #include "engine/core/files.h"
 
-#include "engine/core/crash_report.h"
 #include "engine/core/files_impl.h"
 #include "engine/core/interrupt.h"
-#include "engine/core/output.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -219,6 +217,19 @@ Result<Done> write_file_atomically(const fs::path& path, std::string_view bytes)
         file_calls().open(folder_of(target->path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC, 0));
     if (folder.open()) file_calls().sync(folder.number());
     return Done{};
+}
+
+Result<Done> make_folder(const fs::path& folder) {
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (!failed) return Done{};
+    return Error{
+        .message = fmt::format("cannot make the folder {}: {}", folder.string(), failed.message())};
+}
+
+Result<Done> write_file_and_folder(const fs::path& path, std::string_view bytes) {
+    if (const Result<Done> made = make_folder(folder_of(path)); !made) return made;
+    return write_file_atomically(path, bytes);
 }
 
 Result<Done> check_writable(const fs::path& path) {

@@ -28,7 +28,20 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
 /// Temporary file beside the target, fsync, rename, fsync of the folder. On any failure the old
 /// file stands, the temporary one is gone and the error says what failed. Of two programs that save
 /// at once the last one wins, whole. What a killed program left behind goes with a later save.
+///
+/// A new file has the mode that the umask gives. A replaced one keeps its mode, and its owner and
+/// group as far as the system lets us set them; where not even the group can be kept, the new group
+/// gets no rights. A link stays, what it points to is replaced; another name of the same file (a hard
+/// link) keeps the old bytes.
 Result<Done> write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// With those above it, where they are missing.
+Result<Done> make_folder(const std::filesystem::path& folder);
+/// As write_file_atomically, in a folder that is made where it is missing.
+Result<Done> write_file_and_folder(const std::filesystem::path& path, std::string_view bytes);
+/// Removes what killed programs left of their saves in `folder`. A save takes far less than a
+/// minute; older ones are nobody's. Should one be somebody's after all, only that save fails.
+void remove_stale_saves(const std::filesystem::path& folder);
 
 /// `reference`, as a file writes it, below `root`: relative, forward slashes, no way out of root,
 /// links followed and still inside. The error says which rule it breaks.
@@ -43,6 +56,8 @@ bool is_inside(const std::filesystem::path& root, const std::filesystem::path& p
 std::filesystem::path user_config_folder();
 /// $XDG_DATA_HOME/plumbline, or ~/.local/share/plumbline: pictures, recordings, saves.
 std::filesystem::path user_data_folder();
+/// $XDG_STATE_HOME/plumbline, or ~/.local/state/plumbline: what a crash leaves.
+std::filesystem::path user_state_folder();
 /// $XDG_CACHE_HOME/plumbline, or ~/.cache/plumbline: what can be made again.
 std::filesystem::path user_cache_folder();
 

@@ -69,12 +69,7 @@ Result<Done> check_output(const fs::path& path) {
 }
 
 Result<Done> make_output_folder(const fs::path& folder, std::initializer_list<const char*> names) {
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed) {
-        return Error{.message = fmt::format(
-                         "cannot make the folder {}: {}", folder.string(), failed.message())};
-    }
+    if (Result<Done> made = make_folder(folder); !made) return made;
     for (const char* name : names) {
         if (Result<Done> open = check_output(folder / name); !open) return open;
     }

@@ -24,10 +24,6 @@ Result<Done> make_output_folder(const std::filesystem::path& folder,
 /// Waits for a reader where `path` is a FIFO; Ctrl-C ends that.
 Result<Done> write_output(const std::filesystem::path& path, std::string_view bytes);
 
-/// Removes what killed programs left of their saves in `folder`. A save takes far less than a
-/// minute; older ones are nobody's. Should one be somebody's after all, only that save fails.
-void remove_stale_saves(const std::filesystem::path& folder);
-
 /// What std::cout still holds, out. The error when anything of it was lost, also earlier.
 Result<Done> flush_standard_output();
 

@@ -118,14 +118,9 @@ Result<Done> keep_study(const fs::path& folder, const StudyKey& key, const Cache
         const std::optional<CachedStudy> there = find_study(folder, key);
         if (there && there->grid == GridSize::Full) return Done{};
     }
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        return Error{.message =
-                         fmt::format("{}: cannot be made: {}", folder.string(), error.message())};
     const std::string text =
         json_of(key, study).dump(1, ' ', false, Json::error_handler_t::replace);
-    return write_file_atomically(study_file(folder, key), fmt::format("{}\n", text));
+    return write_file_and_folder(study_file(folder, key), fmt::format("{}\n", text));
 }
 
 }  // namespace plumbline::study
