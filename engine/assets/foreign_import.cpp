@@ -4,15 +4,14 @@
 #include "engine/assets/foreign_import_impl.h"
 #include "engine/assets/model_convert_impl.h"
 #include "engine/assets/model_wire.h"
-#include "engine/core/child_output.h"
+#include "engine/core/child_process.h"
 #include "engine/core/files.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
+#include "engine/core/output.h"
 
-#include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
-#include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -48,16 +47,6 @@ ForeignKind kind_of(std::string_view bytes) {
                                                                      : ForeignKind::None;
 }
 
-void keep_foreign_importers(Assimp::Importer& importer) {
-    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
-        const std::string_view name = importer.GetImporterInfo(i)->mName;
-        if (name == "Collada Importer" || name == "Autodesk FBX Importer") continue;
-        Assimp::BaseImporter* unwanted = importer.GetImporter(i);
-        importer.UnregisterLoader(unwanted);
-        delete unwanted;
-    }
-}
-
 void limit_this_process() {
     const auto limit = [](auto resource, rlim_t most) {
         const rlimit both{.rlim_cur = most, .rlim_max = most};
@@ -69,16 +58,6 @@ void limit_this_process() {
 #ifndef __SANITIZE_ADDRESS__
     limit(RLIMIT_AS, kMemoryBytes);
 #endif
-}
-
-bool write_all(std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = write(STDOUT_FILENO, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return false;
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return true;
 }
 
 /// The program that has the worker in it: this one, as a rule.
@@ -146,7 +125,7 @@ Result<ModelData> read_foreign(std::string_view bytes, const std::string& name) 
     only.files.emplace(plain_name, std::string(bytes));
     try {
         Assimp::Importer importer;
-        keep_foreign_importers(importer);
+        keep_importers(importer, {"Collada Importer", "Autodesk FBX Importer"});
         importer.SetIOHandler(std::make_unique<ConfinedIo>(only).release());  // it takes over
         importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
         importer.SetPropertyBool(AI_CONFIG_FBX_USE_SKELETON_BONE_CONTAINER, false);
@@ -173,9 +152,9 @@ ExitCode run_model_worker(const fs::path& file) {
         if (!model) return model.error();
         return bytes_of(*model);
     }();
-    const bool written = answer
-                             ? write_all({&kModelAnswer, 1}) && write_all(*answer)
-                             : write_all({&kErrorAnswer, 1}) && write_all(answer.error().message);
+    const char kind = answer ? kModelAnswer : kErrorAnswer;
+    const bool written = write_output("-", {&kind, 1}) &&
+                         write_output("-", answer ? *answer : answer.error().message);
     return written ? ExitCode::Good : ExitCode::RunFailed;
 }
 
@@ -190,11 +169,15 @@ Result<ModelData> import_foreign(const fs::path& file,
     if (program.empty())
         return model_error(name, "the program plumbline, which reads it, is not here");
     const Result<ChildOutput> output =
-        output_of(program, {"model-worker", file.string()}, kAnswerBytes, kWall_s);
+        output_of({.program = program, .arguments = {"model-worker", file.string()}},
+                  {},
+                  kAnswerBytes,
+                  kWall_s);
     if (!output) return model_error(name, output.error().message);
-    if (!output->end.empty() || output->bytes.empty()) {
+    if (!output->end.good || output->bytes.empty()) {
         return model_error(
-            name, fmt::format("its reader {}", output->end.empty() ? "says nothing" : output->end));
+            name,
+            fmt::format("its reader {}", output->end.good ? "says nothing" : output->end.words));
     }
     const std::string_view answer = std::string_view(output->bytes).substr(1);
     if (output->bytes.front() != kModelAnswer) {

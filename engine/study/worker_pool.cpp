@@ -1,16 +1,15 @@
 #include "engine/study/worker_pool.h"
 
+#include "engine/core/child_process.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/stopwatch.h"
 #include "engine/study/worker.h"
-#include "engine/study/worker_process_impl.h"
 
 #include <fmt/format.h>
 #include <poll.h>
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <optional>
 #include <thread>
 
@@ -26,20 +25,18 @@ public:
 
     bool busy() const { return job_.has_value(); }
     std::size_t job() const { return *job_; }
-    int answers() const { return worker()->answers(); }
+    int answers() const { return worker()->output(); }
     double left_s() const { return deadline_s_ - wall_s(); }
 
     Result<Done> give(std::size_t index, const Job& job) {
         precision_ = job.precision;
         if (!worker()) {
-            Result<WorkerProcess> started = WorkerProcess::start(
-                precision_ == Precision::Float32 ? programs_.float32 : programs_.float64,
-                programs_.arguments);
+            Result<ChildProcess> started = start_worker(programs_, precision_);
             if (!started) return started.error();
             worker().emplace(std::move(*started));
         }
         // A worker that does not read has ended: its pipe's end says so, and how.
-        worker()->send(job_line(job));
+        worker()->send_line(job_line(job));
         job_ = index;
         received_.clear();
         deadline_s_ = wall_s() + job.limit_s;
@@ -60,7 +57,7 @@ public:
         if (open) return std::nullopt;
         job_.reset();
         Answer crashed{.status = AnswerStatus::Crashed,
-                       .body = fmt::format("the worker {}", worker()->end())};
+                       .body = fmt::format("the worker {}", worker()->end().words)};
         worker().reset();
         return crashed;
     }
@@ -73,15 +70,13 @@ public:
     }
 
 private:
-    std::optional<WorkerProcess>& worker() {
-        return workers_[static_cast<std::size_t>(precision_)];
-    }
-    const std::optional<WorkerProcess>& worker() const {
+    std::optional<ChildProcess>& worker() { return workers_[static_cast<std::size_t>(precision_)]; }
+    const std::optional<ChildProcess>& worker() const {
         return workers_[static_cast<std::size_t>(precision_)];
     }
 
     const WorkerPrograms& programs_;
-    std::array<std::optional<WorkerProcess>, 2> workers_;
+    std::array<std::optional<ChildProcess>, 2> workers_;
     Precision precision_{Precision::Float32};
     std::optional<std::size_t> job_;
     std::string received_;
@@ -111,6 +106,13 @@ WorkerPrograms sibling_programs() {
     return {.float32 = folder / "plumbline", .float64 = folder / "plumbline-f64"};
 }
 
+Result<ChildProcess> start_worker(const WorkerPrograms& programs, Precision precision) {
+    return ChildProcess::start(
+        {.program = precision == Precision::Float32 ? programs.float32 : programs.float64,
+         .arguments = programs.arguments,
+         .own_group = true});
+}
+
 Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Precision> needed) {
     for (const Precision precision : needed) {
         const std::filesystem::path& program =
@@ -137,8 +139,6 @@ Result<bool> run_jobs(const WorkerPrograms& programs,
             needed.push_back(job.precision);
     }
     if (Result<Done> there = check_programs(programs, needed); !there) return there.error();
-    // A worker that ended must show as a failed write, not end us.
-    std::signal(SIGPIPE, SIG_IGN);
     const auto slot_count = static_cast<std::size_t>(std::max(1, workers));
     std::vector<Slot> slots;
     slots.reserve(slot_count);

@@ -1,6 +1,7 @@
 // The parent's side of the study: workers as child processes, given jobs and waited for.
 #pragma once
 
+#include "engine/core/child_process.h"
 #include "engine/study/job.h"
 
 #include <array>
@@ -16,6 +17,7 @@ struct WorkerPrograms {
 };
 /// plumbline and plumbline-f64 beside the running program.
 WorkerPrograms sibling_programs();
+Result<ChildProcess> start_worker(const WorkerPrograms& programs, Precision precision);
 /// Refused (exit code 1): one of the programs that runs of these precisions need is not there. The
 /// message says what makes it.
 Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Precision> needed);

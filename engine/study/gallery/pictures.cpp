@@ -1,10 +1,10 @@
 // Small pictures of end states, by `plumbline render` in child processes: a machine without OpenGL, or
 // a driver that crashes, costs the pictures and nothing else.
+#include "engine/core/child_process.h"
 #include "engine/core/files.h"
 #include "engine/core/interrupt.h"
 #include "engine/study/gallery/stability.h"
 #include "engine/study/worker_pool.h"
-#include "engine/study/worker_process_impl.h"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -22,7 +22,7 @@ constexpr int kPoll_ms = 200;
 
 /// A child that draws one case.
 struct Drawing {
-    WorkerProcess process;
+    ChildProcess process;
     std::size_t entry;
     fs::path file;
 };
@@ -33,16 +33,18 @@ Result<Drawing> start_drawing(const StabilityTable& table,
                               const std::string& size) {
     const CaseEntry& drawn = table.cases[entry];
     const fs::path file = folder / (drawn.hard.id + ".png");
-    Result<WorkerProcess> process = WorkerProcess::start(sibling_programs().float32,
-                                                         {"render",
-                                                          drawn.scene.string(),
-                                                          "--at",
-                                                          fmt::format("{}", drawn.hard.seconds),
-                                                          "--size",
-                                                          size,
-                                                          "--out",
-                                                          file.string(),
-                                                          "--quiet"});
+    Result<ChildProcess> process =
+        ChildProcess::start({.program = sibling_programs().float32,
+                             .arguments = {"render",
+                                           drawn.scene.string(),
+                                           "--at",
+                                           fmt::format("{}", drawn.hard.seconds),
+                                           "--size",
+                                           size,
+                                           "--out",
+                                           file.string(),
+                                           "--quiet"},
+                             .own_group = true});
     if (!process) return process.error();
     return Drawing{std::move(*process), entry, file};
 }
@@ -52,7 +54,7 @@ bool wait_for_any(std::vector<Drawing>& drawings, std::size_t& which) {
     while (!interrupted()) {
         std::vector<pollfd> files;
         for (const Drawing& drawing : drawings)
-            files.push_back({.fd = drawing.process.answers(), .events = POLLIN, .revents = 0});
+            files.push_back({.fd = drawing.process.output(), .events = POLLIN, .revents = 0});
         if (poll(files.data(), files.size(), kPoll_ms) <= 0) continue;
         for (which = 0; which < files.size(); ++which) {
             std::string ignored;
@@ -78,7 +80,7 @@ void draw_all(StabilityTable& table, int workers, const fs::path& folder, const 
         if (!wait_for_any(drawings, which)) return;
         Drawing& drawing = drawings[which];
         // The pipe closes when it exits; the file was put in place, whole, before.
-        const std::string how = drawing.process.end();
+        const std::string how = drawing.process.end().words;
         Result<std::string> png = read_file(drawing.file, kPictureBytes);
         if (png) {
             table.pictures[drawing.entry] = std::move(*png);

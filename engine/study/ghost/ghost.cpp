@@ -3,14 +3,12 @@
 #include "engine/study/job.h"
 #include "engine/study/worker.h"
 #include "engine/study/worker_pool.h"
-#include "engine/study/worker_process_impl.h"
 
 #include <fmt/format.h>
 #include <poll.h>
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <deque>
 
 namespace plumbline::study {
@@ -33,7 +31,7 @@ struct Ghost::Impl {
     };
 
     Setting setting;
-    std::optional<WorkerProcess> worker;
+    std::optional<ChildProcess> worker;
     std::string received;
     bool waiting{false};  ///< for an answer
     std::deque<Look> looks;
@@ -46,8 +44,8 @@ struct Ghost::Impl {
     std::string failure;
 
     void ask(const std::string& body) {
-        waiting = worker->send(job_line({.kind = "ghost", .body = body}));
-        if (!waiting) fail(fmt::format("its process {}", worker->end()));
+        waiting = worker->send_line(job_line({.kind = "ghost", .body = body}));
+        if (!waiting) fail(fmt::format("its process {}", worker->end().words));
     }
     void ask_next() {
         if (waiting || looks.empty() || !failure.empty()) return;
@@ -87,13 +85,10 @@ Ghost::~Ghost() = default;
 
 Result<std::unique_ptr<Ghost>> Ghost::start(const scene::Simulation& simulation,
                                             const Setting& setting) {
-    std::signal(SIGPIPE, SIG_IGN);
     const WorkerPrograms programs = sibling_programs();
     if (const Result<Done> there = check_programs(programs, std::array{setting.precision}); !there)
         return there.error();
-    Result<WorkerProcess> worker = WorkerProcess::start(
-        setting.precision == Precision::Float32 ? programs.float32 : programs.float64,
-        programs.arguments);
+    Result<ChildProcess> worker = start_worker(programs, setting.precision);
     if (!worker) return worker.error();
     std::unique_ptr<Ghost> ghost(new Ghost);
     Impl& impl = *ghost->impl_;
@@ -140,12 +135,12 @@ void Ghost::follow(const scene::Simulation& simulation) {
 void Ghost::take_answers() {
     Impl& impl = *impl_;
     while (impl.waiting && impl.failure.empty()) {
-        pollfd ready{.fd = impl.worker->answers(), .events = POLLIN, .revents = 0};
+        pollfd ready{.fd = impl.worker->output(), .events = POLLIN, .revents = 0};
         if (poll(&ready, 1, 0) <= 0) return;
         const bool open = impl.worker->receive(impl.received);
         const std::size_t end = impl.received.find('\n');
         if (end == std::string::npos) {
-            if (!open) impl.fail(fmt::format("its process {}", impl.worker->end()));
+            if (!open) impl.fail(fmt::format("its process {}", impl.worker->end().words));
             return;
         }
         const Result<Answer> answer = parse_answer_line(impl.received.substr(0, end));

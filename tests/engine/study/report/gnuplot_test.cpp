@@ -33,9 +33,9 @@ TEST(Gnuplot, NobodysStartUpFileIsRead) {
 TEST(Gnuplot, EachFailureIsSaid) {
     const test::TemporaryFolder folder;
     EXPECT_EQ(run_gnuplot("no-such-drawer", "", 20).error().message,
-              "cannot run no-such-drawer: No such file or directory");
+              "cannot start no-such-drawer: No such file or directory");
     const std::string fails = program(folder, "exit 3");
-    EXPECT_EQ(run_gnuplot(fails, "", 20).error().message, fails + " failed (exit code 3)");
+    EXPECT_EQ(run_gnuplot(fails, "", 20).error().message, fails + " ended with exit code 3");
     const std::string silent = program(folder, "cat >/dev/null");
     EXPECT_EQ(run_gnuplot(silent, "plot", 20).error().message, silent + " drew nothing");
 }

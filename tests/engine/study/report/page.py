@@ -56,7 +56,7 @@ class Page(unittest.TestCase):
         text, root = page("no-such-drawer")
         self.check_any(text, root)
         self.assertIsNone(root.find(f".//{SVG}svg"))
-        self.assertIn("No diagrams: cannot run no-such-drawer", texts(root))
+        self.assertIn("No diagrams: cannot start no-such-drawer", texts(root))
 
     @unittest.skipUnless(shutil.which("gnuplot"), "no gnuplot here")
     def test_with_gnuplot(self):

@@ -37,7 +37,8 @@ std::string page_of(const Findings& findings) {
 TEST(Report, WithoutGnuplotTheTablesComeAndOneLineSaysSo) {
     const InPlaceOfGnuplot nothing("no-such-drawer");
     const std::string page = page_of(test::sample_findings());
-    EXPECT_TRUE(holds(page, "No diagrams: cannot run no-such-drawer: No such file or directory."));
+    EXPECT_TRUE(
+        holds(page, "No diagrams: cannot start no-such-drawer: No such file or directory."));
     EXPECT_FALSE(holds(page, "<svg"));
     EXPECT_TRUE(holds(page, "All 36 runs"));
     EXPECT_TRUE(holds(page, "Cost to reach an error"));

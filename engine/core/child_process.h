@@ -1,0 +1,67 @@
+// Another program that runs beside ours, with a pipe to it and one from it.
+#pragma once
+
+#include "engine/core/result.h"
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumbline {
+
+struct ChildDef {
+    std::filesystem::path program;  ///< without a slash it is looked for along PATH
+    std::vector<std::string> arguments;
+    bool own_group{false};  ///< Ctrl-C on the terminal is for us alone, who end the child
+    bool silent{false};     ///< its messages go nowhere; else where ours go
+};
+
+struct ChildEnd {
+    bool good{false};   ///< by itself, with exit code 0
+    std::string words;  ///< "ended with exit code 3", "was ended by signal 11 (Segmentation fault)"
+};
+
+/// Killed and waited for on destruction, so that no child outlives its owner.
+class ChildProcess {
+public:
+    /// From the first one on SIGPIPE is ignored: that a child reads no more is a failed write.
+    static Result<ChildProcess> start(const ChildDef& def);
+    ChildProcess(ChildProcess&& other) noexcept;
+    ChildProcess& operator=(ChildProcess&& other) noexcept;
+    ~ChildProcess();
+
+    int input() const { return input_; }    ///< to poll() for writing; -1 once it is closed
+    int output() const { return output_; }  ///< to poll() for reading
+    /// Waits until all is in the pipe. False where the child reads no more.
+    bool send_line(std::string line) const;
+    void close_input();
+    /// Takes what has come, or waits for something; false at the end of the pipe.
+    bool receive(std::string& text) const;
+    /// Waits so long for its end, then kills it.
+    ChildEnd end(double grace_s = 0);
+
+private:
+    ChildProcess(pid_t pid, int input, int output) : pid_(pid), input_(input), output_(output) {}
+
+    pid_t pid_{-1};
+    int input_{-1};
+    int output_{-1};
+};
+
+struct ChildOutput {
+    std::string bytes;
+    ChildEnd end;
+};
+
+/// Runs a program with `input` on its standard input, whether it reads that or not, and waits for
+/// its end. The error is for one that cannot be started, prints more than `max_bytes` or takes more
+/// than `limit_s`; it is killed then.
+Result<ChildOutput> output_of(const ChildDef& def,
+                              std::string_view input,
+                              std::size_t max_bytes,
+                              double limit_s);
+
+}  // namespace plumbline
