@@ -2,17 +2,19 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <initializer_list>
 
 namespace plumbline {
 namespace {
 
-volatile std::sig_atomic_t signals_seen = 0;
+// Two signals may come to two threads at once.
+std::atomic<bool> signal_seen{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void note_signal(int) {
-    if (signals_seen != 0) _exit(130);
-    signals_seen = 1;
+    if (signal_seen.exchange(true)) _exit(130);
 }
 
 }  // namespace
@@ -25,7 +27,7 @@ void catch_interrupts() {
 }
 
 bool interrupted() {
-    return signals_seen != 0;
+    return signal_seen;
 }
 
 }  // namespace plumbline
