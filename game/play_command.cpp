@@ -44,7 +44,7 @@ public:
             return open_scene(name);
         } catch (const std::bad_alloc&) {
             return {.error = {.message = fmt::format("there is not enough memory for {}", name),
-                              .exit_code = static_cast<ExitCode>(kOutOfMemory)}};
+                              .exit_code = ExitCode::OutOfMemory}};
         }
     }
 

@@ -3,9 +3,6 @@
 
 namespace plumbline::game {
 
-/// Beside the codes of core/exit_code.h: memory was refused.
-inline constexpr int kOutOfMemory = 6;
-
 /// Runs `commands(argc, argv)`, which gives an exit code. Memory that is refused, and output that
 /// could not be written, become one line and an exit code; a closed pipe is no signal.
 int run_program(int (*commands)(int, char**), int argc, char** argv);

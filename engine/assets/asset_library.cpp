@@ -3,6 +3,7 @@
 #include "engine/assets/image_import.h"
 #include "engine/assets/model_import.h"
 #include "engine/assets/sound_import.h"
+#include "engine/core/limits.h"
 #include "engine/core/log.h"
 
 #include <algorithm>
@@ -100,7 +101,7 @@ struct AssetLibrary::Images {
         const std::lock_guard lock(mutex);
         std::size_t& counted = decoded_bytes[file];
         const std::size_t others = decoded_sum - counted;
-        const bool fits = bytes <= kSceneImageBytes - others;
+        const bool fits = bytes <= limits::kSceneImageBytes - others;
         counted = fits ? bytes : 0;
         decoded_sum = others + counted;
         return fits;

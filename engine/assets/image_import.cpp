@@ -29,8 +29,9 @@ std::string size_fault(std::uint64_t width,
             "decoded it takes {} bytes; at most {} are allowed", bytes, limits::kImageBytes);
     }
     if (!allowed(bytes)) {
-        return fmt::format(
-            "it takes {} bytes; all images of a scene may take {}", bytes, kSceneImageBytes);
+        return fmt::format("it takes {} bytes; all images of a scene may take {}",
+                           bytes,
+                           limits::kSceneImageBytes);
     }
     return {};
 }

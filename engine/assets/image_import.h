@@ -14,8 +14,6 @@ namespace plumbline::assets {
 
 /// Asked after the header is read, with the bytes that the pixels will take: false refuses them.
 using ImageBytesAllowed = std::function<bool(std::size_t bytes)>;
-/// What the images of a scene may take, decoded, all together.
-inline constexpr std::size_t kSceneImageBytes = 1024ULL * 1024 * 1024;
 inline bool any_image_bytes(std::size_t /*bytes*/) {
     return true;
 }

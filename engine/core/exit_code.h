@@ -10,6 +10,7 @@ enum class ExitCode {
     NoDisplay = 3,  ///< no display, or no usable OpenGL
     Refused = 4,    ///< scene or asset refused
     Differs = 5,    ///< a hash or expectation differs
+    OutOfMemory = 6,
     Interrupted = 130
 };
 

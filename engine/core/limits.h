@@ -25,7 +25,8 @@ inline constexpr std::size_t kIndices = 30'000'000;
 inline constexpr std::size_t kReferencedFiles = 1'024;
 
 inline constexpr std::uint32_t kImageSide = 16'384;
-inline constexpr std::size_t kImageBytes = 256ULL * 1024 * 1024;
+inline constexpr std::size_t kImageBytes = 256ULL * 1024 * 1024;        // decoded
+inline constexpr std::size_t kSceneImageBytes = 1024ULL * 1024 * 1024;  // of all of them
 inline constexpr std::size_t kSoundBytes = 64ULL * 1024 * 1024;
 
 inline constexpr std::size_t kBodiesWarn = 5'000;

@@ -85,7 +85,7 @@ TEST(SceneImages, take_a_gibibyte_and_no_byte_more) {
     const TempFolder folder;
     const std::string large = largest_grey_png();
     ASSERT_LT(large.size(), 50'000U);
-    static_assert(kSceneImageBytes == 4 * limits::kImageBytes);
+    static_assert(limits::kSceneImageBytes == 4 * limits::kImageBytes);
     AssetLibrary library;
     for (const char* name : {"0.png", "1.png", "2.png"})
         EXPECT_EQ(library.take_image(folder.write(name, large))->width, limits::kImageSide);
