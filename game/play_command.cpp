@@ -115,7 +115,6 @@ app::PlayDef play_def(const PlayOptions& options,
             .unattended = unattended,
             .sound = !common.no_sound,
             .audio_device = options.audio_device,
-            .level = app::picture_level_named(options.level),
             .seconds = options.seconds,
             .record = options.record,
             .report = options.report,
@@ -140,6 +139,7 @@ void tidy_up() {
 }  // namespace
 
 ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
+    if (const auto level = app::picture_level_named(options.level)) config.put_level(*level);
     tidy_up();
     for (const std::filesystem::path& file : {options.record, options.report}) {
         if (const Result<Done> open = check_output(file); !open) return refuse(open.error());

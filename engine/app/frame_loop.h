@@ -26,7 +26,6 @@ struct PlayDef {
     std::string first_message;               ///< said at once; empty: nothing
     bool sound{true};
     std::string audio_device;
-    std::optional<PictureLevel> level{};       ///< instead of the settings'
     std::optional<double> seconds{};           ///< ends after so much wall time
     std::filesystem::path record;              ///< recording written at the end
     std::filesystem::path report;              ///< report written at the end

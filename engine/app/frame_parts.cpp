@@ -52,7 +52,7 @@ FrameParts::FrameParts(platform::Window& window,
       menu_(menu_world()),
       first_minute_(def.user_data_folder.empty() ? std::filesystem::path()
                                                  : def.user_data_folder / "first_minute"),
-      picture_wish_(picture_wish_of(config.current(), def.level)),
+      picture_wish_(picture_wish_of(config.current())),
       picture_control_(picture_wish_, renderer->draws_in_software()),
       start_s_(window.now_s()) {
     stepper.after_step = [this] { accuracy_.after_step(); };
@@ -114,7 +114,7 @@ void FrameParts::apply_config() {
     const AppConfig& config = config_.current();
     window_.set_vsync(config.vsync);
     if (mixer_) mixer_->set_master_gain(config.mute ? 0.0F : config.master_gain);
-    const PictureWish wish = picture_wish_of(config, def_.level);
+    const PictureWish wish = picture_wish_of(config);
     if (wish == picture_wish_) return;
     picture_wish_ = wish;
     picture_control_ = PictureControl(wish, renderer->draws_in_software());

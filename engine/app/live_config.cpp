@@ -25,8 +25,16 @@ LiveConfig::LiveConfig(const std::filesystem::path& shipped_folder,
 
 Result<Done> LiveConfig::change(const AppConfig& wanted) {
     if (wanted == current_) return Done{};
+    if (wanted.picture_level != current_.picture_level) stored_level_.reset();
     current_ = wanted;
-    return write_user_setting(user_folder_, kWrittenFile, ui_config_text(below_, current_));
+    AppConfig stored = wanted;
+    stored.picture_level = stored_level_.value_or(wanted.picture_level);
+    return write_user_setting(user_folder_, kWrittenFile, ui_config_text(below_, stored));
+}
+
+void LiveConfig::put_level(PictureLevel level) {
+    stored_level_ = current_.picture_level;
+    current_.picture_level = level;
 }
 
 Result<Done> write_user_setting(const std::filesystem::path& user_folder,

@@ -5,6 +5,7 @@
 #include "engine/core/result.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace plumbline::app {
 
@@ -22,12 +23,15 @@ public:
     /// Puts the values in force and writes them at once. The error says why they are not stored;
     /// they hold for this session all the same.
     Result<Done> change(const AppConfig& wanted);
+    /// The command line's: in force until change() brings another, and never stored.
+    void put_level(PictureLevel level);
 
 private:
     std::filesystem::path user_folder_;
     Diagnostics faults_;
     AppConfig below_;
     AppConfig current_;
+    std::optional<PictureLevel> stored_level_;  ///< while the command line's is in force
 };
 
 /// Writes a file of the user's settings folder, made where it is missing. The error is one line for

@@ -1,7 +1,5 @@
 #include "engine/app/picture_control.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,8 +67,11 @@ std::vector<PictureControl::Rung> PictureControl::ladder(const PictureWish& wish
 }
 
 PictureControl::PictureControl(const PictureWish& wish, bool draws_on_cpu)
-    : target_ms_(wish.target_ms), draws_on_cpu_(draws_on_cpu), rungs_(ladder(wish)) {
-    start_anew();
+    : target_ms_(wish.target_ms),
+      draws_on_cpu_(draws_on_cpu),
+      rungs_(ladder(wish)),
+      too_dear_(rungs_.size()),
+      next_wait_(kShortestWait) {
     // The probe is drawn at the middle level, or as well as it is likely to go.
     const double start = draws_on_cpu ? 0.45 : 1.0;
     const auto too_much =
@@ -78,16 +79,6 @@ PictureControl::PictureControl(const PictureWish& wish, bool draws_on_cpu)
     const auto count = static_cast<std::size_t>(too_much - rungs_.begin());
     go_to(std::max<std::size_t>(count, 1) - 1);
     frames_to_skip_ = kFramesToSkip;
-}
-
-void PictureControl::start_anew() {
-    costs_ms_.clear();
-    frames_to_skip_ = kFramesToSkip;
-    probed_ = false;
-    calm_ = 0;
-    too_dear_ = rungs_.size();
-    wait_ = 0;
-    next_wait_ = kShortestWait;
 }
 
 bool PictureControl::go_to(std::size_t rung) {
@@ -146,10 +137,10 @@ bool PictureControl::decide(double median_ms) {
     return ++calm_ >= kCalmToClimb && go_to(up);
 }
 
-PictureWish picture_wish_of(const AppConfig& config, std::optional<PictureLevel> level) {
+PictureWish picture_wish_of(const AppConfig& config) {
     PictureWish wish{.render_scale = config.render_scale,
                      .target_ms = static_cast<double>(config.target_ms)};
-    switch (level.value_or(config.picture_level)) {
+    switch (config.picture_level) {
         case PictureLevel::Auto:
             break;
         case PictureLevel::Low:
@@ -172,14 +163,6 @@ std::optional<PictureLevel> picture_level_named(std::string_view name) {
     const auto found = std::ranges::find(kPictureLevelNames, name);
     if (found == kPictureLevelNames.end()) return std::nullopt;
     return static_cast<PictureLevel>(found - kPictureLevelNames.begin());
-}
-
-std::string describe(const PictureControl& control) {
-    const std::string without = render::what_gave_way(control.quality());
-    return fmt::format("{}{}{}",
-                       render::name_of(control.level()),
-                       control.is_automatic() ? " (auto)" : "",
-                       without.empty() ? "" : "; gave way: " + without);
 }
 
 }  // namespace plumbline::app

@@ -12,13 +12,12 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
 namespace plumbline::app {
 
-/// What is asked for: [picture] of app.toml, or the command line.
+/// What the settings ask for.
 struct PictureWish {
     std::optional<render::PictureLevel> level{};  ///< absent: auto
     float render_scale{0.0F};                     ///< 0: by level
@@ -27,8 +26,7 @@ struct PictureWish {
     friend bool operator==(const PictureWish&, const PictureWish&) = default;
 };
 
-/// What the settings ask for; `level` instead of theirs where it is given.
-PictureWish picture_wish_of(const AppConfig& config, std::optional<PictureLevel> level);
+PictureWish picture_wish_of(const AppConfig& config);
 /// "auto", "low", "medium", "high".
 std::optional<PictureLevel> picture_level_named(std::string_view name);
 
@@ -51,8 +49,6 @@ public:
 
     /// After each frame. True when the next one is to be drawn in another way.
     bool add_frame(const FrameCost& cost);
-    /// Frames after this cost something else (another scene): probes again.
-    void start_anew();
 
 private:
     struct Rung {
@@ -75,13 +71,10 @@ private:
     std::vector<double> costs_ms_;   ///< since the last decision
     std::size_t frames_to_skip_{0};  ///< after a change: programs are compiled, images made
     bool probed_{false};
-    std::size_t calm_{0};   ///< decisions in a row at which more could be afforded
-    std::size_t too_dear_;  ///< the rung that was; rungs_.size(): none
-    std::size_t wait_{0};   ///< decisions until it may be tried again
-    std::size_t next_wait_;
+    std::size_t calm_{0};    ///< decisions in a row at which more could be afforded
+    std::size_t too_dear_;   ///< the rung that was; rungs_.size(): none
+    std::size_t wait_{0};    ///< decisions until it may be tried again
+    std::size_t next_wait_;  ///< of the next rung that turns out so
 };
-
-/// "low (auto); gave way: render scale 60 %", for the statistics.
-std::string describe(const PictureControl& control);
 
 }  // namespace plumbline::app

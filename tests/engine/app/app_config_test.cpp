@@ -170,6 +170,21 @@ TEST_F(LiveConfigTest, NothingIsWrittenUntilAChange) {
     EXPECT_FALSE(fs::exists(folder_ / "user" / "app.ui.toml"));
 }
 
+TEST_F(LiveConfigTest, TheCommandLinesLevelHoldsUntilAnotherIsChosenAndIsNotStored) {
+    LiveConfig config = open();
+    config.put_level(PictureLevel::High);
+    AppConfig wanted = config.current();
+    EXPECT_EQ(wanted.picture_level, PictureLevel::High);
+    wanted.mute = true;
+    ASSERT_TRUE(config.change(wanted));
+    EXPECT_EQ(config.current().picture_level, PictureLevel::High);
+    EXPECT_EQ(open().current().picture_level, PictureLevel::Auto) << "another setting was changed";
+    wanted.picture_level = PictureLevel::Low;
+    ASSERT_TRUE(config.change(wanted));
+    EXPECT_EQ(config.current().picture_level, PictureLevel::Low);
+    EXPECT_EQ(open().current().picture_level, PictureLevel::Low);
+}
+
 // EXPERIENCE D16: a file stands where the folder should be, so that root cannot make it either.
 TEST_F(LiveConfigTest, WhereNothingCanBeWrittenTheChangeLastsForTheSession) {
     std::ofstream(folder_ / "blocked") << "a file";

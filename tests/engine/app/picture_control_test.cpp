@@ -143,25 +143,25 @@ TEST(PictureControl, KeepsARenderScaleThatWasAskedForAndMovesTheLevelOnly) {
 
 TEST(PictureControl, SaysWhatGaveWay) {
     const PictureControl low({.level = Level::Low}, true);
-    EXPECT_EQ(
-        describe(low),
-        "low; gave way: render scale 60 %, surface maps, smooth shadows, fine shadows, detail "
-        "far off, things below 4 px");
-    EXPECT_EQ(describe(PictureControl({.level = Level::High}, true)), "high");
+    EXPECT_EQ(render::what_gave_way(low.quality()),
+              "render scale 60 %, surface maps, smooth shadows, fine shadows, detail far off, "
+              "things below 4 px");
+    const PictureControl high({.level = Level::High}, true);
+    EXPECT_EQ(render::what_gave_way(high.quality()), "");
 }
 
-TEST(PictureControl, WishIsWhatTheSettingsSayUnlessTheCommandLineDoes) {
+TEST(PictureControl, WishIsWhatTheSettingsSay) {
     AppConfig config;
-    EXPECT_EQ(picture_wish_of(config, {}), PictureWish{});
+    EXPECT_EQ(picture_wish_of(config), PictureWish{});
     config.picture_level = *picture_level_named("medium");
     config.render_scale = 0.1F;
     config.target_ms = 20.0F;
-    const PictureWish wish = picture_wish_of(config, {});
+    const PictureWish wish = picture_wish_of(config);
     EXPECT_EQ(wish.level, Level::Medium);
     EXPECT_EQ(wish.render_scale, render::kSmallestRenderScale);
     EXPECT_EQ(wish.target_ms, 20.0);
-    EXPECT_EQ(picture_wish_of(config, picture_level_named("high")).level, Level::High);
-    EXPECT_FALSE(picture_wish_of(config, picture_level_named("auto")).level);
+    config.picture_level = *picture_level_named("auto");
+    EXPECT_FALSE(picture_wish_of(config).level);
     EXPECT_FALSE(picture_level_named("ultra"));
 }
 
