@@ -27,36 +27,30 @@ app::LiveConfig read_config(const CommonOptions& common, const DataFolders& fold
     return config;
 }
 
-/// A scene that runs, or why it does not.
-struct Opened {
-    std::unique_ptr<app::Session> session;
-    Error error{};
-};
-
 /// Opens scenes, and remembers the last one between sittings.
 class Sessions {
 public:
     Sessions(const DataFolders& folders, bool sound) : folders_(folders), sound_(sound) {}
 
     /// Where memory is refused, what ran before goes on.
-    Opened open(const std::string& name) const {
+    Result<std::unique_ptr<app::Session>> open(const std::string& name) const {
         try {
             return open_scene(name);
         } catch (const std::bad_alloc&) {
-            return {.error = {.message = fmt::format("there is not enough memory for {}", name),
-                              .exit_code = ExitCode::OutOfMemory}};
+            return Error{.message = fmt::format("there is not enough memory for {}", name),
+                         .exit_code = ExitCode::OutOfMemory};
         }
     }
 
     /// The scene of the last sitting; the garden where there is none, or none any more.
-    Opened open_last() const {
+    Result<std::unique_ptr<app::Session>> open_last() const {
         constexpr std::size_t kLongestPath = 4096;
         const std::filesystem::path file = memory();
         if (!file.empty()) {
             const Result<std::string> last = read_file(file, kLongestPath);
             if (last && std::filesystem::path(*last).is_absolute()) {
-                Opened opened = open(*last);
-                if (opened.session) return opened;
+                Result<std::unique_ptr<app::Session>> opened = open(*last);
+                if (opened) return opened;
             }
         }
         return open("garden");
@@ -73,9 +67,9 @@ public:
     }
 
 private:
-    Opened open_scene(const std::string& name) const {
+    Result<std::unique_ptr<app::Session>> open_scene(const std::string& name) const {
         const Result<std::filesystem::path> scene = scene::find_scene(name, folders_.assets);
-        if (!scene) return {.error = scene.error()};
+        if (!scene) return scene.error();
         Result<std::unique_ptr<app::Session>> session = app::Session::open(
             {.scene = *scene,
              .folders = folders_,
@@ -84,9 +78,8 @@ private:
                               scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
                  return std::make_unique<PlaygroundGame>(simulation, assets);
              }});
-        if (!session) return {.error = session.error()};
-        (*session)->library.prefetch_images();
-        return {.session = std::move(*session)};
+        if (session) (*session)->library.prefetch_images();
+        return session;
     }
 
     static std::filesystem::path memory() {
@@ -139,7 +132,6 @@ void tidy_up() {
 }  // namespace
 
 ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
-    if (const auto level = app::picture_level_named(options.level)) config.put_level(*level);
     tidy_up();
     for (const std::filesystem::path& file : {options.record, options.report}) {
         if (const Result<Done> open = check_output(file); !open) return refuse(open.error());
@@ -147,6 +139,7 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return refuse(folders.error());
     app::LiveConfig config = read_config(common, *folders);
+    if (const auto level = app::picture_level_named(options.level)) config.put_level(*level);
     int width = config.current().width;
     int height = config.current().height;
     if (!options.size.empty() && !parse_size(options.size, width, height)) {
@@ -155,10 +148,11 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
                        .exit_code = ExitCode::BadUsage});
     }
     const Sessions sessions{*folders, !common.no_sound};
-    Opened open = options.scene.empty() ? sessions.open_last() : sessions.open(options.scene);
-    if (!open.session) return refuse(open.error);
+    Result<std::unique_ptr<app::Session>> session =
+        options.scene.empty() ? sessions.open_last() : sessions.open(options.scene);
+    if (!session) return refuse(session.error());
     Result<std::unique_ptr<platform::Window>> window =
-        platform::Window::open({.title = title_of(*open.session),
+        platform::Window::open({.title = title_of(**session),
                                 .width = width,
                                 .height = height,
                                 .vsync = config.current().vsync});
@@ -166,22 +160,18 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     catch_interrupts();
     app::LiveBindings bindings(bindings_def(common, *folders));
     app::PlayDef play = play_def(options, common, *folders);
+    play.open_scene = [&](const std::filesystem::path& file) {
+        return sessions.open(file.string());
+    };
+    ExitCode code = ExitCode::Good;
     for (;;) {
-        sessions.remember(*open.session);
-        const app::PlayEnd end = app::run(**window, *open.session, bindings, config, play);
-        if (end.next_scene.empty() || end.code != ExitCode::Good) return end.code;
-        // The scene that runs stays until the next one is there; what the command line asked for
-        // was about the first.
-        Opened next = sessions.open(end.next_scene.string());
-        play = play_def({.audio_device = options.audio_device}, common, *folders);
-        play.start_page = false;
-        if (next.session) {
-            open = std::move(next);
-            (*window)->set_title(title_of(*open.session));
-        } else {
-            log_error("{}", next.error.message);
-            play.first_message = next.error.message;
-        }
+        sessions.remember(**session);
+        app::PlayEnd end = app::run(**window, **session, bindings, config, play);
+        if (code == ExitCode::Good) code = end.code;
+        if (!end.next) return code;
+        app::go_on(play, end);
+        session = std::move(end.next);
+        (*window)->set_title(title_of(**session));
     }
 }
 

@@ -5,8 +5,11 @@
 #include "engine/core/log.h"
 #include "engine/core/output.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace plumbline::app {
 
@@ -27,29 +30,53 @@ bool FrameParts::write_files() {
         log_error("{}", done.error().message);
         good = false;
     };
-    if (!def_.record.empty()) note(stepper.save_recording(def_.record));
-    if (!def_.report.empty())
-        note(write_output(def_.report,
-                          report.json(*session_.simulation,
-                                      session_.effects->ledger(),
-                                      renderer->gl(),
-                                      clock.lost_s(),
-                                      actions_seen())));
+    const bool passed_on = next_ && stepper.steps() == 0;  // as behind the start page
+    if (!def_.record.empty() && !passed_on) note(stepper.save_recording(def_.record));
+    if (!def_.report.empty()) {
+        report_text_ = report.json({.simulation = *session_.simulation,
+                                    .ledger = session_.effects->ledger(),
+                                    .gl = renderer->gl(),
+                                    .lost_s = clock.lost_s(),
+                                    .presses_seen = actions_seen(),
+                                    .before = def_.report_before});
+        note(write_output(def_.report, report_text_));
+    }
     return good;
 }
 
-ExitCode FrameParts::close() {
+PlayEnd FrameParts::close() {
     window_.capture_pointer(false);
+    if (interrupted()) next_.reset();
     ExitCode code = interrupted() ? ExitCode::Interrupted : ExitCode::Good;
     if (!write_files()) code = ExitCode::RunFailed;
     const std::string hash = hex_of(session_.simulation->state_hash());
     if (!stepper.divergence().empty()) code = ExitCode::Differs;
-    if (def_.expect_hash && *def_.expect_hash != hash) {
+    if (!next_ && def_.expect_hash && *def_.expect_hash != hash) {
         log_error("the state at the end is {}, expected {}", hash, *def_.expect_hash);
         code = ExitCode::Differs;
     }
     log_note("{} steps, state {}", stepper.steps(), hash);
-    return code;
+    return {.code = code,
+            .next = std::move(next_),
+            .chosen_s = chosen_s_,
+            .seconds = window_.now_s() - start_s_,
+            .steps = stepper.steps(),
+            .report = std::move(report_text_)};
+}
+
+void go_on(PlayDef& def, const PlayEnd& end) {
+    def.start_page = false;
+    def.first_message.clear();
+    if (end.steps > 0 && !def.record.empty()) {
+        def.first_message = fmt::format("a recording is of one scene: {} ends with the one before",
+                                        def.record.string());
+        log_warning("{}", def.first_message);
+        def.record.clear();
+    }
+    if (def.seconds) *def.seconds -= end.seconds;
+    def.steps.replay.clear();
+    def.chosen_s = end.chosen_s;
+    def.report_before = end.report;
 }
 
 namespace {

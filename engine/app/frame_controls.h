@@ -26,9 +26,12 @@ struct FrameControls {
     bool reload{false};
     bool screenshot{false};
     bool save_recording{false};
-    std::filesystem::path open_scene;  ///< chosen in the menu
+    std::filesystem::path open_scene;  ///< chosen in the menu, or dropped
 
-    void clear_requests() { quit = reset = reload = screenshot = save_recording = false; }
+    void clear_requests() {
+        quit = reset = reload = screenshot = save_recording = false;
+        open_scene.clear();
+    }
 };
 
 /// Applies this frame's presses. `say`: one line for the person.

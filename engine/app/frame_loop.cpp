@@ -59,7 +59,7 @@ PlayEnd run(platform::Window& window,
         window.present();
         parts.finish_frame(frame_start_s, present_s);
     }
-    return {.code = parts.close(), .next_scene = parts.next_scene()};
+    return parts.close();
 }
 
 }  // namespace plumbline::app

@@ -9,14 +9,18 @@
 #include "engine/scene/scene_list.h"
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace plumbline::app {
 
-/// What one sitting is told on the command line.
+/// What a sitting is told on the command line, and by the scenes before in it.
 struct PlayDef {
+    /// Opens what is chosen in the menu or dropped on the window.
+    std::function<Result<std::unique_ptr<Session>>(const std::filesystem::path&)> open_scene;
     std::filesystem::path shader_folder;
     std::filesystem::path user_data_folder;  ///< pictures, recordings, what was said already
     std::filesystem::path thumbnails;        ///< folder of pictures of scenes
@@ -29,17 +33,27 @@ struct PlayDef {
     std::optional<double> seconds{};           ///< ends after so much wall time
     std::filesystem::path record;              ///< recording written at the end
     std::filesystem::path report;              ///< report written at the end
-    std::optional<std::string> expect_hash{};  ///< of the state at the end
+    std::optional<std::string> expect_hash{};  ///< of the last scene's state at the end
     StepperDef steps{};
+    std::optional<double> chosen_s{};  ///< by wall_s(), when another scene was
+    std::string report_before;         ///< of the scene before; empty: there was none
 };
 
-/// How a sitting ended.
+/// How the time with a scene ended.
 struct PlayEnd {
     ExitCode code{ExitCode::Good};
-    std::filesystem::path next_scene;  ///< chosen in the menu: to be opened now; empty: none
+    std::unique_ptr<Session> next{};  ///< another scene was chosen, and is open; null: the end
+    double chosen_s{0};               ///< when, by wall_s()
+    double seconds{0};                ///< with this scene
+    std::uint64_t steps{0};
+    std::string report;  ///< empty where none was asked for
 };
 
-/// Runs the session in the window until it closes, another scene is chosen, the replay or the time
+/// What holds for the next scene of the sitting: its time runs on, the report tells of both, a
+/// replay was of the scene before. A recording is of one scene, the first in which time went on.
+void go_on(PlayDef& def, const PlayEnd& end);
+
+/// Runs the session in the window until it closes, another scene was opened, the replay or the time
 /// ends, or Ctrl-C.
 PlayEnd run(platform::Window& window,
             Session& session,

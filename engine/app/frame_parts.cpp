@@ -39,6 +39,7 @@ FrameParts::FrameParts(platform::Window& window,
                        std::unique_ptr<render::Renderer> renderer_made)
     : clock(session.simulation->step_s()),
       latch(bindings.current()),
+      report(def.chosen_s),
       stepper(std::move(stepper_made)),
       renderer(std::move(renderer_made)),
       window_(window),
@@ -121,7 +122,7 @@ void FrameParts::apply_config() {
 }
 
 bool FrameParts::ended(double now_s) const {
-    return closing_ || !controls_.open_scene.empty() || interrupted() || stepper.ended() ||
+    return closing_ || next_ || interrupted() || stepper.ended() ||
            (def_.seconds && now_s - start_s_ >= *def_.seconds);
 }
 

@@ -34,11 +34,10 @@ public:
     void draw_overlay(const render::RenderFrame& frame);
     void play_sound(const scene::ViewPoint& view, double now_s);
     void finish_frame(double frame_start_s, double present_s);
-    /// Writes what was asked for; the exit code of the sitting.
-    ExitCode close();
+    /// Writes what was asked for.
+    PlayEnd close();
     /// The recording and the report, each once. False where one of them failed.
     bool write_files();
-    const std::filesystem::path& next_scene() const { return controls_.open_scene; }
 
     FrameClock clock;
     input::ActionLatch latch;
@@ -56,6 +55,7 @@ private:
                std::unique_ptr<render::Renderer> renderer);
     void say(std::string line);  ///< to the person, in the overlay
     void say_faults();
+    void open_scene();
     void reset_scene();
     void reload_files();
     void reload_scene();
@@ -96,6 +96,9 @@ private:
     std::vector<effects::LedgerLine> ledger_;  ///< refreshed for the statistics panel
     double start_s_;
     SlowMotion slow_motion_;
+    std::unique_ptr<Session> next_;  ///< that was chosen; null: none
+    double chosen_s_{0};
+    std::string report_text_;
     bool closing_{false};
     bool menu_was_open_{false};
     bool paused_before_menu_{false};

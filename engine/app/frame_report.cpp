@@ -26,7 +26,7 @@ void FrameReport::add_frame(double wall_ms, const render::FrameStats& stats) {
     last_wall_s_ = wall_s();
     last_cpu_s_ = process_cpu_s();
     if (frames_ == 0) {
-        startup_ms_ = seconds_since_process_start() * 1e3;
+        startup_ms_ = (chosen_s_ ? last_wall_s_ - *chosen_s_ : seconds_since_process_start()) * 1e3;
         first_frame_wall_s_ = last_wall_s_;
         first_frame_cpu_s_ = last_cpu_s_;
     }
@@ -51,11 +51,7 @@ scene::Percentiles FrameReport::recent_frame_ms() const {
         std::vector<float>(frame_ms_.end() - static_cast<std::ptrdiff_t>(count), frame_ms_.end()));
 }
 
-std::string FrameReport::json(const scene::Simulation& simulation,
-                              const std::vector<effects::LedgerLine>& ledger,
-                              const render::GlInfo& gl,
-                              double lost_s,
-                              const std::array<std::uint64_t, kActionCount>& presses_seen) const {
+std::string FrameReport::json(const ReportContext& context) const {
     using nlohmann::json;
     const auto frames = static_cast<double>(std::max<std::uint64_t>(frames_, 1));
     json cpu = json::object();
@@ -68,11 +64,12 @@ std::string FrameReport::json(const scene::Simulation& simulation,
     }
     json seen = json::object();
     for (std::size_t i = 0; i < kActionCount; ++i) {
-        if (presses_seen[i] > 0)
-            seen[std::string(action_name(static_cast<Action>(i)))] = presses_seen[i];
+        if (context.presses_seen[i] > 0)
+            seen[std::string(action_name(static_cast<Action>(i)))] = context.presses_seen[i];
     }
     const double between_frames = std::max(1.0, frames - 1.0);
-    const json report = {
+    json report = {
+        {"scene", context.simulation.description().file.filename().string()},
         {"frames", frames_},
         {"seconds", last_wall_s_ - first_frame_wall_s_},
         {"startup_ms", startup_ms_},
@@ -92,13 +89,18 @@ std::string FrameReport::json(const scene::Simulation& simulation,
         {"shadow_passes_rendered", shadow_rendered_},
         {"shadow_passes_cached", shadow_cached_},
         {"physics", json::parse(scene::cost_json(physics_))},
-        {"lost_time_s", lost_s},
+        {"lost_time_s", context.lost_s},
         {"peak_rss_bytes", peak_resident_bytes()},
-        {"bodies", simulation.physics.body_count()},
-        {"gl", {{"vendor", gl.vendor}, {"renderer", gl.renderer}, {"version", gl.version}}},
-        {"effects", json::parse(effects::ledger_json(ledger))},
+        {"bodies", context.simulation.physics.body_count()},
+        {"gl",
+         {{"vendor", context.gl.vendor},
+          {"renderer", context.gl.renderer},
+          {"version", context.gl.version}}},
+        {"effects", json::parse(effects::ledger_json(context.ledger))},
         {"actions_seen", seen}};
-    return report.dump(2) + "\n";
+    if (!context.before.empty()) report["before"] = json::parse(context.before);
+    // A file's name may be no text.
+    return report.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace plumbline::app

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,9 +24,22 @@ struct PictureInForce {
     render::Quality quality{};
 };
 
+/// What a report tells beside what was collected.
+struct ReportContext {
+    const scene::Simulation& simulation;
+    const std::vector<effects::LedgerLine>& ledger;
+    const render::GlInfo& gl;
+    double lost_s{0};
+    std::array<std::uint64_t, kActionCount> presses_seen{};
+    std::string before{};  ///< of the scene before this one in the sitting; empty: there was none
+};
+
 /// Collects frame by frame; ask for the JSON at the end.
 class FrameReport {
 public:
+    /// `chosen_s`: when the scene was asked for, by wall_s(); absent: by starting the program.
+    explicit FrameReport(std::optional<double> chosen_s = {}) : chosen_s_(chosen_s) {}
+
     void add_step(const physics::StepCost& cost) { physics_.add(cost); }
     /// wall_ms: from this frame's begin to its end, waiting for the screen included.
     void add_frame(double wall_ms, const render::FrameStats& stats);
@@ -40,11 +54,7 @@ public:
     double startup_ms() const { return startup_ms_; }
 
     /// The object of docs/SCENE-FORMAT.md, "Play and render report".
-    std::string json(const scene::Simulation& simulation,
-                     const std::vector<effects::LedgerLine>& ledger,
-                     const render::GlInfo& gl,
-                     double lost_s,
-                     const std::array<std::uint64_t, kActionCount>& presses_seen) const;
+    std::string json(const ReportContext& context) const;
 
 private:
     struct PassTotal {
@@ -53,6 +63,7 @@ private:
         std::uint64_t gpu_samples{0};
     };
 
+    std::optional<double> chosen_s_;
     PictureInForce picture_;
     scene::CostHistory physics_;
     std::vector<float> frame_ms_;

@@ -2,6 +2,8 @@
 #include "engine/app/frame_parts_impl.h"
 #include "engine/app/screenshot.h"
 #include "engine/core/files.h"
+#include "engine/core/log.h"
+#include "engine/core/stopwatch.h"
 
 namespace plumbline::app {
 
@@ -12,12 +14,25 @@ void FrameParts::do_requests() {
     if (controls_.reload) reload_files();
     if (controls_.screenshot) save_picture();
     if (controls_.save_recording) save_recording_so_far();
+    if (!controls_.open_scene.empty()) open_scene();
     if (controls_.quit) closing_ = true;
     controls_.clear_requests();
 }
 
 void FrameParts::say(std::string line) {
     overlay_.say(std::move(line), window_.now_s());
+}
+
+void FrameParts::open_scene() {
+    chosen_s_ = wall_s();
+    Result<std::unique_ptr<Session>> opened = def_.open_scene(controls_.open_scene);
+    if (opened) {
+        next_ = std::move(*opened);
+        return;
+    }
+    // What runs goes on.
+    log_error("{}", opened.error().message);
+    say(opened.error().message);
 }
 
 void FrameParts::reset_scene() {

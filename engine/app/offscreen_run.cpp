@@ -61,7 +61,9 @@ void OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
 }
 
 std::string OffscreenRun::report_json() const {
-    return report_.json(*session_.simulation, session_.effects->ledger(), renderer_->gl(), 0.0, {});
+    return report_.json({.simulation = *session_.simulation,
+                         .ledger = session_.effects->ledger(),
+                         .gl = renderer_->gl()});
 }
 
 }  // namespace plumbline::app

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The menu as a person uses it: the start page, Enter, a setting and a key changed by pressing it,
 kept over a restart and over a kill, another scene opened from it. EXPERIENCE D16."""
+import pathlib
 import signal
 import subprocess
 import sys
@@ -80,8 +81,16 @@ def play_with_it(folder, environment):
     expect(seen.get("forward") == 2, f"forward: {seen.get('forward')}, K was pressed twice")
 
 
-def start_page_and_another_scene(folder, environment):
-    game = start(folder, environment)  # no scene: the last one behind the start page
+QUIT = ("Escape", "Down", "Down", "Down", "Down", "Down", "Down", "Return")
+OTHER_SCENES = ("Escape", "Down", "Down", "Return")
+
+
+def start_page_and_other_scenes(folder, environment):
+    """The report tells of each scene; the recording is of the first in which time went on."""
+    report = folder / "scenes.json"
+    tape = folder / "scenes.tape"
+    # No scene: the last one behind the start page, where time stands still.
+    game = start(folder, environment, "--report", str(report), "--record", str(tape))
     try:
         last = folder / "data/plumbline/last_scene"
         wait_for(last, "falling_cube.toml", "the last scene")
@@ -90,10 +99,65 @@ def start_page_and_another_scene(folder, environment):
         wait_for(last, "joints.toml", "opened from the menu")
         time.sleep(2)
         game.do("windowfocus", game.window)
-        press(game, "Escape", "Down", "Down", "Down", "Down", "Down", "Down", "Return")
+        press(game, *OTHER_SCENES)
+        press(game, "Down", "Return")
+        wait_for(last, "falling_cube.toml", "opened from the menu of a running scene")
+        time.sleep(2)
+        game.do("windowfocus", game.window)
+        press(game, *QUIT)
         expect(game.wait(20) == 0, game.log())
     finally:
         game.stop()
+    of_last = read_json(report)
+    of_joints = of_last["before"]
+    of_first = of_joints["before"]
+    shown = [each["scene"] for each in (of_last, of_joints, of_first)]
+    expect(shown == ["falling_cube.toml", "joints.toml", "falling_cube.toml"] and "before" not in of_first, shown)
+    steps = [each["physics"]["cpu_ms_total"] > 0 for each in (of_last, of_joints, of_first)]
+    expect(steps == [True, True, False], f"scenes in which steps ran: {steps}")
+    expect(all(each["frames"] > 1 and each["startup_ms"] > 0 for each in (of_last, of_joints, of_first)), of_last)
+    expect(of_joints["startup_ms"] < 10_000, "counted from the start of the program")
+    expect('"scene":"joints.toml"' in tape.read_text().split("\n")[0], "the recording is of another scene")
+    expect("a recording is of one scene" in game.log(), game.log())
+    again = subprocess.run([program_file, "play", "joints", "--size", "320x180", "--no-sound", "--replay", str(tape)],
+                           env=environment, capture_output=True, text=True, timeout=120)
+    expect(again.returncode == 0, f"replay: exit {again.returncode}\n{again.stderr}")
+
+
+CUBE = """[scene]
+title = "{}"
+[[entity]]
+name = "cube"
+position_m = [0, 5, 0]
+primitive = {{ box = [1, 1, 1] }}
+[entity.body]
+kind = "{}"
+"""
+
+
+def a_scene_that_is_refused(folder, environment):
+    """What runs goes on, and its report is as if nothing had been."""
+    data = folder / "own"
+    (data / "assets/scenes").mkdir(parents=True)
+    for name in ("shaders", "config"):
+        (data / name).symlink_to(pathlib.Path(name).absolute())
+    (data / "assets/scenes/a.toml").write_text(CUBE.format("a", "dynamic"))
+    (data / "assets/scenes/b.toml").write_text(CUBE.format("b", "dynamo"))
+    report = folder / "refused.json"
+    game = start(folder, {**environment, "PLUMBLINE_DATA": str(data)}, "a", "--report", str(report))
+    try:
+        press(game, *OTHER_SCENES)
+        press(game, "Down", "Right", "Return")
+        wait_for(folder / "log.txt", "b.toml", "what is wrong")
+        time.sleep(1)
+        press(game, "Escape", "Escape")
+        time.sleep(1)
+        press(game, *QUIT)
+        expect(game.wait(20) == 0, game.log())
+    finally:
+        game.stop()
+    told = read_json(report)
+    expect(told["scene"] == "a.toml" and "before" not in told and told["bodies"] == 1, told)
 
 
 def nowhere_to_write(folder, environment):
@@ -105,7 +169,7 @@ def nowhere_to_write(folder, environment):
         press(game, "Escape", "Down", "Down", "Down", "Return")
         press(game, "Down", "Right", "Return")
         press(game, "Escape", "Escape")
-        press(game, "Escape", "Down", "Down", "Down", "Down", "Down", "Down", "Return")
+        press(game, *QUIT)
         expect(game.wait(20) == 0, game.log())
     finally:
         game.stop()
@@ -118,7 +182,8 @@ def main():
         change_a_setting_and_be_killed(folder, environment)
         bind_a_key(folder, environment)
         play_with_it(folder, environment)
-        start_page_and_another_scene(folder, environment)
+        start_page_and_other_scenes(folder, environment)
+        a_scene_that_is_refused(folder, environment)
         nowhere_to_write(folder, environment)
 
 
