@@ -11,7 +11,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from bl_common import *  # noqa: E402,F403
-from mathutils.bvhtree import BVHTree  # noqa: E402
+from bl_room_light import bake  # noqa: E402
 import house_plan as plan  # noqa: E402
 
 CELL_M = 0.65  # of walls that carry baked light
@@ -250,57 +250,6 @@ def gables(m):
             blender((x, plan.RIDGE + 0.98, z)))
 
 
-# --- light in rooms
-
-
-def directions(count):
-    """Directions about +Z, denser where a surface takes more light."""
-    golden = math.pi * (3 - math.sqrt(5))
-    made = []
-    for i in range(count):
-        r = math.sqrt((i + 0.5) / count)
-        made.append(Vector((r * math.cos(golden * i), r * math.sin(golden * i), math.sqrt(1 - r * r))))
-    return made
-
-
-def bake(obj, closed_by):
-    """Writes light into the vertices of vcol_ faces, which share none. `closed_by`: quads that stand for doors."""
-    mesh = obj.data
-    vertices = [v.co.copy() for v in mesh.vertices]
-    faces = [list(p.vertices) for p in mesh.polygons if mesh.materials[p.material_index].name not in ("glass", "curtain")]
-    for points in closed_by:
-        faces.append(list(range(len(vertices), len(vertices) + 4)))
-        vertices += [blender(p) for p in points]
-    tree = BVHTree.FromPolygons(vertices, faces)
-    layer = mesh.color_attributes.new("Light", "FLOAT_COLOR", "POINT")
-    rays, known = directions(160), {}
-
-    def light_at(point, normal):
-        turn = normal.to_track_quat("Z", "Y")
-        seen = near = 0.0
-        for ray in rays:
-            hit, _, _, distance = tree.ray_cast(point, turn @ ray)
-            if hit is None:
-                seen += 1
-            near += 1 if hit is None else min(1.0, distance / 0.9)
-        seen, near = seen / len(rays), near / len(rays)
-        return min(1.0, (0.42 + 2.0 * seen) * (0.5 + 0.5 * near))
-
-    for polygon in mesh.polygons:
-        baked = mesh.materials[polygon.material_index].name.startswith("vcol_")
-        middle = sum((vertices[v] for v in polygon.vertices), Vector()) / len(polygon.vertices)
-        for index in polygon.vertices:
-            light = 1.0
-            if baked:
-                # A little inside the face: at an edge the ray's start would lie in the next wall.
-                start = vertices[index].lerp(middle, 0.12) + polygon.normal * 0.03
-                key = tuple(round(n, 2) for n in (*vertices[index], *polygon.normal))
-                if key not in known:
-                    known[key] = light_at(start, polygon.normal)
-                light = known[key]
-            layer.data[index].color = (light, light * (0.97 + 0.03 * light), light * (0.92 + 0.08 * light), 1)
-
-
 def house():
     random.seed(7)
     m = HouseMesh()
@@ -320,7 +269,7 @@ def house():
     made = m.obj("house", weld=0)
     front = plan.OUTER[0]
     u0, u1, y0, y1 = front.holes[2]
-    bake(made, [[front.place(u, y, 0.11) for u, y in ((u0, y0), (u1, y0), (u1, y1), (u0, y1))]])
+    bake(made, [[blender(front.place(u, y, 0.11)) for u, y in ((u0, y0), (u1, y0), (u1, y1), (u0, y1))]])
     return made
 
 

@@ -1,117 +1,50 @@
 #include "engine/assets/byte_reader.h"
-#include "engine/assets/obj_check_impl.h"
+#include "engine/assets/ply_header_impl.h"
 #include "engine/assets/single_mesh_impl.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <charconv>
-#include <optional>
 #include <utility>
 
 namespace plumbline::assets {
 namespace {
 
-constexpr std::size_t kMostElements = 64;
-constexpr std::size_t kMostProperties = 256;
 constexpr std::size_t kMostCorners = 256;
 
-enum class Number : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float, Double };
-
-std::optional<Number> number_of(std::string_view word) {
-    constexpr std::array<std::pair<std::string_view, Number>, 16> kWords{
-        {{"char", Number::Int8},
-         {"int8", Number::Int8},
-         {"uchar", Number::Uint8},
-         {"uint8", Number::Uint8},
-         {"short", Number::Int16},
-         {"int16", Number::Int16},
-         {"ushort", Number::Uint16},
-         {"uint16", Number::Uint16},
-         {"int", Number::Int32},
-         {"int32", Number::Int32},
-         {"uint", Number::Uint32},
-         {"uint32", Number::Uint32},
-         {"float", Number::Float},
-         {"float32", Number::Float},
-         {"double", Number::Double},
-         {"float64", Number::Double}}};
-    for (const auto& [known, number] : kWords) {
-        if (word == known) return number;
-    }
-    return std::nullopt;
-}
-
-std::size_t bytes_of(Number number) {
-    switch (number) {
-        case Number::Int8:
-        case Number::Uint8:
-            return 1;
-        case Number::Int16:
-        case Number::Uint16:
-            return 2;
-        case Number::Int32:
-        case Number::Uint32:
-        case Number::Float:
-            return 4;
-        case Number::Double:
-            return 8;
-    }
-    return 1;
-}
-
 /// Colours stored as whole numbers are shares of this.
-double range_of(Number number) {
-    if (number == Number::Uint8) return 255.0;
-    return number == Number::Uint16 ? 65'535.0 : 1.0;
+double range_of(PlyNumber number) {
+    if (number == PlyNumber::Uint8) return 255.0;
+    return number == PlyNumber::Uint16 ? 65'535.0 : 1.0;
 }
-
-struct Property {
-    std::string name;
-    Number type{Number::Float};
-    std::optional<Number> count;  ///< lists: how their length is stored
-};
-
-struct Element {
-    std::string name;
-    std::size_t count{0};
-    std::vector<Property> properties;
-};
-
-enum class Format { Text, Little, Big };
-
-struct Header {
-    Format format{Format::Text};
-    std::vector<Element> elements;
-    std::string_view body;
-};
 
 /// Values in the order of the file, as text or as bytes.
 class Values {
 public:
-    Values(Format format, std::string_view body) : format_(format), text_(body), bytes_(body) {}
+    Values(PlyFormat format, std::string_view body) : format_(format), text_(body), bytes_(body) {}
 
-    double next(Number type) {
-        if (format_ == Format::Text) return next_word_value();
-        const std::endian order = format_ == Format::Big ? std::endian::big : std::endian::little;
+    double next(PlyNumber type) {
+        if (format_ == PlyFormat::Text) return next_word_value();
+        const std::endian order =
+            format_ == PlyFormat::Big ? std::endian::big : std::endian::little;
         switch (type) {
-            case Number::Int8:
+            case PlyNumber::Int8:
                 return bytes_.number<std::int8_t>(order);
-            case Number::Uint8:
+            case PlyNumber::Uint8:
                 return bytes_.number<std::uint8_t>(order);
-            case Number::Int16:
+            case PlyNumber::Int16:
                 return bytes_.number<std::int16_t>(order);
-            case Number::Uint16:
+            case PlyNumber::Uint16:
                 return bytes_.number<std::uint16_t>(order);
-            case Number::Int32:
+            case PlyNumber::Int32:
                 return bytes_.number<std::int32_t>(order);
-            case Number::Uint32:
+            case PlyNumber::Uint32:
                 return bytes_.number<std::uint32_t>(order);
-            case Number::Float:
+            case PlyNumber::Float:
                 return double{bytes_.number<float>(order)};
-            case Number::Double:
+            case PlyNumber::Double:
                 return bytes_.number<double>(order);
         }
         return 0.0;
@@ -137,93 +70,11 @@ private:
         return value;
     }
 
-    Format format_;
+    PlyFormat format_;
     std::string_view text_;
     ByteReader bytes_;
     bool failed_{false};
 };
-
-/// One line up to its end, which is cut off too.
-std::string_view header_line(std::string_view& bytes) {
-    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-    const std::string_view line = trimmed(bytes.substr(0, end));
-    bytes.remove_prefix(std::min(end + 1, bytes.size()));
-    return line;
-}
-
-std::string read_property(std::string_view line, Header& header) {
-    if (header.elements.empty()) return "a property stands before any element";
-    Property property;
-    std::string_view type = next_word(line);
-    if (type == "list") {
-        property.count = number_of(next_word(line));
-        if (!property.count) return "a list's length has an unknown type";
-        type = next_word(line);
-    }
-    const std::optional<Number> number = number_of(type);
-    if (!number) return fmt::format("the type \"{}\" is unknown", type);
-    property.type = *number;
-    property.name = std::string(next_word(line));
-    header.elements.back().properties.push_back(std::move(property));
-    return header.elements.back().properties.size() > kMostProperties ? "it has too many properties"
-                                                                      : "";
-}
-
-std::string read_element(std::string_view line, Header& header) {
-    Element element{.name = std::string(next_word(line))};
-    const std::string_view digits = next_word(line);
-    const auto [end, fault] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), element.count);
-    if (fault != std::errc{} || end != digits.data() + digits.size()) {
-        return fmt::format("element {} has no count", element.name);
-    }
-    if (element.count > limits::kIndices)
-        return fmt::format("{} {} are too many", element.count, element.name);
-    header.elements.push_back(std::move(element));
-    return header.elements.size() > kMostElements ? "it has too many elements" : "";
-}
-
-std::string read_header(std::string_view bytes, Header& header) {
-    if (header_line(bytes) != "ply") return "its content is not PLY";
-    bool has_format = false;
-    while (!bytes.empty()) {
-        std::string_view line = header_line(bytes);
-        const std::string_view key = next_word(line);
-        std::string fault;
-        if (key == "end_header") {
-            if (!has_format) return "its header names no format";
-            header.body = bytes;
-            return {};
-        }
-        if (key == "format") {
-            const std::string_view format = next_word(line);
-            has_format = true;
-            if (format == "binary_little_endian") {
-                header.format = Format::Little;
-            } else if (format == "binary_big_endian") {
-                header.format = Format::Big;
-            } else if (format != "ascii") {
-                fault = fmt::format("its format \"{}\" is unknown", format);
-            }
-        } else if (key == "element") {
-            fault = read_element(line, header);
-        } else if (key == "property") {
-            fault = read_property(line, header);
-        }
-        if (!fault.empty()) return fault;
-    }
-    return "its header breaks off";
-}
-
-/// The least that an element's rows take, to refuse counts that the file has no room for.
-std::size_t least_bytes(const Header& header, const Element& element) {
-    std::size_t bytes = 0;
-    for (const Property& property : element.properties) {
-        bytes +=
-            header.format == Format::Text ? 2 : bytes_of(property.count.value_or(property.type));
-    }
-    return bytes;
-}
 
 /// Where a property goes; nothing for those that are read over.
 float* slot_of(Vertex& vertex, std::string_view name) {
@@ -252,7 +103,7 @@ struct PlyReader {
     std::string fault{};
 
     /// Which numbers of a vertex the element's properties fill.
-    void read_vertices(const Element& element) {
+    void read_vertices(const PlyElement& element) {
         if (element.count > limits::kVertices) {
             fault = fmt::format(
                 "it has {} vertices; at most {} are read", element.count, limits::kVertices);
@@ -260,7 +111,7 @@ struct PlyReader {
         }
         std::size_t places = 0;
         Vertex probe;
-        for (const Property& property : element.properties) {
+        for (const PlyProperty& property : element.properties) {
             places += property.name.size() == 1 && slot_of(probe, property.name) != nullptr &&
                       std::string_view("xyz").find(property.name) != std::string_view::npos;
             has_normals = has_normals || property.name == "nx";
@@ -273,7 +124,7 @@ struct PlyReader {
         mesh.vertices.resize(element.count);
         for (Vertex& vertex : mesh.vertices) {
             vertex.normal_body = Vec3f{0.0F};
-            for (const Property& property : element.properties) read_value(property, vertex);
+            for (const PlyProperty& property : element.properties) read_value(property, vertex);
             if (values.failed()) return;
             if (!is_finite(vertex.position_body)) {
                 fault = fmt::format("vertex {} is not finite", &vertex - mesh.vertices.data());
@@ -287,7 +138,7 @@ struct PlyReader {
         }
     }
 
-    void read_value(const Property& property, Vertex& vertex) {
+    void read_value(const PlyProperty& property, Vertex& vertex) {
         if (property.count) {
             read_over_list(property);
             return;
@@ -303,7 +154,7 @@ struct PlyReader {
         }
     }
 
-    std::vector<std::uint32_t> read_list(const Property& property) {
+    std::vector<std::uint32_t> read_list(const PlyProperty& property) {
         const double count = values.next(*property.count);
         std::vector<std::uint32_t> corners;
         if (!(count >= 0.0 && count <= 1e7)) {
@@ -318,7 +169,7 @@ struct PlyReader {
         return corners;
     }
 
-    void read_over_list(const Property& property) {
+    void read_over_list(const PlyProperty& property) {
         const double count = values.next(*property.count);
         for (double i = 0; i < count && !values.failed(); ++i) values.next(property.type);
     }
@@ -337,9 +188,9 @@ struct PlyReader {
         }
     }
 
-    void read_faces(const Element& element) {
+    void read_faces(const PlyElement& element) {
         for (std::size_t i = 0; i < element.count && !values.failed() && fault.empty(); ++i) {
-            for (const Property& property : element.properties) {
+            for (const PlyProperty& property : element.properties) {
                 if (!property.count) {
                     values.next(property.type);
                 } else if (property.name == "vertex_indices" || property.name == "vertex_index") {
@@ -351,9 +202,9 @@ struct PlyReader {
         }
     }
 
-    void read_over(const Element& element) {
+    void read_over(const PlyElement& element) {
         for (std::size_t i = 0; i < element.count && !values.failed(); ++i) {
-            for (const Property& property : element.properties) {
+            for (const PlyProperty& property : element.properties) {
                 if (property.count) {
                     read_over_list(property);
                 } else {
@@ -374,21 +225,18 @@ void make_normals(ModelMesh& mesh) {
 }  // namespace
 
 Result<ModelData> read_ply(std::string_view bytes, const std::string& name) {
-    Header header;
-    std::string fault = read_header(bytes, header);
+    PlyHeader header;
+    const std::string fault = read_ply_header(bytes, header);
     if (!fault.empty()) return model_error(name, fault);
     PlyReader reader{.name = name, .values = Values(header.format, header.body)};
-    std::size_t least = 0;
-    for (const Element& element : header.elements) {
-        least += element.count * least_bytes(header, element);
-    }
+    const std::size_t least = least_bytes_of(header);
     if (least > header.body.size() + 1) {
         return model_error(
             name,
             fmt::format(
                 "its header promises {} bytes or more; {} follow", least, header.body.size()));
     }
-    for (const Element& element : header.elements) {
+    for (const PlyElement& element : header.elements) {
         if (element.name == "vertex") {
             reader.read_vertices(element);
         } else if (element.name == "face") {
