@@ -14,25 +14,24 @@ from support import Program, expect, home, read_json, settings_in, virtual_scree
 
 program_file = pathlib.Path(sys.argv[1])
 
+
+def cube(name, x):
+    return f"""[[entity]]
+name = "{name}"
+position_m = [{x}, 5, 0]
+primitive = {{ box = [1, 1, 1] }}
+[entity.body]
+kind = "dynamic"
+"""
+
+
 SCENE = """[scene]
 title = "one cube"
 [camera]
 position_m = [0, 3, 8]
 target_m = [0, 1, 0]
-[[entity]]
-name = "cube"
-position_m = [0, 5, 0]
-primitive = { box = [1, 1, 1] }
-[entity.body]
-kind = "dynamic"
-"""
-SECOND = SCENE + """[[entity]]
-name = "another"
-position_m = [3, 5, 0]
-primitive = { box = [1, 1, 1] }
-[entity.body]
-kind = "dynamic"
-"""
+""" + cube("cube", 0)
+SECOND = SCENE + cube("another", 3)
 
 
 def wait_for(game, text, times=1):

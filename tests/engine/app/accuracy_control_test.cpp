@@ -9,7 +9,7 @@
 namespace plumbline::app {
 namespace {
 
-constexpr const char* kScene = R"(# a comment
+const std::string kScene = R"(# a comment
 [scene]
 title = "t"
 
@@ -17,13 +17,7 @@ title = "t"
 preset = "draft"
 step_hz = 30
 
-[[entity]]
-name = "cube"
-position_m = [0, 5, 0]
-primitive = { box = [1, 1, 1] }
-[entity.body]
-kind = "dynamic"
-)";
+)" + cube_text("cube", "0, 5, 0");
 
 class AdoptedCopy : public testing::Test {
 protected:
@@ -175,15 +169,9 @@ TEST_F(AdoptedCopy, RefusesModelsAndWhatIsNotThere) {
     EXPECT_FALSE(adopt(folder_.path() / "none.toml", {}).ok());
 }
 
-constexpr const char* kCase = R"([scene]
-title = "H99 a cube in the air"
-[[entity]]
-name = "cube"
-position_m = [0, 50, 0]
-primitive = { box = [1, 1, 1] }
-[entity.body]
-kind = "dynamic"
-[hard_case]
+const std::string kCase = "[scene]\ntitle = \"H99 a cube in the air\"\n" +
+                          cube_text("cube", "0, 50, 0") +
+                          R"([hard_case]
 id = "H99"
 shows = "A cube that falls."
 known_to_fail = "nobody"

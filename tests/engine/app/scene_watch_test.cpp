@@ -44,7 +44,7 @@ TEST_F(SceneWatchTest, EveryFileOfTheSceneCounts) {
 TEST_F(SceneWatchTest, ASaveBetweenReadingAndWatchingIsNotMissed) {
     const auto session = open();
     ASSERT_TRUE(session);
-    folder_.write("scene.toml", fmt::format("{}# saved at once\n", kTwoCubes));
+    folder_.write("scene.toml", kTwoCubes + "# saved at once\n");
     SceneWatch watch(session->files());
     EXPECT_TRUE(watch.saved(0.0));
     EXPECT_FALSE(watch.saved(0.0));

@@ -4,7 +4,11 @@
 #include "engine/app/session.h"
 #include "tests/support/temporary_folder.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
 
 namespace plumbline::app {
 
@@ -31,21 +35,17 @@ private:
     bool holds_{false};
 };
 
-inline constexpr const char* kTwoCubes = R"([scene]
-title = "two cubes"
-[[entity]]
-name = "one"
-position_m = [0, 5, 0]
-primitive = { box = [1, 1, 1] }
-[entity.body]
-kind = "dynamic"
-[[entity]]
-name = "two"
-position_m = [3, 9, 0]
-primitive = { box = [1, 1, 1] }
-[entity.body]
-kind = "dynamic"
-)";
+/// An [[entity]] of a scene: a cube that falls.
+inline std::string cube_text(std::string_view name, std::string_view position_m) {
+    return fmt::format(
+        "[[entity]]\nname = \"{}\"\nposition_m = [{}]\n"
+        "primitive = {{ box = [1, 1, 1] }}\n[entity.body]\nkind = \"dynamic\"\n",
+        name,
+        position_m);
+}
+
+inline const std::string kTwoCubes =
+    "[scene]\ntitle = \"two cubes\"\n" + cube_text("one", "0, 5, 0") + cube_text("two", "3, 9, 0");
 
 class SessionTest : public testing::Test {
 protected:

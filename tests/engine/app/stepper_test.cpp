@@ -79,7 +79,7 @@ TEST_F(StepperTest, AfterAReloadTheRecordingBeginsAnew) {
     Result<Stepper> stepper = Stepper::create(*session, {});
     ASSERT_TRUE(stepper.ok());
     stepper->run(50, kAnyTime_s, latch_, report_);
-    folder_.write("scene.toml", fmt::format("{}# another\n", kTwoCubes));
+    folder_.write("scene.toml", kTwoCubes + "# another\n");
     ASSERT_TRUE(session->reload().ok());
     stepper->begin_anew();
     stepper->run(90, kAnyTime_s, latch_, report_);

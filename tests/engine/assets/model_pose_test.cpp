@@ -186,17 +186,22 @@ TriangleFile skinned() {
     return file;
 }
 
+/// The one part that moves, as the first animation has it at that time.
+MeshData deformed_at(const ModelData& model, float time_s) {
+    const ModelParts parts = parts_of(model);
+    EXPECT_EQ(parts.moving.size(), 1U);
+    EXPECT_TRUE(parts.moving.at(0).deforms);
+    MeshData mesh = part_mesh(model, parts.moving.at(0), rest_pose(model));
+    deform(model, parts.moving.at(0), pose_at(model, model.animations.at(0), time_s), mesh);
+    return mesh;
+}
+
 TEST(ModelSkin, carries_vertices_by_the_mean_of_their_bones_and_not_by_the_node) {
     const Import import = import_bytes(skinned().gltf());
     ASSERT_TRUE(import.ok()) << import.error();
-    const ModelData& model = import.model.value();
     // At rest the bones undo their inverse bind matrices: the triangle as it was made.
     EXPECT_EQ(import.mesh().vertices[1].position_body, Vec3f(1, 0, 0));
-    const ModelParts parts = parts_of(model);
-    ASSERT_EQ(parts.moving.size(), 1U);
-    EXPECT_TRUE(parts.moving[0].deforms);
-    MeshData mesh = part_mesh(model, parts.moving[0], rest_pose(model));
-    deform(model, parts.moving[0], pose_at(model, model.animations[0], 0.5F), mesh);
+    const MeshData mesh = deformed_at(import.model.value(), 0.5F);
     expect_near(mesh.vertices[0].position_body, {0, 0, 0});
     expect_near(mesh.vertices[1].position_body, {1, 2, 0});
     expect_near(mesh.vertices[2].position_body, {0, 2, 0});
@@ -230,13 +235,8 @@ TEST(ModelMorph, adds_targets_by_their_weights) {
     add_channel(file, add_sampler(file, {0, 2}, {0, 1}, "SCALAR"), 0, "weights");
     const Import import = import_bytes(file.gltf());
     ASSERT_TRUE(import.ok()) << import.error();
-    const ModelData& model = import.model.value();
     EXPECT_EQ(import.mesh().vertices[1].position_body, Vec3f(1, 0, 1));
-    const ModelParts parts = parts_of(model);
-    ASSERT_EQ(parts.moving.size(), 1U);
-    EXPECT_TRUE(parts.moving[0].deforms);
-    MeshData mesh = part_mesh(model, parts.moving[0], rest_pose(model));
-    deform(model, parts.moving[0], pose_at(model, model.animations[0], 1.5F), mesh);
+    const MeshData mesh = deformed_at(import.model.value(), 1.5F);
     expect_near(mesh.vertices[1].position_body, {1, 0, 3});
 }
 

@@ -46,6 +46,10 @@ protected:
             true);
     }
 
+    void press(std::initializer_list<MenuPress> presses) {
+        for (const MenuPress each : presses) menu_.press(each);
+    }
+
     const Box& box_of(CellPlace place) const {
         for (const PlacedCell& cell : menu_.layout().cells)
             if (cell.place == place) return cell.box;
@@ -63,25 +67,17 @@ protected:
 };
 
 TEST_F(MenuTest, ArrowsMoveAndAcceptChooses) {
+    using enum MenuPress;
     open(3);
-    menu_.press(MenuPress::Down);
-    menu_.press(MenuPress::Accept);
-    menu_.press(MenuPress::Down);
-    menu_.press(MenuPress::Accept);
-    menu_.press(MenuPress::Up);
-    menu_.press(MenuPress::Up);
-    menu_.press(MenuPress::Up);  // nothing above the first
-    menu_.press(MenuPress::Accept);
+    press({Down, Accept, Down, Accept});
+    press({Up, Up, Up, Accept});  // nothing above the first
     EXPECT_EQ(chosen_, (std::vector<int>{1, 2, 0}));
 }
 
 TEST_F(MenuTest, LeftAndRightAdjustWhatCanBeAdjusted) {
+    using enum MenuPress;
     open(1);
-    menu_.press(MenuPress::Down);
-    menu_.press(MenuPress::Right);
-    menu_.press(MenuPress::Right);
-    menu_.press(MenuPress::Left);
-    menu_.press(MenuPress::Right);
+    press({Down, Right, Right, Left, Right});
     EXPECT_EQ(value_, 2);
     menu_.press(MenuPress::Remove);
     EXPECT_TRUE(removed_);
