@@ -174,4 +174,16 @@ inline bool contains(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
+/// Refused with exit code 4 and a message that ends in `why`.
+inline void expect_refused(const Import& import, std::string_view why) {
+    ASSERT_FALSE(import.ok()) << "expected: " << why;
+    EXPECT_TRUE(contains(import.error(), why)) << import.error() << "\nexpected: " << why;
+    EXPECT_EQ(import.model.error().exit_code, ExitCode::Refused);
+    EXPECT_TRUE(import.error().starts_with("model ")) << import.error();
+}
+
+inline void expect_refused(const TriangleFile& file, std::string_view why) {
+    expect_refused(import_bytes(file.gltf()), why);
+}
+
 }  // namespace plumbline::assets::test

@@ -15,6 +15,15 @@
 
 namespace plumbline::scene {
 
+inline constexpr Real kSlack{1e-6_r};
+
+inline void expect_near(const Vec3& value, const Vec3& wanted) {
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(value[i], wanted[i], kSlack) << "part " << i;
+}
+inline void expect_near_f(const Vec3f& value, const Vec3f& wanted) {
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(value[i], wanted[i], 1e-6F) << "part " << i;
+}
+
 /// A folder that is empty at first and gone at the end. Inside: assets/, and whatever is written.
 class SceneFileTest : public testing::Test {
 protected:

@@ -1,0 +1,150 @@
+// The menu over settings and controls in a folder of their own, pressed as a person would.
+#pragma once
+
+#include "engine/app/ui/canvas.h"
+#include "engine/app/ui/menu_control.h"
+#include "engine/app/ui/pages.h"
+#include "engine/core/files.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+namespace plumbline::app::ui {
+namespace fs = std::filesystem;
+
+inline constexpr int kEscape = 256;
+inline constexpr int kEnter = 257;
+inline constexpr int kDelete = 261;
+
+class PagesTest : public testing::Test {
+protected:
+    void SetUp() override {
+        std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+        std::ranges::replace(name, '/', '_');
+        user_ = fs::path(testing::TempDir()) / ("pages_" + name);
+        fs::remove_all(user_);
+        fs::create_directories(user_);
+        start();
+        resize(1280, 720);
+    }
+    void TearDown() override { fs::remove_all(user_); }
+
+    /// The program from its start: settings are read anew.
+    void start() {
+        const fs::path shipped = fs::path(PL_SOURCE_DIR) / "config";
+        config_ = std::make_unique<LiveConfig>(shipped, user_);
+        bindings_ = std::make_unique<LiveBindings>(
+            BindingsDef{.shipped_folder = shipped, .user_folder = user_});
+        control_ = std::make_unique<MenuControl>(MenuWorld{
+            .config = *config_,
+            .bindings = *bindings_,
+            .scenes = scene::list_scenes(fs::path(PL_SOURCE_DIR) / "assets"),
+            .scene_title = "The garden",
+            .accuracy = [this] { return accuracy_; },
+            .change_config = [this](const AppConfig& wanted) { stored(config_->change(wanted)); },
+            .change_bindings =
+                [this](const input::Bindings& wanted) { stored(bindings_->change(wanted)); },
+            .change_accuracy = [this](const study::Setting& wanted) { accuracy_ = wanted; },
+            .open_scene = [this](const fs::path& file) { opened_ = file; },
+            .start_again = [this] { started_again_ = true; },
+            .quit = [this] { quit_ = true; },
+            .forget_first_minute = [this] { forgotten_ = true; }});
+    }
+
+    static void stored(const Result<Done>& result) { EXPECT_TRUE(result.ok()); }
+
+    void resize(int width, int height) {
+        canvas_.resize(width, height, 1.0F, 0.0F);
+        lay_out();
+    }
+    void lay_out() {
+        control_->lay_out(
+            canvas_.width_px(), canvas_.height_px(), canvas_.font_px(), canvas_.text_size());
+    }
+
+    /// One frame in which these keys went down and up, in this order.
+    InputSnapshot keys(const std::vector<int>& codes) {
+        InputSnapshot input;
+        for (const int code : codes) {
+            input.events.push_back({DeviceEventKind::Key, code, true});
+            input.events.push_back({DeviceEventKind::Key, code, false});
+        }
+        return take(input);
+    }
+    InputSnapshot take(const InputSnapshot& input) {
+        lay_out();
+        return control_->take(input, bindings_->current());
+    }
+
+    const Cell& cell(CellPlace place) const {
+        return control_->menu().page().lines[place.line].cells[place.cell];
+    }
+    /// Moves the pointer to the first cell that begins so, below `label` if one is given.
+    bool point_at(const std::string& text, const std::string& label = {}) {
+        InputSnapshot away;
+        away.cursor_px = {1.0, 1.0};
+        take(away);
+        const std::vector<PlacedCell> cells = control_->menu().layout().cells;
+        for (const PlacedCell& placed : cells) {
+            const Line& line = control_->menu().page().lines[placed.place.line];
+            if (!label.empty() && line.label != label) continue;
+            if (!cell(placed.place).text.starts_with(text)) continue;
+            for (int i = 0; i < 400; ++i) {
+                const Box& view = control_->menu().layout().view;
+                const float y = placed.box.y - control_->menu().scroll_px() + 2.0F;
+                if (y > view.y && y < view.bottom()) {
+                    InputSnapshot input;
+                    input.cursor_px = {static_cast<double>(placed.box.x) + 2.0,
+                                       static_cast<double>(y)};
+                    take(input);
+                    cursor_ = input.cursor_px;
+                    return control_->menu().focus() == placed.place;
+                }
+                InputSnapshot wheel;
+                wheel.cursor_px = {1.0, 1.0};
+                wheel.events.push_back({DeviceEventKind::Wheel, y > view.y ? 1 : 0, true});
+                take(wheel);
+            }
+        }
+        ADD_FAILURE() << "no cell " << text << " on " << control_->menu().page().title;
+        return false;
+    }
+    void choose(const std::string& text, const std::string& label = {}) {
+        ASSERT_TRUE(point_at(text, label));
+        InputSnapshot input;
+        input.cursor_px = cursor_;
+        input.events.push_back({DeviceEventKind::MouseButton, 0, true});
+        input.events.push_back({DeviceEventKind::MouseButton, 0, false});
+        take(input);
+    }
+
+    std::string written(const char* name) const {
+        std::ifstream file(user_ / name);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    std::vector<std::string> words(Action action) const {
+        std::vector<std::string> list;
+        for (const input::Input& input : bindings_->current().of(action))
+            list.push_back(input.word);
+        return list;
+    }
+
+    fs::path user_;
+    Canvas canvas_;
+    std::unique_ptr<LiveConfig> config_;
+    std::unique_ptr<LiveBindings> bindings_;
+    study::Setting accuracy_;
+    std::unique_ptr<MenuControl> control_;
+    fs::path opened_;
+    bool started_again_{false};
+    bool quit_{false};
+    bool forgotten_{false};
+    std::array<double, 2> cursor_{};
+};
+
+}  // namespace plumbline::app::ui

@@ -1,0 +1,142 @@
+// What flashlights, lamps and their shadows do, against closed forms.
+#include "tests/engine/render/picture_fixture.h"
+
+namespace plumbline::render {
+namespace {
+
+TEST_F(PictureGl, FlashlightLightsItsConeAndCastsItsOwnShadow) {
+    RenderFrame frame = wall(matt(Vec3f{0.8F}), 6.0F);
+    frame.width_px = 301;
+    frame.height_px = 301;
+    frame.flashlight = Flashlight{.position_world = Vec3f{0.0F},
+                                  .direction_world = {0.0F, 0.0F, -1.0F},
+                                  .intensity = Vec3f{60.0F},
+                                  .radius_m = 30.0F,
+                                  .inner_rad = 0.15F,
+                                  .outer_rad = 0.3F};
+    const auto x_at = [](float angle_rad) {
+        const float ndc = std::tan(angle_rad) / std::tan(radians_from_degrees(30.0F));
+        return static_cast<std::uint32_t>((ndc * 0.5F + 0.5F) * 301.0F);
+    };
+    auto image = draw(frame);
+    const int middle = pixel_at(image, 150, 150).r;
+    EXPECT_GT(middle, 120);
+    EXPECT_GT(pixel_at(image, x_at(0.1F), 150).r, 100);
+    EXPECT_EQ(pixel_at(image, x_at(0.31F), 150).r, 0);
+    EXPECT_EQ(pixel_at(image, x_at(-0.31F), 150).r, 0);
+
+    // A small box half way throws a shadow twice its size. Seen from the eye, 0.3 m above the
+    // hand, part of that shadow shows below the box.
+    frame.flashlight->position_world = {0.0F, 0.3F, 0.0F};
+    add_box(frame, Vec3f{0.3F}, {0.0F, 0.0F, -3.0F}, matt(Vec3f{0.8F}));
+    image = draw(frame);
+    // The shadow on the wall at 6 m: centred on y = 0.3 - 0.3 * 6 / 3 = -0.3.
+    const float angle = std::atan(0.42F / 6.0F);
+    const std::uint32_t below = 300 - x_at(angle);
+    EXPECT_LT(pixel_at(image, 150, 300 - below).r, 20);
+    EXPECT_GT(pixel_at(image, 150, below).r, 60);
+}
+
+TEST_F(PictureGl, LightAtTheEyeMakesNoSpecks) {
+    // V = H exactly: the power in Schlick's term would see a negative number.
+    const auto shiny = library_.add_material(
+        {.name = "shiny", .base_color = Vec3f{0.9F}, .roughness = 0.05F, .metallic = 1.0F});
+    RenderFrame frame = wall(shiny, 3.0F);
+    frame.width_px = 201;
+    frame.height_px = 201;
+    frame.flashlight = Flashlight{.position_world = Vec3f{0.0F},
+                                  .direction_world = {0.0F, 0.0F, -1.0F},
+                                  .intensity = Vec3f{2000.0F},
+                                  .outer_rad = 1.2F};
+    const auto image = draw(frame);
+    for (std::uint32_t y = 95; y < 106; ++y) {
+        for (std::uint32_t x = 95; x < 106; ++x) EXPECT_GT(pixel_at(image, x, y).r, 100);
+    }
+}
+
+TEST_F(PictureGl, PointLightFallsWithTheSquareAndEndsAtItsRadius) {
+    RenderFrame frame = wall(matt(Vec3f{1.0F}), 2.0F);
+    frame.lights.push_back(
+        {.position_world = {0.0F, 0.0F, 0.0F}, .intensity = Vec3f{4.0F}, .radius_m = 100.0F});
+    // 4 cd at 2 m: irradiance 1; a matt white wall sends out 1 / pi, and mirrors little.
+    EXPECT_NEAR(center(frame).r, code_of(glm::one_over_pi<float>()), 6);
+    frame.lights[0].radius_m = 1.9F;
+    EXPECT_EQ(center(frame).r, 0);
+}
+
+TEST_F(PictureGl, FarLightsBeyondTheFirst256AreLeftOut) {
+    RenderFrame frame = wall(matt(Vec3f{1.0F}), 2.0F);
+    for (int i = 0; i < 300; ++i) {
+        frame.lights.push_back({.position_world = {0.0F, 0.0F, 500.0F + static_cast<float>(i)},
+                                .intensity = Vec3f{1.0F},
+                                .radius_m = 10.0F});
+    }
+    EXPECT_EQ(center(frame).r, 0);
+    frame.lights[255].position_world = Vec3f{0.0F};
+    EXPECT_GT(center(frame).r, 40);
+}
+
+/// One floor seen from above, and lamps in rows over it.
+class LampsGl : public PictureGl {
+protected:
+    static constexpr std::uint32_t kSide_px = 320;
+    static constexpr float kHalf_m = 16.0F;
+
+    RenderFrame floor_under(int side) {
+        RenderFrame frame = empty_frame(kSide_px, kSide_px);
+        frame.camera = camera_at({0.0F, 100.0F, 0.0F}, Vec3f{0.0F});
+        frame.camera.fov_y_rad = 2.0F * std::atan(kHalf_m / 100.0F);
+        add_box(frame, {60.0F, 1.0F, 60.0F}, {0.0F, -0.5F, 0.0F}, matt(Vec3f{1.0F}));
+        const float step_m = 2.0F * kHalf_m / static_cast<float>(side);
+        for (int z = 0; z < side; ++z) {
+            for (int x = 0; x < side; ++x) {
+                frame.lights.push_back(
+                    {.position_world = {(static_cast<float>(x) + 0.5F) * step_m - kHalf_m,
+                                        0.5F,
+                                        (static_cast<float>(z) + 0.5F) * step_m - kHalf_m},
+                     .intensity = Vec3f{0.6F},
+                     .radius_m = 0.48F * step_m});
+            }
+        }
+        return frame;
+    }
+    /// Under a lamp 0.5 m up: intensity / 0.25, what the window leaves of it, by pi.
+    static float under_lamp(const LocalLight& light) {
+        const float share = 0.25F / (light.radius_m * light.radius_m);
+        const float window = 1.0F - share * share;
+        return light.intensity.x * window * window / 0.25F * glm::one_over_pi<float>();
+    }
+};
+
+TEST_F(LampsGl, EveryLampOverOneFloorLightsIt) {
+    for (const int side : {5, 16}) {
+        const RenderFrame frame = floor_under(side);
+        const auto image = draw(frame);
+        for (const LocalLight& light : frame.lights) {
+            const auto pixel = [](float at_m) {
+                return static_cast<std::uint32_t>((at_m + kHalf_m) / (2.0F * kHalf_m) * kSide_px);
+            };
+            const Vec3f& at = light.position_world;
+            const int seen = pixel_at(image, pixel(at.x), pixel(at.z)).r;
+            ASSERT_NEAR(seen, code_of(under_lamp(light)), 9) << side << ": " << at.x << ' ' << at.z;
+        }
+        // Half way between four lamps none reaches.
+        EXPECT_EQ(pixel_at(image, side == 5 ? 128 : 160, side == 5 ? 128 : 160).r, 0);
+    }
+}
+
+TEST_F(LampsGl, LampsAddUp) {
+    // 200 lamps at one place are as bright as one 200 times as strong.
+    RenderFrame many = floor_under(1);
+    many.lights.front().radius_m = 20.0F;
+    many.lights.front().intensity = Vec3f{0.0005F};
+    RenderFrame one = many;
+    one.lights.front().intensity *= 200.0F;
+    many.lights.resize(200, many.lights.front());
+    const int together = pixel_at(draw(many), 160, 160).r;
+    EXPECT_GT(together, 40);
+    EXPECT_NEAR(together, pixel_at(draw(one), 160, 160).r, 1);
+}
+
+}  // namespace
+}  // namespace plumbline::render
