@@ -86,8 +86,9 @@ void set_log_level(LogLevel lowest_shown) {
 }
 
 void log_line(LogLevel level, std::string_view text) {
+    if (!logger().should_log(level_of(level))) return;
     const std::string shown = printable_lines(text);
-    if (logger().should_log(level_of(level))) tail.add(shown);
+    tail.add(shown);
     logger().log(level_of(level), shown);
 }
 
