@@ -55,7 +55,8 @@ ExitCode check_file(const std::filesystem::path& file, const DataFolders& folder
 ExitCode run_explain(const std::string& scene_name, bool as_json) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return refuse(folders.error());
-    const Result<std::filesystem::path> scene = scene::find_scene(scene_name, folders->assets);
+    const Result<std::filesystem::path> scene =
+        scene::find_scene(scene_name, scene::scene_folders(folders->assets));
     if (!scene) return refuse(scene.error());
     Result<std::unique_ptr<app::Session>> session = app::Session::open(
         {.scene = *scene,

@@ -42,7 +42,7 @@ public:
         }
     }
 
-    /// The scene of the last sitting; the garden where there is none, or none any more.
+    /// The scene of the last sitting; the first one where there is none, or none any more.
     Result<std::unique_ptr<app::Session>> open_last() const {
         constexpr std::size_t kLongestPath = 4096;
         const std::filesystem::path file = memory();
@@ -53,7 +53,7 @@ public:
                 if (opened) return opened;
             }
         }
-        return open("garden");
+        return open(std::string(scene::kFirstScene));
     }
 
     void remember(const app::Session& session) const {
@@ -68,7 +68,8 @@ public:
 
 private:
     Result<std::unique_ptr<app::Session>> open_scene(const std::string& name) const {
-        const Result<std::filesystem::path> scene = scene::find_scene(name, folders_.assets);
+        const Result<std::filesystem::path> scene =
+            scene::find_scene(name, scene::scene_folders(folders_.assets));
         if (!scene) return scene.error();
         Result<std::unique_ptr<app::Session>> session = app::Session::open(
             {.scene = *scene,
@@ -103,7 +104,7 @@ app::PlayDef play_def(const PlayOptions& options,
     return {.shader_folder = folders.shaders,
             .user_data_folder = user_data_folder(),
             .thumbnails = folders.assets / "thumbnails",
-            .scenes = scene::list_scenes(folders.assets),
+            .scenes = scene::list_scenes(scene::scene_folders(folders.assets)),
             .start_page = options.scene.empty() && !unattended,
             .unattended = unattended,
             .sound = !common.no_sound,

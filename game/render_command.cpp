@@ -36,7 +36,8 @@ Result<Studio> open_studio(const std::string& scene_name,
                            app::OffscreenDef def) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
-    const Result<std::filesystem::path> scene = scene::find_scene(scene_name, folders->assets);
+    const Result<std::filesystem::path> scene =
+        scene::find_scene(scene_name, scene::scene_folders(folders->assets));
     if (!scene) return scene.error();
     int width = 1280;
     int height = 720;

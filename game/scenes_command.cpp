@@ -48,7 +48,8 @@ void print_lines(const std::vector<scene::ListedScene>& scenes) {
 ExitCode run_scenes(bool as_json) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return refuse(folders.error());
-    const std::vector<scene::ListedScene> scenes = scene::list_scenes(folders->assets);
+    const std::vector<scene::ListedScene> scenes =
+        scene::list_scenes(scene::scene_folders(folders->assets));
     if (as_json)
         print_json(scenes);
     else

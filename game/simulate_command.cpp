@@ -33,7 +33,8 @@ struct World {
 Result<Done> load(const SimulateOptions& options, World& world) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
-    const Result<fs::path> file = scene::find_scene(options.scene, folders->assets);
+    const Result<fs::path> file =
+        scene::find_scene(options.scene, scene::scene_folders(folders->assets));
     if (!file) return file.error();
     Diagnostics faults;
     const Result<scene::OpenedScene> opened =

@@ -72,7 +72,8 @@ Result<Chosen> chosen_by(const StudyOptions& options) {
         if (!like.empty()) continue;
         const Result<DataFolders> folders = find_data_folders();
         if (!folders) return folders.error();
-        const Result<fs::path> scene = scene::find_scene(word, folders->assets);
+        const Result<fs::path> scene =
+            scene::find_scene(word, scene::scene_folders(folders->assets));
         const bool is_a_file = word.find_first_of("./") != std::string::npos;
         if (!scene) return is_a_file ? scene.error() : unknown_case(word);
         chosen.scenes.push_back(*scene);
@@ -164,7 +165,8 @@ ExitCode study_effects(const StudyOptions& options) {
     if (options.cases.empty())
         return refuse({.message = "--effects needs a scene", .exit_code = ExitCode::BadUsage});
     for (const std::string& word : options.cases) {
-        const Result<fs::path> scene = scene::find_scene(word, folders->assets);
+        const Result<fs::path> scene =
+            scene::find_scene(word, scene::scene_folders(folders->assets));
         if (!scene) return refuse(scene.error());
         if (const ExitCode code = run_effects_study(*scene, options.seconds);
             code != ExitCode::Good)

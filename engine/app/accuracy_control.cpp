@@ -87,10 +87,9 @@ std::string AccuracyControl::apply(const AccuracyRequest& request, FrameClock& c
         said = fmt::format("ghost from here: {}", study::setting_text(*request.start_ghost));
     }
     if (request.adopt) {
-        const auto written = write_adopted_copy(
-            session_.description().file,
-            setting(),
-            {.assets = session_.folders().assets, .user_scenes = user_data_folder() / "scenes"});
+        const auto written = write_adopted_copy(session_.description().file,
+                                                setting(),
+                                                scene::scene_folders(session_.folders().assets));
         said = written ? fmt::format("adopted in {}", written->string()) : written.error().message;
     }
     return said;

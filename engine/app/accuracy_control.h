@@ -5,6 +5,7 @@
 #include "engine/app/session.h"
 #include "engine/core/frame_clock.h"
 #include "engine/core/lines.h"
+#include "engine/scene/scene_list.h"
 #include "engine/scene/state_report.h"
 #include "engine/study/ghost/ghost.h"
 
@@ -83,18 +84,12 @@ private:
     std::deque<Sample> samples_;
 };
 
-/// Where copies of scenes may go.
-struct AdoptFolders {
-    std::filesystem::path assets;       ///< the program's own: nothing is written below it
-    std::filesystem::path user_scenes;  ///< for copies of the program's scenes; made when missing
-};
-
 /// Writes NAME-adopted.toml, a copy of the scene with the setting under [accuracy]: beside the scene,
-/// or among the user's where the scene is the program's. It is the same text otherwise, comments
+/// or among the user's, a folder that is made, where the scene is the program's. It is the same text otherwise, comments
 /// included, but for names of files that it could not be found by from there. Overwrites nothing:
 /// the next free number is taken. Returns where. Nothing is left where the copy would not load.
 Result<std::filesystem::path> write_adopted_copy(const std::filesystem::path& scene,
                                                  const study::Setting& setting,
-                                                 const AdoptFolders& folders);
+                                                 const scene::SceneFolders& folders);
 
 }  // namespace plumbline::app

@@ -130,7 +130,7 @@ void set_accuracy(const toml::table& root,
 /// Files that the scene names from where it lies: the copy names them from the assets folder.
 void keep_references(const toml::node& node,
                      const fs::path& scene,
-                     const AdoptFolders& folders,
+                     const scene::SceneFolders& folders,
                      const Places& places,
                      std::vector<Edit>& edits) {
     if (const toml::table* table = node.as_table()) {
@@ -172,7 +172,7 @@ fs::path unused_copy(const fs::path& folder, const std::string& stem) {
 std::string what_is_wrong(const fs::path& copy,
                           const fs::path& scene,
                           const study::Setting& setting,
-                          const AdoptFolders& folders) {
+                          const scene::SceneFolders& folders) {
     Diagnostics faults;
     const Result<scene::SceneDescription> made = scene::load_scene(copy, folders.assets, faults);
     if (!made) return made.error().message;
@@ -199,7 +199,7 @@ std::string what_is_wrong(const fs::path& copy,
 
 Result<fs::path> write_adopted_copy(const fs::path& scene,
                                     const study::Setting& setting,
-                                    const AdoptFolders& folders) {
+                                    const scene::SceneFolders& folders) {
     if (scene.extension() != ".toml")
         return Error{.message = fmt::format("{} is no scene file: there is no [accuracy] to write",
                                             scene.filename().string())};

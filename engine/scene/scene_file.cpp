@@ -299,11 +299,17 @@ Result<SceneDescription> load_scene(const fs::path& file,
     return std::move(*scene);
 }
 
-Result<fs::path> find_scene(const std::string& name, const fs::path& assets_folder) {
-    const fs::path scenes = assets_folder / "scenes";
+Result<fs::path> find_scene(const std::string& name, const SceneFolders& folders) {
+    const fs::path scenes = folders.assets / "scenes";
+    std::vector<fs::path> candidates{fs::path(name)};
+    for (const fs::path& folder : {folders.user_scenes, scenes}) {
+        if (folder.empty()) continue;
+        candidates.push_back(folder / name);
+        candidates.push_back(folder / (name + ".toml"));
+    }
+    candidates.emplace_back(name + ".toml");
     std::string oddity;  // what is there under that name, and is no scene
-    for (const fs::path& candidate :
-         {fs::path(name), scenes / name, scenes / (name + ".toml"), fs::path(name + ".toml")}) {
+    for (const fs::path& candidate : candidates) {
         std::error_code failed;
         const fs::file_status status = fs::status(candidate, failed);
         // What is there but no file, a FIFO say, gets its own message from the reader.
@@ -314,7 +320,7 @@ Result<fs::path> find_scene(const std::string& name, const fs::path& assets_fold
     }
     std::string why = fmt::format("here or in {}", scenes.string());
     if (!oddity.empty()) why += ": " + oddity;
-    const std::string nearest = nearest_scene(name, assets_folder);
+    const std::string nearest = nearest_scene(name, folders);
     if (!nearest.empty()) why += fmt::format("; the nearest is \"{}\"", nearest);
     return Error{.message = fmt::format(
                      "there is no scene \"{}\" {}; plumbline scenes lists them", shown(name), why),

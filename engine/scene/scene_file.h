@@ -4,6 +4,7 @@
 #include "engine/core/diagnostics.h"
 #include "engine/core/result.h"
 #include "engine/scene/scene_description.h"
+#include "engine/scene/scene_list.h"
 
 #include <filesystem>
 
@@ -21,8 +22,8 @@ Result<SceneDescription> load_scene(const std::filesystem::path& file,
 /// entity that shows it).
 void check_models(const SceneDescription& scene, Diagnostics& faults);
 
-/// SCENE as people name it: a path, or a name below assets/scenes with or without ".toml".
-Result<std::filesystem::path> find_scene(const std::string& name,
-                                         const std::filesystem::path& assets_folder);
+/// SCENE as people name it: a path, or a name below the person's own scenes or assets/scenes, in that
+/// order, with or without ".toml".
+Result<std::filesystem::path> find_scene(const std::string& name, const SceneFolders& folders);
 
 }  // namespace plumbline::scene

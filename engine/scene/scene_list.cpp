@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <tuple>
 
 namespace plumbline::scene {
 namespace fs = std::filesystem;
@@ -16,23 +17,29 @@ namespace {
 /// All of a file that is there to be included.
 constexpr std::array<std::string_view, 3> kIncludedOnly{"scene", "material", "prefab"};
 
-/// Every .toml below assets/scenes, named but not read.
-std::vector<ListedScene> scene_files(const fs::path& assets_folder) {
-    const fs::path root = assets_folder / "scenes";
-    std::vector<ListedScene> files;
+/// Adds every .toml below the folder, named but not read; of two with one name the earlier stays.
+void add_scene_files(const fs::path& root, bool is_users_own, std::vector<ListedScene>& files) {
     std::error_code failed;
     for (fs::recursive_directory_iterator entry(root, failed), end; !failed && entry != end;
          entry.increment(failed)) {
         if (entry->path().extension() != ".toml") continue;
         fs::path name = entry->path().lexically_relative(root);
         name.replace_extension();
-        files.push_back({.name = name.string(), .file = entry->path()});
+        if (std::ranges::find(files, name.string(), &ListedScene::name) != files.end()) continue;
+        files.push_back(
+            {.name = name.string(), .file = entry->path(), .is_users_own = is_users_own});
     }
-    std::ranges::sort(files, [](const ListedScene& a, const ListedScene& b) {
-        const bool a_in_folder = a.name.find('/') != std::string::npos;
-        const bool b_in_folder = b.name.find('/') != std::string::npos;
-        return a_in_folder != b_in_folder ? b_in_folder : a.name < b.name;
-    });
+}
+
+std::vector<ListedScene> scene_files(const SceneFolders& folders) {
+    std::vector<ListedScene> files;
+    if (!folders.user_scenes.empty()) add_scene_files(folders.user_scenes, true, files);
+    add_scene_files(folders.assets / "scenes", false, files);
+    const auto place_of = [](const ListedScene& scene) {
+        const bool in_folder = scene.name.find('/') != std::string::npos;
+        return std::tuple(scene.name != kFirstScene, in_folder, std::string_view(scene.name));
+    };
+    std::ranges::sort(files, std::ranges::less{}, place_of);
     return files;
 }
 
@@ -62,14 +69,19 @@ bool read_heading(ListedScene& scene) {
 
 }  // namespace
 
-std::vector<ListedScene> list_scenes(const fs::path& assets_folder) {
-    std::vector<ListedScene> scenes = scene_files(assets_folder);
+SceneFolders scene_folders(const fs::path& assets_folder) {
+    const fs::path data = user_data_folder();
+    return {.assets = assets_folder, .user_scenes = data.empty() ? data : data / "scenes"};
+}
+
+std::vector<ListedScene> list_scenes(const SceneFolders& folders) {
+    std::vector<ListedScene> scenes = scene_files(folders);
     std::erase_if(scenes, [](ListedScene& scene) { return !read_heading(scene); });
     return scenes;
 }
 
-std::string nearest_scene(const std::string& name, const fs::path& assets_folder) {
-    const std::vector<ListedScene> scenes = scene_files(assets_folder);
+std::string nearest_scene(const std::string& name, const SceneFolders& folders) {
+    const std::vector<ListedScene> scenes = scene_files(folders);
     std::vector<std::string_view> known;
     for (const ListedScene& scene : scenes) known.emplace_back(scene.name);
     const std::string_view whole = nearest_name(name, known);

@@ -2,6 +2,7 @@
 #include "engine/core/files.h"
 #include "engine/scene/scene_file.h"
 #include "engine/scene/scene_list.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -58,12 +59,14 @@ TEST(ShippedScenes, TheDocsNameWhatMayBeIncluded) {
 }
 
 TEST(ShippedScenes, AreListedByName) {
-    const std::vector<ListedScene> scenes = list_scenes(fs::path(PL_SOURCE_DIR) / "assets");
+    const SceneFolders folders{.assets = fs::path(PL_SOURCE_DIR) / "assets", .user_scenes = {}};
+    const std::vector<ListedScene> scenes = list_scenes(folders);
     std::vector<std::string> names;
     for (const ListedScene& scene : scenes) {
         names.push_back(scene.name);
         EXPECT_FALSE(scene.title.empty() || scene.description.empty()) << scene.name;
-        const auto found = find_scene(scene.name, fs::path(PL_SOURCE_DIR) / "assets");
+        EXPECT_FALSE(scene.is_users_own);
+        const auto found = find_scene(scene.name, folders);
         ASSERT_TRUE(found.ok()) << scene.name;
         EXPECT_EQ(*found, scene.file);
     }
@@ -71,11 +74,12 @@ TEST(ShippedScenes, AreListedByName) {
         return std::ranges::find(names, name) != names.end();
     };
     EXPECT_TRUE(has("garden") && has("playroom") && has("hard/H05"));
+    EXPECT_EQ(names.front(), kFirstScene);
     EXPECT_FALSE(has("materials") || has("things")) << "there to be included";
 }
 
 TEST(ShippedScenes, TheNearestIsNamed) {
-    const fs::path assets = fs::path(PL_SOURCE_DIR) / "assets";
+    const SceneFolders assets{.assets = fs::path(PL_SOURCE_DIR) / "assets", .user_scenes = {}};
     EXPECT_EQ(nearest_scene("gardn", assets), "garden");
     EXPECT_EQ(nearest_scene("Garden", assets), "garden");
     EXPECT_EQ(nearest_scene("assets/scenes/gardn.toml", assets), "garden");
@@ -85,11 +89,43 @@ TEST(ShippedScenes, TheNearestIsNamed) {
     const auto missing = find_scene("gardn", assets);
     ASSERT_FALSE(missing.ok());
     EXPECT_EQ(missing.error().message,
-              "there is no scene \"gardn\" here or in " + (assets / "scenes").string() +
+              "there is no scene \"gardn\" here or in " + (assets.assets / "scenes").string() +
                   "; the nearest is \"garden\"; plumbline scenes lists them");
     const auto folder = find_scene(PL_SOURCE_DIR "/docs", assets);
     ASSERT_FALSE(folder.ok());
     EXPECT_NE(folder.error().message.find(": it is a folder"), std::string::npos);
+}
+
+// Copies that were adopted lie there.
+TEST(UserScenes, AreFoundByNameAndStandForShippedOnes) {
+    const test::TemporaryFolder folder;
+    const std::string text = "[scene]\ntitle = \"mine\"\n[[entity]]\nname = \"a\"\n";
+    const fs::path copy = folder.write("scenes/pile-adopted.toml", text);
+    const fs::path deeper = folder.write("scenes/tries/one.toml", text);
+    const fs::path garden = folder.write("scenes/garden.toml", text);
+    const SceneFolders folders{.assets = fs::path(PL_SOURCE_DIR) / "assets",
+                               .user_scenes = folder.path() / "scenes"};
+    for (const auto& [name, file] : {std::pair{"pile-adopted", copy},
+                                     {"pile-adopted.toml", copy},
+                                     {"tries/one", deeper},
+                                     {"garden", garden}}) {
+        const auto found = find_scene(name, folders);
+        ASSERT_TRUE(found.ok()) << name;
+        EXPECT_EQ(*found, file) << name;
+    }
+    EXPECT_EQ(nearest_scene("pile-adoptd", folders), "pile-adopted");
+    std::vector<std::string> own;
+    std::size_t gardens = 0;
+    for (const ListedScene& scene : list_scenes(folders)) {
+        gardens += scene.name == "garden" ? 1U : 0U;
+        if (!scene.is_users_own) continue;
+        own.push_back(scene.name);
+        EXPECT_EQ(scene.title, "mine");
+    }
+    EXPECT_EQ(own, (std::vector<std::string>{"garden", "pile-adopted", "tries/one"}));
+    EXPECT_EQ(gardens, 1U);
+    EXPECT_TRUE(find_scene("pile", folders).ok());
+    EXPECT_FALSE(find_scene("pile-adopted", {folders.assets, {}}).ok());
 }
 
 TEST(ShippedScenes, TheCubeHasEightMetresToFall) {

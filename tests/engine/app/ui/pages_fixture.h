@@ -43,7 +43,8 @@ protected:
         control_ = std::make_unique<MenuControl>(MenuWorld{
             .config = *config_,
             .bindings = *bindings_,
-            .scenes = scene::list_scenes(fs::path(PL_SOURCE_DIR) / "assets"),
+            .scenes = scene::list_scenes(
+                {.assets = fs::path(PL_SOURCE_DIR) / "assets", .user_scenes = {}}),
             .scene_title = "The garden",
             .accuracy = [this] { return accuracy_; },
             .change_config = [this](const AppConfig& wanted) { stored(config_->change(wanted)); },
