@@ -44,6 +44,7 @@ public:
             {.shader_folder = folders->shaders, .width_px = kWidth_px, .height_px = kHeight_px});
         if (!run) return run.error();
         studio->run_ = std::move(*run);
+        if (const Result<Done> drawn = studio->run_->draw({}); !drawn) return drawn.error();
         return studio;
     }
 
@@ -97,7 +98,8 @@ private:
         }
         return drawing_s * 1e3 / kFramesOfAPass;
     }
-    void draw() { run_->draw({}); }
+    /// Cannot fail any more: open() has drawn already.
+    void draw() { static_cast<void>(run_->draw({})); }
 
     std::unique_ptr<app::Session> session_;
     std::unique_ptr<app::OffscreenRun> run_;  // after the session: it goes first

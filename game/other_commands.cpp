@@ -74,7 +74,7 @@ ExitCode run_explain(const std::string& scene_name, bool as_json) {
         **session, {.shader_folder = folders->shaders, .width_px = 640, .height_px = 360});
     if (run) {
         (*run)->simulate(steps);
-        (*run)->draw(view);
+        if (const Result<Done> drawn = (*run)->draw(view); !drawn) return refuse(drawn.error());
     } else {
         log_note("no picture: {}", run.error().message);
         for (std::uint64_t i = 0; i < steps; ++i) {

@@ -120,10 +120,9 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
 
     app::OffscreenRun& run = *studio->run;
     run.simulate(steps_in(options.at_s, simulation));
-    run.draw(view);
-    for (std::uint64_t frame = 1; frame < options.frames; ++frame) {
-        run.simulate(1);
-        run.draw(view);
+    for (std::uint64_t frame = 0; frame < std::max<std::uint64_t>(options.frames, 1); ++frame) {
+        if (frame > 0) run.simulate(1);
+        if (const Result<Done> drawn = run.draw(view); !drawn) return refuse(drawn.error());
     }
     if (!picture->empty()) {
         if (const Result<Done> written = assets::write_png(*picture, run.pixels()); !written) {
@@ -154,7 +153,9 @@ ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
         switches.light_scale = stop.light_scale;
         studio->run->simulate(
             steps_in(static_cast<double>(stop.wait_s), *studio->session->simulation));
-        studio->run->draw(view_from(stop.position_m, stop.target_m, scene.camera.fov_y_rad));
+        const Result<Done> drawn =
+            studio->run->draw(view_from(stop.position_m, stop.target_m, scene.camera.fov_y_rad));
+        if (!drawn) return refuse(drawn.error());
         pictures.push_back(studio->run->pixels());
         const std::filesystem::path file =
             options.out / fmt::format("{:02}_{}.png", pictures.size(), stop.name);

@@ -37,7 +37,7 @@ void OffscreenRun::simulate(std::uint64_t steps) {
     }
 }
 
-void OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
+Result<Done> OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
     const double start_s = wall_s();
     session_.effects->refresh(*session_.simulation);  // switches may have been turned
     const scene::ViewPoint seen_from =
@@ -58,6 +58,10 @@ void OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
     renderer_->end();
     session_.effects->add_render_stats(renderer_->stats(), renderer_->gpu_bytes());
     report_.add_frame((wall_s() - start_s) * 1e3, renderer_->stats());
+    if (renderer_->device_lost()) return Error{.message = "the graphics device was reset"};
+    const std::string& fault = renderer_->shader_fault();
+    if (!fault.empty()) return Error{.message = fault, .exit_code = ExitCode::NoDisplay};
+    return Done{};
 }
 
 std::string OffscreenRun::report_json() const {

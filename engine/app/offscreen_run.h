@@ -29,8 +29,9 @@ public:
 
     /// So many fixed steps without drawing.
     void simulate(std::uint64_t steps);
-    /// One picture of the present state; `view` absent: the game's own.
-    void draw(const std::optional<scene::ViewPoint>& view);
+    /// One picture of the present state; `view` absent: the game's own. A shader that does not compile
+    /// is an error (exit code 3).
+    Result<Done> draw(const std::optional<scene::ViewPoint>& view);
     assets::ImageData pixels() const { return renderer_->read_pixels(); }
 
     const FrameReport& report() const { return report_; }

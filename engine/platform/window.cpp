@@ -59,6 +59,8 @@ Error no_display_error(const std::string& words) {
 std::string describe_any_context() {
     using GetString = const unsigned char* (*)(unsigned int);
     glfwDefaultWindowHints();
+    // A driver that can tell of a lost device does; others do not mind.
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     GLFWwindow* probe = glfwCreateWindow(16, 16, "", nullptr, nullptr);
     if (probe == nullptr) return "no OpenGL at all";

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 namespace plumbline::render {
 namespace {
@@ -60,6 +61,27 @@ Vec3f background_of(const RenderFrame& frame) {
     return glm::mix(frame.fog->color, frame.clear_color, std::exp(-depth * depth));
 }
 
+/// The driver's report of lost devices, by the name under which it has one; null: it has none.
+ResetStatus reset_status_of(GlLoader loader) {
+    const auto named = [&](const char* name) {
+        return reinterpret_cast<ResetStatus>(loader(name));
+    };
+    GLint major = 0;
+    GLint minor = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    glGetIntegerv(GL_MINOR_VERSION, &minor);
+    if (major * 10 + minor >= 45) return named("glGetGraphicsResetStatus");
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        const auto* name =
+            reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+        if (name != nullptr && std::string_view(name) == "GL_ARB_robustness")
+            return named("glGetGraphicsResetStatusARB");
+    }
+    return nullptr;
+}
+
 GpuLimits within_driver(GpuLimits limits) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -84,6 +106,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader,
     auto impl = std::make_unique<Impl>(target, shader_folder, library, within_driver(limits));
     impl->gl = std::move(*info);
     impl->is_software_gl = is_software(impl->gl);
+    impl->reset_status = reset_status_of(loader);
     for (const ShaderPair& pair : kShaderPairs) {
         const auto found = impl->scene.shaders.check_files(pair);
         if (!found) return found.error();
@@ -227,6 +250,7 @@ void Renderer::end() {
     Impl& r = *impl_;
     r.stats.passes = r.timers.timings();
     r.frame = nullptr;
+    if (r.reset_status != nullptr && r.reset_status() != GL_NO_ERROR) r.device_lost = true;
     // Nobody presents an off-screen picture: without this, frames would pile up in the driver,
     // with their memory, and the time of a frame would be that of asking for it.
     if (r.target == PresentTarget::Offscreen) glFinish();
@@ -244,6 +268,10 @@ void Renderer::forget_scene() {
 
 Result<Done> Renderer::reload_shaders() {
     return impl_->scene.shaders.reload();
+}
+
+const std::string& Renderer::shader_fault() const {
+    return impl_->scene.shaders.fault();
 }
 
 assets::ImageData Renderer::read_pixels() const {
@@ -288,6 +316,10 @@ std::vector<GpuBytes> Renderer::gpu_bytes() const {
             {"targets",
              r.color_image.bytes() + r.depth_image.bytes() + r.scene_target.bytes() +
                  r.post.picture_bytes()}};
+}
+
+bool Renderer::device_lost() const {
+    return impl_->device_lost;
 }
 
 bool Renderer::draws_in_software() const {

@@ -86,6 +86,9 @@ public:
     void forget_scene();
     /// Recompiles changed shader files; a broken one leaves the old program and tells why.
     Result<Done> reload_shaders();
+    /// Why a shader that a frame asked for is not as its files say: file, line and the driver's text.
+    /// Empty when all are. What such a shader draws is missing, or as before the reload.
+    const std::string& shader_fault() const;
 
     /// The picture as shown, rows from the top, Rgb8; from the present target.
     assets::ImageData read_pixels() const;
@@ -93,6 +96,9 @@ public:
     const FrameStats& stats() const;
     std::vector<GpuBytes> gpu_bytes() const;
     const GlInfo& gl() const;
+    /// The driver has told, at the end of a frame, that the device was reset: nothing is drawn any more.
+    /// Never where the driver cannot tell.
+    bool device_lost() const;
     /// By the driver's name: pictures are drawn on the CPU.
     bool draws_in_software() const;
 

@@ -18,6 +18,9 @@
 
 namespace plumbline::render {
 
+/// 0: the device works.
+using ResetStatus = unsigned int (*)();
+
 struct Renderer::Impl {
     Impl(PresentTarget present,
          const std::filesystem::path& shaders,
@@ -29,6 +32,8 @@ struct Renderer::Impl {
     GpuLimits limits;  ///< texture_px is set
     GlInfo gl{};
     bool is_software_gl{false};
+    ResetStatus reset_status{nullptr};
+    bool device_lost{false};
     SceneResources scene;
 
     // The frame between begin() and end(); null outside.

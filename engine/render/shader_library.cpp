@@ -1,6 +1,5 @@
 #include "engine/render/shader_library.h"
 
-#include "engine/core/log.h"
 #include "engine/render/shader_source.h"
 
 #include <utility>
@@ -52,7 +51,7 @@ const gl::Program* ShaderLibrary::find(const ShaderPair& files, FeatureSet featu
     if (found != programs_.end()) return found->second ? &*found->second : nullptr;
     const auto program = compile(files, features);
     if (program) return *program;
-    log_error("{}", program.error().message);
+    if (fault_.empty()) fault_ = program.error().message;
     return nullptr;
 }
 
@@ -66,8 +65,9 @@ Result<Done> ShaderLibrary::reload() {
             failures += (failures.empty() ? "" : "\n") + program.error().message;
         }
     }
+    fault_ = failures;
     if (failures.empty()) return Done{};
-    return Error{failures};
+    return Error{.message = failures, .exit_code = ExitCode::NoDisplay};
 }
 
 }  // namespace plumbline::render

@@ -23,9 +23,11 @@ class ShaderLibrary {
 public:
     explicit ShaderLibrary(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// Compiles at the first call. Null if it does not compile: logged once, not tried again until
+    /// Compiles at the first call. Null if it does not compile: see fault(), not tried again until
     /// reload(). The pointer is good as long as the library; reload() swaps what is behind it.
     const gl::Program* find(const ShaderPair& files, FeatureSet features);
+    /// Why a program that was asked for is not what its files say; empty when all are.
+    const std::string& fault() const { return fault_; }
     /// As find(), with the reason. The message names file and line and holds the driver's text.
     Result<const gl::Program*> compile(const ShaderPair& files, FeatureSet features);
     /// Compiles all programs anew. One that fails keeps its old program; the error holds all texts.
@@ -46,6 +48,7 @@ private:
     std::filesystem::path folder_;
     /// Empty: did not compile.
     std::map<Key, std::optional<gl::Program>> programs_;
+    std::string fault_;
 };
 
 }  // namespace plumbline::render

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace plumbline::render {
 namespace {
@@ -180,6 +181,52 @@ TEST_F(RendererGl, PictureBeyondTheTextureLimitIsDrawnSmallerInItsShapeAndScaled
     EXPECT_EQ(image.width, 400U);
     EXPECT_EQ(renderer_->stats().scene_width_px, 200U);
     EXPECT_EQ(renderer_->stats().scene_height_px, 100U);
+}
+
+/// The driver's functions, but that it tells of a reset when it is asked to.
+GlLoader driver = nullptr;
+bool device_is_lost = false;
+
+void (*with_resets(const char* name))() {
+    if (!std::string_view(name).starts_with("glGetGraphicsResetStatus")) return driver(name);
+    const auto status = []() -> unsigned int { return device_is_lost ? 0x8255U : 0U; };
+    return reinterpret_cast<void (*)()>(static_cast<unsigned int (*)()>(status));
+}
+
+/// The driver's functions, but that it names none of its extensions.
+const unsigned char* no_extension(unsigned int, unsigned int) {
+    return reinterpret_cast<const unsigned char*>("GL_PL_none");
+}
+
+void (*without_extensions(const char* name))() {
+    if (std::string_view(name) != "glGetStringi") return driver(name);
+    return reinterpret_cast<void (*)()>(&no_extension);
+}
+
+// EXPERIENCE A5: a driver with 3.3 and nothing beside it does.
+TEST_F(RendererGl, WithoutTheOptionalFeaturesThePictureIsTheSame) {
+    const auto whole = draw(sunny_box());
+    driver = context_->gl_loader();
+    auto made = Renderer::create(
+        without_extensions, PresentTarget::Offscreen, PL_SOURCE_DIR "/shaders", library_);
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    renderer_ = std::move(*made);
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(draw(sunny_box()).bytes, whole.bytes);
+}
+
+// EXPERIENCE A15
+TEST_F(RendererGl, ADeviceThatWasResetIsTold) {
+    driver = context_->gl_loader();
+    device_is_lost = false;
+    auto made =
+        Renderer::create(with_resets, PresentTarget::Offscreen, PL_SOURCE_DIR "/shaders", library_);
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    renderer_ = std::move(*made);
+    draw(sunny_box());
+    EXPECT_FALSE(renderer_->device_lost());
+    device_is_lost = true;
+    draw(sunny_box());
+    EXPECT_TRUE(renderer_->device_lost());
 }
 
 /// A copy of the shaders that a test may break.
