@@ -132,11 +132,11 @@ void apply_layer(const std::filesystem::path& path, AppConfig& config, Diagnosti
     const std::string file = path.filename().string();
     const Result<std::string> text = read_file(path, limits::kConfigFileBytes);
     if (!text) {
-        faults.add({.severity = Severity::Warning, .file = file, .message = text.error().message});
+        faults.add({.severity = Severity::Error, .file = file, .message = text.error().message});
         return;
     }
     if (const std::optional<TextFault> fault = prescan_toml(*text)) {
-        faults.add({.severity = Severity::Warning,
+        faults.add({.severity = Severity::Error,
                     .file = file,
                     .line = fault->line,
                     .column = fault->column,
@@ -147,7 +147,7 @@ void apply_layer(const std::filesystem::path& path, AppConfig& config, Diagnosti
     try {
         parsed = toml::parse(*text);
     } catch (const toml::parse_error& error) {
-        faults.add({.severity = Severity::Warning,
+        faults.add({.severity = Severity::Error,
                     .file = file,
                     .line = static_cast<int>(error.source().begin.line),
                     .column = static_cast<int>(error.source().begin.column),

@@ -68,7 +68,7 @@ std::vector<Setting> settings_of(AppConfig& config);
 void copy_value(const Setting& from, const Setting& to);
 
 /// Lays the files over the built-in values, in order. Missing files mean nothing; bad entries cost
-/// only themselves.
+/// only themselves and are warnings; a file that is left out as a whole is an error.
 AppConfig load_app_config(const std::vector<std::filesystem::path>& files, Diagnostics& faults);
 
 /// The text of app.ui.toml: the settings in which `wanted` differs from the layers below.

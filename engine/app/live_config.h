@@ -1,10 +1,13 @@
-// The settings in force, and the file that the settings pages write.
+// The settings in force: read from their layers at the start and again whenever a file is saved; and
+// the file that the settings pages write.
 #pragma once
 
 #include "engine/app/app_config.h"
 #include "engine/core/result.h"
+#include "engine/platform/file_watch.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 namespace plumbline::app {
@@ -18,7 +21,11 @@ public:
     const AppConfig& current() const { return current_; }
     /// What holds without the settings pages: where "reset" leads back to.
     const AppConfig& below() const { return below_; }
-    const Diagnostics& faults() const { return faults_; }
+    const Diagnostics& faults() const { return faults_; }  ///< of the last reading
+
+    /// True when files changed and say something else now. While one of them cannot be parsed, or is
+    /// gone, what was in force stays; a fault is in faults().
+    bool reload_if_changed(double now_s);
 
     /// Puts the values in force and writes them at once. The error says why they are not stored;
     /// they hold for this session all the same.
@@ -27,11 +34,16 @@ public:
     void put_level(PictureLevel level);
 
 private:
+    void load();
+
+    std::vector<std::filesystem::path> by_hand_;  ///< the layers below the written one
     std::filesystem::path user_folder_;
     Diagnostics faults_;
     AppConfig below_;
     AppConfig current_;
     std::optional<PictureLevel> stored_level_;  ///< while the command line's is in force
+    std::size_t files_there_{0};  ///< when they were read last
+    std::unique_ptr<platform::FileWatch> watch_;
 };
 
 /// Writes a file of the user's settings folder, made where it is missing. The error is one line for

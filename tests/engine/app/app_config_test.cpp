@@ -163,6 +163,69 @@ TEST_F(LiveConfigTest, AChangeIsStoredAtOnceAndTheHandWrittenFileStays) {
               "[sound]\nmaster_gain = 0.5\n");
 }
 
+// What is saved by hand holds at once; a fault costs its line or, if nothing can be read, nothing.
+TEST_F(LiveConfigTest, IsReadAgainWhenTheHandWrittenFileIsSaved) {
+    load("[sound]\nmaster_gain = 0.5\n");
+    LiveConfig config = open();
+    double now_s = 0.0;
+    const auto saved = [&](const std::string& text) {
+        load(text);
+        bool changed = false;
+        // It is quiet for a while before it is read.
+        for (int i = 0; i < 4; ++i, now_s += 0.2) changed |= config.reload_if_changed(now_s);
+        return changed;
+    };
+    EXPECT_FALSE(config.reload_if_changed(now_s));
+    EXPECT_TRUE(saved("[sound]\nmaster_gain = 0.25\n[picture]\nfov_deg = 90.0\n"));
+    EXPECT_EQ(config.current().master_gain, 0.25F);
+    EXPECT_EQ(config.current().fov_deg, 90.0F);
+    EXPECT_EQ(config.below().fov_deg, 90.0F);
+    EXPECT_TRUE(config.faults().list().empty());
+
+    EXPECT_TRUE(saved("[sound]\nmaster_gain = 0.75\n[picture]\nfov_deg = \"wide\"\n"));
+    EXPECT_EQ(config.current().master_gain, 0.75F);
+    EXPECT_EQ(config.current().fov_deg, 70.0F);
+    ASSERT_EQ(config.faults().list().size(), 1U);
+    EXPECT_EQ(
+        to_string(config.faults().list()[0]),
+        "app.toml:4:11: warning: picture.fov_deg: expected a number from 30 to 120; the value "
+        "before it stands");
+
+    EXPECT_TRUE(saved("[sound\nmaster_gain = 0.1\n"));
+    EXPECT_EQ(config.current().master_gain, 0.75F) << "what was in force stays";
+    ASSERT_TRUE(config.faults().has_errors());
+    EXPECT_EQ(config.faults().list()[0].line, 1);
+    EXPECT_TRUE(saved("[sound]\nmaster_gain = 0.1\n"));
+    EXPECT_EQ(config.current().master_gain, 0.1F);
+    EXPECT_TRUE(config.faults().list().empty());
+}
+
+TEST_F(LiveConfigTest, ReadAgainItKeepsWhatThePagesChose) {
+    load("[sound]\nmaster_gain = 0.5\n");
+    LiveConfig config = open();
+    AppConfig wanted = config.current();
+    wanted.fov_deg = 100.0F;
+    ASSERT_TRUE(config.change(wanted));
+    bool changed = false;
+    double now_s = 0.0;
+    const auto wait = [&] {
+        for (int i = 0; i < 8; ++i, now_s += 0.2) changed |= config.reload_if_changed(now_s);
+    };
+    wait();
+    EXPECT_FALSE(changed) << "the program's own saves are nothing new";
+    load("[sound]\nmute = true\n");
+    wait();
+    EXPECT_TRUE(changed);
+    EXPECT_EQ(config.current().fov_deg, 100.0F);
+    EXPECT_EQ(config.below().fov_deg, 70.0F);
+    EXPECT_EQ(config.current().master_gain, 1.0F);
+    EXPECT_TRUE(config.current().mute);
+    // Gone is not the same as empty: what was in force stays.
+    fs::remove(folder_ / "user" / "app.toml");
+    wait();
+    EXPECT_TRUE(config.current().mute);
+}
+
 // EXPERIENCE D1
 TEST_F(LiveConfigTest, NothingIsWrittenUntilAChange) {
     LiveConfig config = open();
