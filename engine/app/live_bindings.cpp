@@ -29,7 +29,7 @@ void LiveBindings::load() {
     input::BindingSources sources;
     if (!def_.safe) {
         sources = input::find_binding_sources(
-            def_.shipped_folder, def_.user_folder, def_.profile, faults_);
+            def_.shipped_folder, def_.user_folder, {def_.profile, usual_profile_}, faults_);
     }
     if (unsaved_) {
         std::erase_if(sources.layers, [](const auto& layer) { return layer.name == kWrittenFile; });
@@ -53,6 +53,14 @@ void LiveBindings::load() {
     read_once_ = true;
     if (!watch_ && !def_.safe)
         watch_ = std::make_unique<platform::FileWatch>(std::move(sources.watched));
+}
+
+void LiveBindings::use_usual_profile(std::string_view profile) {
+    if (usual_profile_ == profile) return;
+    usual_profile_ = profile;
+    layer_count_ = 0;
+    watch_.reset();
+    load();
 }
 
 bool LiveBindings::reload_if_changed(double now_s) {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plumbline::app {
@@ -29,6 +30,10 @@ public:
     const input::Bindings& current() const { return current_; }
     const Diagnostics& faults() const { return faults_; }  ///< of the last reading
 
+    /// The profile that suits what is open, where neither the command line nor the user's file names
+    /// one; empty: none.
+    void use_usual_profile(std::string_view profile);
+
     /// True when files changed and say something else now; a file that cannot be parsed leaves its
     /// layer out and says so in faults().
     bool reload_if_changed(double now_s);
@@ -45,6 +50,7 @@ private:
     void load();
 
     BindingsDef def_;
+    std::string usual_profile_;
     input::Bindings current_;
     input::Bindings stored_;
     input::Bindings below_;

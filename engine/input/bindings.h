@@ -84,17 +84,22 @@ struct BindingLayer {
 };
 
 /// The whole stack of files for this user, in order; missing files are left out, unreadable ones
-/// (folders, FIFOs, no permission, too large) noted in `faults`. `profile`: book, nature, viewer;
-/// empty: what `profile = "NAME"` in the user's bindings.toml says, or none. `user_config_folder`
-/// may be empty (no home).
+/// (folders, FIFOs, no permission, too large) noted in `faults`. `user_config_folder` may be empty (no
+/// home).
 struct BindingSources {
     std::vector<BindingLayer> layers;
     std::vector<std::filesystem::path> watched;  ///< files to reload on, existing or not
     std::vector<std::string> left_out;  ///< there, but not readable; see Bindings::left_out
 };
+/// Of the profiles book, nature and viewer: the one that was asked for; where it is empty the one of
+/// `profile = "NAME"` in the user's bindings.toml; else the usual one; else none.
+struct ProfileChoice {
+    std::string_view asked{};
+    std::string_view usual{};
+};
 BindingSources find_binding_sources(const std::filesystem::path& shipped_config_folder,
                                     const std::filesystem::path& user_config_folder,
-                                    std::string_view profile,
+                                    const ProfileChoice& profile,
                                     Diagnostics& faults);
 
 /// Lays the layers over the built-in table and settles conflicts: a user's input takes that input

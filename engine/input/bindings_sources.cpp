@@ -90,15 +90,16 @@ std::string profile_named_in(const std::vector<BindingLayer>& layers) {
 
 BindingSources find_binding_sources(const fs::path& shipped_config_folder,
                                     const fs::path& user_config_folder,
-                                    std::string_view profile,
+                                    const ProfileChoice& profile,
                                     Diagnostics& faults) {
     BindingSources user;
-    std::string wanted{profile};
+    std::string wanted{profile.asked};
     if (!user_config_folder.empty()) {
         add_file(user, user_config_folder / "bindings.toml", "bindings.toml", faults);
         if (wanted.empty()) wanted = profile_named_in(user.layers);
         add_file(user, user_config_folder / "bindings.ui.toml", "bindings.ui.toml", faults);
     }
+    if (wanted.empty()) wanted = profile.usual;
     BindingSources sources;
     add_file(sources, shipped_config_folder / "bindings.toml", "config/bindings.toml", faults);
     if (!wanted.empty()) add_profile(sources, shipped_config_folder, wanted, faults);

@@ -21,7 +21,7 @@ class BindingFiles : public testing::Test {
 protected:
     Bindings load(std::string_view profile = {}) {
         const BindingSources sources =
-            find_binding_sources(kShipped, user_.path(), profile, faults_);
+            find_binding_sources(kShipped, user_.path(), {profile}, faults_);
         return load_bindings(sources.layers, {}, faults_);
     }
 
@@ -77,12 +77,12 @@ TEST_F(BindingFiles, TheProfilesHaveTheKeysOfTheirSources) {
 }
 
 TEST_F(BindingFiles, MissingFilesAreNoFaultAndAreWatched) {  // D1
-    const BindingSources sources = find_binding_sources(kShipped, user_.path(), "", faults_);
+    const BindingSources sources = find_binding_sources(kShipped, user_.path(), {}, faults_);
     EXPECT_EQ(messages_of(faults_), "");
     EXPECT_EQ(sources.layers.size(), 1U);
     EXPECT_EQ(sources.watched.size(), 3U);
     EXPECT_FALSE(fs::exists(user_.path() / "bindings.toml"));
-    const BindingSources homeless = find_binding_sources(kShipped, {}, "", faults_);
+    const BindingSources homeless = find_binding_sources(kShipped, {}, {}, faults_);
     EXPECT_EQ(homeless.watched.size(), 1U);
 }
 
@@ -116,7 +116,7 @@ TEST_F(BindingFiles, WhatIsNoRegularFileIsRefusedWithoutWaiting) {  // D14, D13
     ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
     EXPECT_EQ(load().of(Action::Jump)[0].word, "space");
     EXPECT_NE(messages_of(faults_).find("The file is left out."), std::string::npos);
-    EXPECT_EQ(find_binding_sources(kShipped, user_.path(), "", faults_).left_out,
+    EXPECT_EQ(find_binding_sources(kShipped, user_.path(), {}, faults_).left_out,
               std::vector<std::string>{"bindings.toml"});
     fs::remove(file);
     fs::create_directory(file);

@@ -211,6 +211,21 @@ TEST(Bindings, ABrokenFileIsLeftOutWhole) {  // D3, D8, D9
     EXPECT_TRUE(Loaded(std::string_view("[walk]\n\0", 8)).faults.has_errors());
 }
 
+// A key of the file may hold what would drive a terminal; what is said of it does not.
+TEST(Bindings, EscapeSequencesAreNamedNotSent) {
+    for (const char* text : {"[things]\ndrop = [\"\\u001b[31mq\"]\n",
+                             "[things]\n\"\\u001b]0;title\\u0007\" = [\"q\"]\n",
+                             "[\"\\u001b[2J\"]\ndrop = [\"q\"]\n",
+                             "profile = \"\\u001b[5m\"\n[things]\ndrop = [\"\\u001b\"]\n"}) {
+        const Loaded loaded(text);
+        ASSERT_FALSE(loaded.faults.list().empty()) << text;
+        const std::string said = loaded.messages();
+        EXPECT_EQ(said.find('\x1b'), std::string::npos);
+        EXPECT_EQ(said.find('\x07'), std::string::npos);
+        EXPECT_NE(said.find("\\x1b"), std::string::npos) << said;
+    }
+}
+
 TEST(Bindings, WrongTypesAndRangesKeepTheDefaultAndNameTheRange) {  // D5
     const Loaded loaded(
         "[tuning]\nmouse_deg_per_count = nan\npad_curve = \"wide\"\ninvert_y = 1\n"
