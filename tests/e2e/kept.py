@@ -73,6 +73,35 @@ def a_scene_is_saved_while_it_runs(folder):
         expect(again.returncode == 0, f"replay: exit {again.returncode}\n{again.stderr}")
 
 
+def grid(triangles):
+    """An OBJ of so many triangles beside each other."""
+    corners = "".join(f"v {i} 0 0\nv {i} 1 0\nv {i + 1} 0 0\n" for i in range(triangles))
+    return corners + "".join(f"f {3 * i + 1} {3 * i + 2} {3 * i + 3}\n" for i in range(triangles))
+
+
+def a_model_is_saved_while_it_is_shown(folder):
+    """FAULTS 28: what is shown is the file as it was saved last; garbage leaves what was shown."""
+    model, report = folder / "model.obj", folder / "model.json"
+    model.write_text(grid(3))
+    with virtual_screen() as screen:
+        game = Program([program_file, "play", str(model), "--size", "320x180", "--no-sound", "--report", str(report)],
+                       settings_in(folder, screen), folder / "model.txt")
+        try:
+            time.sleep(2)
+            model.write_text(grid(40))
+            time.sleep(2)
+            model.write_text("garbage")
+            wait_for(game, "model.obj")
+            expect(game.process.poll() is None, "it ended over garbage")
+            time.sleep(1)
+            game.process.send_signal(signal.SIGTERM)
+            expect(game.wait(20) == 130, game.log())
+        finally:
+            game.stop()
+    triangles = read_json(report)["triangles"]
+    expect(40 <= triangles < 80, f"{triangles} triangles drawn: not the 40 that were saved, with the ground")
+
+
 def a_study_without_its_worker(folder):
     alone = folder / "alone"
     alone.mkdir()
@@ -107,5 +136,6 @@ def a_study_that_is_killed(folder):
 
 with home() as folder:
     a_scene_is_saved_while_it_runs(folder)
+    a_model_is_saved_while_it_is_shown(folder)
     a_study_without_its_worker(folder)
     a_study_that_is_killed(folder)

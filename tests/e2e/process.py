@@ -6,6 +6,7 @@ import pathlib
 import resource
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -108,6 +109,28 @@ def refused_memory_is_a_line_and_a_code():
         assert 6 in codes, codes
 
 
+# FAULTS 21: it was "std::bad_alloc".
+def a_model_too_large_for_memory_is_a_line_and_a_code():
+    if sanitized:
+        print("the sanitizer needs more addresses than this: not tried")
+        return
+    model = folder / "many.ply"
+    corners = 900_000
+    model.write_bytes(f"ply\nformat binary_little_endian 1.0\nelement vertex {corners}\nproperty float x\nproperty float y\n"
+                      f"property float z\nelement face {corners // 3}\nproperty list uchar int vertex_indices\nend_header\n".encode()
+                      + b"".join(struct.pack("<3f", i % 3 == 1, i % 3 == 2, i) for i in range(corners))
+                      + b"".join(struct.pack("<B3i", 3, i, i + 1, i + 2) for i in range(0, corners, 3)))
+    codes = []
+    for room in (400, 200, 150, 100):
+        done = subprocess.run([program, "simulate", model, "--seconds", "0.05"], env=environment, capture_output=True, text=True,
+                              timeout=200, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (room << 20, room << 20)))
+        codes.append(done.returncode)
+        assert done.returncode in (0, 6), (room, done)
+        assert done.stderr.count("not enough memory") == (1 if done.returncode == 6 else 0), (room, done)
+        assert "bad_alloc" not in done.stderr, done
+    assert 6 in codes, codes
+
+
 # EXPERIENCE I14
 def threads_that_cannot_be_made_are_not_needed():
     if os.geteuid() != 0 or sanitized:
@@ -145,6 +168,16 @@ def two_copies_do_not_meet():
     files = {one.communicate(timeout=60)[0].strip() for one in running}
     assert all(one.returncode == 0 for one in running)
     assert len(files) == 4 and all(pathlib.Path(file).stat().st_size > 0 for file in files), files
+    # Ended or not, what each was told to write is its own.
+    running = [start("simulate", CUBE, "--seconds", 1e6, "--hz", 1000) for _ in range(2)]
+    time.sleep(1)
+    for one in running:
+        one.send_signal(signal.SIGTERM)
+    assert [one.wait(20) for one in running] == [130, 130]
+    states = [folder / f"copy_{i}.json" for i in range(2)]
+    running = [start("simulate", CUBE, "--seconds", 2, "--state", state) for state in states]
+    assert [one.wait(60) for one in running] == [0, 0]
+    assert len({json.loads(state.read_text())["hash"] for state in states}) == 1
 
 
 # EXPERIENCE I13 and E13
@@ -187,6 +220,7 @@ def names_may_be_anything():
 
 
 for test in (a_second_interrupt_leaves_at_once, a_crash_leaves_a_report_and_the_next_start_says_so, refused_memory_is_a_line_and_a_code,
+             a_model_too_large_for_memory_is_a_line_and_a_code,
              threads_that_cannot_be_made_are_not_needed, few_file_handles_do, two_copies_do_not_meet, any_date_will_do, names_may_be_anything):
     print(test.__name__, flush=True)
     test()

@@ -269,6 +269,43 @@ TEST(GltfImport, only_warns_of_extensions_that_a_file_merely_uses) {
     EXPECT_TRUE(contains(import.log, "the extension EXT_strange is ignored")) << import.log;
 }
 
+// EXPERIENCE G15: physics is not read from models, whatever its shape: each is the same scenery, and
+// a line says what was left out.
+TEST(GltfImport, reads_every_shape_of_the_physics_extensions_alike_as_scenery) {
+    struct Shape {
+        const char* extension;
+        const char* shapes;  // the document's
+        const char* body;    // the node's
+    };
+    for (const Shape& shape :
+         {Shape{"KHR_rigid_bodies",  // 2024
+                R"({"shapes": [{"type": "box", "box": {"size": [1, 1, 1]}}]})",
+                R"({"motion": {"mass": 2}, "collider": {"shape": 0}})"},
+          Shape{"KHR_physics_rigid_bodies",  // 2025
+                R"({"shapes": [{"type": "sphere", "sphere": {"radius": 0.5}}]})",
+                R"({"motion": {"mass": 2}, "collider": {"geometry": {"shape": 0}}})"},
+          Shape{"KHR_physics_rigid_bodies",  // 2026
+                R"({"physicsMaterials": [{"staticFriction": 0.5}]})",
+                R"({"motion": {"isKinematic": true}, "collider": {"geometry": {"node": 0}}})"},
+          Shape{"OMI_physics_body",
+                R"({"shapes": [{"type": "hull", "mesh": 0}]})",
+                R"({"motion": {"type": "dynamic", "mass": 2}, "collider": {"shape": 0}})"}}) {
+        TriangleFile file;
+        file.json["extensionsUsed"] = {shape.extension};
+        file.json["extensions"][shape.extension] = Json::parse(shape.shapes);
+        file.json["nodes"][0]["extensions"][shape.extension] = Json::parse(shape.body);
+        const Import import = import_bytes(file.gltf());
+        ASSERT_TRUE(import.ok()) << shape.extension << ": " << import.error();
+        EXPECT_EQ(import.mesh().vertices.size(), 3U);
+        EXPECT_EQ(import.mesh().indices.size(), 3U);
+        EXPECT_TRUE(
+            contains(import.log, fmt::format("the extension {} is ignored", shape.extension)))
+            << import.log;
+        file.json["extensionsRequired"] = {shape.extension};
+        EXPECT_FALSE(import_bytes(file.gltf()).ok()) << "it cannot be done without";
+    }
+}
+
 TEST(GltfImport, opens_buffers_with_escaped_spaces_and_letters_beyond_ascii) {
     for (const auto& [uri, name] : {std::pair{"My%20File.bin", "My File.bin"},
                                     std::pair{"Gr%C3%BCn.bin", "Gr\xC3\xBCn.bin"},

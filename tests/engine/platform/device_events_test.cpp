@@ -125,6 +125,14 @@ TEST(DeviceEvents, FocusLossIsToldOnce) {
     EXPECT_TRUE(events.take(0.03, kNoPad).lost_focus);
 }
 
+TEST(DeviceEvents, ADroppedFileIsHandedOverOnce) {  // FAULTS 29
+    DeviceEvents events;
+    events.on_drop("/home/somebody/chair with spaces.glb");
+    EXPECT_EQ(events.take(0.0, {}).dropped_files,
+              std::vector<std::string>{"/home/somebody/chair with spaces.glb"});
+    EXPECT_TRUE(events.take(0.1, {}).dropped_files.empty());
+}
+
 TEST(DeviceEvents, AStallIsOverAQuarterOfASecond) {  // C2
     DeviceEvents events;
     EXPECT_FALSE(events.take(100.0, kNoPad).stalled);

@@ -3,7 +3,10 @@
 #include "tests/support/scene_in_code.h"
 #include "tests/support/temporary_folder.h"
 
+#include <array>
+#include <cstdint>
 #include <fstream>
+#include <tuple>
 
 namespace plumbline::scene {
 namespace {
@@ -38,6 +41,48 @@ TEST(ModelScene, FitsCameraGroundAndShadowsFromAMillimetreToTenKilometres) {
         EXPECT_GT(set.sun->shadow->distance_m, distance + set.model_radius_m);
         const auto& ground = run->registry.get<Placement>(run->find("ground"));
         EXPECT_NEAR(static_cast<double>(ground.world_from_body.position.y) / size, -1, 1e-4);
+    }
+}
+
+/// A grid of 2 x columns x rows triangles, as a binary PLY.
+fs::path write_grid(const fs::path& folder, std::int32_t columns, std::int32_t rows) {
+    const fs::path file = folder / "grid.ply";
+    std::ofstream out(file, std::ios::binary);
+    const std::int32_t row = columns + 1;
+    out << "ply\nformat binary_little_endian 1.0\nelement vertex " << row * (rows + 1)
+        << "\nproperty float x\nproperty float y\nproperty float z\nelement face "
+        << 2 * columns * rows << "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (std::int32_t i = 0; i < row * (rows + 1); ++i) {
+        const std::array<float, 3> at{
+            static_cast<float>(i % row), 0.0F, static_cast<float>(i / row)};
+        out.write(reinterpret_cast<const char*>(at.data()), sizeof(at));
+    }
+    const auto face = [&](std::array<std::int32_t, 3> corners) {
+        out.put(3).write(reinterpret_cast<const char*>(corners.data()), sizeof(corners));
+    };
+    for (std::int32_t i = 0; i < row * rows; ++i) {
+        if (i % row == columns) continue;
+        face({i, i + row, i + 1});
+        face({i + 1, i + row, i + row + 1});
+    }
+    return file;
+}
+
+// EXPERIENCE G16: up to 200 000 triangles are a collider; more are shown, and collide with nothing.
+TEST(ModelScene, OfAMillionTrianglesIsOnlyLookedAt) {
+    const test::TemporaryFolder folder;
+    for (const auto& [columns, rows, is_solid] :
+         {std::tuple{400, 250, true}, {400, 251, false}, {1000, 500, false}}) {
+        Diagnostics faults;
+        const auto scene = load_scene(write_grid(folder.path(), columns, rows), {}, faults);
+        ASSERT_TRUE(scene.ok());
+        test::Running run(*scene);
+        ASSERT_NE(run.simulation, nullptr);
+        const ecs::Entity model = run->find("model");
+        EXPECT_EQ(run->registry.has<BodyRef>(model), is_solid) << columns << " x " << rows;
+        const auto& visual = run->registry.get<Visual>(model);
+        EXPECT_EQ(run->library().mesh(visual.mesh).indices.size(),
+                  static_cast<std::size_t>(columns * rows) * 6);
     }
 }
 
