@@ -104,7 +104,6 @@ app::PlayDef play_def(const PlayOptions& options,
     return {.shader_folder = folders.shaders,
             .user_data_folder = user_data_folder(),
             .thumbnails = folders.assets / "thumbnails",
-            .scenes = scene::list_scenes(scene::scene_folders(folders.assets)),
             .start_page = options.scene.empty() && !unattended,
             .unattended = unattended,
             .sound = !common.no_sound,
@@ -167,6 +166,7 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     ExitCode code = ExitCode::Good;
     for (;;) {
         sessions.remember(**session);
+        bindings.use_usual_profile((*session)->description().shows_model ? "viewer" : "");
         app::PlayEnd end = app::run(**window, **session, bindings, config, play);
         if (code == ExitCode::Good) code = end.code;
         if (!end.next) return code;

@@ -9,22 +9,44 @@
 namespace plumbline::app {
 namespace {
 
+enum class Where : std::uint8_t { Playing, AtModel, Anywhere };
+
 struct Row {
     FirstStep step;
+    Where where;
     Action action;
     std::string_view name;  ///< in the file
     std::string_view words;
     std::uint64_t presses;  ///< that count as done
 };
+using enum Where;
 // A look is counted once a frame that turned the view: a nudge of the mouse is not yet looking.
 constexpr std::array<Row, static_cast<std::size_t>(FirstStep::Count)> kRows{
-    {{FirstStep::Look, Action::Look, "look", "look around", 10},
-     {FirstStep::Walk, Action::Forward, "walk", "walk", 1},
-     {FirstStep::Drop, Action::Drop, "drop", "drop a thing", 1},
-     {FirstStep::Throw, Action::Throw, "throw", "throw one; held, it flies harder", 1},
-     {FirstStep::Grab, Action::Grab, "grab", "take hold of what you look at, and let it go", 1},
-     {FirstStep::Flashlight, Action::Flashlight, "flashlight", "switch the flashlight on", 1},
-     {FirstStep::Menu, Action::Menu, "menu", "open the menu: scenes, settings, all keys", 1}}};
+    {{FirstStep::Look, Playing, Action::Look, "look", "look around", 10},
+     {FirstStep::Walk, Playing, Action::Forward, "walk", "walk", 1},
+     {FirstStep::Drop, Playing, Action::Drop, "drop", "drop a thing", 1},
+     {FirstStep::Throw, Playing, Action::Throw, "throw", "throw one; held, it flies harder", 1},
+     {FirstStep::Grab,
+      Playing,
+      Action::Grab,
+      "grab",
+      "take hold of what you look at, and let it go",
+      1},
+     {FirstStep::Flashlight,
+      Playing,
+      Action::Flashlight,
+      "flashlight",
+      "switch the flashlight on",
+      1},
+     {FirstStep::TurnModel, AtModel, Action::TurnModel, "turn", "held, it turns the model", 1},
+     {FirstStep::ShiftModel, AtModel, Action::ShiftModel, "shift", "held, it shifts the model", 1},
+     {FirstStep::ComeNear, AtModel, Action::ZoomIn, "near", "come nearer", 1},
+     {FirstStep::Menu,
+      Anywhere,
+      Action::Menu,
+      "menu",
+      "open the menu: scenes, settings, all keys",
+      1}}};
 
 const Row& row_of(FirstStep step) {
     return kRows[static_cast<std::size_t>(step)];
@@ -62,10 +84,11 @@ void FirstMinute::see(const std::array<std::uint64_t, kActionCount>& presses) {
     if (done_ != before) store();
 }
 
-std::optional<FirstStep> FirstMinute::now(bool has_flashlight) const {
+std::optional<FirstStep> FirstMinute::now(const HintScene& scene) const {
     for (const Row& row : kRows) {
         if (done_[static_cast<std::size_t>(row.step)]) continue;
-        if (row.step == FirstStep::Flashlight && !has_flashlight) continue;
+        if (row.step == FirstStep::Flashlight && !scene.has_flashlight) continue;
+        if (row.where == (scene.looks_at_model ? Playing : AtModel)) continue;
         return row.step;
     }
     return std::nullopt;

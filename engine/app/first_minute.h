@@ -15,7 +15,25 @@
 namespace plumbline::app {
 
 /// In the order in which they are said.
-enum class FirstStep : std::uint8_t { Look, Walk, Drop, Throw, Grab, Flashlight, Menu, Count };
+enum class FirstStep : std::uint8_t {
+    Look,
+    Walk,
+    Drop,
+    Throw,
+    Grab,
+    Flashlight,
+    TurnModel,
+    ShiftModel,
+    ComeNear,
+    Menu,
+    Count
+};
+
+/// What decides which steps there are.
+struct HintScene {
+    bool has_flashlight{false};
+    bool looks_at_model{false};  ///< a model by itself is turned: nobody walks among things
+};
 
 class FirstMinute {
 public:
@@ -25,8 +43,8 @@ public:
 
     /// Presses since the start of the sitting, as the latch counts them. Stores what is new.
     void see(const std::array<std::uint64_t, kActionCount>& presses);
-    /// The step to say; nothing when all has been done. `has_flashlight`: of the scene.
-    std::optional<FirstStep> now(bool has_flashlight) const;
+    /// The step to say; nothing when all has been done.
+    std::optional<FirstStep> now(const HintScene& scene) const;
     void forget();  ///< says all of it again
 
 private:

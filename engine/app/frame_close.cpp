@@ -47,7 +47,7 @@ bool FrameParts::write_files() {
 PlayEnd FrameParts::close() {
     window_.capture_pointer(false);
     if (interrupted()) next_.reset();
-    ExitCode code = interrupted() ? ExitCode::Interrupted : ExitCode::Good;
+    ExitCode code = interrupted() ? ExitCode::Interrupted : code_;
     if (!write_files()) code = ExitCode::RunFailed;
     const std::string hash = hex_of(session_.simulation->state_hash());
     if (!stepper.divergence().empty()) code = ExitCode::Differs;

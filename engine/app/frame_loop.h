@@ -6,14 +6,12 @@
 #include "engine/app/session.h"
 #include "engine/app/stepper.h"
 #include "engine/platform/window.h"
-#include "engine/scene/scene_list.h"
 
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace plumbline::app {
 
@@ -24,7 +22,6 @@ struct PlayDef {
     std::filesystem::path shader_folder;
     std::filesystem::path user_data_folder;  ///< pictures, recordings, what was said already
     std::filesystem::path thumbnails;        ///< folder of pictures of scenes
-    std::vector<scene::ListedScene> scenes;  ///< to choose from in the menu
     bool start_page{false};                  ///< the menu first
     bool unattended{false};                  ///< nobody to say hints to
     std::string first_message;               ///< said at once; empty: nothing

@@ -7,11 +7,44 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>
 
 namespace plumbline::app {
+
+namespace {
+
+std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code failed;
+    for (std::filesystem::recursive_directory_iterator entry(folder, failed), end;
+         !failed && entry != end;
+         entry.increment(failed))
+        if (entry->is_regular_file(failed)) files.push_back(entry->path());
+    return files;
+}
+
+/// For the screen: the first few.
+std::string lines_of(const Diagnostics& faults) {
+    constexpr std::size_t kShown = 3;
+    std::string lines;
+    for (std::size_t i = 0; i < std::min(kShown, faults.list().size()); ++i)
+        lines += (i > 0 ? "\n" : "") + to_string(faults.list()[i]);
+    if (faults.list().size() > kShown)
+        lines += fmt::format("\nand {} more; plumbline check names them all",
+                             faults.list().size() - kShown);
+    return lines;
+}
+
+void log_faults(const Diagnostics& faults) {
+    for (const Diagnostic& fault : faults.list())
+        log_line(fault.severity == Severity::Error ? LogLevel::Error : LogLevel::Warning,
+                 to_string(fault));
+}
+
+}  // namespace
 
 Result<std::unique_ptr<FrameParts>> FrameParts::create(platform::Window& window,
                                                        Session& session,
@@ -26,6 +59,8 @@ Result<std::unique_ptr<FrameParts>> FrameParts::create(platform::Window& window,
     std::unique_ptr<FrameParts> parts(new FrameParts(
         window, session, bindings, config, def, std::move(*stepper), std::move(*renderer)));
     parts->renderer->prepare(parts->extract(parts->view(Real{1}), Real{1}));
+    if (const std::string& fault = parts->renderer->shader_fault(); !fault.empty())
+        return Error{.message = fault, .exit_code = ExitCode::NoDisplay};
     parts->say_faults();
     return parts;
 }
@@ -48,7 +83,9 @@ FrameParts::FrameParts(platform::Window& window,
       config_(config),
       def_(def),
       accuracy_(session, !def.record.empty() || stepper.replaying()),
+      scenes_(scene::list_scenes(scene::scene_folders(session.folders().assets))),
       scene_watch_(session.files()),
+      shader_watch_(files_below(def.shader_folder)),
       overlay_(window, def.thumbnails),
       menu_(menu_world()),
       first_minute_(def.user_data_folder.empty() ? std::filesystem::path()
@@ -85,7 +122,7 @@ void FrameParts::change_config(const AppConfig& wanted) {
 void FrameParts::change_bindings(const input::Bindings& wanted) {
     say_not_stored(bindings_.change(wanted));
     latch.set_bindings(bindings_.current());
-    say_faults();
+    bindings_fault_ = lines_of(bindings_.faults());
 }
 
 ui::MenuWorld FrameParts::menu_world() {
@@ -93,7 +130,7 @@ ui::MenuWorld FrameParts::menu_world() {
     return {
         .config = config_,
         .bindings = bindings_,
-        .scenes = def_.scenes,
+        .scenes = scenes_,
         .scene_title = title.empty() ? scene_name() : title,
         .accuracy = [this] { return accuracy_.setting(); },
         .accuracy_is_recorded = accuracy_.recorded(),
@@ -101,6 +138,8 @@ ui::MenuWorld FrameParts::menu_world() {
         .change_bindings = [this](const input::Bindings& wanted) { change_bindings(wanted); },
         .change_accuracy =
             [this](const study::Setting& wanted) { do_accuracy({.setting = wanted}); },
+        .adopt_accuracy = [this] { do_accuracy({.adopt = true}); },
+        .looks_at_model = [this] { return looks_at_model(); },
         .open_scene = [this](const std::filesystem::path& file) { controls_.open_scene = file; },
         .start_again = [this] { controls_.reset = true; },
         .quit = [this] { controls_.quit = true; },
@@ -127,24 +166,35 @@ bool FrameParts::ended(double now_s) const {
 }
 
 void FrameParts::say_faults() {
-    for (const Diagnostic& fault : bindings_.faults().list()) {
-        log_line(fault.severity == Severity::Error ? LogLevel::Error : LogLevel::Warning,
-                 to_string(fault));
-        overlay_.say(to_string(fault), window_.now_s());
+    log_faults(bindings_.faults());
+    for (const Diagnostics& faults : {bindings_.faults(), config_.faults()})
+        for (const Diagnostic& fault : faults.list())
+            overlay_.say(to_string(fault), window_.now_s());
+}
+
+void FrameParts::reload_settings(double now_s) {
+    if (bindings_.reload_if_changed(now_s)) {
+        latch.set_bindings(bindings_.current());
+        overlay_.say("controls read again", now_s);
+        log_faults(bindings_.faults());
+        bindings_fault_ = lines_of(bindings_.faults());
+    }
+    if (config_.reload_if_changed(now_s)) {
+        apply_config();
+        overlay_.say("settings read again", now_s);
+        log_faults(config_.faults());
+        config_fault_ = lines_of(config_.faults());
     }
 }
 
 void FrameParts::take_input(const InputSnapshot& input) {
     devices_ = input;
     overlay_.follow_window(config_.current().ui_scale, menu_);
-    if (bindings_.reload_if_changed(input.now_s)) {
-        latch.set_bindings(bindings_.current());
-        overlay_.say("controls read again", input.now_s);
-        say_faults();
-    }
+    reload_settings(input.now_s);
     pause_under_menu();
     const bool menu_was_open = menu_.open();
     const InputSnapshot for_play = menu_.take(input, bindings_.current());
+    if (!menu_was_open && menu_.open()) report.note_menu_opened();
     const input::InputFocus focus{
         .menu_open = menu_was_open && menu_.open(),
         .ui_mouse = !window_.pointer_captured() && overlay_.wants_mouse()};
@@ -195,7 +245,17 @@ void FrameParts::say_slow_motion() {
                     hint_for(latch.bindings(), Action::AccuracyPanel, latch.last_device())));
 }
 
+void FrameParts::end_with(ExitCode code, const std::string& why) {
+    log_error("{}", why);
+    code_ = code;
+    closing_ = true;
+}
+
 void FrameParts::finish_frame(double frame_start_s, double present_s) {
+    if (report.frames() == 0 && !renderer->shader_fault().empty())
+        end_with(ExitCode::NoDisplay, renderer->shader_fault());
+    if (renderer->device_lost())
+        end_with(ExitCode::RunFailed, "the graphics device was reset, which ends the play");
     session_.effects->add_render_stats(renderer->stats(), renderer->gpu_bytes());
     const double wall_ms = (wall_s() - frame_start_s) * 1e3;
     report.add_frame(wall_ms, renderer->stats());

@@ -12,6 +12,7 @@
 #include "engine/audio/mixer.h"
 #include "engine/core/frame_clock.h"
 #include "engine/render/renderer.h"
+#include "engine/scene/scene_list.h"
 
 #include <memory>
 
@@ -56,6 +57,12 @@ private:
     void say(std::string line);  ///< to the person, in the overlay
     void say_faults();
     void open_scene();
+    void end_with(ExitCode code, const std::string& why);
+    void reload_settings(double now_s);
+    void reload_shaders();
+    /// Those of saved files that are not mended yet, for the screen.
+    std::vector<std::string> standing_faults() const;
+    bool looks_at_model() const;  ///< a model by itself is turned, nobody plays
     void reset_scene();
     void reload_files();
     void reload_scene();
@@ -84,8 +91,13 @@ private:
     const PlayDef& def_;
     FrameControls controls_;
     AccuracyControl accuracy_;
+    std::vector<scene::ListedScene> scenes_;
     SceneWatch scene_watch_;
-    std::string scene_fault_;  ///< why the latest save was refused; empty: it was not
+    platform::FileWatch shader_watch_;
+    // Why the latest save was refused or has faults; empty: it has none.
+    std::string scene_fault_;
+    std::string bindings_fault_;
+    std::string config_fault_;
     Overlay overlay_;
     ui::MenuControl menu_;
     FirstMinute first_minute_;
@@ -100,6 +112,7 @@ private:
     double chosen_s_{0};
     std::string report_text_;
     bool closing_{false};
+    ExitCode code_{ExitCode::Good};  ///< not good: why it cannot go on
     bool menu_was_open_{false};
     bool paused_before_menu_{false};
     bool written_{false};

@@ -75,8 +75,10 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
     const double now_s = window_.now_s();
     for (const std::string& message : hud.messages) overlay_.say(message, now_s);
     if (controls_.parts.stats) ledger_ = session_.effects->ledger();
-    const bool has_flashlight = session_.simulation->description().flashlight.has_value();
     const bool hints = config_.current().hints && !def_.unattended;
+    const HintScene hint_scene{
+        .has_flashlight = session_.simulation->description().flashlight.has_value(),
+        .looks_at_model = looks_at_model()};
     std::optional<AnimationBar> bar = bar_of(*session_.simulation);
     const AccuracyRequest asked =
         overlay_.draw({.parts = controls_.parts,
@@ -89,9 +91,10 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
                        .ledger = ledger_,
                        .accuracy = accuracy_,
                        .judge = session_.judge.get(),
-                       .hint = hints ? first_minute_.now(has_flashlight) : std::nullopt,
+                       .hint = hints ? first_minute_.now(hint_scene) : std::nullopt,
                        .sound_silent = mixer_ && mixer_->silent(),
                        .reduce_motion = config_.current().reduce_motion,
+                       .faults = standing_faults(),
                        .lines_not_shown = frame.lines.not_shown,
                        .animation = bar ? &*bar : nullptr,
                        .now_s = now_s},
@@ -101,9 +104,22 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
     do_accuracy(asked);
 }
 
+bool FrameParts::looks_at_model() const {
+    return session_.description().shows_model && session_.game->frees_pointer();
+}
+
+std::vector<std::string> FrameParts::standing_faults() const {
+    std::vector<std::string> faults;
+    for (const std::string& fault :
+         {bindings_fault_, config_fault_, renderer->shader_fault(), scene_fault_})
+        if (!fault.empty()) faults.push_back(fault);
+    return faults;
+}
+
 void FrameParts::do_accuracy(const AccuracyRequest& asked) {
     const std::string said = accuracy_.apply(asked, clock);
     if (!said.empty()) say(said);
+    if (asked.adopt) scenes_ = scene::list_scenes(scene::scene_folders(session_.folders().assets));
 }
 
 void FrameParts::play_sound(const scene::ViewPoint& view, double now_s) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace plumbline::app {
 namespace {
@@ -30,6 +31,9 @@ void FrameReport::add_frame(double wall_ms, const render::FrameStats& stats) {
         first_frame_wall_s_ = last_wall_s_;
         first_frame_cpu_s_ = last_cpu_s_;
     }
+    if (std::exchange(opens_menu_, false) && frames_ > 0)
+        menu_frames_.push_back({.frame_ms = static_cast<float>(wall_ms),
+                                .median_before_ms = static_cast<float>(recent_frame_ms().median)});
     ++frames_;
     frame_ms_.push_back(static_cast<float>(wall_ms));
     for (const render::PassTiming& pass : stats.passes) {
@@ -67,6 +71,10 @@ std::string FrameReport::json(const ReportContext& context) const {
         if (context.presses_seen[i] > 0)
             seen[std::string(action_name(static_cast<Action>(i)))] = context.presses_seen[i];
     }
+    json menus = json::array();
+    for (const MenuFrame& opened : menu_frames_)
+        menus.push_back(
+            {{"frame_ms", opened.frame_ms}, {"median_before_ms", opened.median_before_ms}});
     const double between_frames = std::max(1.0, frames - 1.0);
     json report = {
         {"scene", context.simulation.description().file.filename().string()},
@@ -74,6 +82,7 @@ std::string FrameReport::json(const ReportContext& context) const {
         {"seconds", last_wall_s_ - first_frame_wall_s_},
         {"startup_ms", startup_ms_},
         {"frame_ms", to_json(scene::percentiles_of(frame_ms_))},
+        {"menu_opened", menus},
         {"cpu_ms", cpu},
         {"gpu_ms", gpu},
         {"process_cpu_ms_per_frame", (last_cpu_s_ - first_frame_cpu_s_) * 1e3 / between_frames},

@@ -44,6 +44,9 @@ public:
     /// wall_ms: from this frame's begin to its end, waiting for the screen included.
     void add_frame(double wall_ms, const render::FrameStats& stats);
 
+    /// This frame's input opened the menu, which the frame shows already.
+    void note_menu_opened() { opens_menu_ = true; }
+
     void set_picture(const PictureInForce& picture) { picture_ = picture; }
     const PictureInForce& picture() const { return picture_; }
 
@@ -63,8 +66,15 @@ private:
         std::uint64_t gpu_samples{0};
     };
 
+    struct MenuFrame {
+        float frame_ms{0};
+        float median_before_ms{0};
+    };
+
     std::optional<double> chosen_s_;
     PictureInForce picture_;
+    bool opens_menu_{false};
+    std::vector<MenuFrame> menu_frames_;
     scene::CostHistory physics_;
     std::vector<float> frame_ms_;
     std::map<std::string, PassTotal> passes_;

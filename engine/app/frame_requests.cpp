@@ -5,7 +5,24 @@
 #include "engine/core/log.h"
 #include "engine/core/stopwatch.h"
 
+#include <new>
+
 namespace plumbline::app {
+namespace {
+
+/// A scene that needs more memory than there is costs a line, not the one that runs.
+template <class Build>
+Result<Done> within_memory(const Build& build) {
+    try {
+        return build();
+    } catch (const std::bad_alloc&) {
+        const char* message = "there is not enough memory for this scene: the one before stays";
+        log_error("{}", message);
+        return Error{.message = message};
+    }
+}
+
+}  // namespace
 
 void FrameParts::do_requests() {
     accuracy_.watch(controls_.parts.accuracy);
@@ -43,8 +60,13 @@ void FrameParts::reset_scene() {
 
 void FrameParts::reload_files() {
     reload_scene();
+    reload_shaders();
+}
+
+void FrameParts::reload_shaders() {
+    // The fault itself stands on the screen until it is mended.
     if (const Result<Done> shaders = renderer->reload_shaders(); !shaders)
-        say(shaders.error().message);
+        log_error("{}", shaders.error().message);
 }
 
 void FrameParts::reload_scene() {
@@ -52,7 +74,7 @@ void FrameParts::reload_scene() {
         say("a replay runs: the scene stays as it was recorded");
         return;
     }
-    const Result<Done> reloaded = session_.reload();
+    const Result<Done> reloaded = within_memory([this] { return session_.reload(); });
     scene_watch_.watch(session_.files());
     scene_fault_ = reloaded ? std::string() : reloaded.error().message;
     if (!reloaded) return;
@@ -64,8 +86,9 @@ void FrameParts::reload_scene() {
 
 void FrameParts::reload_what_was_saved(double now_s) {
     if (scene_watch_.saved(now_s)) reload_scene();
-    // Said until the next good save.
-    if (!scene_fault_.empty()) say(scene_fault_);
+    if (shader_watch_.take_changed(now_s).empty()) return;
+    reload_shaders();
+    if (renderer->shader_fault().empty()) say("shaders read again");
 }
 
 void FrameParts::save_picture() {

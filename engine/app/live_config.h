@@ -42,7 +42,7 @@ private:
     AppConfig below_;
     AppConfig current_;
     std::optional<PictureLevel> stored_level_;  ///< while the command line's is in force
-    std::size_t files_there_{0};  ///< when they were read last
+    std::size_t files_there_{0};                ///< when they were read last
     std::unique_ptr<platform::FileWatch> watch_;
 };
 

@@ -65,7 +65,7 @@ void Overlay::follow_window(float ui_scale, ui::MenuControl& menu) {
     if (size.width == 0) return;
     ui::Canvas& canvas = impl_->canvas;
     bool remade = canvas.resize(size.width, size.height, impl_->window.content_scale(), ui_scale);
-    if (menu.open()) remade |= canvas.load_pictures();
+    remade |= canvas.load_pictures(menu.menu());
     if (remade) impl_->make_texture();
     menu.lay_out(canvas.width_px(), canvas.height_px(), canvas.font_px(), canvas.text_size());
 }
@@ -106,6 +106,8 @@ AccuracyRequest Overlay::draw(const OverlayInput& input,
         if (side_px > canvas.width_px() * 0.4F) texts.side.clear();
     }
     texts.messages = panels::message_lines(impl_->messages, input.now_s, input.reduce_motion);
+    for (const std::string& fault : input.faults)
+        texts.messages.push_back({.text = fault, .tone = ui::Tone::Bad});
     const ui::HudLayout layout = ui::layout_of(texts,
                                                canvas.width_px(),
                                                canvas.height_px(),

@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace plumbline::app {
 
@@ -53,6 +54,7 @@ struct OverlayInput {
     std::optional<FirstStep> hint{};             ///< what to do next, for who has not yet
     bool sound_silent{false};
     bool reduce_motion{false};
+    std::vector<std::string> faults{};  ///< of files that were saved: shown until they are mended
     std::size_t lines_not_shown{0};
     AnimationBar* animation{nullptr};  ///< null: the scene is no model that moves
     double now_s{0};

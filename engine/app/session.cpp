@@ -50,13 +50,15 @@ Result<Done> Session::build(const scene::OpenedScene& opened) {
         if (!made) return made.error();
         judge_made = std::make_unique<study::HardCaseJudge>(std::move(*made));
     }
-    effects.reset();
-    game.reset();
-    simulation = std::move(*built);
+    std::unique_ptr<scene::Game> game_made = def_.make_game(**built);
+    auto effects_made = std::make_unique<effects::EffectRuntime>(**built, def_.served);
+    // Nothing fails from here on, not even for want of memory: the running world goes when the new
+    // one is whole.
+    effects = std::move(effects_made);
+    game = std::move(game_made);
     judge = std::move(judge_made);
+    simulation = std::move(*built);
     for (const std::string& warning : simulation->warnings()) log_line(LogLevel::Warning, warning);
-    game = def_.make_game(*simulation);
-    effects = std::make_unique<effects::EffectRuntime>(*simulation, def_.served);
     return Done{};
 }
 

@@ -33,9 +33,10 @@ public:
     /// Loads and builds. Faults of the scene file are logged; errors refuse the scene (exit code 4).
     static Result<std::unique_ptr<Session>> open(const SessionDef& def);
 
-    /// The same description from its start. Assets stay loaded.
+    /// The same description from its start. Assets stay loaded. On an error, and where std::bad_alloc
+    /// leaves it, the running scene stays.
     Result<Done> reset();
-    /// Reads all files again. On an error the running scene stays.
+    /// Reads all files again. As reset().
     Result<Done> reload();
     const scene::SceneDescription& description() const { return scene_.description; }
     const DataFolders& folders() const { return def_.folders; }

@@ -30,7 +30,7 @@ struct FootstepEvent {
 struct HudContent {
     bool crosshair{true};
     float charge{0.0F};        ///< 0…1 while a throw is charged
-    std::string chosen_thing;  ///< "barrel"
+    std::string chosen_thing;  ///< "barrel"; empty: nothing can be dropped
     std::string looking_at;    ///< what is in reach, for people: "oak crate, 30 kg"; or empty
     std::vector<std::string> messages;  ///< newest last; the app fades them
 };

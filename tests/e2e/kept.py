@@ -91,9 +91,9 @@ def a_model_is_saved_while_it_is_shown(folder):
             model.write_text(grid(40))
             time.sleep(2)
             model.write_text("garbage")
-            wait_for(game, "model.obj")
+            time.sleep(2)
+            game.do("windowfocus", game.window)
             expect(game.process.poll() is None, "it ended over garbage")
-            time.sleep(1)
             game.process.send_signal(signal.SIGTERM)
             expect(game.wait(20) == 130, game.log())
         finally:

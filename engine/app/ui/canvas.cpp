@@ -83,33 +83,44 @@ void Canvas::set_pictures(std::map<std::string, std::filesystem::path> files) {
     impl_->picture_files = std::move(files);
 }
 
-bool Canvas::load_pictures() {
-    if (std::exchange(impl_->pictures_loaded, true)) return false;
-    for (const auto& [name, file] : impl_->picture_files) {
-        const Result<assets::ImageData> image = assets::import_image(file);
-        if (!image) {
-            log_note("no picture of {}: {}", name, image.error().message);
-            continue;
-        }
-        const std::uint32_t bytes = assets::bytes_per_pixel(image->format);
-        constexpr std::uint32_t kLargest_px = 512;
-        if (bytes < 3 || bytes > 4 || image->width > kLargest_px || image->height > kLargest_px)
-            continue;
-        Impl::Picture picture{.width = static_cast<int>(image->width),
-                              .height = static_cast<int>(image->height)};
-        for (std::size_t i = 0; i + bytes <= image->bytes.size(); i += bytes) {
-            picture.rgba.insert(picture.rgba.end(), &image->bytes[i], &image->bytes[i] + 3);
-            picture.rgba.push_back(255);
-        }
-        impl_->pictures.emplace(name, std::move(picture));
+bool Canvas::load_pictures(const Menu& menu) {
+    if (!menu.open()) return false;
+    bool is_new = false;
+    for (const Line& line : menu.page().lines)
+        for (const Cell& cell : line.cells)
+            if (!cell.picture.empty()) is_new |= impl_->load_picture(cell.picture);
+    if (is_new && impl_->font_px > 0.0F) impl_->build_atlas();
+    return is_new;
+}
+
+bool Canvas::Impl::load_picture(const std::string& name) {
+    const auto file = picture_files.extract(name);
+    if (file.empty()) return false;
+    const Result<assets::ImageData> image = assets::import_image(file.mapped());
+    if (!image) {
+        log_note("no picture of {}: {}", name, image.error().message);
+        return false;
     }
-    if (impl_->font_px > 0.0F) impl_->build_atlas();
+    const std::uint32_t bytes = assets::bytes_per_pixel(image->format);
+    constexpr std::uint32_t kLargest_px = 512;
+    if (bytes < 3 || bytes > 4 || image->width > kLargest_px || image->height > kLargest_px)
+        return false;
+    Picture picture{.width = static_cast<int>(image->width),
+                    .height = static_cast<int>(image->height)};
+    picture.rgba.reserve(image->bytes.size() / bytes * 4);
+    for (std::size_t i = 0; i + bytes <= image->bytes.size(); i += bytes) {
+        picture.rgba.insert(picture.rgba.end(), &image->bytes[i], &image->bytes[i] + 3);
+        picture.rgba.push_back(255);
+    }
+    pictures.emplace(name, std::move(picture));
     return true;
 }
 
 void Canvas::Impl::build_atlas() {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
+    // Memory for what is there, not for the next power of two.
+    atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
     if (!pictures.empty()) atlas.TexDesiredWidth = 2048;
     std::error_code ignored;
     if (std::filesystem::exists(kFont, ignored)) {

@@ -25,13 +25,14 @@ public:
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
 
-    /// Names of pictures and their files, for cards. Read when they are first needed.
+    /// Names of pictures and their files, for cards. Each is read when a page first shows it.
     void set_pictures(std::map<std::string, std::filesystem::path> files);
 
     /// For the size of the window and the setting; letters are made anew when theirs changes. True
     /// then: the texture that was made of them is old.
     bool resize(int width_px, int height_px, float content_scale, float setting);
-    bool load_pictures();  ///< as resize(): true when there is a new texture to make
+    /// Those of the page that is open. As resize(): true when there is a new texture to make.
+    bool load_pictures(const Menu& menu);
 
     float font_px() const;
     const TextSize& text_size() const;

@@ -28,9 +28,9 @@ struct Canvas::Impl {
         int place{-1};
     };
     std::map<std::string, Picture> pictures;
-    bool pictures_loaded{false};
     std::vector<std::string> cut;
 
+    bool load_picture(const std::string& name);  ///< false: there is none, or it was read before
     void build_atlas();
     std::optional<PictureUv> picture(const std::string& name) const;
     /// Wrapped into the box; notes it when it does not fit.

@@ -14,6 +14,7 @@ namespace plumbline::app::ui {
 namespace {
 
 constexpr std::string_view kHardFolder = "hard";
+constexpr std::string_view kHardPicture = "hard/H15";
 constexpr std::string_view kBenchFolder = "bench";
 
 /// "hard/H05" is in "hard", "bench/peers/x" in "bench/peers"; a scene at the top in "".
@@ -51,12 +52,13 @@ Cell MenuPages::back_cell() {
     return {.text = "Back", .icon = Icon::Back, .activate = [this] { menu_.back(); }};
 }
 
-std::vector<Cell> MenuPages::cards(const std::string& folder) {
+std::vector<Cell> MenuPages::cards(const std::string& folder, bool are_users_own) {
     std::vector<Cell> cells;
     for (const scene::ListedScene& scene : world_.scenes) {
-        if (folder_of(scene) != folder) continue;
-        cells.push_back({.text = title_of(scene),
-                         .note = scene.description,
+        if (folder_of(scene) != folder || scene.is_users_own != are_users_own) continue;
+        // Copies have the titles of what they were made of.
+        cells.push_back({.text = are_users_own ? scene.name : title_of(scene),
+                         .note = are_users_own ? title_of(scene) : scene.description,
                          .picture = scene.name,
                          .activate = [this, file = scene.file] { world_.open_scene(file); }});
     }
@@ -65,46 +67,39 @@ std::vector<Cell> MenuPages::cards(const std::string& folder) {
 
 void MenuPages::add_scenes(Page& page) {
     page.lines.push_back({.kind = LineKind::Heading, .label = "Scenes"});
-    page.lines.push_back({.kind = LineKind::Cards, .cells = cards({})});
-    std::map<std::string, std::size_t> folders;
-    for (const scene::ListedScene& scene : world_.scenes) ++folders[folder_of(scene)];
-    Line more{.kind = LineKind::List};
-    for (const auto& [name, count] : folders) {
+    Line shipped{.kind = LineKind::Cards, .cells = cards({}, false)};
+    std::map<std::string, std::vector<const scene::ListedScene*>> folders;
+    for (const scene::ListedScene& scene : world_.scenes)
+        folders[folder_of(scene)].push_back(&scene);
+    for (const auto& [name, scenes] : folders) {
         if (name.empty() || name.starts_with(kBenchFolder)) continue;
         const bool hard = name == kHardFolder;
-        more.cells.push_back(
-            {.text = hard ? fmt::format("Hard cases: {} scenes", count)
-                          : fmt::format("{}: {} scenes", folder_words(name), count),
-             .note = hard ? "The gallery: each asks one hard thing of the solver and says at once "
-                            "whether it holds"
-                          : "",
-             .icon = Icon::Scenes,
+        shipped.cells.push_back(
+            {.text = hard ? "Hard cases" : folder_words(name),
+             .note = hard ? fmt::format("{} scenes: each asks one hard thing of the solver and "
+                                        "says at once whether it holds",
+                                        scenes.size())
+                          : fmt::format("{} scenes", scenes.size()),
+             .picture = hard ? std::string(kHardPicture) : scenes.front()->name,
              .activate = [this, folder = name] {
                  menu_.push([this, folder] { return this->folder(folder); });
              }});
     }
-    if (!more.cells.empty()) page.lines.push_back(std::move(more));
+    page.lines.push_back(std::move(shipped));
+    if (std::vector<Cell> own = cards({}, true); !own.empty()) {
+        page.lines.push_back({.kind = LineKind::Heading, .label = "Your scenes"});
+        page.lines.push_back({.kind = LineKind::Cards, .cells = std::move(own)});
+    }
 }
 
 Page MenuPages::folder(const std::string& name) {
     const bool hard = name == kHardFolder;
     Page page{.title = hard ? "Hard cases" : folder_words(name)};
     page.lines.push_back({.kind = LineKind::Cells, .cells = {back_cell()}});
-    Line list{.kind = hard ? LineKind::List : LineKind::Cards};
-    if (hard) {
-        for (const scene::ListedScene& scene : world_.scenes) {
-            if (folder_of(scene) != name) continue;
-            const std::string id = last_part(scene.name);
-            const bool says_id = scene.title.starts_with(id);
-            list.cells.push_back(
-                {.text = says_id ? scene.title : fmt::format("{}  {}", id, title_of(scene)),
-                 .note = scene.description,
-                 .activate = [this, file = scene.file] { world_.open_scene(file); }});
-        }
-    } else {
-        list.cells = cards(name);
+    for (const bool own : {false, true}) {
+        if (std::vector<Cell> cells = cards(name, own); !cells.empty())
+            page.lines.push_back({.kind = LineKind::Cards, .cells = std::move(cells)});
     }
-    page.lines.push_back(std::move(list));
     return page;
 }
 
@@ -161,6 +156,7 @@ Page MenuPages::help() {
                         world_.forget_first_minute();
                     }}}});
     const input::Bindings& bindings = world_.bindings.current();
+    const bool at_model = world_.looks_at_model();
     constexpr std::array kGroups{ActionGroup::Walk,
                                  ActionGroup::Things,
                                  ActionGroup::View,
@@ -174,6 +170,7 @@ Page MenuPages::help() {
             const auto action = static_cast<Action>(i);
             if (group_of(action) != group || !in_this_version(action)) continue;
             if (bindings.of(action).empty()) continue;
+            if (at_model ? !is_for_models(action) : !is_for_play(action)) continue;
             lines.push_back({.kind = LineKind::Keys,
                              .label = all_labels(bindings, action),
                              .value = std::string(action_words(action))});

@@ -20,7 +20,7 @@ namespace plumbline::app::ui {
 struct MenuWorld {
     const LiveConfig& config;
     const LiveBindings& bindings;
-    std::vector<scene::ListedScene> scenes;
+    const std::vector<scene::ListedScene>& scenes;
     std::string scene_title;                   ///< of the one that is open
     std::function<study::Setting()> accuracy;  ///< as the world runs now
     bool accuracy_is_recorded{false};          ///< it cannot be changed then
@@ -28,6 +28,8 @@ struct MenuWorld {
     std::function<void(const AppConfig&)> change_config;
     std::function<void(const input::Bindings&)> change_bindings;
     std::function<void(const study::Setting&)> change_accuracy;
+    std::function<void()> adopt_accuracy;  ///< into a copy of the scene
+    std::function<bool()> looks_at_model;  ///< a model by itself is turned, nobody plays
     std::function<void(const std::filesystem::path&)> open_scene;
     std::function<void()> start_again;
     std::function<void()> quit;
@@ -60,7 +62,7 @@ private:
     // pages.cpp
     Page all_scenes();
     Page folder(const std::string& name);
-    std::vector<Cell> cards(const std::string& folder);
+    std::vector<Cell> cards(const std::string& folder, bool are_users_own);
     void add_scenes(Page& page);
     Cell to_page(std::string text, Icon icon, Page (MenuPages::*page)());
     Cell back_cell();

@@ -308,10 +308,17 @@ void MenuPages::add_accuracy(Page& page) {
     page.lines.push_back(std::move(solvers));
     page.lines.push_back(std::move(rates));
     page.lines.push_back(
+        {.kind = LineKind::Cells,
+         .cells = {{.text = "Keep it: write a copy of the scene with this accuracy",
+                    .icon = Icon::Scenes,
+                    .activate = world_.adopt_accuracy}}});
+    page.lines.push_back(
         {.kind = LineKind::Text,
-         .label = "For this sitting; the scene starts anew at a step's edge. What it costs and how "
-                  "good it is stands in the accuracy panel in play, where it can be written into a "
-                  "copy of the scene."});
+         .label =
+             "Unlike the other settings this one holds until you leave the scene: a scene says "
+             "itself how it is stepped, so that it goes the same way for everybody, each "
+             "time, in play, simulate and a replay. A copy keeps it, among your scenes. What "
+             "it costs and how good it is stands in the accuracy panel in play."});
 }
 
 }  // namespace plumbline::app::ui

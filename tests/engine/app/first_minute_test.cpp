@@ -9,6 +9,8 @@ namespace plumbline::app {
 namespace {
 namespace fs = std::filesystem;
 
+constexpr HintScene kScene{.has_flashlight = true};
+
 class FirstMinuteTest : public testing::Test {
 protected:
     void SetUp() override {
@@ -27,25 +29,39 @@ protected:
 
 TEST_F(FirstMinuteTest, SaysOneThingAtATimeUntilItHasBeenDone) {
     FirstMinute minute({});
-    EXPECT_EQ(minute.now(true), FirstStep::Look);
+    EXPECT_EQ(minute.now(kScene), FirstStep::Look);
     presses(Action::Look) = 10;
     minute.see(seen_);
-    EXPECT_EQ(minute.now(true), FirstStep::Walk);
+    EXPECT_EQ(minute.now(kScene), FirstStep::Walk);
     presses(Action::Left) = 1;  // any direction is walking
     presses(Action::Throw) = 1;
     minute.see(seen_);
-    EXPECT_EQ(minute.now(true), FirstStep::Drop);
+    EXPECT_EQ(minute.now(kScene), FirstStep::Drop);
     presses(Action::Drop) = 1;
     minute.see(seen_);
-    EXPECT_EQ(minute.now(true), FirstStep::Grab);  // thrown before it was asked for
+    EXPECT_EQ(minute.now(kScene), FirstStep::Grab);  // thrown before it was asked for
     presses(Action::Grab) = 1;
     minute.see(seen_);
-    EXPECT_EQ(minute.now(true), FirstStep::Flashlight);
-    EXPECT_EQ(minute.now(false), FirstStep::Menu);  // there is none in this scene
+    EXPECT_EQ(minute.now(kScene), FirstStep::Flashlight);
+    EXPECT_EQ(minute.now({}), FirstStep::Menu);  // there is none in this scene
     presses(Action::Menu) = 1;
     presses(Action::Flashlight) = 1;
     minute.see(seen_);
-    EXPECT_EQ(minute.now(true), std::nullopt);
+    EXPECT_EQ(minute.now(kScene), std::nullopt);
+}
+
+TEST_F(FirstMinuteTest, AtAModelItSaysWhatOneDoesWithModels) {
+    FirstMinute minute({});
+    constexpr HintScene kModel{.looks_at_model = true};
+    constexpr std::array kSteps{
+        FirstStep::TurnModel, FirstStep::ShiftModel, FirstStep::ComeNear, FirstStep::Menu};
+    for (const FirstStep step : kSteps) {
+        EXPECT_EQ(minute.now(kModel), step);
+        presses(action_of(step)) = 1;
+        minute.see(seen_);
+    }
+    EXPECT_EQ(minute.now(kModel), std::nullopt);
+    EXPECT_EQ(minute.now(kScene), FirstStep::Look);  // nothing of it was playing
 }
 
 TEST_F(FirstMinuteTest, WhatWasDoneDoesNotComeAgainInTheNextSitting) {
@@ -55,7 +71,7 @@ TEST_F(FirstMinuteTest, WhatWasDoneDoesNotComeAgainInTheNextSitting) {
         presses(Action::Forward) = 2;
         minute.see(seen_);
     }
-    EXPECT_EQ(FirstMinute(file()).now(true), FirstStep::Drop);
+    EXPECT_EQ(FirstMinute(file()).now(kScene), FirstStep::Drop);
 }
 
 TEST_F(FirstMinuteTest, ForgettingSaysAllAgainAndCountsFromThere) {
@@ -64,19 +80,19 @@ TEST_F(FirstMinuteTest, ForgettingSaysAllAgainAndCountsFromThere) {
     minute.see(seen_);
     minute.forget();
     minute.see(seen_);
-    EXPECT_EQ(minute.now(true), FirstStep::Look);
-    EXPECT_EQ(FirstMinute(file()).now(true), FirstStep::Look);
+    EXPECT_EQ(minute.now(kScene), FirstStep::Look);
+    EXPECT_EQ(FirstMinute(file()).now(kScene), FirstStep::Look);
     presses(Action::Look) = 60;
     minute.see(seen_);
-    EXPECT_EQ(minute.now(true), FirstStep::Walk);
+    EXPECT_EQ(minute.now(kScene), FirstStep::Walk);
 }
 
 TEST_F(FirstMinuteTest, ADamagedFileCountsAsEmpty) {
     fs::create_directories(folder_);
     std::ofstream(file()) << std::string(5000, 'x');
-    EXPECT_EQ(FirstMinute(file()).now(true), FirstStep::Look);
+    EXPECT_EQ(FirstMinute(file()).now(kScene), FirstStep::Look);
     std::ofstream(file()) << "look\n\x1b[31m nonsense walk";
-    EXPECT_EQ(FirstMinute(file()).now(true), FirstStep::Drop);
+    EXPECT_EQ(FirstMinute(file()).now(kScene), FirstStep::Drop);
 }
 
 }  // namespace

@@ -2,7 +2,12 @@
 
 #include "tests/engine/app/session_fixture.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <fstream>
+#include <new>
 
 namespace plumbline::app {
 namespace {
@@ -63,6 +68,43 @@ TEST_F(SessionTest, AFaultLeavesTheRunningSceneAsItIs) {
         EXPECT_EQ(running->steps(), 1U);
     }
 }
+
+#ifndef __SANITIZE_ADDRESS__  // its shadow memory needs more addresses than any limit here
+// EXPERIENCE G26: the scene that runs stays whole, and goes on.
+TEST_F(SessionTest, AReloadThatIsRefusedMemoryLeavesTheRunningSceneAsItIs) {
+    const auto session = open();
+    ASSERT_TRUE(session);
+    const scene::Simulation* running = session->simulation.get();
+    folder_.write("scene.toml",
+                  "[[prefab]]\nname = \"b\"\nprimitive = { box = [1, 1, 1] }\n[prefab.body]\n"
+                  "mass_kg = 1\n[[array]]\nname = \"a\"\nprefab = \"b\"\ncount = [999, 1, 50]\n"
+                  "spacing_m = [2, 2, 2]\n");
+    std::ifstream statm("/proc/self/statm");
+    std::size_t pages = 0;
+    ASSERT_TRUE(statm >> pages);
+    rlimit usual{};
+    ASSERT_EQ(getrlimit(RLIMIT_AS, &usual), 0);
+    // Rooms of several sizes, so that it is refused at several places.
+    for (const std::size_t room_mib : {8U, 16U, 24U, 32U, 40U}) {
+        rlimit tight = usual;
+        tight.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + (room_mib << 20);
+        bool refused = false;
+        ASSERT_EQ(setrlimit(RLIMIT_AS, &tight), 0);
+        try {
+            refused = !session->reload().ok();
+        } catch (const std::bad_alloc&) {
+            refused = true;
+        }
+        ASSERT_EQ(setrlimit(RLIMIT_AS, &usual), 0);
+        ASSERT_TRUE(refused) << room_mib;
+        EXPECT_EQ(session->simulation.get(), running);
+        EXPECT_EQ(running->moving_bodies().size(), 2U);
+        effects::advance(*session->simulation, *session->effects, *session->game, {});
+    }
+    ASSERT_TRUE(session->reload().ok());
+    EXPECT_EQ(session->simulation->moving_bodies().size(), 49'950U);
+}
+#endif
 
 TEST_F(SessionTest, AFileThatTheFailedReloadStumbledOverIsWatchedToo) {
     const auto session = open();

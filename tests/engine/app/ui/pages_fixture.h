@@ -37,20 +37,23 @@ protected:
     /// The program from its start: settings are read anew.
     void start() {
         const fs::path shipped = fs::path(PL_SOURCE_DIR) / "config";
+        scenes_ = scene::list_scenes(
+            {.assets = fs::path(PL_SOURCE_DIR) / "assets", .user_scenes = user_ / "scenes"});
         config_ = std::make_unique<LiveConfig>(shipped, user_);
         bindings_ = std::make_unique<LiveBindings>(
             BindingsDef{.shipped_folder = shipped, .user_folder = user_});
         control_ = std::make_unique<MenuControl>(MenuWorld{
             .config = *config_,
             .bindings = *bindings_,
-            .scenes = scene::list_scenes(
-                {.assets = fs::path(PL_SOURCE_DIR) / "assets", .user_scenes = {}}),
+            .scenes = scenes_,
             .scene_title = "The garden",
             .accuracy = [this] { return accuracy_; },
             .change_config = [this](const AppConfig& wanted) { stored(config_->change(wanted)); },
             .change_bindings =
                 [this](const input::Bindings& wanted) { stored(bindings_->change(wanted)); },
             .change_accuracy = [this](const study::Setting& wanted) { accuracy_ = wanted; },
+            .adopt_accuracy = [this] { adopted_ = true; },
+            .looks_at_model = [this] { return looks_at_model_; },
             .open_scene = [this](const fs::path& file) { opened_ = file; },
             .start_again = [this] { started_again_ = true; },
             .quit = [this] { quit_ = true; },
@@ -140,6 +143,9 @@ protected:
     std::unique_ptr<LiveConfig> config_;
     std::unique_ptr<LiveBindings> bindings_;
     study::Setting accuracy_;
+    std::vector<scene::ListedScene> scenes_;
+    bool adopted_{false};
+    bool looks_at_model_{false};
     std::unique_ptr<MenuControl> control_;
     fs::path opened_;
     bool started_again_{false};

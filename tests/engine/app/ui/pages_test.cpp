@@ -35,27 +35,6 @@ TEST_F(PagesTest, TheHelpKeyOpensTheHelpAndClosesIt) {
     EXPECT_TRUE(control_->open());
 }
 
-TEST_F(PagesTest, HelpListsOnlyWhatThisVersionDoes) {
-    keys({'H'});
-    std::string all;
-    for (const Line& line : control_->menu().page().lines)
-        all += line.label + "=" + line.value + "\n";
-    EXPECT_NE(all.find("M=switch between walking, flying and orbiting"), std::string::npos) << all;
-    EXPECT_NE(all.find("Ctrl+R=read the scene's file again"), std::string::npos);
-    EXPECT_EQ(all.find("save the state"), std::string::npos);
-    EXPECT_EQ(all.find("camera path"), std::string::npos);
-    EXPECT_EQ(all.find("move_mode"), std::string::npos);
-}
-
-TEST_F(PagesTest, ASceneIsChosenByItsCard) {
-    control_->show_start();
-    choose("The garden");
-    EXPECT_EQ(opened_.filename(), "garden.toml");
-    choose("Hard cases");
-    choose("H01");
-    EXPECT_EQ(opened_.filename(), "H01.toml");
-}
-
 TEST_F(PagesTest, SettingsAreStoredAtOnceAndKeptOverARestart) {
     keys({kEscape});
     choose("Settings");
