@@ -319,6 +319,8 @@ Result<fs::path> find_scene(const std::string& name, const SceneFolders& folders
         if (failed && status.type() != fs::file_type::not_found) oddity = failed.message();
     }
     std::string why = fmt::format("here or in {}", scenes.string());
+    if (!folders.user_scenes.empty())
+        why = fmt::format("here, in {} or in {}", folders.user_scenes.string(), scenes.string());
     if (!oddity.empty()) why += ": " + oddity;
     const std::string nearest = nearest_scene(name, folders);
     if (!nearest.empty()) why += fmt::format("; the nearest is \"{}\"", nearest);

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -116,12 +117,22 @@ def scenes():
     run("simulate", circle, code=4, says="Too many levels of symbolic links")
     listed = json.loads(run("scenes", "--json").stdout)
     names = [scene["name"] for scene in listed]
-    assert names[0] == "falling_cube" and "garden" in names and "hard/H05" in names, names
+    assert names[:2] == ["garden", "falling_cube"] and "hard/H05" in names, names
     assert "materials" not in names and "things" not in names, names
     assert all(scene["title"] and scene["description"] and pathlib.Path(scene["file"]).is_file() for scene in listed), listed
     lines = run("scenes").stdout.splitlines()
-    assert len(lines) == len(listed) and lines[0].split() == ["falling_cube", "Falling", "cube:", "One", "cube,", "8", "m", "above", "the", "ground"]
+    assert len(lines) == len(listed) and lines[1].split() == ["falling_cube", "Falling", "cube:", "One", "cube,", "8", "m", "above", "the", "ground"]
     run("simulate", names[-1], "--seconds", 0)
+    # A person's own have names too, and one of a shipped name stands for that.
+    own = folder / "data/plumbline/scenes"
+    own.mkdir(parents=True)
+    for name in ("cube-adopted", "pile"):
+        (own / f"{name}.toml").write_text('[scene]\ntitle = "mine"\n[[entity]]\nname = "a"\n')
+    listed = {scene["name"]: scene["file"] for scene in json.loads(run("scenes", "--json").stdout)}
+    assert listed["cube-adopted"] == str(own / "cube-adopted.toml") and listed["pile"] == str(own / "pile.toml"), listed
+    run("simulate", "cube-adopted", "--seconds", 0, says="0 moving bodies")
+    run("simulate", "cube-adoptd", code=4, says='the nearest is "cube-adopted"')
+    shutil.rmtree(own)
     bad = folder / "bad.toml"
     bad.write_text('[scene]\ntitle = "bad"\n[[entity]]\nname = "a"\npositon_m = [0, 1, 0]\n')
     run("simulate", bad, code=4, says="position_m")

@@ -140,7 +140,7 @@ Page MenuPages::in_play() {
 }
 
 Page MenuPages::all_scenes() {
-    Page page{.title = "Scenes"};
+    Page page{.title = "Other scenes"};
     page.lines.push_back({.kind = LineKind::Cells, .cells = {back_cell()}});
     add_scenes(page);
     return page;
