@@ -56,12 +56,12 @@ Result<study::StabilityTable> planned(const StabilityOptions& options) {
 }
 
 constexpr const char* kTable = "stability.json";
-constexpr const char* kPage = "stability.html";
+constexpr const char* kStabilityPage = "stability.html";
 
 Result<Done> write_files(const study::StabilityTable& table, const fs::path& folder) {
     const Result<Done> json = write_output(folder / kTable, study::stability_json(table));
     if (!json) return json;
-    return write_output(folder / kPage, study::stability_page(table));
+    return write_output(folder / kStabilityPage, study::stability_page(table));
 }
 
 /// What is asked of the outcome, once it is told and written.
@@ -104,7 +104,7 @@ ExitCode run_stability(const StabilityOptions& options) {
     Result<study::StabilityTable> table = planned(options);
     if (!table) return refuse(table.error());
     if (!options.out.empty()) {
-        const Result<Done> open = make_output_folder(options.out, {kTable, kPage});
+        const Result<Done> open = make_output_folder(options.out, {kTable, kStabilityPage});
         if (!open) return refuse(open.error());
     }
     catch_interrupts();
@@ -123,7 +123,7 @@ ExitCode run_stability(const StabilityOptions& options) {
         }
         if (const Result<Done> written = write_files(*table, options.out); !written)
             return refuse(written.error());
-        std::cout << printable((options.out / kPage).string()) << '\n';
+        std::cout << printable((options.out / kStabilityPage).string()) << '\n';
     }
     return judged(*table, options.expect_green);
 }

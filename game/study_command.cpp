@@ -83,7 +83,7 @@ Result<Chosen> chosen_by(const StudyOptions& options) {
 
 constexpr const char* kJson = "findings.json";
 constexpr const char* kCsv = "findings.csv";
-constexpr const char* kPage = "report.html";
+constexpr const char* kReportPage = "report.html";
 
 /// The folder for the files, made; empty where just lines are asked for. Looked at before hours of
 /// work, which leaves an earlier study's files alone until they can be replaced.
@@ -97,7 +97,7 @@ Result<fs::path> output_folder(const StudyOptions& options) {
         if (!unnamed) return unnamed;
         folder = *unnamed;
     }
-    if (const Result<Done> made = make_output_folder(folder, {kJson, kCsv, kPage}); !made)
+    if (const Result<Done> made = make_output_folder(folder, {kJson, kCsv, kReportPage}); !made)
         return made.error();
     return folder;
 }
@@ -231,7 +231,7 @@ ExitCode run_study(const StudyOptions& options) {
     if (!folder->empty()) {
         if (const Result<Done> written = write_files(findings, *folder); !written)
             return refuse(written.error());
-        std::cout << printable((*folder / kPage).string()) << '\n';
+        std::cout << printable((*folder / kReportPage).string()) << '\n';
     }
     if (findings.complete) return ExitCode::Good;
     log_warning("interrupted: what was done by then is {}",

@@ -9,7 +9,7 @@
 namespace plumbline::app {
 namespace {
 
-constexpr std::string_view kWrittenFile = "bindings.ui.toml";
+constexpr std::string_view kBindingsFile = "bindings.ui.toml";
 
 bool same_layers(const std::vector<input::BindingLayer>& a,
                  const std::vector<input::BindingLayer>& b) {
@@ -32,8 +32,9 @@ void LiveBindings::load() {
             def_.shipped_folder, def_.user_folder, {def_.profile, usual_profile_}, faults_);
     }
     if (unsaved_) {
-        std::erase_if(sources.layers, [](const auto& layer) { return layer.name == kWrittenFile; });
-        sources.layers.push_back({std::string(kWrittenFile), *unsaved_});
+        std::erase_if(sources.layers,
+                      [](const auto& layer) { return layer.name == kBindingsFile; });
+        sources.layers.push_back({std::string(kBindingsFile), *unsaved_});
     }
     input::Bindings read = input::load_bindings(sources.layers, def_.command_line, faults_);
     // A file that is half written, broken or gone for a moment must not throw the person back to
@@ -46,7 +47,7 @@ void LiveBindings::load() {
         Diagnostics said_already;
         stored_ = input::load_bindings(sources.layers, {}, said_already);
         std::vector<input::BindingLayer> lower = sources.layers;
-        std::erase_if(lower, [](const auto& layer) { return layer.name == kWrittenFile; });
+        std::erase_if(lower, [](const auto& layer) { return layer.name == kBindingsFile; });
         below_ = input::load_bindings(lower, {}, said_already);
     }
     layers_ = std::move(sources.layers);
@@ -73,7 +74,7 @@ bool LiveBindings::reload_if_changed(double now_s) {
 Result<Done> LiveBindings::change(const input::Bindings& wanted) {
     const std::string text = input::ui_bindings_text(below_, wanted);
     const std::filesystem::path folder = def_.safe ? std::filesystem::path() : def_.user_folder;
-    const Result<Done> written = write_user_setting(folder, kWrittenFile, text);
+    const Result<Done> written = write_user_setting(folder, kBindingsFile, text);
     unsaved_ = written ? std::nullopt : std::optional(text);
     layer_count_ = 0;  // the file may be new
     load();

@@ -10,7 +10,7 @@
 namespace plumbline::app {
 namespace {
 
-constexpr std::string_view kWrittenFile = "app.ui.toml";
+constexpr std::string_view kSettingsFile = "app.ui.toml";
 
 bool is_there(const std::filesystem::path& file) {
     std::error_code ignored;
@@ -32,7 +32,7 @@ LiveConfig::LiveConfig(const std::filesystem::path& shipped_folder,
     if (!user_folder_.empty()) by_hand_.push_back(user_folder_ / "app.toml");
     load();
     std::vector<std::filesystem::path> watched = by_hand_;
-    if (!user_folder_.empty()) watched.push_back(user_folder_ / kWrittenFile);
+    if (!user_folder_.empty()) watched.push_back(user_folder_ / kSettingsFile);
     watch_ = std::make_unique<platform::FileWatch>(std::move(watched));
 }
 
@@ -41,7 +41,7 @@ void LiveConfig::load() {
     std::vector<std::filesystem::path> files = by_hand_;
     Diagnostics said_already;
     const AppConfig below = load_app_config(files, said_already);
-    if (!user_folder_.empty()) files.push_back(user_folder_ / kWrittenFile);
+    if (!user_folder_.empty()) files.push_back(user_folder_ / kSettingsFile);
     const AppConfig read = load_app_config(files, faults_);
     const auto there = static_cast<std::size_t>(std::ranges::count_if(files, is_there));
     // A file that is half written, broken or gone for a moment must not throw the person back to
@@ -70,7 +70,7 @@ Result<Done> LiveConfig::change(const AppConfig& wanted) {
     current_ = wanted;
     AppConfig stored = wanted;
     stored.picture_level = stored_level_.value_or(wanted.picture_level);
-    return write_user_setting(user_folder_, kWrittenFile, ui_config_text(below_, stored));
+    return write_user_setting(user_folder_, kSettingsFile, ui_config_text(below_, stored));
 }
 
 void LiveConfig::put_level(PictureLevel level) {

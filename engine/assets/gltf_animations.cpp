@@ -134,18 +134,6 @@ void read_keys(GltfReader& reader,
     }
 }
 
-/// A member that must be an object.
-const Json& object_in(GltfReader& reader,
-                      const Json& parent,
-                      const char* key,
-                      const std::string& where) {
-    static const Json kEmpty = Json::object();
-    const auto found = parent.find(key);
-    if (found != parent.end() && found->is_object()) return *found;
-    reader.fail("{}.{} is missing or not an object", where, key);
-    return kEmpty;
-}
-
 void read_channel(GltfReader& reader,
                   const Json& source,
                   const Json& samplers,
@@ -157,7 +145,12 @@ void read_channel(GltfReader& reader,
         return;
     }
     const auto sampler = reader.index(source, "sampler", where, samplers.size());
-    const Json& target = object_in(reader, source, "target", where);
+    const auto found = source.find("target");
+    if (found == source.end() || !found->is_object()) {
+        reader.fail("{}.target is missing or not an object", where);
+        return;
+    }
+    const Json& target = *found;
     const std::optional<ChannelPath> path = path_of(reader.text(target, "path", where + ".target"));
     const auto node = reader.index(target, "node", where + ".target", reader.node_places.size());
     if (reader.failed()) return;

@@ -1,4 +1,5 @@
 #include "engine/assets/gltf_reader_impl.h"
+#include "engine/assets/model_pose.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 
@@ -78,13 +79,6 @@ void check_tree(GltfReader& reader,
     if (reached_count == children.size()) return;
     const auto lost = std::find(reached.begin(), reached.end(), false) - reached.begin();
     reader.fail("its nodes form a cycle: {}", chain_text(static_cast<std::size_t>(lost), parents));
-}
-
-Mat4f matrix_of(const NodeTransform& place) {
-    Mat4f matrix = glm::mat4_cast(place.rotation);
-    for (int axis = 0; axis < 3; ++axis) matrix[axis] *= place.scale[axis];
-    matrix[3] = Vec4f{place.translation, 1.0F};
-    return matrix;
 }
 
 /// The parts of a matrix; what it shears is lost.

@@ -16,7 +16,7 @@ namespace {
 /// A file of a few kilobytes can hold thousands of passes over a large image.
 constexpr int kMaxScans = 200;
 
-struct Progress {
+struct JpegProgress {
     jpeg_error_mgr errors;  // first: libjpeg hands back a pointer to it
     jpeg_progress_mgr watch;
     std::jmp_buf on_error;
@@ -24,12 +24,12 @@ struct Progress {
     bool breaks_off;
 };
 
-Progress& progress_of(j_common_ptr jpeg) {
-    return *static_cast<Progress*>(jpeg->client_data);
+JpegProgress& progress_of(j_common_ptr jpeg) {
+    return *static_cast<JpegProgress*>(jpeg->client_data);
 }
 
 [[noreturn]] void keep_message_and_jump(j_common_ptr jpeg) {
-    Progress& progress = progress_of(jpeg);
+    JpegProgress& progress = progress_of(jpeg);
     jpeg->err->format_message(jpeg, progress.message);
     std::longjmp(progress.on_error, 1);
 }
@@ -50,7 +50,7 @@ void count_scans(j_common_ptr jpeg) {
     }
 }
 
-bool read_header(jpeg_decompress_struct& jpeg, Progress& progress, std::string_view bytes) {
+bool read_header(jpeg_decompress_struct& jpeg, JpegProgress& progress, std::string_view bytes) {
     if (setjmp(progress.on_error) != 0) return false;
     jpeg_create_decompress(&jpeg);
     jpeg.client_data = &progress;
@@ -70,7 +70,7 @@ bool read_header(jpeg_decompress_struct& jpeg, Progress& progress, std::string_v
 }
 
 bool decode_rows(jpeg_decompress_struct& jpeg,
-                 Progress& progress,
+                 JpegProgress& progress,
                  unsigned char* pixels,
                  std::size_t row_bytes) {
     if (setjmp(progress.on_error) != 0) return false;
@@ -114,7 +114,7 @@ struct Decoder {
 Result<ImageData> decode_jpeg(std::string_view bytes,
                               const std::string& name,
                               const ImageBytesAllowed& allowed) {
-    Progress progress{};
+    JpegProgress progress{};
     Decoder decoder;
     jpeg_decompress_struct& jpeg = decoder.jpeg;
     jpeg.err = jpeg_std_error(&progress.errors);

@@ -18,7 +18,7 @@ constexpr std::size_t kMessageBytes = 128;
 constexpr png_alloc_size_t kChunkBytes = 8 * 1024 * 1024;
 constexpr png_uint_32 kChunksKept = 64;
 
-struct Progress {
+struct PngProgress {
     const unsigned char* bytes;
     std::size_t size;
     std::size_t place;
@@ -26,7 +26,7 @@ struct Progress {
 };
 
 [[noreturn]] void keep_message_and_jump(png_structp png, png_const_charp message) {
-    auto& progress = *static_cast<Progress*>(png_get_error_ptr(png));
+    auto& progress = *static_cast<PngProgress*>(png_get_error_ptr(png));
     std::strncpy(progress.message, message, kMessageBytes - 1);
     png_longjmp(png, 1);
 }
@@ -34,7 +34,7 @@ struct Progress {
 void ignore_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 
 void read_bytes(png_structp png, png_bytep target, std::size_t count) {
-    auto& progress = *static_cast<Progress*>(png_get_io_ptr(png));
+    auto& progress = *static_cast<PngProgress*>(png_get_io_ptr(png));
     if (count > progress.size - progress.place) png_error(png, "it breaks off");
     std::memcpy(target, progress.bytes + progress.place, count);
     progress.place += count;
@@ -55,7 +55,7 @@ void flush_nothing(png_structp /*png*/) {}
 
 /// The two halves of a libpng reader; released together.
 struct Reader {
-    explicit Reader(Progress& progress)
+    explicit Reader(PngProgress& progress)
         : png(png_create_read_struct(
               PNG_LIBPNG_VER_STRING, &progress, keep_message_and_jump, ignore_warning)) {
         if (png != nullptr) info = png_create_info_struct(png);
@@ -70,7 +70,7 @@ struct Reader {
 };
 
 struct Writer {
-    explicit Writer(Progress& progress)
+    explicit Writer(PngProgress& progress)
         : png(png_create_write_struct(
               PNG_LIBPNG_VER_STRING, &progress, keep_message_and_jump, ignore_warning)) {
         if (png != nullptr) info = png_create_info_struct(png);
@@ -161,7 +161,7 @@ std::vector<png_bytep> rows_of(ImageData& image) {
 Result<ImageData> decode_png(std::string_view bytes,
                              const std::string& name,
                              const ImageBytesAllowed& allowed) {
-    Progress progress{
+    PngProgress progress{
         .bytes = static_cast<const unsigned char*>(static_cast<const void*>(bytes.data())),
         .size = bytes.size(),
         .place = 0,
@@ -186,7 +186,7 @@ Result<std::string> encode_png(const ImageData& image) {
     PL_ASSERT(image.bytes.size() ==
                   std::size_t{image.width} * image.height * bytes_per_pixel(image.format),
               "tightly packed pixels");
-    Progress progress{};
+    PngProgress progress{};
     const Writer writer(progress);
     if (writer.info == nullptr) return Error{.message = "libpng did not start"};
     std::string bytes;

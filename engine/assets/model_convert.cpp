@@ -12,15 +12,15 @@
 #include <string_view>
 
 namespace plumbline::assets {
-namespace {
 
 Mat4f matrix_of(const aiMatrix4x4& m) {
-    // assimp keeps rows, GLM columns.
     return {{m.a1, m.b1, m.c1, m.d1},
             {m.a2, m.b2, m.c2, m.d2},
             {m.a3, m.b3, m.c3, m.d3},
             {m.a4, m.b4, m.c4, m.d4}};
 }
+
+namespace {
 
 Vec3f vec_of(const aiVector3D& v) {
     return {v.x, v.y, v.z};

@@ -17,13 +17,6 @@ namespace {
 
 constexpr double kUsualTicksPer_s = 25.0;
 
-Mat4f matrix_of(const aiMatrix4x4& m) {
-    return {{m.a1, m.b1, m.c1, m.d1},
-            {m.a2, m.b2, m.c2, m.d2},
-            {m.a3, m.b3, m.c3, m.d3},
-            {m.a4, m.b4, m.c4, m.d4}};
-}
-
 /// What materials call the image of a texture slot: "image N" for those that the file holds.
 std::filesystem::path map_of(const aiScene& scene,
                              const aiMaterial& source,

@@ -4,6 +4,8 @@
 #include "engine/assets/checked_model.h"
 #include "engine/assets/model_data.h"
 
+#include <assimp/matrix4x4.h>
+
 #include <functional>
 #include <map>
 #include <optional>
@@ -15,6 +17,9 @@ struct aiNode;
 struct aiScene;
 
 namespace plumbline::assets {
+
+/// assimp keeps rows, GLM columns.
+Mat4f matrix_of(const aiMatrix4x4& m);
 
 /// Nodes and triangles; `name` is the file's, for warnings about meshes that are left out. Meshes
 /// whose material is called by a number of `materials` wear that one, others a plain one. Normals

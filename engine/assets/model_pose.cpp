@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace plumbline::assets {
-namespace {
 
 Mat4f matrix_of(const NodeTransform& place) {
     Mat4f matrix = glm::mat4_cast(place.rotation);
@@ -12,6 +11,8 @@ Mat4f matrix_of(const NodeTransform& place) {
     matrix[3] = Vec4f{place.translation, 1.0F};
     return matrix;
 }
+
+namespace {
 
 std::size_t numbers_per_key(const AnimationChannel& channel) {
     const std::size_t groups = channel.interpolation == Interpolation::CubicSpline ? 3 : 1;

@@ -14,6 +14,8 @@ struct ModelPose {
     std::vector<std::vector<float>> morph_weights;  ///< by node; empty: none
 };
 
+Mat4f matrix_of(const NodeTransform& place);
+
 /// As the file stands.
 ModelPose rest_pose(const ModelData& model);
 /// `time_s` is clamped to the animation; the last key holds beyond its channel's end.

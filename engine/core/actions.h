@@ -103,6 +103,11 @@ constexpr std::size_t index_of(Action action) {
     return static_cast<std::size_t>(action);
 }
 
+/// Its place in arrays of kActionCount.
+constexpr std::size_t index_of(Action action) {
+    return static_cast<std::size_t>(action);
+}
+
 /// Tables of the bindings file, and which actions are live together.
 enum class ActionGroup : std::uint8_t { Walk, Things, View, Light, CameraPath, Time, Menu };
 
@@ -119,9 +124,9 @@ struct Actions {
     float look_yaw_rad{0.0F};    ///< turned left is positive, since the last step
     float look_pitch_rad{0.0F};  ///< up is positive, since the last step
 
-    bool is_held(Action action) const { return held[static_cast<std::size_t>(action)]; }
-    int presses(Action action) const { return pressed[static_cast<std::size_t>(action)]; }
-    float amount_of(Action action) const { return amount[static_cast<std::size_t>(action)]; }
+    bool is_held(Action action) const { return held[index_of(action)]; }
+    int presses(Action action) const { return pressed[index_of(action)]; }
+    float amount_of(Action action) const { return amount[index_of(action)]; }
 };
 
 }  // namespace plumbline

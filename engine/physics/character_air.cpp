@@ -10,7 +10,6 @@ namespace {
 constexpr Real kAirAcceleration_mps2 = 8;
 constexpr Real kWedgedAfter_s = 0.15_r;
 constexpr Real kCoyoteTime_s = 0.08_r;
-constexpr int kSlides = 5;
 
 }  // namespace
 

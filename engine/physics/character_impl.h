@@ -17,6 +17,8 @@ namespace plumbline::physics {
 inline constexpr Real kSkin_m = 0.004_r;
 /// Closer than this counts as touching.
 inline constexpr Real kTouch_m = 0.002_r;
+/// Surfaces that one move slides along at most.
+inline constexpr int kSlides = 5;
 inline const Vec3 kUp{0, 1, 0};
 
 inline Vec3 level(const Vec3& v) {

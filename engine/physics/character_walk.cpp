@@ -15,7 +15,6 @@ constexpr Real kLeastWay_m = 2e-4_r;
 constexpr Real kBeyondSkin_m = 0.006_r;
 constexpr Real kTight_m = 2e-4_r;
 constexpr Real kEdgeAside_m = 0.01_r;
-constexpr int kSlides = 5;
 
 /// A level way, tilted onto a plane.
 Vec3 on_plane(const Vec3& level_way, const Vec3& normal) {

@@ -13,7 +13,7 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr Real kPush_mps = 3;
+constexpr Real kContactPush_mps = 3;
 constexpr int kHoldSteps = 30;  ///< after the last step that asked for as many sub-steps
 constexpr double kFarFewer = 0.75;
 constexpr int kMostSubsteps = 64;
@@ -251,7 +251,7 @@ IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
                        .substeps = choice.substeps,
                        .iterations = step.iterations,
                        .gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2)),
-                       .push_mps = kPush_mps,
+                       .push_mps = kContactPush_mps,
                        .gyroscopic_torque = step.features.gyroscopic_torque,
                        .joint_method = step.joints});
     impl.write_bodies();

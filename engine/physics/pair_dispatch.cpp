@@ -145,9 +145,11 @@ void mark_old(btPersistentManifold& manifold) {
 
 /// Puts points into manifolds as Bullet does, but takes two for one only when they are as near as
 /// those of slow pairs: a long reach must not melt the corners of a box into one.
-class Result final : public btManifoldResult {
+class GrownResult final : public btManifoldResult {
 public:
-    Result(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b, btScalar merge_m)
+    GrownResult(const btCollisionObjectWrapper* a,
+                const btCollisionObjectWrapper* b,
+                btScalar merge_m)
         : btManifoldResult(a, b), merge_m_(merge_m) {}
 
     void addContactPoint(const btVector3& normal,
@@ -262,7 +264,7 @@ void PairMeeting::collide(Pair& pair) {
         pair.algorithm =
             dispatcher_.findAlgorithm(&first, &second, nullptr, BT_CONTACT_POINT_ALGORITHMS);
     }
-    Result result(&first, &second, pair.base_m);
+    GrownResult result(&first, &second, pair.base_m);
     // Two balls are the only shapes that look at nothing else. Compounds must not see it: they
     // would throw the points of their children away.
     const bool balls = a.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE &&

@@ -27,6 +27,9 @@ struct Metric {
     std::string scale;  ///< what 1 means: "the way fallen, 19.62 m"
 };
 
+/// What "a frame" of a cost is: 1/60 s.
+inline constexpr double kFrames_per_s = 60;
+
 enum class RunStatus { Done, NotFinite, Exploded, TimedOut, Crashed, Refused };
 std::string_view status_name(RunStatus status);
 

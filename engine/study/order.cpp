@@ -14,9 +14,9 @@ struct Knob {
     std::string_view name;
     int Setting::*value;
 };
-constexpr Knob kKnobs[]{{"step rate", &Setting::step_hz},
-                        {"sub-steps", &Setting::substeps},
-                        {"iterations", &Setting::iterations}};
+constexpr Knob kOrderKnobs[]{{"step rate", &Setting::step_hz},
+                             {"sub-steps", &Setting::substeps},
+                             {"iterations", &Setting::iterations}};
 
 /// The setting without the knob, as text: "x 4, float32" where the step rate is turned.
 std::string held_text(const Setting& setting, const Knob& knob) {
@@ -90,7 +90,7 @@ Observed observed_order(std::span<const ErrorAt> series) {
 
 std::vector<KnobVerdict> verdicts_of(std::span<const Point> points, const TheoryOf& theory) {
     std::vector<KnobVerdict> verdicts;
-    for (const Knob& knob : kKnobs) {
+    for (const Knob& knob : kOrderKnobs) {
         std::vector<const Point*> open;
         for (const Point& point : points) {
             // Sub-steps on demand are a rule, not a number.

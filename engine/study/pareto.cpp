@@ -8,7 +8,6 @@ namespace plumbline::study {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
-constexpr double kFramesPerSecond = 60.0;
 
 struct Rated {
     double cost_ms;
@@ -81,7 +80,7 @@ double error_of(const Point& point, std::size_t metric) {
 
 double ms_per_frame(const Point& point) {
     if (point.status != RunStatus::Done || point.cost.repeats == 0) return kNone;
-    const double ms = point.cost.ms_per_s_min / kFramesPerSecond;
+    const double ms = point.cost.ms_per_s_min / kFrames_per_s;
     return std::isfinite(ms) ? ms : kNone;
 }
 

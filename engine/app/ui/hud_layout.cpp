@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kMargin = 0.8F;  // of the font's size
 constexpr float kPad = 0.5F;
-constexpr float kGap = 0.5F;
+constexpr float kPanelGap = 0.5F;
 constexpr float kSideWidth = 29.0F;
 
 class Placer {
@@ -86,7 +86,7 @@ HudLayout layout_of(const HudTexts& texts,
                     const TextSize& text) {
     const Placer place(font_px, text);
     const float margin = kMargin * font_px;
-    const float gap = kGap * font_px;
+    const float gap = kPanelGap * font_px;
     const float free_width = width_px - 2 * margin - right_taken_px;
     const float middle_x = margin + free_width * 0.5F;
     HudLayout out;

@@ -11,7 +11,7 @@ constexpr ImU32 kFaint = IM_COL32(190, 192, 200, 255);
 constexpr ImU32 kHead = IM_COL32(255, 209, 115, 255);
 constexpr ImU32 kPanel = IM_COL32(22, 24, 30, 238);
 constexpr ImU32 kShade = IM_COL32(0, 0, 0, 110);
-constexpr ImU32 kCell = IM_COL32(52, 56, 68, 255);
+constexpr ImU32 kCellColor = IM_COL32(52, 56, 68, 255);
 constexpr ImU32 kMarked = IM_COL32(38, 92, 138, 255);
 constexpr ImU32 kFilled = IM_COL32(46, 104, 152, 255);
 constexpr ImU32 kFocus = IM_COL32(255, 209, 115, 255);
@@ -91,7 +91,8 @@ private:
         const Box box = scrolled(placed.box);
         if (!seen(box)) return;
         const float round = em_ * 0.3F;
-        list_.AddRectFilled(corner(box), far_corner(box), cell.marked ? kMarked : kCell, round);
+        list_.AddRectFilled(
+            corner(box), far_corner(box), cell.marked ? kMarked : kCellColor, round);
         if (cell.fraction) {
             Box filled = box;
             filled.width *= std::clamp(*cell.fraction, 0.0F, 1.0F);
@@ -175,7 +176,7 @@ private:
         const float x = layout.panel.right() - em_ * 0.45F;
         const float width = em_ * 0.22F;
         list_.AddRectFilled(
-            {x, layout.view.y}, {x + width, layout.view.bottom()}, kCell, width * 0.5F);
+            {x, layout.view.y}, {x + width, layout.view.bottom()}, kCellColor, width * 0.5F);
         const float top = layout.view.y + layout.view.height * at;
         list_.AddRectFilled(
             {x, top}, {x + width, top + layout.view.height * share}, kFaint, width * 0.5F);

@@ -7,11 +7,11 @@
 namespace plumbline::app::ui {
 namespace {
 
-constexpr float kLine = 1.35F;       // of the font's size
-constexpr float kCell = 1.75F;       // a cell with its padding
-constexpr float kPadding = 0.7F;     // beside the text of a cell
-constexpr float kGap = 0.35F;        // between cells
-constexpr float kCardWidth = 14.5F;  // at least
+constexpr float kLine = 1.35F;        // of the font's size
+constexpr float kCellHeight = 1.75F;  // a cell with its padding
+constexpr float kPadding = 0.7F;      // beside the text of a cell
+constexpr float kCellGap = 0.35F;     // between cells
+constexpr float kCardWidth = 14.5F;   // at least
 constexpr float kSlider = 11.0F;
 constexpr float kKeysWidth = 26.0F;  // of a column of keys, at least
 
@@ -38,7 +38,7 @@ public:
                 for (std::size_t i = 0; i < line.cells.size(); ++i) {
                     const float height = list_height(line.cells[i]);
                     put({index, i}, {out_.view.x, y_, out_.view.width, height});
-                    y_ += height + em_ * kGap;
+                    y_ += height + em_ * kCellGap;
                 }
                 break;
             case LineKind::Cards:
@@ -69,7 +69,8 @@ private:
     float list_height(const Cell& cell) const {
         const float text_width = out_.view.width - 2 * kPadding * em_;
         const float note = cell.note.empty() ? 0.0F : text_.height_px(cell.note, text_width);
-        return std::max(kCell * em_, text_.height_px(cell.text, text_width) + 0.5F * em_) + note;
+        return std::max(kCellHeight * em_, text_.height_px(cell.text, text_width) + 0.5F * em_) +
+               note;
     }
 
     float cell_width(const Cell& cell) const {
@@ -94,17 +95,17 @@ private:
             const float width = std::min(cell_width(line.cells[i]), right - first);
             if (x > first && x + width > right) {
                 x = first;
-                y += (kCell + kGap) * em_;
+                y += (kCellHeight + kCellGap) * em_;
             }
-            put({index, i}, {x, y, width, kCell * em_});
-            x += width + kGap * em_;
+            put({index, i}, {x, y, width, kCellHeight * em_});
+            x += width + kCellGap * em_;
         }
-        const float cells_bottom = line.cells.empty() ? y_ : y + kCell * em_;
-        y_ = std::max(cells_bottom, y_ + label_height) + kGap * em_;
+        const float cells_bottom = line.cells.empty() ? y_ : y + kCellHeight * em_;
+        y_ = std::max(cells_bottom, y_ + label_height) + kCellGap * em_;
     }
 
     void add_cards(const Line& line, std::size_t index) {
-        const float gap = kGap * em_;
+        const float gap = kCellGap * em_;
         const float columns =
             std::clamp(std::floor((out_.view.width + gap) / (kCardWidth * em_ + gap)), 1.0F, 6.0F);
         const float width = (out_.view.width - gap * (columns - 1)) / columns;

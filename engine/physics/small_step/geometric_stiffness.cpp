@@ -15,7 +15,6 @@ constexpr double kNoticeable = 1.02;
 /// A mass that is felt adds to the pull that asks for it: without a bound they would raise each
 /// other.
 constexpr double kMostMass = 10;
-constexpr double kNoLength_m = 1e-9;
 
 bool pulls_at_arms(NodeKind kind) {
     return kind == NodeKind::Point || kind == NodeKind::Across || kind == NodeKind::Length;

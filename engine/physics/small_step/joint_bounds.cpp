@@ -8,8 +8,6 @@
 namespace plumbline::physics {
 namespace {
 
-/// The fastest that a passed limit is come back to, m/s or rad/s.
-constexpr double kPush_mps = 3.0;
 /// Limits nearer to each other than this, m or rad, are one.
 constexpr double kNoRoom = 1e-9;
 /// Speeds nearer to each other than this, m/s or rad/s, are the same.

@@ -13,6 +13,9 @@ namespace plumbline::physics {
 
 struct JointRows;
 
+/// The fastest that a position error is pushed back, m/s or rad/s.
+inline constexpr double kPush_mps = 3.0;
+
 enum class BoundStep : std::uint8_t {
     Lower,    ///< held at the lower limit, or coming to it within the sub-step
     Forward,  ///< slower than the motor's speed: its whole impulse; without a motor none

@@ -8,8 +8,6 @@ namespace {
 /// Errors below it, m or rad, that a step begins with are put right at once.
 constexpr double kSmallError = 1e-5;
 /// Larger ones are come back from at this speed plus their own size per second: from 5 m within a
-/// second, at no more than 8 m/s.
-constexpr double kPush_mps = 3.0;
 
 }  // namespace
 

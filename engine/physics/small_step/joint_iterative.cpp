@@ -11,8 +11,6 @@ namespace {
 /// As stiff as a sub-step can follow: a quarter of its rate, strongly damped.
 constexpr double kFrequencyTimesSubstep = 0.25;
 constexpr double kDampingRatio = 5;
-/// The fastest that errors are come back from, m/s or rad/s, beside their own size per second.
-constexpr double kPush_mps = 3.0;
 
 std::uint8_t unbounded(const JointRows& rows) {
     return static_cast<std::uint8_t>(rows.active & ~rows.bounded);

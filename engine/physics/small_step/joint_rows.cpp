@@ -8,7 +8,6 @@ namespace plumbline::physics {
 namespace {
 
 /// Anchors nearer than this have no direction between them.
-constexpr double kNoLength_m = 1e-9;
 /// Less than this between the axes of a cone's sides is none.
 constexpr double kNoSwing_rad = 1e-4;
 /// Beyond the swing with this cosine (172 degrees) twist means nothing and is left alone.

@@ -9,6 +9,9 @@
 
 namespace plumbline::physics {
 
+/// Anchors nearer to each other than this have no direction between them.
+inline constexpr double kNoLength_m = 1e-9;
+
 /// A body in double precision while its joints are solved.
 struct JointBody {
     Vec3d velocity_mps{0, 0, 0};

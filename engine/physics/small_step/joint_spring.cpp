@@ -9,7 +9,6 @@ namespace {
 /// Springs on one body may together have this much of (angular frequency * sub-step)^2, and of
 /// damping rate * sub-step, to be followed explicitly; 4 would be unstable.
 constexpr double kMostExplicit = 0.25;
-constexpr double kNoLength_m = 1e-9;
 /// Decays over a sub-step up to this are followed exactly.
 constexpr double kExactDecay = 0.5;
 

@@ -81,7 +81,7 @@ Trace trace_from_json(const Json& value) {
     return trace;
 }
 
-std::string refusal(const std::string& why) {
+std::string refusal_text(const std::string& why) {
     return Json{{"refused", why}}.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -102,12 +102,12 @@ std::string answer_scene_job(SceneRunner& runner, const std::string& body) {
     try {
         run = run_from_json(scene::read_json<Json>(body));
     } catch (const std::exception& fault) {
-        return refusal(fmt::format("expected a run of a scene: {}", fault.what()));
+        return refusal_text(fmt::format("expected a run of a scene: {}", fault.what()));
     }
     if (run.moments.empty() || run.copies < 1 || run.setting.step_hz < 1)
-        return refusal("expected a run of a scene with moments, copies and a step rate");
+        return refusal_text("expected a run of a scene with moments, copies and a step rate");
     const Result<SceneAnswer> answer = runner.run(run);
-    if (!answer) return refusal(answer.error().message);
+    if (!answer) return refusal_text(answer.error().message);
     Point measured;
     measured.setting = run.setting;
     measured.cost = answer->cost;

@@ -41,7 +41,7 @@ public:
         if (plan_.interrupted()) return std::optional<SceneReference>{};
         if (const Result<Done> done = refine(); !done) return done.error();
         if (plan_.interrupted()) return std::optional<SceneReference>{};
-        if (levels_.size() < 2) return Error{.message = refusal()};
+        if (levels_.size() < 2) return Error{.message = why_none()};
         if (chaotic()) return ensemble();
         return std::optional<SceneReference>(converged());
     }
@@ -86,7 +86,7 @@ private:
         }
     }
 
-    std::string refusal() const {
+    std::string why_none() const {
         return fmt::format(
             "{}: no reference can be made, small_step in float64 does not get "
             "through {:.2f} s at two step rates ({})",
@@ -243,7 +243,7 @@ private:
         });
         if (!done) return done.error();
         if (plan_.interrupted()) return std::optional<SceneReference>{};
-        if (answers[0].traces.empty()) return Error{.message = refusal()};
+        if (answers[0].traces.empty()) return Error{.message = why_none()};
         return std::optional<SceneReference>(of_copies(answers[0], answers[1], step_hz, shift_m));
     }
 

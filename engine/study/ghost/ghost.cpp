@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kHistory_s = 20;
 /// Simulated time between two questions: fine enough to be drawn, coarse enough to cost nothing.
-constexpr double kLookEvery_s = 1.0 / 30;
+constexpr double kGhostLookEvery_s = 1.0 / 30;
 /// A ghost so far behind will not come back.
 constexpr double kLongestWay_s = 30;
 
@@ -64,7 +64,7 @@ struct Ghost::Impl {
 void Ghost::Impl::take(GhostState state) {
     latest = std::move(state);
     // The answer to the start belongs to no look.
-    if (looks.empty() || latest.time_s < looks.front().time_s - kLookEvery_s / 4) return;
+    if (looks.empty() || latest.time_s < looks.front().time_s - kGhostLookEvery_s / 4) return;
     const Look look = std::move(looks.front());
     looks.pop_front();
     GhostDistance distance{.time_s = look.time_s};
@@ -74,8 +74,8 @@ void Ghost::Impl::take(GhostState state) {
         distance.largest_m = std::max(distance.largest_m, apart);
         distance.mean_m += apart / static_cast<double>(count);
     }
-    distance.visible_ms_per_s = look.cpu_ms / kLookEvery_s;
-    distance.ghost_ms_per_s = latest.cpu_ms / kLookEvery_s;
+    distance.visible_ms_per_s = look.cpu_ms / kGhostLookEvery_s;
+    distance.ghost_ms_per_s = latest.cpu_ms / kGhostLookEvery_s;
     history.push_back(distance);
     if (history.front().time_s < look.time_s - kHistory_s) history.erase(history.begin());
 }
@@ -116,7 +116,7 @@ void Ghost::follow(const scene::Simulation& simulation) {
     Impl& impl = *impl_;
     if (!impl.failure.empty()) return;
     impl.cpu_ms += simulation.physics.cost().total_ms;
-    if (simulation.time_s() < impl.looked_s + kLookEvery_s - simulation.step_s() / 4) return;
+    if (simulation.time_s() < impl.looked_s + kGhostLookEvery_s - simulation.step_s() / 4) return;
     impl.looked_s = simulation.time_s();
     Impl::Look look{.time_s = impl.looked_s, .cpu_ms = impl.cpu_ms};
     impl.cpu_ms = 0;

@@ -16,7 +16,6 @@ namespace plumbline::study {
 
 namespace {
 
-constexpr double kFrames_per_s = 60;
 /// Errors above are drawn at the top: what is ten thousand per cent off is just wrong.
 constexpr double kMostError = 100;
 

@@ -1,5 +1,7 @@
 #include "engine/study/report/peers.h"
 
+#include "engine/study/findings.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +17,6 @@ namespace {
 constexpr std::string_view kHeading =
     "scene,engine,substeps,cpu_ms_per_frame,cost_ratio,metric,value";
 constexpr std::size_t kFields = 7;
-constexpr double kFrames_per_s = 60;
 
 /// A figure of a peer scene that has the meaning of a metric of ours. `factor` makes it relative to
 /// the metric's scale, which the comment names where it is not in the figure.

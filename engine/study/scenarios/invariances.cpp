@@ -110,7 +110,7 @@ Errors furthest_by_frame(std::span<const Frame> frames, const Setting& setting, 
 constexpr const char* kSetUp =
     "A box that slides to a stop, a pendulum, a bounce, a ball that comes to roll and a tower of "
     "five: ";
-constexpr Knobs kKnobs{.iterations = false, .most_hz = 240};
+constexpr Knobs kUpTo240Hz{.iterations = false, .most_hz = 240};
 
 std::vector<Metric> metrics_by_scene() {
     std::vector<Metric> metrics;
@@ -129,7 +129,7 @@ Scenario by_scene(std::string id, std::string title, const char* how, std::vecto
             .run = [frames = std::move(frames)](
                        const Setting& setting,
                        Course& course) { return furthest_by_scene(frames, setting, course); },
-            .knobs = kKnobs};
+            .knobs = kUpTo240Hz};
 }
 
 Scenario by_frame(std::string id,
@@ -146,7 +146,7 @@ Scenario by_frame(std::string id,
             .run = [frames = std::move(frames)](
                        const Setting& setting,
                        Course& course) { return furthest_by_frame(frames, setting, course); },
-            .knobs = kKnobs};
+            .knobs = kUpTo240Hz};
 }
 
 Scenario turned() {

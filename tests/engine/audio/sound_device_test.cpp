@@ -29,20 +29,20 @@ extern "C" ALCboolean alcCloseDevice(ALCdevice* device) {
 namespace plumbline::audio {
 namespace {
 
-constexpr int kRate_hz = 44'100;
+constexpr int kOfflineRate_hz = 44'100;
 
 // EXPERIENCE B4
 TEST(SoundDevice, WithoutAContextTheDeviceIsClosedAgain) {
     SoundDevice sound;
     contexts_fail = true;
     devices_closed = 0;
-    EXPECT_FALSE(sound.open_offline(kRate_hz));
+    EXPECT_FALSE(sound.open_offline(kOfflineRate_hz));
     EXPECT_EQ(devices_closed, 1);
     EXPECT_FALSE(sound.is_open());
     EXPECT_EQ(sound.name(), "");
 
     contexts_fail = false;
-    EXPECT_TRUE(sound.open_offline(kRate_hz)) << "a later try finds everything as it was";
+    EXPECT_TRUE(sound.open_offline(kOfflineRate_hz)) << "a later try finds everything as it was";
     sound.close();
     EXPECT_EQ(devices_closed, 2);
 }

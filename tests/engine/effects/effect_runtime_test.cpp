@@ -1,6 +1,7 @@
 #include "engine/effects/effect_runtime.h"
 
 #include "engine/scene/extract.h"
+#include "tests/engine/effects/drawn.h"
 #include "tests/support/near.h"
 #include "tests/support/scene_in_code.h"
 
@@ -21,14 +22,6 @@ using test::scene_of;
 constexpr ServedDomains kStepsOnly{};
 constexpr ServedDomains kAll{.picture = true, .sound = true};
 
-LedgerLine line_of(const EffectRuntime& effects, std::string_view name) {
-    for (LedgerLine& line : effects.ledger()) {
-        if (line.name == name) return line;
-    }
-    ADD_FAILURE() << "no effect " << name;
-    return {};
-}
-
 void expect_nothing(const LedgerLine& line) {
     EXPECT_TRUE(line.called_for_by.empty()) << line.name;
     EXPECT_EQ(line.constructions, 0U) << line.name;
@@ -38,15 +31,6 @@ void expect_nothing(const LedgerLine& line) {
     EXPECT_EQ(line.bytes_cpu, 0U) << line.name;
     EXPECT_EQ(line.bytes_gpu, 0U) << line.name;
     EXPECT_FALSE(line.exists) << line.name;
-}
-
-/// One frame as the window makes it.
-render::RenderFrame draw(Running& run, EffectRuntime& effects) {
-    effects.refresh(*run);
-    const scene::ViewPoint view = run.game.view(*run, Real{1}, 0.0F, 0.0F);
-    render::RenderFrame frame = scene::extract(*run, view, Real{1}, 64, 64);
-    effects.extract(*run, view, frame);
-    return frame;
 }
 
 TEST(EffectTable, HasTheRowsOfTheContract) {

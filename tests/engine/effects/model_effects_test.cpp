@@ -3,6 +3,7 @@
 #include "engine/scene/extract.h"
 #include "engine/scene/scene_file.h"
 #include "tests/engine/assets/fixture.h"
+#include "tests/engine/effects/drawn.h"
 #include "tests/support/scene_in_code.h"
 
 #include <algorithm>
@@ -39,14 +40,6 @@ scene::SceneDescription model_scene(const TempFolder& folder, const std::string&
     EXPECT_TRUE(scene.ok());
     scene->sun.reset();
     return *scene;
-}
-
-render::RenderFrame draw(test::Running& run, EffectRuntime& effects) {
-    effects.refresh(*run);
-    const scene::ViewPoint view = run.game.view(*run, Real{1}, 0.0F, 0.0F);
-    render::RenderFrame frame = scene::extract(*run, view, Real{1}, 64, 64);
-    effects.extract(*run, view, frame);
-    return frame;
 }
 
 std::vector<float> places_x(const render::RenderFrame& frame) {

@@ -1,4 +1,5 @@
 #include "engine/effects/effect_runtime.h"
+#include "tests/engine/effects/drawn.h"
 #include "tests/support/scene_in_code.h"
 
 #include <gtest/gtest.h>
@@ -44,13 +45,6 @@ EntityDescription wooden_cube(const std::string& name, const Vec3& position_m) {
     EntityDescription entity = cube(name, position_m);
     entity.material = "wood";
     return entity;
-}
-
-LedgerLine line_of(const EffectRuntime& effects, std::string_view name) {
-    for (LedgerLine& line : effects.ledger()) {
-        if (line.name == name) return line;
-    }
-    return {};
 }
 
 std::vector<audio::SoundCue> cues_of_a_drop(Real height_m) {

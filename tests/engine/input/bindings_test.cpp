@@ -8,7 +8,7 @@
 namespace plumbline::input {
 namespace {
 
-std::string words(const Bindings& bindings, Action action) {
+std::string joined_words(const Bindings& bindings, Action action) {
     std::string text;
     for (const Input& input : bindings.of(action)) text += (text.empty() ? "" : " ") + input.word;
     return text;
@@ -37,10 +37,10 @@ TEST(Bindings, EveryActionOfTheBuiltInTableIsBound) {
         if (action == Action::TurnModel || action == Action::ShiftModel) continue;
         EXPECT_FALSE(bindings.inputs[i].empty()) << action_name(action);
     }
-    EXPECT_EQ(words(bindings, Action::Forward), "w up pad.left_y-");
-    EXPECT_EQ(words(bindings, Action::Drop), "q pad.right_bumper");
-    EXPECT_EQ(words(bindings, Action::Throw), "mouse.left pad.right_trigger");
-    EXPECT_EQ(words(bindings, Action::Grab), "e mouse.right pad.x");
+    EXPECT_EQ(joined_words(bindings, Action::Forward), "w up pad.left_y-");
+    EXPECT_EQ(joined_words(bindings, Action::Drop), "q pad.right_bumper");
+    EXPECT_EQ(joined_words(bindings, Action::Throw), "mouse.left pad.right_trigger");
+    EXPECT_EQ(joined_words(bindings, Action::Grab), "e mouse.right pad.x");
 }
 
 TEST(Bindings, TheBuiltInTableHasNoInputTwiceInADomain) {
@@ -58,7 +58,7 @@ TEST(Bindings, TheBuiltInTableHasNoInputTwiceInADomain) {
 
 TEST(Bindings, ALineReplacesTheListAndTellsWhereItStands) {
     const Loaded loaded("format = 1\n[walk]\njump = [\"b\", \"pad.a\"]\n");
-    EXPECT_EQ(words(loaded.bindings, Action::Jump), "b pad.a");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Jump), "b pad.a");
     EXPECT_EQ(loaded.bindings.of(Action::Jump)[0].origin, "bindings.toml:3");
     EXPECT_EQ(loaded.bindings.of(Action::Drop)[0].origin, "built-in");
 }
@@ -70,12 +70,12 @@ TEST(Bindings, AnEmptyListUnbinds) {
 }
 
 TEST(Bindings, OneWordNeedsNoBrackets) {
-    EXPECT_EQ(words(Loaded("[walk]\njump = \"kp_0\"").bindings, Action::Jump), "kp_0");
+    EXPECT_EQ(joined_words(Loaded("[walk]\njump = \"kp_0\"").bindings, Action::Jump), "kp_0");
 }
 
 TEST(Bindings, ABadWordCostsOnlyItself) {
     const Loaded loaded("[walk]\njump = [\"spcae\", \"pad.a\"]\n");
-    EXPECT_EQ(words(loaded.bindings, Action::Jump), "pad.a");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Jump), "pad.a");
     EXPECT_EQ(loaded.messages(),
               "bindings.toml:2:9: error: unknown input \"spcae\" for action \"jump\". Nearest: "
               "\"space\". This entry is left out; \"jump\" keeps: pad.a\n");
@@ -83,7 +83,7 @@ TEST(Bindings, ABadWordCostsOnlyItself) {
 
 TEST(Bindings, ALineWithNothingGoodKeepsTheLowerLayers) {
     const Loaded loaded("[walk]\njump = [\"spcae\"]\n");
-    EXPECT_EQ(words(loaded.bindings, Action::Jump), "space pad.a");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Jump), "space pad.a");
     EXPECT_NE(loaded.messages().find("Line ignored; \"jump\" keeps: space, pad.a"),
               std::string::npos);
 }
@@ -92,7 +92,7 @@ TEST(Bindings, UnknownNamesAreNamedWithTheNearest) {  // D4
     const Loaded loaded(
         "[view]\nflashligt = [\"f\"]\nfog = [\"k\"]\n[wlak]\njump = [\"k\"]\n[tuning]\n"
         "pad_curv = 1\n[hold]\ncrouhc = \"hold\"\n");
-    EXPECT_EQ(words(loaded.bindings, Action::Fog), "k");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Fog), "k");
     const std::string messages = loaded.messages();
     for (const char* line :
          {"bindings.toml:2:1: warning: no action \"flashligt\" in [view]. Nearest: \"flashlight\". "
@@ -108,8 +108,8 @@ TEST(Bindings, UnknownNamesAreNamedWithTheNearest) {  // D4
 
 TEST(Bindings, TheSecondLineWithAnInputIsRefusedAndBothNamed) {  // D6
     const Loaded loaded("[view]\nflashlight = [\"k\"]\n[time]\nstep = [\"k\"]\n");
-    EXPECT_EQ(words(loaded.bindings, Action::Flashlight), "k");
-    EXPECT_EQ(words(loaded.bindings, Action::Step), "o");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Flashlight), "k");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Step), "o");
     EXPECT_EQ(loaded.messages(),
               "bindings.toml:4:9: error: \"k\" already drives \"flashlight\" (line 2, same group). "
               "Line ignored; \"step\" keeps: o\n");
@@ -117,8 +117,8 @@ TEST(Bindings, TheSecondLineWithAnInputIsRefusedAndBothNamed) {  // D6
 
 TEST(Bindings, AUsersLineTakesAnInputFromADefaultAndSaysSo) {
     const Loaded loaded("[view]\nfog = [\"f\"]\n");
-    EXPECT_EQ(words(loaded.bindings, Action::Fog), "f");
-    EXPECT_EQ(words(loaded.bindings, Action::Flashlight), "pad.y");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Fog), "f");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Flashlight), "pad.y");
     EXPECT_EQ(loaded.messages(),
               "bindings.toml:2:1: warning: \"f\" now drives \"fog\" and no longer \"flashlight\" "
               "(built-in), which keeps: pad.y\n");
@@ -126,15 +126,15 @@ TEST(Bindings, AUsersLineTakesAnInputFromADefaultAndSaysSo) {
 
 TEST(Bindings, TwoLinesMaySwapTheirKeysInSilence) {
     const Loaded loaded("[view]\nfog = [\"f\"]\nflashlight = [\"g\"]\n");
-    EXPECT_EQ(words(loaded.bindings, Action::Fog), "f");
-    EXPECT_EQ(words(loaded.bindings, Action::Flashlight), "g");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Fog), "f");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Flashlight), "g");
     EXPECT_EQ(loaded.messages(), "");
 }
 
 TEST(Bindings, TheMenuMayUseKeysOfPlay) {
     const Loaded loaded("[menu]\naccept = [\"f\"]\n");
-    EXPECT_EQ(words(loaded.bindings, Action::Accept), "f");
-    EXPECT_EQ(words(loaded.bindings, Action::Flashlight), "f pad.y");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Accept), "f");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Flashlight), "f pad.y");
     EXPECT_EQ(loaded.messages(), "");
 }
 
@@ -147,16 +147,17 @@ TEST(Bindings, EscapeCannotBeTakenFromTheMenu) {
     for (const char* text :
          {"[menu]\nmenu = []\n", "[menu]\nmenu = [\"k\"]\n", "[time]\nreset = [\"escape\"]\n"}) {
         const Loaded loaded(text);
-        EXPECT_NE(words(loaded.bindings, Action::Menu).find("escape"), std::string::npos) << text;
+        EXPECT_NE(joined_words(loaded.bindings, Action::Menu).find("escape"), std::string::npos)
+            << text;
         EXPECT_FALSE(loaded.faults.has_errors()) << loaded.messages();
     }
     const Loaded also("[time]\nreset = [\"escape\"]\n");
-    EXPECT_EQ(words(also.bindings, Action::Reset), "escape");
+    EXPECT_EQ(joined_words(also.bindings, Action::Reset), "escape");
 }
 
 TEST(Bindings, TheWheelCannotHoldAnythingDown) {  // C11
     const Loaded loaded("[walk]\nforward = [\"w\", \"wheel.up\"]\n");
-    EXPECT_EQ(words(loaded.bindings, Action::Forward), "w");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Forward), "w");
     EXPECT_TRUE(loaded.faults.has_errors());
     EXPECT_NE(
         loaded.messages().find(
@@ -173,7 +174,7 @@ TEST(Bindings, TheWheelCannotHoldAnythingDown) {  // C11
 TEST(Bindings, LookAndOnlyLookFollowsTheMouse) {
     EXPECT_TRUE(Loaded("[walk]\njump = [\"mouse.move\"]").faults.has_errors());
     EXPECT_TRUE(Loaded("[walk]\nlook = [\"x\"]").faults.has_errors());
-    EXPECT_EQ(words(Loaded("[walk]\nlook = [\"pad.left_stick\"]").bindings, Action::Look),
+    EXPECT_EQ(joined_words(Loaded("[walk]\nlook = [\"pad.left_stick\"]").bindings, Action::Look),
               "pad.left_stick");
 }
 
@@ -190,8 +191,9 @@ TEST(Bindings, SixteenInputsAndNoMore) {
 
 TEST(Bindings, EmptyMarkedAndWindowsFilesAreAccepted) {  // D2
     EXPECT_EQ(Loaded("").messages(), "");
-    EXPECT_EQ(words(Loaded("\xEF\xBB\xBF[walk]\r\njump = [\"k\"]\r\n").bindings, Action::Jump),
-              "k");
+    EXPECT_EQ(
+        joined_words(Loaded("\xEF\xBB\xBF[walk]\r\njump = [\"k\"]\r\n").bindings, Action::Jump),
+        "k");
 }
 
 TEST(Bindings, ABrokenFileIsLeftOutWhole) {  // D3, D8, D9
@@ -201,7 +203,7 @@ TEST(Bindings, ABrokenFileIsLeftOutWhole) {  // D3, D8, D9
                              "[walk]\njump = [\"k\"]\nback = [\"\xFF\"]\n",
                              "[walk]\njump = [\"k\"]\rback = [\"x\"]\n"}) {
         const Loaded loaded(text);
-        EXPECT_EQ(words(loaded.bindings, Action::Jump), "space pad.a") << text;
+        EXPECT_EQ(joined_words(loaded.bindings, Action::Jump), "space pad.a") << text;
         EXPECT_EQ(loaded.bindings.left_out, std::vector<std::string>{"bindings.toml"});
         ASSERT_EQ(loaded.faults.list().size(), 1U) << text;
         EXPECT_GE(loaded.faults.list()[0].line, 2) << text;
@@ -246,7 +248,7 @@ TEST(Bindings, WrongTypesAndRangesKeepTheDefaultAndNameTheRange) {  // D5
 
 TEST(Bindings, ANewerFormatIsReadAsFarAsItIsKnown) {  // D7
     const Loaded loaded("format = 99\n[walk]\njump = [\"k\"]\nfly_up = [\"j\"]\n");
-    EXPECT_EQ(words(loaded.bindings, Action::Jump), "k");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Jump), "k");
     EXPECT_FALSE(loaded.faults.has_errors());
     EXPECT_NE(loaded.messages().find("format 99 is newer than 1"), std::string::npos);
 }
@@ -259,7 +261,7 @@ TEST(Bindings, HostileNestingNeverReachesTheParser) {  // D10
                                     "x = " + std::string(100'000, '{')}) {
         const Loaded loaded(text);
         EXPECT_TRUE(loaded.faults.has_errors());
-        EXPECT_EQ(words(loaded.bindings, Action::Jump), "space pad.a");
+        EXPECT_EQ(joined_words(loaded.bindings, Action::Jump), "space pad.a");
     }
 }
 
@@ -267,8 +269,8 @@ TEST(Bindings, LimitsHoldToTheByte) {  // D11
     std::string fits = "[walk]\njump = [\"k\"]\n";
     while (fits.size() + 64 < 256 * 1024) fits += "#" + std::string(62, 'x') + "\n";
     fits += "#" + std::string(256 * 1024 - 1 - fits.size(), 'x');
-    EXPECT_EQ(words(Loaded(fits).bindings, Action::Jump), "k");
-    EXPECT_EQ(words(Loaded(fits + "x").bindings, Action::Jump), "space pad.a");
+    EXPECT_EQ(joined_words(Loaded(fits).bindings, Action::Jump), "k");
+    EXPECT_EQ(joined_words(Loaded(fits + "x").bindings, Action::Jump), "space pad.a");
     const std::string nest_32 = "[walk]\nforward = " + std::string(32, '[') + std::string(32, ']');
     EXPECT_EQ(Loaded(nest_32).messages().find("whole file"), std::string::npos);
     const std::string nest_33 = "[walk]\nforward = " + std::string(33, '[') + std::string(33, ']');
@@ -277,10 +279,10 @@ TEST(Bindings, LimitsHoldToTheByte) {  // D11
 
 TEST(Bindings, TheCommandLineIsTheHighestLayer) {
     const Loaded loaded("[things]\ndrop = [\"k\"]\n", {"drop=j,mouse.4", "jump=", "fog=spcae"});
-    EXPECT_EQ(words(loaded.bindings, Action::Drop), "j mouse.4");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Drop), "j mouse.4");
     EXPECT_EQ(loaded.bindings.of(Action::Drop)[0].origin, "--bind");
     EXPECT_TRUE(loaded.bindings.of(Action::Jump).empty());
-    EXPECT_EQ(words(loaded.bindings, Action::SunFaster), "");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::SunFaster), "");
     EXPECT_NE(loaded.messages().find("--bind: error: unknown input \"spcae\" for action \"fog\""),
               std::string::npos);
     EXPECT_TRUE(Loaded("", {"drop"}).faults.has_errors());
@@ -289,7 +291,7 @@ TEST(Bindings, TheCommandLineIsTheHighestLayer) {
 
 TEST(Bindings, AnActionInAnotherTableIsTakenAllTheSame) {
     const Loaded loaded("[walk]\ngrab = [\"k\"]\n");
-    EXPECT_EQ(words(loaded.bindings, Action::Grab), "k");
+    EXPECT_EQ(joined_words(loaded.bindings, Action::Grab), "k");
     EXPECT_NE(loaded.messages().find("belongs in [things]"), std::string::npos);
 }
 

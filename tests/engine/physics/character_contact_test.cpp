@@ -4,8 +4,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr Real kRadius = 0.3_r;
-
 class CharacterAmongAtRate : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Rates, CharacterAmongAtRate, ::testing::Values(30, 60, 120, 240));
 

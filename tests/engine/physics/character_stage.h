@@ -9,6 +9,8 @@
 
 namespace plumbline::physics {
 
+inline constexpr Real kRadius = 0.3_r;
+
 inline const Vec3 kForward{0, 0, -1};
 inline const Vec3 kRight{1, 0, 0};
 

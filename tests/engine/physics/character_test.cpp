@@ -6,8 +6,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr Real kRadius = 0.3_r;
-
 class CharacterAtRate : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Rates, CharacterAtRate, ::testing::Values(30, 60, 120, 240));
 

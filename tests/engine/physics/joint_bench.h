@@ -11,8 +11,6 @@
 
 namespace plumbline::physics {
 
-inline constexpr double kPiD = std::numbers::pi;
-
 /// What a solver is held to at 60 Hz. The bounds of Bullet's are what it reaches, rounded up.
 struct JointBar {
     const char* name;
@@ -164,6 +162,10 @@ inline double period_of(const std::vector<double>& times_s) {
     EXPECT_GE(times_s.size(), 3U);
     if (times_s.size() < 2) return 0;
     return (times_s.back() - times_s.front()) / static_cast<double>(times_s.size() - 1);
+}
+
+inline std::string name_of(const testing::TestParamInfo<JointBar>& info) {
+    return info.param.name;
 }
 
 }  // namespace plumbline::physics

@@ -8,25 +8,21 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr Real kNan = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
-const BodyDef kBody{.kind = BodyKind::Dynamic, .mass_kg = 2};
+const BodyDef kSleepyBody{.kind = BodyKind::Dynamic, .mass_kg = 2};
 const BoxShape kRod{.size_m = {0.1_r, 1, 0.1_r}};
-
-std::string name_of(const testing::TestParamInfo<JointBar>& info) {
-    return info.param.name;
-}
 
 class JointLife : public JointTest {};
 INSTANTIATE_TEST_SUITE_P(Solvers, JointLife, testing::ValuesIn(kJointBars), name_of);
 
 TEST_P(JointLife, BreaksAtItsLoadOnceAndForGood) {
     TestWorld test(bar().world());
-    const BodyId rod = test.add(kRod, {0, -0.5_r, 0}, kBody);
+    const BodyId rod = test.add(kRod, {0, -0.5_r, 0}, kSleepyBody);
     const JointId pivot = join(test, {.a = rod, .break_N = 50, .user = 7});
-    const JointId other = join(
-        test,
-        {.a = test.add(kRod, {5, -0.5_r, 0}, kBody), .anchor_a_world = {5, 0, 0}, .break_N = 50});
+    const JointId other = join(test,
+                               {.a = test.add(kRod, {5, -0.5_r, 0}, kSleepyBody),
+                                .anchor_a_world = {5, 0, 0},
+                                .break_N = 50});
     test.run(1);
     EXPECT_TRUE(test.world.broken_joints().empty());
     // 1 N more with every step: 2 kg weigh 19.62 N, so the 31st is too much.
@@ -56,8 +52,8 @@ TEST_P(JointLife, BreaksAtItsLoadOnceAndForGood) {
 TEST_P(JointLife, KeepsItsBodiesFromTouchingUnlessAsked) {
     for (const bool collide : {false, true}) {
         TestWorld test(bar().world({0, 0, 0}));
-        const BodyId a = test.add(BoxShape{}, {0, 0, 0}, kBody);
-        const BodyId b = test.add(BoxShape{}, {0.9_r, 0, 0}, kBody);
+        const BodyId a = test.add(BoxShape{}, {0, 0, 0}, kSleepyBody);
+        const BodyId b = test.add(BoxShape{}, {0.9_r, 0, 0}, kSleepyBody);
         join(test,
              {.kind = JointKind::Hinge,
               .a = a,
@@ -72,8 +68,8 @@ TEST_P(JointLife, KeepsItsBodiesFromTouchingUnlessAsked) {
 TEST_P(JointLife, TouchingEndsAndReturnsWithTheJoint) {
     TestWorld test(bar().world());
     test.ground();
-    const BodyId low = test.add(BoxShape{}, {0, 0.5_r, 0}, kBody);
-    const BodyId high = test.add(BoxShape{}, {0, 1.5_r, 0}, kBody);
+    const BodyId low = test.add(BoxShape{}, {0, 0.5_r, 0}, kSleepyBody);
+    const BodyId high = test.add(BoxShape{}, {0, 1.5_r, 0}, kSleepyBody);
     test.run(1);
     EXPECT_EQ(test.world.all_contacts().size(), 2U);
     const JointDef def{
@@ -99,8 +95,9 @@ TEST_P(JointLife, TouchingEndsAndReturnsWithTheJoint) {
 TEST_P(JointLife, FastLinksAreNotStoppedByEachOther) {
     // Faster than their own size a step, so continuous collision sweeps them; they overlap.
     TestWorld test(bar().world({0, 0, 0}));
-    const BodyId a = test.add(BoxShape{.size_m = {0.2_r, 0.2_r, 0.2_r}}, {0, 0, 0}, kBody);
-    const BodyId b = test.add(BoxShape{.size_m = {0.2_r, 0.2_r, 0.2_r}}, {0.15_r, 0, 0}, kBody);
+    const BodyId a = test.add(BoxShape{.size_m = {0.2_r, 0.2_r, 0.2_r}}, {0, 0, 0}, kSleepyBody);
+    const BodyId b =
+        test.add(BoxShape{.size_m = {0.2_r, 0.2_r, 0.2_r}}, {0.15_r, 0, 0}, kSleepyBody);
     const JointId joint = join(test, {.kind = JointKind::Fixed, .a = a, .b = b});
     test.world.set_velocity(a, {20, 0, 0}, {0, 0, 0});
     test.world.set_velocity(b, {20, 0, 0}, {0, 0, 0});
@@ -118,7 +115,7 @@ TEST_P(JointLife, AFastPairStopsAtAThinWallTogether) {
     std::array<BodyId, 3> train;
     for (std::size_t i = 0; i < train.size(); ++i) {
         const Real x = 0.3_r * static_cast<Real>(i);
-        train[i] = test.add(BoxShape{.size_m = {0.2_r, 0.2_r, 0.2_r}}, {x, 0, 0}, kBody);
+        train[i] = test.add(BoxShape{.size_m = {0.2_r, 0.2_r, 0.2_r}}, {x, 0, 0}, kSleepyBody);
         test.world.set_velocity(train[i], {40, 0, 0}, {0, 0, 0});
         if (i > 0) {
             join(test,
@@ -139,8 +136,8 @@ TEST_P(JointLife, AFastPairStopsAtAThinWallTogether) {
 
 TEST_P(JointLife, SleepersWakeWithTheirJoints) {
     TestWorld test(bar().world());
-    const BodyId upper = test.add(kRod, {0, -0.5_r, 0}, kBody);
-    const BodyId lower = test.add(kRod, {0, -1.5_r, 0}, kBody);
+    const BodyId upper = test.add(kRod, {0, -0.5_r, 0}, kSleepyBody);
+    const BodyId lower = test.add(kRod, {0, -1.5_r, 0}, kSleepyBody);
     const JointId top = join(test, {.kind = JointKind::Hinge, .a = upper});
     const JointId middle = join(
         test, {.kind = JointKind::Hinge, .a = lower, .b = upper, .anchor_a_world = {0, -1, 0}});
@@ -172,7 +169,7 @@ TEST_P(JointLife, SleepersWakeWithTheirJoints) {
 TEST_P(JointLife, ASleeperFollowsWhatCarriesIt) {
     TestWorld test(bar().world());
     const BodyId hook = test.add(BoxShape{}, {0, 0.5_r, 0}, {.kind = BodyKind::Kinematic});
-    const BodyId rod = test.add(kRod, {0, -0.5_r, 0}, kBody);
+    const BodyId rod = test.add(kRod, {0, -0.5_r, 0}, kSleepyBody);
     const JointId pivot = join(test, {.kind = JointKind::Fixed, .a = rod, .b = hook});
     test.run(6);
     ASSERT_EQ(test.world.awake_count(), 0U);
@@ -189,7 +186,7 @@ TEST_P(JointLife, HoldsOnToWhatStandsStill) {
     TestWorld test(bar().world());
     BodyDef post{.world_from_body = {.orientation = quat_from_euler_deg({20, 30, 40})}};
     const BodyId stand = test.add(BoxShape{}, {3, 2, 1}, post);
-    const BodyId rod = test.add(kRod, {3, 0.5_r, 1}, kBody);
+    const BodyId rod = test.add(kRod, {3, 0.5_r, 1}, kSleepyBody);
     const JointId pivot =
         join(test, {.kind = JointKind::Hinge, .a = rod, .b = stand, .anchor_a_world = {3, 1, 1}});
     test.run(3);
@@ -200,9 +197,9 @@ TEST_P(JointLife, HoldsOnToWhatStandsStill) {
 
 TEST_P(JointLife, GoesWithEitherBody) {
     TestWorld test(bar().world());
-    const BodyId a = test.add(kRod, {0, -0.5_r, 0}, kBody);
-    const BodyId b = test.add(kRod, {0, -1.5_r, 0}, kBody);
-    const BodyId c = test.add(kRod, {0, -2.5_r, 0}, kBody);
+    const BodyId a = test.add(kRod, {0, -0.5_r, 0}, kSleepyBody);
+    const BodyId b = test.add(kRod, {0, -1.5_r, 0}, kSleepyBody);
+    const BodyId c = test.add(kRod, {0, -2.5_r, 0}, kSleepyBody);
     const JointId top = join(test, {.a = a});
     const JointId upper = join(test, {.a = b, .b = a, .anchor_a_world = {0, -1, 0}});
     const JointId lower = join(test, {.a = c, .b = b, .anchor_a_world = {0, -2, 0}});
@@ -221,8 +218,8 @@ TEST_P(JointLife, GoesWithEitherBody) {
 
 TEST_P(JointLife, APoisonedBodyTakesItsJointsAndNoMore) {
     TestWorld test(bar().world());
-    const BodyId a = test.add(kRod, {0, -0.5_r, 0}, kBody);
-    const BodyId b = test.add(kRod, {0, -1.5_r, 0}, kBody);
+    const BodyId a = test.add(kRod, {0, -0.5_r, 0}, kSleepyBody);
+    const BodyId b = test.add(kRod, {0, -1.5_r, 0}, kSleepyBody);
     const JointId top = join(test, {.a = a});
     const JointId between = join(test, {.a = b, .b = a, .anchor_a_world = {0, -1, 0}});
     test.run(0.5);
@@ -236,8 +233,8 @@ TEST_P(JointLife, APoisonedBodyTakesItsJointsAndNoMore) {
 
 TEST_P(JointLife, HoldsWhileABodyIsFrozen) {
     TestWorld test(bar().world());
-    const BodyId a = test.add(kRod, {0, -0.5_r, 0}, kBody);
-    const BodyId b = test.add(kRod, {0, -1.5_r, 0}, kBody);
+    const BodyId a = test.add(kRod, {0, -0.5_r, 0}, kSleepyBody);
+    const BodyId b = test.add(kRod, {0, -1.5_r, 0}, kSleepyBody);
     join(test, {.kind = JointKind::Fixed, .a = a});
     const JointId between = join(test, {.a = b, .b = a, .anchor_a_world = {0, -1, 0}});
     test.run(0.5);
@@ -257,7 +254,7 @@ TEST_P(JointLife, HoldsWhileABodyIsFrozen) {
 
 TEST_P(JointLife, ATeleportedBodyIsPulledBack) {
     TestWorld test(bar().world());
-    BodyDef damped = kBody;
+    BodyDef damped = kSleepyBody;
     damped.linear_damping_per_s = 2;
     damped.angular_damping_per_s = 2;
     const BodyId a = test.add(kRod, {0, -0.5_r, 0}, damped);
@@ -288,7 +285,8 @@ TEST_P(JointLife, SameCallsSameBits) {
         BodyId last{};
         for (int i = 0; i < 6; ++i) {
             const Real x = static_cast<Real>(i);
-            ids.push_back(test.add(BoxShape{.size_m = {0.9_r, 0.2_r, 0.4_r}}, {x, 3, 0}, kBody));
+            ids.push_back(
+                test.add(BoxShape{.size_m = {0.9_r, 0.2_r, 0.4_r}}, {x, 3, 0}, kSleepyBody));
             const auto kind = static_cast<JointKind>(i);
             const Vec3 anchor{x - 0.5_r, 3, 0};
             join(test,
@@ -314,10 +312,10 @@ struct BadJoint {
 
 TEST(JointFaults, AreRefusedByWhatIsWrong) {
     TestWorld test;
-    const BodyId body = test.add(BoxShape{}, {0, 5, 0}, kBody);
+    const BodyId body = test.add(BoxShape{}, {0, 5, 0}, kSleepyBody);
     const BodyId wall = test.ground();
     const BodyId cart = test.add(BoxShape{}, {0, 9, 0}, {.kind = BodyKind::Kinematic});
-    const BodyId gone = test.add(BoxShape{}, {0, 9, 0}, kBody);
+    const BodyId gone = test.add(BoxShape{}, {0, 9, 0}, kSleepyBody);
     test.world.destroy_body(gone);
     const BadJoint cases[] = {
         {"a is no body", [](JointDef& def) { def.a = {}; }},
@@ -376,7 +374,7 @@ TEST(JointFaults, AreRefusedByWhatIsWrong) {
 
 TEST(JointFaults, AMotorThatIsNoneChangesNothing) {
     TestWorld test(weightless());
-    const BodyId wheel = test.add(CylinderShape{}, {0, 0, 0}, kBody);
+    const BodyId wheel = test.add(CylinderShape{}, {0, 0, 0}, kSleepyBody);
     const JointId hinge =
         join(test, {.kind = JointKind::Hinge, .a = wheel, .motor = JointMotor{1, 5}});
     const JointId ball = join(test, {.a = wheel});

@@ -11,10 +11,6 @@ constexpr double kMass_kg = 2;
 const BodyDef kBody{.kind = BodyKind::Dynamic, .mass_kg = 2, .can_sleep = false};
 constexpr Vec3 kWeightless{0, 0, 0};
 
-std::string name_of(const testing::TestParamInfo<JointBar>& info) {
-    return info.param.name;
-}
-
 class Joints : public JointTest {};
 INSTANTIATE_TEST_SUITE_P(Solvers, Joints, testing::ValuesIn(kJointBars), name_of);
 

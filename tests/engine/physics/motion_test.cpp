@@ -6,8 +6,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr Real kNan = std::numeric_limits<Real>::quiet_NaN();
-
 /// Boxes that fall, meet and settle.
 std::vector<BodyId> heap(TestWorld& test, int count) {
     std::vector<BodyId> ids;

@@ -7,8 +7,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kPiD = 3.14159265358979323846;
-
 MassProperties weigh(TestWorld& test, const ShapeDef& def, Real mass_kg) {
     const BodyId body = test.add(def, {0, 0, 0}, {.kind = BodyKind::Dynamic, .mass_kg = mass_kg});
     const MassProperties mass = test.world.mass_properties(body);

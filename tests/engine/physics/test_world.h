@@ -7,12 +7,16 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
+#include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
 namespace plumbline::physics {
 
+inline constexpr Real kNan = std::numeric_limits<Real>::quiet_NaN();
 inline constexpr double kG = 9.81;
+inline constexpr double kPiD = std::numbers::pi;
 /// What rounding of a single number of size 10 costs at Real's precision.
 inline constexpr double kRounding = sizeof(Real) == sizeof(float) ? 1e-6 : 1e-14;
 

@@ -4,8 +4,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kPush_mps = 3;
-
 /// A plate comes down on a box until less room than the box is left, and goes up again.
 TEST(Carried, H74ACrusherLetsGoWithoutAKick) {
     for (const double room_m : {0.95, 0.5}) {

@@ -7,8 +7,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kPush_mps = 3;  // how fast the solver drives bodies apart at most
-
 /// Deepest overlap of two balls of `radius_m` among them.
 double deepest_m(const Rig& rig, double radius_m) {
     double deepest = 0;

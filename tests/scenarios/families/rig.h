@@ -9,12 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace plumbline::physics {
 
-inline constexpr double kPiD = std::numbers::pi;
+/// How fast the solver drives bodies apart at most.
+inline constexpr double kPush_mps = 3;
 inline constexpr bool kDouble = sizeof(Real) == sizeof(double);
 
 inline Real real(double value) {

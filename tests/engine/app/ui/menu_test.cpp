@@ -8,7 +8,7 @@ namespace plumbline::app::ui {
 namespace {
 
 /// Letters of half their size's width, and lines of its height.
-TextSize plain_text(float font_px) {
+TextSize square_text(float font_px) {
     return {.width_px =
                 [=](const std::string& words) {
                     return 0.5F * font_px * static_cast<float>(words.size());
@@ -57,7 +57,7 @@ protected:
         return kNone;
     }
 
-    TextSize text_{plain_text(17.0F)};
+    TextSize text_{square_text(17.0F)};
     Menu menu_;
     std::vector<int> chosen_;
     int value_{0};

@@ -9,7 +9,7 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr Real kNear = sizeof(Real) == sizeof(float) ? 2e-6_r : 1e-12_r;
+constexpr Real kBoxNear = sizeof(Real) == sizeof(float) ? 2e-6_r : 1e-12_r;
 
 OrientedBox box_at(const Vec3& center, const Vec3& half_m, const Quat& turn = kNoRotation) {
     return {.center = center, .axes = glm::mat3_cast(turn), .half_m = half_m};
@@ -35,11 +35,11 @@ TEST(BoxBox, FacesMeetAtTheCornersOfTheirOverlap) {
         ASSERT_EQ(contact.count, 4);
         EXPECT_EQ(contact.normal, (Vec3{0, 1, 0}));
         // 2 m by 0.75 m: the rest hangs over.
-        EXPECT_NEAR(widest(contact, 0), 2, kNear);
-        EXPECT_NEAR(widest(contact, 2), 0.75_r, kNear);
+        EXPECT_NEAR(widest(contact, 0), 2, kBoxNear);
+        EXPECT_NEAR(widest(contact, 2), 0.75_r, kBoxNear);
         for (std::size_t i = 0; i < 4; ++i) {
-            EXPECT_NEAR(contact.distance_m[i], gap, kNear);
-            EXPECT_NEAR(contact.on_b[i].y, 0, kNear);
+            EXPECT_NEAR(contact.distance_m[i], gap, kBoxNear);
+            EXPECT_NEAR(contact.on_b[i].y, 0, kBoxNear);
         }
     }
 }
@@ -64,7 +64,7 @@ TEST(BoxBox, OfEightCornersFourSpanTheOctagon) {
         const Vec3& p = contact.on_b[round[i]];
         const Vec3& q = contact.on_b[round[(i + 1) % 4]];
         area += (p.x * q.z - p.z * q.x) / 2;
-        EXPECT_NEAR(contact.distance_m[i], -0.01_r, kNear);
+        EXPECT_NEAR(contact.distance_m[i], -0.01_r, kBoxNear);
     }
     const Real radius = 0.5_r / std::cos(kPi / 8);
     EXPECT_GT(std::abs(area), 0.9_r * 2 * radius * radius);
@@ -78,12 +78,12 @@ TEST(BoxBox, CrossedEdgesMeetInOnePoint) {
     const OrientedBox lower = box_at({-0.1_r, 0, 0.4_r}, {0.5_r, 0.5_r, 3}, about({0, 0, 1}, 45));
     const BoxContact contact = collide_boxes(upper, lower, 0.1_r);
     ASSERT_EQ(contact.count, 1);
-    EXPECT_NEAR(contact.normal.y, 1, kNear);
-    EXPECT_NEAR(contact.distance_m[0], -0.03_r, 4 * kNear);
+    EXPECT_NEAR(contact.normal.y, 1, kBoxNear);
+    EXPECT_NEAR(contact.distance_m[0], -0.03_r, 4 * kBoxNear);
     // Over the lower's upper edge, under the upper's lower one.
-    EXPECT_NEAR(contact.on_b[0].x, -0.1_r, 4 * kNear);
-    EXPECT_NEAR(contact.on_b[0].y, edge, 4 * kNear);
-    EXPECT_NEAR(contact.on_b[0].z, -0.2_r, 4 * kNear);
+    EXPECT_NEAR(contact.on_b[0].x, -0.1_r, 4 * kBoxNear);
+    EXPECT_NEAR(contact.on_b[0].y, edge, 4 * kBoxNear);
+    EXPECT_NEAR(contact.on_b[0].z, -0.2_r, 4 * kBoxNear);
 }
 
 TEST(BoxBox, ACornerOverAFaceIsOnePoint) {
@@ -95,9 +95,9 @@ TEST(BoxBox, ACornerOverAFaceIsOnePoint) {
                       0.03_r);
     ASSERT_EQ(contact.count, 1);
     EXPECT_EQ(contact.normal, (Vec3{0, 1, 0}));
-    EXPECT_NEAR(contact.distance_m[0], 0.02_r, 4 * kNear);
-    EXPECT_NEAR(contact.on_b[0].x, 0, 4 * kNear);
-    EXPECT_NEAR(contact.on_b[0].z, 0, 4 * kNear);
+    EXPECT_NEAR(contact.distance_m[0], 0.02_r, 4 * kBoxNear);
+    EXPECT_NEAR(contact.on_b[0].x, 0, 4 * kBoxNear);
+    EXPECT_NEAR(contact.on_b[0].z, 0, 4 * kBoxNear);
 }
 
 /// Of the deepest point.
@@ -142,7 +142,7 @@ TEST(BoxBox, FarFromTheOriginIsAsNear) {
     const Real gap = (far_a.center - far_b.center).y - 1;
     const BoxContact contact = collide_boxes(far_a, far_b, 0.1_r);
     ASSERT_EQ(contact.count, 4);
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(contact.distance_m[i], gap, kNear);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(contact.distance_m[i], gap, kBoxNear);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 
 namespace plumbline::physics {
 
+inline constexpr double kStep_s = 1.0 / 60.0;
+
 inline constexpr double kFall_mps2 = 9.81;
 inline constexpr bool kSingle = sizeof(Real) == sizeof(float);
 

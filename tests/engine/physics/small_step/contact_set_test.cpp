@@ -10,7 +10,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kStep_s = 1.0 / 60.0;
 constexpr double kFriction = 0.5;
 
 Vec3 random_vector(Random& random, float size) {

@@ -10,8 +10,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kStep_s = 1.0 / 60.0;
-
 ContactRig weightless() {
     ContactRig rig;
     rig.settings.gravity_mps2 = 0;

@@ -7,8 +7,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kStep_s = 1.0 / 60.0;
-
 class Loop : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Substeps, Loop, testing::Values(1, 2, 3, 4, 8, 16));
 

@@ -8,8 +8,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 60.0;
-
 class JointBoundsAtSubsteps : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Substeps, JointBoundsAtSubsteps, testing::Values(1, 2, 4));
 

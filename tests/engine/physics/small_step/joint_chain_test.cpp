@@ -8,7 +8,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 60.0;
 constexpr double kLink_m = 0.4;
 constexpr double kBall_kg = 100;
 

@@ -8,7 +8,7 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kPiD = std::numbers::pi;
+constexpr double kHalfTurn_rad = std::numbers::pi;
 /// Definitions are of Real; what is computed from them is double.
 constexpr double kSlack = sizeof(Real) == sizeof(float) ? 2e-6 : 1e-12;
 
@@ -78,7 +78,7 @@ TEST(JointGeometry, AHingeTurnsRightHandedAndGoesOn) {
     const JointFit both = joint_error(joint,
                                       turned_about(kTurned, {1, 1, 1}, {0, 0, 1}, 1),
                                       turned_about(kOther, {1, 1, 1}, {0, 0, 1}, 1));
-    EXPECT_NEAR(both.position, 4 * kPiD, kSlack);
+    EXPECT_NEAR(both.position, 4 * kHalfTurn_rad, kSlack);
 }
 
 TEST(JointGeometry, AHingeMindsTheTiltAndItsLimits) {
@@ -108,8 +108,8 @@ TEST(JointGeometry, ASliderGoesAlongAndNoOtherWay) {
         0.2,
         kSlack);
     // The axis is b's: turned with b, a's way along the old axis is a way across.
-    const MassPose b = turned_about(kOther, {1, 1, 1}, {1, 0, 0}, kPiD / 2);
-    const MassPose a = turned_about(kTurned, {1, 1, 1}, {1, 0, 0}, kPiD / 2);
+    const MassPose b = turned_about(kOther, {1, 1, 1}, {1, 0, 0}, kHalfTurn_rad / 2);
+    const MassPose a = turned_about(kTurned, {1, 1, 1}, {1, 0, 0}, kHalfTurn_rad / 2);
     EXPECT_NEAR(joint_error(joint, shifted(a, {0, -1, 0}), b).position, 1, kSlack);
 }
 
@@ -154,9 +154,9 @@ TEST(JointGeometry, FarFromTheOriginTheGapKeepsItsDigits) {
 }
 
 TEST(JointGeometry, UnwrapsToTheNearestTurn) {
-    EXPECT_NEAR(unwrapped(-3, 3), 2 * kPiD - 3, 1e-12);
-    EXPECT_NEAR(unwrapped(3, -3), 3 - 2 * kPiD, 1e-12);
-    EXPECT_NEAR(unwrapped(0.5, 100), 0.5 + 32 * kPiD, 1e-12);
+    EXPECT_NEAR(unwrapped(-3, 3), 2 * kHalfTurn_rad - 3, 1e-12);
+    EXPECT_NEAR(unwrapped(3, -3), 3 - 2 * kHalfTurn_rad, 1e-12);
+    EXPECT_NEAR(unwrapped(0.5, 100), 0.5 + 32 * kHalfTurn_rad, 1e-12);
     EXPECT_NEAR(twist_about_x(Quatd{-std::cos(0.3), -std::sin(0.3), 0, 0}), 0.6, 1e-12);
 }
 

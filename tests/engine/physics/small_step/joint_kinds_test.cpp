@@ -9,8 +9,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 60.0;
-
 JointDef def_of(JointKind kind, const Vec3d& at) {
     return {.kind = kind,
             .anchor_a_world = Vec3(at),

@@ -10,8 +10,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 60.0;
-
 /// Mean time between the moments at which the value falls through zero.
 double period_of(JointRig& rig,
                  int substeps,

@@ -9,6 +9,8 @@
 
 namespace plumbline::physics {
 
+inline constexpr double kFrame_s = 1.0 / 60.0;
+
 inline constexpr double kG = 9.81;
 inline constexpr bool kFloat32 = sizeof(Real) == sizeof(float);
 

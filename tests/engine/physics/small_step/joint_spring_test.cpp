@@ -7,8 +7,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 60.0;
-
 struct Numbers {
     double stiffness_Npm{100};
     double damping_Nspm{0};

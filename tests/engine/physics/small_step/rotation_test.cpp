@@ -22,7 +22,7 @@ double energy_of(const FreeTurn& state, const Vec3d& inertia) {
 Vec3d body_spin(const FreeTurn& state) {
     return glm::conjugate(state.orientation) * state.spin_radps;
 }
-Vec3d random_vector(Random& random, float size) {
+Vec3d random_spin(Random& random, float size) {
     return {static_cast<double>(random.uniform(-size, size)),
             static_cast<double>(random.uniform(-size, size)),
             static_cast<double>(random.uniform(-size, size))};
@@ -33,7 +33,7 @@ TEST(TurnBy, IsTheRotationByAngleAboutTheSpin) {
     EXPECT_LT(glm::length(quarter * Vec3d{1, 0, 0} - Vec3d{0, 1, 0}), 1e-15);
     Random random(3);
     for (int i = 0; i < 200; ++i) {
-        const Vec3d spin = random_vector(random, 20);
+        const Vec3d spin = random_spin(random, 20);
         const Quatd turn = turn_by(spin, 0.1);
         EXPECT_NEAR(glm::length(turn), 1, 1e-14);
         const Quatd by_angle = glm::angleAxis(glm::length(spin) * 0.1, glm::normalize(spin));
@@ -75,8 +75,7 @@ TEST(TurnedFreely, ABallTurnsSteadily) {
 TEST(TurnedFreely, KeepsMomentumAndEnergy) {
     Random random(11);
     for (int trial = 0; trial < 20; ++trial) {
-        FreeTurn state{glm::normalize(Quatd{1, random_vector(random, 1)}),
-                       random_vector(random, 10)};
+        FreeTurn state{glm::normalize(Quatd{1, random_spin(random, 1)}), random_spin(random, 10)};
         const Vec3d momentum = momentum_of(state, kBoxInertia);
         const double energy = energy_of(state, kBoxInertia);
         for (int i = 0; i < 600; ++i) state = turned_freely(state, kBoxInertia, 1.0 / 60);

@@ -11,8 +11,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kStep_s = 1.0 / 60.0;
-
 SubstepChoice for_load(double load_N, double mass_kg, int least = 1, int most = 64) {
     SubstepChooser chooser;
     chooser.begin(1, kStep_s);

@@ -1,5 +1,7 @@
 #include "engine/study/report/plot.h"
 
+#include "tests/engine/study/report/sample_findings.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,10 +11,6 @@ namespace {
 
 std::string plain(double value) {
     return fmt::format("{:g}", value);
-}
-
-bool holds(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 Plot sample() {
@@ -50,11 +48,11 @@ TEST(GnuplotScript, EveryPointInsideIsThere) {
     const std::string script = gnuplot_script(plot);
     for (int i = 0; i < 5; ++i) {
         EXPECT_TRUE(
-            holds(script, fmt::format("\n{:.9g} {:.9g}\n", 0.125 * (i + 1), 0.25 / (i + 1))));
+            test::holds(script, fmt::format("\n{:.9g} {:.9g}\n", 0.125 * (i + 1), 0.25 / (i + 1))));
     }
-    EXPECT_FALSE(holds(script, "1000000"));
-    EXPECT_FALSE(holds(script, "-0.5\n"));
-    EXPECT_TRUE(holds(script, "title 'small_step'"));
+    EXPECT_FALSE(test::holds(script, "1000000"));
+    EXPECT_FALSE(test::holds(script, "-0.5\n"));
+    EXPECT_TRUE(test::holds(script, "title 'small_step'"));
 }
 
 TEST(GnuplotScript, TextStaysText) {
@@ -65,15 +63,15 @@ TEST(GnuplotScript, TextStaysText) {
     curve.points.push_back({1, 0.01, "'; system 'date"});
     plot.curves.push_back(curve);
     const std::string script = gnuplot_script(plot);
-    EXPECT_TRUE(holds(script, "title 'it''s `date` $c0 \"@x\"'"));
-    EXPECT_TRUE(holds(script, "set label '''; system ''date'"));
-    EXPECT_TRUE(holds(script, "noenhanced"));
+    EXPECT_TRUE(test::holds(script, "title 'it''s `date` $c0 \"@x\"'"));
+    EXPECT_TRUE(test::holds(script, "set label '''; system ''date'"));
+    EXPECT_TRUE(test::holds(script, "noenhanced"));
 }
 
 TEST(GnuplotScript, TicksArePlainText) {
     Plot plot = sample();
     plot.y.ticks = {{0.01, "1 %"}};
-    EXPECT_TRUE(holds(gnuplot_script(plot), "'1 %%' 0.01"));
+    EXPECT_TRUE(test::holds(gnuplot_script(plot), "'1 %%' 0.01"));
 }
 
 TEST(GnuplotScript, LabelsWithoutRoomAreLeftOut) {
@@ -83,13 +81,13 @@ TEST(GnuplotScript, LabelsWithoutRoomAreLeftOut) {
     for (int i = 0; i < 40; ++i) curve.points.push_back({1, 0.01, fmt::format("label {}", i)});
     plot.curves.push_back(curve);
     const std::string script = gnuplot_script(plot);
-    EXPECT_TRUE(holds(script, "'label 0'"));
-    EXPECT_FALSE(holds(script, "'label 39'"));
+    EXPECT_TRUE(test::holds(script, "'label 0'"));
+    EXPECT_FALSE(test::holds(script, "'label 39'"));
 }
 
 TEST(GnuplotScript, WithoutPointsThereAreAxes) {
     const std::string script = gnuplot_script(sample());
-    EXPECT_TRUE(holds(script, "plot 1/0 notitle"));
+    EXPECT_TRUE(test::holds(script, "plot 1/0 notitle"));
 }
 
 }  // namespace

@@ -22,10 +22,6 @@ public:
     ~InPlaceOfGnuplot() { ::unsetenv("PLUMBLINE_GNUPLOT"); }
 };
 
-bool holds(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 std::string page_of(const Findings& findings) {
     const test::TemporaryFolder folder;
     const auto written = write_report(findings, folder.path());
@@ -38,10 +34,10 @@ TEST(Report, WithoutGnuplotTheTablesComeAndOneLineSaysSo) {
     const InPlaceOfGnuplot nothing("no-such-drawer");
     const std::string page = page_of(test::sample_findings());
     EXPECT_TRUE(
-        holds(page, "No diagrams: cannot start no-such-drawer: No such file or directory."));
-    EXPECT_FALSE(holds(page, "<svg"));
-    EXPECT_TRUE(holds(page, "All 36 runs"));
-    EXPECT_TRUE(holds(page, "Cost to reach an error"));
+        test::holds(page, "No diagrams: cannot start no-such-drawer: No such file or directory."));
+    EXPECT_FALSE(test::holds(page, "<svg"));
+    EXPECT_TRUE(test::holds(page, "All 36 runs"));
+    EXPECT_TRUE(test::holds(page, "Cost to reach an error"));
 }
 
 TEST(Report, APictureThatIsNoneIsSaidWhereItIsMissing) {
@@ -49,8 +45,9 @@ TEST(Report, APictureThatIsNoneIsSaidWhereItIsMissing) {
     const auto file = folder.write("drawer", "#!/bin/sh\ncat >/dev/null; echo nonsense\n");
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);
     const InPlaceOfGnuplot nonsense(file.string());
-    EXPECT_TRUE(holds(page_of(test::sample_findings()),
-                      "This diagram is missing: gnuplot wrote something else than a picture."));
+    EXPECT_TRUE(
+        test::holds(page_of(test::sample_findings()),
+                    "This diagram is missing: gnuplot wrote something else than a picture."));
 }
 
 TEST(Report, SaysWithWhatItWasMadeAndHowToRepeatIt) {
@@ -60,29 +57,29 @@ TEST(Report, SaysWithWhatItWasMadeAndHowToRepeatIt) {
     findings.complete = false;
     findings.clock_spread = 0.4;
     const std::string page = page_of(findings);
-    EXPECT_TRUE(holds(page, "plumbline study --only &#39;A &amp; B&#39;"));
-    EXPECT_TRUE(holds(page, "Interrupted"));
-    EXPECT_TRUE(holds(page, "was noisy"));
-    EXPECT_TRUE(holds(page, "href=\"findings.json\""));
-    EXPECT_TRUE(holds(page, "2026-11-21"));
+    EXPECT_TRUE(test::holds(page, "plumbline study --only &#39;A &amp; B&#39;"));
+    EXPECT_TRUE(test::holds(page, "Interrupted"));
+    EXPECT_TRUE(test::holds(page, "was noisy"));
+    EXPECT_TRUE(test::holds(page, "href=\"findings.json\""));
+    EXPECT_TRUE(test::holds(page, "2026-11-21"));
 }
 
 TEST(Report, NothingIsFetchedFromElsewhereAndNothingIsRun) {
     const std::string page = page_of(test::sample_findings());
-    EXPECT_FALSE(holds(page, "<script"));
-    EXPECT_FALSE(holds(page, "src="));
-    EXPECT_FALSE(holds(page, "@import"));
-    EXPECT_FALSE(holds(page, "<link"));
+    EXPECT_FALSE(test::holds(page, "<script"));
+    EXPECT_FALSE(test::holds(page, "src="));
+    EXPECT_FALSE(test::holds(page, "@import"));
+    EXPECT_FALSE(test::holds(page, "<link"));
 }
 
 TEST(Report, NoSubjectsAndEmptySubjectsArePages) {
     const InPlaceOfGnuplot nothing("no-such-drawer");
-    EXPECT_TRUE(holds(page_of({}), "No subject was studied."));
+    EXPECT_TRUE(test::holds(page_of({}), "No subject was studied."));
     Findings findings;
     findings.subjects.resize(1);
     const std::string page = page_of(findings);
-    EXPECT_TRUE(holds(page, "No run was made."));
-    EXPECT_TRUE(holds(page, "(no name)"));
+    EXPECT_TRUE(test::holds(page, "No run was made."));
+    EXPECT_TRUE(test::holds(page, "(no name)"));
 }
 
 TEST(Report, AFolderThatIsNotThereIsRefused) {

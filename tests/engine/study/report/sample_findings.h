@@ -10,6 +10,10 @@
 
 namespace plumbline::test {
 
+inline bool holds(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
 /// Error falls with `order`, cost rises with the rate.
 inline study::Point sample_point(const study::Setting& setting,
                                  double order,

@@ -1,0 +1,31 @@
+// What a scene's effects add to a frame and to the ledger.
+#pragma once
+
+#include "engine/effects/effect_runtime.h"
+#include "engine/scene/extract.h"
+#include "tests/support/scene_in_code.h"
+
+#include <gtest/gtest.h>
+
+#include <string_view>
+
+namespace plumbline::effects {
+
+/// One frame as the window makes it.
+inline render::RenderFrame draw(test::Running& run, EffectRuntime& effects) {
+    effects.refresh(*run);
+    const scene::ViewPoint view = run.game.view(*run, Real{1}, 0.0F, 0.0F);
+    render::RenderFrame frame = scene::extract(*run, view, Real{1}, 64, 64);
+    effects.extract(*run, view, frame);
+    return frame;
+}
+
+inline LedgerLine line_of(const EffectRuntime& effects, std::string_view name) {
+    for (LedgerLine& line : effects.ledger()) {
+        if (line.name == name) return line;
+    }
+    ADD_FAILURE() << "no effect " << name;
+    return {};
+}
+
+}  // namespace plumbline::effects
