@@ -11,6 +11,8 @@ function(plumbline_warnings target)
     target_compile_options(${target} PRIVATE
         $<$<COMPILE_LANGUAGE:CXX>:${common}>
         $<$<COMPILE_LANG_AND_ID:CXX,GNU>:${gcc}>
+        # A file that is one of several in a unity build is not "the main file".
+        $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<COMPILE_LANG_AND_ID:CXX,GNU>>:-Wno-subobject-linkage>
         $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-missing-field-initializers>
         $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-missing-field-initializers>)
 endfunction()
