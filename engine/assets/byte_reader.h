@@ -5,10 +5,20 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <string_view>
 
 namespace plumbline::assets {
+
+/// Four bytes from `at`, the lowest first; all four must be there.
+inline std::uint32_t little_u32(std::string_view bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i-- > 0;) {
+        value = value << 8U | static_cast<std::uint8_t>(bytes[at + i]);
+    }
+    return value;
+}
 
 class ByteReader {
 public:

@@ -1,3 +1,4 @@
+#include "engine/assets/byte_reader.h"
 #include "engine/assets/gltf_reader_impl.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
@@ -6,14 +7,6 @@
 
 namespace plumbline::assets {
 namespace {
-
-std::uint32_t little_u32(std::string_view bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 4; i-- > 0;) {
-        value = value << 8U | static_cast<std::uint8_t>(bytes[at + i]);
-    }
-    return value;
-}
 
 Result<GltfParts> split_glb(std::string_view bytes, const std::string& name) {
     constexpr std::size_t kHeader = 12;

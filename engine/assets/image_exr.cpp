@@ -15,9 +15,9 @@ namespace plumbline::assets {
 namespace {
 
 /// OpenEXR reads through this, so that only checked regular files are ever opened.
-class MemoryStream final : public Imf::IStream {
+class ExrStream final : public Imf::IStream {
 public:
-    MemoryStream(std::string_view bytes, const std::string& name)
+    ExrStream(std::string_view bytes, const std::string& name)
         : Imf::IStream(name.c_str()), bytes_(bytes) {}
 
     bool read(char target[], int count) override {
@@ -49,7 +49,7 @@ Imath::half clamped(Imath::half value) {
 Result<ImageData> decode(std::string_view bytes,
                          const std::string& name,
                          const ImageBytesAllowed& allowed) {
-    MemoryStream stream(bytes, name);
+    ExrStream stream(bytes, name);
     Imf::RgbaInputFile file(stream, 1);
     const Imath::Box2i window = file.dataWindow();
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;

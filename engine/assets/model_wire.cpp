@@ -8,7 +8,7 @@ namespace plumbline::assets {
 namespace {
 
 /// Both directions visit the same fields in the same order: see `visit` below.
-class Writer {
+class WireWriter {
 public:
     std::string bytes;
 
@@ -34,9 +34,9 @@ public:
     bool failed() const { return false; }
 };
 
-class Reader {
+class WireReader {
 public:
-    explicit Reader(std::string_view bytes) : reader_(bytes) {}
+    explicit WireReader(std::string_view bytes) : reader_(bytes) {}
 
     template <class T>
     void plain(T& value) {
@@ -189,14 +189,14 @@ bool has_strange_values(const ModelData& model) {
 }  // namespace
 
 std::string bytes_of(const ModelData& model) {
-    Writer writer;
+    WireWriter writer;
     visit(writer, model);
     return std::move(writer.bytes);
 }
 
 Result<ModelData> model_of_bytes(std::string_view bytes) {
     ModelData model;
-    Reader reader(bytes);
+    WireReader reader(bytes);
     visit(reader, model);
     if (reader.failed() || reader.left() > 0 || has_strange_values(model)) {
         return Error{.message = "its reader's answer breaks off", .exit_code = ExitCode::Refused};

@@ -1,5 +1,6 @@
 #include "engine/assets/sound_import.h"
 
+#include "engine/assets/byte_reader.h"
 #include "engine/core/files.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
@@ -56,14 +57,6 @@ sf_count_t refuse_write(const void* /*source*/, sf_count_t /*count*/, void* /*us
 
 sf_count_t tell(void* user) {
     return static_cast<MemoryFile*>(user)->place;
-}
-
-std::uint32_t little_u32(std::string_view bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 4; i-- > 0;) {
-        value = value << 8U | static_cast<std::uint8_t>(bytes[at + i]);
-    }
-    return value;
 }
 
 /// libsndfile takes a shortened RIFF or Ogg file for a shorter sound; the containers know better.

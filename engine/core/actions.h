@@ -103,11 +103,6 @@ constexpr std::size_t index_of(Action action) {
     return static_cast<std::size_t>(action);
 }
 
-/// Its place in arrays of kActionCount.
-constexpr std::size_t index_of(Action action) {
-    return static_cast<std::size_t>(action);
-}
-
 /// Tables of the bindings file, and which actions are live together.
 enum class ActionGroup : std::uint8_t { Walk, Things, View, Light, CameraPath, Time, Menu };
 

@@ -11,9 +11,9 @@ namespace plumbline::physics {
 namespace {
 
 /// Turns slower than this gain less than 1e-6 rad/s2 from the gyroscopic torque.
-constexpr double kGyroSpin_radps = 1e-3;
+constexpr double kLeastGyroSpin_radps = 1e-3;
 
-btQuaternion turn_by(const btVector3& spin, btScalar step_s) {
+btQuaternion bullet_turn_by(const btVector3& spin, btScalar step_s) {
     const Quat q = plumbline::physics::turn_by(from_bullet(spin), step_s);
     return {q.x, q.y, q.z, q.w};
 }
@@ -39,13 +39,13 @@ btMatrix3x3 basis_of(const Quatd& q) {
 btMatrix3x3 turned(const btMatrix3x3& basis, const btVector3& spin, btScalar duration_s) {
     btQuaternion q;
     basis.getRotation(q);
-    return btMatrix3x3((turn_by(spin, duration_s) * q).normalized());
+    return btMatrix3x3((bullet_turn_by(spin, duration_s) * q).normalized());
 }
 
 bool feels_gyro(const BodyRecord& record, const WorldFeatures& features) {
     return features.gyroscopic_torque && !record.round_inertia &&
            record.rigid->getAngularVelocity().length2() >
-               static_cast<btScalar>(kGyroSpin_radps * kGyroSpin_radps);
+               static_cast<btScalar>(kLeastGyroSpin_radps * kLeastGyroSpin_radps);
 }
 
 void fly(BodyRecord& record, const Vec3d& gravity_mps2, const WorldFeatures& features, double h) {

@@ -23,7 +23,7 @@ namespace {
 /// like, not for rounded hulls.
 constexpr int kMaxFaceCorners = 16;
 /// Points whose normals differ by less than 18 degrees press on one face and share four points.
-constexpr btScalar kSameFace = btScalar(0.95);
+constexpr btScalar kSameMeshFace = btScalar(0.95);
 /// Faces one body can press on at once: a corner of a room has three.
 constexpr std::size_t kMaxFaces = 4;
 
@@ -103,7 +103,7 @@ private:
         triangle.calcNormal(face);
         const btVector3 normal =
             m_body1Wrap->getWorldTransform().getBasis().transpose() * point.m_normalWorldOnB;
-        if (std::abs(normal.dot(face)) > kSameFace) return true;
+        if (std::abs(normal.dot(face)) > kSameMeshFace) return true;
         for (int i = 0; i < 3; ++i) {
             const btVector3& a = triangle.m_vertices1[i];
             const btVector3& b = triangle.m_vertices1[(i + 1) % 3];
@@ -289,7 +289,8 @@ btPersistentManifold* MeshAlgorithm::manifold_for(const btVector3& normal,
     for (std::size_t i = 0; i < kMaxFaces; ++i) {
         if (taken[i]) continue;
         const bool used = manifolds_[i] != nullptr && manifolds_[i]->getNumContacts() > 0;
-        if (used && manifolds_[i]->getContactPoint(0).m_normalWorldOnB.dot(normal) > kSameFace) {
+        if (used &&
+            manifolds_[i]->getContactPoint(0).m_normalWorldOnB.dot(normal) > kSameMeshFace) {
             chosen = i;
             break;
         }
@@ -348,7 +349,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* first,
         const btVector3 normal = found.front().normal;
         const auto rest =
             std::stable_partition(found.begin(), found.end(), [&normal](const Candidate& point) {
-                return point.normal.dot(normal) > kSameFace;
+                return point.normal.dot(normal) > kSameMeshFace;
             });
         const std::vector<Candidate> points(found.begin(), rest);
         found.erase(found.begin(), rest);
@@ -370,9 +371,9 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* first,
     result->setPersistentManifold(nullptr);
 }
 
-class Maker final : public btCollisionAlgorithmCreateFunc {
+class MeshMaker final : public btCollisionAlgorithmCreateFunc {
 public:
-    explicit Maker(MeshPlace place) : place_(place) {}
+    explicit MeshMaker(MeshPlace place) : place_(place) {}
 
     btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                    const btCollisionObjectWrapper*,
@@ -388,8 +389,8 @@ private:
 }  // namespace
 
 MeshContacts::MeshContacts(btCollisionDispatcher& dispatcher)
-    : convex_first_(std::make_unique<Maker>(MeshPlace::Second)),
-      mesh_first_(std::make_unique<Maker>(MeshPlace::First)) {
+    : convex_first_(std::make_unique<MeshMaker>(MeshPlace::Second)),
+      mesh_first_(std::make_unique<MeshMaker>(MeshPlace::First)) {
     for (int type = 0; type < CONCAVE_SHAPES_START_HERE; ++type) {
         dispatcher.registerCollisionCreateFunc(
             type, TRIANGLE_MESH_SHAPE_PROXYTYPE, convex_first_.get());

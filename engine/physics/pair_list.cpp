@@ -20,7 +20,7 @@ bool is_pair_with(const BodyRecord& record, Links::iterator place, BodyId other)
     return place != record.pairs.end() && place->other == other;
 }
 
-BodyRecord& record_of(const btBroadphaseProxy& proxy) {
+BodyRecord& record_behind(const btBroadphaseProxy& proxy) {
     return physics::record_of(*static_cast<const btCollisionObject*>(proxy.m_clientObject));
 }
 
@@ -47,9 +47,9 @@ PairList::~PairList() {
 btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
                                                btBroadphaseProxy* second) {
     if (!needsBroadphaseCollision(first, second)) return nullptr;
-    if (record_of(*second).id < record_of(*first).id) std::swap(first, second);
-    BodyRecord& a = record_of(*first);
-    BodyRecord& b = record_of(*second);
+    if (record_behind(*second).id < record_behind(*first).id) std::swap(first, second);
+    BodyRecord& a = record_behind(*first);
+    BodyRecord& b = record_behind(*second);
     // Searching the shorter list: the ground has a pair with everybody.
     BodyRecord& few = a.pairs.size() < b.pairs.size() ? a : b;
     BodyRecord& many = &few == &a ? b : a;
@@ -94,15 +94,15 @@ void PairList::remove(Pair& pair) {
 void* PairList::removeOverlappingPair(btBroadphaseProxy* first,
                                       btBroadphaseProxy* second,
                                       btDispatcher*) {
-    BodyRecord& a = record_of(*first);
-    const BodyId b = record_of(*second).id;
+    BodyRecord& a = record_behind(*first);
+    const BodyId b = record_behind(*second).id;
     const auto place = place_of(a, b);
     if (is_pair_with(a, place, b)) remove(*place->pair);
     return nullptr;
 }
 
 void PairList::removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy, btDispatcher*) {
-    BodyRecord& record = record_of(*proxy);
+    BodyRecord& record = record_behind(*proxy);
     while (!record.pairs.empty()) remove(*record.pairs.back().pair);
 }
 

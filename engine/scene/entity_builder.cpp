@@ -11,7 +11,7 @@ namespace plumbline::scene {
 
 namespace {
 
-constexpr std::size_t kGroups = 32;
+constexpr std::size_t kGroupBits = 32;
 
 // By reference: a cast of a value would be idle in the float build, and warned of.
 float narrow(const Real& value) {
@@ -85,10 +85,10 @@ EntityBuilder::EntityBuilder(Simulation& simulation)
 
 Result<std::uint32_t> EntityBuilder::group_bit(const std::string& name) {
     if (const auto known = groups_.find(name); known != groups_.end()) return known->second;
-    if (groups_.size() >= kGroups) {
+    if (groups_.size() >= kGroupBits) {
         return Error{fmt::format("group \"{}\" is one too many: there can be {} beside \"default\"",
                                  name,
-                                 kGroups - 1),
+                                 kGroupBits - 1),
                      ExitCode::Refused};
     }
     const std::uint32_t bit = 1U << groups_.size();

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kGroups = 32;  // bits of a filter mask
 
-std::uint64_t copies_of(const ArrayDescription& array) {
+std::uint64_t copies_in(const ArrayDescription& array) {
     std::uint64_t copies = 1;
     // Each count is at most 50000, so three of them fit.
     for (const int count : array.count) copies *= static_cast<std::uint64_t>(count);
@@ -34,7 +34,7 @@ void for_each_kind(const SceneDescription& scene, const LoadContext& context, Vi
         visit(scene.arrays[i].prefab,
               context.array_places[i],
               fmt::format("array[{}]", i),
-              copies_of(scene.arrays[i]));
+              copies_in(scene.arrays[i]));
     }
 }
 

@@ -7,7 +7,7 @@
 namespace plumbline::study {
 namespace {
 
-constexpr std::string_view kHeading =
+constexpr std::string_view kCsvHeading =
     "subject,metric,scale,tier,solver,step_hz,substeps,substeps_max,iterations,precision,status,"
     "why,"
     "error,ms_per_s_min,ms_per_s_median,ms_per_s_max,repeats,step_ms_median,step_ms_p99,"
@@ -60,7 +60,7 @@ std::string line_of(const Subject& subject,
 }  // namespace
 
 std::string findings_to_csv(const Findings& findings) {
-    std::string csv(kHeading);
+    std::string csv(kCsvHeading);
     for (const Subject& subject : findings.subjects) {
         for (const Point& point : subject.points) {
             for (std::size_t i = 0; i < subject.metrics.size(); ++i) {

@@ -22,8 +22,6 @@
 namespace plumbline::study {
 namespace {
 
-using Json = nlohmann::json;
-
 // A row per kind of job.
 constexpr std::array<JobKind, 5> kJobKinds{{{"scenario", each_by_itself<run_scenario_job>},
                                             {"hard_case", each_by_itself<run_hard_case_job>},
@@ -36,8 +34,8 @@ constexpr std::string_view kFailed = "failed";
 
 std::string answer_line(std::string_view status, const std::string& body) {
     // Text that is no UTF-8 must not end the worker.
-    return Json{{"status", status}, {"body", body}}.dump(
-        -1, ' ', false, Json::error_handler_t::replace);
+    return nlohmann::json{{"status", status}, {"body", body}}.dump(
+        -1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::string failed(const std::string& why) {
@@ -50,9 +48,9 @@ public:
     explicit JobServer(std::span<const JobKind> kinds) : kinds_(kinds), made_(kinds.size()) {}
 
     std::string answer_to(const std::string& line) {
-        Json job;
+        nlohmann::json job;
         try {
-            job = scene::read_json<Json>(line);
+            job = scene::read_json<nlohmann::json>(line);
         } catch (const std::exception&) {
             job = nullptr;
         }
@@ -80,7 +78,7 @@ private:
 /// False where nobody reads any more.
 bool write_all(int file, std::string_view text) {
     while (!text.empty()) {
-        const ssize_t count = write(file, text.data(), text.size());
+        const ssize_t count = ::write(file, text.data(), text.size());
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) return false;
         text.remove_prefix(static_cast<std::size_t>(count));
@@ -116,14 +114,14 @@ void run_study_worker() {
 }
 
 std::string job_line(const Job& job) {
-    return Json{{"kind", job.kind}, {"body", job.body}}.dump(
-        -1, ' ', false, Json::error_handler_t::replace);
+    return nlohmann::json{{"kind", job.kind}, {"body", job.body}}.dump(
+        -1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 Result<Answer> parse_answer_line(const std::string& line) {
-    Json answer;
+    nlohmann::json answer;
     try {
-        answer = scene::read_json<Json>(line);
+        answer = scene::read_json<nlohmann::json>(line);
     } catch (const std::exception&) {
         answer = nullptr;
     }

@@ -4,6 +4,7 @@
 #include "engine/core/hash.h"
 #include "tests/scenarios/scene_run.h"
 
+#include <fmt/format.h>
 #include <gnu/libc-version.h>
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr double kTurn_rad = 2.0 * glm::pi<double>();
+constexpr double kFullTurn_rad = 2.0 * glm::pi<double>();
 
 bool has_two_anchors(JointKind kind) {
     return kind == JointKind::Distance || kind == JointKind::Spring;
@@ -88,7 +88,7 @@ double twist_about_x(const Quatd& rotation) {
 }
 
 double unwrapped(double angle_rad, double near_rad) {
-    return near_rad + std::remainder(angle_rad - near_rad, kTurn_rad);
+    return near_rad + std::remainder(angle_rad - near_rad, kFullTurn_rad);
 }
 
 JointFit joint_error(const SolverJoint& joint, const MassPose& a, const MassPose& b) {

@@ -1,5 +1,7 @@
 #include "engine/study/any_scene/scene_errors.h"
 
+#include "engine/study/angle_between.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,18 +11,10 @@
 namespace plumbline::study {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 /// An explosion is further away than any inaccuracy takes a body.
 constexpr double kExplodedLengths = 10.0;
 constexpr double kExplodedTurnovers = 100.0;
-
-double angle_between_rad(const Quatd& a, const Quatd& b) {
-    // atan2 keeps its digits at small angles, where acos of the dot product has none left.
-    const Quatd between = glm::conjugate(a) * b;
-    const double sine =
-        std::sqrt(between.x * between.x + between.y * between.y + between.z * between.z);
-    return 2.0 * std::atan2(sine, std::abs(between.w));
-}
 
 struct PoseDifference {
     double position_m{0};
@@ -30,7 +24,7 @@ struct PoseDifference {
 /// Root mean square over bodies.
 PoseDifference pose_difference(const Moment& a, const Moment& b) {
     PoseDifference sum;
-    if (a.bodies.size() != b.bodies.size() || a.bodies.empty()) return {kNone, kNone};
+    if (a.bodies.size() != b.bodies.size() || a.bodies.empty()) return {kNoNumber, kNoNumber};
     for (std::size_t i = 0; i < a.bodies.size(); ++i) {
         const double away_m = glm::distance(a.bodies[i].position_m, b.bodies[i].position_m);
         const double angle_rad =
@@ -44,7 +38,7 @@ PoseDifference pose_difference(const Moment& a, const Moment& b) {
 
 /// Quantile with linear interpolation between neighbours.
 double quantile(std::vector<double> values, double share) {
-    if (values.empty()) return kNone;
+    if (values.empty()) return kNoNumber;
     std::ranges::sort(values);
     const double place = share * static_cast<double>(values.size() - 1);
     const auto below = static_cast<std::size_t>(place);
@@ -172,7 +166,7 @@ std::vector<double> trajectory_errors(const Trace& run,
                                       const Scales& scales) {
     std::vector<double> errors(trajectory_metrics(scales).size(), 0.0);
     if (run.moments.size() != reference.moments.size()) {
-        std::ranges::fill(errors, kNone);
+        std::ranges::fill(errors, kNoNumber);
         return errors;
     }
     const auto keep = [&](std::size_t metric, double error) {
@@ -211,7 +205,7 @@ std::vector<double> ensemble_errors(std::span<const Trace> copies,
     const std::size_t metrics = ensemble_metrics(scales).size();
     const std::size_t moments = reference.empty() ? 0 : reference.front().moments.size();
     if (!complete(copies, moments) || !complete(reference, moments))
-        return std::vector<double>(metrics, kNone);
+        return std::vector<double>(metrics, kNoNumber);
     return largest(scales, moments, metrics, [&](const Statistic& statistic, std::size_t i) {
         const double off = quantile(values_of(copies, statistic, i), 0.5) -
                            quantile(values_of(reference, statistic, i), 0.5);
@@ -222,7 +216,7 @@ std::vector<double> ensemble_errors(std::span<const Trace> copies,
 std::vector<double> ensemble_spread(std::span<const Trace> copies, const Scales& scales) {
     const std::size_t metrics = ensemble_metrics(scales).size();
     const std::size_t moments = copies.empty() ? 0 : copies.front().moments.size();
-    if (!complete(copies, moments)) return std::vector<double>(metrics, kNone);
+    if (!complete(copies, moments)) return std::vector<double>(metrics, kNoNumber);
     return largest(scales, moments, metrics, [&](const Statistic& statistic, std::size_t i) {
         const std::vector<double> values = values_of(copies, statistic, i);
         return 0.5 * (quantile(values, 0.95) - quantile(values, 0.05));

@@ -11,7 +11,7 @@
 namespace plumbline::study {
 namespace {
 
-constexpr std::array kRates_hz{120, 240, 480, 960, 1920, 3840};
+constexpr std::array kReferenceRates_hz{120, 240, 480, 960, 1920, 3840};
 /// A reference that is this good settles questions down to 0.1 %.
 constexpr double kGoodEnough = 1e-4;
 /// Above this it cannot be compared with run by run, if copies come as far apart.
@@ -97,11 +97,11 @@ private:
 
     /// The lowest rates, and two copies of the first.
     Result<Done> first_look() {
-        const std::size_t first = left_s() > 8.0 * cost_s(kRates_hz[1]) ? 1 : 0;
+        const std::size_t first = left_s() > 8.0 * cost_s(kReferenceRates_hz[1]) ? 1 : 0;
         next_rate_ = first + 2;
-        const std::vector<SceneRun> runs{run_at(kRates_hz[first]),
-                                         run_at(kRates_hz[first + 1]),
-                                         copies_at(kRates_hz[first], 2, 1, kShift_m)};
+        const std::vector<SceneRun> runs{run_at(kReferenceRates_hz[first]),
+                                         run_at(kReferenceRates_hz[first + 1]),
+                                         copies_at(kReferenceRates_hz[first], 2, 1, kShift_m)};
         std::vector<std::optional<SceneAnswer>> answers(runs.size());
         const Result<Done> done = plan_.run(runs, [&](const ScenePlan::Finished& each) {
             if (each.status == RunStatus::Done && whole(each.answer)) {
@@ -153,8 +153,9 @@ private:
 
     Result<Done> refine() {
         if (levels_.size() < 2) return Done{};
-        while (next_rate_ < kRates_hz.size() && !good() && !hopeless() && !plan_.interrupted()) {
-            const int step_hz = kRates_hz[next_rate_];
+        while (next_rate_ < kReferenceRates_hz.size() && !good() && !hopeless() &&
+               !plan_.interrupted()) {
+            const int step_hz = kReferenceRates_hz[next_rate_];
             if (cost_of_next_s(step_hz) > left_s() / plan_.workers()) break;
             ++next_rate_;
             std::optional<SceneAnswer> answer;

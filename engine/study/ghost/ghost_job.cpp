@@ -106,7 +106,7 @@ Quatd read_turn(const json& list, std::size_t at) {
             list.at(at + 3).get<double>()};
 }
 
-json json_of(const Setting& setting) {
+json setting_json(const Setting& setting) {
     return {{"solver", physics::solver_name(setting.solver)},
             {"step_hz", setting.step_hz},
             {"substeps", setting.substeps},
@@ -160,7 +160,7 @@ std::string start_body(const GhostStart& start) {
     }
     return json{{"start",
                  {{"scene", start.scene.string()},
-                  {"setting", json_of(start.setting)},
+                  {"setting", setting_json(start.setting)},
                   {"time_s", start.time_s},
                   {"bodies", std::move(bodies)}}}}
         .dump(-1, ' ', false, json::error_handler_t::replace);

@@ -10,9 +10,9 @@ namespace plumbline::study {
 
 namespace {
 
-using Knob = int Setting::*;
+using SettingKnob = int Setting::*;
 
-bool same_but(Knob knob, const Setting& a, Setting b) {
+bool same_but(SettingKnob knob, const Setting& a, Setting b) {
     b.*knob = a.*knob;
     // With a fixed number of sub-steps the most that there may be means nothing.
     if (a.substeps > 0 && b.substeps > 0) b.substeps_max = a.substeps_max;
@@ -20,7 +20,9 @@ bool same_but(Knob knob, const Setting& a, Setting b) {
 }
 
 /// All points that differ from `from` in `knob` alone, itself included, by rising knob.
-std::vector<const Point*> along(std::span<const Point> points, const Point& from, Knob knob) {
+std::vector<const Point*> along(std::span<const Point> points,
+                                const Point& from,
+                                SettingKnob knob) {
     std::vector<const Point*> line;
     for (const Point& point : points) {
         // No sub-steps at all means on demand: not a number to sort by.
@@ -34,7 +36,7 @@ std::vector<const Point*> along(std::span<const Point> points, const Point& from
     return line;
 }
 
-std::string name_of(const std::vector<const Point*>& line, Knob knob) {
+std::string name_of(const std::vector<const Point*>& line, SettingKnob knob) {
     const Setting& first = line.front()->setting;
     const Setting& last = line.back()->setting;
     const std::string who = fmt::format("{} {} Hz", contender_name(first), first.step_hz);
@@ -56,7 +58,7 @@ std::vector<KnobLine> knob_lines(std::span<const Point> points) {
         placed.insert(placed.end(), line.points.begin(), line.points.end());
         lines.push_back(std::move(line));
     };
-    for (const Knob knob : {&Setting::step_hz, &Setting::substeps, &Setting::iterations}) {
+    for (const SettingKnob knob : {&Setting::step_hz, &Setting::substeps, &Setting::iterations}) {
         const bool is_of_rate = knob == &Setting::step_hz;
         for (const Point& point : points) {
             if (is_placed(point)) continue;

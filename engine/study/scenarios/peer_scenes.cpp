@@ -1,6 +1,7 @@
 // Scenes that other engines were measured on too (assets/data/README.md), with figures of the same
 // meaning: the names of their first metrics are those of report/peers.cpp.
 #include "engine/core/pose.h"
+#include "engine/study/angle_between.h"
 #include "engine/study/scenarios/integrate.h"
 #include "engine/study/scenarios/scenario.h"
 
@@ -180,11 +181,6 @@ const Quatd& handle_at_10_s() {
         return glm::normalize(Quatd(end[0], end[1], end[2], end[3]));
     }();
     return turn;
-}
-
-double angle_between_rad(const Quatd& a, const Quatd& b) {
-    const Quatd apart = glm::conjugate(a) * b;
-    return 2 * std::atan2(glm::length(Vec3d{apart.x, apart.y, apart.z}), std::abs(apart.w));
 }
 
 Errors run_handle(const Setting& setting, Course& course) {

@@ -12,7 +12,7 @@
 namespace plumbline::study {
 namespace {
 
-constexpr double kLimit_s = 60;
+constexpr double kScenarioLimit_s = 60;
 
 struct Planned {
     std::size_t scenario;
@@ -41,7 +41,7 @@ std::vector<Planned> plan(const ScenarioStudyOptions& options) {
                                .job = {.kind = "scenario",
                                        .body = body.dump(),
                                        .precision = setting.precision,
-                                       .limit_s = kLimit_s},
+                                       .limit_s = kScenarioLimit_s},
                                .weight = static_cast<double>(setting.step_hz)});
         }
     }

@@ -1,5 +1,7 @@
 #include "engine/core/frame_clock.h"
 
+#include "engine/core/math.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -24,8 +24,8 @@ ShapeDef shape_of(int i) {
     return CapsuleShape{.radius_m = 0.3_r, .height_m = 0.6_r};
 }
 
-struct Heap {
-    explicit Heap(const WorldDef& def) : test(def) { test.ground(0.6_r); }
+struct MixedHeap {
+    explicit MixedHeap(const WorldDef& def) : test(def) { test.ground(0.6_r); }
 
     void drop() {
         for (int i = 0; i < kThings; ++i) {
@@ -35,7 +35,7 @@ struct Heap {
         }
     }
     /// The same bodies where `other` left them.
-    void copy(const Heap& other) {
+    void copy(const MixedHeap& other) {
         for (int i = 0; i < kThings; ++i) {
             const BodyState state = other.test.world.state(other.ids[static_cast<std::size_t>(i)]);
             BodyDef def = thing(i);
@@ -66,10 +66,10 @@ TEST(Reconfigure, GoesOnAsANewWorldWouldFromTheSameStates) {
     for (std::size_t from = 0; from < defs.size(); ++from) {
         for (std::size_t to = 0; to < defs.size(); ++to) {
             SCOPED_TRACE(from * 10 + to);
-            Heap changed(defs[from]);
+            MixedHeap changed(defs[from]);
             changed.drop();
             changed.hash_after(70);
-            Heap fresh(defs[to]);
+            MixedHeap fresh(defs[to]);
             fresh.copy(changed);
             changed.test.world.reconfigure(defs[to]);
             EXPECT_EQ(changed.test.world.def().solver, defs[to].solver);
