@@ -9,7 +9,7 @@ namespace plumbline::app {
 namespace {
 namespace fs = std::filesystem;
 
-constexpr HintScene kScene{.has_flashlight = true};
+constexpr HintScene kHintScene{.has_flashlight = true};
 
 class FirstMinuteTest : public testing::Test {
 protected:
@@ -29,25 +29,25 @@ protected:
 
 TEST_F(FirstMinuteTest, SaysOneThingAtATimeUntilItHasBeenDone) {
     FirstMinute minute({});
-    EXPECT_EQ(minute.now(kScene), FirstStep::Look);
+    EXPECT_EQ(minute.now(kHintScene), FirstStep::Look);
     presses(Action::Look) = 10;
     minute.see(seen_);
-    EXPECT_EQ(minute.now(kScene), FirstStep::Walk);
+    EXPECT_EQ(minute.now(kHintScene), FirstStep::Walk);
     presses(Action::Left) = 1;  // any direction is walking
     presses(Action::Throw) = 1;
     minute.see(seen_);
-    EXPECT_EQ(minute.now(kScene), FirstStep::Drop);
+    EXPECT_EQ(minute.now(kHintScene), FirstStep::Drop);
     presses(Action::Drop) = 1;
     minute.see(seen_);
-    EXPECT_EQ(minute.now(kScene), FirstStep::Grab);  // thrown before it was asked for
+    EXPECT_EQ(minute.now(kHintScene), FirstStep::Grab);  // thrown before it was asked for
     presses(Action::Grab) = 1;
     minute.see(seen_);
-    EXPECT_EQ(minute.now(kScene), FirstStep::Flashlight);
+    EXPECT_EQ(minute.now(kHintScene), FirstStep::Flashlight);
     EXPECT_EQ(minute.now({}), FirstStep::Menu);  // there is none in this scene
     presses(Action::Menu) = 1;
     presses(Action::Flashlight) = 1;
     minute.see(seen_);
-    EXPECT_EQ(minute.now(kScene), std::nullopt);
+    EXPECT_EQ(minute.now(kHintScene), std::nullopt);
 }
 
 TEST_F(FirstMinuteTest, AtAModelItSaysWhatOneDoesWithModels) {
@@ -61,7 +61,7 @@ TEST_F(FirstMinuteTest, AtAModelItSaysWhatOneDoesWithModels) {
         minute.see(seen_);
     }
     EXPECT_EQ(minute.now(kModel), std::nullopt);
-    EXPECT_EQ(minute.now(kScene), FirstStep::Look);  // nothing of it was playing
+    EXPECT_EQ(minute.now(kHintScene), FirstStep::Look);  // nothing of it was playing
 }
 
 TEST_F(FirstMinuteTest, WhatWasDoneDoesNotComeAgainInTheNextSitting) {
@@ -71,7 +71,7 @@ TEST_F(FirstMinuteTest, WhatWasDoneDoesNotComeAgainInTheNextSitting) {
         presses(Action::Forward) = 2;
         minute.see(seen_);
     }
-    EXPECT_EQ(FirstMinute(file()).now(kScene), FirstStep::Drop);
+    EXPECT_EQ(FirstMinute(file()).now(kHintScene), FirstStep::Drop);
 }
 
 TEST_F(FirstMinuteTest, ForgettingSaysAllAgainAndCountsFromThere) {
@@ -80,19 +80,19 @@ TEST_F(FirstMinuteTest, ForgettingSaysAllAgainAndCountsFromThere) {
     minute.see(seen_);
     minute.forget();
     minute.see(seen_);
-    EXPECT_EQ(minute.now(kScene), FirstStep::Look);
-    EXPECT_EQ(FirstMinute(file()).now(kScene), FirstStep::Look);
+    EXPECT_EQ(minute.now(kHintScene), FirstStep::Look);
+    EXPECT_EQ(FirstMinute(file()).now(kHintScene), FirstStep::Look);
     presses(Action::Look) = 60;
     minute.see(seen_);
-    EXPECT_EQ(minute.now(kScene), FirstStep::Walk);
+    EXPECT_EQ(minute.now(kHintScene), FirstStep::Walk);
 }
 
 TEST_F(FirstMinuteTest, ADamagedFileCountsAsEmpty) {
     fs::create_directories(folder_);
     std::ofstream(file()) << std::string(5000, 'x');
-    EXPECT_EQ(FirstMinute(file()).now(kScene), FirstStep::Look);
+    EXPECT_EQ(FirstMinute(file()).now(kHintScene), FirstStep::Look);
     std::ofstream(file()) << "look\n\x1b[31m nonsense walk";
-    EXPECT_EQ(FirstMinute(file()).now(kScene), FirstStep::Drop);
+    EXPECT_EQ(FirstMinute(file()).now(kHintScene), FirstStep::Drop);
 }
 
 }  // namespace
