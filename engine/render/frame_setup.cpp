@@ -187,7 +187,7 @@ void Renderer::Impl::set_up_light() {
     const auto count = std::clamp<std::uint32_t>(shadow.cascades, 1, kMaxCascades);
     const std::uint32_t size_px =
         scaled_px(shadow.size_px, quality.shadow_detail, limits.texture_px / count);
-    const float distance_m = std::max(shadow.distance_m, 1.0F);
+    const float distance_m = std::max(shadow.distance_m, 1e-4F);
     SunShadowFit first{};
     sun_views.clear();
     for (std::uint32_t i = 0; i < count; ++i) {

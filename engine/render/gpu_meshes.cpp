@@ -6,16 +6,18 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 
 namespace plumbline::render {
 namespace {
 
 /// Coarser versions of boards and tiles open gaps between them, and save little in a mesh this small.
 constexpr std::size_t kFewSolidTriangles = 4000;
+/// Making coarser versions of more takes seconds.
+constexpr std::size_t kMostLodTriangles = 400'000;
 
 // Attribute locations, as in the vertex shaders.
 constexpr GLuint kPosition = 0;
@@ -73,25 +75,35 @@ struct DepthGeometry {
     std::vector<std::uint32_t> indices;
 };
 
+/// Equal for 0 and -0 too.
+std::uint64_t hash_of(const Vec3f& position) {
+    std::uint64_t hash = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto bits = std::bit_cast<std::uint32_t>(position[axis] + 0.0F);
+        hash = (hash ^ bits) * 0x9E3779B97F4A7C15ULL;
+        hash ^= hash >> 29U;
+    }
+    return hash;
+}
+
 /// Vertices that differ in normal or uv only are one for a shadow map: a cube has 8, not 24.
 DepthGeometry merged_positions(const assets::MeshData& mesh) {
-    std::vector<std::uint32_t> order(mesh.vertices.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto position = [&](std::uint32_t i) { return mesh.vertices[i].position_body; };
-    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
-        const Vec3f pa = position(a);
-        const Vec3f pb = position(b);
-        if (pa.x != pb.x) return pa.x < pb.x;
-        if (pa.y != pb.y) return pa.y < pb.y;
-        return pa.z < pb.z;
-    });
+    constexpr std::uint32_t kEmpty = ~0U;
+    // Open addressing: a million flat triangles bring three million vertices.
+    std::vector<std::uint32_t> places(std::bit_ceil(mesh.vertices.size() * 2 + 1), kEmpty);
     DepthGeometry merged;
     std::vector<std::uint32_t> merged_index(mesh.vertices.size());
-    for (const std::uint32_t i : order) {
-        if (merged.positions.empty() || merged.positions.back() != position(i)) {
-            merged.positions.push_back(position(i));
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const Vec3f& position = mesh.vertices[i].position_body;
+        std::size_t place = hash_of(position) & (places.size() - 1);
+        while (places[place] != kEmpty && merged.positions[places[place]] != position) {
+            place = (place + 1) & (places.size() - 1);
         }
-        merged_index[i] = static_cast<std::uint32_t>(merged.positions.size() - 1);
+        if (places[place] == kEmpty) {
+            places[place] = static_cast<std::uint32_t>(merged.positions.size());
+            merged.positions.push_back(position);
+        }
+        merged_index[i] = places[place];
     }
     merged.indices.reserve(mesh.indices.size());
     for (const std::uint32_t i : mesh.indices) merged.indices.push_back(merged_index[i]);
@@ -233,7 +245,8 @@ GpuMesh GpuMeshes::uploaded_with_lods(assets::MeshId id,
             (features_of(library_.material(materials[part.material])) & feature::kLeaf) != 0);
     }
     const bool is_solid = std::ranges::find(is_foliage, true) == is_foliage.end();
-    if (is_solid && data.indices.size() / 3 <= kFewSolidTriangles)
+    const std::size_t triangles = data.indices.size() / 3;
+    if ((is_solid && triangles <= kFewSolidTriangles) || triangles > kMostLodTriangles)
         return uploaded(data, MeshLife::Kept);
     assets::MeshData all = data;
     std::vector<MeshLod> lods = add_lods(all, is_foliage);

@@ -132,6 +132,10 @@ Texture Texture::tiling(std::span<const assets::ImageData> levels, Filter filter
     glBindTexture(GL_TEXTURE_2D, texture.name());
     set_parameters(GL_TEXTURE_2D, filter, GL_REPEAT);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.size()) - 1);
+    if (levels.front().format == assets::PixelFormat::R8) {  // grey, not red
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_G, GL_RED);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_B, GL_RED);
+    }
     for (std::size_t level = 0; level < levels.size(); ++level) {
         texture.bytes_ += upload_level(GL_TEXTURE_2D, static_cast<GLint>(level), levels[level]);
     }

@@ -24,7 +24,8 @@ enum class Casters { Static, Moving };
 
 std::uint64_t hash_of(const ShadowView& view,
                       const std::vector<VisibleItem>& casters,
-                      Casters which) {
+                      Casters which,
+                      const assets::AssetLibrary& library) {
     Hasher hasher;
     hasher.add(&view.clip_from_world, sizeof(view.clip_from_world));
     hasher.add(&view.size_px, sizeof(view.size_px));
@@ -32,6 +33,9 @@ std::uint64_t hash_of(const ShadowView& view,
         const DrawItem& item = *caster.item;
         if (item.is_static != (which == Casters::Static)) continue;
         hasher.add(&item.mesh, sizeof(item.mesh));
+        // What bends or is read again keeps its id.
+        const auto version = library.mesh(item.mesh).version;
+        hasher.add(&version, sizeof(version));
         hasher.add(&item.world_from_body, sizeof(item.world_from_body));
         hasher.add(caster.parts.data(), caster.parts.size_bytes());
         hasher.add(caster.materials.data(), caster.materials.size_bytes());
@@ -67,8 +71,9 @@ void ShadowPass::render(std::span<const ShadowView> views,
                   .lods = view.error_m > 0.0F ? &resources.meshes.lods() : nullptr,
                   .error_m = view.error_m});
         std::erase_if(casters, [](const VisibleItem& c) { return !c.item->casts_shadow; });
-        const Cascade seen{.view_and_statics = hash_of(view, casters, Casters::Static),
-                           .moving = hash_of(view, casters, Casters::Moving)};
+        const Cascade seen{
+            .view_and_statics = hash_of(view, casters, Casters::Static, resources.library),
+            .moving = hash_of(view, casters, Casters::Moving, resources.library)};
         Cascade& shown = drawn_[i];
         const bool may_lag = i > 0 && ++shown.age_frames <= kFarLag_frames;
         if (seen.view_and_statics == shown.view_and_statics &&

@@ -1,4 +1,5 @@
 // What a renderer promises besides pretty pictures: sizes, caching, freeing, errors.
+#include "engine/assets/image_import.h"
 #include "engine/core/files.h"
 #include "tests/engine/render/gl_fixture.h"
 
@@ -48,6 +49,26 @@ TEST_F(RendererGl, SurvivesSizesOfZero) {
     frame.width_px = 64;
     frame.height_px = 48;
     EXPECT_EQ(draw(frame).bytes.size(), 64U * 48U * 3U);
+}
+
+TEST_F(RendererGl, ShowsImagesOfOneChannelGreyNotRed) {
+    const auto file = std::filesystem::temp_directory_path() / "plumbline_grey_image.png";
+    ASSERT_TRUE(assets::write_png(file,
+                                  {.width = 4,
+                                   .height = 4,
+                                   .format = assets::PixelFormat::R8,
+                                   .bytes = std::vector<std::uint8_t>(16, 120)})
+                    .ok());
+    const auto grey = library_.add_material(
+        {.name = "grey", .shading = assets::Shading::Unlit, .base_color_map = file});
+    RenderFrame frame = empty_frame(9, 9);
+    frame.camera = camera_at({0.0F, 0.0F, 3.0F}, Vec3f{0.0F});
+    add_box(frame, Vec3f{4.0F}, {0.0F, 0.0F, -2.0F}, grey);
+    const Pixel pixel = pixel_at(draw(frame), 4, 4);
+    EXPECT_NEAR(pixel.r, 120, 1);
+    EXPECT_EQ(pixel.g, pixel.r);
+    EXPECT_EQ(pixel.b, pixel.r);
+    std::filesystem::remove(file);
 }
 
 TEST_F(RendererGl, FollowsTheFramesSize) {
