@@ -53,13 +53,12 @@ std::string plain_name(std::string_view file) {
 }  // namespace
 
 bool ConfinedIo::Exists(const char* file) const {
-    return model_.files.contains(plain_name(file));
+    return plain_name(file) == name_;
 }
 
 Assimp::IOStream* ConfinedIo::Open(const char* file, const char* mode) {
-    if (mode == nullptr || *mode != 'r') return nullptr;
-    const auto found = model_.files.find(plain_name(file));
-    return found == model_.files.end() ? nullptr : new MemoryStream(found->second);
+    if (mode == nullptr || *mode != 'r' || plain_name(file) != name_) return nullptr;
+    return new MemoryStream(bytes_);
 }
 
 void keep_importers(Assimp::Importer& importer, std::initializer_list<std::string_view> names) {

@@ -1,14 +1,13 @@
-// assimp's view of the file system: the files of one CheckedModel, in memory, and nothing else.
-// It never opens a file: what a model names was resolved, confined to its root, and read before.
+// assimp's view of the file system: one file, in memory, and nothing else. It never opens one.
 #pragma once
-
-#include "engine/assets/checked_model.h"
 
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 
 #include <initializer_list>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace Assimp {
 class Importer;
@@ -18,17 +17,18 @@ namespace plumbline::assets {
 
 class ConfinedIo final : public Assimp::IOSystem {
 public:
-    /// `model` must outlive this.
-    explicit ConfinedIo(const CheckedModel& model) : model_(model) {}
+    /// The bytes must outlive this.
+    ConfinedIo(std::string name, std::string_view bytes) : name_(std::move(name)), bytes_(bytes) {}
 
     bool Exists(const char* file) const override;
     char getOsSeparator() const override { return '/'; }
-    /// Null unless the model has the file and it is to be read.
+    /// Null unless it is the file, to be read.
     Assimp::IOStream* Open(const char* file, const char* mode) override;
     void Close(Assimp::IOStream* stream) override { delete stream; }
 
 private:
-    const CheckedModel& model_;
+    std::string name_;  ///< "model.fbx"
+    std::string_view bytes_;
 };
 
 /// assimp registers 48 importers, and hands a file to whichever likes its bytes: these are left.

@@ -3,6 +3,7 @@
 #include "engine/assets/confined_io_impl.h"
 #include "engine/assets/foreign_import_impl.h"
 #include "engine/assets/model_convert_impl.h"
+#include "engine/assets/model_readers_impl.h"
 #include "engine/assets/model_wire.h"
 #include "engine/core/child_process.h"
 #include "engine/core/files.h"
@@ -15,13 +16,14 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
+#include <csignal>
 #include <exception>
 #include <memory>
+#include <new>
 
 namespace plumbline::assets {
 namespace {
@@ -31,8 +33,6 @@ namespace fs = std::filesystem;
 // Of the worker. A model at our limits takes 3 GiB and ten seconds here.
 constexpr rlim_t kMemoryBytes = 4ULL << 30U;
 constexpr rlim_t kCpu_s = 30;
-constexpr double kWall_s = 90.0;
-constexpr std::size_t kAnswerBytes = 2ULL << 30U;
 constexpr char kModelAnswer = 'M';
 constexpr char kErrorAnswer = 'E';
 
@@ -41,18 +41,34 @@ enum class ForeignKind { None, Collada, Fbx };
 /// By content, not by name.
 ForeignKind kind_of(std::string_view bytes) {
     if (bytes.starts_with("Kaydara FBX Binary")) return ForeignKind::Fbx;
-    const std::string_view head = bytes.substr(0, 4'096);
-    if (head.find("<COLLADA") != std::string_view::npos) return ForeignKind::Collada;
-    return head.find("FBXHeaderExtension") != std::string_view::npos ? ForeignKind::Fbx
-                                                                     : ForeignKind::None;
+    std::string head(bytes.substr(0, 4'096));
+    std::erase(head, '\0');  // UTF-16
+    if (head.find("<COLLADA") != std::string::npos) return ForeignKind::Collada;
+    return head.find("FBXHeaderExtension") != std::string::npos ? ForeignKind::Fbx
+                                                                : ForeignKind::None;
+}
+
+/// Without blanks at the beginning of an element, where assimp 5.2 expects a number at once.
+std::string tightened(std::string_view xml) {
+    std::string text;
+    text.reserve(xml.size());
+    bool begins = false;
+    for (const char letter : xml) {
+        const bool is_blank = letter == ' ' || letter == '\t' || letter == '\r' || letter == '\n';
+        if (begins && is_blank) continue;
+        begins = letter == '>';
+        text += letter;
+    }
+    return text;
 }
 
 void limit_this_process() {
-    const auto limit = [](auto resource, rlim_t most) {
-        const rlimit both{.rlim_cur = most, .rlim_max = most};
+    const auto limit = [](auto resource, rlim_t most, rlim_t grace = 0) {
+        const rlimit both{.rlim_cur = most, .rlim_max = most + grace};
         setrlimit(resource, &both);  // where it is refused the parent's clock still counts
     };
-    limit(RLIMIT_CPU, kCpu_s);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody would hear the answer
+    limit(RLIMIT_CPU, kCpu_s, 5);      // so that its end tells the reason
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, 0);
 #ifndef __SANITIZE_ADDRESS__
@@ -121,12 +137,12 @@ Result<ModelData> read_foreign(std::string_view bytes, const std::string& name) 
         return model_error(name, "its content is neither Collada nor FBX");
     }
     const std::string plain_name = kind == ForeignKind::Fbx ? "model.fbx" : "model.dae";
-    CheckedModel only{.main_name = plain_name};
-    only.files.emplace(plain_name, std::string(bytes));
+    const std::string content = kind == ForeignKind::Fbx ? std::string(bytes) : tightened(bytes);
     try {
         Assimp::Importer importer;
         keep_importers(importer, {"Collada Importer", "Autodesk FBX Importer"});
-        importer.SetIOHandler(std::make_unique<ConfinedIo>(only).release());  // it takes over
+        importer.SetIOHandler(
+            std::make_unique<ConfinedIo>(plain_name, content).release());  // it takes over
         importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
         importer.SetPropertyBool(AI_CONFIG_FBX_USE_SKELETON_BONE_CONTAINER, false);
         const aiScene* scene = importer.ReadFile(
@@ -137,6 +153,8 @@ Result<ModelData> read_foreign(std::string_view bytes, const std::string& name) 
         const std::string fault = fault_of(model);
         if (!fault.empty()) return model_error(name, fault);
         return model;
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& fault) {
         return model_error(name, fault.what());
     }
@@ -146,11 +164,15 @@ ExitCode run_model_worker(const fs::path& file) {
     limit_this_process();
     const std::string name = file.string();
     const auto answer = [&]() -> Result<std::string> {
-        const Result<std::string> bytes = read_file(file, limits::kModelFileBytes);
-        if (!bytes) return model_error(name, bytes.error().message);
-        Result<ModelData> model = read_foreign(*bytes, name);
-        if (!model) return model.error();
-        return bytes_of(*model);
+        try {
+            const Result<std::string> bytes = read_file(file, limits::kModelFileBytes);
+            if (!bytes) return model_error(name, bytes.error().message);
+            const Result<ModelData> model = read_foreign(*bytes, name);
+            if (!model) return model.error();
+            return bytes_of(*model);
+        } catch (const std::bad_alloc&) {
+            return model_error(name, "it needs more memory than there is");
+        }
     }();
     const char kind = answer ? kModelAnswer : kErrorAnswer;
     const bool written = write_output("-", {&kind, 1}) &&
@@ -161,18 +183,19 @@ ExitCode run_model_worker(const fs::path& file) {
 Result<ModelData> import_foreign(const fs::path& file,
                                  std::string_view bytes,
                                  const std::string& name,
-                                 ModelReferences& references) {
+                                 ModelReferences& references,
+                                 const ForeignReader& reader) {
     if (kind_of(bytes) == ForeignKind::None) {
         return model_error(name, "its content is neither Collada nor FBX");
     }
-    const fs::path program = worker_program();
+    const fs::path program = reader.program.empty() ? worker_program() : reader.program;
     if (program.empty())
         return model_error(name, "the program plumbline, which reads it, is not here");
     const Result<ChildOutput> output =
         output_of({.program = program, .arguments = {"model-worker", file.string()}},
                   {},
-                  kAnswerBytes,
-                  kWall_s);
+                  reader.most_bytes,
+                  reader.most_s);
     if (!output) return model_error(name, output.error().message);
     if (!output->end.good || output->bytes.empty()) {
         return model_error(

@@ -2,7 +2,7 @@
 // adds the rest to `model`. Private to engine/assets.
 #pragma once
 
-#include "engine/assets/checked_model.h"
+#include "engine/assets/model_readers_impl.h"
 #include "engine/core/limits.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The three image decoders behind import_image. Private to engine/assets.
+// The image decoders behind import_image. Private to engine/assets.
 #pragma once
 
 #include "engine/assets/image_data.h"
@@ -20,6 +20,12 @@ Result<ImageData> decode_jpeg(std::string_view bytes,
 Result<ImageData> decode_exr(std::string_view bytes,
                              const std::string& name,
                              const ImageBytesAllowed& allowed);
+
+Result<ImageData> decode_tga(std::string_view bytes,
+                             const std::string& name,
+                             const ImageBytesAllowed& allowed);
+/// By its header: a TGA has no sign of its own.
+bool looks_like_tga(std::string_view bytes);
 
 /// The PNG file's bytes.
 Result<std::string> encode_png(const ImageData& image);

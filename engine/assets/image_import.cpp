@@ -55,7 +55,8 @@ Result<ImageData> decode_image(std::string_view content,
     if (content.starts_with("\x89PNG\r\n\x1a\n")) return decode_png(content, name, allowed);
     if (content.starts_with("\xff\xd8\xff")) return decode_jpeg(content, name, allowed);
     if (content.starts_with("\x76\x2f\x31\x01")) return decode_exr(content, name, allowed);
-    return image_error(name, "its content is none of PNG, JPEG and OpenEXR");
+    if (looks_like_tga(content)) return decode_tga(content, name, allowed);
+    return image_error(name, "its content is none of PNG, JPEG, OpenEXR and TGA");
 }
 
 Result<Done> write_png(const std::filesystem::path& file, const ImageData& image) {

@@ -1,4 +1,4 @@
-// PNG, JPEG and OpenEXR to ImageData; ImageData to PNG.
+// PNG, JPEG, OpenEXR and TGA to ImageData; ImageData to PNG.
 #pragma once
 
 #include "engine/assets/image_data.h"

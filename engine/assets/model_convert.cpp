@@ -1,12 +1,10 @@
 #include "engine/assets/model_convert_impl.h"
 #include "engine/core/log.h"
 
-#include <assimp/material.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -24,19 +22,6 @@ namespace {
 
 Vec3f vec_of(const aiVector3D& v) {
     return {v.x, v.y, v.z};
-}
-
-/// Which of ours a mesh wears: see CheckedModel::materials. Past the end: none of them.
-std::size_t numbered_material(const aiScene& scene, const aiMesh& mesh, std::size_t known) {
-    aiString name;
-    if (mesh.mMaterialIndex < scene.mNumMaterials) {
-        scene.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_NAME, name);
-    }
-    const std::string_view digits(name.C_Str(), name.length);
-    std::size_t number = known;
-    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    return fault == std::errc{} && end == digits.data() + digits.size() && number < known ? number
-                                                                                          : known;
 }
 
 std::vector<Vertex> vertices_of(const aiMesh& mesh) {
@@ -121,7 +106,6 @@ std::vector<ModelNode> nodes_of(const aiScene& scene,
 
 ConvertedScene convert_tree(const aiScene& scene,
                             std::vector<MaterialData> materials,
-                            const std::function<std::size_t(const aiMesh&)>& material_of,
                             const std::string& name) {
     ConvertedScene converted;
     ModelData& model = converted.model;
@@ -139,7 +123,7 @@ ConvertedScene convert_tree(const aiScene& scene,
             log_warning("model {}: mesh \"{}\" is left out: {}", name, mesh.name, fault);
             continue;
         }
-        const std::size_t material = std::min(material_of(source), known);
+        const std::size_t material = std::min(std::size_t{source.mMaterialIndex}, known);
         if (material == known && model.materials.size() == known) {
             model.materials.push_back({.name = "default"});
         }
@@ -155,18 +139,6 @@ ConvertedScene convert_tree(const aiScene& scene,
         }
     }
     return converted;
-}
-
-ModelData convert_scene(const aiScene& scene,
-                        std::vector<MaterialData> materials,
-                        const std::string& name) {
-    const std::size_t known = materials.size();
-    return convert_tree(
-               scene,
-               std::move(materials),
-               [&](const aiMesh& mesh) { return numbered_material(scene, mesh, known); },
-               name)
-        .model;
 }
 
 }  // namespace plumbline::assets

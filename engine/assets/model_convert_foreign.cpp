@@ -260,11 +260,7 @@ void scale_whole(ModelData& model, float factor) {
 }  // namespace
 
 ModelData convert_foreign_scene(const aiScene& scene, const std::string& name) {
-    ConvertedScene converted = convert_tree(
-        scene,
-        materials_of(scene),
-        [](const aiMesh& mesh) { return std::size_t{mesh.mMaterialIndex}; },
-        name);
+    ConvertedScene converted = convert_tree(scene, materials_of(scene), name);
     ModelData& model = converted.model;
     read_images(scene, model);
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {

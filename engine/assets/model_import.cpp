@@ -1,49 +1,21 @@
 #include "engine/assets/model_import.h"
 
-#include "engine/assets/checked_model.h"
-#include "engine/assets/confined_io_impl.h"
 #include "engine/assets/foreign_import_impl.h"
-#include "engine/assets/model_convert_impl.h"
 #include "engine/assets/model_pose.h"
-#include "engine/assets/single_mesh_impl.h"
+#include "engine/assets/model_readers_impl.h"
 #include "engine/core/files.h"
 #include "engine/core/limits.h"
 #include "engine/core/text_case.h"
 
-#include <assimp/Importer.hpp>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <exception>
-#include <memory>
 #include <new>
 
 namespace plumbline::assets {
 namespace {
 
 namespace fs = std::filesystem;
-
-Result<ModelData> read_obj(std::string_view bytes,
-                           const std::string& name,
-                           ModelReferences& references) {
-    Result<CheckedModel> checked = check_obj(bytes, name, references);
-    if (!checked) return checked.error();
-    try {
-        Assimp::Importer importer;
-        keep_importers(importer, {"Wavefront Object Importer"});
-        if (importer.GetImporterCount() != 1) {
-            return model_error(name, "this build of assimp lacks the OBJ importer");
-        }
-        importer.SetIOHandler(std::make_unique<ConfinedIo>(*checked).release());  // it takes over
-        const aiScene* scene = importer.ReadFile(checked->main_name.c_str(), aiProcess_Triangulate);
-        if (scene == nullptr) return model_error(name, importer.GetErrorString());
-        return convert_scene(*scene, std::move(checked->materials), name);
-    } catch (const std::exception& fault) {
-        return model_error(name, fault.what());
-    }
-}
 
 Result<ModelData> read_kind(const fs::path& file,
                             const std::string& extension,

@@ -7,9 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <functional>
-#include <string_view>
 
 namespace plumbline::assets {
 namespace {
@@ -159,37 +156,6 @@ void mend_normals(MeshData& part, MissingNormals how) {
     }
 }
 
-/// OBJ comes with vertices of their own for every corner: equal ones become one.
-void weld(MeshData& part) {
-    static_assert(sizeof(Vertex) == 15 * sizeof(float), "no padding: equal bytes, equal vertices");
-    // Open addressing: a million triangles bring three million vertices.
-    std::size_t room = 16;
-    while (room < part.vertices.size() * 2) room *= 2;
-    constexpr std::uint32_t kEmpty = ~0U;
-    std::vector<std::uint32_t> places(room, kEmpty);
-    std::vector<std::uint32_t> new_index(part.vertices.size());
-    std::vector<std::uint32_t> kept;
-    for (std::size_t i = 0; i < part.vertices.size(); ++i) {
-        const void* bytes = &part.vertices[i];
-        const std::string_view content(static_cast<const char*>(bytes), sizeof(Vertex));
-        std::size_t place = std::hash<std::string_view>{}(content) & (room - 1);
-        while (places[place] != kEmpty &&
-               std::memcmp(&part.vertices[kept[places[place]]], bytes, sizeof(Vertex)) != 0) {
-            place = (place + 1) & (room - 1);
-        }
-        if (places[place] == kEmpty) {
-            places[place] = static_cast<std::uint32_t>(kept.size());
-            kept.push_back(static_cast<std::uint32_t>(i));
-        }
-        new_index[i] = places[place];
-    }
-    std::vector<Vertex> vertices;
-    vertices.reserve(kept.size());
-    for (const std::uint32_t i : kept) vertices.push_back(part.vertices[i]);
-    for (std::uint32_t& index : part.indices) index = new_index[index];
-    part.vertices = std::move(vertices);
-}
-
 void append(MeshData& mesh, const MeshData& part) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
@@ -217,7 +183,6 @@ bool add_instance(MeshData& mesh, const Instance& instance, const std::string& n
                              without_area));
     }
     mend_normals(part, MissingNormals::FlatWhereAll);
-    if (part.vertices.size() >= part.indices.size()) weld(part);
     append(mesh, part);
     return !part.indices.empty();
 }
@@ -258,6 +223,24 @@ MeshData merged_mesh(const ModelData& model, const ModelPose& pose, const std::s
         }
     }
     return merged_parts(model, std::move(parts), pose, name);
+}
+
+Aabb bounds_over(const ModelData& model, const ModelAnimation& animation) {
+    constexpr int kLooks = 8;
+    Aabb bounds;
+    for (int look = 0; look < kLooks; ++look) {
+        const float share = static_cast<float>(look) / static_cast<float>(kLooks - 1);
+        const ModelPose pose = pose_at(model, animation, animation.duration_s * share);
+        for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+            for (const std::uint32_t mesh : model.nodes[i].meshes) {
+                const ModelPart part{.node = static_cast<std::uint32_t>(i), .mesh = mesh};
+                const std::vector<Vertex> vertices = vertices_of(instance_of(model, part, pose));
+                if (!position_fault(vertices).empty()) continue;  // is not drawn either
+                for (const Vertex& vertex : vertices) bounds.include(vertex.position_body);
+            }
+        }
+    }
+    return bounds;
 }
 
 MeshData still_mesh(const ModelData& model, const ModelParts& parts, const std::string& name) {

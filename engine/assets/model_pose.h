@@ -26,6 +26,9 @@ ModelPose pose_at(const ModelData& model, const ModelAnimation& animation, float
 /// `name` is the file's, for that. Empty when nothing is left.
 MeshData merged_mesh(const ModelData& model, const ModelPose& pose, const std::string& name);
 
+/// What the model takes up while the animation runs, looked at several times.
+Aabb bounds_over(const ModelData& model, const ModelAnimation& animation);
+
 /// A mesh shown by a node, to be drawn on its own.
 struct ModelPart {
     std::uint32_t node{0};

@@ -1,4 +1,5 @@
-#include "engine/assets/obj_check_impl.h"
+#include "engine/assets/model_readers_impl.h"
+#include "engine/assets/text_words_impl.h"
 #include "engine/core/files.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
@@ -145,8 +146,8 @@ Result<std::vector<MaterialData>> read_mtl(const fs::path& file,
         return std::vector<MaterialData>{};
     }
     MtlReader reader{.file = file, .name = name, .references = references};
-    std::string_view text = *bytes;
-    while (const std::optional<std::string> line = next_line(text)) {
+    LineReader lines(*bytes);
+    while (const std::optional<std::string_view> line = lines.next()) {
         std::string_view rest = *line;
         const std::string key = to_lower(next_word(rest));
         if (key == "newmtl") {
@@ -160,6 +161,11 @@ Result<std::vector<MaterialData>> read_mtl(const fs::path& file,
             reader.read_map(key, rest);
         }
         if (!reader.fault.empty()) return model_error(name, reader.fault);
+    }
+    for (MaterialData& material : reader.materials) {
+        // A map would be black as well; exporters that write so mean the map alone.
+        if (!material.base_color_map.empty() && material.base_color == Vec3f{0.0F})
+            material.base_color = Vec3f{1.0F};
     }
     return std::move(reader.materials);
 }

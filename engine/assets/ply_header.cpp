@@ -1,5 +1,5 @@
-#include "engine/assets/obj_check_impl.h"
 #include "engine/assets/ply_header_impl.h"
+#include "engine/assets/text_words_impl.h"
 #include "engine/core/limits.h"
 
 #include <fmt/format.h>

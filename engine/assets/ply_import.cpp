@@ -1,6 +1,8 @@
 #include "engine/assets/byte_reader.h"
 #include "engine/assets/ply_header_impl.h"
+#include "engine/assets/polygon_triangles_impl.h"
 #include "engine/assets/single_mesh_impl.h"
+#include "engine/assets/text_words_impl.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 
@@ -11,8 +13,6 @@
 
 namespace plumbline::assets {
 namespace {
-
-constexpr std::size_t kMostCorners = 256;
 
 /// Colours stored as whole numbers are shares of this.
 double range_of(PlyNumber number) {
@@ -180,8 +180,14 @@ struct PlyReader {
             ++bad_faces;
             return;
         }
-        for (std::size_t i = 2; i < corners.size(); ++i) {
-            mesh.indices.insert(mesh.indices.end(), {corners[0], corners[i - 1], corners[i]});
+        if (corners.size() == 3) {
+            mesh.indices.insert(mesh.indices.end(), corners.begin(), corners.end());
+        } else {
+            std::vector<Vec3f> places;
+            for (const std::uint32_t i : corners) places.push_back(mesh.vertices[i].position_body);
+            for (const auto& triangle : triangles_of(places)) {
+                for (const std::uint32_t i : triangle) mesh.indices.push_back(corners[i]);
+            }
         }
         if (mesh.indices.size() > limits::kIndices) {
             fault = fmt::format("it draws more than {} indices", limits::kIndices);

@@ -1,7 +1,7 @@
 // What PLY and STL have in common: one mesh, and z up. Private to engine/assets.
 #pragma once
 
-#include "engine/assets/checked_model.h"
+#include "engine/assets/model_readers_impl.h"
 #include "engine/core/math.h"
 
 #include <cmath>
@@ -26,9 +26,5 @@ inline ModelData model_with_z_up(ModelMesh mesh, bool has_colors) {
     model.meshes.push_back(std::move(mesh));
     return model;
 }
-
-/// "ply" or "stl" files by a reader of our own: assimp's are not hardened.
-Result<ModelData> read_ply(std::string_view bytes, const std::string& name);
-Result<ModelData> read_stl(std::string_view bytes, const std::string& name);
 
 }  // namespace plumbline::assets

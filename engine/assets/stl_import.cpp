@@ -1,6 +1,6 @@
 #include "engine/assets/byte_reader.h"
-#include "engine/assets/obj_check_impl.h"
 #include "engine/assets/single_mesh_impl.h"
+#include "engine/assets/text_words_impl.h"
 #include "engine/core/limits.h"
 
 #include <fmt/format.h>
@@ -67,7 +67,8 @@ std::string read_text(std::string_view bytes, Facets& facets) {
     std::size_t filled = 0;
     std::size_t line_number = 0;
     bool ended = false;
-    while (const std::optional<std::string> line = next_line(bytes)) {
+    LineReader lines(bytes);
+    while (const std::optional<std::string_view> line = lines.next()) {
         ++line_number;
         std::string_view rest = *line;
         const std::string_view word = next_word(rest);

@@ -190,10 +190,54 @@ TEST(PngImport, refuses_files_that_break_off_and_foreign_content) {
     }
     const auto text = import_image_bytes("hello");
     ASSERT_FALSE(text.ok());
-    EXPECT_TRUE(contains(text.error().message, "its content is none of PNG, JPEG and OpenEXR"));
+    EXPECT_TRUE(
+        contains(text.error().message, "its content is none of PNG, JPEG, OpenEXR and TGA"));
     EXPECT_EQ(text.error().exit_code, ExitCode::Refused);
     EXPECT_FALSE(import_image("/dev/zero").ok());
     EXPECT_FALSE(import_image("/tmp").ok());
+}
+
+/// A TGA header: kind 2 true colour, 3 grey, 8 more where runs are packed; order 0x20 from the top.
+std::string tga_header(int kind, int width, int height, int bits, int order) {
+    std::string bytes(18, '\0');
+    bytes[2] = static_cast<char>(kind);
+    bytes[12] = static_cast<char>(width);
+    bytes[14] = static_cast<char>(height);
+    bytes[16] = static_cast<char>(bits);
+    bytes[17] = static_cast<char>(order);
+    return bytes;
+}
+
+TEST(TgaImport, reads_rows_from_either_end_and_blue_first) {
+    // Two pixels: red below or left, half-seen blue above or right.
+    const std::string red("\0\0\xFF\xFF", 4);
+    const std::string blue("\xFF\0\0\x80", 4);
+    const Bytes from_above{0, 0, 255, 128, 255, 0, 0, 255};
+    const auto up = import_image_bytes(tga_header(2, 1, 2, 32, 8) + red + blue);
+    ASSERT_TRUE(up.ok()) << up.error().message;
+    EXPECT_EQ(up->format, PixelFormat::Rgba8);
+    EXPECT_EQ(up->bytes, from_above);
+    EXPECT_EQ(import_image_bytes(tga_header(2, 1, 2, 32, 0x28) + blue + red)->bytes, from_above);
+    EXPECT_EQ(import_image_bytes(tga_header(2, 2, 1, 32, 0x18) + red + blue)->bytes, from_above);
+    EXPECT_EQ(import_image_bytes(tga_header(3, 2, 1, 8, 0) + "\x05\x09")->bytes, (Bytes{5, 9}));
+}
+
+TEST(TgaImport, unpacks_runs_that_go_on_over_a_rows_end) {
+    // Three equal pixels, then two of their own, then one more: 3 x 2.
+    const std::string packed = "\x82" + std::string("\1\2\3") + "\1" + "\4\5\6\7\10\11" +
+                               std::string(1, '\0') + "\12\13\14";
+    const auto image = import_image_bytes(tga_header(10, 3, 2, 24, 0x20) + packed);
+    ASSERT_TRUE(image.ok()) << image.error().message;
+    EXPECT_EQ(image->bytes, (Bytes{3, 2, 1, 3, 2, 1, 3, 2, 1, 6, 5, 4, 9, 8, 7, 12, 11, 10}));
+    for (std::size_t size = 18; size < 18 + packed.size(); ++size) {
+        const auto cut =
+            import_image_bytes((tga_header(10, 3, 2, 24, 0x20) + packed).substr(0, size));
+        ASSERT_FALSE(cut.ok()) << size;
+        EXPECT_TRUE(contains(cut.error().message, "it breaks off"));
+    }
+    std::string huge = tga_header(10, 0, 0, 24, 0);
+    for (const std::size_t i : {12U, 13U, 14U, 15U}) huge[i] = '\xFF';
+    EXPECT_TRUE(contains(import_image_bytes(huge).error().message, "a side has at most"));
 }
 
 /// `side` x `side` pixels of one value each, JPEG quality 100.

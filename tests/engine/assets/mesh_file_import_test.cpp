@@ -88,16 +88,9 @@ TEST(PlyImport, refuses_what_it_cannot_be_sure_of) {
     EXPECT_TRUE(contains(error_of(good, "ascii", "base64"), "its format \"base64\" is unknown"));
 }
 
-TEST(StlImport, keeps_facets_flat_and_turns_z_up) {
-    const Import import = import_bytes(
-        "solid plate\nfacet normal 9 9 9\nouter loop\nvertex 0 0 0\nvertex 4 0 0\nvertex 0 0 2\n"
-        "endloop\nendfacet\nendsolid plate\n",
-        "m.stl");
-    ASSERT_TRUE(import.ok()) << import.error();
-    EXPECT_EQ(import.mesh().vertices.size(), 3U);
-    EXPECT_EQ(import.mesh().bounds.max, Vec3f(4, 2, 0));
-    EXPECT_EQ(import.mesh().vertices[0].normal_body, Vec3f(0, 0, 1)) << "by winding";
-}
+constexpr std::string_view kTextStl =
+    "solid plate\nfacet normal 9 9 9\nouter loop\nvertex 0 0 0\nvertex 4 0 0\nvertex 0 0 2\n"
+    "endloop\nendfacet\nendsolid\n";
 
 std::string binary_stl(std::uint32_t promised) {
     std::string bytes = "solid is no proof of text";
@@ -106,6 +99,37 @@ std::string binary_stl(std::uint32_t promised) {
     append_bytes<float>(bytes, {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
     append_bytes<std::uint16_t>(bytes, {0});
     return bytes;
+}
+
+TEST(StlImport, refuses_what_it_cannot_be_sure_of) {
+    const auto error_of = [](std::string_view from, std::string_view to) {
+        std::string text(kTextStl);
+        text.replace(text.find(from), from.size(), to);
+        return import_bytes(text, "m.stl").error();
+    };
+    for (const char* number : {"nan", "inf", "1e999", "four", ""}) {
+        EXPECT_TRUE(contains(error_of("vertex 4", std::string("vertex ") + number),
+                             "line 5: a vertex must be three numbers"))
+            << number;
+    }
+    EXPECT_TRUE(contains(error_of("endloop", "vertex 1 1 1"), "a facet has three vertices"));
+    EXPECT_TRUE(contains(error_of("vertex 0 0 2", "vertex 8 0 0"), "it holds no triangles"));
+    EXPECT_TRUE(contains(error_of("vertex 4", "vertex 9e9"), "lies beyond"));
+    std::string wild = binary_stl(0xFFFFFFFF);
+    wild[0] = 'x';
+    EXPECT_TRUE(contains(import_bytes(wild, "m.stl").error(),
+                         "it says 4294967295 triangles and has room for 1"));
+    std::string not_finite = binary_stl(1);
+    for (std::size_t i = 96; i < 100; ++i) not_finite[i] = '\xFF';  // a NaN
+    EXPECT_TRUE(contains(import_bytes(not_finite, "m.stl").error(), "it holds no triangles"));
+}
+
+TEST(StlImport, keeps_facets_flat_and_turns_z_up) {
+    const Import import = import_bytes(kTextStl, "m.stl");
+    ASSERT_TRUE(import.ok()) << import.error();
+    EXPECT_EQ(import.mesh().vertices.size(), 3U);
+    EXPECT_EQ(import.mesh().bounds.max, Vec3f(4, 2, 0));
+    EXPECT_EQ(import.mesh().vertices[0].normal_body, Vec3f(0, 0, 1)) << "by winding";
 }
 
 TEST(StlImport, knows_binary_files_by_their_length) {
@@ -192,6 +216,7 @@ TEST(CutFiles, never_do_more_than_be_refused) {
         {"m.ply", std::string(kTextPly)},
         {"m.ply", binary_ply(std::endian::little)},
         {"m.stl", binary_stl(1)},
+        {"m.stl", std::string(kTextStl)},
         {"m.glb", TriangleFile{}.glb()}};
     const TempFolder folder;
     for (const auto& [name, bytes] : files) {
