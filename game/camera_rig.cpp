@@ -11,12 +11,10 @@ namespace {
 constexpr Real kNotch = 1.25_r;
 constexpr Real kSprint = 3;
 constexpr Real kFlySmoothing_s = 0.08_r;
-constexpr Real kFlyClearance_m = 0.15_r;
-constexpr Real kOrbitClearance_m = 0.1_r;
-constexpr Real kOrbitClearance = 0.3_r;  // of the distance, where that is less
-constexpr Real kTouching_m = 1e-3_r;
-constexpr Real kDeepestGround_m = 100;  // longer rays are less exact at their start
-constexpr int kHalvings = 12;           // of a step that would end under the ground
+constexpr Real kOrbitClearance = 0.3_r;    // of the distance, where that is less
+constexpr Real kModelClearance = 0.005_r;  // of its radius; further than the near plane
+constexpr Real kTouching = 1e-5_r;         // of the depth that is looked into
+constexpr int kHalvings = 12;              // of a step that would end under the ground
 constexpr Real kOrbitTurn_radps = 1.6_r;
 constexpr Real kOrbitZoom_per_s = 1.5_r;
 constexpr Real kOrbitNotch = 0.88_r;
@@ -45,10 +43,10 @@ Real free_share(const IsFree& is_free) {
 
 bool GroundBelow::operator()(const Vec3& place_m) const {
     if (hidden) return true;
-    const Vec3 deep_m = place_m - Vec3{0, kDeepestGround_m, 0};
+    const Vec3 deep_m = place_m - Vec3{0, deepest_m, 0};
     auto hit = world.cast_ray(place_m, deep_m, {.ignored = own_body});
     // What the place itself lies in may be met at once; ground is what comes after it.
-    if (hit && hit->distance_m < kTouching_m) {
+    if (hit && hit->distance_m < kTouching * deepest_m) {
         hit = world.cast_ray(place_m, deep_m, {.ignored = own_body, .also_ignored = hit->body});
     }
     return hit.has_value();
@@ -119,11 +117,12 @@ void FlyCamera::change_speed(int notches) {
         speed_mps_ * std::pow(kNotch, static_cast<Real>(notches)), slowest_mps_, fastest_mps_);
 }
 
-void FlyCamera::suit(Real speed_mps) {
+void FlyCamera::suit(Real radius_m) {
     constexpr Real kRange = 50;
-    speed_mps_ = speed_mps;
-    slowest_mps_ = speed_mps / kRange;
-    fastest_mps_ = speed_mps * kRange;
+    speed_mps_ = radius_m;
+    slowest_mps_ = radius_m / kRange;
+    fastest_mps_ = radius_m * kRange;
+    clearance_m_ = radius_m * kModelClearance;
 }
 
 void FlyCamera::act(const Actions& actions,
@@ -144,12 +143,12 @@ void FlyCamera::act(const Actions& actions,
         return ground(eye_m - Vec3{0, clearance_m, 0});
     };
     const Vec3 level{position_m_.x, previous_m_.y, position_m_.z};
-    if (position_m_.y >= previous_m_.y || is_above(position_m_, kFlyClearance_m)) return;
+    if (position_m_.y >= previous_m_.y || is_above(position_m_, clearance_m_)) return;
     // Past the edge of the world, or under the ground already. Half, as the last step ended near it.
-    if (!is_above(level, kFlyClearance_m / 2)) return;
+    if (!is_above(level, clearance_m_ / 2)) return;
     const Vec3 down = position_m_ - level;
     const Real share =
-        free_share([&](Real part) { return is_above(level + down * part, kFlyClearance_m); });
+        free_share([&](Real part) { return is_above(level + down * part, clearance_m_); });
     position_m_ = level + down * share;
     velocity_mps_.y = 0;
 }
@@ -168,6 +167,7 @@ void OrbitCamera::place(const Vec3& target_m, Real distance_m, Real pitch_rad) {
 void OrbitCamera::suit(Real radius_m) {
     nearest_m_ = radius_m * 0.02_r;
     farthest_m_ = radius_m * 50;
+    clearance_m_ = radius_m * kModelClearance;
 }
 
 void OrbitCamera::pan(const Quat& orientation, Real yaw_rad, Real pitch_rad) {
@@ -202,7 +202,7 @@ void OrbitCamera::stay_above(const GroundBelow& ground, Look& look) {
         const Vec3 eye_m =
             target_m_ +
             orientation_of(look.yaw_rad(), steady_pitch_rad_ + pitch * part) * Vec3{0, 0, distance};
-        const Real clearance_m = std::min(kOrbitClearance_m, kOrbitClearance * distance);
+        const Real clearance_m = std::min(clearance_m_, kOrbitClearance * distance);
         return ground(eye_m - Vec3{0, clearance_m * clearance_share, 0});
     };
     if (is_above(1, 1) || !is_above(0, 0.5_r)) return;

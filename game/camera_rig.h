@@ -43,12 +43,13 @@ private:
     Real smooth_pitch_rad_{0};
 };
 
-/// What keeps cameras above the ground. Ground is whatever lies under a place, up to 100 m deep; where
+/// What keeps cameras above the ground. Ground is whatever lies under a place, not too deep; where
 /// there is none, past the edge of the world, a camera may go down.
 struct GroundBelow {
     const physics::PhysicsWorld& world;
     physics::BodyId own_body{};  ///< the person's capsule is no ground
     bool hidden{false};          ///< nobody sees it: it holds no camera
+    Real deepest_m{100};         ///< longer rays are less exact at their start
 
     bool operator()(const Vec3& place_m) const;
 };
@@ -60,8 +61,8 @@ public:
     void act(const Actions& actions, const Look& look, const GroundBelow& ground, Real step_s);
     /// One notch of the wheel: +1 faster, -1 slower.
     void change_speed(int notches);
-    /// For things of another size than gardens: starts at this speed, and bounds it around it.
-    void suit(Real speed_mps);
+    /// For a model of another size than gardens: one radius a second at first, and bounds around it.
+    void suit(Real radius_m);
 
     Vec3 position_m(Real blend) const;
     const Vec3& velocity_mps() const { return velocity_mps_; }
@@ -74,6 +75,7 @@ private:
     Real speed_mps_{5};
     Real slowest_mps_{0.1_r};
     Real fastest_mps_{200};
+    Real clearance_m_{0.15_r};  ///< over the ground
 };
 
 /// Turns around a point.
@@ -103,6 +105,7 @@ private:
     Real steady_pitch_rad_{0};  ///< of the last step
     Real nearest_m_{kNearest_m};
     Real farthest_m_{kFarthest_m};
+    Real clearance_m_{0.1_r};  ///< over the ground
 };
 
 }  // namespace plumbline::game

@@ -14,8 +14,10 @@ constexpr Real kZoomNotch = 0.1_r;
 constexpr Real kKeyTurn_radps = 1.6_r;
 constexpr Real kDefaultOrbit_m = 5;
 constexpr Real kOrbitSight_m = 100;
-constexpr Real kLostBelow_m = 100;  // under the start, where the scene says no other depth
-constexpr Real kHandReach_m = 12;   // hand and eye aim at one point this far away
+constexpr Real kWalkedModel_m = 2;      // its radius
+constexpr Real kModelGroundDepth = 60;  // of its radius; orbits go 50 of them away
+constexpr Real kLostBelow_m = 100;      // under the start, where the scene says no other depth
+constexpr Real kHandReach_m = 12;       // hand and eye aim at one point this far away
 const Vec3 kHandFromEye{0.25_r, -0.25_r, -0.3_r};
 
 Pose looking(const Vec3& from, const Quat& orientation) {
@@ -128,9 +130,10 @@ void PlaygroundGame::move(scene::Simulation& simulation, const Actions& actions)
         if (left != 0) look_.turn_smoothly(left * kKeyTurn_radps * step_s_, 0);
     }
     if (player_) player_->act(simulation, actions, look_, mode_ == MoveMode::Walk);
-    const GroundBelow ground{.world = simulation.physics,
-                             .own_body = player_ ? player_->body() : physics::BodyId{},
-                             .hidden = !simulation.switches.ground};
+    GroundBelow ground{.world = simulation.physics,
+                       .own_body = player_ ? player_->body() : physics::BodyId{},
+                       .hidden = !simulation.switches.ground};
+    if (model_radius_m_ > 0) ground.deepest_m = model_radius_m_ * kModelGroundDepth;
     if (mode_ == MoveMode::Fly) {
         if (!grab_.holding()) {
             fly_.change_speed(actions.presses(Action::Push) - actions.presses(Action::Pull));
@@ -145,16 +148,21 @@ void PlaygroundGame::next_mode(scene::Simulation& simulation) {
     const Quat orientation = look_.orientation();
     const Vec3 eye = eye_m(1, orientation);
     const Vec3 forward = orientation * Vec3{0, 0, -1};
-    if (mode_ == MoveMode::Walk) {
+    // Nobody walks on what is smaller than he is.
+    const bool is_small = model_radius_m_ > 0 && model_radius_m_ < kWalkedModel_m;
+    if (mode_ == MoveMode::Walk || (mode_ == MoveMode::Orbit && is_small)) {
         mode_ = MoveMode::Fly;
         fly_.place(eye);
         say("flying: the wheel sets the speed");
     } else if (mode_ == MoveMode::Fly) {
         mode_ = MoveMode::Orbit;
         const Aim now = aim();
-        const auto seen = simulation.physics.cast_ray(
-            eye, eye + forward * kOrbitSight_m, {.ignored = now.own_body});
-        const Real distance = seen ? seen->distance_m : kDefaultOrbit_m;
+        const bool is_model = model_radius_m_ > 0;
+        const Real sight_m = is_model ? model_radius_m_ * kModelGroundDepth : kOrbitSight_m;
+        const auto seen =
+            simulation.physics.cast_ray(eye, eye + forward * sight_m, {.ignored = now.own_body});
+        const Real unseen_m = is_model ? model_radius_m_ : kDefaultOrbit_m;
+        const Real distance = seen ? seen->distance_m : unseen_m;
         orbit_.place(eye + forward * distance, distance, look_.pitch_rad());
         say("orbiting what you looked at");
     } else {
@@ -203,7 +211,8 @@ scene::ViewPoint PlaygroundGame::view(const scene::Simulation&,
             .world_from_hand = hand_of(camera),
             .fov_y_rad = glm::mix(previous_fov_rad_, fov_rad_, blend),
             .velocity_mps = viewer_velocity_mps(),
-            .has_player = mode_ == MoveMode::Walk};
+            .has_player = mode_ == MoveMode::Walk,
+            .blend = blend};
 }
 
 std::span<const scene::FootstepEvent> PlaygroundGame::footsteps() const {

@@ -7,7 +7,6 @@ namespace plumbline::game {
 namespace {
 
 constexpr Real kTurntable_radps = 0.5_r;
-constexpr Real kRadiiPer_s = 1;
 
 }  // namespace
 
@@ -19,7 +18,7 @@ void PlaygroundGame::begin_view(const scene::SceneDescription& scene) {
     orbit_.place(scene.camera.target_m,
                  glm::distance(scene.camera.position_m, scene.camera.target_m),
                  look_.pitch_rad());
-    fly_.suit(model_radius_m_ * kRadiiPer_s);
+    fly_.suit(model_radius_m_);
 }
 
 void PlaygroundGame::turn_model(const Actions& actions) {

@@ -8,10 +8,10 @@
 
 namespace plumbline::app::panels {
 
-void draw_animation_bar(AnimationBar& bar, float width_px, float height_px, float font_px) {
+float draw_animation_bar(AnimationBar& bar, float width_px, float height_px, float font_px) {
     const float wide_px = std::min(width_px * 0.7F, font_px * 44.0F);
     ImGui::SetNextWindowPos(
-        {width_px * 0.5F, height_px - font_px * 4.5F}, ImGuiCond_Always, {0.5F, 1.0F});
+        {width_px * 0.5F, height_px - font_px * 0.8F}, ImGuiCond_Always, {0.5F, 1.0F});
     ImGui::SetNextWindowSize({wide_px, 0.0F});
     ImGui::SetNextWindowBgAlpha(0.6F);
     ImGui::Begin(
@@ -36,7 +36,9 @@ void draw_animation_bar(AnimationBar& bar, float width_px, float height_px, floa
     ImGui::GetWindowDrawList()->AddText({from.x + font_px * 0.5F, from.y + font_px * 0.15F},
                                         ImGui::GetColorU32(ImGuiCol_Text),
                                         text.c_str());
+    const float taken_px = ImGui::GetWindowHeight() + font_px * 0.8F;
     ImGui::End();
+    return taken_px;
 }
 
 }  // namespace plumbline::app::panels

@@ -39,7 +39,7 @@ PlayEnd run(platform::Window& window,
 
         // Extraction: the world is read, blended and copied into plain data.
         const scene::ViewPoint view = parts.view(time.blend);
-        const render::RenderFrame frame = parts.extract(view, time.blend);
+        const render::RenderFrame frame = parts.extract(view);
 
         // Passes: each reads the frame and the images of the passes above it.
         parts.renderer->begin(frame);

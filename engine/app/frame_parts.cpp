@@ -58,7 +58,7 @@ Result<std::unique_ptr<FrameParts>> FrameParts::create(platform::Window& window,
     if (!stepper) return stepper.error();
     std::unique_ptr<FrameParts> parts(new FrameParts(
         window, session, bindings, config, def, std::move(*stepper), std::move(*renderer)));
-    parts->renderer->prepare(parts->extract(parts->view(Real{1}), Real{1}));
+    parts->renderer->prepare(parts->extract(parts->view(Real{1})));
     if (const std::string& fault = parts->renderer->shader_fault(); !fault.empty())
         return Error{.message = fault, .exit_code = ExitCode::NoDisplay};
     parts->say_faults();

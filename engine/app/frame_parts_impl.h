@@ -31,7 +31,7 @@ public:
     void do_requests();  ///< reset, reload, pictures, recordings: what frame actions asked for
     void run_steps(const FrameTime& time);
     scene::ViewPoint view(Real blend) const;
-    render::RenderFrame extract(const scene::ViewPoint& view, Real blend);
+    render::RenderFrame extract(const scene::ViewPoint& view);
     void draw_overlay(const render::RenderFrame& frame);
     void play_sound(const scene::ViewPoint& view, double now_s);
     void finish_frame(double frame_start_s, double present_s);

@@ -38,6 +38,7 @@ std::optional<AnimationBar> bar_of(const scene::Simulation& simulation) {
 void apply_bar(const AnimationBar& bar, scene::Simulation& simulation) {
     for (auto [entity, playing] : simulation.registry.view<scene::PlayingModel>()) {
         playing.paused = bar.paused;
+        if (bar.next || bar.time_s != playing.time_s) playing.latest_step_s = 0;  // it jumps there
         playing.time_s = bar.next ? 0.0 : bar.time_s;
         if (bar.next) ++playing.animation;
     }
@@ -52,11 +53,10 @@ scene::ViewPoint FrameParts::view(Real blend) const {
     return view;
 }
 
-render::RenderFrame FrameParts::extract(const scene::ViewPoint& view, Real blend) {
+render::RenderFrame FrameParts::extract(const scene::ViewPoint& view) {
     const platform::PixelSize size = window_.framebuffer_size();
     render::RenderFrame frame = scene::extract(*session_.simulation,
                                                view,
-                                               blend,
                                                static_cast<std::uint32_t>(size.width),
                                                static_cast<std::uint32_t>(size.height));
     frame.fill_mode = controls_.fill_mode;

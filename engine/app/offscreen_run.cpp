@@ -43,7 +43,7 @@ Result<Done> OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
     const scene::ViewPoint seen_from =
         view ? *view : session_.game->view(*session_.simulation, Real{1}, 0.0F, 0.0F);
     render::RenderFrame frame =
-        scene::extract(*session_.simulation, seen_from, Real{1}, def_.width_px, def_.height_px);
+        scene::extract(*session_.simulation, seen_from, def_.width_px, def_.height_px);
     frame.shading = def_.shading;
     frame.quality = report_.picture().quality;
     session_.effects->extract(*session_.simulation, seen_from, frame);

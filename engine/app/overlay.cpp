@@ -95,8 +95,9 @@ AccuracyRequest Overlay::draw(const OverlayInput& input,
     float side_px = 0.0F;
     if (input.parts.accuracy && !menu.open())
         answer = panels::draw_accuracy(input.accuracy, input.clock, canvas.font_px(), side_px);
+    float bar_px = 0.0F;
     if (input.animation != nullptr && input.parts.hud && !menu.open()) {
-        panels::draw_animation_bar(
+        bar_px = panels::draw_animation_bar(
             *input.animation, canvas.width_px(), canvas.height_px(), canvas.font_px());
     }
     ui::HudTexts texts;
@@ -110,7 +111,7 @@ AccuracyRequest Overlay::draw(const OverlayInput& input,
         texts.messages.push_back({.text = fault, .tone = ui::Tone::Bad});
     const ui::HudLayout layout = ui::layout_of(texts,
                                                canvas.width_px(),
-                                               canvas.height_px(),
+                                               canvas.height_px() - bar_px,
                                                canvas.font_px(),
                                                side_px,
                                                canvas.text_size());

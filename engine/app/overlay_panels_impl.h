@@ -21,8 +21,8 @@ std::vector<ui::HudLine> message_lines(const std::deque<Message>& messages,
                                        bool reduce_motion);
 /// The aim, the charge of a throw around it, and signs of what is switched on.
 void draw_crosshair(const OverlayInput& input, float font_px);
-/// In the middle, above the status line.
-void draw_animation_bar(AnimationBar& bar, float width_px, float height_px, float font_px);
+/// At the bottom, in the middle; the height that it takes from the rest, in pixels.
+float draw_animation_bar(AnimationBar& bar, float width_px, float height_px, float font_px);
 /// `taken_px`: how much of the right edge it needs.
 AccuracyRequest draw_accuracy(const AccuracyControl& control,
                               const FrameClock& clock,

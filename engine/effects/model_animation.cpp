@@ -1,6 +1,7 @@
 // Plays the animations of models: their time in the step, their parts in the picture.
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
+#include "engine/scene/extract.h"
 
 #include <fmt/format.h>
 
@@ -28,18 +29,20 @@ public:
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
         for (auto [entity, playing] : simulation.registry.view<scene::PlayingModel>()) {
             const MovingModel* model = library_.moving(playing.model);
+            playing.latest_step_s = 0;
             if (model == nullptr || playing.paused) continue;
             const auto length_s = static_cast<double>(
                 model->data.animations[playing.animation % model->data.animations.size()]
                     .duration_s);
-            playing.time_s += simulation.step_s();
+            playing.latest_step_s = simulation.step_s();
+            playing.time_s += playing.latest_step_s;
             if (length_s > 0.0) playing.time_s = std::fmod(playing.time_s, length_s);
             ++work_.calls;
         }
     }
 
     void extract(const scene::Simulation& simulation,
-                 const scene::ViewPoint&,
+                 const scene::ViewPoint& view,
                  render::RenderFrame& frame) override {
         for (auto [entity, playing, visual, placement] :
              simulation.registry
@@ -47,12 +50,9 @@ public:
             const MovingModel* model = library_.moving(playing.model);
             if (model == nullptr) continue;
             Posed& posed = posed_of(entity, *model);
-            take_pose(*model, playing, posed);
-            add_items(*model,
-                      visual,
-                      matrix_of(placement.world_from_body, placement.scale),
-                      posed,
-                      frame);
+            take_pose(*model, playing, static_cast<double>(view.blend), posed);
+            const Pose pose = scene::drawn_pose(simulation, entity, placement, view.blend);
+            add_items(*model, visual, matrix_of(pose, placement.scale), posed, frame);
         }
     }
 
@@ -78,13 +78,18 @@ private:
         return posed;
     }
 
-    void take_pose(const MovingModel& model, const scene::PlayingModel& playing, Posed& posed) {
+    void take_pose(const MovingModel& model,
+                   const scene::PlayingModel& playing,
+                   double blend,
+                   Posed& posed) {
         const std::size_t number = playing.animation % model.data.animations.size();
-        if (posed.time_s == playing.time_s && posed.animation == number) return;
-        posed.time_s = playing.time_s;
+        const assets::ModelAnimation& animation = model.data.animations[number];
+        double time_s = playing.time_s - playing.latest_step_s * (1.0 - blend);
+        if (time_s < 0.0) time_s += static_cast<double>(animation.duration_s);  // began anew
+        if (posed.time_s == time_s && posed.animation == number) return;
+        posed.time_s = time_s;
         posed.animation = static_cast<std::uint32_t>(number);
-        posed.pose = assets::pose_at(
-            model.data, model.data.animations[number], static_cast<float>(playing.time_s));
+        posed.pose = assets::pose_at(model.data, animation, static_cast<float>(time_s));
         for (std::size_t i = 0; i < model.parts.size(); ++i) {
             if (!model.parts[i].deforms) continue;
             assets::deform(

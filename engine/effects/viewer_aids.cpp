@@ -1,5 +1,6 @@
 // What helps to look at a model by itself: grid, axes, normals, backgrounds, no ground.
 #include "engine/effects/effect_table.h"
+#include "engine/render/frustum.h"
 
 #include <algorithm>
 #include <array>
@@ -31,19 +32,28 @@ public:
                  render::RenderFrame& frame) override {
         const scene::LiveSwitches& switches = simulation.switches;
         const auto radius_m = static_cast<float>(simulation.description().model_radius_m);
+        // The bottom of what may be far from the origin, lifted a hair so that both are seen.
+        const Vec3f center(simulation.description().camera.target_m);
         float floor_m = 0.0F;
+        assets::MeshId ground{};
         for (auto [entity, name, visual, placement] :
              simulation.registry
                  .view<const scene::Name, const scene::Visual, const scene::Placement>()) {
-            if (name.text == kGroundName) {
-                floor_m = static_cast<float>(placement.world_from_body.position.y);
-                if (!switches.ground) hide(visual.mesh, frame);
-            } else if (switches.normals) {
-                add_normals(simulation.library().mesh(visual.mesh), radius_m, frame.lines);
+            if (name.text != kGroundName) continue;
+            floor_m = static_cast<float>(placement.world_from_body.position.y);
+            ground = visual.mesh;
+        }
+        if (!switches.ground) hide(ground, frame);
+        if (switches.normals) {
+            for (const render::DrawItem& item : frame.items) {
+                if (item.mesh != ground)
+                    add_normals(simulation.library().mesh(item.mesh),
+                                item.world_from_body,
+                                radius_m,
+                                frame);
             }
         }
-        // The bottom of what may be far from the origin, lifted a hair so that both are seen.
-        const Vec3f center(simulation.description().camera.target_m);
+        push_near_plane(simulation.library(), floor_m, frame);
         if (switches.grid)
             add_grid({center.x, floor_m + radius_m * 1e-3F, center.z}, radius_m, frame.lines);
         if (switches.axes) add_axes(radius_m, frame.lines);
@@ -57,6 +67,21 @@ public:
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 
 private:
+    /// For the sake of what is far, to half the distance of the nearest thing: the corners of the
+    /// picture lie closer to the plane of the eye than to the eye.
+    static void push_near_plane(const assets::AssetLibrary& library,
+                                float floor_m,
+                                render::RenderFrame& frame) {
+        const Vec3f& eye = frame.camera.position_world;
+        float nearest_m = std::abs(eye.y - floor_m);  // the grid
+        for (const render::DrawItem& item : frame.items) {
+            const Aabb box =
+                render::transformed(library.mesh(item.mesh).bounds, item.world_from_body);
+            nearest_m = std::min(nearest_m, glm::distance(eye, glm::clamp(eye, box.min, box.max)));
+        }
+        frame.camera.near_m = std::max(frame.camera.near_m, 0.5F * nearest_m);
+    }
+
     static void hide(assets::MeshId mesh, render::RenderFrame& frame) {
         std::erase_if(frame.items, [&](const render::DrawItem& item) { return item.mesh == mesh; });
     }
@@ -82,14 +107,18 @@ private:
         }
     }
 
-    /// At rest; of fine meshes every so many.
-    static void add_normals(const assets::MeshData& mesh, float radius_m, LineList& lines) {
+    /// As the mesh is drawn now; of fine meshes every so many.
+    static void add_normals(const assets::MeshData& mesh,
+                            const Mat4f& world_from_body,
+                            float radius_m,
+                            render::RenderFrame& frame) {
+        const Mat3f normals = glm::transpose(glm::inverse(Mat3f{world_from_body}));
         const std::size_t step = std::max<std::size_t>(1, mesh.vertices.size() / kMostNormals);
         for (std::size_t i = 0; i < mesh.vertices.size(); i += step) {
             const assets::Vertex& vertex = mesh.vertices[i];
-            lines.add(vertex.position_body,
-                      vertex.position_body + vertex.normal_body * (radius_m * kNormalShare),
-                      {0.1F, 0.4F, 1.0F});
+            const Vec3f from{world_from_body * Vec4f{vertex.position_body, 1.0F}};
+            const Vec3f along = normalize_or(normals * vertex.normal_body, Vec3f{0.0F});
+            frame.lines.add(from, from + along * (radius_m * kNormalShare), {0.1F, 0.4F, 1.0F});
         }
     }
 };

@@ -55,6 +55,7 @@ struct PlayingModel {
     assets::ModelId model{};
     std::uint32_t animation{0};  ///< of the file's
     double time_s{0};            ///< since the animation's start; it repeats
+    double latest_step_s{0};     ///< what the latest step added to it: pictures lie in between
     bool paused{false};
 };
 

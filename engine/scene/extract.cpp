@@ -9,20 +9,6 @@ namespace plumbline::scene {
 
 namespace {
 
-/// Where the entity is drawn: between its last two poses if it can move.
-Pose drawn_pose(const Simulation& simulation,
-                ecs::Entity entity,
-                const Placement& placement,
-                Real blend_share) {
-    const auto* previous = simulation.registry.find<PreviousPlacement>(entity);
-    if (previous == nullptr) return placement.world_from_body;
-    const Pose& from = previous->world_from_body;
-    const Pose& to = placement.world_from_body;
-    // Most bodies rest most of the time; they need no interpolation.
-    if (from.position == to.position && from.orientation == to.orientation) return to;
-    return blend(from, to, blend_share);
-}
-
 void add_items(const Simulation& simulation, Real blend_share, render::RenderFrame& frame) {
     for (auto [entity, visual, placement] :
          simulation.registry.view<const Visual, const Placement>()) {
@@ -61,9 +47,21 @@ void add_lights(const Simulation& simulation, Real blend_share, render::RenderFr
 
 }  // namespace
 
+Pose drawn_pose(const Simulation& simulation,
+                ecs::Entity entity,
+                const Placement& placement,
+                Real blend_share) {
+    const auto* previous = simulation.registry.find<PreviousPlacement>(entity);
+    if (previous == nullptr) return placement.world_from_body;
+    const Pose& from = previous->world_from_body;
+    const Pose& to = placement.world_from_body;
+    // Most bodies rest most of the time; they need no interpolation.
+    if (from.position == to.position && from.orientation == to.orientation) return to;
+    return blend(from, to, blend_share);
+}
+
 render::RenderFrame extract(const Simulation& simulation,
                             const ViewPoint& view,
-                            Real blend,
                             std::uint32_t width_px,
                             std::uint32_t height_px) {
     const SceneDescription& scene = simulation.description();
@@ -85,8 +83,8 @@ render::RenderFrame extract(const Simulation& simulation,
                 normalize_or(simulation.switches.sun_direction, Vec3f{0.0F, -1.0F, 0.0F}),
             .radiance = scene.sun->color * scene.sun->intensity * daylight};
     }
-    add_items(simulation, blend, frame);
-    add_lights(simulation, blend, frame);
+    add_items(simulation, view.blend, frame);
+    add_lights(simulation, view.blend, frame);
     return frame;
 }
 

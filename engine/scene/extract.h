@@ -12,8 +12,13 @@ namespace plumbline::scene {
 /// post) are left empty: their effects fill them in.
 render::RenderFrame extract(const Simulation& simulation,
                             const ViewPoint& view,
-                            Real blend,
                             std::uint32_t width_px,
                             std::uint32_t height_px);
+
+/// Where a picture of that instant shows the entity: between its last two poses if it can move.
+Pose drawn_pose(const Simulation& simulation,
+                ecs::Entity entity,
+                const Placement& placement,
+                Real blend);
 
 }  // namespace plumbline::scene

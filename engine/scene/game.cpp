@@ -15,8 +15,10 @@ NoGame::NoGame(const CameraDescription& camera) {
     view_.fov_y_rad = camera.fov_y_rad;
 }
 
-ViewPoint NoGame::view(const Simulation&, Real, float, float) const {
-    return view_;
+ViewPoint NoGame::view(const Simulation&, Real blend, float, float) const {
+    ViewPoint view = view_;
+    view.blend = blend;
+    return view;
 }
 
 }  // namespace plumbline::scene

@@ -17,6 +17,7 @@ struct ViewPoint {
     Real fov_y_rad{radians_from_degrees(70.0_r)};
     Vec3 velocity_mps{0, 0, 0};
     bool has_player{false};
+    Real blend{1};  ///< the picture's instant: this share of the way from the last step but one
 };
 
 /// A footstep or landing: effects turn it into sound.

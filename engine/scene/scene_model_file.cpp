@@ -1,4 +1,5 @@
 #include "engine/assets/model_import.h"
+#include "engine/core/limits.h"
 #include "engine/scene/scene_file.h"
 #include "engine/scene/scene_parts.h"
 
@@ -11,13 +12,12 @@ namespace {
 
 constexpr std::string_view kGroundName = "ground";
 // Of the radius of the sphere round the model. A depth buffer of 24 bits bears their quotients.
-constexpr Real kNearShare = 0.005_r;
+constexpr Real kNearShare = 0.002_r;
 constexpr Real kFarShare = 100;
 constexpr Real kGroundShare = 20;
 constexpr Real kShadowShare = 10;
 constexpr std::size_t kMostSolidTriangles = 200'000;
 constexpr Real kLeastRadius_m = 1e-5_r;
-constexpr Real kWidestGround_m = 1e4_r;  // shapes are no larger
 
 }  // namespace
 
@@ -30,8 +30,10 @@ SceneDescription scene_of_model(const std::filesystem::path& file,
     scene.source_files.push_back(file);
     scene.title = file.stem().string();
     scene.description = "a model on a ground plane";
-    scene.ambient = Vec3f{0.25F, 0.27F, 0.3F};
+    // Together they make white that faces the sun just white, not more.
+    scene.ambient = Vec3f{0.2F, 0.215F, 0.24F};
     scene.sun = SunDescription{.direction = glm::normalize(Vec3{-0.4_r, Real{-1}, -0.3_r}),
+                               .intensity = 2.4F,
                                .shadow = ShadowDescription{.origin = origin},
                                .origin = origin};
 
@@ -72,9 +74,14 @@ void place_on_stage(SceneDescription& scene, const Aabb& bounds) {
     for (EntityDescription& entity : scene.entities) {
         auto* primitive = std::get_if<Primitive>(&entity.visual);
         if (primitive == nullptr || entity.name != kGroundName) continue;
-        const Real side_m = std::min(radius_m * kGroundShare, kWidestGround_m);
-        *primitive = physics::PlaneShape{.size_m = {side_m, side_m},
-                                         .thickness_m = std::min(radius_m, kWidestGround_m)};
+        const auto allowed_m = [](Real size_m) {
+            return std::clamp(size_m,
+                              static_cast<Real>(limits::kSizeMin_m),
+                              static_cast<Real>(limits::kSizeMax_m));
+        };
+        const Real side_m = allowed_m(radius_m * kGroundShare);
+        *primitive =
+            physics::PlaneShape{.size_m = {side_m, side_m}, .thickness_m = allowed_m(radius_m)};
         entity.world_from_body.position = {
             camera.target_m.x, Real{bounds.min.y}, camera.target_m.z};
     }
@@ -88,7 +95,11 @@ Result<Done> fit_stage(SceneDescription& scene, assets::AssetLibrary& library) {
         if (!model) return model.error();
         // A collision tree for more takes longer than reading them: such a model is only looked at.
         if (library.mesh(model->mesh).indices.size() / 3 > kMostSolidTriangles) entity.body.reset();
-        place_on_stage(scene, library.mesh(model->mesh).bounds);
+        const assets::MovingModel* moving = library.moving(model->id);
+        place_on_stage(scene,
+                       moving == nullptr
+                           ? library.mesh(model->mesh).bounds
+                           : assets::bounds_over(moving->data, moving->data.animations.front()));
         return Done{};
     }
     return Done{};

@@ -62,6 +62,21 @@ TEST(Viewer, ZoomsByShareWhateverTheSize) {
     }
 }
 
+TEST(Viewer, FliesAsFastAndAsLowAsSuitsTheModel) {
+    for (const Real radius_m : {0.0005_r, 1.0_r, 5000.0_r}) {
+        scene::SceneDescription scene = stage(radius_m);
+        const Vec3 size = Vec3{20, 1, 20} * radius_m;
+        scene.entities = {block("ground", size, {0, -1.5_r * radius_m, 0})};  // its top at y = -1
+        Playground play(scene);
+        while (play.game->mode() != MoveMode::Fly) play.step(press({Action::MoveMode}));
+        const Real before = eye(play).z;
+        play.run(1, hold({Action::Back}));
+        EXPECT_NEAR((eye(play).z - before) / radius_m, 1 - 0.08, 0.03) << radius_m;
+        play.run(3, hold({Action::Crouch}));
+        EXPECT_NEAR(eye(play).y / radius_m, -1 + 0.005, 0.002) << radius_m;
+    }
+}
+
 TEST(Viewer, SwitchesItsAids) {
     Playground play(stage(1));
     play.step(press({Action::Grid, Action::Ground, Action::Background}));

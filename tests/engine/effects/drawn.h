@@ -12,10 +12,10 @@
 namespace plumbline::effects {
 
 /// One frame as the window makes it.
-inline render::RenderFrame draw(test::Running& run, EffectRuntime& effects) {
+inline render::RenderFrame draw(test::Running& run, EffectRuntime& effects, Real blend = 1) {
     effects.refresh(*run);
-    const scene::ViewPoint view = run.game.view(*run, Real{1}, 0.0F, 0.0F);
-    render::RenderFrame frame = scene::extract(*run, view, Real{1}, 64, 64);
+    const scene::ViewPoint view = run.game.view(*run, blend, 0.0F, 0.0F);
+    render::RenderFrame frame = scene::extract(*run, view, 64, 64);
     effects.extract(*run, view, frame);
     return frame;
 }

@@ -72,6 +72,95 @@ TEST(ModelAnimation, MovesItsPartsWithTheStepsAndRepeats) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(places_x(frame)[i], expected[i], 1e-4);
 }
 
+TEST(ModelAnimation, StandsBetweenTwoStepsAsTheFrameDoes) {
+    const TempFolder folder;
+    test::Running run(model_scene(folder, sliding_model()));
+    EffectRuntime effects(*run, {.picture = true});
+    const auto sled_x = [&](Real blend) {
+        return draw(run, effects, blend).items.back().world_from_body[3].x;
+    };
+    EXPECT_NEAR(sled_x(0.5_r), 0.0, 1e-4) << "before the first step";
+    run.step(15, effects);  // 2 m a second, 60 steps a second
+    EXPECT_NEAR(sled_x(1), 2.0 * 15 / 60, 1e-4);
+    EXPECT_NEAR(sled_x(0.5_r), 2.0 * 14.5 / 60, 1e-4);
+    EXPECT_NEAR(sled_x(0), 2.0 * 14 / 60, 1e-4);
+    run.step(45, effects);  // at its start again
+    EXPECT_NEAR(sled_x(0.25_r), 2.0 * 59.25 / 60, 1e-4) << "the rest of the round before";
+    for (auto [entity, playing] : run->registry.view<scene::PlayingModel>()) playing.paused = true;
+    run.step(1, effects);
+    EXPECT_NEAR(sled_x(0.25_r), sled_x(1), 1e-6);
+}
+
+/// The triangle hangs on a joint that turns it by half a turn about y in one second.
+std::string turning_model() {
+    TriangleFile file;
+    std::string joints;
+    std::string weights;
+    std::string times;
+    std::string turns;
+    for (int i = 0; i < 3; ++i) {
+        append_bytes<std::uint8_t>(joints, {0, 0, 0, 0});
+        append_bytes<float>(weights, {1, 0, 0, 0});
+    }
+    const float half = std::sqrt(0.5F);
+    append_bytes<float>(times, {0, 0.5F, 1});
+    append_bytes<float>(turns, {0, 0, 0, 1, 0, half, 0, half, 0, 1, 0, 0});
+    file.attributes()["JOINTS_0"] = file.add_accessor(joints, 5121, 3, "VEC4");
+    file.attributes()["WEIGHTS_0"] = file.add_accessor(weights, 5126, 3, "VEC4");
+    const std::size_t input = file.add_accessor(times, 5126, 3, "SCALAR");
+    const std::size_t output = file.add_accessor(turns, 5126, 3, "VEC4");
+    file.json["nodes"] = {{{"mesh", 0}, {"skin", 0}}, {{"name", "joint"}}};
+    file.json["scenes"][0]["nodes"] = {0, 1};
+    file.json["skins"] = {{{"joints", {1}}}};
+    file.json["animations"] = {
+        {{"samplers", {{{"input", input}, {"output", output}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "rotation"}}}}}}}};
+    return file.glb();
+}
+
+TEST(ViewerAids, ShowNormalsAsThePoseOfTheFrameHasThem) {
+    for (const bool skinned : {false, true}) {
+        const TempFolder folder;
+        test::Running run(model_scene(folder, skinned ? turning_model() : sliding_model()));
+        EffectRuntime effects(*run, {.picture = true});
+        run->switches.normals = true;
+        run.step(15, effects);
+        const LineList lines = draw(run, effects).lines;
+        // The sliding model shows its triangle twice.
+        ASSERT_EQ(lines.vertices.size(), skinned ? 6U : 12U);
+        const Vec3f from = lines.vertices.at(lines.vertices.size() - 4).position_world;
+        const Vec3f to = lines.vertices.at(lines.vertices.size() - 3).position_world;
+        const Vec3f along = glm::normalize(to - from);
+        // The corner at x = 1: slid by half a metre, or turned by 45 degrees to the left.
+        const float eighth = std::sqrt(0.5F);
+        const Vec3f place = skinned ? Vec3f{eighth, 0, -eighth} : Vec3f{1.5F, 0, 0};
+        const Vec3f normal = skinned ? Vec3f{eighth, 0, eighth} : Vec3f{0, 0, 1};
+        EXPECT_NEAR(glm::distance(from, place), 0, 1e-4) << skinned;
+        EXPECT_NEAR(glm::distance(along, normal), 0, 1e-3) << skinned;
+    }
+}
+
+TEST(ViewerAids, PushTheNearPlaneUpToWhatIsNearest) {
+    const TempFolder folder;
+    test::Running run(model_scene(folder, TriangleFile{}.glb()));
+    EffectRuntime effects(*run, {.picture = true});
+    run->switches.ground = false;
+    const auto near_m_at = [&](const Vec3& eye_m) {
+        effects.refresh(*run);
+        scene::ViewPoint view;
+        view.world_from_camera.position = eye_m;
+        render::RenderFrame frame = scene::extract(*run, view, 64, 64);
+        effects.extract(*run, view, frame);
+        return frame.camera.near_m;
+    };
+    // The triangle lies between (0, 0, 0) and (1, 1, 0), the grid at y = 0.
+    EXPECT_NEAR(near_m_at({0.5_r, 9, 0}), 4.0F, 1e-4);
+    EXPECT_NEAR(near_m_at({0.5_r, 2, 40}), 1.0F, 1e-4) << "the grid is nearer";
+    EXPECT_NEAR(near_m_at({0.5_r, 0.5_r, 0.0001_r}),
+                0.002F * static_cast<float>(run->description().model_radius_m),
+                1e-6);
+}
+
 TEST(ViewerAids, AreOnlyWhereAModelIsByItselfAndDoWhatTheirSwitchesSay) {
     const TempFolder folder;
     test::Running run(model_scene(folder, TriangleFile{}.glb()));

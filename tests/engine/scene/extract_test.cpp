@@ -17,7 +17,7 @@ using test::Running;
 using test::scene_of;
 
 render::RenderFrame frame_of(Running& run, Real blend) {
-    return extract(*run, run.game.view(*run, blend, 0.0F, 0.0F), blend, 640, 480);
+    return extract(*run, run.game.view(*run, blend, 0.0F, 0.0F), 640, 480);
 }
 
 Vec3f place_of(const render::DrawItem& item) {
@@ -105,7 +105,7 @@ TEST(Extract, KeepsTheNearestLights) {
     }
     Running run(scene);
     ViewPoint view;  // at the origin
-    const render::RenderFrame frame = extract(*run, view, Real{1}, 64, 64);
+    const render::RenderFrame frame = extract(*run, view, 64, 64);
     ASSERT_EQ(frame.lights.size(), limits::kLights);
     for (const render::LocalLight& light : frame.lights) {
         EXPECT_LE(light.position_world.x, static_cast<float>(limits::kLights));

@@ -23,7 +23,7 @@ fs::path write_obj(const fs::path& folder, double size) {
 // FAULTS 29: 1 cm showed nothing, legs stood below the made ground, none was there for 200 units.
 TEST(ModelScene, FitsCameraGroundAndShadowsFromAMillimetreToTenKilometres) {
     const test::TemporaryFolder folder;
-    for (const double size : {0.001, 1.0, 10'000.0}) {
+    for (const double size : {1e-5, 5e-4, 1.0, 10'000.0}) {
         const fs::path file = write_obj(folder.path(), size);
         Diagnostics faults;
         const auto scene = load_scene(file, {}, faults);
