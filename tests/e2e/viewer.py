@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""Models in a window: a file dropped on it opens, one that cannot be read says so and leaves what was
+there, the aids draw what they promise, and a saved model shows anew."""
+import os
+import pathlib
+import subprocess
+import sys
+import time
+
+import model_files
+from png import read_png
+from support import Program, expect, home, settings_in, virtual_screen
+
+program_file = sys.argv[1]
+GREEN, RED, BLUE = (model_files.COLORS[side] for side in ("+x", "+z", "+y"))
+
+
+class Viewer:
+    """A window with a model in it, and pictures of it without what is written over it."""
+
+    def __init__(self, screen, folder):
+        self.folder, self.environment = folder, settings_in(folder, screen)
+        self.shots = folder / "data" / "plumbline" / "shots"
+        self.game = Program([program_file, "play", str(folder / "colored.glb"), "--size", "480x270", "--level", "high"],
+                            self.environment, folder / "log.txt")
+        self.wait_for_title("colored")
+        self.game.do("windowfocus", self.game.window)
+        time.sleep(2)
+
+    def wait_for_title(self, words):
+        for _ in range(300):
+            found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", words], env=self.environment,
+                                   capture_output=True, text=True).stdout.split()
+            if found:
+                self.game.window = found[-1]
+                return
+            time.sleep(0.1)
+        raise AssertionError(f"no window \"{words}\" within 30 s:\n" + self.game.log())
+
+    def drop(self, file):
+        subprocess.run([sys.executable, str(pathlib.Path(__file__).with_name("drop_file.py")), self.game.window, str(file)],
+                       env=self.environment, check=True, timeout=90)
+
+    def press(self, key):
+        self.game.press(key, 1, 0.6)
+
+    def picture(self):
+        before = set(self.shots.glob("*.png"))
+        self.game.press("F12")
+        for _ in range(200):
+            new = set(self.shots.glob("*.png")) - before
+            if new:
+                return read_png(new.pop())
+            time.sleep(0.1)
+        raise AssertionError("no screenshot within 20 s:\n" + self.game.log())
+
+    def lit(self):
+        """The share of pixels whose strongest colour is green, red or blue by far: the model's."""
+        rows = self.picture()
+        strong = [pixel for row in rows for pixel in row if max(pixel) > 2 * sorted(pixel)[1] + 30]
+        return len(strong) / (len(rows) * len(rows[0])), rows
+
+
+def corner(rows):
+    """Above everything: the background."""
+    return rows[4][len(rows[0]) // 2]
+
+
+def foot(rows):
+    """In front of everything: the ground, where there is one."""
+    return rows[-4][6]
+
+
+def count(rows, wanted):
+    return sum(wanted(pixel) for row in rows for pixel in row)
+
+
+def aids_draw_what_they_promise(viewer):
+    share, plain = viewer.lit()
+    expect(share > 0.05, f"the model is {share:.3f} of the picture")
+    expect(corner(plain) != foot(plain), "the ground is no background")
+    viewer.press("F10")
+    without = viewer.picture()
+    expect(foot(without) == corner(without), f"without ground: {foot(without)} below, {corner(without)} above")
+    viewer.press("F2")
+    white = viewer.picture()
+    expect(corner(white) == (255, 255, 255), f"the second background is {corner(white)}")
+    bluish = lambda pixel: pixel[2] > 200 and pixel[0] < 120 and 80 < pixel[1] < 190
+    before = count(white, bluish)
+    viewer.press("alt+n")
+    normals = viewer.picture()
+    expect(count(normals, bluish) > before + 20, "normals are drawn")
+    viewer.press("alt+n")
+    expect(viewer.picture() == white, "and go away")
+    grey = lambda pixel: max(pixel) - min(pixel) < 6 and 60 < pixel[0] < 215
+    before = count(white, grey)
+    viewer.press("alt+g")
+    expect(count(viewer.picture(), grey) > before + 200, "the grid is drawn")
+    viewer.press("alt+g")
+    viewer.press("alt+x")
+    expect(viewer.picture() != white, "axes are drawn")
+    viewer.press("alt+x")
+    viewer.press("v")
+    expect(viewer.lit()[0] < 0.6 * share, "of a wireframe one sees through most")
+    viewer.press("v")
+    expect(viewer.picture() == white, "everything is as it was")
+    viewer.press("alt+t")
+    first = viewer.picture()
+    time.sleep(1)
+    expect(viewer.picture() != first, "the turntable turns")
+    viewer.press("alt+t")
+
+
+def dragging_turns_the_model_and_the_wheel_zooms(viewer):
+    first, _ = viewer.lit()
+    viewer.game.do("mousemove", "--window", viewer.game.window, 200, 130)
+    for _ in range(12):
+        viewer.game.do("click", 4)
+        time.sleep(0.1)
+    time.sleep(1)
+    nearer, before = viewer.lit()
+    expect(nearer > 1.5 * first, f"the wheel zooms: {first:.3f}, then {nearer:.3f}")
+    viewer.game.do("mousedown", 1)
+    for _ in range(10):
+        viewer.game.do("mousemove_relative", "--", 8, 0)
+        time.sleep(0.05)
+    viewer.game.do("mouseup", 1)
+    time.sleep(0.5)
+    expect(viewer.picture() != before, "dragging turns it")
+
+
+def a_dropped_file_opens(viewer):
+    for name in ("box.dae", "my model é.fbx", "skinned.glb"):
+        viewer.drop(viewer.folder / name)
+        viewer.wait_for_title(pathlib.Path(name).stem.split()[0])
+        time.sleep(1)
+        share, _ = viewer.lit()
+        expect(share > 0.03, f"{name}: {share:.3f} of the picture is the model")
+
+
+def one_that_cannot_be_read_leaves_what_was_there(viewer):
+    broken = viewer.folder / "broken.fbx"
+    broken.write_bytes(b"Kaydara FBX Binary  \0" + bytes(200))
+    viewer.drop(broken)
+    time.sleep(3)
+    viewer.wait_for_title("skinned")
+    expect(viewer.game.log().count("broken.fbx is refused") == 1, viewer.game.log())
+    expect(viewer.lit()[0] > 0.03, "the model before is still there")
+
+
+def a_saved_model_shows_anew(viewer):
+    file = viewer.folder / "skinned.glb"
+    file.write_bytes(model_files.colored_glb((0.1, 1.5, 0.1)))
+    thick, _ = viewer.lit()
+    for _ in range(100):
+        thin, _ = viewer.lit()
+        if thin < thick / 2:
+            break
+        time.sleep(0.2)
+    expect(thin < thick / 2, f"{thick:.3f} before, {thin:.3f} after the save")
+    file.write_bytes(b"glTF, half of it")
+    time.sleep(3)
+    expect("skinned.glb" in viewer.game.log() and "is refused" in viewer.game.log().split("broken.fbx")[-1], viewer.game.log())
+    expect(viewer.lit()[0] > 0, "the model of the last good save is still there")
+
+
+def main():
+    with virtual_screen() as screen, home() as folder:
+        model_files.write_all(folder)
+        (folder / "my model é.fbx").write_bytes(model_files.fbx())
+        viewer = Viewer(screen, folder)
+        try:
+            aids_draw_what_they_promise(viewer)
+            dragging_turns_the_model_and_the_wheel_zooms(viewer)
+            a_dropped_file_opens(viewer)
+            one_that_cannot_be_read_leaves_what_was_there(viewer)
+            a_saved_model_shows_anew(viewer)
+            viewer.game.press("Escape")
+            time.sleep(1)
+        finally:
+            viewer.game.stop()
+
+
+main()
