@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace plumbline::assets {
 namespace {
 
@@ -51,7 +53,7 @@ TEST(PolygonTriangles, CoverACombOnceWhicheverWayItFaces) {
                 normal[axis] = side;
                 float least = 0;
                 EXPECT_EQ(triangles_of(polygon).size(), polygon.size() - 2);
-                EXPECT_NEAR(area_of(polygon, normal, least), twice_area, 1e-3 * twice_area);
+                EXPECT_NEAR(area_of(polygon, normal, least), twice_area, 1e-3F * twice_area);
                 EXPECT_GE(least, 0) << "none is turned over";
             }
         }
