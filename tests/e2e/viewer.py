@@ -12,16 +12,15 @@ from png import read_png
 from support import Program, expect, home, settings_in, virtual_screen
 
 program_file = sys.argv[1]
-GREEN, RED, BLUE = (model_files.COLORS[side] for side in ("+x", "+z", "+y"))
 
 
 class Viewer:
-    """A window with a model in it, and pictures of it without what is written over it."""
+    """A window with a model in it, and pictures of it."""
 
     def __init__(self, screen, folder):
         self.folder, self.environment = folder, settings_in(folder, screen)
         self.shots = folder / "data" / "plumbline" / "shots"
-        self.game = Program([program_file, "play", str(folder / "colored.glb"), "--size", "480x270", "--level", "high"],
+        self.game = Program([program_file, "play", str(folder / "colored.glb"), "--size", "640x480", "--level", "high"],
                             self.environment, folder / "log.txt")
         self.wait_for_title("colored")
         self.game.do("windowfocus", self.game.window)
@@ -55,15 +54,24 @@ class Viewer:
         raise AssertionError("no screenshot within 20 s:\n" + self.game.log())
 
     def lit(self):
-        """The share of pixels whose strongest colour is green, red or blue by far: the model's."""
-        rows = self.picture()
-        strong = [pixel for row in rows for pixel in row if max(pixel) > 2 * sorted(pixel)[1] + 30]
+        """The share of pixels with a colour, which all but the model lack."""
+        rows = upper(self.picture())
+        strong = [pixel for row in rows for pixel in row if max(pixel) - min(pixel) > 90]
         return len(strong) / (len(rows) * len(rows[0])), rows
 
 
+def upper(rows):
+    """What no message is written over."""
+    return rows[:330]
+
+
+def same(a, b):
+    return upper(a) == upper(b)
+
+
 def corner(rows):
-    """Above everything: the background."""
-    return rows[4][len(rows[0]) // 2]
+    """The background."""
+    return rows[4][-4]
 
 
 def foot(rows):
@@ -72,11 +80,12 @@ def foot(rows):
 
 
 def count(rows, wanted):
-    return sum(wanted(pixel) for row in rows for pixel in row)
+    return sum(wanted(pixel) for row in upper(rows) for pixel in row)
 
 
 def aids_draw_what_they_promise(viewer):
-    share, plain = viewer.lit()
+    share, _ = viewer.lit()
+    plain = viewer.picture()
     expect(share > 0.05, f"the model is {share:.3f} of the picture")
     expect(corner(plain) != foot(plain), "the ground is no background")
     viewer.press("F10")
@@ -89,44 +98,44 @@ def aids_draw_what_they_promise(viewer):
     before = count(white, bluish)
     viewer.press("alt+n")
     normals = viewer.picture()
-    expect(count(normals, bluish) > before + 20, "normals are drawn")
+    expect(count(normals, bluish) > before + 6, "normals are drawn")
     viewer.press("alt+n")
-    expect(viewer.picture() == white, "and go away")
+    expect(same(viewer.picture(), white), "and go away")
     grey = lambda pixel: max(pixel) - min(pixel) < 6 and 60 < pixel[0] < 215
     before = count(white, grey)
     viewer.press("alt+g")
     expect(count(viewer.picture(), grey) > before + 200, "the grid is drawn")
     viewer.press("alt+g")
     viewer.press("alt+x")
-    expect(viewer.picture() != white, "axes are drawn")
+    expect(not same(viewer.picture(), white), "axes are drawn")
     viewer.press("alt+x")
     viewer.press("v")
     expect(viewer.lit()[0] < 0.6 * share, "of a wireframe one sees through most")
     viewer.press("v")
-    expect(viewer.picture() == white, "everything is as it was")
+    expect(same(viewer.picture(), white), "everything is as it was")
     viewer.press("alt+t")
     first = viewer.picture()
     time.sleep(1)
-    expect(viewer.picture() != first, "the turntable turns")
+    expect(not same(viewer.picture(), first), "the turntable turns")
     viewer.press("alt+t")
 
 
 def dragging_turns_the_model_and_the_wheel_zooms(viewer):
     first, _ = viewer.lit()
     viewer.game.do("mousemove", "--window", viewer.game.window, 200, 130)
-    for _ in range(12):
+    for _ in range(4):
         viewer.game.do("click", 4)
         time.sleep(0.1)
     time.sleep(1)
     nearer, before = viewer.lit()
-    expect(nearer > 1.5 * first, f"the wheel zooms: {first:.3f}, then {nearer:.3f}")
+    expect(nearer > 1.4 * first, f"the wheel zooms: {first:.3f}, then {nearer:.3f}")
     viewer.game.do("mousedown", 1)
     for _ in range(10):
         viewer.game.do("mousemove_relative", "--", 8, 0)
         time.sleep(0.05)
     viewer.game.do("mouseup", 1)
     time.sleep(0.5)
-    expect(viewer.picture() != before, "dragging turns it")
+    expect(upper(viewer.picture()) != before, "dragging turns it")
 
 
 def a_dropped_file_opens(viewer):
@@ -158,10 +167,16 @@ def a_saved_model_shows_anew(viewer):
             break
         time.sleep(0.2)
     expect(thin < thick / 2, f"{thick:.3f} before, {thin:.3f} after the save")
-    file.write_bytes(b"glTF, half of it")
-    time.sleep(3)
-    expect("skinned.glb" in viewer.game.log() and "is refused" in viewer.game.log().split("broken.fbx")[-1], viewer.game.log())
-    expect(viewer.lit()[0] > 0, "the model of the last good save is still there")
+    # A fault is said until the next good save, other messages for some seconds only.
+    good = file.read_bytes()
+    written = []
+    for content in (good, b"glTF, half of it", good):
+        file.write_bytes(content)
+        time.sleep(12)
+        rows = viewer.picture()
+        written.append(sum(max(pixel) < 130 for row in rows[330:450] for pixel in row))
+        expect(any(max(pixel) - min(pixel) > 90 for row in upper(rows) for pixel in row), "the model of the last good save is there")
+    expect(written[1] > max(written[0], written[2]) + 1500, f"so many pixels have a message behind them: {written}")
 
 
 def main():
