@@ -148,7 +148,11 @@ Result<ModelData> read_foreign(std::string_view bytes, const std::string& name) 
         const aiScene* scene = importer.ReadFile(
             plain_name.c_str(),
             aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_LimitBoneWeights);
-        if (scene == nullptr) return model_error(name, importer.GetErrorString());
+        if (scene == nullptr) {
+            const std::string_view why = importer.GetErrorString();
+            if (why == "std::bad_alloc") throw std::bad_alloc();  // it caught that itself
+            return model_error(name, why);
+        }
         ModelData model = convert_foreign_scene(*scene, name);
         const std::string fault = fault_of(model);
         if (!fault.empty()) return model_error(name, fault);

@@ -133,9 +133,9 @@ def cut_files_are_refused(kinds):
 
 def wild_numbers_are_refused():
     for name, changes in {
-            "box.dae": ((b'count="72"', b'count="4000000000"'), (b"100 -50 -150", b"nan -50 -150"), (b">0 1 2 0 2 3<", b">0 1 2 0 2 99999999<"),
+            "box.dae": ((b'count="72"', b'count="4000000000"'), (b">0 1 2 0 2 3<", b">0 1 2 0 2 99999999<"),
                         (b"meter=\"0.01\"", b"meter=\"1e300\"")),
-            "box.fbx": ((b"*72", b"*4000000000"), (b"a: 100,", b"a: nan,"), (b"0,1,2,-4", b"0,1,2,-99999999"), (b"*24 {", b"*-1 {"),
+            "box.fbx": ((b"*72", b"*4000000000"), (b"0,1,2,-4", b"0,1,2,-99999999"), (b"*24 {", b"*-1 {"),
                         (b"100,200\n", b"200,200\n")),
             "ascii.stl": ((b"vertex 1 ", b"vertex nan "), (b"vertex 1 ", b"vertex 1e999 ")),
             "binary.stl": ((struct.pack("<I", 12), struct.pack("<I", 0xFFFFFFFF)),),
@@ -146,6 +146,14 @@ def wild_numbers_are_refused():
             file = folder / ("wild" + pathlib.Path(name).suffix)
             file.write_bytes(data.replace(old, new, 1))
             expect_refused(file)
+
+
+def a_side_that_is_nowhere_is_left_out():
+    for name, old, new in (("box.fbx", b"a: 100,", b"a: nan,"), ("colored.glb", struct.pack("<f", 1.5), struct.pack("<f", math.nan))):
+        file = folder / ("nowhere" + pathlib.Path(name).suffix)
+        file.write_bytes((folder / name).read_bytes().replace(old, new, 1))
+        output = run("check", file, code=0 if name == "box.fbx" else 4)
+        assert "is left out: its vertex 0 is not finite" in output or "it holds no triangles" in output, output
 
 
 def noise_never_crashes():
@@ -171,6 +179,7 @@ def main():
     a_millimetre_and_ten_kilometres_fill_the_picture()
     cut_files_are_refused(kinds)
     wild_numbers_are_refused()
+    a_side_that_is_nowhere_is_left_out()
     noise_never_crashes()
 
 
