@@ -7,13 +7,13 @@
 namespace plumbline::assets {
 namespace {
 
-constexpr std::uint8_t kPacked = 8;  // beside the kind
+constexpr std::uint8_t kPackedTga = 8;  // beside the kind
 constexpr std::uint8_t kTrueColor = 2;
-constexpr std::uint8_t kGrey = 3;
+constexpr std::uint8_t kGreyTga = 3;
 constexpr std::uint8_t kFromRight = 0x10;
 constexpr std::uint8_t kFromTop = 0x20;
 
-struct Header {
+struct TgaHeader {
     std::uint8_t id_bytes{0};
     std::uint8_t kind{0};
     std::uint16_t width{0};
@@ -22,16 +22,16 @@ struct Header {
     std::uint8_t order{0};
 
     std::optional<PixelFormat> format() const {
-        const unsigned plain = kind & ~unsigned{kPacked};
-        if (plain == kGrey && bits == 8) return PixelFormat::R8;
+        const unsigned plain = kind & ~unsigned{kPackedTga};
+        if (plain == kGreyTga && bits == 8) return PixelFormat::R8;
         if (plain == kTrueColor && bits == 24) return PixelFormat::Rgb8;
         if (plain == kTrueColor && bits == 32) return PixelFormat::Rgba8;
         return std::nullopt;
     }
 };
 
-Header header_of(ByteReader& reader) {
-    Header header;
+TgaHeader tga_header_of(ByteReader& reader) {
+    TgaHeader header;
     header.id_bytes = reader.number<std::uint8_t>();
     const bool has_palette = reader.number<std::uint8_t>() != 0;
     header.kind = reader.number<std::uint8_t>();
@@ -44,10 +44,10 @@ Header header_of(ByteReader& reader) {
     return header;
 }
 
-/// Pixels in the order of the file, runs of equal ones unpacked.
-class Pixels {
+/// TgaPixels in the order of the file, runs of equal ones unpacked.
+class TgaPixels {
 public:
-    Pixels(ByteReader& reader, bool packed, std::size_t bytes)
+    TgaPixels(ByteReader& reader, bool packed, std::size_t bytes)
         : reader_(reader), packed_(packed), bytes_(bytes) {}
 
     std::string_view next() {
@@ -75,28 +75,28 @@ private:
 
 bool looks_like_tga(std::string_view bytes) {
     ByteReader reader(bytes);
-    return header_of(reader).format().has_value() && !reader.failed();
+    return tga_header_of(reader).format().has_value() && !reader.failed();
 }
 
 Result<ImageData> decode_tga(std::string_view bytes,
                              const std::string& name,
                              const ImageBytesAllowed& allowed) {
     ByteReader reader(bytes);
-    const Header header = header_of(reader);
+    const TgaHeader header = tga_header_of(reader);
     const std::optional<PixelFormat> format = header.format();
     if (!format) return image_error(name, "its header is none of a TGA that is read");
     const std::string fault = size_fault(header.width, header.height, *format, allowed);
     if (!fault.empty()) return image_error(name, fault);
     const std::size_t width = bytes_per_pixel(*format);
     const std::size_t count = std::size_t{header.width} * header.height;
-    const bool packed = (header.kind & kPacked) != 0;
+    const bool packed = (header.kind & kPackedTga) != 0;
     reader.take(header.id_bytes);
     // A packet of 128 equal pixels is a byte and the pixel.
     if (reader.left() < (packed ? count / 128 : count) * width) {
         return image_error(name, "it breaks off");
     }
     ImageData image = blank_image(header.width, header.height, *format);
-    Pixels pixels(reader, packed, width);
+    TgaPixels pixels(reader, packed, width);
     for (std::size_t i = 0; i < count; ++i) {
         const std::string_view pixel = pixels.next();
         if (pixel.size() < width) return image_error(name, "it breaks off");
