@@ -60,6 +60,7 @@ struct AssetLibrary::Images {
     std::set<fs::path> in_work;
     std::map<fs::path, Pixels> ready;
     std::map<fs::path, std::shared_ptr<const std::string>> embedded;  // by EmbeddedImage::name
+    std::set<fs::path> warned;
     bool closing{false};
 
     std::map<fs::path, std::size_t> decoded_bytes;  // of every image decoded so far
@@ -67,7 +68,6 @@ struct AssetLibrary::Images {
 
     std::vector<std::thread> workers;
     std::set<fs::path> prefetched;  // ever, so that a second call does not decode again
-    std::set<fs::path> warned;
 
     ~Images() {
         {
@@ -354,9 +354,11 @@ std::shared_ptr<const ImageData> AssetLibrary::take_image(const fs::path& file) 
         decoded = images_->decode(key);
     }
     if (decoded->ok()) return {decoded, &decoded->value()};  // shares ownership of the result
-    if (images_->warned.insert(key).second) {
-        log_warning("{}; a checkerboard is shown instead", decoded->error().message);
-    }
+    const bool is_new = [&] {
+        const std::lock_guard lock(images_->mutex);
+        return images_->warned.insert(key).second;
+    }();
+    if (is_new) log_warning("{}; a checkerboard is shown instead", decoded->error().message);
     return std::make_shared<const ImageData>(checkerboard());
 }
 
