@@ -9,7 +9,10 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <deque>
+#include <future>
 #include <limits>
+#include <set>
 
 namespace plumbline::render {
 namespace {
@@ -186,24 +189,51 @@ DepthGeometry plain_positions(const assets::MeshData& mesh) {
 
 enum class MeshLife { Kept, Changing };
 
-GpuMesh uploaded(const assets::MeshData& data, MeshLife life) {
+/// What is uploaded, and the coarser versions in it.
+struct PackedMesh {
+    std::vector<PackedVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    DepthGeometry depth;
+    std::vector<MeshLod> lods;
+    std::uint32_t version{0};
+};
+
+PackedMesh packed(const assets::MeshData& data, MeshLife life) {
+    return {.vertices = pack(data.vertices),
+            .indices = data.indices,
+            .depth = life == MeshLife::Kept ? merged_positions(data) : plain_positions(data),
+            .lods = {},
+            .version = data.version};
+}
+
+PackedMesh packed_with_lods(const assets::MeshData& data, const std::vector<bool>& is_foliage) {
+    const bool is_solid = std::ranges::find(is_foliage, true) == is_foliage.end();
+    const std::size_t triangles = data.indices.size() / 3;
+    if ((is_solid && triangles <= kFewSolidTriangles) || triangles > kMostLodTriangles)
+        return packed(data, MeshLife::Kept);
+    assets::MeshData all = data;
+    std::vector<MeshLod> lods = add_lods(all, is_foliage);
+    if (lods.empty()) return packed(data, MeshLife::Kept);
+    PackedMesh mesh = packed(all, MeshLife::Kept);
+    mesh.lods = std::move(lods);
+    return mesh;
+}
+
+GpuMesh uploaded(const PackedMesh& data) {
     using gl::Buffer;
     using gl::BufferLife;
     using gl::BufferUse;
     GpuMesh mesh;
-    const std::vector<PackedVertex> vertices = pack(data.vertices);
     mesh.vertices = Buffer{BufferUse::Vertices, BufferLife::Kept};
-    mesh.vertices.upload(vertices.data(), vertices.size() * sizeof(PackedVertex));
+    mesh.vertices.upload(data.vertices.data(), data.vertices.size() * sizeof(PackedVertex));
     mesh.indices = Buffer{BufferUse::Indices, BufferLife::Kept};
     mesh.index_type = upload_indices(mesh.indices, data.indices, data.vertices.size());
-
-    const DepthGeometry depth =
-        life == MeshLife::Kept ? merged_positions(data) : plain_positions(data);
     mesh.depth_vertices = Buffer{BufferUse::Vertices, BufferLife::Kept};
-    mesh.depth_vertices.upload(depth.positions.data(), depth.positions.size() * sizeof(Vec3f));
+    const std::vector<Vec3f>& positions = data.depth.positions;
+    mesh.depth_vertices.upload(positions.data(), positions.size() * sizeof(Vec3f));
     mesh.depth_indices = Buffer{BufferUse::Indices, BufferLife::Kept};
     mesh.depth_index_type =
-        upload_indices(mesh.depth_indices, depth.indices, depth.positions.size());
+        upload_indices(mesh.depth_indices, data.depth.indices, positions.size());
 
     set_up_full(mesh);
     set_up_depth(mesh);
@@ -212,6 +242,9 @@ GpuMesh uploaded(const assets::MeshData& data, MeshLife life) {
                  mesh.depth_indices.size();
     return mesh;
 }
+
+// Packed meshes waiting for upload hold memory; so few are kept under way.
+constexpr std::size_t kMeshesUnderWay = 4;
 
 }  // namespace
 
@@ -222,20 +255,46 @@ const GpuMesh& GpuMeshes::get(assets::MeshId id, std::span<const assets::Materia
         GpuMesh& mesh = found->second;
         if (mesh.version == data.version) return mesh;
         bytes_ -= mesh.bytes;
-        mesh = uploaded(data, MeshLife::Changing);
+        mesh = uploaded(packed(data, MeshLife::Changing));
         lods_.erase(id);
         bytes_ += mesh.bytes;
         return mesh;
     }
-    GpuMesh mesh =
-        makes_lods_ ? uploaded_with_lods(id, data, materials) : uploaded(data, MeshLife::Kept);
-    bytes_ += mesh.bytes;
-    return meshes_.emplace(id, std::move(mesh)).first->second;
+    PackedMesh mesh = makes_lods_ ? packed_with_lods(data, foliage_parts(data, materials))
+                                  : packed(data, MeshLife::Kept);
+    return add(id, uploaded(mesh), std::move(mesh.lods));
 }
 
-GpuMesh GpuMeshes::uploaded_with_lods(assets::MeshId id,
-                                      const assets::MeshData& data,
-                                      std::span<const assets::MaterialId> materials) {
+void GpuMeshes::load(std::span<const MeshRequest> requests) {
+    struct UnderWay {
+        assets::MeshId id;
+        std::future<PackedMesh> mesh;
+    };
+    std::deque<UnderWay> under_way;
+    const auto finish_oldest = [&] {
+        PackedMesh mesh = under_way.front().mesh.get();
+        add(under_way.front().id, uploaded(mesh), std::move(mesh.lods));
+        under_way.pop_front();
+    };
+    std::set<assets::MeshId> asked;
+    for (const MeshRequest& request : requests) {
+        if (meshes_.contains(request.id) || !asked.insert(request.id).second) continue;
+        const assets::MeshData& data = library_.mesh(request.id);
+        // Deferred to whoever asks where no thread can be made.
+        const auto make = [&data,
+                           makes_lods = makes_lods_,
+                           is_foliage = foliage_parts(data, request.materials)] {
+            return makes_lods ? packed_with_lods(data, is_foliage) : packed(data, MeshLife::Kept);
+        };
+        under_way.push_back(
+            {request.id, std::async(std::launch::async | std::launch::deferred, make)});
+        if (under_way.size() >= kMeshesUnderWay) finish_oldest();
+    }
+    while (!under_way.empty()) finish_oldest();
+}
+
+std::vector<bool> GpuMeshes::foliage_parts(const assets::MeshData& data,
+                                           std::span<const assets::MaterialId> materials) const {
     std::vector<bool> is_foliage;
     for (const assets::SubMesh& part : data.sub_meshes) {
         const bool has_material =
@@ -244,15 +303,13 @@ GpuMesh GpuMeshes::uploaded_with_lods(assets::MeshId id,
             has_material &&
             (features_of(library_.material(materials[part.material])) & feature::kLeaf) != 0);
     }
-    const bool is_solid = std::ranges::find(is_foliage, true) == is_foliage.end();
-    const std::size_t triangles = data.indices.size() / 3;
-    if ((is_solid && triangles <= kFewSolidTriangles) || triangles > kMostLodTriangles)
-        return uploaded(data, MeshLife::Kept);
-    assets::MeshData all = data;
-    std::vector<MeshLod> lods = add_lods(all, is_foliage);
-    if (lods.empty()) return uploaded(data, MeshLife::Kept);
-    lods_.insert_or_assign(id, std::move(lods));
-    return uploaded(all, MeshLife::Kept);
+    return is_foliage;
+}
+
+const GpuMesh& GpuMeshes::add(assets::MeshId id, GpuMesh mesh, std::vector<MeshLod> lods) {
+    bytes_ += mesh.bytes;
+    if (!lods.empty()) lods_.insert_or_assign(id, std::move(lods));
+    return meshes_.emplace(id, std::move(mesh)).first->second;
 }
 
 void GpuMeshes::make_lods() {

@@ -26,6 +26,12 @@ struct GpuMesh {
     std::uint32_t version{0};  ///< MeshData::version of what was uploaded
 };
 
+/// A mesh and the materials of the first thing that is drawn with it.
+struct MeshRequest {
+    assets::MeshId id{};
+    std::span<const assets::MaterialId> materials;
+};
+
 class GpuMeshes {
 public:
     explicit GpuMeshes(const assets::AssetLibrary& library) : library_(library) {}
@@ -34,6 +40,8 @@ public:
     const GpuMesh& get(assets::MeshId id) { return get(id, {}); }
     /// `materials`: of the first thing that is drawn with it; they tell what is foliage.
     const GpuMesh& get(assets::MeshId id, std::span<const assets::MaterialId> materials);
+    /// Makes all of them ready for get(), on several threads.
+    void load(std::span<const MeshRequest> requests);
     void clear();
     std::size_t bytes() const { return bytes_; }
     /// Coarser versions of what was uploaded since make_lods(). Meshes that change have none.
@@ -42,9 +50,9 @@ public:
     void make_lods();
 
 private:
-    GpuMesh uploaded_with_lods(assets::MeshId id,
-                               const assets::MeshData& data,
-                               std::span<const assets::MaterialId> materials);
+    std::vector<bool> foliage_parts(const assets::MeshData& data,
+                                    std::span<const assets::MaterialId> materials) const;
+    const GpuMesh& add(assets::MeshId id, GpuMesh mesh, std::vector<MeshLod> lods);
 
     const assets::AssetLibrary& library_;
     LodTable lods_;

@@ -42,7 +42,7 @@ assets::ImageData fitted(assets::ImageData face, std::uint32_t largest_px) {
     while (std::max(face.width, face.height) > largest_px) {
         face = face.format == assets::PixelFormat::Rgb16F
                    ? half_floats_of(resized(radiance_of(face), largest_px))
-                   : mip_chain(face, MipContent::Color, 0.0F).at(1);
+                   : mip_chain(face, MipContent::Color, 0.0F).front();
     }
     return face;
 }
@@ -90,17 +90,19 @@ void GpuSky::want(const std::filesystem::path& folder) {
 }
 
 void GpuSky::load(const std::filesystem::path& folder) {
-    std::vector<assets::ImageData> faces;
+    std::vector<std::future<assets::ImageData>> decoded;
     for (const char* name : kFaceNames) {
         const std::filesystem::path file = face_file(folder, name);
         if (file.empty()) {
             log_warning(
                 "sky {}: no face {} (.exr, .png or .jpg); it stays grey", folder.string(), name);
-            faces.push_back(gray_face());
-            continue;
         }
-        faces.push_back(fitted(*library_.take_image(file), largest_px_));
+        decoded.push_back(std::async(std::launch::async | std::launch::deferred, [this, file] {
+            return file.empty() ? gray_face() : fitted(*library_.take_image(file), largest_px_);
+        }));
     }
+    std::vector<assets::ImageData> faces;
+    for (auto& face : decoded) faces.push_back(face.get());
     make_alike(faces);
 
     std::vector<RadianceImage> level;

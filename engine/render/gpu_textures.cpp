@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <deque>
 #include <future>
+#include <memory>
+#include <span>
 
 namespace plumbline::render {
 namespace {
@@ -19,9 +21,12 @@ constexpr std::size_t kChainsUnderWay = 4;
 }  // namespace
 
 const gl::Texture& GpuTextures::add(const TextureRequest& request,
-                                    const std::vector<assets::ImageData>& levels) {
-    const auto fits = std::ranges::find_if(levels, [&](const assets::ImageData& level) {
-        return std::max(level.width, level.height) <= largest_px_;
+                                    const assets::ImageData& image,
+                                    const std::vector<assets::ImageData>& smaller) {
+    std::vector<const assets::ImageData*> levels{&image};
+    for (const assets::ImageData& level : smaller) levels.push_back(&level);
+    const auto fits = std::ranges::find_if(levels, [&](const assets::ImageData* level) {
+        return std::max(level->width, level->height) <= largest_px_;
     });
     gl::Texture texture =
         gl::Texture::tiling(std::span{fits, levels.end()}, filter_for(request.content));
@@ -34,18 +39,19 @@ const gl::Texture& GpuTextures::get(const TextureRequest& request) {
     const auto found = textures_.find(Key{request.file, request.content});
     if (found != textures_.end()) return found->second;
     const auto image = library_.take_image(request.file);
-    return add(request, mip_chain(*image, request.content, request.alpha_cutoff));
+    return add(request, *image, mip_chain(*image, request.content, request.alpha_cutoff));
 }
 
 void GpuTextures::load(const std::vector<TextureRequest>& requests) {
     struct UnderWay {
         TextureRequest request;
-        std::future<std::vector<assets::ImageData>> levels;
+        std::shared_ptr<const assets::ImageData> image;
+        std::future<std::vector<assets::ImageData>> smaller;
     };
     std::deque<UnderWay> under_way;
     const auto finish_oldest = [&] {
         UnderWay& oldest = under_way.front();
-        add(oldest.request, oldest.levels.get());
+        add(oldest.request, *oldest.image, oldest.smaller.get());
         under_way.pop_front();
     };
     std::map<Key, bool> asked;
@@ -54,11 +60,12 @@ void GpuTextures::load(const std::vector<TextureRequest>& requests) {
         if (textures_.contains(key) || !asked.emplace(key, true).second) continue;
         // Deferred to whoever asks where no thread can be made; given as a copy, for a failed start
         // of a thread takes along what it was given.
-        const auto chain = [image = library_.take_image(request.file), request] {
+        const auto image = library_.take_image(request.file);
+        const auto chain = [image, request] {
             return mip_chain(*image, request.content, request.alpha_cutoff);
         };
         under_way.push_back(
-            {request, std::async(std::launch::async | std::launch::deferred, chain)});
+            {request, image, std::async(std::launch::async | std::launch::deferred, chain)});
         if (under_way.size() >= kChainsUnderWay) finish_oldest();
     }
     while (!under_way.empty()) finish_oldest();

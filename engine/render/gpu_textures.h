@@ -41,7 +41,8 @@ private:
     using Key = std::pair<std::filesystem::path, MipContent>;
 
     const gl::Texture& add(const TextureRequest& request,
-                           const std::vector<assets::ImageData>& levels);
+                           const assets::ImageData& image,
+                           const std::vector<assets::ImageData>& smaller);
 
     assets::AssetLibrary& library_;
     std::uint32_t largest_px_;

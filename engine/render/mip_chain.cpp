@@ -131,16 +131,16 @@ void restore_coverage(ImageData& level, double wanted, int cutoff) {
 
 std::vector<ImageData> mip_chain(const ImageData& image, MipContent content, float alpha_cutoff) {
     PL_ASSERT(image.format != PixelFormat::Rgb16F, "an 8-bit image");
-    std::vector<ImageData> levels{image};
-    while (levels.back().width > 1 || levels.back().height > 1) {
-        levels.push_back(content == MipContent::Color ? halved_color(levels.back())
-                                                      : halved_data(levels.back()));
+    std::vector<ImageData> levels;
+    for (const ImageData* above = &image; above->width > 1 || above->height > 1;
+         above = &levels.back()) {
+        levels.push_back(content == MipContent::Color ? halved_color(*above) : halved_data(*above));
     }
     if (alpha_cutoff <= 0.0F || image.format != PixelFormat::Rgba8) return levels;
     const int cutoff = std::clamp(static_cast<int>(std::lround(alpha_cutoff * 255.0F)), 1, 255);
     const double wanted =
         coverage(alpha_counts(image), std::size_t{image.width} * image.height, cutoff);
-    for (std::size_t i = 1; i < levels.size(); ++i) restore_coverage(levels[i], wanted, cutoff);
+    for (ImageData& level : levels) restore_coverage(level, wanted, cutoff);
     return levels;
 }
 

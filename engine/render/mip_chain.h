@@ -12,7 +12,7 @@ enum class MipContent {
     Data    ///< normals, roughness and so on: averaged as they are
 };
 
-/// The image and all levels below it down to 1 x 1. 8-bit formats only.
+/// The levels below the image, from half its size down to 1 x 1. 8-bit formats only.
 /// With `alpha_cutoff` > 0, each level's alpha is scaled so that the same share of it passes the
 /// cutoff as in the full image: leaves would vanish with distance otherwise.
 std::vector<assets::ImageData> mip_chain(const assets::ImageData& image,

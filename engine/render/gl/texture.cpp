@@ -2,6 +2,13 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <future>
+#include <vector>
+
 namespace plumbline::render::gl {
 namespace {
 
@@ -25,7 +32,7 @@ GlFormat format_of(assets::PixelFormat format) {
             return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
         case assets::PixelFormat::Rgb16F:
             // Half the memory of half floats, and no bands in a clear sky: nine bits a colour.
-            return {GL_RGB9_E5, GL_RGB, GL_HALF_FLOAT, 4};
+            return {GL_RGB9_E5, GL_RGB, GL_UNSIGNED_INT_5_9_9_9_REV, 4};
     }
     return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
 }
@@ -73,6 +80,55 @@ void set_parameters(GLenum target, Filter filter, GLint wrap) {
     glTexParameteri(target, GL_TEXTURE_WRAP_R, wrap);
 }
 
+float from_half(std::uint16_t half) {
+    // The exponent's bias differs by 112. Negative light is none.
+    const float scaled = std::bit_cast<float>((half & 0x7FFFU) << 13U);
+    return (half & 0x8000U) != 0 ? 0.0F : scaled * 0x1p112F;
+}
+
+/// Three nine-bit parts and the exponent that they share, as GL_RGB9_E5 defines it.
+std::uint32_t shared_exponent(float red, float green, float blue) {
+    constexpr float kLargest = 65408.0F;  // 511/512 * 2^16
+    constexpr int kBias = 15;
+    constexpr int kPartBits = 9;
+    const auto part = [&](float light) { return light > 0.0F ? std::min(light, kLargest) : 0.0F; };
+    const float r = part(red);
+    const float g = part(green);
+    const float b = part(blue);
+    const float most = std::max({r, g, b});
+    const int log2 = static_cast<int>(std::bit_cast<std::uint32_t>(most) >> 23U) - 127;
+    int exponent = std::max(log2, -kBias - 1) + 1 + kBias;
+    const auto steps_in_one = [](int e) {
+        const int power = 127 - (e - kBias - kPartBits);
+        return std::bit_cast<float>(static_cast<std::uint32_t>(power) << 23U);
+    };
+    if (most * steps_in_one(exponent) + 0.5F >= 512.0F) ++exponent;
+    const float steps = steps_in_one(exponent);
+    const auto rounded = [&](float light) {
+        return static_cast<std::uint32_t>(light * steps + 0.5F);
+    };
+    return rounded(r) | rounded(g) << 9U | rounded(b) << 18U |
+           static_cast<std::uint32_t>(exponent) << 27U;
+}
+
+/// Packed here and not by the driver, whose thread is the only one that may upload.
+assets::ImageData packed(const assets::ImageData& image) {
+    if (image.format != assets::PixelFormat::Rgb16F) return image;
+    assets::ImageData out{
+        .width = image.width, .height = image.height, .format = image.format, .bytes = {}};
+    const std::size_t count = std::size_t{image.width} * image.height;
+    out.bytes.resize(count * sizeof(std::uint32_t));
+    for (std::size_t i = 0; i < count; ++i) {
+        std::array<std::uint16_t, 3> half{};
+        std::memcpy(half.data(), image.bytes.data() + i * sizeof(half), sizeof(half));
+        const std::uint32_t texel =
+            shared_exponent(from_half(half[0]), from_half(half[1]), from_half(half[2]));
+        std::memcpy(out.bytes.data() + i * sizeof(texel), &texel, sizeof(texel));
+    }
+    return out;
+}
+
+/// Half floats must have been packed.
 std::size_t upload_level(GLenum target, GLint level, const assets::ImageData& image) {
     const GlFormat format = format_of(image.format);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -124,20 +180,20 @@ Texture Texture::target(TargetFormat format,
     return texture;
 }
 
-Texture Texture::tiling(std::span<const assets::ImageData> levels, Filter filter) {
+Texture Texture::tiling(std::span<const assets::ImageData* const> levels, Filter filter) {
     Texture texture;
     texture.object_ = new_texture();
-    texture.width_ = levels.front().width;
-    texture.height_ = levels.front().height;
+    texture.width_ = levels.front()->width;
+    texture.height_ = levels.front()->height;
     glBindTexture(GL_TEXTURE_2D, texture.name());
     set_parameters(GL_TEXTURE_2D, filter, GL_REPEAT);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.size()) - 1);
-    if (levels.front().format == assets::PixelFormat::R8) {  // grey, not red
+    if (levels.front()->format == assets::PixelFormat::R8) {  // grey, not red
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_G, GL_RED);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_B, GL_RED);
     }
     for (std::size_t level = 0; level < levels.size(); ++level) {
-        texture.bytes_ += upload_level(GL_TEXTURE_2D, static_cast<GLint>(level), levels[level]);
+        texture.bytes_ += upload_level(GL_TEXTURE_2D, static_cast<GLint>(level), *levels[level]);
     }
     return texture;
 }
@@ -151,12 +207,14 @@ Texture Texture::cube(std::span<const assets::ImageData> faces, std::uint32_t le
     set_parameters(
         GL_TEXTURE_CUBE_MAP, levels > 1 ? Filter::Trilinear : Filter::Linear, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels) - 1);
-    for (std::uint32_t level = 0; level < levels; ++level) {
-        for (std::uint32_t face = 0; face < 6; ++face) {
-            texture.bytes_ += upload_level(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face,
-                                           static_cast<GLint>(level),
-                                           faces[level * 6 + face]);
-        }
+    std::vector<std::future<assets::ImageData>> under_way;
+    for (const assets::ImageData& face : faces) {
+        under_way.push_back(std::async(std::launch::async | std::launch::deferred,
+                                       [&face] { return packed(face); }));
+    }
+    for (std::uint32_t i = 0; i < levels * 6; ++i) {
+        texture.bytes_ += upload_level(
+            GL_TEXTURE_CUBE_MAP_POSITIVE_X + i % 6, static_cast<GLint>(i / 6), under_way[i].get());
     }
     return texture;
 }

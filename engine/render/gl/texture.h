@@ -29,7 +29,7 @@ public:
                           std::uint32_t height,
                           Filter filter);
     /// A tiling image from its mip levels, largest first.
-    static Texture tiling(std::span<const assets::ImageData> levels, Filter filter);
+    static Texture tiling(std::span<const assets::ImageData* const> levels, Filter filter);
     /// Six faces in the order +x -x +y -y +z -z; level after level when `levels` > 1.
     static Texture cube(std::span<const assets::ImageData> faces, std::uint32_t levels);
 
