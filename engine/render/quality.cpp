@@ -10,6 +10,7 @@ Quality quality_of(PictureLevel level) {
     switch (level) {
         case PictureLevel::Low:
             return {.render_scale = 0.6F,
+                    .fxaa = true,
                     .surface_maps = false,
                     .shadow_filter = false,
                     .shadow_detail = 0.5F,
