@@ -5,9 +5,14 @@
 #include "include/fog.glsl"
 #include "include/lighting.glsl"
 #include "include/shadow.glsl"
+#include "include/sky_light.glsl"
 
+#ifdef PL_VERTEX_COLOR
 in vec3 surface_color;
-in vec3 surface_position_world;
+#else
+flat in vec3 surface_color;
+#endif
+in vec3 surface_to_eye;
 #ifndef PL_UNLIT
 in vec3 surface_normal_world;
 #endif
@@ -26,6 +31,10 @@ uniform sampler2D orm_map;
 #endif
 #ifdef PL_EMISSIVE_MAP
 uniform sampler2D emissive_map;
+#endif
+#if defined(PL_SKY_BY_VERTEX) && !defined(PL_UNLIT)
+in vec3 surface_sky_slope;
+in vec3 surface_sky_slope_to_eye;
 #endif
 #ifdef PL_SUN_SHADOW
 in vec3 surface_sun_shadow;
@@ -48,8 +57,10 @@ layout(location = 0) out vec4 out_color;
 vec3 emitted_light() {
 #ifdef PL_EMISSIVE_MAP
     return material.emissive.rgb * linear_from_srgb(texture(emissive_map, surface_uv).rgb);
-#else
+#elif defined(PL_EMISSIVE)
     return material.emissive.rgb;
+#else
+    return vec3(0.0);
 #endif
 }
 
@@ -108,9 +119,12 @@ vec3 sun_light(Surface s, float eye_distance_m) {
 }
 #endif
 
+// Uniforms are dear on software GL: a shader without such lights reads no camera.
+vec3 surface_position_world() { return frame.camera_world.xyz - surface_to_eye; }
+
 #ifdef PL_FLASHLIGHT
 vec3 flashlight_light(Surface s) {
-    vec3 to_light = frame.flashlight_position.xyz - surface_position_world;
+    vec3 to_light = frame.flashlight_position.xyz - surface_position_world();
     float distance2 = max(dot(to_light, to_light), 1e-4);
     to_light *= inversesqrt(distance2);
     float cosine = -dot(to_light, frame.flashlight_direction.xyz);
@@ -130,7 +144,7 @@ vec3 flashlight_light(Surface s) {
 
 #ifdef PL_LOCAL_LIGHTS
 vec3 local_light(Surface s, LocalLight light) {
-    vec3 to_light = light.position_world.xyz - surface_position_world;
+    vec3 to_light = light.position_world.xyz - surface_position_world();
     float distance2 = max(dot(to_light, to_light), 1e-4);
     to_light *= inversesqrt(distance2);
     float cosine = -dot(to_light, light.direction_world.xyz);
@@ -162,21 +176,33 @@ vec3 local_lights_light(Surface s) {
 }
 #endif
 
-vec3 ambient_light(Surface s, float occlusion) {
-    vec3 f0 = mix(vec3(0.04), s.base_color, s.metallic);
-    vec3 mirrored = ambient_fresnel(s, f0);
-    vec3 diffuse = ambient_diffuse(s.normal) * s.base_color * (1.0 - s.metallic);
+// Light from everywhere. Either way a surface turned every way gets frame.ambient on average: the
+// sky says where it comes from; without one, more comes from above than from below.
+vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
 #ifdef PL_SKY_LIGHT
-    vec3 direction = reflect(-s.to_eye, s.normal);
+#ifdef PL_SKY_BY_VERTEX
+    vec3 slope = surface_sky_slope *
+                 inversesqrt(dot(surface_normal_world, surface_normal_world));
+    vec3 slope_to_eye = surface_sky_slope_to_eye / max(eye_distance_m, 1e-4);
+#else
+    vec3 slope = sky_slope(s.normal);
+    vec3 slope_to_eye = sky_slope(s.to_eye);
+#endif
+    // What a matt white surface sends out under the sky.
+    vec3 diffuse = max(sky_middle() + 0.6666667 * slope, 0.0);
 #ifdef PL_SKY_REFLECTION
+    vec3 direction = reflect(-s.to_eye, s.normal);
     vec3 reflection = textureLod(sky_map, direction, s.roughness * frame.tone.z).rgb * frame.tone.w;
 #else
-    vec3 reflection = sky_blurred(direction);
+    // The sky blurred as a rough surface mirrors it: the slope is that of the mirrored direction.
+    vec3 mirrored_slope = 2.0 * dot(s.normal, s.to_eye) * slope - slope_to_eye;
+    vec3 reflection = max(sky_middle() + 0.85 * mirrored_slope, 0.0);
 #endif
 #else
+    vec3 diffuse = frame.ambient.rgb * (1.0 + 0.3 * s.normal.y);
     vec3 reflection = frame.ambient.rgb;
 #endif
-    return (diffuse + reflection * mirrored) * occlusion;
+    return (diffuse * matt_color(s) + reflection * ambient_fresnel(s)) * occlusion;
 }
 
 vec3 lit_color(vec3 base_color, float eye_distance_m, vec3 to_eye) {
@@ -193,7 +219,7 @@ vec3 lit_color(vec3 base_color, float eye_distance_m, vec3 to_eye) {
     s.roughness *= orm.g;
     s.metallic *= orm.b;
 #endif
-    vec3 color = ambient_light(s, occlusion) + emitted_light();
+    vec3 color = ambient_light(s, eye_distance_m, occlusion) + emitted_light();
 #ifdef PL_SUN
     color += sun_light(s, eye_distance_m);
 #endif
@@ -209,7 +235,7 @@ vec3 lit_color(vec3 base_color, float eye_distance_m, vec3 to_eye) {
 #endif
 
 void main() {
-    vec4 base = vec4(material.base_color.rgb * surface_color, material.base_color.a);
+    vec4 base = vec4(surface_color, material.base_color.a);
 #ifdef PL_BASE_MAP
     vec4 texel = texture(base_color_map, surface_uv);
     base *= vec4(linear_from_srgb(texel.rgb), texel.a);
@@ -217,7 +243,7 @@ void main() {
     if (base.a < material.emissive.w) discard;
 #endif
 #endif
-    vec3 to_eye = frame.camera_world.xyz - surface_position_world;
+    vec3 to_eye = surface_to_eye;
     float eye_distance_m = length(to_eye);
 #ifdef PL_UNLIT
     vec3 color = base.rgb + emitted_light();

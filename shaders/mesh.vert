@@ -1,5 +1,6 @@
 // Places one instance of a mesh. Passes: opaque, translucent.
 #include "include/blocks.glsl"
+#include "include/sky_light.glsl"
 
 layout(location = 0) in vec3 position_body;
 layout(location = 1) in vec3 normal_body;
@@ -11,8 +12,15 @@ layout(location = 6) in vec4 world_from_body_y;
 layout(location = 7) in vec4 world_from_body_z;
 layout(location = 8) in vec4 tint;
 
+// Drawn in two parts, a surface must have the same depth in both.
+invariant gl_Position;
+
+#ifdef PL_VERTEX_COLOR
 out vec3 surface_color;
-out vec3 surface_position_world;
+#else
+flat out vec3 surface_color;
+#endif
+out vec3 surface_to_eye;
 #ifndef PL_UNLIT
 out vec3 surface_normal_world;
 #endif
@@ -21,6 +29,10 @@ out vec2 surface_uv;
 #endif
 #ifdef PL_NORMAL_MAP
 out vec4 surface_tangent_world;
+#endif
+#if defined(PL_SKY_BY_VERTEX) && !defined(PL_UNLIT)
+out vec3 surface_sky_slope;
+out vec3 surface_sky_slope_to_eye;
 #endif
 #ifdef PL_SUN_SHADOW
 out vec3 surface_sun_shadow;
@@ -36,8 +48,8 @@ vec3 to_world(vec4 body) {
 
 void main() {
     vec3 position_world = to_world(vec4(position_body, 1.0));
-    surface_position_world = position_world;
-    surface_color = tint.rgb;
+    surface_to_eye = frame.camera_world.xyz - position_world;
+    surface_color = tint.rgb * material.base_color.rgb;
 #ifdef PL_VERTEX_COLOR
     surface_color *= color.rgb;
 #endif
@@ -52,6 +64,10 @@ void main() {
     vec3 normal_world = normalize(vec3(dot(cross(y, z), normal_body), dot(cross(z, x), normal_body),
                                        dot(cross(x, y), normal_body)));
     surface_normal_world = normal_world;
+#ifdef PL_SKY_BY_VERTEX
+    surface_sky_slope = sky_slope(normal_world);
+    surface_sky_slope_to_eye = sky_slope(surface_to_eye);
+#endif
 #ifdef PL_NORMAL_MAP
     surface_tangent_world = vec4(to_world(vec4(tangent_body.xyz, 0.0)), tangent_body.w);
 #endif

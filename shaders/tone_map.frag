@@ -28,6 +28,10 @@ void main() {
 #ifdef PL_KEEP_DEPTH
     gl_FragDepth = texture(depth_image, screen_uv).r;
 #endif
-    // The passes that smooth and sharpen want to know how bright a pixel looks.
+#ifdef PL_FXAA
+    // The pass that smooths and sharpens wants to know how bright a pixel looks.
     out_color = vec4(color, dot(color, vec3(0.299, 0.587, 0.114)));
+#else
+    out_color = vec4(color, 1.0);
+#endif
 }

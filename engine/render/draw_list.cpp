@@ -12,7 +12,7 @@ constexpr float kBinRatioLog = 0.405F;
 
 bool same_group(const VisibleItem& a, const VisibleItem& b) {
     return a.item->mesh == b.item->mesh && a.parts.data() == b.parts.data() &&
-           std::ranges::equal(a.materials, b.materials);
+           a.in_beam == b.in_beam && std::ranges::equal(a.materials, b.materials);
 }
 
 Instance instance_of(const DrawItem& item) {
@@ -114,6 +114,7 @@ DrawRun append_instances(const std::vector<VisibleItem>& visible,
     run.mesh = visible[entries.front().index].item->mesh;
     run.first_instance = static_cast<std::uint32_t>(list.instances.size());
     run.instance_count = static_cast<std::uint32_t>(entries.size());
+    run.in_beam = visible[entries.front().index].in_beam;
     for (const SortEntry& entry : entries) {
         const VisibleItem& member = visible[entry.index];
         list.instances.push_back(instance_of(*member.item));
@@ -149,6 +150,7 @@ void build_translucent(std::vector<VisibleItem>& visible,
         DrawRun run{.mesh = item.mesh,
                     .first_instance = static_cast<std::uint32_t>(list.instances.size()),
                     .instance_count = 1,
+                    .in_beam = member.in_beam,
                     .bounds_world = member.bounds_world};
         bool has_part = false;
         for (const assets::SubMesh& part : member.parts) {
@@ -183,7 +185,8 @@ std::vector<VisibleItem> cull(const RenderFrame& frame,
                            materials_of(frame, item),
                            parts_of(item, mesh, view, near_m),
                            bounds,
-                           glm::distance(view.eye_world, bounds.center()) + size_m * 0.5F});
+                           glm::distance(view.eye_world, bounds.center()) + size_m * 0.5F,
+                           view.beam != nullptr && view.beam->reaches(bounds)});
     }
     return visible;
 }

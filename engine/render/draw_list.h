@@ -4,6 +4,7 @@
 #include "engine/assets/asset_library.h"
 #include "engine/core/bounds.h"
 #include "engine/render/frustum.h"
+#include "engine/render/light_beam.h"
 #include "engine/render/mesh_lods.h"
 #include "engine/render/render_frame.h"
 
@@ -31,6 +32,7 @@ struct DrawRun {
     std::uint32_t first_instance{0};
     std::uint32_t instance_count{0};
     bool two_sided{false};
+    bool in_beam{false};  ///< the flashlight may reach it
     Aabb bounds_world;
 };
 
@@ -51,16 +53,18 @@ struct VisibleItem {
     std::span<const assets::SubMesh> parts;         ///< the mesh's, as fine as the view needs them
     Aabb bounds_world;
     float distance_m{0.0F};  ///< from the eye to the far side of the bounds
+    bool in_beam{false};     ///< the flashlight may reach it
 };
 
 /// From where things are looked at, and how closely.
 struct CullView {
     Frustum frustum;
     Vec3f eye_world{0.0F};
-    const LodTable* lods{nullptr};  ///< null: full meshes only
-    float error_m{0.0F};            ///< a mesh may be off by so much anywhere,
-    float error_rad{0.0F};          ///< or by so much as seen from the eye
-    float smallest_rad{0.0F};       ///< what looks smaller is left out
+    const LodTable* lods{nullptr};   ///< null: full meshes only
+    float error_m{0.0F};             ///< a mesh may be off by so much anywhere,
+    float error_rad{0.0F};           ///< or by so much as seen from the eye
+    float smallest_rad{0.0F};        ///< what looks smaller is left out
+    const LightBeam* beam{nullptr};  ///< of the flashlight; null: there is none
 };
 
 /// Items whose bounds touch the frustum, in the frame's order.
@@ -74,7 +78,7 @@ enum class DrawKind {
 };
 
 /// Distances are binned first, so that an instanced draw never spans near and far: overdraw is what
-/// costs. Within a bin equal (mesh, materials) join, nearest first.
+/// costs. Within a bin equal (mesh, materials, in the beam or not) join, nearest first.
 void build_draws(std::vector<VisibleItem> visible,
                  const assets::AssetLibrary& library,
                  DrawKind kind,

@@ -96,6 +96,7 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     block.clusters.x = PL_CLUSTERS_X / static_cast<float>(post_view.scene_px.width);
     block.clusters.y = PL_CLUSTERS_Y / static_cast<float>(post_view.scene_px.height);
     set_up_light();
+    beam.reset();
     if (new_frame.flashlight) set_up_flashlight(*new_frame.flashlight);
     frame_buffer.upload(&block, sizeof(block));
     if (new_frame.lights.empty()) {
@@ -219,6 +220,7 @@ void Renderer::Impl::set_up_flashlight(const Flashlight& flashlight) {
     const Vec3f direction = normalize_or(flashlight.direction_world, Vec3f{0.0F, 0.0F, -1.0F});
     const float outer_cos = std::cos(flashlight.outer_rad);
     const float width = std::max(std::cos(flashlight.inner_rad) - outer_cos, 1e-3F);
+    beam.emplace(flashlight.position_world, direction, flashlight.outer_rad, flashlight.radius_m);
     const Mat4f clip_from_world = fit_spot_shadow(
         flashlight.position_world, direction, flashlight.outer_rad, flashlight.radius_m);
     block.flashlight_shadow_from_world = kTextureFromClip * clip_from_world;
@@ -251,7 +253,8 @@ void Renderer::Impl::build_draw_lists() {
               .eye_world = frame->camera.position_world,
               .lods = quality.lod_error_px > 0.0F ? &scene.meshes.lods() : nullptr,
               .error_rad = quality.lod_error_px * pixel_rad,
-              .smallest_rad = quality.smallest_px * pixel_rad});
+              .smallest_rad = quality.smallest_px * pixel_rad,
+              .beam = beam ? &*beam : nullptr});
     build_draws(visible, scene.library, DrawKind::Opaque, opaque_draws);
     build_draws(std::move(visible), scene.library, DrawKind::Translucent, translucent_draws);
 }

@@ -33,7 +33,10 @@ FeatureSet features_of(const assets::MaterialData& material) {
     if (material.shading == assets::Shading::Unlit) features |= feature::kUnlit;
     features |= material.base_color_map.empty() ? feature::kVertexColor : feature::kBaseMap;
     if (material.vertex_colors) features |= feature::kVertexColor;
-    if (!material.emissive_map.empty()) features |= feature::kEmissiveMap;
+    if (material.emissive != Vec3f{0.0F}) {
+        features |= feature::kEmissive;
+        if (!material.emissive_map.empty()) features |= feature::kEmissiveMap;
+    }
     if (material.alpha_mode == assets::AlphaMode::Mask && !material.base_color_map.empty()) {
         features |= feature::kAlphaMask;
     }
@@ -43,6 +46,7 @@ FeatureSet features_of(const assets::MaterialData& material) {
     if (!material.normal_map.empty()) features |= feature::kNormalMap;
     if (!material.orm_map.empty()) features |= feature::kOrmMap;
     if (material.two_sided) features |= feature::kTwoSided;
+    if (material.metallic > 0.0F) features |= feature::kMetal;
     // Thin and two-sided without being metal: a leaf, a petal, a blade of grass.
     if (material.two_sided && material.metallic < 0.5F &&
         material.alpha_mode != assets::AlphaMode::Blend) {

@@ -123,21 +123,25 @@ void Renderer::prepare(const RenderFrame& frame) {
     Impl& r = *impl_;
     r.set_up(frame);
     if (r.nothing_to_draw) return;
+    std::vector<MeshRequest> meshes;
     std::vector<TextureRequest> textures;
     std::set<FeatureSet> variants;
     bool has_mask = false;
     for (const DrawItem& item : frame.items) {
         if (item.mesh.value == 0) continue;
-        r.scene.meshes.get(item.mesh, materials_of(frame, item));
+        meshes.push_back({item.mesh, materials_of(frame, item)});
         for (const assets::MaterialId id : materials_of(frame, item)) {
             if (id.value == 0) continue;
             const auto& material = r.scene.library.material(id);
             const auto& wanted = r.scene.materials.textures(id);
             textures.insert(textures.end(), wanted.begin(), wanted.end());
-            variants.insert(variant_of(r.scene.materials.features(id), r.features));
+            const FeatureSet look = r.scene.materials.features(id);
+            variants.insert(variant_of(look, r.features));
+            variants.insert(variant_of(look, r.features & ~feature::kFlashlight));
             has_mask = has_mask || material.alpha_mode == assets::AlphaMode::Mask;
         }
     }
+    r.scene.meshes.load(meshes);
     for (const FeatureSet variant : variants) r.scene.shaders.find(kMeshShader, variant);
     if (frame.sun_shadow || frame.flashlight) {
         r.scene.shaders.find(kDepthShader, 0);
@@ -182,7 +186,9 @@ void Renderer::opaque() {
     const Vec3f clear = background_of(*r.frame);
     glClearColor(clear.x, clear.y, clear.z, 1.0F);
     glDepthMask(GL_TRUE);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    // The sky is drawn wherever nothing else is.
+    const bool sky_covers = r.frame->sky && r.scene.sky.ready();
+    glClear(GL_DEPTH_BUFFER_BIT | (sky_covers ? 0U : GL_COLOR_BUFFER_BIT));
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDisable(GL_BLEND);
@@ -196,7 +202,7 @@ void Renderer::opaque() {
     if (r.scene.sky.ready()) {
         gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, r.scene.sky.reflection());
     }
-    r.opaque_pass.render(r.opaque_draws, r.features, r.frame->lights, r.scene, r.stats);
+    r.opaque_pass.render(r.opaque_draws, DrawKind::Opaque, r.mesh_view(), r.scene, r.stats);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
@@ -219,7 +225,8 @@ void Renderer::translucent() {
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(r.frame->fill_mode));
-    r.translucent_pass.render(r.translucent_draws, r.features, r.frame->lights, r.scene, r.stats);
+    r.translucent_pass.render(
+        r.translucent_draws, DrawKind::Translucent, r.mesh_view(), r.scene, r.stats);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);

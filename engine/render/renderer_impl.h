@@ -6,6 +6,7 @@
 #include "engine/render/gl/pass_timer.h"
 #include "engine/render/gpu_lights.h"
 #include "engine/render/gpu_limits.h"
+#include "engine/render/light_beam.h"
 #include "engine/render/passes/line_pass.h"
 #include "engine/render/passes/mesh_pass.h"
 #include "engine/render/passes/post_pass.h"
@@ -47,6 +48,7 @@ struct Renderer::Impl {
     FrameBlock block;
     std::vector<ShadowView> sun_views;  ///< one a cascade
     ShadowView flashlight_view{};
+    std::optional<LightBeam> beam;  ///< the flashlight's
     DrawList opaque_draws;
     DrawList translucent_draws;
 
@@ -70,6 +72,13 @@ struct Renderer::Impl {
     /// Sizes targets, reads the frame's wishes into features and matrices; frees what it has none.
     void set_up(const RenderFrame& new_frame);
     void build_draw_lists();
+    MeshView mesh_view() const {
+        return {.features = features,
+                .lights = frame->lights,
+                .beam = beam ? &*beam : nullptr,
+                .clip_from_world = block.clip_from_world,
+                .size_px = post_view.scene_px};
+    }
     void bind_present_target() const;
     unsigned int present_framebuffer() const;
 

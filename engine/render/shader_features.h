@@ -24,6 +24,8 @@ inline constexpr FeatureSet kLeaf = 1U << 8U;
 inline constexpr FeatureSet kVertexColor = 1U << 9U;
 inline constexpr FeatureSet kSkyReflection = 1U << 10U;
 inline constexpr FeatureSet kEmissiveMap = 1U << 11U;
+inline constexpr FeatureSet kMetal = 1U << 12U;  ///< in part at least
+inline constexpr FeatureSet kEmissive = 1U << 13U;
 // of the frame
 inline constexpr FeatureSet kSun = 1U << 16U;
 inline constexpr FeatureSet kSunShadow = 1U << 17U;
@@ -43,7 +45,7 @@ inline constexpr FeatureSet kSharpen = 1U << 28U;
 inline constexpr FeatureSet kSkyCodes = 1U << 29U;  ///< the sky's faces hold sRGB codes
 }  // namespace feature
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 27> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 29> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -56,6 +58,8 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 27> kFeatur
     {feature::kVertexColor, "PL_VERTEX_COLOR"},
     {feature::kSkyReflection, "PL_SKY_REFLECTION"},
     {feature::kEmissiveMap, "PL_EMISSIVE_MAP"},
+    {feature::kMetal, "PL_METAL"},
+    {feature::kEmissive, "PL_EMISSIVE"},
     {feature::kSun, "PL_SUN"},
     {feature::kSunShadow, "PL_SUN_SHADOW"},
     {feature::kFlashlight, "PL_FLASHLIGHT"},

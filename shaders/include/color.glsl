@@ -5,12 +5,12 @@ vec3 linear_from_srgb(vec3 c) {
     return c * (0.0160 + c * (0.6670 + c * 0.3170));
 }
 
-// Light to sRGB code values; within a tenth of one 8-bit step. Two square roots where the
-// standard's curve has a power: much cheaper on software GL.
+// Light to sRGB code values; within a tenth of one 8-bit step. A polynomial of the square root where
+// the standard's curve has a power: much cheaper on software GL.
 vec3 srgb_from_linear(vec3 light) {
     vec3 c = clamp(light, 0.0, 1.0);
-    vec3 root = sqrt(c);
-    vec3 curve = 0.83373245 * root + 0.29812567 * sqrt(root) - 0.05530992 * c - 0.07690741;
+    vec3 s = sqrt(c);
+    vec3 curve = -0.0401097 + s * (1.5179518 + s * (-1.4027401 + s * (2.0315797 + s * (-1.6236606 + s * 0.5173026))));
     return mix(curve, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));
 }
 

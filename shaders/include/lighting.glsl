@@ -10,6 +10,17 @@ struct Surface {
 
 const float kPi = 3.14159265;
 
+// What a surface mirrors head on; of colour only where it is metal.
+#ifdef PL_METAL
+#define Reflectance vec3
+vec3 head_on(Surface s) { return mix(vec3(0.04), s.base_color, s.metallic); }
+vec3 matt_color(Surface s) { return s.base_color * (1.0 - s.metallic); }
+#else
+#define Reflectance float
+float head_on(Surface s) { return 0.04; }
+vec3 matt_color(Surface s) { return s.base_color; }
+#endif
+
 // Schlick's fifth power. The clamp matters: a light at the eye makes the cosine reach 1 plus a
 // rounding error, and the power of a negative number would be NaN.
 float fresnel_weight(float cosine) {
@@ -47,10 +58,9 @@ vec3 reflected(Surface s, vec3 to_light, vec3 light) {
     float d = n_h * n_h * (a2 - 1.0) + 1.0;
     float masking = mix(2.0 * n_l * n_v, n_l + n_v, alpha);
     float lobe = a2 / (d * d * max(masking, 1e-4)) * 0.5;
-    vec3 f0 = mix(vec3(0.04), s.base_color, s.metallic);
-    vec3 fresnel = f0 + (1.0 - f0) * fresnel_weight(v_h);
-    vec3 diffuse = s.base_color * (1.0 - s.metallic);
-    return (diffuse + lobe * fresnel) * light * n_l;
+    Reflectance f0 = head_on(s);
+    Reflectance fresnel = f0 + (1.0 - f0) * fresnel_weight(v_h);
+    return (matt_color(s) + lobe * fresnel) * light * n_l;
 }
 
 #endif
@@ -62,43 +72,12 @@ vec3 transmitted(Surface s, vec3 to_light, vec3 light, float share) {
     return s.base_color * vec3(1.05, 1.0, 0.55) * light * share * (behind + 0.5 * glow * glow);
 }
 
-#ifdef PL_SKY_LIGHT
-
-// The sky's light by its first four harmonics; the five of order 2 add a few hundredths and cost as
-// much as a texture lookup on software GL.
-vec3 sky_harmonics(vec3 d, float directional) {
-    vec3 slope = frame.sky_light[1].rgb * d.y + frame.sky_light[2].rgb * d.z +
-                 frame.sky_light[3].rgb * d.x;
-    return max(0.282095 * frame.sky_light[0].rgb + (0.488603 * directional) * slope, 0.0);
-}
-
-// What a matt white surface facing n sends out under the sky.
-vec3 sky_diffuse(vec3 n) {
-    return sky_harmonics(n, 0.6666667);
-}
-
-// The sky blurred as a rough surface mirrors it.
-vec3 sky_blurred(vec3 direction) {
-    return sky_harmonics(direction, 0.85);
-}
-
-#endif
-
-// Light from everywhere. Either way a surface turned every way gets frame.ambient on average: the
-// sky says where it comes from; without one, more comes from above than from below.
-vec3 ambient_diffuse(vec3 n) {
-#ifdef PL_SKY_LIGHT
-    return sky_diffuse(n);
-#else
-    return frame.ambient.rgb * (1.0 + 0.3 * n.y);
-#endif
-}
-
 // The share of ambient light that a surface mirrors: Schlick's weight flattened by roughness.
-vec3 ambient_fresnel(Surface s, vec3 f0) {
+Reflectance ambient_fresnel(Surface s) {
+    Reflectance f0 = head_on(s);
     float n_v = clamp(dot(s.normal, s.to_eye), 0.0, 1.0);
     float gloss = 1.0 - s.roughness;
-    return f0 + (max(vec3(gloss), f0) - f0) * fresnel_weight(n_v) * gloss;
+    return f0 + (max(Reflectance(gloss), f0) - f0) * fresnel_weight(n_v) * gloss;
 }
 
 // Falls as the square of the distance, gently bent down to reach zero at the light's radius.

@@ -21,6 +21,27 @@ bool is_reached(const Aabb& box, const std::vector<LocalLight>& lights) {
     });
 }
 
+// The flashlight's code is dear. A large thing of few triangles, as the ground is, is drawn in two
+// parts: first where its beam can reach, then all of it without.
+constexpr std::uint64_t kFewTriangles = 1000;
+constexpr float kMostLit = 0.7F;
+
+std::uint64_t triangles(const DrawRun& run) {
+    return std::uint64_t{run.index_count} / 3 * run.instance_count;
+}
+
+void scissor(const ClipRect& part, const PixelSize& size_px) {
+    const Vec2f size{size_px.width, size_px.height};
+    const Vec2f first = glm::floor((part.min * 0.5F + 0.5F) * size) - 1.0F;
+    const Vec2f last = glm::ceil((part.max * 0.5F + 0.5F) * size) + 1.0F;
+    const Vec2f extent = part.empty() ? Vec2f{0.0F} : last - first;
+    glScissor(static_cast<GLint>(first.x),
+              static_cast<GLint>(first.y),
+              static_cast<GLsizei>(extent.x),
+              static_cast<GLsizei>(extent.y));
+    glEnable(GL_SCISSOR_TEST);
+}
+
 }  // namespace
 
 FeatureSet variant_of(FeatureSet material_features, FeatureSet frame_features) {
@@ -30,28 +51,47 @@ FeatureSet variant_of(FeatureSet material_features, FeatureSet frame_features) {
 }
 
 void MeshPass::render(const DrawList& draws,
-                      FeatureSet frame_features,
-                      const std::vector<LocalLight>& lights,
+                      DrawKind kind,
+                      const MeshView& view,
                       SceneResources& resources,
                       FrameStats& stats) {
     if (draws.runs.empty()) return;
     instances_.upload(draws.instances);
     for (const DrawRun& run : draws.runs) {
-        FeatureSet features = frame_features;
-        if (!is_reached(run.bounds_world, lights)) features &= ~feature::kLocalLights;
-        const FeatureSet variant = variant_of(resources.materials.features(run.material), features);
-        const gl::Program* program = resources.shaders.find(kMeshShader, variant);
-        if (program == nullptr) continue;
-        program->use();
-        resources.materials.bind(run.material);
-        if (run.two_sided) {
-            glDisable(GL_CULL_FACE);
-        } else {
-            glEnable(GL_CULL_FACE);
+        FeatureSet features = view.features;
+        if (!is_reached(run.bounds_world, view.lights)) features &= ~feature::kLocalLights;
+        const FeatureSet without_beam = features & ~feature::kFlashlight;
+        if (!run.in_beam) features = without_beam;
+        if (run.in_beam && kind == DrawKind::Opaque && triangles(run) <= kFewTriangles) {
+            const ClipRect lit = view.beam->lit_part(run.bounds_world, view.clip_from_world);
+            if (lit.share() < kMostLit) {
+                scissor(lit, view.size_px);
+                draw(run, features, resources, stats);
+                glDisable(GL_SCISSOR_TEST);
+                // Where that drew, this is no nearer.
+                features = without_beam;
+            }
         }
-        draw_instances(resources.meshes.get(run.mesh), MeshDetail::Full, instances_, run);
-        count_draw(stats, run);
+        draw(run, features, resources, stats);
     }
+}
+
+void MeshPass::draw(const DrawRun& run,
+                    FeatureSet features,
+                    SceneResources& resources,
+                    FrameStats& stats) const {
+    const FeatureSet variant = variant_of(resources.materials.features(run.material), features);
+    const gl::Program* program = resources.shaders.find(kMeshShader, variant);
+    if (program == nullptr) return;
+    program->use();
+    resources.materials.bind(run.material);
+    if (run.two_sided) {
+        glDisable(GL_CULL_FACE);
+    } else {
+        glEnable(GL_CULL_FACE);
+    }
+    draw_instances(resources.meshes.get(run.mesh), MeshDetail::Full, instances_, run);
+    count_draw(stats, run);
 }
 
 }  // namespace plumbline::render

@@ -3,21 +3,36 @@
 
 #include "engine/render/gl/buffer.h"
 #include "engine/render/passes/scene_resources.h"
+#include "engine/render/passes/scene_target.h"
 
 #include <vector>
 
 namespace plumbline::render {
 
+/// What is the same for all draws of a frame.
+struct MeshView {
+    FeatureSet features{0};  ///< the shader code that this frame's lights and air need
+    const std::vector<LocalLight>& lights;
+    const LightBeam* beam{nullptr};  ///< the flashlight's
+    Mat4f clip_from_world{1.0F};
+    PixelSize size_px;  ///< of what is drawn into
+};
+
 class MeshPass {
 public:
-    /// `frame_features`: the shader code that this frame's lights and air need.
     void render(const DrawList& draws,
-                FeatureSet frame_features,
-                const std::vector<LocalLight>& lights,
+                DrawKind kind,
+                const MeshView& view,
                 SceneResources& resources,
                 FrameStats& stats);
 
 private:
+    /// All of a run, or what of it the flashlight cannot reach.
+    void draw(const DrawRun& run,
+              FeatureSet features,
+              SceneResources& resources,
+              FrameStats& stats) const;
+
     InstanceStream instances_;
 };
 

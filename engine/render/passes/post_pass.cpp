@@ -129,6 +129,7 @@ void PostPass::render_picture(const SceneTarget& scene_target,
     std::vector<Step> steps;
     steps.push_back({kToneMapShader,
                      (view.tone_curve ? feature::kToneMap : 0U) |
+                         (view.fxaa ? feature::kFxaa : 0U) |
                          (bloom_levels_.empty() ? 0U : feature::kBloom),
                      scene_target.color(),
                      view.fxaa ? &toned_.framebuffer : before_scaling});

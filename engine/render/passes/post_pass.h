@@ -15,12 +15,6 @@
 
 namespace plumbline::render {
 
-struct PixelSize {
-    std::uint32_t width{0};
-    std::uint32_t height{0};
-    friend bool operator==(const PixelSize&, const PixelSize&) = default;
-};
-
 struct PostView {
     PixelSize scene_px;    ///< the scene's image
     PixelSize present_px;  ///< the finished picture

@@ -10,6 +10,12 @@
 
 namespace plumbline::render {
 
+struct PixelSize {
+    std::uint32_t width{0};
+    std::uint32_t height{0};
+    friend bool operator==(const PixelSize&, const PixelSize&) = default;
+};
+
 class SceneTarget {
 public:
     /// Makes the images for that size; nothing if they are there. The error: out of memory.

@@ -127,5 +127,23 @@ TEST_F(DrawListTest, TakesTheCoarsestVersionThatIsFineEnough) {
     EXPECT_EQ(list.runs[2].first_index, 60U);
 }
 
+TEST_F(DrawListTest, DrawsWhatTheFlashlightReachesApart) {
+    // Straight ahead, 1 m far: it reaches only the box whose near side is at 0.5 m.
+    const LightBeam beam{Vec3f{0.0F}, Vec3f{0.0F, 0.0F, -1.0F}, 0.2F, 1.0F};
+    const Mat4f everything = glm::ortho(-1e4F, 1e4F, -1e4F, 1e4F, -1e4F, 1e4F);
+    CullView view{.frustum = Frustum{everything}};
+    const RenderFrame& frame = frame_of({{box_, red_, -1.0F}, {box_, red_, -1.6F}});
+    DrawList together;
+    build_draws(cull(frame, library_, view), library_, DrawKind::Opaque, together);
+    ASSERT_EQ(together.runs.size(), 1U);
+    EXPECT_FALSE(together.runs[0].in_beam);
+    view.beam = &beam;
+    DrawList apart;
+    build_draws(cull(frame, library_, view), library_, DrawKind::Opaque, apart);
+    ASSERT_EQ(apart.runs.size(), 2U);
+    EXPECT_EQ(apart.runs[0].in_beam, apart.instances[0].row_z.w == -1.0F);
+    EXPECT_NE(apart.runs[0].in_beam, apart.runs[1].in_beam);
+}
+
 }  // namespace
 }  // namespace plumbline::render

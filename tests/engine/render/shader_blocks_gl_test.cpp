@@ -111,6 +111,10 @@ std::vector<FeatureSet> material_variants() {
             kBlinnPhong | kVertexColor,
             kBlinnPhong | kBaseMap | kNormalMap,
             kBaseMap | kNormalMap | kOrmMap,
+            kBaseMap | kNormalMap | kOrmMap | kMetal,
+            kVertexColor | kMetal | kSkyReflection,
+            kVertexColor | kEmissive,
+            kBaseMap | kEmissive | kEmissiveMap,
             kBaseMap | kNormalMap | kAlphaMask | kTwoSided | kLeaf,
             kVertexColor | kTwoSided | kLeaf,
             kVertexColor | kBlend | kSkyReflection,
@@ -141,7 +145,7 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
     }
     for (const FeatureSet f : {FeatureSet{0}, kKeepDepth}) {
         program_of({"fullscreen.vert", "tone_map.frag"}, f);
-        program_of({"fullscreen.vert", "tone_map.frag"}, f | kBloom | kToneMap);
+        program_of({"fullscreen.vert", "tone_map.frag"}, f | kBloom | kToneMap | kFxaa);
         program_of({"fullscreen.vert", "smooth_edges.frag"}, f | kFxaa);
         program_of({"fullscreen.vert", "smooth_edges.frag"}, f | kFxaa | kSharpen);
         program_of({"fullscreen.vert", "scale_up.frag"}, f);

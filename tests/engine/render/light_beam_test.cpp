@@ -1,0 +1,99 @@
+#include "engine/render/light_beam.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace plumbline::render {
+namespace {
+
+constexpr float kHalfAngle_rad = radians_from_degrees(20.0F);
+
+Aabb box_at(const Vec3f& center, float half = 0.5F) {
+    return {.min = center - Vec3f{half}, .max = center + Vec3f{half}};
+}
+
+/// From the origin down -Z, 50 m far.
+LightBeam beam() {
+    return {Vec3f{0.0F}, Vec3f{0.0F, 0.0F, -1.0F}, kHalfAngle_rad, 50.0F};
+}
+
+/// A camera at the origin that looks down -Z, 90 degrees each way: at 10 m, 10 m are a half picture.
+Mat4f camera() {
+    return glm::perspective(glm::half_pi<float>(), 1.0F, 0.1F, 100.0F);
+}
+
+TEST(LightBeam, ReachesWhatTouchesItsCone) {
+    // At 10 m the cone is 10 tan 20 deg = 3.64 m wide to each side.
+    EXPECT_TRUE(beam().reaches(box_at({0.0F, 0.0F, -10.0F})));
+    EXPECT_TRUE(beam().reaches(box_at({4.0F, 0.0F, -10.0F})));
+    EXPECT_FALSE(beam().reaches(box_at({5.0F, 0.0F, -10.0F})));
+    EXPECT_FALSE(beam().reaches(box_at({0.0F, 0.0F, 1.0F})));
+    EXPECT_FALSE(beam().reaches(box_at({0.0F, 0.0F, -51.0F})));
+    EXPECT_FALSE(beam().reaches(Aabb{}));
+}
+
+TEST(LightBeam, ReachesEverythingWhenItIsNearlyAHalfSpace) {
+    const LightBeam wide{Vec3f{0.0F}, Vec3f{0.0F, 0.0F, -1.0F}, radians_from_degrees(85.0F), 50.0F};
+    EXPECT_TRUE(wide.reaches(box_at({0.0F, 0.0F, 5.0F})));
+    EXPECT_FLOAT_EQ(wide.lit_part(box_at({0.0F, 0.0F, -9.0F}), camera()).share(), 1.0F);
+}
+
+TEST(LightBeam, LightsAWallThatCrossesItAsWideAsItsCone) {
+    const Aabb wall{.min = {-100.0F, -100.0F, -10.001F}, .max = {100.0F, 100.0F, -10.0F}};
+    const ClipRect lit = beam().lit_part(wall, camera());
+    // The pyramid's edges stand out of the cone by 1 / cos 22.5 deg.
+    const float edge = std::tan(kHalfAngle_rad) / std::cos(radians_from_degrees(22.5F));
+    EXPECT_NEAR(lit.min.x, -edge, 1e-3F);
+    EXPECT_NEAR(lit.max.x, edge, 1e-3F);
+    EXPECT_NEAR(lit.max.y, edge, 1e-3F);
+    EXPECT_NEAR(lit.share(), edge * edge, 1e-3F);
+}
+
+TEST(LightBeam, LightsNothingOfABoxBesideIt) {
+    EXPECT_TRUE(beam().lit_part(box_at({30.0F, 0.0F, -10.0F}), camera()).empty());
+    EXPECT_TRUE(beam().lit_part(box_at({0.0F, 0.0F, 10.0F}), camera()).empty());
+}
+
+/// Whatever the beam, the box and the camera: a place in the cone, in the box and in the picture
+/// lies in the part that is told.
+TEST(LightBeam, MissesNoLitPlace) {
+    std::mt19937 random(7);
+    const auto in = [&](float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(random);
+    };
+    int seen = 0;
+    for (int round = 0; round < 60; ++round) {
+        const Vec3f from{in(-2.0F, 2.0F), in(-2.0F, 2.0F), in(-2.0F, 2.0F)};
+        const Vec3f along = glm::normalize(Vec3f{in(-0.6F, 0.6F), in(-0.6F, 0.6F), -1.0F});
+        const float half_rad = in(0.1F, 1.2F);
+        const LightBeam light{from, along, half_rad, 30.0F};
+        const Vec3f corner{in(-20.0F, 5.0F), in(-20.0F, 5.0F), in(-30.0F, 0.0F)};
+        const Aabb box{.min = corner,
+                       .max = corner + Vec3f{in(0.1F, 30.0F), in(0.1F, 30.0F), in(0.1F, 30.0F)}};
+        const ClipRect lit = light.lit_part(box, camera());
+        for (int i = 0; i < 500; ++i) {
+            const Vec3f place =
+                glm::mix(box.min, box.max, Vec3f{in(0.0F, 1.0F), in(0.0F, 1.0F), in(0.0F, 1.0F)});
+            const Vec3f away = place - from;
+            const bool in_cone = glm::length(away) < 30.0F &&
+                                 glm::dot(away, along) > glm::length(away) * std::cos(half_rad);
+            const Vec4f clip = camera() * Vec4f{place, 1.0F};
+            const Vec2f at = Vec2f{clip} / clip.w;
+            const bool in_picture =
+                clip.z > -clip.w && glm::abs(at.x) < 1.0F && glm::abs(at.y) < 1.0F;
+            if (!in_cone || !in_picture) continue;
+            ++seen;
+            EXPECT_TRUE(light.reaches(box));
+            EXPECT_GE(at.x, lit.min.x - 1e-4F);
+            EXPECT_LE(at.x, lit.max.x + 1e-4F);
+            EXPECT_GE(at.y, lit.min.y - 1e-4F);
+            EXPECT_LE(at.y, lit.max.y + 1e-4F);
+        }
+    }
+    EXPECT_GT(seen, 1000);
+}
+
+}  // namespace
+}  // namespace plumbline::render
