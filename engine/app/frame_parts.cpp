@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <thread>
 #include <utility>
 
@@ -51,6 +52,11 @@ Result<std::unique_ptr<FrameParts>> FrameParts::create(platform::Window& window,
                                                        LiveBindings& bindings,
                                                        LiveConfig& config,
                                                        const PlayDef& def) {
+    // Reads a hundred files; meanwhile the first picture is made ready.
+    auto scenes = std::async(std::launch::async | std::launch::deferred,
+                             [folders = scene::scene_folders(session.folders().assets)] {
+                                 return scene::list_scenes(folders);
+                             });
     Result<std::unique_ptr<render::Renderer>> renderer = render::Renderer::create(
         window.gl_loader(), render::PresentTarget::Window, def.shader_folder, session.library);
     if (!renderer) return renderer.error();
@@ -61,6 +67,9 @@ Result<std::unique_ptr<FrameParts>> FrameParts::create(platform::Window& window,
     parts->renderer->prepare(parts->extract(parts->view(Real{1})));
     if (const std::string& fault = parts->renderer->shader_fault(); !fault.empty())
         return Error{.message = fault, .exit_code = ExitCode::NoDisplay};
+    parts->scenes_ = scenes.get();
+    if (def.start_page) parts->menu_.show_start();
+    parts->pause_under_menu();
     parts->say_faults();
     return parts;
 }
@@ -83,7 +92,6 @@ FrameParts::FrameParts(platform::Window& window,
       config_(config),
       def_(def),
       accuracy_(session, !def.record.empty() || stepper.replaying()),
-      scenes_(scene::list_scenes(scene::scene_folders(session.folders().assets))),
       scene_watch_(session.files()),
       shader_watch_(files_below(def.shader_folder)),
       overlay_(window, def.thumbnails),
@@ -105,8 +113,6 @@ FrameParts::FrameParts(platform::Window& window,
         overlay_.say("drawing on the CPU (no GPU driver): expect few frames a second", start_s_);
     }
     if (!def.first_message.empty()) say(def.first_message);
-    if (def.start_page) menu_.show_start();
-    pause_under_menu();
 }
 
 void FrameParts::say_not_stored(const Result<Done>& stored) {
