@@ -29,7 +29,7 @@ TEST(LightBeam, ReachesWhatTouchesItsCone) {
     EXPECT_TRUE(beam().reaches(box_at({0.0F, 0.0F, -10.0F})));
     EXPECT_TRUE(beam().reaches(box_at({4.0F, 0.0F, -10.0F})));
     EXPECT_FALSE(beam().reaches(box_at({5.0F, 0.0F, -10.0F})));
-    EXPECT_FALSE(beam().reaches(box_at({0.0F, 0.0F, 1.0F})));
+    EXPECT_FALSE(beam().reaches(box_at({0.0F, 0.0F, 5.0F})));
     EXPECT_FALSE(beam().reaches(box_at({0.0F, 0.0F, -51.0F})));
     EXPECT_FALSE(beam().reaches(Aabb{}));
 }
