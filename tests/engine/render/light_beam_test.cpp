@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kHalfAngle_rad = radians_from_degrees(20.0F);
 
-Aabb box_at(const Vec3f& center, float half = 0.5F) {
+Aabb lit_box(const Vec3f& center, float half = 0.5F) {
     return {.min = center - Vec3f{half}, .max = center + Vec3f{half}};
 }
 
@@ -26,18 +26,18 @@ Mat4f camera() {
 
 TEST(LightBeam, ReachesWhatTouchesItsCone) {
     // At 10 m the cone is 10 tan 20 deg = 3.64 m wide to each side.
-    EXPECT_TRUE(beam().reaches(box_at({0.0F, 0.0F, -10.0F})));
-    EXPECT_TRUE(beam().reaches(box_at({4.0F, 0.0F, -10.0F})));
-    EXPECT_FALSE(beam().reaches(box_at({5.0F, 0.0F, -10.0F})));
-    EXPECT_FALSE(beam().reaches(box_at({0.0F, 0.0F, 5.0F})));
-    EXPECT_FALSE(beam().reaches(box_at({0.0F, 0.0F, -51.0F})));
+    EXPECT_TRUE(beam().reaches(lit_box({0.0F, 0.0F, -10.0F})));
+    EXPECT_TRUE(beam().reaches(lit_box({4.0F, 0.0F, -10.0F})));
+    EXPECT_FALSE(beam().reaches(lit_box({5.0F, 0.0F, -10.0F})));
+    EXPECT_FALSE(beam().reaches(lit_box({0.0F, 0.0F, 5.0F})));
+    EXPECT_FALSE(beam().reaches(lit_box({0.0F, 0.0F, -51.0F})));
     EXPECT_FALSE(beam().reaches(Aabb{}));
 }
 
 TEST(LightBeam, ReachesEverythingWhenItIsNearlyAHalfSpace) {
     const LightBeam wide{Vec3f{0.0F}, Vec3f{0.0F, 0.0F, -1.0F}, radians_from_degrees(85.0F), 50.0F};
-    EXPECT_TRUE(wide.reaches(box_at({0.0F, 0.0F, 5.0F})));
-    EXPECT_FLOAT_EQ(wide.lit_part(box_at({0.0F, 0.0F, -9.0F}), camera()).share(), 1.0F);
+    EXPECT_TRUE(wide.reaches(lit_box({0.0F, 0.0F, 5.0F})));
+    EXPECT_FLOAT_EQ(wide.lit_part(lit_box({0.0F, 0.0F, -9.0F}), camera()).share(), 1.0F);
 }
 
 TEST(LightBeam, LightsAWallThatCrossesItAsWideAsItsCone) {
@@ -52,8 +52,8 @@ TEST(LightBeam, LightsAWallThatCrossesItAsWideAsItsCone) {
 }
 
 TEST(LightBeam, LightsNothingOfABoxBesideIt) {
-    EXPECT_TRUE(beam().lit_part(box_at({30.0F, 0.0F, -10.0F}), camera()).empty());
-    EXPECT_TRUE(beam().lit_part(box_at({0.0F, 0.0F, 10.0F}), camera()).empty());
+    EXPECT_TRUE(beam().lit_part(lit_box({30.0F, 0.0F, -10.0F}), camera()).empty());
+    EXPECT_TRUE(beam().lit_part(lit_box({0.0F, 0.0F, 10.0F}), camera()).empty());
 }
 
 /// Whatever the beam, the box and the camera: a place in the cone, in the box and in the picture
