@@ -50,6 +50,10 @@ scene::ViewPoint view_from(const Vec3& eye_m, const Vec3& target_m, Real fov_y_r
 }
 
 scene::ViewPoint first_view(const scene::SceneDescription& scene) {
+    if (scene.viewer) {
+        const Pose camera = scene::camera_pose(scene.camera);
+        return view_of(camera.position, camera.orientation, scene.camera.fov_y_rad);
+    }
     if (scene.has_camera || !scene.player) {
         return view_from(scene.camera.position_m, scene.camera.target_m, scene.camera.fov_y_rad);
     }

@@ -39,8 +39,8 @@ Result<Studio> open_studio(const std::string& scene_name,
     const Result<std::filesystem::path> scene =
         scene::find_scene(scene_name, scene::scene_folders(folders->assets));
     if (!scene) return scene.error();
-    int width = 1280;
-    int height = 720;
+    int width = 0;
+    int height = 0;
     if (!size.empty() && !parse_size(size, width, height)) {
         return bad_option(fmt::format("--size {}: expected WIDTHxHEIGHT, 1 to 16384 each", size));
     }
@@ -53,6 +53,11 @@ Result<Studio> open_studio(const std::string& scene_name,
          }});
     if (!session) return session.error();
     Studio studio{.session = std::move(*session), .run = nullptr};
+    if (size.empty()) {
+        const auto& viewer = studio.session->description().viewer;
+        width = viewer ? viewer->width_px : 1280;
+        height = viewer ? viewer->height_px : 720;
+    }
     studio.session->library.prefetch_images();
     def.shader_folder = folders->shaders;
     def.width_px = static_cast<std::uint32_t>(width);

@@ -179,6 +179,9 @@ vec3 local_lights_light(Surface s) {
 // Light from everywhere. Either way a surface turned every way gets frame.ambient on average: the
 // sky says where it comes from; without one, more comes from above than from below.
 vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
+#ifdef PL_PHONG
+    return frame.ambient.rgb * s.base_color;
+#else
 #ifdef PL_SKY_LIGHT
 #ifdef PL_SKY_BY_VERTEX
     vec3 slope = surface_sky_slope *
@@ -203,6 +206,7 @@ vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
     vec3 reflection = frame.ambient.rgb;
 #endif
     return (diffuse * matt_color(s) + reflection * ambient_fresnel(s)) * occlusion;
+#endif
 }
 
 vec3 lit_color(vec3 base_color, float eye_distance_m, vec3 to_eye) {

@@ -51,7 +51,7 @@ void main() {
     surface_to_eye = frame.camera_world.xyz - position_world;
     surface_color = tint.rgb * material.base_color.rgb;
 #ifdef PL_VERTEX_COLOR
-    surface_color *= color.rgb;
+    surface_color *= color.rgb * color.rgb;  // packed as its square root
 #endif
 #if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP) || defined(PL_EMISSIVE_MAP)
     surface_uv = uv;

@@ -17,7 +17,16 @@ uniform sampler2D depth_image;
 layout(location = 0) out vec4 out_color;
 
 void main() {
-    vec3 color = texelFetch(source_image, ivec2(gl_FragCoord.xy), 0).rgb;
+    ivec2 at = ivec2(gl_FragCoord.xy);
+#ifdef PL_FOUR_SAMPLES
+    vec3 color = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        // What the screen cannot show must not outshine its neighbours.
+        color += min(texelFetch(source_image, at * 2 + ivec2(i & 1, i >> 1), 0).rgb, 1.0) * 0.25;
+    }
+#else
+    vec3 color = texelFetch(source_image, at, 0).rgb;
+#endif
 #ifdef PL_BLOOM
     color = mix(color, texture(bloom_image, screen_uv).rgb, frame.tone.y);
 #endif

@@ -24,6 +24,9 @@ Result<std::unique_ptr<OffscreenRun>> OffscreenRun::create(Session& session,
 
 OffscreenRun::OffscreenRun(Session& session, const OffscreenDef& def)
     : session_(session), def_(def) {
+    // What is only looked at is drawn as its source draws it: a pixel is the mean of four samples.
+    if (!def.level && session.simulation->description().viewer)
+        report_.set_picture({.quality = {.samples_per_side = 2}});
     if (!def.level) return;
     render::Quality quality = render::quality_of(*def.level);
     if (def.render_scale > 0.0F) quality.render_scale = def.render_scale;
@@ -44,7 +47,7 @@ Result<Done> OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
         view ? *view : session_.game->view(*session_.simulation, Real{1}, 0.0F, 0.0F);
     render::RenderFrame frame =
         scene::extract(*session_.simulation, seen_from, def_.width_px, def_.height_px);
-    frame.shading = def_.shading;
+    if (def_.shading) frame.shading = def_.shading;
     frame.quality = report_.picture().quality;
     session_.effects->extract(*session_.simulation, seen_from, frame);
     if (report_.frames() == 0) renderer_->prepare(frame);

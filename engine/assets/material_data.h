@@ -28,7 +28,11 @@ struct MaterialData {
     float roughness{0.8F};                 ///< multiplies the map's
     float metallic{0.0F};                  ///< multiplies the map's when there is one
     float occlusion{1.0F};                 ///< how much of orm_map's red counts
-    bool vertex_colors{false};             ///< shown even under a base colour map
+    /// BlinnPhong: above 0 the textbook's highlight, `specular` times the cosine between mirrored
+    /// light and eye to this power, in the surface's colour; normals are taken as they are.
+    float shininess{0.0F};
+    float specular{0.5F};
+    bool vertex_colors{false};  ///< shown even under a base colour map
     AlphaMode alpha_mode{AlphaMode::Opaque};
     float alpha_cutoff{0.5F};  ///< Mask only
     bool two_sided{false};

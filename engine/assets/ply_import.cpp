@@ -1,3 +1,5 @@
+#include "engine/assets/ply_import.h"
+
 #include "engine/assets/byte_reader.h"
 #include "engine/assets/ply_header_impl.h"
 #include "engine/assets/polygon_triangles_impl.h"
@@ -8,11 +10,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
+#include <optional>
 #include <utility>
 
 namespace plumbline::assets {
 namespace {
+
+constexpr double kExactGamma = 2.2;
 
 /// Colours stored as whole numbers are shares of this.
 double range_of(PlyNumber number) {
@@ -93,13 +99,20 @@ float* slot_of(Vertex& vertex, std::string_view name) {
     return nullptr;
 }
 
+enum class Reading : std::uint8_t {
+    Model,  ///< for looks: colours as sRGB codes, faces that cannot be drawn are left out
+    Exact,  ///< see read_exact_ply
+};
+
 struct PlyReader {
-    const std::string& name;
+    Reading reading;
     Values values;
     ModelMesh mesh{.name = "ply"};
     bool has_colors{false};
     bool has_normals{false};
+    bool has_uvs{false};
     std::size_t bad_faces{0};
+    std::size_t place{0};  ///< in the element that is read
     std::string fault{};
 
     /// Which numbers of a vertex the element's properties fill.
@@ -116,6 +129,7 @@ struct PlyReader {
                       std::string_view("xyz").find(property.name) != std::string_view::npos;
             has_normals = has_normals || property.name == "nx";
             has_colors = has_colors || slot_of(probe, property.name) == &probe.color.x;
+            has_uvs = has_uvs || slot_of(probe, property.name) == &probe.uv.x;
         }
         if (places != 3) {
             fault = "its vertices have no x, y and z";
@@ -124,10 +138,15 @@ struct PlyReader {
         mesh.vertices.resize(element.count);
         for (Vertex& vertex : mesh.vertices) {
             vertex.normal_body = Vec3f{0.0F};
+            place = static_cast<std::size_t>(&vertex - mesh.vertices.data());
             for (const PlyProperty& property : element.properties) read_value(property, vertex);
             if (values.failed()) return;
             if (!is_finite(vertex.position_body)) {
-                fault = fmt::format("vertex {} is not finite", &vertex - mesh.vertices.data());
+                fault = fmt::format("vertex {} is not finite", place);
+                return;
+            }
+            if (reading == Reading::Exact && !is_finite(vertex.color)) {
+                fault = fmt::format("the colour of vertex {} is not finite", place);
                 return;
             }
             if (!is_finite(vertex.normal_body)) vertex.normal_body = Vec3f{0.0F};
@@ -148,7 +167,11 @@ struct PlyReader {
         if (slot == nullptr) return;
         *slot = static_cast<float>(value);
         const bool is_color = slot >= &vertex.color.x && slot <= &vertex.color.z;
-        if (is_color) {
+        if (is_color && reading == Reading::Exact) {
+            const bool coded = range_of(property.type) != 1.0;
+            const double share = value / range_of(property.type);
+            *slot = static_cast<float>(coded ? std::pow(share, kExactGamma) : value);
+        } else if (is_color) {
             const double share = std::isfinite(value) ? value / range_of(property.type) : 1.0;
             *slot = linear_from_srgb(static_cast<float>(std::clamp(share, 0.0, 1.0)));
         }
@@ -175,9 +198,16 @@ struct PlyReader {
     }
 
     void add_face(const std::vector<std::uint32_t>& corners) {
+        if (values.failed()) return;
         const bool bad = std::find(corners.begin(), corners.end(), ~0U) != corners.end();
         if (bad || corners.size() < 3 || corners.size() > kMostCorners) {
             ++bad_faces;
+            if (reading == Reading::Exact) {
+                fault = bad ? fmt::format("face {} names a vertex that is not there: it has {}",
+                                          place,
+                                          mesh.vertices.size())
+                            : fmt::format("face {} has {} corners", place, corners.size());
+            }
             return;
         }
         if (corners.size() == 3) {
@@ -195,7 +225,7 @@ struct PlyReader {
     }
 
     void read_faces(const PlyElement& element) {
-        for (std::size_t i = 0; i < element.count && !values.failed() && fault.empty(); ++i) {
+        for (place = 0; place < element.count && !values.failed() && fault.empty(); ++place) {
             for (const PlyProperty& property : element.properties) {
                 if (!property.count) {
                     values.next(property.type);
@@ -209,7 +239,7 @@ struct PlyReader {
     }
 
     void read_over(const PlyElement& element) {
-        for (std::size_t i = 0; i < element.count && !values.failed(); ++i) {
+        for (place = 0; place < element.count && !values.failed(); ++place) {
             for (const PlyProperty& property : element.properties) {
                 if (property.count) {
                     read_over_list(property);
@@ -228,13 +258,12 @@ void make_normals(ModelMesh& mesh) {
     mesh.vertices = std::move(made.vertices);
 }
 
-}  // namespace
-
-Result<ModelData> read_ply(std::string_view bytes, const std::string& name) {
+/// Everything but what is made of it; the error is the file's.
+Result<Done> read_all(std::string_view bytes, const std::string& name, PlyReader& reader) {
     PlyHeader header;
-    const std::string fault = read_ply_header(bytes, header);
+    std::string fault = read_ply_header(bytes, header);
     if (!fault.empty()) return model_error(name, fault);
-    PlyReader reader{.name = name, .values = Values(header.format, header.body)};
+    reader.values = Values(header.format, header.body);
     const std::size_t least = least_bytes_of(header);
     if (least > header.body.size() + 1) {
         return model_error(
@@ -243,6 +272,7 @@ Result<ModelData> read_ply(std::string_view bytes, const std::string& name) {
                 "its header promises {} bytes or more; {} follow", least, header.body.size()));
     }
     for (const PlyElement& element : header.elements) {
+        reader.place = 0;
         if (element.name == "vertex") {
             reader.read_vertices(element);
         } else if (element.name == "face") {
@@ -252,10 +282,21 @@ Result<ModelData> read_ply(std::string_view bytes, const std::string& name) {
         }
         if (reader.fault.empty() && reader.values.failed()) {
             reader.fault = fmt::format(
-                "it breaks off, or holds what is no number, in its element {}", element.name);
+                "it breaks off, or holds what is no number, in its element {} number {} of {}",
+                element.name,
+                std::min(reader.place, element.count - 1),
+                element.count);
         }
         if (!reader.fault.empty()) return model_error(name, reader.fault);
     }
+    return Done{};
+}
+
+}  // namespace
+
+Result<ModelData> read_ply(std::string_view bytes, const std::string& name) {
+    PlyReader reader{.reading = Reading::Model, .values = Values(PlyFormat::Text, {})};
+    if (const Result<Done> read = read_all(bytes, name, reader); !read) return read.error();
     if (reader.bad_faces > 0) {
         log_warning(
             "model {}: {} faces that name vertices it lacks, or no usable ones, are left out",
@@ -265,6 +306,15 @@ Result<ModelData> read_ply(std::string_view bytes, const std::string& name) {
     if (reader.mesh.indices.empty()) return model_error(name, "it holds no triangles");
     if (!reader.has_normals) make_normals(reader.mesh);
     return model_with_z_up(std::move(reader.mesh), reader.has_colors);
+}
+
+Result<ExactPly> read_exact_ply(std::string_view bytes, const std::string& name) {
+    PlyReader reader{.reading = Reading::Exact, .values = Values(PlyFormat::Text, {})};
+    if (const Result<Done> read = read_all(bytes, name, reader); !read) return read.error();
+    return ExactPly{.vertices = std::move(reader.mesh.vertices),
+                    .indices = std::move(reader.mesh.indices),
+                    .has_normals = reader.has_normals,
+                    .has_uvs = reader.has_uvs};
 }
 
 }  // namespace plumbline::assets

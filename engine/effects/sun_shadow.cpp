@@ -23,6 +23,8 @@ public:
 Callers callers(const scene::Simulation& simulation) {
     const auto& sun = simulation.description().sun;
     if (!sun || !sun->shadow) return {};
+    // In a scene that is only looked at they are there when asked for.
+    if (!simulation.switches.is_on("sun_shadow", !simulation.description().viewer)) return {};
     return {setting("[sun] shadow", sun->shadow->origin)};
 }
 

@@ -58,7 +58,9 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     if (nothing_to_draw) return;
     if (quality.lod_error_px > 0.0F) scene.meshes.make_lods();
     scene.sky.want(new_frame.sky ? new_frame.sky->folder : std::filesystem::path{});
-    scene.materials.update(new_frame.shading, quality.surface_maps);
+    scene.materials.update({.shading = new_frame.shading,
+                            .textures = new_frame.textures,
+                            .surface_maps = quality.surface_maps});
     features = frame_features_of(new_frame);
     if ((features & (feature::kSunShadow | feature::kFlashlight)) != 0) {
         if (!quality.shadow_filter) {
@@ -130,6 +132,7 @@ void Renderer::Impl::size_targets() {
     }
     for (;; ++given_up_) {
         quality = frame->quality;
+        if (given_up_ >= 1) quality.samples_per_side = 1;
         if (given_up_ == 1) quality.render_scale *= 0.5F;
         if (given_up_ == 2) {
             quality = quality_of(PictureLevel::Low);
@@ -154,8 +157,14 @@ Result<Done> Renderer::Impl::try_scene_targets() {
     const auto longer_px = static_cast<float>(std::max(width_px, height_px));
     const float scale = std::min(std::clamp(quality.render_scale, 0.1F, 1.0F),
                                  static_cast<float>(limits.texture_px) / longer_px);
-    post_view = {.scene_px = {scaled_px(width_px, scale, limits.texture_px),
-                              scaled_px(height_px, scale, limits.texture_px)},
+    const PixelSize picture_px{scaled_px(width_px, scale, limits.texture_px),
+                               scaled_px(height_px, scale, limits.texture_px)};
+    const std::uint32_t samples =
+        std::clamp(limits.texture_px / std::max(picture_px.width, picture_px.height),
+                   1U,
+                   quality.samples_per_side);
+    post_view = {.scene_px = {picture_px.width * samples, picture_px.height * samples},
+                 .picture_px = picture_px,
                  .present_px = {width_px, height_px},
                  .bloom = frame->post && frame->post->bloom > 0.0F,
                  .tone_curve = frame->post.has_value(),

@@ -16,11 +16,13 @@ constexpr float kMirrorRoughness = 0.3F;
 constexpr float kLeafTransmission = 0.55F;
 
 MaterialBlock block_of(const assets::MaterialData& material) {
-    const bool is_leaf = (features_of(material) & feature::kLeaf) != 0;
+    const FeatureSet features = features_of(material);
+    const bool is_leaf = (features & feature::kLeaf) != 0;
+    const bool is_phong = (features & feature::kPhong) != 0;
     return {.base_color = Vec4f{material.base_color, material.alpha},
             .emissive = Vec4f{material.emissive, material.alpha_cutoff},
-            .surface = {material.roughness,
-                        material.metallic,
+            .surface = {is_phong ? material.shininess : material.roughness,
+                        is_phong ? material.specular : material.metallic,
                         is_leaf ? kLeafTransmission : 0.0F,
                         material.occlusion}};
 }
@@ -44,6 +46,9 @@ FeatureSet features_of(const assets::MaterialData& material) {
     if (material.shading == assets::Shading::Unlit) return features;
 
     if (!material.normal_map.empty()) features |= feature::kNormalMap;
+    if (material.shading == assets::Shading::BlinnPhong && material.shininess > 0.0F) {
+        return features | feature::kPhong;
+    }
     if (!material.orm_map.empty()) features |= feature::kOrmMap;
     if (material.two_sided) features |= feature::kTwoSided;
     if (material.metallic > 0.0F) features |= feature::kMetal;
@@ -93,18 +98,18 @@ GpuMaterials::GpuMaterials(const assets::AssetLibrary& library, GpuTextures& tex
     stride_ = (sizeof(MaterialBlock) + step - 1) / step * step;
 }
 
-void GpuMaterials::update(std::optional<assets::Shading> shading, bool surface_maps) {
+void GpuMaterials::update(const MaterialUse& use) {
     const std::size_t count = library_.material_count() + 1;
-    if (materials_.size() == count && shading_ == shading && surface_maps_ == surface_maps) return;
-    shading_ = shading;
-    surface_maps_ = surface_maps;
+    if (materials_.size() == count && use_ == use) return;
+    use_ = use;
     materials_.clear();
     std::vector<std::byte> bytes(count * stride_);
     for (std::uint32_t id = 0; id < count; ++id) {
         assets::MaterialData material =
             id == 0 ? assets::MaterialData{} : library_.material(assets::MaterialId{id});
-        if (shading) material.shading = *shading;
-        if (!surface_maps) {
+        if (use.shading) material.shading = *use.shading;
+        if (!use.textures) material.base_color_map.clear();
+        if (!use.surface_maps) {
             material.normal_map.clear();
             // What is metal where is in there, too.
             if (material.metallic == 0.0F) material.orm_map.clear();

@@ -17,14 +17,22 @@ FeatureSet features_of(const assets::MaterialData& material);
 /// The images that it names.
 std::vector<TextureRequest> textures_of(const assets::MaterialData& material);
 
+/// What a frame asks of all materials.
+struct MaterialUse {
+    std::optional<assets::Shading> shading{};  ///< over every material's own
+    bool textures{true};                       ///< false: no base colour maps
+    /// False leaves normal maps out, and the maps of roughness where nothing is metal.
+    bool surface_maps{true};
+
+    friend bool operator==(const MaterialUse&, const MaterialUse&) = default;
+};
+
 class GpuMaterials {
 public:
     GpuMaterials(const assets::AssetLibrary& library, GpuTextures& textures);
 
     /// Uploads materials that the library has got since the last call. Once a frame.
-    /// `shading`: over every material's own. `surface_maps`: false leaves normal maps out, and
-    /// the maps of roughness where nothing is metal.
-    void update(std::optional<assets::Shading> shading, bool surface_maps);
+    void update(const MaterialUse& use);
     FeatureSet features(assets::MaterialId id) const { return materials_[id.value].features; }
     const std::vector<TextureRequest>& textures(assets::MaterialId id) const {
         return materials_[id.value].textures;
@@ -42,8 +50,7 @@ private:
         FeatureSet features{0};
         std::vector<TextureRequest> textures;
     };
-    std::optional<assets::Shading> shading_;
-    bool surface_maps_{true};
+    MaterialUse use_;
     std::vector<Entry> materials_;  ///< by id; [0]: what draws without a material get
 };
 

@@ -20,6 +20,9 @@ struct Quality {
     /// Of width and height, kSmallestRenderScale…1: the scene is drawn so large and scaled up.
     /// Lines and UI keep the full size.
     float render_scale{1.0F};
+    /// 1 or 2: the scene is drawn so many times as wide and as high; a pixel is the mean light of its
+    /// samples.
+    std::uint32_t samples_per_side{1};
     bool fxaa{false};           ///< smooths edges of the finished picture
     bool surface_maps{true};    ///< normal maps, and roughness maps of what is no metal
     bool shadow_filter{true};   ///< several lookups in a shadow map instead of one

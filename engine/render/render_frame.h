@@ -103,6 +103,7 @@ struct RenderFrame {
     std::optional<Post> post;  ///< absent: plain clamp and sRGB
     Quality quality;
     FillMode fill_mode{FillMode::Filled};
+    bool textures{true};                     ///< false: base colours without their maps
     std::optional<assets::Shading> shading;  ///< over every material's own (`render --shading`)
     LineList lines;                          ///< collision shapes, contacts
 };

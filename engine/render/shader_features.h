@@ -26,6 +26,7 @@ inline constexpr FeatureSet kSkyReflection = 1U << 10U;
 inline constexpr FeatureSet kEmissiveMap = 1U << 11U;
 inline constexpr FeatureSet kMetal = 1U << 12U;  ///< in part at least
 inline constexpr FeatureSet kEmissive = 1U << 13U;
+inline constexpr FeatureSet kPhong = 1U << 14U;  ///< with kBlinnPhong: the textbook's highlight
 // of the frame
 inline constexpr FeatureSet kSun = 1U << 16U;
 inline constexpr FeatureSet kSunShadow = 1U << 17U;
@@ -42,10 +43,11 @@ inline constexpr FeatureSet kBloom = 1U << 25U;
 inline constexpr FeatureSet kKeepDepth = 1U << 26U;  ///< lines will be drawn over the picture
 inline constexpr FeatureSet kFxaa = 1U << 27U;
 inline constexpr FeatureSet kSharpen = 1U << 28U;
-inline constexpr FeatureSet kSkyCodes = 1U << 29U;  ///< the sky's faces hold sRGB codes
+inline constexpr FeatureSet kFourSamples = 1U << 31U;  ///< two by two make a pixel
+inline constexpr FeatureSet kSkyCodes = 1U << 29U;     ///< the sky's faces hold sRGB codes
 }  // namespace feature
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 29> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 31> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -60,6 +62,7 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 29> kFeatur
     {feature::kEmissiveMap, "PL_EMISSIVE_MAP"},
     {feature::kMetal, "PL_METAL"},
     {feature::kEmissive, "PL_EMISSIVE"},
+    {feature::kPhong, "PL_PHONG"},
     {feature::kSun, "PL_SUN"},
     {feature::kSunShadow, "PL_SUN_SHADOW"},
     {feature::kFlashlight, "PL_FLASHLIGHT"},
@@ -75,6 +78,7 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 29> kFeatur
     {feature::kFxaa, "PL_FXAA"},
     {feature::kSharpen, "PL_SHARPEN"},
     {feature::kSkyCodes, "PL_SKY_CODES"},
+    {feature::kFourSamples, "PL_FOUR_SAMPLES"},
 }};
 
 }  // namespace plumbline::render

@@ -174,6 +174,10 @@ EntityBuilder::Look EntityBuilder::look_of(const EntityDescription& description)
     if (const auto* model = std::get_if<ModelVisual>(&description.visual)) {
         return look_of_model(description, *model);
     }
+    if (const auto* visual = std::get_if<MeshVisual>(&description.visual)) {
+        return {.mesh = simulation_.library().add_mesh(visual->key, *visual->mesh),
+                .materials = {material_named(description.material)}};
+    }
     if (const auto* primitive = std::get_if<Primitive>(&description.visual)) {
         MeshOfPrimitive made = mesh_of_primitive(*primitive);
         return {.mesh = simulation_.library().add_mesh(made.name, std::move(made.mesh)),

@@ -73,6 +73,8 @@ render::RenderFrame extract(const Simulation& simulation,
                     .fov_y_rad = static_cast<float>(view.fov_y_rad),
                     .near_m = static_cast<float>(scene.camera.near_m),
                     .far_m = static_cast<float>(scene.camera.far_m)};
+    frame.shading = simulation.switches.shading;
+    frame.textures = simulation.switches.textures;
     // Dusk dims sun and sky; lamps shine on.
     const float daylight = simulation.switches.light_scale;
     frame.clear_color = scene.clear_color * daylight;

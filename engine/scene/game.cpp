@@ -2,14 +2,17 @@
 
 namespace plumbline::scene {
 
-NoGame::NoGame(const CameraDescription& camera) {
+Pose camera_pose(const CameraDescription& camera) {
     const Vec3 direction =
         normalize_or(camera.target_m - camera.position_m, Vec3{Real{0}, Real{0}, Real{-1}});
     // Straight up or down, any direction may serve as the picture's top.
-    const bool is_steep = std::abs(direction.y) > 0.9999_r;
-    const Vec3 up = is_steep ? Vec3{0, 0, -1} : Vec3{0, 1, 0};
-    view_.world_from_camera = {.position = camera.position_m,
-                               .orientation = glm::quatLookAt(direction, up)};
+    const bool is_steep = std::abs(glm::dot(direction, camera.up)) > 0.9999_r;
+    const Vec3 up = is_steep ? Vec3{0, 0, -1} : camera.up;
+    return {.position = camera.position_m, .orientation = glm::quatLookAt(direction, up)};
+}
+
+NoGame::NoGame(const CameraDescription& camera) {
+    view_.world_from_camera = camera_pose(camera);
     const Pose camera_from_hand{.position = {0.25_r, -0.3_r, -0.2_r}};
     view_.world_from_hand = compose(view_.world_from_camera, camera_from_hand);
     view_.fov_y_rad = camera.fov_y_rad;

@@ -20,6 +20,9 @@ struct ViewPoint {
     Real blend{1};  ///< the picture's instant: this share of the way from the last step but one
 };
 
+/// Where a scene's camera stands, and how it is turned.
+Pose camera_pose(const CameraDescription& camera);
+
 /// A footstep or landing: effects turn it into sound.
 struct FootstepEvent {
     Vec3 position_m{0, 0, 0};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/assets/material_data.h"
+#include "engine/assets/mesh_data.h"
 #include "engine/core/math.h"
 #include "engine/core/pose.h"
 #include "engine/physics/body.h"
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -54,6 +56,7 @@ struct PlayerDescription {
 struct CameraDescription {
     Vec3 position_m{4, 3, 6};
     Vec3 target_m{0, 0.5_r, 0};
+    Vec3 up{0, 1, 0};  ///< unit
     Real fov_y_rad{radians_from_degrees(60.0_r)};
     Real near_m{0.05_r};
     Real far_m{500};
@@ -113,7 +116,12 @@ using Primitive = std::variant<physics::BoxShape,
                                physics::CapsuleShape,
                                physics::ConeShape,
                                physics::PlaneShape>;
-using VisualDescription = std::variant<std::monostate, ModelVisual, Primitive>;
+/// Triangles that came with the scene itself.
+struct MeshVisual {
+    std::string key;  ///< equal keys, equal triangles
+    std::shared_ptr<const assets::MeshData> mesh;
+};
+using VisualDescription = std::variant<std::monostate, ModelVisual, Primitive, MeshVisual>;
 
 /// Shapes that need the entity's own model or primitive.
 struct FitShape {};        ///< from primitive; else the model's hull (moving) or mesh (static)
@@ -282,6 +290,16 @@ struct HardCase {
     Origin origin{};
 };
 
+/// What a JSON scene is: only looked at, unlit and as large as it says, flown through relative to
+/// its own camera. Textures, light and shadows are there when asked for.
+struct ViewerDescription {
+    int width_px{0};
+    int height_px{0};
+    Vec3 center_m{0, 0, 0};
+    Real radius_m{1};  ///< of the sphere round everything
+    Vec3 up{0, 1, 0};  ///< unit; as the file has it, if not the camera's own
+};
+
 struct SceneDescription {
     std::filesystem::path file;
     std::string title;
@@ -296,6 +314,7 @@ struct SceneDescription {
     bool has_camera{false};
     bool shows_model{false};  ///< a model file by itself, on a stage fitted to it
     Real model_radius_m{0};   ///< of the sphere round that model, once it was imported
+    std::optional<ViewerDescription> viewer{};
     Vec3f clear_color{0.6F, 0.65F, 0.85F};  ///< [camera] clear_color
     std::optional<SunDescription> sun{};
     std::optional<SkyDescription> sky{};

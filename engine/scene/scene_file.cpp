@@ -277,6 +277,10 @@ Result<SceneDescription> load_scene(const fs::path& file,
     const std::size_t before = faults.list().size();
     if (assets::is_model_file(file)) return load_model(file, assets_folder, faults);
     const std::string extension = file.extension().string();
+    if (extension == ".json") {
+        std::optional<SceneDescription> scene = read_json_scene(file, assets_folder, faults);
+        return scene ? Result<SceneDescription>(std::move(*scene)) : refuse(faults, before);
+    }
     if (extension != ".toml") {
         faults.add(
             {Severity::Error,
@@ -284,10 +288,11 @@ Result<SceneDescription> load_scene(const fs::path& file,
              0,
              0,
              {},
-             fmt::format("\"{}\" is no kind of scene that is read; expected .toml, or a model: "
-                         "{} (convert others to glTF)",
-                         shown(extension),
-                         fmt::join(assets::kModelExtensions, " "))});
+             fmt::format(
+                 "\"{}\" is no kind of scene that is read; expected .toml, .json or a model: "
+                 "{} (convert others to glTF)",
+                 shown(extension),
+                 fmt::join(assets::kModelExtensions, " "))});
         return refuse(faults, before);
     }
     std::optional<SceneDescription> scene;
@@ -306,6 +311,7 @@ Result<fs::path> find_scene(const std::string& name, const SceneFolders& folders
         if (folder.empty()) continue;
         candidates.push_back(folder / name);
         candidates.push_back(folder / (name + ".toml"));
+        candidates.push_back(folder / (name + ".json"));
     }
     candidates.emplace_back(name + ".toml");
     std::string oddity;  // what is there under that name, and is no scene

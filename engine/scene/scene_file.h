@@ -10,9 +10,9 @@
 
 namespace plumbline::scene {
 
-/// Loads a Plumbline scene (.toml) with its includes, or a model (.glb .gltf .obj .ply .stl .dae .fbx), which gets a
-/// ground plane, a sun and a camera. Faults go to `faults`; the result is an error (exit code 4,
-/// first fault in the message) when any of them is one. Reads no model, image or sound: it checks
+/// Loads a Plumbline scene (.toml) with its includes, a JSON scene (.json) with its meshes, or a model
+/// (.glb .gltf .obj .ply .stl .dae .fbx), which gets a ground plane, a sun and a camera. Faults go to `faults`; the result is an error (exit code 4,
+/// first fault in the message) when any of them is one. Of a .toml it reads no model, image or sound: it checks
 /// only that they exist and lie inside `assets_folder` or the scene's own folder.
 Result<SceneDescription> load_scene(const std::filesystem::path& file,
                                     const std::filesystem::path& assets_folder,

@@ -117,6 +117,13 @@ void read_hard_case(TableReader& root, SceneDescription& scene, LoadContext& con
 // --- scene_checks.cpp: what only the whole scene can tell
 void check_whole_scene(SceneDescription& scene, LoadContext& context);
 
+// --- json_scene.cpp
+/// A JSON scene of meshes and a camera (docs/SCENE-FORMAT.md, "JSON scenes"), with all that it names.
+/// Nothing when there is an error among the faults.
+std::optional<SceneDescription> read_json_scene(const std::filesystem::path& file,
+                                                const std::filesystem::path& assets_folder,
+                                                Diagnostics& faults);
+
 // --- scene_model_file.cpp
 /// A model by itself: on a ground plane, in sunlight. fit_stage() gives them their sizes.
 SceneDescription scene_of_model(const std::filesystem::path& file,

@@ -43,6 +43,7 @@ Simulation::Simulation(SceneDescription description,
       surfaces_(std::move(surfaces)),
       step_s_(physics.def().step_s),
       open_(std::make_shared<bool>(true)) {
+    switches.textures = !description_.viewer;
     if (description_.sun) {
         const SunDescription& sun = *description_.sun;
         switches.sun_direction = Vec3f(sun.direction);

@@ -33,7 +33,9 @@ struct LiveSwitches {
     bool normals{false};
     bool turntable{false};
     bool ground{true};
-    int background{0};  ///< number in a list that repeats
+    int background{0};                         ///< number in a list that repeats
+    std::optional<assets::Shading> shading{};  ///< over every material's own
+    bool textures{true};                       ///< false: base colours without their maps
     /// Effects that were switched on or off, by name. The others are as the scene says.
     std::map<std::string, bool, std::less<>> effects;
     bool is_on(std::string_view effect, bool by_scene) const {

@@ -29,7 +29,16 @@ float fresnel_weight(float cosine) {
     return m2 * m2 * m;
 }
 
-#ifdef PL_BLINN_PHONG
+#ifdef PL_PHONG
+
+// The textbook's: `roughness` is the exponent, `metallic` the strength of the highlight.
+vec3 reflected(Surface s, vec3 to_light, vec3 light) {
+    float mirrored = max(dot(reflect(-to_light, s.normal), s.to_eye), 0.0);
+    float highlight = s.metallic * pow(mirrored, s.roughness);
+    return s.base_color * light * (max(dot(s.normal, to_light), 0.0) + highlight);
+}
+
+#elif defined(PL_BLINN_PHONG)
 
 // Light sent to the eye per unit of irradiance-like radiance `light` from direction to_light.
 vec3 reflected(Surface s, vec3 to_light, vec3 light) {

@@ -59,12 +59,12 @@ bool PostPass::resize_bloom(const PostView& view) {
 Result<Done> PostPass::resize(const PostView& view) {
     bool complete = resize_bloom(view);
     if (view.fxaa) {
-        complete = complete && resize_image(toned_, gl::TargetFormat::Rgba8, view.scene_px);
+        complete = complete && resize_image(toned_, gl::TargetFormat::Rgba8, view.picture_px);
     } else {
         toned_ = {};
     }
     if (view.is_scaled()) {
-        complete = complete && resize_image(smooth_, gl::TargetFormat::Rgba8, view.scene_px);
+        complete = complete && resize_image(smooth_, gl::TargetFormat::Rgba8, view.picture_px);
     } else {
         smooth_ = {};
     }
@@ -130,6 +130,7 @@ void PostPass::render_picture(const SceneTarget& scene_target,
     steps.push_back({kToneMapShader,
                      (view.tone_curve ? feature::kToneMap : 0U) |
                          (view.fxaa ? feature::kFxaa : 0U) |
+                         (view.has_samples() ? feature::kFourSamples : 0U) |
                          (bloom_levels_.empty() ? 0U : feature::kBloom),
                      scene_target.color(),
                      view.fxaa ? &toned_.framebuffer : before_scaling});
@@ -151,7 +152,7 @@ void PostPass::render_picture(const SceneTarget& scene_target,
         const bool is_last = step.target == nullptr;
         const bool keeps_depth = is_last && view.keeps_depth;
         glBindFramebuffer(GL_FRAMEBUFFER, is_last ? present_framebuffer : step.target->name());
-        set_viewport(is_last ? view.present_px : view.scene_px);
+        set_viewport(is_last ? view.present_px : view.picture_px);
         const gl::Program* program = resources.shaders.find(
             step.shader, step.features | (keeps_depth ? feature::kKeepDepth : 0U));
         if (program == nullptr) continue;

@@ -17,13 +17,15 @@ namespace plumbline::render {
 
 struct PostView {
     PixelSize scene_px;    ///< the scene's image
+    PixelSize picture_px;  ///< after its samples became pixels
     PixelSize present_px;  ///< the finished picture
     bool bloom{false};
     bool tone_curve{false};
     bool fxaa{false};
     bool keeps_depth{false};  ///< lines will be drawn over the picture
 
-    bool is_scaled() const { return scene_px != present_px; }
+    bool is_scaled() const { return picture_px != present_px; }
+    bool has_samples() const { return scene_px != picture_px; }
 };
 
 class PostPass {
