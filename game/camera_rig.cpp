@@ -66,6 +66,15 @@ void Look::set(Real yaw_rad, Real pitch_rad) {
     smooth_pitch_rad_ = 0;
 }
 
+void Look::start_from(const Quat& orientation) {
+    start_ = orientation;
+    set(0, 0);
+}
+
+Vec3 Look::right() const {
+    return start_ * level_right(yaw_rad_);
+}
+
 int notches_of(const Actions& actions, Action more, Action less) {
     const auto steps = [&](Action action) {
         return actions.is_held(action) ? 0 : actions.presses(action);
@@ -97,12 +106,13 @@ void Look::turn_smoothly(Real yaw_rad, Real pitch_rad) {
 }
 
 Quat Look::orientation() const {
-    return orientation_of(yaw_rad_, pitch_rad_);
+    return start_ * orientation_of(yaw_rad_, pitch_rad_);
 }
 
 Quat Look::orientation(Real blend, Real pending_yaw_rad, Real pending_pitch_rad) const {
     const Real rest = 1 - blend;
-    return orientation_of(yaw_rad_ - smooth_yaw_rad_ * rest + pending_yaw_rad,
+    return start_ *
+           orientation_of(yaw_rad_ - smooth_yaw_rad_ * rest + pending_yaw_rad,
                           clamped_pitch(pitch_rad_ - smooth_pitch_rad_ * rest + pending_pitch_rad));
 }
 
@@ -130,10 +140,10 @@ void FlyCamera::act(const Actions& actions,
                     const GroundBelow& ground,
                     Real step_s) {
     const Vec3 forward = look.orientation() * Vec3{0, 0, -1};
-    Vec3 wish = forward * (travel_of(actions, Action::Forward) - travel_of(actions, Action::Back)) +
-                level_right(look.yaw_rad()) *
-                    (travel_of(actions, Action::Right) - travel_of(actions, Action::Left));
-    wish.y += travel_of(actions, Action::Jump) - travel_of(actions, Action::Crouch);
+    Vec3 wish =
+        forward * (travel_of(actions, Action::Forward) - travel_of(actions, Action::Back)) +
+        look.right() * (travel_of(actions, Action::Right) - travel_of(actions, Action::Left));
+    wish += up_ * (travel_of(actions, Action::Jump) - travel_of(actions, Action::Crouch));
     if (glm::length(wish) > 1) wish = glm::normalize(wish);
     wish *= speed_mps_ * (actions.is_held(Action::Sprint) ? kSprint : Real{1});
     velocity_mps_ += (wish - velocity_mps_) * (1 - std::exp(-step_s / kFlySmoothing_s));

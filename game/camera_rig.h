@@ -23,6 +23,8 @@ public:
     static constexpr Real kSteepest_rad = radians_from_degrees(89.0_r);
 
     void set(Real yaw_rad, Real pitch_rad);
+    /// From now on yaw and pitch turn this orientation, about its own axes, and begin at 0.
+    void start_from(const Quat& orientation);
     void aim_along(const Vec3& direction);
     /// From the mouse or stick: the picture has shown it already.
     void turn(Real yaw_rad, Real pitch_rad);
@@ -32,11 +34,13 @@ public:
 
     Real yaw_rad() const { return yaw_rad_; }
     Real pitch_rad() const { return pitch_rad_; }
+    Vec3 right() const;
     Quat orientation() const;
     /// Between the last two steps, with look added that no step has seen yet.
     Quat orientation(Real blend, Real pending_yaw_rad, Real pending_pitch_rad) const;
 
 private:
+    Quat start_{kNoRotation};
     Real yaw_rad_{0};
     Real pitch_rad_{0};
     Real smooth_yaw_rad_{0};  ///< part of the latest step that the picture still has to show
@@ -63,6 +67,8 @@ public:
     void change_speed(int notches);
     /// For a model of another size than gardens: one radius a second at first, and bounds around it.
     void suit(Real radius_m);
+    /// Which way jump and crouch take it; +Y unless said.
+    void set_up(const Vec3& up) { up_ = up; }
 
     Vec3 position_m(Real blend) const;
     const Vec3& velocity_mps() const { return velocity_mps_; }
@@ -72,6 +78,7 @@ private:
     Vec3 position_m_{0, 0, 0};
     Vec3 previous_m_{0, 0, 0};
     Vec3 velocity_mps_{0, 0, 0};
+    Vec3 up_{0, 1, 0};
     Real speed_mps_{5};
     Real slowest_mps_{0.1_r};
     Real fastest_mps_{200};

@@ -51,10 +51,11 @@ struct Command {
 CLI::App* add_play(CLI::App& app, PlayOptions& options) {
     CLI::App* play =
         app.add_subcommand("play", "A scene in a window (also without the word: plumbline SCENE)");
-    play->add_option("scene",
-                     options.scene,
-                     "A .toml scene, a model (.glb .gltf .obj .ply .stl .dae .fbx), or a name "
-                     "below assets/scenes");
+    play->add_option(
+        "scene",
+        options.scene,
+        "A .toml or .json scene, a model (.glb .gltf .obj .ply .stl .dae .fbx), or a name "
+        "below assets/scenes");
     play->add_option("--size", options.size, "WIDTHxHEIGHT of the window");
     play->add_option("--level", options.level, "Of the picture: auto, low, medium or high")
         ->check(CLI::IsMember({"auto", "low", "medium", "high"}));
@@ -72,6 +73,16 @@ CLI::App* add_play(CLI::App& app, PlayOptions& options) {
     return play;
 }
 
+CLI::App* add_viewer(CLI::App& app, PlayOptions& options) {
+    CLI::App* viewer = app.add_subcommand(
+        "viewer", "As play, with the controls of model viewers: for JSON scenes and models");
+    viewer->add_option("scene", options.scene, "A .json scene, or as for play")->required();
+    viewer->add_option("--size", options.size, "WIDTHxHEIGHT of the window");
+    viewer->add_option("--seconds", options.seconds, "Ends after so much time")
+        ->check(positive_up_to(kLongestRun_s));
+    return viewer;
+}
+
 CLI::App* add_render(CLI::App& app, RenderOptions& options) {
     constexpr double kMostFrames = 1e9;
     CLI::App* render = app.add_subcommand("render", "One picture, without a window");
@@ -80,7 +91,8 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
                        options.out,
                        "The PNG file, or - for the standard output; without --out and --report "
                        "one in ~/.local/share/plumbline/shots");
-    render->add_option("--size", options.size, "WIDTHxHEIGHT, 1280x720 if not given");
+    render->add_option(
+        "--size", options.size, "WIDTHxHEIGHT; if not given 1280x720, or what a JSON scene says");
     render
         ->add_option("--level",
                      options.level,
@@ -98,6 +110,8 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
     render->add_option("--frames", options.frames, "Draws so many frames, one step each")
         ->check(between(1.0, kMostFrames));
     render->add_option("--report", options.report, "Writes what it cost (JSON)");
+    render->add_flag("--textures", options.textures, "With the textures of a JSON scene");
+    render->add_flag("--shadows", options.shadows, "With the sun's shadows in a JSON scene");
     render->add_flag("--flashlight", options.flashlight, "Switches the flashlight on");
     render->add_flag("--fog", options.fog, "Switches fog on");
     return render;
@@ -139,6 +153,10 @@ std::vector<Command> add_commands(CLI::App& app, Words& words) {
         commands.push_back({.word = word, .run = std::move(run)});
     };
     add(add_play(app, words.play), [&] { return run_play(words.play, words.common); });
+    add(add_viewer(app, words.play), [&] {
+        if (words.common.profile.empty()) words.common.profile = "viewer";
+        return run_play(words.play, words.common);
+    });
     add(add_scenes(app, words), [&] { return run_scenes(words.list_as_json); });
     add(add_render(app, words.render), [&] { return run_render(words.render, words.common); });
     add(add_tour(app, words.tour), [&] { return run_tour(words.tour, words.common); });

@@ -151,6 +151,10 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     Result<std::unique_ptr<app::Session>> session =
         options.scene.empty() ? sessions.open_last() : sessions.open(options.scene);
     if (!session) return refuse(session.error());
+    if (const auto& viewer = (*session)->description().viewer; viewer && options.size.empty()) {
+        width = viewer->width_px;
+        height = viewer->height_px;
+    }
     Result<std::unique_ptr<platform::Window>> window =
         platform::Window::open({.title = title_of(**session),
                                 .width = width,
@@ -166,7 +170,8 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     ExitCode code = ExitCode::Good;
     for (;;) {
         sessions.remember(**session);
-        bindings.use_usual_profile((*session)->description().shows_model ? "viewer" : "");
+        const scene::SceneDescription& scene = (*session)->description();
+        bindings.use_usual_profile(scene.shows_model ? "viewer" : scene.controls);
         app::PlayEnd end = app::run(**window, **session, bindings, config, play);
         if (code == ExitCode::Good) code = end.code;
         if (!end.next) return code;

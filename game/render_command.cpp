@@ -120,6 +120,8 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
                 bad_option(fmt::format("--camera {}: expected x,y,z,yaw,pitch", options.camera)));
         view = *asked;
     }
+    if (options.textures) simulation.switches.textures = true;
+    if (options.shadows) simulation.switches.turn("sun_shadow", true);
     if (options.flashlight) simulation.switches.turn("flashlight", true);
     if (options.fog) simulation.switches.turn("fog", true);
 

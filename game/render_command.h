@@ -19,6 +19,8 @@ struct RenderOptions {
     std::filesystem::path report;
     std::string level;         ///< of the picture; empty: nothing is left out
     float render_scale{0.0F};  ///< with a level; 0: the level's own
+    bool textures{false};      ///< of a JSON scene, whose colours hold otherwise
+    bool shadows{false};       ///< in a JSON scene, which has none otherwise
     bool flashlight{false};
     bool fog{false};  ///< switched on even where the scene has none
 };

@@ -116,7 +116,7 @@ void PlaygroundGame::act(scene::Simulation& simulation, const Actions& actions) 
     zoom(actions);
     switch_aids(simulation, actions);
     light(simulation, actions);
-    if (views_model()) return;
+    if (views_model() || views_scene()) return;
     choose(actions);
     hold(simulation, actions);
     charge_and_throw(simulation, actions);
@@ -145,6 +145,10 @@ void PlaygroundGame::move(scene::Simulation& simulation, const Actions& actions)
 }
 
 void PlaygroundGame::next_mode(scene::Simulation& simulation) {
+    if (simulation.description().viewer) {
+        next_view(*simulation.description().viewer);
+        return;
+    }
     const Quat orientation = look_.orientation();
     const Vec3 eye = eye_m(1, orientation);
     const Vec3 forward = orientation * Vec3{0, 0, -1};

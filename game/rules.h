@@ -52,7 +52,12 @@ private:
     // rules_viewer.cpp
     /// A model by itself is turned, not played with, until the mode is changed.
     bool views_model() const { return model_radius_m_ > 0 && mode_ == MoveMode::Orbit; }
+    /// A JSON scene is only looked at, in every mode.
+    bool views_scene() const { return viewer_radius_m_ > 0; }
     void begin_view(const scene::SceneDescription& scene);
+    /// Flying or orbiting: nobody walks where nothing bears.
+    void next_view(const scene::ViewerDescription& viewer);
+    void show_lit(scene::Simulation& simulation, const Actions& actions);
     void turn_model(const Actions& actions);
     void switch_aids(scene::Simulation& simulation, const Actions& actions);
 
@@ -85,7 +90,8 @@ private:
     Real throw_held_s_{-1};  ///< how long throw is down; negative: it is not
     bool grab_was_held_{false};
     bool look_turns_held_{false};
-    Real model_radius_m_{0};  ///< 0: the scene is more than a model
+    Real model_radius_m_{0};   ///< 0: the scene is more than a model
+    Real viewer_radius_m_{0};  ///< 0: it is no JSON scene
     bool drags_view_{false};
     static constexpr Real kDragGain = 4;  // a drag across the window turns a model about once
     std::vector<std::string> messages_;

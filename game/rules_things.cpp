@@ -157,7 +157,7 @@ void PlaygroundGame::remove_looked_at(scene::Simulation& simulation) {
 
 scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
     scene::HudContent content;
-    content.crosshair = mode_ != MoveMode::Orbit;
+    content.crosshair = mode_ != MoveMode::Orbit && !views_scene();
     if (throw_held_s_ >= 0) content.charge = charge_after(throw_held_s_);
     if (!views_model()) content.chosen_thing = std::string(things_.chosen_name());
     const auto looked = looked_at(simulation, aim(), Grab::kReach_m);

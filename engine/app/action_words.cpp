@@ -64,6 +64,9 @@ constexpr auto kWords = [] {
     say(Action::NextAnimation, "the model's next animation");
     say(Action::TurnModel, "a model by itself: held, the mouse turns it");
     say(Action::ShiftModel, "a model by itself: held, the mouse shifts it");
+    say(Action::Shading, "lit by Blinn and Phong, or as the scene says");
+    say(Action::Textures, "textures or none");
+    say(Action::SunShadow, "the sun's shadows or none");
     say(Action::SunFaster, "move the sun, faster each time");
     say(Action::SunStop, "stop the sun");
     say(Action::LightBrighter, "brighter light");

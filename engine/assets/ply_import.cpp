@@ -10,9 +10,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <charconv>
-#include <optional>
 #include <utility>
 
 namespace plumbline::assets {

@@ -71,6 +71,9 @@ enum class Action : std::uint8_t {
     NextAnimation,
     TurnModel,
     ShiftModel,
+    Shading,
+    Textures,
+    SunShadow,
     // light
     SunFaster,
     SunStop,

@@ -304,6 +304,7 @@ struct SceneDescription {
     std::filesystem::path file;
     std::string title;
     std::string description;
+    std::string controls;  ///< profile of config/controls that it asks for; empty: none
     std::vector<std::filesystem::path> source_files;  ///< the file and its includes, as read
     std::uint64_t content_hash{0};  ///< of the file and its includes: recordings name it
     Vec3 gravity_mps2{0, -9.81_r, 0};

@@ -183,7 +183,8 @@ private:
         }
         for (const std::string_view key : {"scene", "material", "prefab"}) root.find(key);
         if (auto table = root.table("scene")) {
-            for (const std::string_view key : {"title", "description", "include"}) table->find(key);
+            for (const std::string_view key : {"title", "description", "controls", "include"})
+                table->find(key);
             table->finish();
         }
         root.finish();

@@ -17,12 +17,13 @@ namespace {
 /// All of a file that is there to be included.
 constexpr std::array<std::string_view, 3> kIncludedOnly{"scene", "material", "prefab"};
 
-/// Adds every .toml below the folder, named but not read; of two with one name the earlier stays.
+/// Adds every .toml and .json below the folder, named but not read; of two with one name the earlier stays.
 void add_scene_files(const fs::path& root, bool is_users_own, std::vector<ListedScene>& files) {
     std::error_code failed;
     for (fs::recursive_directory_iterator entry(root, failed), end; !failed && entry != end;
          entry.increment(failed)) {
-        if (entry->path().extension() != ".toml") continue;
+        const fs::path extension = entry->path().extension();
+        if (extension != ".toml" && extension != ".json") continue;
         fs::path name = entry->path().lexically_relative(root);
         name.replace_extension();
         if (std::ranges::find(files, name.string(), &ListedScene::name) != files.end()) continue;
@@ -51,6 +52,11 @@ std::string text_under(const TomlTable& table, std::string_view key) {
 
 /// Fills in what the file says of itself. False when it is there to be included.
 bool read_heading(ListedScene& scene) {
+    if (scene.file.extension() == ".json") {
+        scene.title = scene.file.stem().string();
+        scene.description = "a JSON scene";
+        return true;
+    }
     const Result<std::string> text = read_file(scene.file, limits::kSceneFileBytes);
     if (!text) return true;
     const std::string name = scene.file.string();

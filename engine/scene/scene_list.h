@@ -20,7 +20,7 @@ SceneFolders scene_folders(const std::filesystem::path& assets_folder);
 
 /// A scene as play takes it by name.
 struct ListedScene {
-    std::string name;  ///< below its folder of scenes, without ".toml": "garden", "hard/H05"
+    std::string name;  ///< below its folder of scenes, without its ending: "garden", "hard/H05"
     std::string title;
     std::string description;
     std::filesystem::path file;

@@ -168,6 +168,7 @@ void read_sections(TableReader& root, SceneDescription& scene, LoadContext& cont
     if (auto table = root.table("scene")) {
         scene.title = table->text("title", {});
         scene.description = table->text("description", {});
+        scene.controls = table->text("controls", {});
         table->find("include");  // followed before
         table->finish();
     }
