@@ -85,6 +85,7 @@ CLI::App* add_viewer(CLI::App& app, PlayOptions& options) {
 
 CLI::App* add_render(CLI::App& app, RenderOptions& options) {
     constexpr double kMostFrames = 1e9;
+    constexpr double kMostTurn_deg = 36'000;
     CLI::App* render = app.add_subcommand("render", "One picture, without a window");
     render->add_option("scene", options.scene, "As for play")->required();
     render->add_option("--out",
@@ -107,8 +108,19 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
         ->check(between(0.0, kLongestRun_s));
     render->add_option("--camera", options.camera, "x,y,z,yaw,pitch in metres and degrees");
     render->add_option("--shading", options.shading, "pbr, blinn_phong or unlit, for everything");
-    render->add_option("--frames", options.frames, "Draws so many frames, one step each")
+    render
+        ->add_option("--frames",
+                     options.frames,
+                     "Draws so many frames, one step each; where --out names a folder, all of "
+                     "them go there")
         ->check(between(1.0, kMostFrames));
+    render->add_option("--video", options.video, "A film (.mp4) of all frames, by ffmpeg");
+    render
+        ->add_option(
+            "--orbit", options.orbit_deg, "Degrees that the camera goes round during the frames")
+        ->check(between(-kMostTurn_deg, kMostTurn_deg));
+    render->add_option("--sun-turn", options.sun_degps, "Degrees a second that the sun turns")
+        ->check(between(-kMostTurn_deg, kMostTurn_deg));
     render->add_option("--report", options.report, "Writes what it cost (JSON)");
     render->add_flag("--textures", options.textures, "With the textures of a JSON scene");
     render->add_flag("--shadows", options.shadows, "With the sun's shadows in a JSON scene");

@@ -8,6 +8,7 @@
 #include "engine/scene/scene_file.h"
 #include "game/camera_text.h"
 #include "game/contact_sheet.h"
+#include "game/frame_files.h"
 #include "game/refuse.h"
 
 #include <fmt/format.h>
@@ -29,6 +30,8 @@ constexpr const char* kSheet = "contact_sheet.png";
 struct Studio {
     std::unique_ptr<app::Session> session;
     std::unique_ptr<app::OffscreenRun> run;
+    std::uint32_t width_px{0};
+    std::uint32_t height_px{0};
 };
 
 Result<Studio> open_studio(const std::string& scene_name,
@@ -60,8 +63,8 @@ Result<Studio> open_studio(const std::string& scene_name,
     }
     studio.session->library.prefetch_images();
     def.shader_folder = folders->shaders;
-    def.width_px = static_cast<std::uint32_t>(width);
-    def.height_px = static_cast<std::uint32_t>(height);
+    def.width_px = studio.width_px = static_cast<std::uint32_t>(width);
+    def.height_px = studio.height_px = static_cast<std::uint32_t>(height);
     Result<std::unique_ptr<app::OffscreenRun>> run =
         app::OffscreenRun::create(*studio.session, def);
     if (!run) return run.error();
@@ -77,10 +80,35 @@ Result<std::optional<assets::Shading>> parse_shading(const std::string& name) {
     return bad_option(fmt::format("--shading {}: expected pbr, blinn_phong or unlit", name));
 }
 
-/// Where the picture goes; empty when only a report is asked for. Found to be writable.
+/// A name without an ending, of a folder or of nothing yet.
+bool wants_folder(const RenderOptions& options) {
+    if (options.frames < 2 || options.out.empty() || options.out.has_extension() ||
+        is_standard_output(options.out))
+        return false;
+    std::error_code failed;
+    const auto type = std::filesystem::status(options.out, failed).type();
+    return type == std::filesystem::file_type::directory ||
+           type == std::filesystem::file_type::not_found;
+}
+
+/// The view after a share of the way round what is looked at, about the scene's up.
+scene::ViewPoint turned(scene::ViewPoint view,
+                        const scene::SceneDescription& scene,
+                        Real angle_rad) {
+    if (angle_rad == 0) return view;
+    const Vec3 middle = scene.viewer ? scene.viewer->center_m : scene.camera.target_m;
+    const Quat turn = glm::angleAxis(angle_rad, scene.viewer ? scene.viewer->up : Vec3{0, 1, 0});
+    for (Pose* pose : {&view.world_from_camera, &view.world_from_hand}) {
+        pose->position = middle + turn * (pose->position - middle);
+        pose->orientation = turn * pose->orientation;
+    }
+    return view;
+}
+
+/// Where the picture goes; empty when only a report, a film or all frames are asked for. Found to be writable.
 Result<std::filesystem::path> picture_file(const RenderOptions& options) {
-    std::filesystem::path file = options.out;
-    if (file.empty() && options.report.empty()) {
+    std::filesystem::path file = wants_folder(options) ? std::filesystem::path() : options.out;
+    if (options.out.empty() && options.report.empty() && options.video.empty()) {
         const std::string name = std::filesystem::path(options.scene).stem().string();
         const Result<std::filesystem::path> unnamed = default_output("shots", name, ".png");
         if (!unnamed) return unnamed;
@@ -92,8 +120,43 @@ Result<std::filesystem::path> picture_file(const RenderOptions& options) {
     return file;
 }
 
+void switch_on(const RenderOptions& options, scene::LiveSwitches& switches) {
+    if (options.textures) switches.textures = true;
+    if (options.shadows) switches.turn("sun_shadow", true);
+    if (options.flashlight) switches.turn("flashlight", true);
+    if (options.fog) switches.turn("fog", true);
+    if (options.sun_degps != 0)
+        switches.sun_rotation_radps = static_cast<float>(radians_from_degrees(options.sun_degps));
+}
+
 std::uint64_t steps_in(double seconds, const scene::Simulation& simulation) {
     return static_cast<std::uint64_t>(std::llround(std::max(0.0, seconds) / simulation.step_s()));
+}
+
+Result<Done> draw_frames(const RenderOptions& options,
+                         Studio& studio,
+                         const scene::ViewPoint& view) {
+    scene::Simulation& simulation = *studio.session->simulation;
+    Result<FrameFiles> files =
+        FrameFiles::open({.folder = wants_folder(options) ? options.out : std::filesystem::path(),
+                          .video = options.video,
+                          .width_px = studio.width_px,
+                          .height_px = studio.height_px,
+                          .frames_per_s = simulation.description().accuracy.step_hz});
+    if (!files) return files.error();
+    switch_on(options, simulation.switches);
+    app::OffscreenRun& run = *studio.run;
+    run.simulate(steps_in(options.at_s, simulation));
+    for (std::uint64_t frame = 0; frame < std::max<std::uint64_t>(options.frames, 1); ++frame) {
+        if (frame > 0) run.simulate(1);
+        const double share = static_cast<double>(frame) / static_cast<double>(options.frames);
+        const double angle_rad = radians_from_degrees(options.orbit_deg * share);
+        const scene::ViewPoint seen =
+            turned(view, simulation.description(), static_cast<Real>(angle_rad));
+        if (const Result<Done> drawn = run.draw(seen); !drawn) return drawn;
+        if (const Result<Done> kept = files->take(run); !kept) return kept;
+    }
+    return files->close();
 }
 
 }  // namespace
@@ -110,9 +173,8 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
                                          .level = render::picture_level_named(options.level),
                                          .render_scale = options.render_scale});
     if (!studio) return refuse(studio.error());
-    scene::Simulation& simulation = *studio->session->simulation;
 
-    scene::ViewPoint view = first_view(simulation.description());
+    scene::ViewPoint view = first_view(studio->session->description());
     if (!options.camera.empty()) {
         const std::optional<scene::ViewPoint> asked = parse_camera(options.camera, view.fov_y_rad);
         if (!asked)
@@ -120,17 +182,9 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
                 bad_option(fmt::format("--camera {}: expected x,y,z,yaw,pitch", options.camera)));
         view = *asked;
     }
-    if (options.textures) simulation.switches.textures = true;
-    if (options.shadows) simulation.switches.turn("sun_shadow", true);
-    if (options.flashlight) simulation.switches.turn("flashlight", true);
-    if (options.fog) simulation.switches.turn("fog", true);
-
-    app::OffscreenRun& run = *studio->run;
-    run.simulate(steps_in(options.at_s, simulation));
-    for (std::uint64_t frame = 0; frame < std::max<std::uint64_t>(options.frames, 1); ++frame) {
-        if (frame > 0) run.simulate(1);
-        if (const Result<Done> drawn = run.draw(view); !drawn) return refuse(drawn.error());
-    }
+    if (const Result<Done> drawn = draw_frames(options, *studio, view); !drawn)
+        return refuse(drawn.error());
+    const app::OffscreenRun& run = *studio->run;
     if (!picture->empty()) {
         if (const Result<Done> written = assets::write_png(*picture, run.pixels()); !written) {
             return refuse(written.error());

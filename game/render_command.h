@@ -15,7 +15,12 @@ struct RenderOptions {
     double at_s{0};      ///< simulated seconds before the picture
     std::string camera;  ///< x,y,z,yaw,pitch; degrees
     std::string shading;
-    std::uint64_t frames{1};  ///< one fixed step before each frame after the first
+    /// One fixed step before each frame after the first. More than one, and `out` without an ending:
+    /// a folder that gets them all.
+    std::uint64_t frames{1};
+    std::filesystem::path video;  ///< a film of all frames
+    double orbit_deg{0};          ///< so far the camera goes round during the frames
+    double sun_degps{0};          ///< the sun turns
     std::filesystem::path report;
     std::string level;         ///< of the picture; empty: nothing is left out
     float render_scale{0.0F};  ///< with a level; 0: the level's own

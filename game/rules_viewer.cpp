@@ -35,8 +35,8 @@ void PlaygroundGame::begin_view(const scene::SceneDescription& scene) {
 void PlaygroundGame::next_view(const scene::ViewerDescription& viewer) {
     const Quat orientation = look_.orientation();
     if (mode_ == MoveMode::Fly) {
-        mode_ = MoveMode::Orbit;
         const Vec3 eye = eye_m(1, orientation);
+        mode_ = MoveMode::Orbit;
         const Vec3 forward = orientation * Vec3{0, 0, -1};
         // What lies ahead, as far off as the middle of everything.
         const Real ahead = std::clamp(glm::dot(viewer.center_m - eye, forward),

@@ -49,6 +49,7 @@ constexpr auto kWords = [] {
     say(Action::AccuracyPanel, "accuracy: settings, gauges, ghost");
     say(Action::Screenshot, "take a picture");
     say(Action::Record, "save what was done so far");
+    say(Action::Film, "take a film, or end it");
     say(Action::Fullscreen, "full screen");
     say(Action::ZoomIn, "zoom in; orbiting: nearer");
     say(Action::ZoomOut, "zoom out; orbiting: farther");

@@ -46,6 +46,7 @@ bool FrameParts::write_files() {
 
 PlayEnd FrameParts::close() {
     window_.capture_pointer(false);
+    if (film_) end_film();
     if (interrupted()) next_.reset();
     ExitCode code = interrupted() ? ExitCode::Interrupted : code_;
     if (!write_files()) code = ExitCode::RunFailed;

@@ -43,6 +43,7 @@ void apply_view_actions(input::ActionLatch& latch,
     if (toggles(Action::Fullscreen)) window.set_fullscreen(!window.fullscreen());
     if (latch.take_frame_presses(Action::Screenshot) > 0) controls.screenshot = true;
     if (latch.take_frame_presses(Action::Record) > 0) controls.save_recording = true;
+    if (toggles(Action::Film)) controls.film = true;
 }
 
 /// Named in the contract of actions, built with the parts of the program that they belong to.

@@ -26,10 +26,11 @@ struct FrameControls {
     bool reload{false};
     bool screenshot{false};
     bool save_recording{false};
+    bool film{false};
     std::filesystem::path open_scene;  ///< chosen in the menu, or dropped
 
     void clear_requests() {
-        quit = reset = reload = screenshot = save_recording = false;
+        quit = reset = reload = screenshot = save_recording = film = false;
         open_scene.clear();
     }
 };

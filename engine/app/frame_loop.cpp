@@ -51,6 +51,7 @@ PlayEnd run(platform::Window& window,
         parts.renderer->lines();
         parts.draw_overlay(frame);
         parts.renderer->end();
+        parts.film_frame();
 
         // Sound: what the steps asked for, heard from where this frame is seen.
         parts.play_sound(view, input.now_s);

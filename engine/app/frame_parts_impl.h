@@ -9,6 +9,7 @@
 #include "engine/app/scene_watch.h"
 #include "engine/app/slow_motion.h"
 #include "engine/app/ui/menu_control.h"
+#include "engine/app/video_file.h"
 #include "engine/audio/mixer.h"
 #include "engine/core/frame_clock.h"
 #include "engine/render/renderer.h"
@@ -33,6 +34,7 @@ public:
     scene::ViewPoint view(Real blend) const;
     render::RenderFrame extract(const scene::ViewPoint& view);
     void draw_overlay(const render::RenderFrame& frame);
+    void film_frame();  ///< while a film is taken: hands the picture to its thread
     void play_sound(const scene::ViewPoint& view, double now_s);
     void finish_frame(double frame_start_s, double present_s);
     /// Writes what was asked for.
@@ -70,6 +72,8 @@ private:
     void say_slow_motion();
     void save_picture();
     void save_recording_so_far();
+    void start_or_end_film();
+    void end_film();
     std::string scene_name() const;
     /// Puts the settings in force; said once when they cannot be stored.
     void change_config(const AppConfig& wanted);
@@ -111,6 +115,9 @@ private:
     std::unique_ptr<Session> next_;  ///< that was chosen; null: none
     double chosen_s_{0};
     std::string report_text_;
+    std::unique_ptr<VideoFile> film_;  ///< null: none is taken
+    double film_start_s_{0};
+    int film_frames_{0};
     bool closing_{false};
     ExitCode code_{ExitCode::Good};  ///< not good: why it cannot go on
     bool menu_was_open_{false};

@@ -31,6 +31,7 @@ void FrameParts::do_requests() {
     if (controls_.reload) reload_files();
     if (controls_.screenshot) save_picture();
     if (controls_.save_recording) save_recording_so_far();
+    if (controls_.film) start_or_end_film();
     if (!controls_.open_scene.empty()) open_scene();
     if (controls_.quit) closing_ = true;
     controls_.clear_requests();

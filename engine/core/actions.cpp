@@ -55,6 +55,7 @@ constexpr std::array<ActionRow, kActionCount> kRows{{
     {"accuracy_panel", View},
     {"screenshot", View},
     {"record", View},
+    {"film", View},
     {"fullscreen", View},
     {"zoom_in", View},
     {"zoom_out", View},

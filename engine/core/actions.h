@@ -56,6 +56,7 @@ enum class Action : std::uint8_t {
     AccuracyPanel,
     Screenshot,
     Record,
+    Film,
     Fullscreen,
     ZoomIn,
     ZoomOut,

@@ -121,16 +121,18 @@ ChildProcess::~ChildProcess() {
     if (pid_ > 0) end();
 }
 
-bool ChildProcess::send_line(std::string line) const {
-    line += '\n';
-    std::size_t sent = 0;
-    while (sent < line.size()) {
-        const ssize_t count = write(input_, line.data() + sent, line.size() - sent);
+bool ChildProcess::send(std::string_view bytes) const {
+    while (!bytes.empty()) {
+        const ssize_t count = write(input_, bytes.data(), bytes.size());
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) return false;
-        sent += static_cast<std::size_t>(count);
+        bytes.remove_prefix(static_cast<std::size_t>(count));
     }
     return true;
+}
+
+bool ChildProcess::send_line(std::string line) const {
+    return send(line += '\n');
 }
 
 void ChildProcess::close_input() {

@@ -36,6 +36,7 @@ public:
     int input() const { return input_; }    ///< to poll() for writing; -1 once it is closed
     int output() const { return output_; }  ///< to poll() for reading
     /// Waits until all is in the pipe. False where the child reads no more.
+    bool send(std::string_view bytes) const;
     bool send_line(std::string line) const;
     void close_input();
     /// Takes what has come, or waits for something; false at the end of the pipe.

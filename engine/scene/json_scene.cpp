@@ -3,7 +3,7 @@
 #include "engine/core/hash.h"
 #include "engine/core/limits.h"
 #include "engine/scene/json_read.h"
-#include "engine/scene/json_scene_parts.h"
+#include "engine/scene/json_scene_impl.h"
 #include "engine/scene/scene_parts.h"
 
 #include <fmt/format.h>

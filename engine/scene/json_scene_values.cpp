@@ -1,4 +1,4 @@
-#include "engine/scene/json_scene_parts.h"
+#include "engine/scene/json_scene_impl.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -75,6 +75,9 @@ assets::MaterialData read_material(TableReader& table, const LoadContext& contex
     }
     material.roughness = table.single("roughness", material.roughness, kFraction);
     material.metallic = table.single("metallic", material.metallic, kFraction);
+    constexpr Range kShininess{0, 1000, "an exponent from 0 to 1000"};
+    material.shininess = table.single("shininess", material.shininess, kShininess);
+    material.specular = table.single("specular", material.specular, kFraction);
     material.alpha_mode =
         static_cast<assets::AlphaMode>(table.choice("alpha_mode", 0, kAlphaModes));
     material.alpha_cutoff = table.single("alpha_cutoff", material.alpha_cutoff, kFraction);

@@ -86,9 +86,8 @@ void Simulation::step() {
     ++steps_;
     if (switches.sun_rotation_radps != 0.0F) {
         const float angle = switches.sun_rotation_radps * static_cast<float>(step_s_);
-        const Vec3f up =
-            description_.viewer ? Vec3f(description_.viewer->up) : Vec3f{0.0F, 1.0F, 0.0F};
-        switches.sun_direction = glm::angleAxis(angle, up) * switches.sun_direction;
+        const Vec3 up = description_.viewer ? description_.viewer->up : Vec3{0, 1, 0};
+        switches.sun_direction = glm::angleAxis(angle, Vec3f(up)) * switches.sun_direction;
     }
     sync_placements();
     report_quarantined();

@@ -161,7 +161,7 @@ TEST(ActionLatch, AModifierThatIsTappedIsAPressOfItsOwn) {
 }
 
 TEST(ActionLatch, AModifierThatBeginsNoChordActsAtOnce) {
-    Hands hands("[view]\nrecord = [\"f6\"]\n");  // the only chord with Shift is gone
+    Hands hands("[view]\nfilm = [\"f6\"]\n");  // the only chord with Shift is gone
     hands.key(kLeftShift, true);
     hands.frame();
     EXPECT_TRUE(hands.latch.take().is_held(Action::Sprint));

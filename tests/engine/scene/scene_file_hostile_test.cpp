@@ -42,12 +42,12 @@ TEST_F(SceneFileHostile, MissingFolderAndFifo) {
 }
 
 TEST_F(SceneFileHostile, OtherKindsOfFile) {
-    for (const char* name : {"a.blend", "a.json", "a", "a.toml.exe"}) {
+    for (const char* name : {"a.blend", "a.js", "a", "a.toml.exe"}) {
         write(name, "");
         const Outcome outcome = load_file(name);
         ASSERT_EQ(outcome.faults.size(), 1U) << name;
         EXPECT_NE(outcome.faults[0].find(
-                      "expected .toml, or a model: .glb .gltf .obj .ply .stl .dae .fbx"),
+                      "expected .toml, .json or a model: .glb .gltf .obj .ply .stl .dae .fbx"),
                   std::string::npos);
     }
     EXPECT_FALSE(load_file("none.glb").scene.ok());

@@ -26,13 +26,27 @@ const fs::path kScenes = fs::path(PL_SOURCE_DIR) / "assets/scenes";
 TEST(ShippedScenes, LoadWithoutAWord) {
     int scenes = 0;
     for (const auto& entry : fs::recursive_directory_iterator(kScenes)) {
-        if (entry.path().extension() != ".toml") continue;
+        const fs::path extension = entry.path().extension();
+        if (extension != ".toml" && extension != ".json") continue;
         std::string said;
         EXPECT_TRUE(load_shipped(entry.path(), said).ok()) << entry.path();
         EXPECT_EQ(said, "") << entry.path();
         ++scenes;
     }
     EXPECT_GE(scenes, 8);
+}
+
+// SOURCES C2: about the axis of view, an eighth of a turn a second.
+TEST(ShippedScenes, TheTriangleTurnsInThePlaneOfThePicture) {
+    std::string said;
+    const auto scene = load_shipped(kScenes / "viewer/triangle.toml", said);
+    ASSERT_TRUE(scene.ok()) << said;
+    const EntityDescription& triangle = scene->entities.at(0);
+    ASSERT_TRUE(triangle.motion.has_value());
+    const Vec3 view = glm::normalize(scene->camera.target_m - scene->camera.position_m);
+    EXPECT_NEAR(glm::length(glm::cross(triangle.motion->spin_radps, view)), 0, 1e-6);
+    EXPECT_NEAR(glm::length(triangle.motion->spin_radps), kPi / 4, 1e-6);
+    EXPECT_EQ(scene->materials.at(triangle.material).shading, assets::Shading::Unlit);
 }
 
 TEST(ShippedScenes, TheDocsNameWhatMayBeIncluded) {
@@ -73,7 +87,7 @@ TEST(ShippedScenes, AreListedByName) {
     const auto has = [&](const char* name) {
         return std::ranges::find(names, name) != names.end();
     };
-    EXPECT_TRUE(has("garden") && has("playroom") && has("hard/H05"));
+    EXPECT_TRUE(has("garden") && has("playroom") && has("hard/H05") && has("viewer/rings"));
     EXPECT_EQ(names.front(), kFirstScene);
     EXPECT_FALSE(has("materials") || has("things")) << "there to be included";
 }

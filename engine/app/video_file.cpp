@@ -1,0 +1,139 @@
+#include "engine/app/video_file.h"
+
+#include "engine/core/output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+namespace plumbline::app {
+namespace {
+
+constexpr std::size_t kMostWaiting = 4;
+constexpr double kGrace_s = 20;
+
+bool is_installed(std::string_view program) {
+    const char* path = std::getenv("PATH");
+    std::string_view rest = path != nullptr ? path : "/usr/local/bin:/usr/bin:/bin";
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find(':'), rest.size());
+        std::error_code failed;
+        const std::filesystem::path folder(rest.substr(0, end));
+        if (!folder.empty() && std::filesystem::is_regular_file(folder / program, failed))
+            return true;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return false;
+}
+
+std::vector<std::string> words_for(const VideoDef& def) {
+    return {"-loglevel",
+            "error",
+            "-y",
+            // what comes: bare pictures, one after the other
+            "-f",
+            "rawvideo",
+            "-pix_fmt",
+            "rgb24",
+            "-s",
+            fmt::format("{}x{}", def.width_px, def.height_px),
+            "-r",
+            fmt::format("{}", def.frames_per_s),
+            "-i",
+            "-",
+            // H.264 wants even sides; the least work a frame, as we draw meanwhile
+            "-vf",
+            "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+            "-c:v",
+            "libx264",
+            "-preset",
+            "ultrafast",
+            "-crf",
+            "20",
+            "-pix_fmt",
+            "yuv420p",
+            "-g",
+            fmt::format("{}", def.frames_per_s / 2),
+            "-movflags",
+            "frag_keyframe+empty_moov+default_base_moof",
+            // so that no name is taken for an option or an address
+            "file:" + def.file.string()};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<VideoFile>> VideoFile::start(const VideoDef& def) {
+    if (!is_installed("ffmpeg")) {
+        return Error{
+            "films are written by ffmpeg, which is not installed (package ffmpeg); "
+            "pictures can be had without: render --frames N --out FOLDER"};
+    }
+    if (const Result<Done> open = check_output(def.file); !open) return open.error();
+    Result<ChildProcess> ffmpeg =
+        ChildProcess::start({.program = "ffmpeg", .arguments = words_for(def), .own_group = true});
+    if (!ffmpeg) return ffmpeg.error();
+    return std::unique_ptr<VideoFile>(new VideoFile(def, std::move(*ffmpeg)));
+}
+
+VideoFile::VideoFile(const VideoDef& def, ChildProcess ffmpeg)
+    : def_(def), ffmpeg_(std::move(ffmpeg)), writer_([this] { write_pictures(); }) {}
+
+VideoFile::~VideoFile() {
+    static_cast<void>(finish());
+}
+
+bool VideoFile::is_full() const {
+    const std::scoped_lock lock(mutex_);
+    return waiting_.size() >= kMostWaiting;
+}
+
+bool VideoFile::add(assets::ImageData picture, int times) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return broken_ || waiting_.size() < kMostWaiting; });
+    if (broken_ || ended_) return false;
+    waiting_.push_back({.picture = std::move(picture), .times = times});
+    changed_.notify_all();
+    return true;
+}
+
+void VideoFile::write_pictures() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        changed_.wait(lock, [&] { return ended_ || !waiting_.empty(); });
+        if (waiting_.empty()) return;
+        const Shown shown = std::move(waiting_.front());
+        waiting_.pop_front();
+        changed_.notify_all();
+        lock.unlock();
+        const auto& bytes = shown.picture.bytes;
+        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        bool read = true;
+        for (int i = 0; i < shown.times && read; ++i) read = ffmpeg_.send(text);
+        lock.lock();
+        if (read) continue;
+        broken_ = true;
+        changed_.notify_all();
+        return;
+    }
+}
+
+Result<Done> VideoFile::finish() {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (std::exchange(ended_, true)) return Done{};
+        changed_.notify_all();
+    }
+    writer_.join();
+    ffmpeg_.close_input();
+    const ChildEnd end = ffmpeg_.end(kGrace_s);
+    if (end.good && !broken_) return Done{};
+    return Error{
+        fmt::format("the film {} is not whole: ffmpeg {}; what was written until then plays",
+                    def_.file.string(),
+                    end.words.empty() ? "read no more" : end.words)};
+}
+
+}  // namespace plumbline::app
