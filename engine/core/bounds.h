@@ -27,6 +27,17 @@ struct Aabb {
     }
 };
 
+/// The box around `box` after the transform.
+inline Aabb transformed(const Aabb& box, const Mat4f& target_from_source) {
+    if (box.empty()) return box;
+    const Vec3f center{target_from_source * Vec4f{box.center(), 1.0F}};
+    const Vec3f half = box.size() * 0.5F;
+    const Vec3f reach = glm::abs(Vec3f{target_from_source[0]}) * half.x +
+                        glm::abs(Vec3f{target_from_source[1]}) * half.y +
+                        glm::abs(Vec3f{target_from_source[2]}) * half.z;
+    return {.min = center - reach, .max = center + reach};
+}
+
 struct Sphere {
     Vec3f center{0.0F};
     float radius{0.0F};

@@ -1,6 +1,5 @@
 // What helps to look at a model by itself: grid, axes, normals, backgrounds, no ground.
 #include "engine/effects/effect_table.h"
-#include "engine/render/frustum.h"
 
 #include <algorithm>
 #include <array>
@@ -75,8 +74,7 @@ private:
         const Vec3f& eye = frame.camera.position_world;
         float nearest_m = std::abs(eye.y - floor_m);  // the grid
         for (const render::DrawItem& item : frame.items) {
-            const Aabb box =
-                render::transformed(library.mesh(item.mesh).bounds, item.world_from_body);
+            const Aabb box = transformed(library.mesh(item.mesh).bounds, item.world_from_body);
             nearest_m = std::min(nearest_m, glm::distance(eye, glm::clamp(eye, box.min, box.max)));
         }
         frame.camera.near_m = std::max(frame.camera.near_m, 0.5F * nearest_m);

@@ -20,7 +20,4 @@ private:
     std::array<Vec4f, 6> planes_world_;
 };
 
-/// The box around `box` after the transform.
-Aabb transformed(const Aabb& box, const Mat4f& target_from_source);
-
 }  // namespace plumbline::render
