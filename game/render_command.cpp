@@ -174,7 +174,7 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
                                          .render_scale = options.render_scale});
     if (!studio) return refuse(studio.error());
 
-    scene::ViewPoint view = first_view(studio->session->description());
+    scene::ViewPoint view = first_view(studio->session->simulation->description());
     if (!options.camera.empty()) {
         const std::optional<scene::ViewPoint> asked = parse_camera(options.camera, view.fov_y_rad);
         if (!asked)

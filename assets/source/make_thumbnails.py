@@ -44,6 +44,8 @@ HARD = {
 }
 SCENES.update({f"hard/{file.stem}": HARD.get(f"hard/{file.stem}", (0.5, None))
                for file in sorted((ASSETS / "scenes" / "hard").glob("*.toml"))})
+SCENES.update({f"viewer/{file.stem}": (0.5, None)
+               for file in sorted((ASSETS / "scenes" / "viewer").iterdir()) if file.suffix in (".json", ".toml")})
 
 
 def nearer(scene, times):

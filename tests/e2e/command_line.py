@@ -65,7 +65,7 @@ def usage():
         options = [word for word in words if str(word).startswith("--")]
         said = run("play", CUBE, *words, code=2).stderr  # both are named
         assert all(option in said for option in options), said
-    run("simulat", CUBE, code=2, says='unexpected word "assets/scenes/falling_cube.toml"; the commands are play, scenes, render')
+    run("simulat", CUBE, code=2, says='unexpected word "assets/scenes/falling_cube.toml"; the commands are play, viewer, scenes, render')
     for words in (["simulate", "--seconds"], ["simulate", "--drive-fps"], ["simulate", "--every"], ["render", "--at"],
                   ["render", "--frames"], ["play", "--seconds"], ["study", "--seconds"], ["study", "--tolerance"],
                   ["study", "--budget-ms"]):
