@@ -61,7 +61,7 @@ private:
     std::uint64_t revision_{0};
 };
 
-Callers callers(const scene::Simulation& simulation) {
+Callers callers_of_ambient_sounds(const scene::Simulation& simulation) {
     EntityCallers callers(simulation);
     for (auto [entity, ambient] : simulation.registry.view<const scene::AmbientSound>()) {
         callers.add(entity);
@@ -69,7 +69,7 @@ Callers callers(const scene::Simulation& simulation) {
     return callers.take();
 }
 
-std::unique_ptr<Effect> make(scene::Simulation& simulation) {
+std::unique_ptr<Effect> make_ambient_sounds(scene::Simulation& simulation) {
     return std::make_unique<AmbientSounds>(simulation);
 }
 
@@ -78,8 +78,8 @@ std::unique_ptr<Effect> make(scene::Simulation& simulation) {
 EffectRow ambient_sounds() {
     return {.name = "ambient_sounds",
             .domain = Domain::Sound,
-            .called_for_by = &callers,
-            .make = &make};
+            .called_for_by = &callers_of_ambient_sounds,
+            .make = &make_ambient_sounds};
 }
 
 }  // namespace plumbline::effects

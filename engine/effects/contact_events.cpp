@@ -9,19 +9,21 @@ using ContactEvents = PhysicsPart<&physics::WorldFeatures::contact_events,
                                   &physics::FeatureUse::events,
                                   &physics::FeatureUse::events_ms>;
 
-Callers callers(const scene::Simulation& simulation) {
+Callers callers_of_contact_events(const scene::Simulation& simulation) {
     return simulation.contact_listeners();
 }
 
-std::unique_ptr<Effect> make(scene::Simulation& simulation) {
+std::unique_ptr<Effect> make_contact_events(scene::Simulation& simulation) {
     return std::make_unique<ContactEvents>(simulation);
 }
 
 }  // namespace
 
 EffectRow contact_events() {
-    return {
-        .name = "contact_events", .domain = Domain::Step, .called_for_by = &callers, .make = &make};
+    return {.name = "contact_events",
+            .domain = Domain::Step,
+            .called_for_by = &callers_of_contact_events,
+            .make = &make_contact_events};
 }
 
 }  // namespace plumbline::effects

@@ -9,17 +9,17 @@ using ContinuousCollision = PhysicsPart<&physics::WorldFeatures::continuous_coll
                                         &physics::FeatureUse::swept_bodies,
                                         &physics::FeatureUse::sweep_ms>;
 
-Callers callers(const scene::Simulation& simulation) {
+Callers callers_of_continuous_collision(const scene::Simulation& simulation) {
     const ecs::Entity swept = simulation.motion_demand().swept;
     if (!simulation.registry.alive(swept)) return {};
     return {simulation.describe(swept)};
 }
 
-std::uint64_t key(const scene::Simulation& simulation) {
+std::uint64_t key_of_continuous_collision(const scene::Simulation& simulation) {
     return scene::mark_of(simulation.motion_demand().swept);
 }
 
-std::unique_ptr<Effect> make(scene::Simulation& simulation) {
+std::unique_ptr<Effect> make_continuous_collision(scene::Simulation& simulation) {
     return std::make_unique<ContinuousCollision>(simulation);
 }
 
@@ -28,9 +28,9 @@ std::unique_ptr<Effect> make(scene::Simulation& simulation) {
 EffectRow continuous_collision() {
     return {.name = "continuous_collision",
             .domain = Domain::Step,
-            .called_for_by = &callers,
-            .make = &make,
-            .key = &key};
+            .called_for_by = &callers_of_continuous_collision,
+            .make = &make_continuous_collision,
+            .key = &key_of_continuous_collision};
 }
 
 }  // namespace plumbline::effects

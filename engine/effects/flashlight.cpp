@@ -23,13 +23,13 @@ public:
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 };
 
-Callers callers(const scene::Simulation& simulation) {
+Callers callers_of_flashlight(const scene::Simulation& simulation) {
     const auto& light = simulation.description().flashlight;
     if (!light || !simulation.switches.is_on("flashlight", light->on)) return {};
     return {"switch flashlight"};
 }
 
-std::unique_ptr<Effect> make(scene::Simulation&) {
+std::unique_ptr<Effect> make_flashlight(scene::Simulation&) {
     return std::make_unique<Flashlight>();
 }
 
@@ -38,8 +38,8 @@ std::unique_ptr<Effect> make(scene::Simulation&) {
 EffectRow flashlight() {
     return {.name = "flashlight",
             .domain = Domain::Picture,
-            .called_for_by = &callers,
-            .make = &make,
+            .called_for_by = &callers_of_flashlight,
+            .make = &make_flashlight,
             .gpu_owner = "flashlight",
             .passes = "shadow.flashlight"};
 }

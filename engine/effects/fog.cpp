@@ -19,20 +19,23 @@ public:
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 };
 
-Callers callers(const scene::Simulation& simulation) {
+Callers callers_of_fog(const scene::Simulation& simulation) {
     const auto& fog = simulation.description().fog;
     if (!simulation.switches.is_on("fog", fog.has_value())) return {};
     return {fog ? setting("[fog]", fog->origin) : "switch fog"};
 }
 
-std::unique_ptr<Effect> make(scene::Simulation&) {
+std::unique_ptr<Effect> make_fog(scene::Simulation&) {
     return std::make_unique<Fog>();
 }
 
 }  // namespace
 
 EffectRow fog() {
-    return {.name = "fog", .domain = Domain::Picture, .called_for_by = &callers, .make = &make};
+    return {.name = "fog",
+            .domain = Domain::Picture,
+            .called_for_by = &callers_of_fog,
+            .make = &make_fog};
 }
 
 }  // namespace plumbline::effects

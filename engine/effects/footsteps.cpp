@@ -9,7 +9,7 @@ namespace plumbline::effects {
 namespace {
 
 constexpr float kFullGainSpeed_mps = 6.0F;  ///< a hard landing; running is about 0.75 of it
-constexpr std::size_t kCuesKept = 8;
+constexpr std::size_t kStepsKept = 8;
 
 class Footsteps final : public Effect {
 public:
@@ -17,7 +17,7 @@ public:
         for (const scene::FootstepEvent& step : game.footsteps()) {
             const scene::Surface& surface = simulation.surfaces().get(step.surface);
             const assets::SoundId sound = bank_.pick(simulation, surface.step_sounds, random_);
-            if (sound == assets::SoundId{} || cues_.size() >= kCuesKept) continue;
+            if (sound == assets::SoundId{} || cues_.size() >= kStepsKept) continue;
             const float speed_mps = static_cast<float>(step.speed_mps);
             cues_.push_back({.sound = sound,
                              .position_world = Vec3f(step.position_m),
@@ -40,7 +40,7 @@ private:
     std::vector<audio::SoundCue> cues_;
 };
 
-Callers callers(const scene::Simulation& simulation) {
+Callers callers_of_footsteps(const scene::Simulation& simulation) {
     const auto& player = simulation.description().player;
     const auto& surfaces = simulation.surfaces().surfaces;
     const bool any_sound = std::any_of(surfaces.begin(), surfaces.end(), [](const auto& surface) {
@@ -50,14 +50,17 @@ Callers callers(const scene::Simulation& simulation) {
     return {setting("[player]", player->origin)};
 }
 
-std::unique_ptr<Effect> make(scene::Simulation&) {
+std::unique_ptr<Effect> make_footsteps(scene::Simulation&) {
     return std::make_unique<Footsteps>();
 }
 
 }  // namespace
 
 EffectRow footsteps() {
-    return {.name = "footsteps", .domain = Domain::Sound, .called_for_by = &callers, .make = &make};
+    return {.name = "footsteps",
+            .domain = Domain::Sound,
+            .called_for_by = &callers_of_footsteps,
+            .make = &make_footsteps};
 }
 
 }  // namespace plumbline::effects

@@ -9,17 +9,17 @@ using GyroscopicTorque = PhysicsPart<&physics::WorldFeatures::gyroscopic_torque,
                                      &physics::FeatureUse::gyro_bodies,
                                      &physics::FeatureUse::gyro_ms>;
 
-Callers callers(const scene::Simulation& simulation) {
+Callers callers_of_gyroscopic_torque(const scene::Simulation& simulation) {
     const ecs::Entity spinning = simulation.motion_demand().spinning;
     if (!simulation.registry.alive(spinning)) return {};
     return {simulation.describe(spinning)};
 }
 
-std::uint64_t key(const scene::Simulation& simulation) {
+std::uint64_t key_of_gyroscopic_torque(const scene::Simulation& simulation) {
     return scene::mark_of(simulation.motion_demand().spinning);
 }
 
-std::unique_ptr<Effect> make(scene::Simulation& simulation) {
+std::unique_ptr<Effect> make_gyroscopic_torque(scene::Simulation& simulation) {
     return std::make_unique<GyroscopicTorque>(simulation);
 }
 
@@ -28,9 +28,9 @@ std::unique_ptr<Effect> make(scene::Simulation& simulation) {
 EffectRow gyroscopic_torque() {
     return {.name = "gyroscopic_torque",
             .domain = Domain::Step,
-            .called_for_by = &callers,
-            .make = &make,
-            .key = &key};
+            .called_for_by = &callers_of_gyroscopic_torque,
+            .make = &make_gyroscopic_torque,
+            .key = &key_of_gyroscopic_torque};
 }
 
 }  // namespace plumbline::effects

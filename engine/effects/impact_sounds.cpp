@@ -16,7 +16,7 @@ constexpr Real kLeastClosingSpeed_mps = 0.2_r;
 /// A pair that stays in touch sounds again only when it is hit this hard.
 constexpr Real kAgainClosingSpeed_mps = Real{1};
 constexpr double kLeastPairInterval_s = 0.1;
-constexpr std::size_t kCuesKept = 64;
+constexpr std::size_t kImpactsKept = 64;
 constexpr std::size_t kPairsKept = 2'048;
 
 using Pair = std::pair<std::uint64_t, std::uint64_t>;
@@ -118,7 +118,7 @@ private:
 
     /// When nobody listens for a while, or a heap comes down, the loudest are worth keeping.
     void keep(const audio::SoundCue& cue) {
-        if (cues_.size() < kCuesKept) {
+        if (cues_.size() < kImpactsKept) {
             cues_.push_back(cue);
             return;
         }
@@ -136,7 +136,7 @@ private:
     std::map<Pair, double> sounded_at_s_;
 };
 
-Callers callers(const scene::Simulation& simulation) {
+Callers callers_of_impact_sounds(const scene::Simulation& simulation) {
     EntityCallers callers(simulation);
     for (const scene::MovingBody& moving : simulation.moving_bodies()) {
         if (moving.kind != physics::BodyKind::Dynamic) continue;
@@ -147,15 +147,17 @@ Callers callers(const scene::Simulation& simulation) {
     return callers.take();
 }
 
-std::unique_ptr<Effect> make(scene::Simulation& simulation) {
+std::unique_ptr<Effect> make_impact_sounds(scene::Simulation& simulation) {
     return std::make_unique<ImpactSounds>(simulation);
 }
 
 }  // namespace
 
 EffectRow impact_sounds() {
-    return {
-        .name = "impact_sounds", .domain = Domain::Sound, .called_for_by = &callers, .make = &make};
+    return {.name = "impact_sounds",
+            .domain = Domain::Sound,
+            .called_for_by = &callers_of_impact_sounds,
+            .make = &make_impact_sounds};
 }
 
 }  // namespace plumbline::effects

@@ -123,7 +123,7 @@ private:
     std::map<std::uint32_t, Posed> posed_;  ///< by the entity's index
 };
 
-Callers callers(const scene::Simulation& simulation) {
+Callers callers_of_model_animation(const scene::Simulation& simulation) {
     EntityCallers callers(simulation);
     for (auto [entity, playing] : simulation.registry.view<const scene::PlayingModel>()) {
         callers.add(entity);
@@ -131,7 +131,7 @@ Callers callers(const scene::Simulation& simulation) {
     return callers.take();
 }
 
-std::unique_ptr<Effect> make(scene::Simulation& simulation) {
+std::unique_ptr<Effect> make_model_animation(scene::Simulation& simulation) {
     return std::make_unique<ModelAnimation>(simulation);
 }
 
@@ -140,8 +140,8 @@ std::unique_ptr<Effect> make(scene::Simulation& simulation) {
 EffectRow model_animation() {
     return {.name = "model_animation",
             .domain = Domain::Picture,
-            .called_for_by = &callers,
-            .make = &make};
+            .called_for_by = &callers_of_model_animation,
+            .make = &make_model_animation};
 }
 
 }  // namespace plumbline::effects

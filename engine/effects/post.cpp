@@ -17,13 +17,13 @@ public:
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 };
 
-Callers callers(const scene::Simulation& simulation) {
+Callers callers_of_post(const scene::Simulation& simulation) {
     const auto& post = simulation.description().post;
     if (!post) return {};
     return {setting("[post]", post->origin)};
 }
 
-std::unique_ptr<Effect> make(scene::Simulation&) {
+std::unique_ptr<Effect> make_post(scene::Simulation&) {
     return std::make_unique<Post>();
 }
 
@@ -32,8 +32,8 @@ std::unique_ptr<Effect> make(scene::Simulation&) {
 EffectRow post() {
     return {.name = "post",
             .domain = Domain::Picture,
-            .called_for_by = &callers,
-            .make = &make,
+            .called_for_by = &callers_of_post,
+            .make = &make_post,
             .gpu_owner = "post",
             .passes = "post."};
 }

@@ -17,13 +17,13 @@ public:
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 };
 
-Callers callers(const scene::Simulation& simulation) {
+Callers callers_of_skybox(const scene::Simulation& simulation) {
     const auto& sky = simulation.description().sky;
     if (!sky) return {};
     return {setting("[sky] skybox", sky->origin)};
 }
 
-std::unique_ptr<Effect> make(scene::Simulation&) {
+std::unique_ptr<Effect> make_skybox(scene::Simulation&) {
     return std::make_unique<Skybox>();
 }
 
@@ -32,8 +32,8 @@ std::unique_ptr<Effect> make(scene::Simulation&) {
 EffectRow skybox() {
     return {.name = "skybox",
             .domain = Domain::Picture,
-            .called_for_by = &callers,
-            .make = &make,
+            .called_for_by = &callers_of_skybox,
+            .make = &make_skybox,
             .gpu_owner = "sky",
             .passes = "sky"};
 }

@@ -20,7 +20,7 @@ public:
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 };
 
-Callers callers(const scene::Simulation& simulation) {
+Callers callers_of_sun_shadow(const scene::Simulation& simulation) {
     const auto& sun = simulation.description().sun;
     if (!sun || !sun->shadow) return {};
     // In a scene that is only looked at they are there when asked for.
@@ -28,7 +28,7 @@ Callers callers(const scene::Simulation& simulation) {
     return {setting("[sun] shadow", sun->shadow->origin)};
 }
 
-std::unique_ptr<Effect> make(scene::Simulation&) {
+std::unique_ptr<Effect> make_sun_shadow(scene::Simulation&) {
     return std::make_unique<SunShadow>();
 }
 
@@ -37,8 +37,8 @@ std::unique_ptr<Effect> make(scene::Simulation&) {
 EffectRow sun_shadow() {
     return {.name = "sun_shadow",
             .domain = Domain::Picture,
-            .called_for_by = &callers,
-            .make = &make,
+            .called_for_by = &callers_of_sun_shadow,
+            .make = &make_sun_shadow,
             .gpu_owner = "sun_shadow",
             .passes = "shadow.sun"};
 }

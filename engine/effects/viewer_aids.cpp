@@ -121,20 +121,22 @@ private:
     }
 };
 
-Callers callers(const scene::Simulation& simulation) {
+Callers callers_of_viewer_aids(const scene::Simulation& simulation) {
     if (!simulation.description().shows_model) return {};
     return {"a model by itself"};
 }
 
-std::unique_ptr<Effect> make(scene::Simulation&) {
+std::unique_ptr<Effect> make_viewer_aids(scene::Simulation&) {
     return std::make_unique<ViewerAids>();
 }
 
 }  // namespace
 
 EffectRow viewer_aids() {
-    return {
-        .name = "viewer_aids", .domain = Domain::Picture, .called_for_by = &callers, .make = &make};
+    return {.name = "viewer_aids",
+            .domain = Domain::Picture,
+            .called_for_by = &callers_of_viewer_aids,
+            .make = &make_viewer_aids};
 }
 
 }  // namespace plumbline::effects
