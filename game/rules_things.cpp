@@ -159,7 +159,7 @@ scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
     scene::HudContent content;
     content.crosshair = mode_ != MoveMode::Orbit && !views_scene();
     if (throw_held_s_ >= 0) content.charge = charge_after(throw_held_s_);
-    if (!views_model()) content.chosen_thing = std::string(things_.chosen_name());
+    if (!views_model() && !views_scene()) content.chosen_thing = std::string(things_.chosen_name());
     const auto looked = looked_at(simulation, aim(), Grab::kReach_m);
     if (looked && simulation.registry.alive(looked->entity) &&
         simulation.physics.kind(looked->body) == physics::BodyKind::Dynamic) {

@@ -141,6 +141,7 @@ TEST(JsonViewer, IsOnlyLookedAtAndNeverWalked) {
     play.step(press({Action::Drop, Action::Throw}));
     play.step({});
     EXPECT_EQ(play.thing_count(), 0U);
+    EXPECT_TRUE(play.game->hud(*play.simulation).chosen_thing.empty()) << "nothing to drop here";
     EXPECT_EQ(play.game->mode(), MoveMode::Fly);
     const Vec3 before = eye(play);
     play.step(press({Action::MoveMode}));
