@@ -10,9 +10,9 @@ Frustum::Frustum(const Mat4f& clip_from_world) {
     }
 }
 
-bool Frustum::may_touch(const Aabb& box_world) const {
+bool may_touch(std::span<const Vec4f> planes_world, const Aabb& box_world) {
     if (box_world.empty()) return false;
-    for (const Vec4f& plane : planes_world_) {
+    for (const Vec4f& plane : planes_world) {
         const Vec3f normal{plane};
         const Vec3f farthest_inside{normal.x >= 0.0F ? box_world.max.x : box_world.min.x,
                                     normal.y >= 0.0F ? box_world.max.y : box_world.min.y,

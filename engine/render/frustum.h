@@ -5,16 +5,22 @@
 #include "engine/core/math.h"
 
 #include <array>
+#include <span>
 
 namespace plumbline::render {
+
+/// False only if the box is certainly outside the planes, inside positive; a box near a corner may be
+/// kept in vain.
+bool may_touch(std::span<const Vec4f> planes_world, const Aabb& box_world);
 
 /// Six planes, inside positive. Taken from a matrix whose clip volume is OpenGL's (-w to w).
 class Frustum {
 public:
     explicit Frustum(const Mat4f& clip_from_world);
 
-    /// False only if the box is certainly outside; a box near a corner may be kept in vain.
-    bool may_touch(const Aabb& box_world) const;
+    bool may_touch(const Aabb& box_world) const {
+        return render::may_touch(planes_world_, box_world);
+    }
 
 private:
     std::array<Vec4f, 6> planes_world_;

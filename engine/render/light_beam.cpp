@@ -1,5 +1,7 @@
 #include "engine/render/light_beam.h"
 
+#include "engine/render/frustum.h"
+
 #include <glm/gtc/matrix_access.hpp>
 
 #include <algorithm>
@@ -109,13 +111,8 @@ LightBeam::LightBeam(const Vec3f& position_world,
 }
 
 bool LightBeam::reaches(const Aabb& box_world) const {
-    if (box_world.empty()) return false;
-    return is_everywhere_ || std::ranges::all_of(planes_world_, [&](const Vec4f& plane) {
-               const Vec3f normal{plane};
-               const Vec3f farthest_inside = glm::mix(
-                   box_world.min, box_world.max, glm::greaterThanEqual(normal, Vec3f{0.0F}));
-               return height_over(plane, farthest_inside) >= 0.0F;
-           });
+    if (is_everywhere_) return !box_world.empty();
+    return may_touch(planes_world_, box_world);
 }
 
 ClipRect LightBeam::lit_part(const Aabb& box_world, const Mat4f& clip_from_world) const {
