@@ -19,9 +19,7 @@ Result<scene::OpenedScene> opened(const std::filesystem::path& scene) {
     if (!folders) return folders.error();
     Diagnostics faults;
     Result<scene::OpenedScene> opened = scene::open_scene(scene, {.folders = *folders}, faults);
-    for (const Diagnostic& fault : faults.list())
-        log_line(fault.severity == Severity::Error ? LogLevel::Error : LogLevel::Warning,
-                 to_string(fault));
+    log_faults(faults);
     return opened;
 }
 

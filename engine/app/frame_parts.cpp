@@ -39,12 +39,6 @@ std::string lines_of(const Diagnostics& faults) {
     return lines;
 }
 
-void log_faults(const Diagnostics& faults) {
-    for (const Diagnostic& fault : faults.list())
-        log_line(fault.severity == Severity::Error ? LogLevel::Error : LogLevel::Warning,
-                 to_string(fault));
-}
-
 }  // namespace
 
 Result<std::unique_ptr<FrameParts>> FrameParts::create(platform::Window& window,

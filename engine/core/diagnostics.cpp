@@ -1,5 +1,6 @@
 #include "engine/core/diagnostics.h"
 
+#include "engine/core/log.h"
 #include "engine/core/printable.h"
 
 #include <fmt/format.h>
@@ -21,6 +22,12 @@ std::string to_string(const Diagnostic& diagnostic) {
 bool Diagnostics::has_errors() const {
     return std::ranges::any_of(list_,
                                [](const Diagnostic& d) { return d.severity == Severity::Error; });
+}
+
+void log_faults(const Diagnostics& faults) {
+    for (const Diagnostic& fault : faults.list())
+        log_line(fault.severity == Severity::Error ? LogLevel::Error : LogLevel::Warning,
+                 to_string(fault));
 }
 
 }  // namespace plumbline

@@ -32,4 +32,7 @@ private:
     std::vector<Diagnostic> list_;
 };
 
+/// Each on a line of the log, as an error or a warning.
+void log_faults(const Diagnostics& faults);
+
 }  // namespace plumbline
