@@ -121,14 +121,18 @@ ChildProcess::~ChildProcess() {
     if (pid_ > 0) end();
 }
 
-bool ChildProcess::send(std::string_view bytes) const {
+bool send_all(int file, std::string_view bytes) {
     while (!bytes.empty()) {
-        const ssize_t count = write(input_, bytes.data(), bytes.size());
+        const ssize_t count = write(file, bytes.data(), bytes.size());
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) return false;
         bytes.remove_prefix(static_cast<std::size_t>(count));
     }
     return true;
+}
+
+bool ChildProcess::send(std::string_view bytes) const {
+    return send_all(input_, bytes);
 }
 
 bool ChildProcess::send_line(std::string line) const {

@@ -24,6 +24,9 @@ struct ChildEnd {
     std::string words;  ///< "ended with exit code 3", "was ended by signal 11 (Segmentation fault)"
 };
 
+/// Waits until all is written, whatever signals come. False where nobody reads any more.
+bool send_all(int file, std::string_view bytes);
+
 /// Killed and waited for on destruction, so that no child outlives its owner.
 class ChildProcess {
 public:

@@ -1,5 +1,6 @@
 #include "engine/study/worker.h"
 
+#include "engine/core/child_process.h"
 #include "engine/scene/json_read.h"
 #include "engine/study/any_scene/effects_cost.h"
 #include "engine/study/any_scene/scene_run.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <csignal>
 #include <iostream>
 #include <vector>
@@ -75,17 +75,6 @@ private:
     std::vector<RunJob> made_;
 };
 
-/// False where nobody reads any more.
-bool write_all(int file, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t count = ::write(file, text.data(), text.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return false;
-        text.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return true;
-}
-
 }  // namespace
 
 std::span<const JobKind> job_kinds() {
@@ -109,7 +98,7 @@ void run_study_worker() {
     JobServer server(kJobKinds);
     std::string line;
     while (std::getline(std::cin, line)) {
-        if (!write_all(answers, fmt::format("{}\n", server.answer_to(line)))) break;
+        if (!send_all(answers, fmt::format("{}\n", server.answer_to(line)))) break;
     }
 }
 
