@@ -170,8 +170,7 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     ExitCode code = ExitCode::Good;
     for (;;) {
         sessions.remember(**session);
-        const scene::SceneDescription& scene = (*session)->description();
-        bindings.use_usual_profile(scene.shows_model ? "viewer" : scene.controls);
+        bindings.use_usual_profile((*session)->description().controls);
         app::PlayEnd end = app::run(**window, **session, bindings, config, play);
         if (code == ExitCode::Good) code = end.code;
         if (!end.next) return code;
