@@ -71,11 +71,11 @@ void FirstMinute::see(const std::array<std::uint64_t, kActionCount>& presses) {
     if (std::exchange(counts_from_here_, false)) seen_ = presses;
     const auto before = done_;
     for (const Row& row : kRows) {
-        const auto i = static_cast<std::size_t>(row.action);
+        const auto i = index_of(row.action);
         std::uint64_t made = presses[i] - seen_[i];
         if (row.step == FirstStep::Walk) {
             for (const Action other : {Action::Back, Action::Left, Action::Right}) {
-                const auto j = static_cast<std::size_t>(other);
+                const auto j = index_of(other);
                 made += presses[j] - seen_[j];
             }
         }

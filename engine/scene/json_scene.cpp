@@ -20,7 +20,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kLargestSide_px = 16'384;
 // One light as lectures have it, from (1, 1, 1): see SceneDescription::sun for its unit.
 constexpr float kLightIntensity = 3.14159265F;
 constexpr float kLightAmbient = 0.1F;
@@ -126,11 +125,11 @@ private:
         const auto sides = json_numbers(*value, 2, "camera.resolution", faults_);
         if (!sides) return;
         for (const double side : *sides) {
-            if (side >= 1 && side <= kLargestSide_px && side == std::floor(side)) continue;
+            if (side >= 1 && side <= limits::kImageSide && side == std::floor(side)) continue;
             faults_.error(
                 "camera.resolution",
                 fmt::format(
-                    "expected whole numbers from 1 to {}, found {}", kLargestSide_px, side));
+                    "expected whole numbers from 1 to {}, found {}", limits::kImageSide, side));
             return;
         }
         viewer_.width_px = static_cast<int>((*sides)[0]);
