@@ -38,7 +38,7 @@ public:
              }});
         if (!session) return session.error();
         studio->session_ = std::move(*session);
-        studio->session_->library.prefetch_images();
+        studio->session_->prefetch_images();
         Result<std::unique_ptr<app::OffscreenRun>> run = app::OffscreenRun::create(
             *studio->session_,
             {.shader_folder = folders->shaders, .width_px = kWidth_px, .height_px = kHeight_px});

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <future>
 #include <new>
 #include <utility>
 
@@ -79,7 +80,7 @@ private:
                               scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
                  return std::make_unique<PlaygroundGame>(simulation, assets);
              }});
-        if (session) (*session)->library.prefetch_images();
+        if (session) (*session)->prefetch_images();
         return session;
     }
 
@@ -148,19 +149,22 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
                        .exit_code = ExitCode::BadUsage});
     }
     const Sessions sessions{*folders, !common.no_sound};
-    Result<std::unique_ptr<app::Session>> session =
-        options.scene.empty() ? sessions.open_last() : sessions.open(options.scene);
+    // The driver takes as long as the scene: each on a thread of its own. A window that is not
+    // needed after all is never seen.
+    std::future<Result<std::unique_ptr<app::Session>>> reading =
+        std::async(std::launch::async | std::launch::deferred, [&] {
+            return options.scene.empty() ? sessions.open_last() : sessions.open(options.scene);
+        });
+    Result<std::unique_ptr<platform::Window>> window = platform::Window::open(
+        {.width = width, .height = height, .vsync = config.current().vsync, .visible = false});
+    Result<std::unique_ptr<app::Session>> session = reading.get();
     if (!session) return refuse(session.error());
+    if (!window) return refuse(window.error());
     if (const auto& viewer = (*session)->description().viewer; viewer && options.size.empty()) {
         width = viewer->width_px;
         height = viewer->height_px;
     }
-    Result<std::unique_ptr<platform::Window>> window =
-        platform::Window::open({.title = title_of(**session),
-                                .width = width,
-                                .height = height,
-                                .vsync = config.current().vsync});
-    if (!window) return refuse(window.error());
+    (*window)->show(title_of(**session), width, height);
     catch_interrupts();
     app::LiveBindings bindings(bindings_def(common, *folders));
     app::PlayDef play = play_def(options, common, *folders);

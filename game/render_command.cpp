@@ -61,7 +61,7 @@ Result<Studio> open_studio(const std::string& scene_name,
         width = viewer ? viewer->width_px : 1280;
         height = viewer ? viewer->height_px : 720;
     }
-    studio.session->library.prefetch_images();
+    studio.session->prefetch_images();
     def.shader_folder = folders->shaders;
     def.width_px = studio.width_px = static_cast<std::uint32_t>(width);
     def.height_px = studio.height_px = static_cast<std::uint32_t>(height);

@@ -72,8 +72,9 @@ PictureControl::PictureControl(const PictureWish& wish, bool draws_on_cpu)
       rungs_(ladder(wish)),
       too_dear_(rungs_.size()),
       next_wait_(kShortestWait) {
-    // The probe is drawn at the middle level, or as well as it is likely to go.
-    const double start = draws_on_cpu ? 0.45 : 1.0;
+    // As well as it is likely to go. The CPU begins at low: compiling the shaders of another level
+    // would hold up the first picture.
+    const double start = draws_on_cpu ? 0.31 : 1.0;
     const auto too_much =
         std::ranges::find_if(rungs_, [&](const Rung& r) { return r.cost > start; });
     const auto count = static_cast<std::size_t>(too_much - rungs_.begin());

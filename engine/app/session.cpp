@@ -4,6 +4,7 @@
 #include "engine/study/any_scene/auto_accuracy.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace plumbline::app {
 namespace {
@@ -60,6 +61,11 @@ Result<Done> Session::build(const scene::OpenedScene& opened) {
     simulation = std::move(*built);
     for (const std::string& warning : simulation->warnings()) log_line(LogLevel::Warning, warning);
     return Done{};
+}
+
+void Session::prefetch_images() {
+    const std::optional<scene::SkyDescription>& sky = description().sky;
+    library.prefetch_images(sky ? sky->folder : std::filesystem::path());
 }
 
 Result<Done> Session::reset() {

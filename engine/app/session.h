@@ -38,6 +38,8 @@ public:
     Result<Done> reset();
     /// Reads all files again. As reset().
     Result<Done> reload();
+    /// Starts decoding what the first picture needs, on worker threads.
+    void prefetch_images();
     const scene::SceneDescription& description() const { return scene_.description; }
     const DataFolders& folders() const { return def_.folders; }
     /// What the running scene was read from; after a failed reload also what that one stumbled over.

@@ -2,12 +2,14 @@
 
 #include "engine/assets/image_import.h"
 #include "engine/assets/model_import.h"
+#include "engine/assets/skybox_files.h"
 #include "engine/assets/sound_import.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 
 #include <algorithm>
 #include <condition_variable>
+#include <iterator>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -319,17 +321,20 @@ const SoundData& AssetLibrary::sound(SoundId id) const {
     return sounds_[id.value - 1];
 }
 
-void AssetLibrary::prefetch_images() {
+void AssetLibrary::prefetch_images(const fs::path& sky) {
+    std::vector<fs::path> wished;
+    if (!sky.empty()) std::ranges::copy(skybox_files(sky), std::back_inserter(wished));
+    for (const MaterialData& material : materials_) {
+        wished.insert(wished.end(),
+                      {material.base_color_map, material.normal_map, material.orm_map});
+    }
     std::size_t pending = 0;
     {
         const std::lock_guard lock(images_->mutex);
-        for (const MaterialData& material : materials_) {
-            for (const fs::path* map :
-                 {&material.base_color_map, &material.normal_map, &material.orm_map}) {
-                const fs::path file = map->lexically_normal();
-                if (!file.empty() && images_->prefetched.insert(file).second) {
-                    images_->waiting.push_back(file);
-                }
+        for (const fs::path& map : wished) {
+            const fs::path file = map.lexically_normal();
+            if (!file.empty() && images_->prefetched.insert(file).second) {
+                images_->waiting.push_back(file);
             }
         }
         pending = images_->waiting.size();

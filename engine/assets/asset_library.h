@@ -81,10 +81,11 @@ public:
     std::size_t mesh_count() const { return meshes_.size(); }
     std::size_t material_count() const { return materials_.size(); }
 
-    /// Starts decoding the base colour, normal and ORM maps that the materials name, on worker
-    /// threads; call after a scene is loaded so that the renderer finds them ready. Height maps
-    /// wait until somebody takes them. Calling again adds what is new.
-    void prefetch_images();
+    /// Starts decoding the faces of the skybox in `sky` (empty: none), then the base colour, normal
+    /// and ORM maps that the materials name, on worker threads; call after a scene is loaded so that
+    /// the renderer finds them ready. Height maps wait until somebody takes them. Calling again adds
+    /// what is new.
+    void prefetch_images(const std::filesystem::path& sky = {});
     /// The decoded image, waiting for it if need be; decoded now if nobody prefetched it. A broken
     /// file gives a checkerboard and one warning. Hands the pixels over: the library forgets them.
     std::shared_ptr<const ImageData> take_image(const std::filesystem::path& file);

@@ -353,6 +353,16 @@ bool Window::fullscreen() const {
     return glfwGetWindowMonitor(impl_->window) != nullptr;
 }
 
+void Window::show(const std::string& title, int width, int height) {
+    set_title(title);
+    glfwSetWindowSize(impl_->window,
+                      std::clamp(width, kSmallestSide, kLargestSide),
+                      std::clamp(height, kSmallestSide, kLargestSide));
+    glfwShowWindow(impl_->window);
+    impl_->visible = true;
+    impl_->windowed = rectangle_of(impl_->window);
+}
+
 void Window::set_title(const std::string& title) {
     glfwSetWindowTitle(impl_->window, title.c_str());
 }

@@ -55,6 +55,8 @@ public:
     bool fullscreen() const;
     void set_vsync(bool vsync);
     void set_title(const std::string& title);
+    /// Of one that was opened with `visible` false; sizes in screen coordinates.
+    void show(const std::string& title, int width, int height);
     /// Pointer motions left out because nobody moves that far at once.
     std::uint64_t pointer_jumps_dropped() const;
 

@@ -1,5 +1,6 @@
 #include "engine/render/gpu_sky.h"
 
+#include "engine/assets/skybox_files.h"
 #include "engine/core/log.h"
 #include "engine/render/mip_chain.h"
 
@@ -7,14 +8,11 @@
 #include <array>
 #include <future>
 #include <memory>
-#include <system_error>
 #include <vector>
 
 namespace plumbline::render {
 namespace {
 
-constexpr std::array<const char*, 6> kFaceNames{"px", "nx", "py", "ny", "pz", "nz"};
-constexpr std::array<const char*, 3> kEndings{".exr", ".png", ".jpg"};
 // Enough for a mirror on a barrel; more would only cost memory.
 constexpr std::uint32_t kReflectionSide = 128;
 // Faces that have to be resized anyway are not made larger than this.
@@ -23,15 +21,6 @@ constexpr std::uint32_t kLargestSide = 1024;
 constexpr std::uint32_t kLightSide = 32;
 // What a typical spot of an HDR sky is shown as: a third of a white wall in the sun.
 constexpr float kShownRadiance = 0.4F;
-
-std::filesystem::path face_file(const std::filesystem::path& folder, const char* face) {
-    for (const char* ending : kEndings) {
-        std::filesystem::path file = folder / (std::string{face} + ending);
-        std::error_code error;
-        if (std::filesystem::is_regular_file(file, error)) return file;
-    }
-    return {};
-}
 
 assets::ImageData gray_face() {
     return {.width = 1, .height = 1, .format = assets::PixelFormat::Rgb8, .bytes = {128, 128, 128}};
@@ -91,11 +80,13 @@ void GpuSky::want(const std::filesystem::path& folder) {
 
 void GpuSky::load(const std::filesystem::path& folder) {
     std::vector<std::future<assets::ImageData>> decoded;
-    for (const char* name : kFaceNames) {
-        const std::filesystem::path file = face_file(folder, name);
+    const std::array<std::filesystem::path, 6> files = assets::skybox_files(folder);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const std::filesystem::path& file = files[i];
         if (file.empty()) {
-            log_warning(
-                "sky {}: no face {} (.exr, .png or .jpg); it stays grey", folder.string(), name);
+            log_warning("sky {}: no face {} (.exr, .png or .jpg); it stays grey",
+                        folder.string(),
+                        assets::kSkyboxFaces[i]);
         }
         decoded.push_back(std::async(std::launch::async | std::launch::deferred, [this, file] {
             return file.empty() ? gray_face() : fitted(*library_.take_image(file), largest_px_);

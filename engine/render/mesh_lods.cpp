@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <numeric>
 #include <unordered_map>
 
@@ -47,26 +49,66 @@ std::uint64_t facing_of(const Vec3f& normal) {
            (normal.z < 0.0F ? 1U : 0U);
 }
 
-/// For each vertex the first one of the mesh with the same key.
-template <class Key>
-std::vector<std::uint32_t> first_with(const std::vector<Vertex>& vertices, Key&& key) {
-    std::unordered_map<std::uint64_t, std::uint32_t> first_of_key;
-    first_of_key.reserve(vertices.size());
-    std::vector<std::uint32_t> first(vertices.size());
-    for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-        first[i] = first_of_key.emplace(key(vertices[i]), i).first->second;
+/// Numbers by key, with open addressing: a first picture waits for a million askings.
+template <class Number>
+class NumberTable {
+public:
+    /// For `most` keys, none of which is ~0; `initial` is the number of one not asked before.
+    NumberTable(std::size_t most, Number initial)
+        : slots_(std::bit_ceil(most * 2 + 1), {kNoKey, initial}) {}
+
+    Number& operator[](std::uint64_t key) {
+        std::uint64_t place = key * 0x9E3779B97F4A7C15ULL;
+        place ^= place >> 32U;
+        for (;; ++place) {
+            Slot& slot = slots_[place & (slots_.size() - 1)];
+            if (slot.key == kNoKey) slot.key = key;
+            if (slot.key == key) return slot.number;
+        }
+    }
+
+    template <class Visit>
+    void each(Visit&& visit) const {
+        for (const Slot& slot : slots_)
+            if (slot.key != kNoKey) visit(slot.key, slot.number);
+    }
+
+private:
+    static constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
+    struct Slot {
+        std::uint64_t key;
+        Number number;
+    };
+    std::vector<Slot> slots_;
+};
+
+/// For each key the place of the first equal one.
+std::vector<std::uint32_t> first_with(const std::vector<std::uint64_t>& keys) {
+    constexpr std::uint32_t kNone = ~0U;
+    NumberTable<std::uint32_t> first_of_key(keys.size(), kNone);
+    std::vector<std::uint32_t> first(keys.size());
+    for (std::uint32_t i = 0; i < keys.size(); ++i) {
+        std::uint32_t& known = first_of_key[keys[i]];
+        if (known == kNone) known = i;
+        first[i] = known;
     }
     return first;
 }
 
-std::vector<std::uint32_t> clustered(const std::vector<Vertex>& vertices, float cell_m) {
-    return first_with(vertices, [&](const Vertex& v) { return key_of(v.position_body, cell_m); });
+/// By vertex.
+std::vector<std::uint64_t> cells_of(const std::vector<Vertex>& vertices, float cell_m) {
+    std::vector<std::uint64_t> cells(vertices.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        cells[i] = key_of(vertices[i].position_body, cell_m);
+    return cells;
 }
 
-std::vector<std::uint32_t> clustered_by_facing(const std::vector<Vertex>& vertices, float cell_m) {
-    return first_with(vertices, [&](const Vertex& v) {
-        return key_of(v.position_body, cell_m) | facing_of(v.normal_body) << 57U;
-    });
+/// For each vertex of its cell the first one that faces as it does.
+std::vector<std::uint32_t> first_facing_so(const std::vector<Vertex>& vertices,
+                                           std::vector<std::uint64_t> cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        cells[i] |= facing_of(vertices[i].normal_body) << 57U;
+    return first_with(cells);
 }
 
 /// Sets of vertices that triangles join.
@@ -103,10 +145,9 @@ struct Analysis {
 };
 
 Analysis analysed(const MeshData& mesh, float weld_m) {
-    const std::vector<std::uint32_t> welded = clustered(mesh.vertices, weld_m);
+    const std::vector<std::uint32_t> welded = first_with(cells_of(mesh.vertices, weld_m));
     Pieces joined(mesh.vertices.size());
-    std::unordered_map<std::uint64_t, std::int32_t> edge_use;
-    edge_use.reserve(mesh.indices.size());
+    NumberTable<std::int32_t> edge_use(mesh.indices.size(), 0);
     const auto edge = [&](std::uint32_t a, std::uint32_t b) {
         return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
     };
@@ -121,10 +162,10 @@ Analysis analysed(const MeshData& mesh, float weld_m) {
     Analysis analysis;
     analysis.pieces.resize(mesh.vertices.size());
     for (const std::uint32_t vertex : welded) analysis.piece_of.push_back(joined.find(vertex));
-    for (const auto& [ends, use] : edge_use) {
+    edge_use.each([&](std::uint64_t ends, std::int32_t use) {
         const auto vertex = static_cast<std::uint32_t>(ends);
         analysis.pieces[analysis.piece_of[vertex]].open_edges += std::abs(use);
-    }
+    });
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
         Piece& piece = analysis.pieces[analysis.piece_of[mesh.indices[i]]];
         if (i % 3 == 0) ++piece.triangles;
@@ -145,12 +186,16 @@ float share_of(std::uint32_t number) {
 
 class Coarser {
 public:
-    Coarser(MeshData& mesh, const Analysis& analysis, const Detail& detail, float error_m)
+    /// `cells`: of the mesh's vertices.
+    Coarser(MeshData& mesh,
+            const Analysis& analysis,
+            const Detail& detail,
+            const std::vector<std::uint64_t>& cells)
         : mesh_(mesh),
           analysis_(analysis),
           detail_(detail),
-          cell_of_(clustered(mesh.vertices, kCell * error_m)),
-          stand_in_(clustered_by_facing(mesh.vertices, kCell * error_m)) {}
+          cell_of_(first_with(cells)),
+          stand_in_(first_facing_so(mesh.vertices, cells)) {}
 
     /// Appends what is left of one part.
     SubMesh add(const SubMesh& part, bool is_foliage) {
@@ -218,7 +263,7 @@ std::vector<MeshLod> add_lods(MeshData& mesh, const std::vector<bool>& is_foliag
     for (const Detail& detail : kDetails) {
         MeshLod lod{.error_m = diagonal_m * detail.error_share, .sub_meshes = {}};
         const std::size_t first = mesh.indices.size();
-        Coarser coarser(mesh, analysis, detail, lod.error_m);
+        Coarser coarser(mesh, analysis, detail, cells_of(mesh.vertices, kCell * lod.error_m));
         for (std::size_t i = 0; i < parts.size(); ++i) {
             lod.sub_meshes.push_back(coarser.add(parts[i], i < is_foliage.size() && is_foliage[i]));
         }

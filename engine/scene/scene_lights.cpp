@@ -1,8 +1,10 @@
 // [sun] [sky] [ambient] [fog] [flashlight] [post], and the lights of entities.
+#include "engine/assets/skybox_files.h"
 #include "engine/scene/scene_parts.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace plumbline::scene {
@@ -61,15 +63,6 @@ void read_sun(TableReader& root, SceneDescription& scene) {
     scene.sun = sun;
 }
 
-bool has_face(const fs::path& folder, std::string_view face) {
-    constexpr std::array<std::string_view, 3> kExtensions{".exr", ".png", ".jpg"};
-    for (const std::string_view extension : kExtensions) {
-        std::error_code failed;
-        if (fs::is_regular_file(folder / fmt::format("{}{}", face, extension), failed)) return true;
-    }
-    return false;
-}
-
 void read_sky(TableReader& root, SceneDescription& scene, const LoadContext& context) {
     auto table = root.table("sky");
     if (!table) return;
@@ -78,19 +71,20 @@ void read_sky(TableReader& root, SceneDescription& scene, const LoadContext& con
     const TomlNode* node = table->find("skybox");
     if (node == nullptr) return table->error("skybox", "missing; expected a folder of six faces");
     if (node->text() == nullptr) return;
-    const Result<Reference> folder = find_reference(*node->place.file, context.assets_folder, name);
+    const Result<Reference>& folder = context.reference(*node);
     if (!folder) return table->error("skybox", folder.error().message);
     if (!folder->exists) {
         return table->warning(
             "skybox", fmt::format("\"{}\" does not exist; the clear colour is used", shown(name)));
     }
-    for (const std::string_view face : {"px", "nx", "py", "ny", "pz", "nz"}) {
-        if (has_face(folder->file, face)) continue;
+    const auto faces = assets::skybox_files(folder->file);
+    const auto missing = std::ranges::find_if(faces, &fs::path::empty);
+    if (missing != faces.end()) {
         return table->warning(
             "skybox",
             fmt::format("\"{}\" holds no {}.exr, .png or .jpg; the clear colour is used",
                         shown(name),
-                        face));
+                        assets::kSkyboxFaces[static_cast<std::size_t>(missing - faces.begin())]));
     }
     scene.sky = SkyDescription{.folder = folder->file, .origin = origin_of(table->place())};
 }

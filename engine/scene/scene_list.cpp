@@ -50,6 +50,33 @@ std::string text_under(const TomlTable& table, std::string_view key) {
     return text != nullptr ? *text : "";
 }
 
+bool is_included_only(std::string_view key) {
+    return std::ranges::find(kIncludedOnly, key) != kIncludedOnly.end();
+}
+
+/// Up to the end of [scene], which is all that a list shows; all of the text where no table of
+/// another name shows that it is a scene. Guesses by the starts of lines: what is cut within a text
+/// or an array does not parse.
+std::string_view start_of(std::string_view text) {
+    constexpr auto kNowhere = std::string_view::npos;
+    std::size_t end = kNowhere;
+    bool in_heading = false;
+    bool is_scene = false;
+    for (std::size_t at = 0; at != kNowhere && !(is_scene && end != kNowhere);) {
+        const std::size_t line_end = text.find('\n', at);
+        std::string_view key = text.substr(at, line_end - at);
+        if (key.starts_with('[')) {
+            key.remove_prefix(std::min(key.find_first_not_of("[ "), key.size()));
+            key = key.substr(0, key.find_first_of(" .]"));
+            if (in_heading && end == kNowhere) end = at;
+            in_heading = in_heading || key == "scene";
+            is_scene = is_scene || !is_included_only(key);
+        }
+        at = line_end == kNowhere ? kNowhere : line_end + 1;
+    }
+    return is_scene ? text.substr(0, end) : text;
+}
+
 /// Fills in what the file says of itself. False when it is there to be included.
 bool read_heading(ListedScene& scene) {
     if (scene.file.extension() == ".json") {
@@ -60,7 +87,10 @@ bool read_heading(ListedScene& scene) {
     const Result<std::string> text = read_file(scene.file, limits::kSceneFileBytes);
     if (!text) return true;
     const std::string name = scene.file.string();
-    const auto parsed = parse_toml(*text, name);
+    const std::string_view start = start_of(*text);
+    bool is_scene = start.size() < text->size();
+    auto parsed = parse_toml(start, name);
+    if (is_scene && std::holds_alternative<TextFault>(parsed)) parsed = parse_toml(*text, name);
     const auto* root = std::get_if<TomlNode>(&parsed);
     if (root == nullptr || root->table() == nullptr) return true;
     const TomlNode* heading = find_key(*root->table(), "scene");
@@ -68,9 +98,9 @@ bool read_heading(ListedScene& scene) {
         scene.title = text_under(*heading->table(), "title");
         scene.description = text_under(*heading->table(), "description");
     }
-    return std::ranges::any_of(*root->table(), [](const TomlEntry& entry) {
-        return std::ranges::find(kIncludedOnly, entry.key) == kIncludedOnly.end();
-    });
+    for (const TomlEntry& entry : *root->table())
+        is_scene = is_scene || !is_included_only(entry.key);
+    return is_scene;
 }
 
 }  // namespace

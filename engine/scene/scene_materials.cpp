@@ -29,8 +29,7 @@ std::optional<Reference> read_file_reference(TableReader& table,
     const std::string name = table.text(key, {});
     const TomlNode* node = table.find(key);
     if (node == nullptr || node->text() == nullptr) return {};
-    const Result<Reference> reference =
-        find_reference(*node->place.file, context.assets_folder, name);
+    const Result<Reference>& reference = context.reference(*node);
     if (!reference) {
         table.error(key, reference.error().message);
         return {};

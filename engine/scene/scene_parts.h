@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace plumbline::scene {
@@ -37,8 +38,12 @@ struct LoadContext {
     /// What is checked now and built when its system exists: one warning names it all.
     std::vector<std::string> not_built{};
     Place not_built_place{};
+    /// By naming file and name: many entities name the same, and finding out asks the disk often.
+    mutable std::map<std::pair<std::string, std::string>, Result<Reference>> references{};
 
     void note_not_built(const Place& place, std::string what);
+    /// find_reference() of what stands at `node`, a text.
+    const Result<Reference>& reference(const TomlNode& node) const;
 };
 
 /// Reads a key that names a file with one of `extensions` (lower case, with the dot). Refused and

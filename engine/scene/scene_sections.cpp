@@ -112,6 +112,14 @@ void LoadContext::note_not_built(const Place& place, std::string what) {
     not_built.push_back(std::move(what));
 }
 
+const Result<Reference>& LoadContext::reference(const TomlNode& node) const {
+    const std::pair<std::string, std::string> key(*node.place.file, *node.text());
+    const auto known = references.find(key);
+    if (known != references.end()) return known->second;
+    return references.emplace(key, find_reference(key.first, assets_folder, key.second))
+        .first->second;
+}
+
 namespace {
 
 std::optional<int> optional_integer(TableReader& table, std::string_view key, int most) {
