@@ -42,6 +42,10 @@ std::optional<scene::ViewPoint> parse_camera(const std::string& text, Real fov_y
                    fov_y_rad);
 }
 
+scene::ViewPoint view_at(const Pose& world_from_camera, Real fov_y_rad) {
+    return view_of(world_from_camera.position, world_from_camera.orientation, fov_y_rad);
+}
+
 scene::ViewPoint view_from(const Vec3& eye_m, const Vec3& target_m, Real fov_y_rad) {
     const Vec3 ahead = normalize_or(target_m - eye_m, Vec3{0, 0, -1});
     const Real yaw_rad = std::atan2(-ahead.x, -ahead.z);

@@ -12,6 +12,7 @@ namespace plumbline::game {
 std::optional<scene::ViewPoint> parse_camera(const std::string& text, Real fov_y_rad);
 
 /// An eye somewhere looking somewhere else; the hand with the flashlight is a little below.
+scene::ViewPoint view_at(const Pose& world_from_camera, Real fov_y_rad);
 scene::ViewPoint view_from(const Vec3& eye_m, const Vec3& target_m, Real fov_y_rad);
 
 /// The scene's [camera], else its player's eyes, else the default camera.

@@ -65,6 +65,10 @@ CLI::App* add_play(CLI::App& app, PlayOptions& options) {
     play->add_option("--replay", options.replay, "Plays such a file instead of you")
         ->excludes("--record");
     play->add_option("--report", options.report, "Writes what it cost (JSON)");
+    play->add_option(
+        "--camera-path",
+        options.camera_path,
+        "Plays this path of the camera, as camera_record or the garden report wrote it");
     play->add_option("--random-input", options.random_input, "A monkey with this seed plays")
         ->excludes("--replay");
     play->add_option(
@@ -114,11 +118,17 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
                      "Draws so many frames, one step each; where --out names a folder, all of "
                      "them go there")
         ->check(between(1.0, kMostFrames));
+    render
+        ->add_option("--camera-path",
+                     options.camera_path,
+                     "The camera goes along this path, a frame for each step")
+        ->excludes("--camera");
     render->add_option("--video", options.video, "A film (.mp4) of all frames, by ffmpeg");
     render
         ->add_option(
             "--orbit", options.orbit_deg, "Degrees that the camera goes round during the frames")
-        ->check(between(-kMostTurn_deg, kMostTurn_deg));
+        ->check(between(-kMostTurn_deg, kMostTurn_deg))
+        ->excludes("--camera-path");
     render->add_option("--sun-turn", options.sun_degps, "Degrees a second that the sun turns")
         ->check(between(-kMostTurn_deg, kMostTurn_deg));
     render->add_option("--report", options.report, "Writes what it cost (JSON)");

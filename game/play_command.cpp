@@ -6,6 +6,7 @@
 #include "engine/core/files.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/output.h"
+#include "engine/scene/camera_path.h"
 #include "engine/scene/scene_file.h"
 #include "game/program.h"
 #include "game/refuse.h"
@@ -107,6 +108,7 @@ app::PlayDef play_def(const PlayOptions& options,
             .thumbnails = folders.assets / "thumbnails",
             .start_page = options.scene.empty() && !unattended,
             .unattended = unattended,
+            .camera_path = options.camera_path,
             .sound = !common.no_sound,
             .audio_device = options.audio_device,
             .seconds = options.seconds,
@@ -136,6 +138,10 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     tidy_up();
     for (const std::filesystem::path& file : {options.record, options.report}) {
         if (const Result<Done> open = check_output(file); !open) return refuse(open.error());
+    }
+    if (!options.camera_path.empty()) {
+        const auto path = scene::CameraPath::read(options.camera_path);
+        if (!path) return refuse(path.error());
     }
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return refuse(folders.error());

@@ -2,6 +2,9 @@
 
 #include "game/aim.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace plumbline::game {
 
 namespace {
@@ -9,6 +12,9 @@ namespace {
 constexpr Real kWalkStride_m = 0.75_r;
 constexpr Real kRunStride_m = 1.1_r;
 constexpr Real kHeardLanding_mps = 1;
+constexpr Real kPaceNotch = 1.25_r;
+constexpr Real kSlowestPace = 0.25_r;
+constexpr Real kFastestPace = 3;
 
 std::uint16_t surface_under(const scene::Simulation& simulation, physics::BodyId ground) {
     const ecs::Entity entity = simulation.entity_of(ground);
@@ -34,6 +40,7 @@ void Player::act(scene::Simulation& simulation, const Actions& actions, Look& lo
         const Real aside = travel_of(actions, Action::Right) - travel_of(actions, Action::Left);
         input.direction_world =
             level_forward(look.yaw_rad()) * ahead + level_right(look.yaw_rad()) * aside;
+        input.pace = pace_;
         input.run = actions.is_held(Action::Sprint);
         input.crouch = actions.is_held(Action::Crouch);
         input.jump = actions.presses(Action::Jump) > 0;
@@ -46,6 +53,12 @@ void Player::act(scene::Simulation& simulation, const Actions& actions, Look& lo
 void Player::teleport(const Vec3& feet_m) {
     character_->teleport(feet_m);
     previous_eye_m_ = character_->state().eye_position_m;
+}
+
+Real Player::change_pace(int notches) {
+    pace_ = std::clamp(
+        pace_ * std::pow(kPaceNotch, static_cast<Real>(notches)), kSlowestPace, kFastestPace);
+    return pace_ * def().walk_speed_mps;
 }
 
 Vec3 Player::eye_m(Real blend) const {

@@ -21,6 +21,8 @@ public:
     /// One step of walking where `look` points; `walks` false: stands still (another camera is on).
     void act(scene::Simulation& simulation, const Actions& actions, Look& look, bool walks);
     void teleport(const Vec3& feet_m);
+    /// One notch of the wheel: +1 faster, -1 slower. Returns the walking speed, m/s.
+    Real change_pace(int notches);
 
     Vec3 eye_m(Real blend) const;
     const physics::CharacterState& state() const { return character_->state(); }
@@ -34,6 +36,7 @@ private:
 
     std::unique_ptr<physics::Character> character_;
     Vec3 previous_eye_m_{0, 0, 0};
+    Real pace_{1};
     Real stride_m_{0};  ///< gone since the last footstep
     std::vector<scene::FootstepEvent> footsteps_;
 };

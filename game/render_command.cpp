@@ -5,6 +5,7 @@
 #include "engine/core/files.h"
 #include "engine/core/output.h"
 #include "engine/core/printable.h"
+#include "engine/scene/camera_path.h"
 #include "engine/scene/scene_file.h"
 #include "game/camera_text.h"
 #include "game/contact_sheet.h"
@@ -135,7 +136,8 @@ std::uint64_t steps_in(double seconds, const scene::Simulation& simulation) {
 
 Result<Done> draw_frames(const RenderOptions& options,
                          Studio& studio,
-                         const scene::ViewPoint& view) {
+                         const scene::ViewPoint& view,
+                         const std::optional<scene::CameraPath>& path) {
     scene::Simulation& simulation = *studio.session->simulation;
     Result<FrameFiles> files =
         FrameFiles::open({.folder = wants_folder(options) ? options.out : std::filesystem::path(),
@@ -152,7 +154,9 @@ Result<Done> draw_frames(const RenderOptions& options,
         const double share = static_cast<double>(frame) / static_cast<double>(options.frames);
         const double angle_rad = radians_from_degrees(options.orbit_deg * share);
         const scene::ViewPoint seen =
-            turned(view, simulation.description(), static_cast<Real>(angle_rad));
+            path ? view_at(path->at(static_cast<double>(frame) * simulation.step_s()),
+                           view.fov_y_rad)
+                 : turned(view, simulation.description(), static_cast<Real>(angle_rad));
         if (const Result<Done> drawn = run.draw(seen); !drawn) return drawn;
         if (const Result<Done> kept = files->take(run); !kept) return kept;
     }
@@ -164,6 +168,12 @@ Result<Done> draw_frames(const RenderOptions& options,
 ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
     const Result<std::optional<assets::Shading>> shading = parse_shading(options.shading);
     if (!shading) return refuse(shading.error());
+    std::optional<scene::CameraPath> path;
+    if (!options.camera_path.empty()) {
+        Result<scene::CameraPath> read = scene::CameraPath::read(options.camera_path);
+        if (!read) return refuse(read.error());
+        path = std::move(*read);
+    }
     const Result<std::filesystem::path> picture = picture_file(options);
     if (!picture) return refuse(picture.error());
     Result<Studio> studio = open_studio(options.scene,
@@ -182,7 +192,7 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
                 bad_option(fmt::format("--camera {}: expected x,y,z,yaw,pitch", options.camera)));
         view = *asked;
     }
-    if (const Result<Done> drawn = draw_frames(options, *studio, view); !drawn)
+    if (const Result<Done> drawn = draw_frames(options, *studio, view, path); !drawn)
         return refuse(drawn.error());
     const app::OffscreenRun& run = *studio->run;
     if (!picture->empty()) {

@@ -14,6 +14,7 @@ struct RenderOptions {
     std::string size;
     double at_s{0};      ///< simulated seconds before the picture
     std::string camera;  ///< x,y,z,yaw,pitch; degrees
+    std::filesystem::path camera_path;
     std::string shading;
     /// One fixed step before each frame after the first. More than one, and `out` without an ending:
     /// a folder that gets them all.

@@ -4,6 +4,8 @@ add_library(plumbline_rules STATIC
     "${CMAKE_CURRENT_LIST_DIR}/camera_rig.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/camera_rig.h"
     "${CMAKE_CURRENT_LIST_DIR}/components.h"
+    "${CMAKE_CURRENT_LIST_DIR}/goal.cpp"
+    "${CMAKE_CURRENT_LIST_DIR}/goal.h"
     "${CMAKE_CURRENT_LIST_DIR}/grab.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/grab.h"
     "${CMAKE_CURRENT_LIST_DIR}/placement.cpp"

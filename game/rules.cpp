@@ -1,5 +1,7 @@
 #include "game/rules.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace plumbline::game {
@@ -43,6 +45,7 @@ PlaygroundGame::PlaygroundGame(scene::Simulation& simulation,
       fov_rad_(kPlayerFov_rad),
       previous_fov_rad_(kPlayerFov_rad) {
     const scene::SceneDescription& scene = simulation.description();
+    begin_goal(simulation);
     if (scene.player) {
         look_.set(scene.player->yaw_rad, scene.player->pitch_rad);
         start_feet_m_ = scene.player->feet_position_m;
@@ -129,18 +132,27 @@ void PlaygroundGame::move(scene::Simulation& simulation, const Actions& actions)
             travel_of(actions, Action::RotateLeft) - travel_of(actions, Action::RotateRight);
         if (left != 0) look_.turn_smoothly(left * kKeyTurn_radps * step_s_, 0);
     }
+    change_speed(actions);
     if (player_) player_->act(simulation, actions, look_, mode_ == MoveMode::Walk);
     GroundBelow ground{.world = simulation.physics,
                        .own_body = player_ ? player_->body() : physics::BodyId{},
                        .hidden = !simulation.switches.ground};
     if (model_radius_m_ > 0) ground.deepest_m = model_radius_m_ * kModelGroundDepth;
     if (mode_ == MoveMode::Fly) {
-        if (!grab_.holding()) {
-            fly_.change_speed(actions.presses(Action::Push) - actions.presses(Action::Pull));
-        }
         fly_.act(actions, look_, ground, step_s_);
     } else if (mode_ == MoveMode::Orbit) {
         orbit_.act(actions, look_, ground, step_s_);
+    }
+}
+
+void PlaygroundGame::change_speed(const Actions& actions) {
+    const int notches = actions.presses(Action::Push) - actions.presses(Action::Pull);
+    if (notches == 0 || grab_.holding() || mode_ == MoveMode::Orbit) return;
+    if (mode_ == MoveMode::Walk) {
+        say(fmt::format("walking at {:.2g} m/s", player_->change_pace(notches)));
+    } else {
+        fly_.change_speed(notches);
+        say(fmt::format("flying at {:.2g} m/s", fly_.speed_mps()));
     }
 }
 
@@ -193,6 +205,9 @@ void PlaygroundGame::zoom(const Actions& actions) {
 }
 
 void PlaygroundGame::judge(scene::Simulation& simulation) {
+    if (goal_) {
+        if (const auto ended = goal_->judge(simulation)) say(*ended);
+    }
     if (!player_ || mode_ != MoveMode::Walk) return;
     const scene::SceneDescription& scene = simulation.description();
     const Real depth = scene.kill_below_m.value_or(start_feet_m_.y - kLostBelow_m);

@@ -4,6 +4,7 @@
 
 #include "engine/scene/game.h"
 #include "game/camera_rig.h"
+#include "game/goal.h"
 #include "game/grab.h"
 #include "game/player.h"
 #include "game/things.h"
@@ -38,10 +39,12 @@ public:
     const Player* player() const { return player_ ? &*player_ : nullptr; }
     const Things& things() const { return things_; }
     const Grab& grab() const { return grab_; }
+    const Goal* goal() const { return goal_ ? &*goal_ : nullptr; }
 
 private:
     // rules.cpp
     void move(scene::Simulation& simulation, const Actions& actions);
+    void change_speed(const Actions& actions);
     void next_mode(scene::Simulation& simulation);
     void zoom(const Actions& actions);
     Vec3 eye_m(Real blend, const Quat& orientation) const;
@@ -62,6 +65,7 @@ private:
     void switch_aids(scene::Simulation& simulation, const Actions& actions);
 
     // rules_things.cpp
+    void begin_goal(const scene::Simulation& simulation);
     void choose(const Actions& actions);
     void drop(scene::Simulation& simulation, const Actions& actions);
     void put_one(scene::Simulation& simulation, const Vec3& velocity_mps);
@@ -70,9 +74,13 @@ private:
     void hold(scene::Simulation& simulation, const Actions& actions);
     void freeze(scene::Simulation& simulation);
     void remove_looked_at(scene::Simulation& simulation);
+    /// What the hands may not touch: says so.
+    bool is_guarded(ecs::Entity entity);
 
     // rules_light.cpp
     void light(scene::Simulation& simulation, const Actions& actions);
+    void change_fog(scene::Simulation& simulation, const Actions& actions);
+    void aim_spot(scene::Simulation& simulation, const Actions& actions);
 
     Real step_s_;
     MoveMode mode_{MoveMode::Walk};
@@ -82,6 +90,7 @@ private:
     std::optional<Player> player_;
     Things things_;
     Grab grab_;
+    std::optional<Goal> goal_;
     Vec3 start_feet_m_{0, 0, 0};
     Real base_fov_rad_;
     Real fov_rad_;
@@ -89,6 +98,7 @@ private:
     Real drop_wait_s_{0};    ///< until a held key drops the next one
     Real throw_held_s_{-1};  ///< how long throw is down; negative: it is not
     bool grab_was_held_{false};
+    bool chooses_{true};  ///< among the things to drop
     bool look_turns_held_{false};
     Real model_radius_m_{0};   ///< 0: the scene is more than a model
     Real viewer_radius_m_{0};  ///< 0: it is no JSON scene

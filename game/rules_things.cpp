@@ -38,7 +38,22 @@ std::string words_of(const scene::Name& name) {
 
 }  // namespace
 
+void PlaygroundGame::begin_goal(const scene::Simulation& simulation) {
+    if (!simulation.description().goal) return;
+    goal_.emplace(simulation);
+    const auto with = std::ranges::find(kThingNames, simulation.description().goal->with);
+    chooses_ = with == kThingNames.end();
+    if (!chooses_) things_.choose(static_cast<std::size_t>(with - kThingNames.begin()));
+}
+
+bool PlaygroundGame::is_guarded(ecs::Entity entity) {
+    if (!goal_ || !goal_->guards(entity)) return false;
+    say("hands off: it is for throwing at");
+    return true;
+}
+
 void PlaygroundGame::choose(const Actions& actions) {
+    if (!chooses_) return;
     for (std::size_t i = 0; i < 9; ++i) {
         const auto select = static_cast<Action>(static_cast<std::size_t>(Action::Select1) + i);
         if (actions.presses(select) > 0) things_.choose(i);
@@ -48,11 +63,16 @@ void PlaygroundGame::choose(const Actions& actions) {
 }
 
 void PlaygroundGame::put_one(scene::Simulation& simulation, const Vec3& velocity_mps) {
+    if (const auto refusal = goal_ ? goal_->refusal() : std::nullopt) {
+        say(*refusal);
+        return;
+    }
     const auto made = things_.put(simulation, aim(), velocity_mps);
     if (!made) {
         say(made.error().message);
         return;
     }
+    if (goal_) goal_->count_throw(simulation);
     if (things_.keep_limit(simulation)) {
         say(fmt::format("more than {} things: the oldest one goes for each new one",
                         Things::kMost));
@@ -107,7 +127,12 @@ void PlaygroundGame::hold(scene::Simulation& simulation, const Actions& actions)
     const bool pressed = wants && (!grab_was_held_ || actions.presses(Action::Grab) > 1);
     if (!wants && grab_.holding()) grab_.release(simulation);
     if (pressed && !grab_.holding()) {
-        if (const auto refusal = grab_.take(simulation, aim())) say(*refusal);
+        const auto looked =
+            goal_ ? looked_at(simulation, aim(), Grab::kReach_m) : std::optional<Looked>{};
+        if (!looked || !is_guarded(looked->entity)) {
+            if (const auto refusal = grab_.take(simulation, aim())) say(*refusal);
+        }
+        if (goal_ && grab_.holding()) goal_->begin(simulation);
     }
     grab_was_held_ = wants;
 
@@ -129,6 +154,7 @@ void PlaygroundGame::freeze(scene::Simulation& simulation) {
         body = simulation.registry.get<scene::BodyRef>(grab_.entity()).body;
         grab_.release(simulation);
     } else if (const auto looked = looked_at(simulation, aim(), kRemoveReach_m)) {
+        if (is_guarded(looked->entity)) return;
         body = looked->body;
     }
     if (!world.contains(body) || world.kind(body) != physics::BodyKind::Dynamic) {
@@ -151,6 +177,7 @@ void PlaygroundGame::remove_looked_at(scene::Simulation& simulation) {
             return;
         }
         entity = looked->entity;
+        if (is_guarded(entity)) return;
     }
     destroy(simulation, entity);
 }
@@ -168,6 +195,7 @@ scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
         content.looking_at =
             fmt::format("{}{}{:.3g} kg", words, words.empty() ? "" : ", ", mass_kg);
     }
+    if (goal_) content.goal = goal_->state(simulation);
     content.messages = std::move(messages_);
     messages_.clear();
     return content;

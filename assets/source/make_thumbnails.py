@@ -22,6 +22,8 @@ SCENES = {
     "falling_cube": (1.15, "3.2,2.0,5,32,-8"),
     "pile": (1.6, None),
     "playroom": (1.0, None),
+    "nature": (1.0, None),
+    "cans": (1.0, "-0.1,1.9,-2.6,3,-8"),
     "joints": (0.8, "1.2,2.6,7.2,4,-9"),
 }
 HARD = {

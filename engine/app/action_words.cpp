@@ -32,13 +32,16 @@ constexpr auto kWords = [] {
     say(Action::Throw, "throw; held: harder");
     say(Action::Grab, "take hold of what you look at");
     say(Action::RotateHeld, "turn what you hold instead of the view");
-    say(Action::Push, "push what you hold away; flying: faster");
-    say(Action::Pull, "pull what you hold near; flying: slower");
+    say(Action::Push, "push what you hold away; else: move faster");
+    say(Action::Pull, "pull what you hold near; else: move slower");
     say(Action::Freeze, "freeze what you look at, or free it");
     say(Action::Remove, "remove what you look at");
     say(Action::UndoDrop, "take the last drop back");
     say(Action::Flashlight, "flashlight on and off");
     say(Action::Fog, "fog on and off");
+    say(Action::FogDenser, "denser fog");
+    say(Action::FogThinner, "thinner fog");
+    say(Action::FogColor, "the fog's next colour");
     say(Action::Filled, "filled surfaces");
     say(Action::Wireframe, "wires");
     say(Action::Points, "points");
@@ -72,10 +75,10 @@ constexpr auto kWords = [] {
     say(Action::SunStop, "stop the sun");
     say(Action::LightBrighter, "brighter light");
     say(Action::LightDimmer, "dimmer light");
-    say(Action::AimSpot, "aim the spotlight");
-    say(Action::CameraRecord, "record a camera path");
-    say(Action::CameraPlay, "play the camera path");
-    say(Action::CameraReload, "read the camera path again");
+    say(Action::AimSpot, "held: aim the spotlight where you look");
+    say(Action::CameraRecord, "record the camera's path, or end it");
+    say(Action::CameraPlay, "play the camera's path, or end it");
+    say(Action::CameraReload, "read the camera's path again");
     say(Action::Pause, "pause and go on");
     say(Action::Step, "one step");
     say(Action::Slower, "slower");
@@ -118,10 +121,6 @@ std::string_view group_words(ActionGroup group) {
 
 bool in_this_version(Action action) {
     switch (action) {
-        case Action::AimSpot:
-        case Action::CameraRecord:
-        case Action::CameraPlay:
-        case Action::CameraReload:
         case Action::QuickSave:
         case Action::QuickLoad:
         case Action::Select8:

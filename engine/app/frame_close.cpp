@@ -24,6 +24,7 @@ std::array<std::uint64_t, kActionCount> FrameParts::actions_seen() const {
 bool FrameParts::write_files() {
     if (written_) return true;
     written_ = true;
+    camera_path_.end_recording();
     bool good = true;
     const auto note = [&](const Result<Done>& done) {
         if (done) return;
@@ -76,6 +77,7 @@ void go_on(PlayDef& def, const PlayEnd& end) {
     }
     if (def.seconds) *def.seconds -= end.seconds;
     def.steps.replay.clear();
+    def.camera_path.clear();
     def.chosen_s = end.chosen_s;
     def.report_before = end.report;
 }

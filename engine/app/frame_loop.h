@@ -25,6 +25,7 @@ struct PlayDef {
     bool start_page{false};                  ///< the menu first
     bool unattended{false};                  ///< nobody to say hints to
     std::string first_message;               ///< said at once; empty: nothing
+    std::filesystem::path camera_path;       ///< played at once; empty: none
     bool sound{true};
     std::string audio_device;
     std::optional<double> seconds{};           ///< ends after so much wall time

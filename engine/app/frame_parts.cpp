@@ -89,6 +89,14 @@ FrameParts::FrameParts(platform::Window& window,
       scene_watch_(session.files()),
       shader_watch_(files_below(def.shader_folder)),
       overlay_(window, def.thumbnails),
+      camera_path_({.folder = def.user_data_folder.empty() ? std::filesystem::path()
+                                                           : def.user_data_folder / "camera_paths",
+                    .scene = scene_name(),
+                    .file = def.camera_path},
+                   [this](std::string line) {
+                       log_note("{}", line);
+                       say(std::move(line));
+                   }),
       menu_(menu_world()),
       first_minute_(def.user_data_folder.empty() ? std::filesystem::path()
                                                  : def.user_data_folder / "first_minute"),
@@ -141,6 +149,12 @@ ui::MenuWorld FrameParts::menu_world() {
         .adopt_accuracy = [this] { do_accuracy({.adopt = true}); },
         .looks_at_model = [this] { return looks_at_model(); },
         .open_scene = [this](const std::filesystem::path& file) { controls_.open_scene = file; },
+        .switches = [this]() -> scene::LiveSwitches& { return session_.simulation->switches; },
+        .scene_fog =
+            [this] {
+                const scene::FogDescription plain{.on = false};
+                return session_.simulation->description().fog.value_or(plain);
+            },
         .start_again = [this] { controls_.reset = true; },
         .quit = [this] { controls_.quit = true; },
         .forget_first_minute =
@@ -202,6 +216,7 @@ void FrameParts::take_input(const InputSnapshot& input) {
     apply_frame_actions(latch, controls_, clock, window_, [&](std::string line) {
         overlay_.say(std::move(line), input.now_s);
     });
+    camera_path_.apply(latch, input.now_s);
     if (!def_.unattended) first_minute_.see(latch.presses_seen());
     if (input.close_requested) controls_.quit = true;
     if (!input.dropped_files.empty()) controls_.open_scene = input.dropped_files.front();

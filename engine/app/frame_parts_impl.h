@@ -1,6 +1,7 @@
 // What frame_loop.cpp steps through: the parts of a sitting, wired once. Private to it.
 #pragma once
 
+#include "engine/app/camera_path_control.h"
 #include "engine/app/first_minute.h"
 #include "engine/app/frame_controls.h"
 #include "engine/app/frame_loop.h"
@@ -31,7 +32,7 @@ public:
     void take_input(const InputSnapshot& input);
     void do_requests();  ///< reset, reload, pictures, recordings: what frame actions asked for
     void run_steps(const FrameTime& time);
-    scene::ViewPoint view(Real blend) const;
+    scene::ViewPoint view(Real blend);
     render::RenderFrame extract(const scene::ViewPoint& view);
     void draw_overlay(const render::RenderFrame& frame);
     void film_frame();  ///< while a film is taken: hands the picture to its thread
@@ -103,6 +104,7 @@ private:
     std::string bindings_fault_;
     std::string config_fault_;
     Overlay overlay_;
+    CameraPathControl camera_path_;
     ui::MenuControl menu_;
     FirstMinute first_minute_;
     InputSnapshot devices_;  ///< of this frame

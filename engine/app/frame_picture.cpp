@@ -46,11 +46,11 @@ void apply_bar(const AnimationBar& bar, scene::Simulation& simulation) {
 
 }  // namespace
 
-scene::ViewPoint FrameParts::view(Real blend) const {
+scene::ViewPoint FrameParts::view(Real blend) {
     scene::ViewPoint view = session_.game->view(
         *session_.simulation, blend, latch.pending_yaw_rad(), latch.pending_pitch_rad());
     view.fov_y_rad = fov_with_setting_rad(view.fov_y_rad, Real{config_.current().fov_deg});
-    return view;
+    return camera_path_.see(view, window_.now_s(), menu_.open());
 }
 
 render::RenderFrame FrameParts::extract(const scene::ViewPoint& view) {
@@ -96,6 +96,7 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
                        .reduce_motion = config_.current().reduce_motion,
                        .faults = standing_faults(),
                        .lines_not_shown = frame.lines.not_shown,
+                       .camera_path = camera_path_.status(),
                        .animation = bar ? &*bar : nullptr,
                        .now_s = now_s},
                       devices_,

@@ -33,6 +33,7 @@ std::vector<HudLine> status_lines(const OverlayInput& input) {
                         hint_for(input.bindings, Action::Drop, input.device),
                         input.hud.chosen_thing));
     }
+    if (!input.camera_path.empty()) add(input.camera_path);
     if (input.clock.paused()) add("paused");
     if (input.clock.speed() != 1.0) add(fmt::format("speed x{:g}", input.clock.speed()));
     if (input.clock.lost_s() >= 0.1)
@@ -71,6 +72,28 @@ std::vector<HudLine> verdict_lines(const OverlayInput& input) {
                                            : rule.text,
                          .tone = tone_of(rule.verdict)});
     }
+    return lines;
+}
+
+/// "0:34"
+std::string clock_text(double seconds) {
+    const int whole = static_cast<int>(std::ceil(seconds));
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+std::vector<HudLine> goal_lines(const OverlayInput& input, const scene::GoalState& goal) {
+    std::vector<HudLine> lines{{.text = goal.text, .tone = Tone::Head}};
+    std::string now = fmt::format("{} of {}", goal.counted, goal.wanted);
+    if (goal.left_s) now += fmt::format("   {} left", clock_text(*goal.left_s));
+    if (goal.throws_left) now += fmt::format("   {} to throw", *goal.throws_left);
+    lines.push_back({.text = now});
+    if (goal.end == scene::GoalEnd::Open) return lines;
+    const bool won = goal.end == scene::GoalEnd::Won;
+    lines.push_back(
+        {.text = fmt::format("{}   {}: once more",
+                             won ? fmt::format("Won in {:.1f} s", goal.passed_s) : "Lost",
+                             hint_for(input.bindings, Action::Reset, input.device)),
+         .tone = won ? Tone::Good : Tone::Bad});
     return lines;
 }
 
@@ -163,6 +186,7 @@ ui::HudTexts hud_texts(const OverlayInput& input) {
     if (!input.parts.hud) return texts;
     texts.status = status_lines(input);
     if (input.judge != nullptr) texts.verdict = verdict_lines(input);
+    if (input.hud.goal) texts.verdict = goal_lines(input, *input.hud.goal);
     if (input.hud.crosshair && !input.hud.looking_at.empty())
         texts.target = {{.text = input.hud.looking_at}};
     if (input.hint) texts.hint = {{.text = hint_text(input, *input.hint), .tone = Tone::Head}};

@@ -46,6 +46,9 @@ enum class Action : std::uint8_t {
     // view
     Flashlight,
     Fog,
+    FogDenser,
+    FogThinner,
+    FogColor,
     Filled,
     Wireframe,
     Points,

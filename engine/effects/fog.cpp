@@ -1,6 +1,7 @@
 // Fog: the scene's own, or a plain one where play switches it on.
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
+#include "engine/scene/live_light.h"
 
 namespace plumbline::effects {
 namespace {
@@ -12,8 +13,11 @@ public:
                  render::RenderFrame& frame) override {
         const scene::FogDescription fog =
             simulation.description().fog.value_or(scene::FogDescription{});
-        frame.fog = render::Fog{.color = fog.color * simulation.switches.light_scale,
-                                .density_per_m = fog.density_per_m};
+        const scene::LiveSwitches& switches = simulation.switches;
+        const Vec3f color =
+            switches.fog_color == 0 ? fog.color : scene::kFogColors[switches.fog_color].color;
+        frame.fog = render::Fog{.color = color * switches.light_scale,
+                                .density_per_m = fog.density_per_m * switches.fog_density_scale};
         ++work_.calls;
     }
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }
@@ -21,7 +25,7 @@ public:
 
 Callers callers_of_fog(const scene::Simulation& simulation) {
     const auto& fog = simulation.description().fog;
-    if (!simulation.switches.is_on("fog", fog.has_value())) return {};
+    if (!simulation.switches.is_on("fog", fog && fog->on)) return {};
     return {fog ? setting("[fog]", fog->origin) : "switch fog"};
 }
 

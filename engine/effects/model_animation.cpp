@@ -1,11 +1,10 @@
-// Plays the animations of models: their time in the step, their parts in the picture.
+// Draws models as their animations have them, part by part.
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/scene/extract.h"
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 
 namespace plumbline::effects {
@@ -26,21 +25,6 @@ class ModelAnimation final : public Effect {
 public:
     explicit ModelAnimation(scene::Simulation& simulation) : library_(simulation.library()) {}
 
-    void after_step(scene::Simulation& simulation, const scene::Game&) override {
-        for (auto [entity, playing] : simulation.registry.view<scene::PlayingModel>()) {
-            const MovingModel* model = library_.moving(playing.model);
-            playing.latest_step_s = 0;
-            if (model == nullptr || playing.paused) continue;
-            const auto length_s = static_cast<double>(
-                model->data.animations[playing.animation % model->data.animations.size()]
-                    .duration_s);
-            playing.latest_step_s = simulation.step_s();
-            playing.time_s += playing.latest_step_s;
-            if (length_s > 0.0) playing.time_s = std::fmod(playing.time_s, length_s);
-            ++work_.calls;
-        }
-    }
-
     void extract(const scene::Simulation& simulation,
                  const scene::ViewPoint& view,
                  render::RenderFrame& frame) override {
@@ -53,6 +37,7 @@ public:
             take_pose(*model, playing, static_cast<double>(view.blend), posed);
             const Pose pose = scene::drawn_pose(simulation, entity, placement, view.blend);
             add_items(*model, visual, matrix_of(pose, placement.scale), posed, frame);
+            ++work_.calls;
         }
     }
 

@@ -86,6 +86,7 @@ Vec3 Character::Impl::wish_velocity(const CharacterInput& input) const {
     Vec3 direction = is_finite(input.direction_world) ? level(input.direction_world) : Vec3{0};
     const Real length = glm::length(direction);
     if (length > 1) direction /= length;
+    direction *= input.pace;
     if (crouched) return direction * def.crouch_speed_mps;
     return direction * (input.run ? def.run_speed_mps : def.walk_speed_mps);
 }

@@ -29,6 +29,7 @@ struct CharacterDef {
 /// What the person wants in one step.
 struct CharacterInput {
     Vec3 direction_world{0, 0, 0};  ///< level; length 0…1 is the share of full speed
+    Real pace{1};                   ///< factor on the speeds of CharacterDef
     bool run{false};
     bool crouch{false};
     bool jump{false};  ///< pressed since the last step

@@ -59,6 +59,16 @@ struct PlayingModel {
     bool paused{false};
 };
 
+/// The bodies of a playing model's parts, each an entity of its own: kinematic, and where the
+/// animation has the part.
+struct PartBodies {
+    struct Part {
+        std::uint32_t node{0};  ///< of the model
+        ecs::Entity entity{};
+    };
+    std::vector<Part> parts;
+};
+
 /// What it is made of: index into SurfaceTable. Sound and friction defaults hang on it.
 struct SurfaceRef {
     std::uint16_t surface{0};

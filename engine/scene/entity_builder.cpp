@@ -209,11 +209,10 @@ Result<BuiltShape> EntityBuilder::shape_of(const EntityDescription& description,
             const bool as_hull = std::holds_alternative<ModelHullShape>(body.shape) ||
                                  (std::holds_alternative<FitShape>(body.shape) &&
                                   body.kind == physics::BodyKind::Dynamic);
-            return shapes_.make_from_model(simulation_.library().mesh(look.mesh),
-                                           look.mesh.value,
-                                           as_hull,
-                                           description.scale,
-                                           notes);
+            const assets::MovingModel* moving = moving_parts_of(description, look);
+            const assets::MeshId mesh = moving != nullptr ? moving->still : look.mesh;
+            return shapes_.make_from_model(
+                simulation_.library().mesh(mesh), mesh.value, as_hull, description.scale, notes);
         }
         if (std::holds_alternative<ModelVisual>(description.visual)) {
             return shapes_.make(scaled(physics::BoxShape{}, description.scale), notes);
@@ -317,7 +316,8 @@ Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
     const std::uint16_t surface = surface_of(description, look);
     ecs::Registry& registry = simulation_.registry;
     const ecs::Entity entity = registry.create();
-    if (description.body) {
+    const assets::MovingModel* moving = moving_parts_of(description, look);
+    if (description.body && (moving == nullptr || moving->still != assets::MeshId{})) {
         const Result<physics::BodyId> body = body_of(description, look, surface, entity);
         if (!body) {
             registry.destroy(entity);
@@ -354,6 +354,13 @@ Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
                                                 .gain = description.sound->gain,
                                                 .radius_m = description.sound->radius_m,
                                                 .loop = description.sound->loop});
+    }
+    if (moving != nullptr) {
+        const Result<Done> made = build_parts(description, name, *moving, surface, entity);
+        if (!made) {
+            registry.destroy(entity);
+            return made.error();
+        }
     }
     simulation_.entities_by_name_.insert_or_assign(name, entity);
     ++simulation_.revision_;

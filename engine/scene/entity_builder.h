@@ -39,6 +39,14 @@ private:
     const assets::MaterialData* described_material(const std::string& name) const;
     assets::MaterialId material_named(const std::string& name);
     std::uint16_t surface_of(const EntityDescription& description, const Look& look) const;
+    /// Null unless its parts are to collide one by one as they move.
+    const assets::MovingModel* moving_parts_of(const EntityDescription& description,
+                                               const Look& look) const;
+    Result<Done> build_parts(const EntityDescription& whole,
+                             const std::string& name,
+                             const assets::MovingModel& model,
+                             std::uint16_t surface,
+                             ecs::Entity entity);
     Result<BuiltShape> shape_of(const EntityDescription& description, const Look& look);
     Result<physics::BodyId> body_of(const EntityDescription& description,
                                     const Look& look,

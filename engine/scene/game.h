@@ -5,6 +5,7 @@
 #include "engine/core/pose.h"
 #include "engine/scene/simulation.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,12 +31,26 @@ struct FootstepEvent {
     Real speed_mps{0};
 };
 
+enum class GoalEnd : std::uint8_t { Open, Won, Lost };
+
+/// How a scene's [goal] stands.
+struct GoalState {
+    std::string text;
+    int counted{0};
+    int wanted{0};
+    GoalEnd end{GoalEnd::Open};
+    double passed_s{0};                ///< on the goal's clock; at its end, once it ended
+    std::optional<double> left_s{};    ///< absent: there is time without end
+    std::optional<int> throws_left{};  ///< absent: as many as one likes
+};
+
 /// What the HUD says for the game; the app draws it.
 struct HudContent {
     bool crosshair{true};
     float charge{0.0F};        ///< 0…1 while a throw is charged
     std::string chosen_thing;  ///< "barrel"; empty: nothing can be dropped
     std::string looking_at;    ///< what is in reach, for people: "oak crate, 30 kg"; or empty
+    std::optional<GoalState> goal{};
     std::vector<std::string> messages;  ///< newest last; the app fades them
 };
 

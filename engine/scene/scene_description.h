@@ -86,6 +86,7 @@ struct SkyDescription {
 struct FogDescription {
     Vec3f color{0.486F, 0.737F, 0.8F};
     float density_per_m{0.02F};
+    bool on{true};  ///< at the start
     Origin origin{};
 };
 
@@ -290,6 +291,27 @@ struct HardCase {
     Origin origin{};
 };
 
+/// A box along the world's axes.
+struct Region {
+    Vec3 min_m{0, 0, 0};
+    Vec3 max_m{0, 0, 0};
+};
+
+/// `[goal]`: a small game. Things count while one condition holds for them: the one that is given.
+struct GoalDescription {
+    std::string text;                  ///< what is to be done, for a person
+    std::vector<std::string> things;   ///< bodies; "can.*" is all that begin so
+    std::optional<Real> below_m{};     ///< their origin is lower, or they are gone
+    std::optional<Region> inside{};    ///< their origin is in it
+    std::optional<Region> outside{};   ///< it is not, or they are gone
+    int count{0};                      ///< so many at once win; 0: all
+    std::optional<double> within_s{};  ///< from the first thing thrown, dropped, taken or counted
+    std::optional<int> throws{};       ///< things that may be thrown or dropped
+    std::string with;                  ///< the prefab that they are; empty: anyone's choice
+    bool hands_off{false};             ///< the goal's things cannot be taken, frozen or removed
+    Origin origin{};
+};
+
 /// What a JSON scene is: only looked at, unlit and as large as it says, flown through relative to
 /// its own camera. Textures, light and shadows are there when asked for.
 struct ViewerDescription {
@@ -330,6 +352,7 @@ struct SceneDescription {
     std::vector<JointDescription> joints;
     std::vector<ViewDescription> views;
     std::optional<HardCase> hard_case{};
+    std::optional<GoalDescription> goal{};
     std::map<std::string, Origin> effect_settings;  ///< [effects.NAME] tables seen
 };
 

@@ -44,6 +44,16 @@ struct SourceFile {
     TomlNode root;
 };
 
+/// What a file is named for by another one.
+enum class PartUse : std::uint8_t {
+    Include,  ///< its materials and prefabs
+    Base,     ///< all of it
+};
+struct Part {
+    const SourceFile* source{nullptr};   ///< null: it could not be had
+    std::set<const std::string*> files;  ///< that took part, by name
+};
+
 /// Loads a scene and what it includes; one object a load.
 class Loader {
 public:
@@ -58,7 +68,8 @@ public:
         if (source == nullptr) return {};
         context_.scene_place = Place{&source->name, 0, 0};
         collect(*source, file);
-        TableReader root(source->root, {}, faults_);
+        const TomlNode whole = with_base(*source);
+        TableReader root(whole, {}, faults_);
         read_sections(root, scene_, context_);
         read_prefabs(scene_, context_);
         read_entities(root, scene_, context_);
@@ -66,6 +77,7 @@ public:
         read_joints(root, scene_, context_);
         read_views(root, scene_);
         read_hard_case(root, scene_, context_);
+        read_goal(root, scene_, context_);
         root.find("material");
         root.find("prefab");
         root.finish();
@@ -105,15 +117,25 @@ private:
         std::set<const std::string*> below;
         TableReader root(source.root, {}, faults_);
         if (auto table = root.table("scene")) {
+            if (const std::string base = table->text("base", {}); !base.empty()) {
+                const Part part =
+                    bring(base, table->find("base")->place, "scene.base", file, PartUse::Base);
+                bases_[&source] = part.source;
+                below = part.files;
+            } else if (table->has("without")) {
+                table->error("without",
+                             "is about the scene that base names; expected base as well");
+            }
             const std::vector<std::string> names = table->texts("include");
             const TomlNode* node = table->find("include");
             for (std::size_t i = 0; i < names.size(); ++i) {
-                const auto part =
-                    include(names[i],
-                            (*node->array())[std::min(i, node->array()->size() - 1)].place,
-                            fmt::format("scene.include[{}]", i),
-                            file);
-                below.insert(part.begin(), part.end());
+                const Part part =
+                    bring(names[i],
+                          (*node->array())[std::min(i, node->array()->size() - 1)].place,
+                          fmt::format("scene.include[{}]", i),
+                          file,
+                          PartUse::Include);
+                below.insert(part.files.begin(), part.files.end());
             }
         }
         take_materials(root, below);
@@ -123,10 +145,32 @@ private:
         return below;
     }
 
-    std::set<const std::string*> include(const std::string& name,
-                                         const Place& place,
-                                         const std::string& key,
-                                         const fs::path& including) {
+    /// The file's tree, laid over that of the scene that it starts from.
+    TomlNode with_base(const SourceFile& source) {
+        const auto base = bases_.find(&source);
+        if (base == bases_.end() || base->second == nullptr) return source.root;
+        TomlNode below = with_base(*base->second);
+        TableReader root(source.root, {}, faults_);
+        auto table = root.table("scene");
+        for (const std::string& section : table->texts("without")) {
+            if (std::ranges::find(kSceneOnly, section) == kSceneOnly.end()) {
+                table->error("without",
+                             fmt::format("no table is called \"{}\"{}",
+                                         shown(section),
+                                         suggestion(section, kSceneOnly)));
+            }
+            std::erase_if(std::get<TomlTable>(below.value),
+                          [&](const TomlEntry& entry) { return entry.key == section; });
+        }
+        return laid_over(std::move(below), source.root);
+    }
+
+    /// A file that another one names, with the materials and prefabs of its own and its parts'.
+    Part bring(const std::string& name,
+               const Place& place,
+               const std::string& key,
+               const fs::path& including,
+               PartUse use) {
         Result<Reference> reference = find_reference(including, context_.assets_folder, name);
         if (!reference) {
             faults_.error(place, key, reference.error().message);
@@ -169,10 +213,8 @@ private:
         }
         const SourceFile* source = open(file, place, key);
         if (source == nullptr) return {};
-        warn_of_scene_keys(*source);
-        auto part = collect(*source, file);
-        included_.emplace(real, part);
-        return part;
+        if (use == PartUse::Include) warn_of_scene_keys(*source);
+        return included_.emplace(real, Part{source, collect(*source, file)}).first->second;
     }
 
     void warn_of_scene_keys(const SourceFile& source) {
@@ -183,7 +225,8 @@ private:
         }
         for (const std::string_view key : {"scene", "material", "prefab"}) root.find(key);
         if (auto table = root.table("scene")) {
-            for (const std::string_view key : {"title", "description", "controls", "include"})
+            for (const std::string_view key :
+                 {"title", "description", "controls", "base", "without", "include"})
                 table->find(key);
             table->finish();
         }
@@ -242,7 +285,8 @@ private:
     Hasher hasher_;
     std::vector<std::unique_ptr<SourceFile>> sources_;
     std::vector<fs::path> chain_;
-    std::map<fs::path, std::set<const std::string*>> included_;
+    std::map<fs::path, Part> included_;
+    std::map<const SourceFile*, const SourceFile*> bases_;
 };
 
 Result<SceneDescription> refuse(Diagnostics& faults, std::size_t first) {

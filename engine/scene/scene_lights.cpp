@@ -97,6 +97,7 @@ void read_fog(TableReader& root, SceneDescription& scene) {
     fog.color = table->color("color", fog.color);
     constexpr Range kDensity{0, 10, "a density from 0 to 10 per m"};
     fog.density_per_m = table->single("density_per_m", fog.density_per_m, kDensity);
+    fog.on = table->flag("on", fog.on);
     table->finish();
     scene.fog = fog;
 }

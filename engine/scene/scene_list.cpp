@@ -97,6 +97,7 @@ bool read_heading(ListedScene& scene) {
     if (heading != nullptr && heading->table() != nullptr) {
         scene.title = text_under(*heading->table(), "title");
         scene.description = text_under(*heading->table(), "description");
+        if (!text_under(*heading->table(), "base").empty()) return true;
     }
     for (const TomlEntry& entry : *root->table())
         is_scene = is_scene || !is_included_only(entry.key);

@@ -122,6 +122,9 @@ void read_hard_case(TableReader& root, SceneDescription& scene, LoadContext& con
 // --- scene_checks.cpp: what only the whole scene can tell
 void check_whole_scene(SceneDescription& scene, LoadContext& context);
 
+// --- scene_goal.cpp
+void read_goal(TableReader& root, SceneDescription& scene, LoadContext& context);
+
 // --- json_scene.cpp
 /// A JSON scene of meshes and a camera (docs/SCENE-FORMAT.md, "JSON scenes"), with all that it names.
 /// Nothing when there is an error among the faults.

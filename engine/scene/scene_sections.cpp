@@ -1,4 +1,4 @@
-// [scene] [world] [accuracy] [player] [camera] [goal] [effects.*] and the calls for the rest.
+// [scene] [world] [accuracy] [player] [camera] [effects.*] and the calls for the rest.
 #include "engine/core/limits.h"
 #include "engine/core/nearest_name.h"
 #include "engine/scene/accuracy.h"
@@ -82,11 +82,6 @@ void read_camera(TableReader& root, SceneDescription& scene) {
     if (glm::distance(camera.position_m, camera.target_m) < 1e-6_r)
         table->error("target_m", "is where the camera is; expected another point");
     table->finish();
-}
-
-void read_goal(TableReader& root, LoadContext& context) {
-    // Its keys are the game's; until there is a goal to reach, only its being a table is checked.
-    if (auto table = root.table("goal")) context.note_not_built(table->place(), "[goal]");
 }
 
 void read_effects(TableReader& root, SceneDescription& scene, LoadContext& context) {
@@ -177,7 +172,8 @@ void read_sections(TableReader& root, SceneDescription& scene, LoadContext& cont
         scene.title = table->text("title", {});
         scene.description = table->text("description", {});
         scene.controls = table->text("controls", {});
-        table->find("include");  // followed before
+        for (const char* followed_before : {"include", "base", "without"})
+            table->find(followed_before);
         table->finish();
     }
     read_world(root, scene);
@@ -188,7 +184,6 @@ void read_sections(TableReader& root, SceneDescription& scene, LoadContext& cont
     read_player(root, scene);
     read_camera(root, scene);
     read_lights_and_air(root, scene, context);
-    read_goal(root, context);
     read_effects(root, scene, context);
 }
 

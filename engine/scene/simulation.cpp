@@ -82,6 +82,7 @@ void Simulation::step() {
     forget_destroyed();
     run_events();
     move_along_paths();
+    play_models();
     physics.step();
     ++steps_;
     if (switches.sun_rotation_radps != 0.0F) {
@@ -105,11 +106,6 @@ void Simulation::set_accuracy(const physics::WorldDef& def) {
     since_step_ = steps_;
     step_s_ = def.step_s;
     physics.reconfigure(def);
-}
-
-void Simulation::set_time(double time_s) {
-    since_s_ = time_s;
-    since_step_ = steps_;
 }
 
 void Simulation::destroy_marked() {

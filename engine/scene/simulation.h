@@ -46,6 +46,8 @@ struct LiveSwitches {
         effects.insert_or_assign(std::string(effect), on);
     }
 
+    float fog_density_scale{1.0F};  ///< of what the scene says
+    std::size_t fog_color{0};       ///< in kFogColors
     Vec3f sun_direction{0.0F, -1.0F, 0.0F};
     float sun_rotation_radps{0.0F};  ///< about +Y, applied by every step
     float light_scale{1.0F};         ///< of sun and sky: below 1 is dusk
@@ -185,6 +187,8 @@ private:
     void run_events();
     void do_event(const HardCaseEvent& event);
     void move_along_paths();
+    void play_models();
+    void move_parts(const PartBodies& bodies, const PlayingModel& playing, const Placement& whole);
     void sync_placements();
     void report_quarantined();
     void report_broken_joints();

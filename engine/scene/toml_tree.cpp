@@ -47,11 +47,35 @@ TomlNode copy_of(const toml::node& node, const std::string& file) {
     return copy;
 }
 
+bool holds_tables(const TomlNode& node) {
+    const TomlArray* items = node.array();
+    return items != nullptr && !items->empty() && items->front().table() != nullptr;
+}
+
 }  // namespace
 
 const TomlNode* find_key(const TomlTable& table, std::string_view key) {
     const auto found = std::ranges::find(table, key, &TomlEntry::key);
     return found == table.end() ? nullptr : &found->node;
+}
+
+TomlNode laid_over(TomlNode below, const TomlNode& above) {
+    auto& entries = std::get<TomlTable>(below.value);
+    below.place = above.place;
+    for (const TomlEntry& entry : *above.table()) {
+        const auto known = std::ranges::find(entries, entry.key, &TomlEntry::key);
+        if (known == entries.end()) {
+            entries.push_back(entry);
+        } else if (known->node.table() != nullptr && entry.node.table() != nullptr) {
+            known->node = laid_over(std::move(known->node), entry.node);
+        } else if (holds_tables(known->node) && holds_tables(entry.node)) {
+            auto& items = std::get<TomlArray>(known->node.value);
+            items.insert(items.end(), entry.node.array()->begin(), entry.node.array()->end());
+        } else {
+            *known = entry;
+        }
+    }
+    return below;
 }
 
 std::variant<TomlNode, TextFault> parse_toml(std::string_view text, const std::string& file) {

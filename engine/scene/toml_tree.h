@@ -48,6 +48,10 @@ struct TomlEntry {
 /// The table's entry under that key, or null.
 const TomlNode* find_key(const TomlTable& table, std::string_view key);
 
+/// One table over another: what both have as tables key by key, what both have as arrays of tables one
+/// after the other, of the rest the upper one's.
+TomlNode laid_over(TomlNode below, const TomlNode& above);
+
 /// The whole text as one table, or the first fault: of the pre-scan, then of the parser. `file`
 /// must outlive the tree.
 std::variant<TomlNode, TextFault> parse_toml(std::string_view text, const std::string& file);

@@ -6,6 +6,7 @@
 #include "engine/app/ui/menu.h"
 #include "engine/input/bindings_edit.h"
 #include "engine/scene/scene_list.h"
+#include "engine/scene/simulation.h"
 #include "engine/study/setting.h"
 
 #include <filesystem>
@@ -31,6 +32,8 @@ struct MenuWorld {
     std::function<void()> adopt_accuracy;  ///< into a copy of the scene
     std::function<bool()> looks_at_model;  ///< a model by itself is turned, nobody plays
     std::function<void(const std::filesystem::path&)> open_scene;
+    std::function<scene::LiveSwitches&()> switches;    ///< of the running scene
+    std::function<scene::FogDescription()> scene_fog;  ///< as the scene has it, or a plain one
     std::function<void()> start_again;
     std::function<void()> quit;
     std::function<void()> forget_first_minute;
@@ -52,7 +55,7 @@ public:
     void take_press(const InputSnapshot& input);
 
 private:
-    enum class Tab : std::uint8_t { Picture, Sound, Mouse, Screen, Accuracy };
+    enum class Tab : std::uint8_t { Picture, Sound, Mouse, Screen, Light, Accuracy };
     /// The place of a binding that waits for its press.
     struct Slot {
         Action action{Action::Count};
@@ -72,6 +75,7 @@ private:
     void add_settings(Page& page, std::vector<std::string_view> tables);
     void add_mouse(Page& page);
     void add_accuracy(Page& page);
+    void add_light(Page& page);
     Line setting_line(std::size_t row);
     void change_setting(std::size_t row, const std::function<void(const Setting&)>& change);
 

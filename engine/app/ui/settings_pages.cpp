@@ -2,6 +2,7 @@
 #include "engine/app/ui/pages.h"
 #include "engine/input/tuning_keys.h"
 #include "engine/scene/accuracy.h"
+#include "engine/scene/live_light.h"
 
 #include <fmt/format.h>
 
@@ -232,10 +233,11 @@ Page MenuPages::settings() {
         const char* text;
         Icon icon;
     };
-    constexpr std::array<NamedTab, 5> kTabs{{{Tab::Picture, "Picture", Icon::Picture},
+    constexpr std::array<NamedTab, 6> kTabs{{{Tab::Picture, "Picture", Icon::Picture},
                                              {Tab::Screen, "Screen", Icon::Screen},
                                              {Tab::Sound, "Sound", Icon::Sound},
                                              {Tab::Mouse, "Mouse and pad", Icon::Mouse},
+                                             {Tab::Light, "Light and fog", Icon::Light},
                                              {Tab::Accuracy, "Accuracy", Icon::Accuracy}}};
     Line tabs{.kind = LineKind::Cells, .cells = {back_cell()}};
     for (const NamedTab& each : kTabs) {
@@ -248,6 +250,10 @@ Page MenuPages::settings() {
     page.lines.push_back(std::move(tabs));
     if (tab_ == Tab::Mouse) {
         add_mouse(page);
+        return page;
+    }
+    if (tab_ == Tab::Light) {
+        add_light(page);
         return page;
     }
     if (tab_ == Tab::Accuracy) {
@@ -273,6 +279,69 @@ Page MenuPages::settings() {
                         world_.change_config(wanted);
                     }}}});
     return page;
+}
+
+void MenuPages::add_light(Page& page) {
+    const scene::LiveSwitches& now = world_.switches();
+    const scene::FogDescription fog = world_.scene_fog();
+    const auto change = [this](const std::function<void(scene::LiveSwitches&)>& change_of) {
+        change_of(world_.switches());
+    };
+    // Equal steps of the logarithm, as the keys take them.
+    const auto factor = [&](std::string text, float value, float least, float most, auto set) {
+        const auto log_of = [](float number) { return static_cast<double>(std::log2(number)); };
+        const double notch = log_of(scene::kLiveNotch);
+        return slider(std::move(text),
+                      log_of(value),
+                      std::ceil(log_of(least) / notch) * notch,
+                      std::floor(log_of(most) / notch) * notch,
+                      notch,
+                      [change, set](double wanted) {
+                          change([&](scene::LiveSwitches& switches) {
+                              set(switches, static_cast<float>(std::exp2(wanted)));
+                          });
+                      });
+    };
+    page.lines.push_back({.kind = LineKind::Cells,
+                          .label = "Fog",
+                          .cells = {toggle(now.is_on("fog", fog.on), [change](bool on) {
+                              change([on](scene::LiveSwitches& s) { s.turn("fog", on); });
+                          })}});
+    page.lines.push_back(
+        {.kind = LineKind::Cells,
+         .label = "How dense",
+         .cells = {factor(fmt::format("{:.2g} per m", fog.density_per_m * now.fog_density_scale),
+                          now.fog_density_scale,
+                          scene::kThinnestFog,
+                          scene::kDensestFog,
+                          [](scene::LiveSwitches& s, float value) {
+                              s.turn("fog", true);  // who changes it wants to see it
+                              s.fog_density_scale = value;
+                          })}});
+    Line colors{.kind = LineKind::Cells, .label = "Its colour"};
+    for (std::size_t i = 0; i < scene::kFogColors.size(); ++i) {
+        colors.cells.push_back({.text = std::string(scene::kFogColors[i].name),
+                                .activate =
+                                    [change, i] {
+                                        change([i](scene::LiveSwitches& s) {
+                                            s.turn("fog", true);
+                                            s.fog_color = i;
+                                        });
+                                    },
+                                .marked = now.fog_color == i});
+    }
+    page.lines.push_back(std::move(colors));
+    page.lines.push_back(
+        {.kind = LineKind::Cells,
+         .label = "Sun and sky",
+         .cells = {factor(percent(now.light_scale),
+                          now.light_scale,
+                          scene::kDimmestLight,
+                          scene::kBrightestLight,
+                          [](scene::LiveSwitches& s, float value) { s.light_scale = value; })}});
+    page.lines.push_back({.kind = LineKind::Text,
+                          .label = "These hold until you leave the scene or start it again; keys "
+                                   "do the same in play."});
 }
 
 void MenuPages::add_accuracy(Page& page) {

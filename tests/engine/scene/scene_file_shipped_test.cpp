@@ -49,6 +49,23 @@ TEST(ShippedScenes, TheTriangleTurnsInThePlaneOfThePicture) {
     EXPECT_EQ(scene->materials.at(triangle.material).shading, assets::Shading::Unlit);
 }
 
+// SOURCES B29, B26: the garden, from the report's own place, its fog off at first.
+TEST(ShippedScenes, TheReportsSceneStartsWhereTheReportDoes) {
+    std::string said;
+    const auto scene = load_shipped(kScenes / "nature.toml", said);
+    const auto garden = load_shipped(kScenes / "garden.toml", said);
+    ASSERT_TRUE(scene.ok() && garden.ok()) << said;
+    EXPECT_EQ(scene->controls, "nature");
+    EXPECT_FALSE(scene->player) << "it flies at first";
+    EXPECT_EQ(scene->camera.position_m, Vec3(9.81_r, 3.01_r, -20.23_r));
+    EXPECT_EQ(scene->camera.target_m, Vec3(0, 0, 0));
+    EXPECT_NEAR(scene->camera.fov_y_rad, kPi / 4, 1e-6);
+    EXPECT_EQ(scene->fog->color, Vec3f(0.486F, 0.737F, 0.8F));
+    EXPECT_FALSE(scene->fog->on);
+    EXPECT_GT(scene->entities.size(), garden->entities.size()) << "all of the garden, and more";
+    EXPECT_EQ(scene->sky->folder, garden->sky->folder);
+}
+
 TEST(ShippedScenes, TheDocsNameWhatMayBeIncluded) {
     std::string said;
     const auto things = load_shipped(kScenes / "things.toml", said);

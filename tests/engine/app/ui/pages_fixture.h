@@ -55,6 +55,8 @@ protected:
             .adopt_accuracy = [this] { adopted_ = true; },
             .looks_at_model = [this] { return looks_at_model_; },
             .open_scene = [this](const fs::path& file) { opened_ = file; },
+            .switches = [this]() -> scene::LiveSwitches& { return switches_; },
+            .scene_fog = [] { return scene::FogDescription{.density_per_m = 0.04F, .on = false}; },
             .start_again = [this] { started_again_ = true; },
             .quit = [this] { quit_ = true; },
             .forget_first_minute = [this] { forgotten_ = true; }});
@@ -143,6 +145,7 @@ protected:
     std::unique_ptr<LiveConfig> config_;
     std::unique_ptr<LiveBindings> bindings_;
     study::Setting accuracy_;
+    scene::LiveSwitches switches_;
     std::vector<scene::ListedScene> scenes_;
     bool adopted_{false};
     bool looks_at_model_{false};

@@ -46,7 +46,8 @@ TEST_P(PagesAtSize, NothingIsCutAndNothingOverlaps) {
     look();
     keys({kEscape});
     choose("Settings");
-    for (const char* tab : {"Picture", "Screen", "Sound", "Mouse and pad", "Accuracy"}) {
+    for (const char* tab :
+         {"Picture", "Screen", "Sound", "Mouse and pad", "Light and fog", "Accuracy"}) {
         choose(tab);
         look();
     }

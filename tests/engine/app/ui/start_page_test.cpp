@@ -76,8 +76,14 @@ TEST_F(PagesTest, APadAloneLeadsToASceneAndBack) {
     stick(1.0F, 0.0F);
     const std::string second = cell(control_->menu().focus()).text;
     EXPECT_NE(second, "The garden");
-    for (int i = 0; i < 6 && !cell(control_->menu().focus()).text.starts_with("Hard"); ++i)
-        stick(0.0F, 1.0F);
+    const auto on_hard_cases = [&] {
+        return cell(control_->menu().focus()).text.starts_with("Hard");
+    };
+    for (int row = 0; row < 4 && !on_hard_cases(); ++row) {
+        for (int i = 0; i < 6 && !on_hard_cases(); ++i) stick(1.0F, 0.0F);
+        for (int i = 0; i < 6 && !on_hard_cases(); ++i) stick(-1.0F, 0.0F);
+        if (!on_hard_cases()) stick(0.0F, 1.0F);
+    }
     pad(kSouth);
     EXPECT_EQ(control_->menu().page().title, "Hard cases");
     for (int i = 0; i < 8; ++i) pad(kCrossDown);
@@ -131,6 +137,24 @@ TEST_F(PagesTest, TheUsualProfileGivesWayToTheOnesThatWereAskedFor) {
     bindings_->use_usual_profile("viewer");
     EXPECT_FALSE(turns_by_mouse());
     EXPECT_TRUE(bindings_->faults().list().empty());
+}
+
+// SOURCES B26
+TEST_F(PagesTest, FogIsOfTheVisitAndChangedByTheStepsOfItsKeys) {
+    keys({kEscape});
+    choose("Settings");
+    choose("Light and fog");
+    EXPECT_FALSE(switches_.is_on("fog", false));
+    choose("white", "Its colour");
+    EXPECT_EQ(switches_.fog_color, 1U);
+    EXPECT_TRUE(switches_.is_on("fog", false)) << "who changes it wants to see it";
+    ASSERT_TRUE(point_at("0.04 per m", "How dense"));
+    constexpr int kRight = 262;
+    keys({kRight});
+    EXPECT_NEAR(switches_.fog_density_scale, 1.25, 0.02);
+    keys({kRight, kRight});
+    EXPECT_NEAR(switches_.fog_density_scale, 1.25 * 1.25 * 1.25, 0.02);
+    EXPECT_EQ(written("app.ui.toml"), "") << "no setting of the person's";
 }
 
 TEST_F(PagesTest, AccuracyIsOfTheSceneAndACopyKeepsIt) {

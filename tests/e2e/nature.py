@@ -1,0 +1,269 @@
+#!/usr/bin/env python3
+"""The garden report's rows, tried by their keys in a window: `nature`, and the small game `cans`.
+SOURCES B8 to B26, B36."""
+import math
+import os
+import pathlib
+import shutil
+import sys
+import time
+
+from png import read_png
+from support import Program, expect, home, read_json, settings_in, virtual_screen
+
+program_file = sys.argv[1]
+pictures = os.environ.get("PL_E2E_PICTURES")  # a folder: keeps what was on the screen
+
+
+class Scene:
+    """A scene in a window, pictures of it, and ways of its camera."""
+
+    def __init__(self, screen, folder, scene):
+        self.data = folder / "data" / "plumbline"
+        self.name = pathlib.Path(scene).stem
+        self.report = folder / f"{self.name}.json"
+        self.game = Program([program_file, "play", scene, "--size", "640x360", "--level", "low", "--report", str(self.report)],
+                            settings_in(folder, screen), folder / f"{self.name}.txt")
+        time.sleep(3)
+        self.game.do("windowfocus", self.game.window)
+        time.sleep(3)
+
+    def picture(self, name):
+        """What the program saves of its own screen, in rows of (r, g, b)."""
+        shots = self.data / "shots"
+        before = set(shots.glob("*.png"))
+        self.game.press("F12")
+        for _ in range(200):
+            new = set(shots.glob("*.png")) - before
+            if new:
+                file = new.pop()
+                if pictures:
+                    shutil.copy(file, pathlib.Path(pictures) / f"{self.name}_{name}.png")
+                return read_png(file)
+            time.sleep(0.1)
+        raise AssertionError("no screenshot within 20 s:\n" + self.game.log())
+
+    def way(self, doing):
+        """The poses (time, place, quaternion) of the camera while something is done."""
+        self.game.press("KP_0", 1, 0.5)
+        doing()
+        time.sleep(0.5)
+        self.game.press("KP_0", 1, 0.5)
+        lines = (self.data / "camera_paths" / f"{self.name}.path").read_text().splitlines()
+        poses = [[float(word) for word in line.split()] for line in lines if line[0].isdigit()]
+        return [(pose[0], pose[1:4], pose[4:8]) for pose in poses]
+
+    def end(self):
+        self.game.do("key", "Escape")
+        time.sleep(1)
+        self.game.process.terminate()
+        self.game.wait(30)
+        return read_json(self.report)
+
+
+def scenery(rows):
+    """What no message and no sign is written over: the upper right part, but for its corner."""
+    return [pixel for row in rows[40:200] for pixel in row[260:]]
+
+
+def mean(rows):
+    pixels = scenery(rows)
+    return [sum(pixel[i] for pixel in pixels) / len(pixels) for i in range(3)]
+
+
+def difference(a, b):
+    pairs = list(zip(scenery(a), scenery(b)))
+    return sum(abs(p[i] - q[i]) for p, q in pairs for i in range(3)) / (3 * len(pairs))
+
+
+def yaw(pose):
+    w, x, y, z = pose[2]
+    return math.degrees(2 * math.atan2(y, w))
+
+
+def turned(way):
+    """Degrees to the left."""
+    return (yaw(way[-1]) - yaw(way[0]) + 180) % 360 - 180
+
+
+def fastest(way):
+    """The highest speed over half a second, m/s."""
+    speeds = [math.dist(a[1], b[1]) / (b[0] - a[0]) for a in way for b in way if 0.4 < b[0] - a[0] < 0.6]
+    return max(speeds)
+
+
+def starts_as_the_report(scene):
+    scene.picture("start")
+    still = scene.way(lambda: time.sleep(0.5))
+    place = still[0][1]
+    expect(math.dist(place, (9.81, 3.01, -20.23)) < 1e-3, f"the camera starts at {place}")
+
+
+def moves_and_turns(scene):
+    ahead = scene.way(lambda: scene.game.hold("w", 2))
+    gone = [b - a for a, b in zip(ahead[0][1], ahead[-1][1])]
+    expect(gone[0] < -1 and gone[2] > 2, f"W goes towards the origin: {gone}")
+    back = scene.way(lambda: scene.game.hold("Down", 2))
+    expect(back[-1][1][2] < back[0][1][2] - 2, "so does the arrow down, backwards")
+    expect(turned(scene.way(lambda: scene.game.hold("q", 1))) > 40, "Q turns to the left")
+    expect(turned(scene.way(lambda: scene.game.hold("e", 1))) < -40, "E turns to the right")
+    slow = fastest(scene.way(lambda: scene.game.hold("w", 1.5)))
+    scene.game.hold("s", 1.5)
+    for _ in range(3):
+        scene.game.do("click", 4)
+        time.sleep(0.3)
+    fast = fastest(scene.way(lambda: scene.game.hold("w", 1.5)))
+    scene.game.hold("s", 1.5)
+    expect(1.6 < fast / slow < 2.4, f"three notches of the wheel: {slow:.2f}, then {fast:.2f} m/s")
+    scene.picture("moved")
+
+
+def shows_wires_and_points(scene):
+    filled = scene.picture("filled")
+    scene.game.press("m", 1, 1)
+    wires = scene.picture("wires_m")
+    expect(difference(filled, wires) > 8, "M shows wires")
+    scene.game.press("v", 1, 1)
+    points = scene.picture("points_v")
+    expect(difference(points, wires) > 4, "V shows points")
+    scene.game.press("n", 1, 1)
+    expect(difference(filled, scene.picture("filled_n")) < 3, "N fills again")
+
+
+def fog_grows_denser(scene):
+    clear = scene.picture("fog_off")
+    scene.game.press("f", 1, 1)
+    foggy = scene.picture("fog_on_f")
+    expect(difference(clear, foggy) > 4, "F brings fog")
+    scene.game.press("KP_Multiply", 4, 0.4)
+    dense = scene.picture("fog_denser")
+    spread = lambda rows: sum(abs(pixel[1] - mean(rows)[1]) for pixel in scenery(rows)) / len(scenery(rows))
+    expect(spread(dense) < 0.8 * spread(foggy), f"denser fog levels all: {spread(foggy):.1f}, then {spread(dense):.1f}")
+    scene.game.press("KP_Divide", 4, 0.4)
+    expect(difference(scene.picture("fog_thinner"), foggy) < 3, "and thinner again")
+    scene.game.press("KP_Decimal", 4, 0.4)
+    evening = mean(scene.picture("fog_evening"))
+    expect(evening[0] > evening[2], f"the fifth colour is an evening's: {evening}")
+    scene.game.press("KP_Decimal", 2, 0.4)
+    scene.game.press("f", 1, 1)
+    expect(difference(clear, scene.picture("fog_off_again")) < 3, "F takes it away")
+
+
+def turns_the_sun(scene):
+    noon = scene.picture("sun")
+    scene.game.press("j", 8, 0.3)
+    time.sleep(4)
+    scene.game.press("l", 1, 1)
+    later = scene.picture("sun_turned_j")
+    expect(difference(noon, later) > 2, "J turns the sun")
+    time.sleep(2)
+    expect(difference(later, scene.picture("sun_stopped_l")) < 1.5, "L stops it")
+
+
+def dims_the_light(scene):
+    before = sum(mean(scene.picture("light")))
+    scene.game.press("KP_Subtract", 6, 0.3)
+    dim = sum(mean(scene.picture("light_minus")))
+    expect(dim < 0.75 * before, f"keypad -: {before:.0f}, then {dim:.0f}")
+
+
+def switches_the_flashlight(scene):
+    """In the dusk that dims_the_light left."""
+    scene.game.press("KP_Subtract", 8, 0.3)
+    dark = scene.picture("dusk")
+    for key in "yp":
+        scene.game.press(key, 1, 1)
+        expect(difference(dark, scene.picture(f"flashlight_{key}")) > 0.4, f"{key} switches the flashlight on")
+        scene.game.press(key, 1, 1)
+        expect(difference(dark, scene.picture(f"flashlight_{key}_off")) < 0.4, f"{key} switches it off")
+
+
+def aims_the_spotlight(scene):
+    before = scene.picture("spot")
+    scene.game.do("keydown", "1")
+    for _ in range(10):
+        scene.game.do("mousemove_relative", "--", 6, 4)
+        time.sleep(0.1)
+    time.sleep(1)
+    scene.game.do("keyup", "1")
+    aimed = scene.picture("spot_aimed_1")
+    expect(difference(before, aimed) > 0.4, "1 and the mouse aim the spotlight")
+    scene.game.press("KP_Add", 14, 0.3)
+
+
+def records_and_plays_the_camera(scene):
+    def fly():
+        scene.game.hold("w", 1.5)
+        scene.game.hold("q", 1)
+    recorded = scene.way(fly)
+    expect(len(recorded) > 8 and recorded[-1][0] > 2.5, f"{len(recorded)} poses in {recorded[-1][0]:.1f} s")
+    there = scene.picture("way_end")
+    scene.game.press("space", 1, 0.4)
+    expect(difference(there, scene.picture("way_plays")) > 2, "the picture is taken from the way")
+    time.sleep(recorded[-1][0] + 2)
+    expect(difference(there, scene.picture("way_over")) < 3, "and from where one is, when it is over")
+    file = scene.data / "camera_paths" / "nature.path"
+    file.write_text("plumbline camera path 1\n0 1 2\n")
+    scene.game.press("r", 1, 1)
+    expect("nature.path:2: 3 numbers; expected 8 numbers" in scene.game.log(), scene.game.log())
+    scene.picture("way_fault")
+    # The report's own kind of file: half a second high above, looking down.
+    file.write_text("0.1 -1 0.1 0 25 0\n" * 600)
+    scene.game.press("r", 1, 1)
+    expect("camera path of 10.0 s read" in scene.game.log(), scene.game.log())
+    scene.game.press("space", 1, 1)
+    expect(difference(there, scene.picture("way_of_the_report")) > 10, "it is seen from above")
+    scene.game.press("w", 1, 1)
+
+
+def the_game_is_won_and_lost(screen, folder):
+    easy = folder / "easy.toml"
+    easy.write_text('[scene]\nbase = "cans.toml"\n[player]\nyaw_deg = 5.3\npitch_deg = -1\n[goal]\ncount = 2\n')
+    scene = Scene(screen, folder, str(easy))
+    scene.picture("start")
+    for _ in range(6):
+        scene.game.do("mousedown", 1)
+        time.sleep(1.5)
+        scene.game.do("mouseup", 1)
+        time.sleep(2.5)
+        scene.picture("playing")
+    rows = scene.picture("won")
+    green = lambda pixel: pixel[1] > pixel[0] + 30 and pixel[1] > pixel[2] + 30
+    expect(sum(green(pixel) for row in rows[:110] for pixel in row[:260]) > 30, "it says that it is won, in green")
+    scene.game.press("r", 1, 3)
+    scene.picture("again")
+    scene.end()
+    scene = Scene(screen, folder, "cans")
+    scene.game.do("mousemove_relative", "--", 900, 0)
+    for _ in range(14):
+        scene.game.do("click", 1)
+        time.sleep(0.4)
+    time.sleep(10)
+    rows = scene.picture("lost")
+    red = lambda pixel: pixel[0] > pixel[1] + 60 and pixel[0] > pixel[2] + 60
+    expect(sum(red(pixel) for row in rows[:110] for pixel in row[:260]) > 30, "it says that it is lost, in red")
+    scene.end()
+
+
+def main():
+    with virtual_screen("640x360") as screen, home() as folder:
+        scene = Scene(screen, folder, "nature")
+        try:
+            starts_as_the_report(scene)
+            moves_and_turns(scene)
+            shows_wires_and_points(scene)
+            fog_grows_denser(scene)
+            turns_the_sun(scene)
+            dims_the_light(scene)
+            switches_the_flashlight(scene)
+            aims_the_spotlight(scene)
+            records_and_plays_the_camera(scene)
+            report = scene.end()
+        finally:
+            scene.game.stop()
+        for action in ("camera_record", "camera_play", "camera_reload", "aim_spot", "fog_denser", "flashlight", "push"):
+            expect(report["actions_seen"].get(action, 0) > 0, f"{action} was seen: {report['actions_seen']}")
+        the_game_is_won_and_lost(screen, folder)
+
+
+main()
