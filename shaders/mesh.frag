@@ -49,7 +49,7 @@ uniform samplerCube sky_map;
 #endif
 #ifdef PL_LOCAL_LIGHTS
 layout(std140) uniform LocalLights { LocalLight local_lights[PL_MAX_LIGHTS]; };
-uniform usamplerBuffer light_lists;
+uniform usamplerBuffer light_masks;
 #endif
 
 layout(location = 0) out vec4 out_color;
@@ -157,7 +157,7 @@ vec3 local_light(Surface s, LocalLight light) {
 #endif
 
 #ifdef PL_LOCAL_LIGHTS
-// The lights whose list this part of the picture has; light_clusters.h says how lists lie.
+// The lights whose bits this part of the picture has; light_clusters.h says how they lie.
 vec3 local_lights_light(Surface s) {
     ivec2 tile = min(ivec2(gl_FragCoord.xy * frame.clusters.xy),
                      ivec2(PL_CLUSTERS_X - 1, PL_CLUSTERS_Y - 1));
@@ -165,12 +165,18 @@ vec3 local_lights_light(Surface s) {
     int slice = near_share < 1.0
                     ? 0
                     : min(1 + int(log2(near_share) * PL_CLUSTERS_PER_OCTAVE), PL_CLUSTERS_Z - 1);
-    uint head = texelFetch(light_lists, (slice * PL_CLUSTERS_Y + tile.y) * PL_CLUSTERS_X + tile.x).r;
-    int first = int(head >> 9u);
-    int end = first + int(head & 511u);
+    int words = textureSize(light_masks) / (PL_CLUSTERS_X * PL_CLUSTERS_Y * PL_CLUSTERS_Z);
+    int first = ((slice * PL_CLUSTERS_Y + tile.y) * PL_CLUSTERS_X + tile.x) * words;
     vec3 color = vec3(0.0);
-    for (int i = first; i < end; ++i) {
-        color += local_light(s, local_lights[int(texelFetch(light_lists, i).r)]);
+    for (int word = 0; word < words; ++word) {
+        uint bits = texelFetch(light_masks, first + word).r;
+        while (bits != 0u) {
+            // The exponent of a power of two is the number of its bit.
+            uint lowest = bits & (~bits + 1u);
+            int bit = (floatBitsToInt(float(lowest)) >> 23) - 127;
+            color += local_light(s, local_lights[word * 32 + bit]);
+            bits ^= lowest;
+        }
     }
     return color;
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes assets/scenes/bench/boxes_{100,1000,3000}.toml, the scene that other engines were measured with.
+"""Writes assets/scenes/bench/boxes_{100,1000,3000}.toml, the scene that other engines were measured with,
+and lamps_{0,8,24,64,256}.toml, one floor under so many lamps.
 
     python3 assets/source/make_bench_scenes.py
 
@@ -89,7 +90,61 @@ def scene(count):
     return "\n".join(parts)
 
 
+LAMPS = """# One floor under {count} lamps that reach 4 m each: what a light costs (docs/PERFORMANCE.md).
+# Written by assets/source/make_bench_scenes.py.
+
+[scene]
+title = "{count} lamps"
+description = "Bench: one floor of 32 m, lit by point lights only"
+
+[camera]
+position_m = [0, 9, 22]
+target_m = [0, 0, 2]
+fov_deg = 60
+clear_color = [0, 0, 0]
+
+[ambient]
+color = [0.02, 0.02, 0.02]
+
+[[material]]
+name = "floor"
+base_color = [0.5, 0.5, 0.5]
+roughness = 0.9
+
+[[entity]]
+name = "floor"
+position_m = [0, -0.5, 0]
+primitive = {{ box = [32, 1, 32] }}
+material = "floor"
+[entity.body]
+kind = "static"
+
+[[prefab]]
+name = "lamp"
+light = {{ intensity = {intensity}, radius_m = 4 }}
+"""
+LAMP_ROWS = """
+[[array]]
+name = "lamp"
+prefab = "lamp"
+origin_m = [{x:g}, 0.8, {z:g}]
+count = [{across}, 1, {deep}]
+spacing_m = [{step_x:g}, 1, {step_z:g}]
+"""
+
+
+def lamps(across, deep):
+    text = LAMPS.format(count=across * deep, intensity=0.7 if across * deep > 64 else 2)
+    if across == 0:
+        return text
+    step_x, step_z = 32 / across, 32 / deep
+    return text + LAMP_ROWS.format(x=step_x / 2 - 16, z=step_z / 2 - 16, across=across, deep=deep,
+                                   step_x=step_x, step_z=step_z)
+
+
 folder = pathlib.Path(__file__).resolve().parent.parent / "scenes" / "bench"
 folder.mkdir(parents=True, exist_ok=True)
 for count in (100, 1000, 3000):
     (folder / f"boxes_{count}.toml").write_text(scene(count))
+for across, deep in ((0, 0), (4, 2), (6, 4), (8, 8), (16, 16)):
+    (folder / f"lamps_{across * deep}.toml").write_text(lamps(across, deep))

@@ -24,6 +24,7 @@ SCENES = {
     "playroom": (1.0, None),
     "nature": (1.0, None),
     "cans": (1.0, "-0.1,1.9,-2.6,3,-8"),
+    "lamps": (0.8, None),
     "joints": (0.8, "1.2,2.6,7.2,4,-9"),
 }
 HARD = {

@@ -9,12 +9,12 @@
 namespace plumbline::render {
 
 void GpuLights::upload(std::span<const LocalLight> lights, const ClusterView& view) {
-    if (!words_texture_) {
+    if (!masks_texture_) {
         lights_ = gl::Buffer{gl::BufferUse::Uniforms, gl::BufferLife::PerFrame};
-        words_ = gl::Buffer{gl::BufferUse::Vertices, gl::BufferLife::PerFrame};
+        masks_ = gl::Buffer{gl::BufferUse::Vertices, gl::BufferLife::PerFrame};
         GLuint name = 0;
         glGenTextures(1, &name);
-        words_texture_ = gl::TextureObject{name};
+        masks_texture_ = gl::TextureObject{name};
     }
     LocalLightsBlock block;
     for (std::size_t i = 0; i < std::min(lights.size(), kMaxLights); ++i) {
@@ -28,11 +28,11 @@ void GpuLights::upload(std::span<const LocalLight> lights, const ClusterView& vi
     }
     lights_.upload(&block, sizeof(block));
     gl::bind_uniforms(kLocalLightsBinding, lights_, 0, sizeof(block));
-    const std::vector<std::uint32_t> words = light_clusters(view, lights);
-    words_.upload(words.data(), words.size() * sizeof(std::uint32_t));
-    glActiveTexture(GL_TEXTURE0 + kLightListsUnit);
-    glBindTexture(GL_TEXTURE_BUFFER, words_texture_.name());
-    glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, words_.name());
+    const std::vector<std::uint32_t> masks = light_clusters(view, lights);
+    masks_.upload(masks.data(), masks.size() * sizeof(std::uint32_t));
+    glActiveTexture(GL_TEXTURE0 + kLightMasksUnit);
+    glBindTexture(GL_TEXTURE_BUFFER, masks_texture_.name());
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, masks_.name());
 }
 
 void GpuLights::free() {

@@ -1,4 +1,4 @@
-// The frame's local lights and their lists by cluster, as the shaders read them.
+// The frame's local lights and their bits by cluster, as the shaders read them.
 #pragma once
 
 #include "engine/render/gl/buffer.h"
@@ -18,8 +18,8 @@ public:
 
 private:
     gl::Buffer lights_;
-    gl::Buffer words_;
-    gl::TextureObject words_texture_;
+    gl::Buffer masks_;
+    gl::TextureObject masks_texture_;
 };
 
 }  // namespace plumbline::render

@@ -1,7 +1,6 @@
 #include "engine/render/light_clusters.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,7 +11,7 @@ constexpr int kTilesX = PL_CLUSTERS_X;
 constexpr int kTilesY = PL_CLUSTERS_Y;
 constexpr int kSlices = PL_CLUSTERS_Z;
 constexpr std::size_t kClusters = std::size_t{kTilesX} * kTilesY * kSlices;
-constexpr std::uint32_t kLengthBits = 9;
+constexpr std::size_t kWordBits = 32;
 
 struct Range {
     int first{0};
@@ -37,12 +36,17 @@ Range tiles_of(float low, float high, float near_m, float far_m, float tangent, 
     return {std::max(tile(left), 0), std::min(tile(right), tiles - 1)};
 }
 
-using Lists = std::vector<std::vector<std::uint32_t>>;
+/// One light's bit in the masks of all clusters.
+struct Bit {
+    std::size_t word{0};  ///< of a cluster's
+    std::uint32_t mask{1};
+    std::size_t words{1};  ///< a cluster has
+};
 
 void add_light(const ClusterView& view,
                const LocalLight& light,
-               std::uint32_t index,
-               Lists& lists) {
+               const Bit& bit,
+               std::vector<std::uint32_t>& masks) {
     const Vec3f center{view.view_from_world * Vec4f{light.position_world, 1.0F}};
     const float depth_m = -center.z;
     if (depth_m + light.radius_m <= 0.0F) return;
@@ -68,7 +72,7 @@ void add_light(const ClusterView& view,
         for (int ty = y.first; ty <= y.last; ++ty) {
             for (int tx = x.first; tx <= x.last; ++tx) {
                 const int cluster = (slice * kTilesY + ty) * kTilesX + tx;
-                lists[static_cast<std::size_t>(cluster)].push_back(index);
+                masks[static_cast<std::size_t>(cluster) * bit.words + bit.word] |= bit.mask;
             }
         }
     }
@@ -85,20 +89,14 @@ int cluster_slice(float depth_m) {
 std::vector<std::uint32_t> light_clusters(const ClusterView& view,
                                           std::span<const LocalLight> lights) {
     lights = lights.first(std::min<std::size_t>(lights.size(), PL_MAX_LIGHTS));
-    Lists lists(kClusters);
-    for (std::uint32_t i = 0; i < lights.size(); ++i) add_light(view, lights[i], i, lists);
-    std::vector<std::uint32_t> words(kClusters);
-    // The list of all, in case it is needed, comes first.
-    for (std::uint32_t i = 0; i < lights.size(); ++i) words.push_back(i);
-    for (std::size_t cluster = 0; cluster < kClusters; ++cluster) {
-        const std::vector<std::uint32_t>& list = lists[cluster];
-        const bool fits = words.size() + list.size() <= PL_LIGHT_WORDS;
-        const auto start = static_cast<std::uint32_t>(fits ? words.size() : kClusters);
-        const auto length = static_cast<std::uint32_t>(fits ? list.size() : lights.size());
-        words[cluster] = start << kLengthBits | length;
-        if (fits) words.insert(words.end(), list.begin(), list.end());
+    const std::size_t words = (lights.size() + kWordBits - 1) / kWordBits;
+    std::vector<std::uint32_t> masks(kClusters * words);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const Bit bit{
+            .word = i / kWordBits, .mask = std::uint32_t{1} << (i % kWordBits), .words = words};
+        add_light(view, lights[i], bit, masks);
     }
-    return words;
+    return masks;
 }
 
 }  // namespace plumbline::render

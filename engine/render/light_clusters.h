@@ -1,8 +1,10 @@
 // Which local lights reach which part of the picture. Pure arithmetic: tested without GL.
 //
-// The view is cut into clusters: tiles of the screen times slices of depth. Each has a list of the
-// lights that may reach into it, so a surface is lit by any number of lights and pays for those
-// near it only.
+// The view is cut into clusters: tiles of the screen times slices of depth. Each has a bit for every
+// light, set where that light may reach into it, so a surface is lit by any number of lights and pays
+// for those near it only. Clusters: Olsson, Billeter, Assarsson, "Clustered Deferred and Forward
+// Shading", 2012; bits in place of lists, which never run out of room: Drobot, "Improved Culling for
+// Tiled and Clustered Rendering", 2017.
 #pragma once
 
 #include "engine/core/math.h"
@@ -21,9 +23,8 @@ struct ClusterView {
     float tan_y{1.0F};
 };
 
-/// Words for the shader: for each cluster (x fastest, then y, then the slice) where its list starts
-/// and how long it is, start << 9 | length; behind them the lists, indices into `lights`. At most
-/// PL_LIGHT_WORDS; where the lists grow longer, the clusters left share one list of all lights.
+/// Words for the shader: for each cluster (x fastest, then y, then the slice) one word for every 32
+/// of the first PL_MAX_LIGHTS lights; bit i of word w stands for light 32 w + i.
 std::vector<std::uint32_t> light_clusters(const ClusterView& view,
                                           std::span<const LocalLight> lights);
 

@@ -59,7 +59,7 @@ struct LocalLightEntry {
     Vec4f direction_world{0.0F};  ///< w: 1 / (inner cosine - outer cosine)
 };
 
-/// All local lights of the frame; the lists of the clusters name those that reach a surface.
+/// All local lights of the frame; the bits of the clusters name those that reach a surface.
 struct LocalLightsBlock {
     std::array<LocalLightEntry, kMaxLights> lights{};
 };
@@ -88,7 +88,7 @@ enum TextureUnit : unsigned int {
     kBloomUnit,
     kDepthUnit,
     kEmissiveUnit,
-    kLightListsUnit
+    kLightMasksUnit
 };
 
 inline constexpr std::array<std::pair<const char*, unsigned int>, 11> kSamplerUnits{{
@@ -102,7 +102,7 @@ inline constexpr std::array<std::pair<const char*, unsigned int>, 11> kSamplerUn
     {"bloom_image", kBloomUnit},
     {"depth_image", kDepthUnit},
     {"emissive_map", kEmissiveUnit},
-    {"light_lists", kLightListsUnit},
+    {"light_masks", kLightMasksUnit},
 }};
 
 }  // namespace plumbline::render

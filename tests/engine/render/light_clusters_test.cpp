@@ -17,11 +17,11 @@ ClusterView some_view() {
             .tan_y = 0.5625F};
 }
 
-/// The list that a shader would read at that place; empty where the place is out of sight.
-std::vector<std::uint32_t> list_at(const std::vector<std::uint32_t>& words,
-                                   const ClusterView& view,
-                                   const Vec3f& world,
-                                   bool& in_sight) {
+/// The lights that a shader would reckon with at that place; none where it is out of sight.
+std::vector<std::uint32_t> lights_at(const std::vector<std::uint32_t>& masks,
+                                     const ClusterView& view,
+                                     const Vec3f& world,
+                                     bool& in_sight) {
     const Vec3f at{view.view_from_world * Vec4f{world, 1.0F}};
     const float depth = -at.z;
     const float x = at.x / (depth * view.tan_x) * 0.5F + 0.5F;
@@ -32,9 +32,13 @@ std::vector<std::uint32_t> list_at(const std::vector<std::uint32_t>& words,
         (cluster_slice(depth) * PL_CLUSTERS_Y + static_cast<int>(y * PL_CLUSTERS_Y)) *
             PL_CLUSTERS_X +
         static_cast<int>(x * PL_CLUSTERS_X);
-    const std::uint32_t head = words[static_cast<std::size_t>(cluster)];
-    const auto first = words.begin() + static_cast<std::ptrdiff_t>(head >> 9U);
-    return {first, first + static_cast<std::ptrdiff_t>(head & 0x1FFU)};
+    const std::size_t words = masks.size() / kClusters;
+    std::vector<std::uint32_t> lights;
+    for (std::uint32_t light = 0; light < words * 32; ++light) {
+        const std::uint32_t word = masks[static_cast<std::size_t>(cluster) * words + light / 32];
+        if ((word >> (light % 32) & 1U) != 0) lights.push_back(light);
+    }
+    return lights;
 }
 
 TEST(LightClusters, WhereverALightReachesItIsInTheList) {
@@ -47,14 +51,14 @@ TEST(LightClusters, WhereverALightReachesItIsInTheList) {
         light.radius_m = reach(random);
     }
     const ClusterView view = some_view();
-    const std::vector<std::uint32_t> words = light_clusters(view, lights);
-    ASSERT_LE(words.size(), std::size_t{PL_LIGHT_WORDS});
+    const std::vector<std::uint32_t> masks = light_clusters(view, lights);
+    ASSERT_EQ(masks.size(), kClusters * PL_MAX_LIGHTS / 32);
     int seen = 0;
     std::size_t listed = 0;
     for (int i = 0; i < 20'000; ++i) {
         const Vec3f point{place(random), place(random), place(random)};
         bool in_sight = false;
-        const auto list = list_at(words, view, point, in_sight);
+        const auto list = lights_at(masks, view, point, in_sight);
         if (!in_sight) continue;
         ++seen;
         listed += list.size();
@@ -69,20 +73,21 @@ TEST(LightClusters, WhereverALightReachesItIsInTheList) {
     EXPECT_LT(listed / static_cast<std::size_t>(seen), lights.size() / 4);
 }
 
-TEST(LightClusters, NoLightsNoLists) {
-    const std::vector<std::uint32_t> words = light_clusters(some_view(), {});
-    ASSERT_EQ(words.size(), kClusters);
-    for (const std::uint32_t head : words) EXPECT_EQ(head & 0x1FFU, 0U);
+TEST(LightClusters, AWordForEvery32Lights) {
+    for (const std::size_t count : {0U, 1U, 32U, 33U, 255U, 256U}) {
+        const std::vector<LocalLight> lights(count);
+        EXPECT_EQ(light_clusters(some_view(), lights).size(), kClusters * ((count + 31) / 32))
+            << count;
+    }
 }
 
-TEST(LightClusters, WhenAllReachEverywhereAllAreListedEverywhere) {
+// SOURCES B30: nothing runs out of room, however many lights reach a place.
+TEST(LightClusters, WhenAllReachEverywhereAllHaveTheirBitEverywhere) {
     std::vector<LocalLight> lights(300);
     for (LocalLight& light : lights) light.radius_m = 1000.0F;
-    const std::vector<std::uint32_t> words = light_clusters(some_view(), lights);
-    EXPECT_LE(words.size(), std::size_t{PL_LIGHT_WORDS});
-    for (std::size_t cluster = 0; cluster < kClusters; ++cluster) {
-        ASSERT_EQ(words[cluster] & 0x1FFU, std::uint32_t{PL_MAX_LIGHTS}) << cluster;
-    }
+    const std::vector<std::uint32_t> masks = light_clusters(some_view(), lights);
+    ASSERT_EQ(masks.size(), kClusters * PL_MAX_LIGHTS / 32);
+    EXPECT_TRUE(std::ranges::all_of(masks, [](std::uint32_t word) { return word == ~0U; }));
 }
 
 TEST(LightClusters, SlicesGrowWithDistanceAndTheLastHasNoEnd) {
