@@ -42,6 +42,7 @@ struct EffectRow {
     ROW(post)                 \
     ROW(model_animation)      \
     ROW(viewer_aids)          \
+    ROW(light_cubes)          \
     ROW(impact_sounds)        \
     ROW(ambient_sounds)       \
     ROW(footsteps)            \

@@ -75,6 +75,8 @@ struct SunDescription {
     float intensity{3.0F};
     std::optional<ShadowDescription> shadow{};
     Real rotation_radps{0};
+    float cube_m{0.0F};  ///< edge of the cube that shows where the light comes from; 0: none
+    float cube_distance_m{20.0F};  ///< of that from the world's origin
     Origin origin{};
 };
 
@@ -96,7 +98,8 @@ struct FlashlightDescription {
     float radius_m{30.0F};
     float inner_deg{12.0F};
     float outer_deg{22.0F};
-    bool on{false};  ///< at the start
+    bool on{false};      ///< at the start
+    float cube_m{0.0F};  ///< edge of the cube that shows where the light is; 0: none
     Origin origin{};
 };
 

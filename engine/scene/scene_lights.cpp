@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 constexpr Range kIntensity{0, 1e6, "a number from 0 to 1000000"};
 constexpr Range kReach_m{1e-2, 1e4, "a length from 0.01 to 10000 m"};
 constexpr Range kHalfAngle_deg{0, 89, "degrees from 0 to 89"};
+constexpr Range kCubeEdge_m{0, 100, "a length from 0 to 100 m"};
 
 void read_cone(TableReader& table, float& inner_deg, float& outer_deg) {
     const bool only_outer = table.has("outer_deg") && !table.has("inner_deg");
@@ -58,6 +59,8 @@ void read_sun(TableReader& root, SceneDescription& scene) {
     constexpr Range kTurn_degps{-3600, 3600, "degrees per second from -3600 to 3600"};
     sun.rotation_radps =
         radians_from_degrees(table->number("rotation_degps", Real{0}, kTurn_degps));
+    sun.cube_m = table->single("cube_m", sun.cube_m, kCubeEdge_m);
+    sun.cube_distance_m = table->single("cube_distance_m", sun.cube_distance_m, kReach_m);
     sun.shadow = read_sun_shadow(*table);
     table->finish();
     scene.sun = sun;
@@ -112,6 +115,7 @@ void read_flashlight(TableReader& root, SceneDescription& scene) {
     light.radius_m = table->single("radius_m", light.radius_m, kReach_m);
     read_cone(*table, light.inner_deg, light.outer_deg);
     light.on = table->flag("on", light.on);
+    light.cube_m = table->single("cube_m", light.cube_m, kCubeEdge_m);
     table->finish();
     scene.flashlight = light;
 }

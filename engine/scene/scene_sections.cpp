@@ -17,11 +17,12 @@ constexpr Range kYaw_deg{-36'000, 36'000, "degrees from -36000 to 36000"};
 constexpr Range kPitch_deg{-90, 90, "degrees from -90 to 90"};
 
 // Names of effects that may carry a table of settings.
-constexpr std::array<std::string_view, 11> kEffects{"sun_shadow",
+constexpr std::array<std::string_view, 12> kEffects{"sun_shadow",
                                                     "flashlight",
                                                     "fog",
                                                     "skybox",
                                                     "post",
+                                                    "light_cubes",
                                                     "impact_sounds",
                                                     "ambient_sounds",
                                                     "footsteps",

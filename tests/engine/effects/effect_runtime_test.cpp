@@ -43,6 +43,7 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "post",
                                                  "model_animation",
                                                  "viewer_aids",
+                                                 "light_cubes",
                                                  "impact_sounds",
                                                  "ambient_sounds",
                                                  "footsteps",

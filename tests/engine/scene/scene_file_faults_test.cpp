@@ -113,6 +113,19 @@ TEST_F(SceneFileFaults, JointFaults) {
     EXPECT_TRUE(unused.scene.ok());
 }
 
+TEST_F(SceneFileFaults, EdgesOfLightCubes) {
+    for (const std::string table : {"sun", "flashlight"}) {
+        EXPECT_TRUE(load("[" + table + "]\ncube_m = 100").scene.ok());
+        for (const std::string edge : {"-1", "101"}) {
+            expect_first("[" + table + "]\ncube_m = " + edge,
+                         "scene.toml:2:10: error: " + table + ".cube_m: " + edge +
+                             "; expected a length from 0 to 100 m");
+        }
+    }
+    expect_first("[sun]\ncube = 1",
+                 "scene.toml:2:1: error: sun.cube: unknown key; did you mean \"cube_m\"?");
+}
+
 TEST_F(SceneFileFaults, APrefabsFaultIsToldOnce) {
     std::string text = "[[prefab]]\nname = \"p\"\nprimitive = { sphere = -1 }\n";
     for (int i = 0; i < 50; ++i) text += "[[entity]]\nprefab = \"p\"\n";

@@ -96,6 +96,8 @@ direction = [0, -2, 0]
 color = [0.5, 0.25, 1]
 intensity = 4
 rotation_degps = 180
+cube_m = 0.5
+cube_distance_m = 12
 shadow = { cascades = 1, size_px = 1024, distance_m = 40 }
 [sky]
 skybox = "skies/day"
@@ -111,6 +113,7 @@ radius_m = 20
 inner_deg = 10
 outer_deg = 25
 on = true
+cube_m = 0.04
 [post]
 bloom = 0.1
 exposure = 2
@@ -128,7 +131,7 @@ exposure = 2
     EXPECT_EQ(scene.sun->shadow->size_px, 1024);
     EXPECT_NEAR(scene.sun->shadow->distance_m, Real{40}, kSlack);
     EXPECT_EQ(scene.sky->folder, assets() / "skies/day");
-    EXPECT_EQ(to_string(scene.sky->origin), "scene.toml:7");
+    EXPECT_EQ(to_string(scene.sky->origin), "scene.toml:9");
     expect_near_f(scene.ambient, {0.2F, 0.3F, 0.4F});
     // sRGB 0.5 is 0.21404 linear.
     EXPECT_NEAR(scene.fog->color.y, 0.21404F, 1e-5F);
@@ -139,11 +142,14 @@ exposure = 2
     EXPECT_FLOAT_EQ(scene.flashlight->inner_deg, 10.0F);
     EXPECT_FLOAT_EQ(scene.flashlight->outer_deg, 25.0F);
     EXPECT_TRUE(scene.flashlight->on);
+    EXPECT_FLOAT_EQ(scene.sun->cube_m, 0.5F);
+    EXPECT_FLOAT_EQ(scene.sun->cube_distance_m, 12.0F);
+    EXPECT_FLOAT_EQ(scene.flashlight->cube_m, 0.04F);
     ASSERT_TRUE(scene.post);
     EXPECT_FLOAT_EQ(scene.post->bloom, 0.1F);
     EXPECT_FLOAT_EQ(scene.post->exposure, 2.0F);
     ASSERT_TRUE(scene.effect_settings.contains("fog"));
-    EXPECT_EQ(scene.effect_settings.at("fog").line, 24);
+    EXPECT_EQ(scene.effect_settings.at("fog").line, 27);
 }
 
 TEST_F(SceneFileTest, SunShadowByYesAndNo) {
