@@ -36,10 +36,7 @@ std::uint32_t scaled_px(std::uint32_t side_px, float scale, std::uint32_t larges
 FeatureSet frame_features_of(const RenderFrame& frame) {
     FeatureSet features = 0;
     if (frame.sun) features |= feature::kSun;
-    if (frame.sun && frame.sun_shadow) {
-        features |= feature::kSunShadow;
-        if (frame.sun_shadow->cascades > 1) features |= feature::kCascades;
-    }
+    if (frame.sun && frame.sun_shadow) features |= feature::kSunShadow;
     if (frame.flashlight) features |= feature::kFlashlight;
     if (!frame.lights.empty()) features |= feature::kLocalLights;
     if (frame.fog) features |= feature::kFog;
@@ -194,14 +191,19 @@ void Renderer::Impl::set_up_light() {
                          .forward_world = forward_of(frame->camera),
                          .fov_y_rad = frame->camera.fov_y_rad,
                          .aspect = static_cast<float>(width_px) / static_cast<float>(height_px)};
-    const auto count = std::clamp<std::uint32_t>(shadow.cascades, 1, kMaxCascades);
+    const auto by_scene = std::clamp<std::uint32_t>(shadow.cascades, 1, kMaxCascades);
+    const float by_scene_m = std::max(shadow.distance_m, 1e-4F);
+    const bool goes_on =
+        quality.far_shadows && by_scene < kMaxCascades && frame->camera.far_m > by_scene_m;
+    const std::uint32_t count = goes_on ? by_scene + 1 : by_scene;
+    const float distance_m = goes_on ? frame->camera.far_m : by_scene_m;
+    if (count > 1) features |= feature::kCascades;
     const std::uint32_t size_px =
         scaled_px(shadow.size_px, quality.shadow_detail, limits.texture_px / count);
-    const float distance_m = std::max(shadow.distance_m, 1e-4F);
     SunShadowFit first{};
     sun_views.clear();
     for (std::uint32_t i = 0; i < count; ++i) {
-        const float end_m = cascade_end_m(i, count, distance_m);
+        const float end_m = i < by_scene ? cascade_end_m(i, by_scene, by_scene_m) : distance_m;
         const SunShadowFit fit = fit_sun_shadow(view, direction, end_m, size_px);
         if (i == 0) first = fit;
         if (i + 1 < count) block.cascade_ends[static_cast<int>(i)] = end_m;

@@ -19,7 +19,7 @@ Quality quality_of(PictureLevel level) {
         case PictureLevel::Medium:
             return {.render_scale = 0.8F, .fxaa = true, .lod_error_px = 1.2F, .smallest_px = 2.0F};
         case PictureLevel::High:
-            return {.fxaa = true, .lod_error_px = 0.75F};
+            return {.fxaa = true, .far_shadows = true, .lod_error_px = 0.75F};
     }
     return {};
 }

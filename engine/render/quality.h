@@ -27,6 +27,9 @@ struct Quality {
     bool surface_maps{true};    ///< normal maps, and roughness maps of what is no metal
     bool shadow_filter{true};   ///< several lookups in a shadow map instead of one
     float shadow_detail{1.0F};  ///< of the shadow map's side: 0.25…1
+    /// The sun's shadows go on beyond the scene's distance to the camera's far plane, in one more
+    /// cascade where there are fewer than four.
+    bool far_shadows{false};
     float lod_error_px{0.0F};   ///< a mesh may be coarser by so much; 0: always the full mesh
     float smallest_px{0.0F};    ///< things that look smaller than this are left out; 0: nothing is
 };

@@ -43,7 +43,8 @@ struct DirectionalLight {
 
 struct SunShadow {
     std::uint32_t size_px{2048};
-    float distance_m{80.0F};    ///< from the camera; beyond it nothing is in shadow
+    /// From the camera; beyond it nothing is in shadow, unless Quality::far_shadows.
+    float distance_m{80.0F};
     std::uint32_t cascades{1};  ///< 1…4 maps of size_px each, near to far
 };
 

@@ -10,6 +10,11 @@ namespace {
 
 constexpr float kStepsAcross = 8.0F;
 constexpr float kSpotNear_m = 0.1F;
+// What is nearer than this need not be finer: the ratios start here. In scenes of a few metres at that
+// share of the distance.
+constexpr float kSplitNear_m = 4.0F;
+constexpr float kSplitNearShare = 0.03F;
+constexpr float kSplitByRatio = 0.85F;
 // Room for the filter's taps at the rim of the cone.
 constexpr float kSpotMargin_rad = 0.02F;
 
@@ -66,8 +71,12 @@ SunShadowFit fit_sun_shadow(const ViewShape& view,
 }
 
 float cascade_end_m(std::uint32_t i, std::uint32_t count, float distance_m) {
+    if (i + 1 >= count) return distance_m;
+    const float near_m = std::min(kSplitNear_m, kSplitNearShare * distance_m);
     const float share = static_cast<float>(i + 1) / static_cast<float>(count);
-    return distance_m * std::pow(share, 2.2F);
+    const float by_ratio_m = near_m * std::pow(distance_m / near_m, share);
+    const float by_length_m = glm::mix(near_m, distance_m, share);
+    return glm::mix(by_length_m, by_ratio_m, kSplitByRatio);
 }
 
 Vec4f cascade_from_first(const SunShadowFit& first, const SunShadowFit& other) {

@@ -28,8 +28,10 @@ SunShadowFit fit_sun_shadow(const ViewShape& view,
                             float distance_m,
                             std::uint32_t size_px);
 
-/// Where the cascade ends that is number `i` of `count`: near ones are short, as shadows are there
-/// that one looks at; the last ends at the distance.
+/// The distance from the eye at which the cascade ends that is number `i` of `count`; the last ends at
+/// `distance_m`. The practical split scheme: a weighted mean of equal ratios, by which a texel looks
+/// equally large in all cascades, and of equal lengths (F. Zhang, H. Sun, L. Xu, L. K. Lun,
+/// "Parallel-Split Shadow Maps for Large-scale Virtual Environments", 2006).
 float cascade_end_m(std::uint32_t i, std::uint32_t count, float distance_m);
 
 /// From texture coordinates and depth (0...1) in one fit to those in another of the same light:

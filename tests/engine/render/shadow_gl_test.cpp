@@ -89,7 +89,7 @@ TEST_F(ShadowGl, FarCascadesLeaveNoSpecksEither) {
 }
 
 TEST_F(ShadowGl, FarCascadesFollowWhatMovesAFewFramesLater) {
-    frame_.sun_shadow = SunShadow{.size_px = 512, .distance_m = 200.0F, .cascades = 2};
+    frame_.sun_shadow = SunShadow{.size_px = 512, .distance_m = 250.0F, .cascades = 2};
     draw(frame_);
     EXPECT_EQ(renderer_->stats().shadow_passes_rendered, 2U);
     int far_drawn = 0;
