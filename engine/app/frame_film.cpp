@@ -2,6 +2,7 @@
 #include "engine/app/frame_parts_impl.h"
 #include "engine/app/screenshot.h"
 #include "engine/core/files.h"
+#include "engine/core/log.h"
 
 namespace plumbline::app {
 namespace {
@@ -55,7 +56,15 @@ void FrameParts::film_frame() {
 
 void FrameParts::end_film() {
     const Result<Done> finished = film_->finish();
-    say(finished ? "film saved: " + film_->def().file.string() : finished.error().message);
+    const std::string line =
+        finished ? "film saved: " + film_->def().file.string() : finished.error().message;
+    say(line);
+    // The window may be closing.
+    if (finished) {
+        log_note("{}", line);
+    } else {
+        log_error("{}", line);
+    }
     film_.reset();
 }
 

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <fstream>
 #include <string_view>
 #include <utility>
 
@@ -63,6 +65,35 @@ std::vector<std::string> words_for(const VideoDef& def) {
             "file:" + def.file.string()};
 }
 
+/// Cuts off a fragment that was begun and not finished: players stumble over half of one. An MP4 file
+/// is a row of boxes, each a length of four bytes and a name of four; a fragment is a `moof`, which
+/// says what is in the `mdat` behind it.
+void keep_whole_fragments(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::error_code failed;
+    const std::uintmax_t size = std::filesystem::file_size(file, failed);
+    if (failed) return;
+    std::uintmax_t whole = 0;
+    std::array<char, 8> head{};
+    for (std::uintmax_t at = 0; stream.read(head.data(), head.size());) {
+        std::uintmax_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            length = length << 8U | static_cast<unsigned char>(head[i]);
+        if (length < head.size() || length > size - at) break;
+        at += length;
+        if (std::string_view(&head[4], 4) != "moof") whole = at;
+        stream.seekg(static_cast<std::streamoff>(at));
+    }
+    stream.close();
+    if (whole > 0 && whole < size) std::filesystem::resize_file(file, whole, failed);
+}
+
+/// How it ended, with what it said first: later lines follow from that.
+std::string words_of(const ChildEnd& end) {
+    const std::string said = end.said.substr(0, end.said.find('\n'));
+    return said.empty() ? end.words : fmt::format("{} ({})", end.words, said);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<VideoFile>> VideoFile::start(const VideoDef& def) {
@@ -72,8 +103,8 @@ Result<std::unique_ptr<VideoFile>> VideoFile::start(const VideoDef& def) {
             "pictures can be had without: render --frames N --out FOLDER"};
     }
     if (const Result<Done> open = check_output(def.file); !open) return open.error();
-    Result<ChildProcess> ffmpeg =
-        ChildProcess::start({.program = "ffmpeg", .arguments = words_for(def), .own_group = true});
+    Result<ChildProcess> ffmpeg = ChildProcess::start(
+        {.program = "ffmpeg", .arguments = words_for(def), .own_group = true, .tells_us = true});
     if (!ffmpeg) return ffmpeg.error();
     return std::unique_ptr<VideoFile>(new VideoFile(def, std::move(*ffmpeg)));
 }
@@ -87,7 +118,7 @@ VideoFile::~VideoFile() {
 
 bool VideoFile::is_full() const {
     const std::scoped_lock lock(mutex_);
-    return waiting_.size() >= kMostWaiting;
+    return !broken_ && waiting_.size() >= kMostWaiting;
 }
 
 bool VideoFile::add(assets::ImageData picture, int times) {
@@ -130,10 +161,11 @@ Result<Done> VideoFile::finish() {
     ffmpeg_.close_input();
     const ChildEnd end = ffmpeg_.end(kGrace_s);
     if (end.good && !broken_) return Done{};
+    keep_whole_fragments(def_.file);
     return Error{
         fmt::format("the film {} is not whole: ffmpeg {}; what was written until then plays",
                     def_.file.string(),
-                    end.words.empty() ? "read no more" : end.words)};
+                    end.words.empty() ? "read no more" : words_of(end))};
 }
 
 }  // namespace plumbline::app

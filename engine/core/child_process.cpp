@@ -87,6 +87,8 @@ Result<ChildProcess> ChildProcess::start(const ChildDef& def) {
     posix_spawn_file_actions_adddup2(&settings.files, output.ends[kWriteEnd], STDOUT_FILENO);
     if (def.silent)
         posix_spawn_file_actions_addopen(&settings.files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    if (def.tells_us)
+        posix_spawn_file_actions_adddup2(&settings.files, output.ends[kWriteEnd], STDERR_FILENO);
     if (def.own_group) posix_spawnattr_setflags(&settings.attributes, POSIX_SPAWN_SETPGROUP);
 
     std::vector<std::string> words{def.program.string()};
@@ -165,14 +167,21 @@ ChildEnd ChildProcess::end(double grace_s) {
     while (waitpid(pid_, &how, 0) < 0 && errno == EINTR) {
     }
     close_input();
+    std::string said;
+    // Whoever it has left behind may hold the other end: that is not waited for.
+    pollfd rest{output_, POLLIN, 0};
+    if (poll(&rest, 1, 0) > 0) receive(said);
     close(std::exchange(output_, -1));
     pid_ = -1;
     if (WIFSIGNALED(how)) {
         const int number = WTERMSIG(how);
-        return {.words = fmt::format("was ended by signal {} ({})", number, strsignal(number))};
+        return {.words = fmt::format("was ended by signal {} ({})", number, strsignal(number)),
+                .said = std::move(said)};
     }
     const int code = WEXITSTATUS(how);
-    return {.good = code == 0, .words = fmt::format("ended with exit code {}", code)};
+    return {.good = code == 0,
+            .words = fmt::format("ended with exit code {}", code),
+            .said = std::move(said)};
 }
 
 Result<ChildOutput> output_of(const ChildDef& def,

@@ -16,12 +16,14 @@ struct ChildDef {
     std::filesystem::path program;  ///< without a slash it is looked for along PATH
     std::vector<std::string> arguments;
     bool own_group{false};  ///< Ctrl-C on the terminal is for us alone, who end the child
-    bool silent{false};     ///< its messages go nowhere; else where ours go
+    bool silent{false};     ///< its messages go nowhere; else where ours go,
+    bool tells_us{false};   ///< or to us, with its output
 };
 
 struct ChildEnd {
     bool good{false};   ///< by itself, with exit code 0
     std::string words;  ///< "ended with exit code 3", "was ended by signal 11 (Segmentation fault)"
+    std::string said;   ///< what was still in the pipe from it, 64 KiB at most
 };
 
 /// Waits until all is written, whatever signals come. False where nobody reads any more.

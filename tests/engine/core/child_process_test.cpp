@@ -58,6 +58,21 @@ TEST(ChildOutput, HasLimits) {
               "cannot start /no/such: No such file or directory");
 }
 
+TEST(ChildProcess, WhatItSaidLastComesWithItsEnd) {
+    ChildDef def = shell("cat >/dev/null; echo no room >&2; echo bye; exit 4");
+    def.tells_us = true;
+    Result<ChildProcess> child = ChildProcess::start(def);
+    ASSERT_TRUE(child) << child.error().message;
+    child->close_input();
+    const ChildEnd end = child->end(20);
+    EXPECT_EQ(end.words, "ended with exit code 4");
+    EXPECT_EQ(end.said, "no room\nbye\n");
+    // One that it left behind holds the pipe: it is not waited for.
+    Result<ChildProcess> parent = ChildProcess::start(shell("sleep 3 & exit 0"));
+    ASSERT_TRUE(parent) << parent.error().message;
+    EXPECT_EQ(parent->end(20).said, "");
+}
+
 TEST(ChildProcess, AnswersLineByLine) {
     Result<ChildProcess> child = ChildProcess::start(shell("read a; echo $a $a; read b; echo $b"));
     ASSERT_TRUE(child) << child.error().message;
