@@ -65,27 +65,35 @@ std::vector<std::string> words_for(const VideoDef& def) {
             "file:" + def.file.string()};
 }
 
+enum class Left { Nothing, Part, All };
+
 /// Cuts off a fragment that was begun and not finished: players stumble over half of one. An MP4 file
 /// is a row of boxes, each a length of four bytes and a name of four; a fragment is a `moof`, which
-/// says what is in the `mdat` behind it.
-void keep_whole_fragments(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
+/// says what is in the `mdat` behind it. Other kinds of files stay as they are. Says what is left.
+Left keep_whole_fragments(const std::filesystem::path& file) {
     std::error_code failed;
     const std::uintmax_t size = std::filesystem::file_size(file, failed);
-    if (failed) return;
+    if (failed || size == 0) return Left::Nothing;
+    std::ifstream stream(file, std::ios::binary);
     std::uintmax_t whole = 0;
+    bool has_pictures = false;
     std::array<char, 8> head{};
     for (std::uintmax_t at = 0; stream.read(head.data(), head.size());) {
+        const std::string_view name(&head[4], 4);
+        if (at == 0 && name != "ftyp") return Left::All;
         std::uintmax_t length = 0;
         for (std::size_t i = 0; i < 4; ++i)
             length = length << 8U | static_cast<unsigned char>(head[i]);
         if (length < head.size() || length > size - at) break;
         at += length;
-        if (std::string_view(&head[4], 4) != "moof") whole = at;
+        if (name != "moof") whole = at;
+        has_pictures = has_pictures || name == "mdat";
         stream.seekg(static_cast<std::streamoff>(at));
     }
-    stream.close();
-    if (whole > 0 && whole < size) std::filesystem::resize_file(file, whole, failed);
+    if (!has_pictures) return Left::Nothing;
+    if (whole == size) return Left::All;
+    std::filesystem::resize_file(file, whole, failed);
+    return Left::Part;
 }
 
 /// How it ended, with what it said first: later lines follow from that.
@@ -160,12 +168,18 @@ Result<Done> VideoFile::finish() {
     writer_.join();
     ffmpeg_.close_input();
     const ChildEnd end = ffmpeg_.end(kGrace_s);
-    if (end.good && !broken_) return Done{};
-    keep_whole_fragments(def_.file);
+    const Left left = keep_whole_fragments(def_.file);
+    // A disk that is full at the very end is no failure to ffmpeg.
+    if (end.good && !broken_ && left != Left::Part) return Done{};
+    const std::string words = end.words.empty() ? "read no more" : words_of(end);
+    if (left == Left::Nothing) {
+        return Error{
+            fmt::format("the film {} was not written: ffmpeg {}", def_.file.string(), words)};
+    }
     return Error{
         fmt::format("the film {} is not whole: ffmpeg {}; what was written until then plays",
                     def_.file.string(),
-                    end.words.empty() ? "read no more" : words_of(end))};
+                    words)};
 }
 
 }  // namespace plumbline::app
