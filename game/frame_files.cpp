@@ -35,7 +35,7 @@ Result<FrameFiles> FrameFiles::open(const FrameFilesDef& def) {
 
 Result<Done> FrameFiles::take(const app::OffscreenRun& run) {
     if (folder_.empty() && !video_) return Done{};
-    assets::ImageData picture = run.pixels();
+    assets::ImageData picture = run.pixels(video_ ? video_->spare() : assets::ImageData{});
     if (!folder_.empty()) {
         const Result<Done> written = assets::write_png(folder_ / name_of_frame(++count_), picture);
         if (!written) return written;

@@ -4,10 +4,13 @@
 #include "engine/core/files.h"
 #include "engine/core/log.h"
 
+#include <algorithm>
+
 namespace plumbline::app {
 namespace {
 
 constexpr int kFramesPer_s = 30;
+constexpr double kPeriod_s = 1.0 / kFramesPer_s;
 
 }  // namespace
 
@@ -26,14 +29,14 @@ void FrameParts::start_or_end_film() {
         VideoFile::start({.file = unused_file(folder, scene_name(), ".mp4"),
                           .width_px = static_cast<std::uint32_t>(size.width),
                           .height_px = static_cast<std::uint32_t>(size.height),
-                          .frames_per_s = kFramesPer_s});
+                          .frames_per_s = kFramesPer_s,
+                          .live = true});
     if (!film) {
         say(film.error().message);
         return;
     }
     film_ = std::move(*film);
-    film_start_s_ = window_.now_s();
-    film_frames_ = 0;
+    film_next_s_ = window_.now_s();
     say("a film is taken until the same key is pressed again");
 }
 
@@ -46,12 +49,11 @@ void FrameParts::film_frame() {
         end_film();
         return;
     }
-    const double due = (window_.now_s() - film_start_s_) * kFramesPer_s + 1.0;
-    const int times = static_cast<int>(due) - film_frames_;
-    // Where ffmpeg is slower than we are, later pictures stand for those in between.
-    if (times <= 0 || film_->is_full()) return;
-    film_frames_ += times;
-    if (!film_->add(renderer->read_pixels(), times)) end_film();
+    const double now_s = window_.now_s();
+    // Where ffmpeg is slower than we are, the picture before stands longer.
+    if (now_s < film_next_s_ || film_->is_full()) return;
+    film_next_s_ = std::max(film_next_s_, now_s - kPeriod_s) + kPeriod_s;
+    if (!film_->add(renderer->read_pixels(film_->spare()))) end_film();
 }
 
 void FrameParts::end_film() {

@@ -118,8 +118,7 @@ private:
     double chosen_s_{0};
     std::string report_text_;
     std::unique_ptr<VideoFile> film_;  ///< null: none is taken
-    double film_start_s_{0};
-    int film_frames_{0};
+    double film_next_s_{0};            ///< then the next picture is due
     bool closing_{false};
     ExitCode code_{ExitCode::Good};  ///< not good: why it cannot go on
     bool menu_was_open_{false};

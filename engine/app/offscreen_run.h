@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace plumbline::app {
 
@@ -32,7 +33,9 @@ public:
     /// One picture of the present state; `view` absent: the game's own. A shader that does not compile
     /// is an error (exit code 3).
     Result<Done> draw(const std::optional<scene::ViewPoint>& view);
-    assets::ImageData pixels() const { return renderer_->read_pixels(); }
+    assets::ImageData pixels(assets::ImageData spare = {}) const {
+        return renderer_->read_pixels(std::move(spare));
+    }
 
     const FrameReport& report() const { return report_; }
     std::string report_json() const;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdlib>
 #include <fstream>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 
@@ -32,37 +33,22 @@ bool is_installed(std::string_view program) {
 }
 
 std::vector<std::string> words_for(const VideoDef& def) {
-    return {"-loglevel",
-            "error",
-            "-y",
-            // what comes: bare pictures, one after the other
-            "-f",
-            "rawvideo",
-            "-pix_fmt",
-            "rgb24",
-            "-s",
-            fmt::format("{}x{}", def.width_px, def.height_px),
-            "-r",
-            fmt::format("{}", def.frames_per_s),
-            "-i",
-            "-",
-            // H.264 wants even sides; the least work a frame, as we draw meanwhile
-            "-vf",
-            "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-            "-c:v",
-            "libx264",
-            "-preset",
-            "ultrafast",
-            "-crf",
-            "20",
-            "-pix_fmt",
-            "yuv420p",
-            "-g",
-            fmt::format("{}", def.frames_per_s / 2),
-            "-movflags",
-            "frag_keyframe+empty_moov+default_base_moof",
-            // so that no name is taken for an option or an address
-            "file:" + def.file.string()};
+    const std::string rate = fmt::format("{}", def.frames_per_s);
+    // What comes: bare pictures, one after the other; by the clock, or at an even pace.
+    std::vector<std::string> words{"-loglevel", "error", "-y", "-f", "rawvideo"};
+    const auto add = [&](std::initializer_list<std::string> more) {
+        words.insert(words.end(), more);
+    };
+    if (def.live) add({"-use_wallclock_as_timestamps", "1", "-framerate", rate});
+    if (!def.live) add({"-r", rate});
+    add({"-pix_fmt", "rgb24", "-s", fmt::format("{}x{}", def.width_px, def.height_px), "-i", "-"});
+    if (def.live) add({"-fps_mode", "vfr"});
+    // H.264 wants even sides; the least work a frame, as we draw meanwhile.
+    add({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-preset", "ultrafast"});
+    add({"-crf", "20", "-pix_fmt", "yuv420p", "-g", fmt::format("{}", def.frames_per_s / 2)});
+    // A file in fragments, each of which plays by itself; no name is taken for an option or an address.
+    add({"-movflags", "frag_keyframe+empty_moov+default_base_moof", "file:" + def.file.string()});
+    return words;
 }
 
 enum class Left { Nothing, Part, All };
@@ -129,11 +115,16 @@ bool VideoFile::is_full() const {
     return !broken_ && waiting_.size() >= kMostWaiting;
 }
 
-bool VideoFile::add(assets::ImageData picture, int times) {
+assets::ImageData VideoFile::spare() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(shown_, {});
+}
+
+bool VideoFile::add(assets::ImageData picture) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return broken_ || waiting_.size() < kMostWaiting; });
     if (broken_ || ended_) return false;
-    waiting_.push_back({.picture = std::move(picture), .times = times});
+    waiting_.push_back(std::move(picture));
     changed_.notify_all();
     return true;
 }
@@ -143,15 +134,15 @@ void VideoFile::write_pictures() {
     for (;;) {
         changed_.wait(lock, [&] { return ended_ || !waiting_.empty(); });
         if (waiting_.empty()) return;
-        const Shown shown = std::move(waiting_.front());
+        assets::ImageData picture = std::move(waiting_.front());
         waiting_.pop_front();
         changed_.notify_all();
         lock.unlock();
-        const auto& bytes = shown.picture.bytes;
-        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-        bool read = true;
-        for (int i = 0; i < shown.times && read; ++i) read = ffmpeg_.send(text);
+        const std::string_view text(reinterpret_cast<const char*>(picture.bytes.data()),
+                                    picture.bytes.size());
+        const bool read = ffmpeg_.send(text);
         lock.lock();
+        shown_ = std::move(picture);
         if (read) continue;
         broken_ = true;
         changed_.notify_all();

@@ -21,6 +21,9 @@ struct VideoDef {
     std::uint32_t width_px{0};
     std::uint32_t height_px{0};
     int frames_per_s{60};
+    /// Pictures come as they are drawn, frames_per_s at most, and each is shown until the next one came.
+    /// Else each is shown for 1 / frames_per_s.
+    bool live{false};
 };
 
 /// However it ends, what was written until then plays: the film is in fragments of half a second.
@@ -36,18 +39,16 @@ public:
     const VideoDef& def() const { return def_; }
     /// A few pictures wait at most; then this one has to, or be left out.
     bool is_full() const;
-    /// Shows an RGB picture of the film's size `times` times. False, without waiting, once nobody
-    /// reads them any more: finish() says why.
-    bool add(assets::ImageData picture, int times = 1);
+    /// One that was shown, for its memory; an empty one where there is none.
+    assets::ImageData spare();
+    /// Shows an RGB picture of the film's size. False, without waiting, once nobody reads them any
+    /// more: finish() says why.
+    bool add(assets::ImageData picture);
     /// Waits for what is still to be written. The error tells what went wrong, and that what was
     /// written plays.
     Result<Done> finish();
 
 private:
-    struct Shown {
-        assets::ImageData picture;
-        int times{1};
-    };
     VideoFile(const VideoDef& def, ChildProcess ffmpeg);
     void write_pictures();
 
@@ -55,7 +56,8 @@ private:
     ChildProcess ffmpeg_;
     mutable std::mutex mutex_;
     std::condition_variable changed_;
-    std::deque<Shown> waiting_;
+    std::deque<assets::ImageData> waiting_;
+    assets::ImageData shown_;
     bool ended_{false};   ///< no more will come
     bool broken_{false};  ///< ffmpeg reads no more
     std::thread writer_;  // last: it uses all the others

@@ -7,6 +7,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,6 +25,7 @@ namespace {
 
 constexpr std::size_t kReadEnd = 0;
 constexpr std::size_t kWriteEnd = 1;
+constexpr int kLowPriority = 10;
 
 /// Both ends of a pipe; what is still held is closed. No child gets them but by dup.
 struct Pipe {
@@ -104,6 +106,7 @@ Result<ChildProcess> ChildProcess::start(const ChildDef& def) {
                                    pointers.data(),
                                    environ);
     if (error != 0) return refused(error);
+    if (def.gives_way) setpriority(PRIO_PROCESS, static_cast<id_t>(pid), kLowPriority);
     return ChildProcess(pid, input.release(kWriteEnd), output.release(kReadEnd));
 }
 

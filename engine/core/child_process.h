@@ -18,6 +18,7 @@ struct ChildDef {
     bool own_group{false};  ///< Ctrl-C on the terminal is for us alone, who end the child
     bool silent{false};     ///< its messages go nowhere; else where ours go,
     bool tells_us{false};   ///< or to us, with its output
+    bool gives_way{false};  ///< takes the processor's time that others leave
 };
 
 struct ChildEnd {

@@ -281,12 +281,12 @@ const std::string& Renderer::shader_fault() const {
     return impl_->scene.shaders.fault();
 }
 
-assets::ImageData Renderer::read_pixels() const {
+assets::ImageData Renderer::read_pixels(assets::ImageData spare) const {
     const Impl& r = *impl_;
     assets::ImageData image{.width = r.width_px,
                             .height = r.height_px,
                             .format = assets::PixelFormat::Rgb8,
-                            .bytes = {}};
+                            .bytes = std::move(spare.bytes)};
     const std::size_t row = std::size_t{r.width_px} * 3;
     image.bytes.resize(row * r.height_px);
     if (image.bytes.empty()) return image;

@@ -90,8 +90,9 @@ public:
     /// Empty when all are. What such a shader draws is missing, or as before the reload.
     const std::string& shader_fault() const;
 
-    /// The picture as shown, rows from the top, Rgb8; from the present target.
-    assets::ImageData read_pixels() const;
+    /// The picture as shown, rows from the top, Rgb8; from the present target. In the memory of `spare`,
+    /// where that has enough: new memory of this size costs as much as reading.
+    assets::ImageData read_pixels(assets::ImageData spare = {}) const;
 
     const FrameStats& stats() const;
     std::vector<GpuBytes> gpu_bytes() const;

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <string>
@@ -71,6 +73,18 @@ TEST(ChildProcess, WhatItSaidLastComesWithItsEnd) {
     Result<ChildProcess> parent = ChildProcess::start(shell("sleep 3 & exit 0"));
     ASSERT_TRUE(parent) << parent.error().message;
     EXPECT_EQ(parent->end(20).said, "");
+}
+
+TEST(ChildProcess, GivesWayWhereThatIsAskedFor) {
+    const int own = getpriority(PRIO_PROCESS, 0);
+    for (const bool gives_way : {false, true}) {
+        ChildDef def = shell("read go; nice");
+        def.gives_way = gives_way;
+        Result<ChildProcess> child = ChildProcess::start(def);
+        ASSERT_TRUE(child) << child.error().message;
+        ASSERT_TRUE(child->send_line("now"));
+        EXPECT_EQ(all_of(*child), std::to_string(gives_way ? std::max(own, 10) : own) + "\n");
+    }
 }
 
 TEST(ChildProcess, AnswersLineByLine) {
