@@ -29,10 +29,7 @@ public:
         const scene::SceneDescription& scene = simulation.description();
         if (frame.sun && scene.sun->cube_m > 0.0F) {
             const Vec3f center = -frame.sun->direction_world * scene.sun->cube_distance_m;
-            add({.position = Vec3(center)},
-                scene.sun->cube_m,
-                frame.sun->radiance,
-                frame);
+            add({.position = Vec3(center)}, scene.sun->cube_m, frame.sun->radiance, frame);
         }
         if (shows_flashlight(simulation)) {
             Pose pose = view.world_from_hand;

@@ -30,8 +30,8 @@ struct Quality {
     /// The sun's shadows go on beyond the scene's distance to the camera's far plane, in one more
     /// cascade where there are fewer than four.
     bool far_shadows{false};
-    float lod_error_px{0.0F};   ///< a mesh may be coarser by so much; 0: always the full mesh
-    float smallest_px{0.0F};    ///< things that look smaller than this are left out; 0: nothing is
+    float lod_error_px{0.0F};  ///< a mesh may be coarser by so much; 0: always the full mesh
+    float smallest_px{0.0F};   ///< things that look smaller than this are left out; 0: nothing is
 };
 
 /// Low is for drawing on the CPU; High leaves out nothing that can be seen at 1280x720.
