@@ -73,7 +73,7 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
     if (frame.width_px == 0 || frame.height_px == 0) return;
     const scene::HudContent hud = session_.game->hud(*session_.simulation);
     const double now_s = window_.now_s();
-    for (const std::string& message : hud.messages) overlay_.say(message, now_s);
+    for (const std::string& message : hud.messages) overlay_.say_latest(message, now_s);
     if (controls_.parts.stats) ledger_ = session_.effects->ledger();
     const bool hints = config_.current().hints && !def_.unattended;
     const HintScene hint_scene{

@@ -83,6 +83,14 @@ void Overlay::say(std::string message, double now_s) {
     if (impl_->messages.size() > kMessages) impl_->messages.pop_front();
 }
 
+void Overlay::say_latest(std::string message, double now_s) {
+    const std::string_view stem = panels::stem_of(message);
+    std::erase_if(impl_->messages, [&](const panels::Message& shown) {
+        return panels::stem_of(shown.text) == stem;
+    });
+    say(std::move(message), now_s);
+}
+
 AccuracyRequest Overlay::draw(const OverlayInput& input,
                               const InputSnapshot& devices,
                               const ui::MenuControl& menu) {

@@ -74,6 +74,8 @@ public:
 
     /// A line that fades after some seconds; longer ones stay longer.
     void say(std::string message, double now_s);
+    /// The same, in place of one that begins so as far as to its first digit: "light: 80 %".
+    void say_latest(std::string message, double now_s);
 
     /// Builds and draws into the bound framebuffer.
     AccuracyRequest draw(const OverlayInput& input,

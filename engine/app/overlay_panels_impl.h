@@ -6,6 +6,7 @@
 
 #include <deque>
 #include <string>
+#include <string_view>
 
 namespace plumbline::app::panels {
 
@@ -13,6 +14,11 @@ struct Message {
     std::string text;
     double until_s{0};
 };
+
+/// What a line says before its first digit.
+constexpr std::string_view stem_of(std::string_view text) {
+    return text.substr(0, text.find_first_of("0123456789"));
+}
 
 /// All that is written over the picture in play, but for messages.
 ui::HudTexts hud_texts(const OverlayInput& input);

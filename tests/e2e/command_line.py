@@ -59,6 +59,7 @@ def usage():
     run("simulate", CUBE, "--solver", "bullet_sj", code=2, says="bullet_si")
     run("render", CUBE, "--shading", "toon", code=2, says="expected pbr, blinn_phong or unlit")
     run("render", CUBE, "--camera", "1,2", code=2, says="expected x,y,z,yaw,pitch")
+    run("render", CUBE, "--camera", "1,2,3,0,0", "--camera-path", "p", code=2, says="excludes")
     # EXPERIENCE D20
     for words in (["--replay", "a", "--record", "b"], ["--replay", "a", "--random-input", "3"], ["--safe", "--config", folder],
                   ["--quiet", "--verbose"]):
@@ -181,6 +182,24 @@ def pictures():
         assert (line["constructions"], line["calls"], line["bytes_gpu"]) == (0, 0, 0), line
 
 
+def camera_paths():
+    """SOURCES B25: the same place by a path as by a camera, then on; a fault is named with its line."""
+    path = folder / "flight.path"
+    path.write_text("plumbline camera path 1\n0 0 1.5 4 1 0 0 0\n1 0 1.5 9 1 0 0 0\n")
+    words = ("render", CUBE, "--size", "64x64")
+    run(*words, "--camera-path", path, "--frames", 31, "--out", folder / "flight")
+    frames = sorted((folder / "flight").iterdir())
+    assert len(frames) == 31, frames
+    run(*words, "--camera", "0,1.5,4,0,0", "--out", folder / "first.png")
+    assert frames[0].read_bytes() == (folder / "first.png").read_bytes()
+    run(*words, "--camera", "0,1.5,6.5,0,0", "--frames", 31, "--out", folder / "middle")
+    assert frames[30].read_bytes() == (folder / "middle" / frames[30].name).read_bytes()
+    path.write_text("plumbline camera path 1\n0 0 1.5 4 1 0 0 0\n1 0 1.5\n")
+    for words in (("render", CUBE), ("play", CUBE)):
+        run(*words, "--camera-path", path, code=4, says="flight.path:3: 3 numbers; expected 8 numbers")
+    run("render", CUBE, "--camera-path", folder / "none.path", code=1, says="none.path")
+
+
 def interruption():
     running = subprocess.Popen([program, "simulate", "assets/scenes/pile.toml", "--seconds", "3600", "--state", folder / "half.json"],
                                env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -190,6 +209,6 @@ def interruption():
     assert json.loads((folder / "half.json").read_text())["steps"] > 0
 
 
-for test in (usage, hostile_words, decimal_commas, falls_as_galileo_says, one_hash_at_any_frame_rate, display, scenes, the_door_of_the_docs_can_be_struck, settings, pictures, interruption):
+for test in (usage, hostile_words, decimal_commas, falls_as_galileo_says, one_hash_at_any_frame_rate, display, scenes, the_door_of_the_docs_can_be_struck, settings, pictures, camera_paths, interruption):
     print(test.__name__, flush=True)
     test()

@@ -62,13 +62,19 @@ class Scene:
 
 
 def scenery(rows):
-    """What no message and no sign is written over: the upper right part, but for its corner."""
-    return [pixel for row in rows[40:200] for pixel in row[260:]]
+    """What no message is written over and no sail passes: the upper left part, below the corner."""
+    return [pixel for row in rows[40:200] for pixel in row[20:440]]
 
 
 def mean(rows):
     pixels = scenery(rows)
     return [sum(pixel[i] for pixel in pixels) / len(pixels) for i in range(3)]
+
+
+def spread(rows):
+    """How far the pixels' green is from its mean, on average."""
+    middle, pixels = mean(rows)[1], scenery(rows)
+    return sum(abs(pixel[1] - middle) for pixel in pixels) / len(pixels)
 
 
 def difference(a, b):
@@ -137,7 +143,6 @@ def fog_grows_denser(scene):
     expect(difference(clear, foggy) > 4, "F brings fog")
     scene.game.press("KP_Multiply", 4, 0.4)
     dense = scene.picture("fog_denser")
-    spread = lambda rows: sum(abs(pixel[1] - mean(rows)[1]) for pixel in scenery(rows)) / len(scenery(rows))
     expect(spread(dense) < 0.8 * spread(foggy), f"denser fog levels all: {spread(foggy):.1f}, then {spread(dense):.1f}")
     scene.game.press("KP_Divide", 4, 0.4)
     expect(difference(scene.picture("fog_thinner"), foggy) < 3, "and thinner again")

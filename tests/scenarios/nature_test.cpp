@@ -8,8 +8,8 @@ namespace {
 
 using test::SceneRun;
 
-// SOURCES B35: a turn in 8 s, and what stands under the sails is struck at no more than the speed of
-// their ends: 1.86 m away from the axis at 2 pi / 8 rad/s.
+// SOURCES B35: a turn in 8 s. What stands under the sails is struck by their ends, 1.86 m away from the
+// axis at 2 pi / 8 rad/s: 1.5 m/s, which nothing leaves at more than twice.
 TEST(Nature, TheMillPushesTheCratesAway) {
     SceneRun run("nature.toml");
     ASSERT_TRUE(run.simulation);
@@ -31,7 +31,7 @@ TEST(Nature, TheMillPushesTheCratesAway) {
                          glm::distance(run.state("mill_crate_2").world_from_body.position, second);
     EXPECT_GT(moved_m, 0.3);
     EXPECT_GT(fastest_mps, 0.3);
-    EXPECT_LT(fastest_mps, 2.5);
+    EXPECT_LT(fastest_mps, 3);
 }
 
 }  // namespace
