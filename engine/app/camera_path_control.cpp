@@ -20,6 +20,9 @@ constexpr std::array kWalking{Action::Forward,
                               Action::RotateLeft,
                               Action::RotateRight};
 
+constexpr const char* kNoFolder =
+    "no folder for camera paths: neither XDG_DATA_HOME nor HOME is set";
+
 bool walks(input::ActionLatch& latch) {
     bool any = false;
     for (const Action action : kWalking) any = latch.take_frame_presses(action) > 0 || any;
@@ -39,6 +42,10 @@ std::filesystem::path CameraPathControl::file() const {
 }
 
 bool CameraPathControl::read() {
+    if (file().empty()) {
+        say_(kNoFolder);
+        return false;
+    }
     Result<scene::CameraPath> path = scene::CameraPath::read(file());
     if (!path) {
         say_(path.error().message);
@@ -52,7 +59,7 @@ bool CameraPathControl::read() {
 void CameraPathControl::begin_recording() {
     playing_ = false;
     if (def_.folder.empty()) {
-        say_("no folder for camera paths: neither XDG_DATA_HOME nor HOME is set");
+        say_(kNoFolder);
         return;
     }
     recording_.emplace();

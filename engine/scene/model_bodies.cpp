@@ -98,9 +98,11 @@ std::vector<PartShape> part_shapes_of(const assets::MovingModel& model, const Ve
         std::vector<Vec3> points;
         for (const Vec3& point : found.points) points.push_back(part_from_node * point);
         if (found.as_box || is_flat(points)) points = box_of(points);
-        const std::string& name = model.data.nodes[node].name;
+        std::string name = model.data.nodes[node].name;
+        if (name.empty() || std::ranges::find(shapes, name, &PartShape::name) != shapes.end())
+            name += fmt::format("{}", node);
         shapes.push_back({.node = node,
-                          .name = name.empty() ? fmt::format("{}", node) : name,
+                          .name = std::move(name),
                           .hull = {.points_m = std::move(points)}});
     }
     return shapes;

@@ -14,7 +14,7 @@ namespace plumbline::scene {
 
 struct PartShape {
     std::uint32_t node{0};
-    std::string name;         ///< the node's, or its number
+    std::string name;         ///< the node's; its number, where it has none or another has it too
     physics::HullShape hull;  ///< in the part's frame: see part_pose
 };
 
