@@ -101,9 +101,8 @@ std::vector<PartShape> part_shapes_of(const assets::MovingModel& model, const Ve
         std::string name = model.data.nodes[node].name;
         if (name.empty() || std::ranges::find(shapes, name, &PartShape::name) != shapes.end())
             name += fmt::format("{}", node);
-        shapes.push_back({.node = node,
-                          .name = std::move(name),
-                          .hull = {.points_m = std::move(points)}});
+        shapes.push_back(
+            {.node = node, .name = std::move(name), .hull = {.points_m = std::move(points)}});
     }
     return shapes;
 }
