@@ -115,7 +115,7 @@ void Renderer::Impl::size_own_target() {
     if (color_image.width() == width_px && color_image.height() == height_px) return;
     own_framebuffer = {};
     color_image =
-        gl::Texture::target(gl::TargetFormat::Rgba8, width_px, height_px, gl::Filter::Nearest);
+        gl::Texture::target(gl::TargetFormat::Srgb8, width_px, height_px, gl::Filter::Nearest);
     depth_image =
         gl::Texture::target(gl::TargetFormat::Depth24, width_px, height_px, gl::Filter::Nearest);
     own_framebuffer = gl::Framebuffer{&color_image, &depth_image};
@@ -169,6 +169,11 @@ Result<Done> Renderer::Impl::try_scene_targets() {
                  .keeps_depth = !frame->lines.vertices.empty()};
     stats.scene_width_px = post_view.scene_px.width;
     stats.scene_height_px = post_view.scene_px.height;
+    draws_codes = target == PresentTarget::Offscreen && post_view.has_no_steps();
+    if (draws_codes) {
+        scene_target = {};
+        return post.resize(post_view);
+    }
     const PixelSize& size_px = post_view.scene_px;
     if (limits.target_bytes > 0 &&
         SceneTarget::bytes_for(size_px.width, size_px.height) > limits.target_bytes) {

@@ -182,7 +182,12 @@ void Renderer::opaque() {
     Impl& r = *impl_;
     if (r.nothing_to_draw) return;
     const gl::PassTimers::Scope timed(r.timers, "opaque");
-    r.scene_target.bind();
+    if (r.draws_codes) {
+        r.bind_present_target();
+        glEnable(GL_FRAMEBUFFER_SRGB);
+    } else {
+        r.scene_target.bind();
+    }
     const Vec3f clear = background_of(*r.frame);
     glClearColor(clear.x, clear.y, clear.z, 1.0F);
     glDepthMask(GL_TRUE);
@@ -235,6 +240,8 @@ void Renderer::translucent() {
 void Renderer::post() {
     Impl& r = *impl_;
     if (r.nothing_to_draw) return;
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    if (r.draws_codes) return;
     if (r.post_view.bloom) {
         const gl::PassTimers::Scope timed(r.timers, "post.bloom");
         r.post.render_bloom(r.scene_target, r.triangle, r.scene, r.stats);

@@ -45,6 +45,8 @@ struct Renderer::Impl {
     Quality quality{};       ///< in force: the frame's, or less where memory is short
     FeatureSet features{0};  ///< of the frame
     PostView post_view{};
+    bool draws_codes{
+        false};  ///< the scene is drawn into the present target, which encodes its light
     FrameBlock block;
     std::vector<ShadowView> sun_views;  ///< one a cascade
     ShadowView flashlight_view{};

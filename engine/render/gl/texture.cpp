@@ -41,6 +41,8 @@ GlFormat format_of(TargetFormat format) {
     switch (format) {
         case TargetFormat::Rgba8:
             return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+        case TargetFormat::Srgb8:
+            return {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
         case TargetFormat::HdrColor:
             return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
         case TargetFormat::Depth16:

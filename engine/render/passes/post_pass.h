@@ -1,6 +1,6 @@
 // From the scene's light to the finished picture: bloom, tone map and sRGB, smooth edges, scaling
 // up. Each step has its images only while a frame asks for it; without any there is one pass, from
-// the scene's image straight to the screen.
+// the scene's image straight to the screen, or none where the renderer's own target encodes.
 #pragma once
 
 #include "engine/render/gl/framebuffer.h"
@@ -26,6 +26,10 @@ struct PostView {
 
     bool is_scaled() const { return picture_px != present_px; }
     bool has_samples() const { return scene_px != picture_px; }
+    /// Light has to be encoded, nothing else.
+    bool has_no_steps() const {
+        return !bloom && !tone_curve && !fxaa && !is_scaled() && !has_samples();
+    }
 };
 
 class PostPass {
