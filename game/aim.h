@@ -14,6 +14,11 @@ struct Aim {
     physics::BodyId own_body{};  ///< the person's capsule, if there is one
     physics::BodyId support{};   ///< what the person stands on
     Real keep_away_m{0};         ///< level distance from the eye's axis that held things keep
+    bool by_pointer{false};      ///< a free pointer aims: it reaches as far as one sees
+
+    /// How far something at most `arm_m` away may be taken, moved or removed.
+    Real reach_m(Real arm_m) const { return by_pointer ? kSight_m : arm_m; }
+    static constexpr Real kSight_m = 1000;
 };
 
 /// Level and unit; yaw 0 looks down -Z, left is positive.

@@ -3,6 +3,7 @@
 #include "game/aim.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace plumbline::game {
 
@@ -59,6 +60,19 @@ Real travel_of(const Actions& actions, Action action) {
     return amount > 0 && amount < 1 ? amount : Real{1};
 }
 
+int KeyRepeat::acts(int presses, int direction, Real step_s) {
+    constexpr Real kFirst_s = 0.4_r;
+    if (presses != 0) {
+        wait_s_ = kFirst_s;
+        return presses;
+    }
+    if (direction == 0) return 0;
+    wait_s_ -= step_s;
+    if (wait_s_ > 1e-5_r) return 0;
+    wait_s_ += every_s_;
+    return direction;
+}
+
 void Look::set(Real yaw_rad, Real pitch_rad) {
     yaw_rad_ = std::remainder(yaw_rad, 2 * kPi);
     pitch_rad_ = clamped_pitch(pitch_rad);
@@ -106,7 +120,11 @@ void Look::turn_smoothly(Real yaw_rad, Real pitch_rad) {
 }
 
 Quat Look::orientation() const {
-    return start_ * orientation_of(yaw_rad_, pitch_rad_);
+    return orientation_at(yaw_rad_, pitch_rad_);
+}
+
+Quat Look::orientation_at(Real yaw_rad, Real pitch_rad) const {
+    return start_ * orientation_of(yaw_rad, pitch_rad);
 }
 
 Quat Look::orientation(Real blend, Real pending_yaw_rad, Real pending_pitch_rad) const {
@@ -185,7 +203,11 @@ void OrbitCamera::pan(const Quat& orientation, Real yaw_rad, Real pitch_rad) {
     target_m_ += orientation * Vec3{yaw_rad, -pitch_rad, 0} * distance_m_;
 }
 
-void OrbitCamera::act(const Actions& actions, Look& look, const GroundBelow& ground, Real step_s) {
+void OrbitCamera::go_by_steps(Real turn_rad, Real way_m) {
+    steps_ = Steps{.turn_rad = turn_rad, .way_m = way_m};
+}
+
+void OrbitCamera::act_smoothly(const Actions& actions, Look& look, Real step_s) {
     const Real turn = kOrbitTurn_radps * step_s;
     const Real left = travel_of(actions, Action::RotateLeft) + travel_of(actions, Action::Left);
     const Real right = travel_of(actions, Action::RotateRight) + travel_of(actions, Action::Right);
@@ -193,12 +215,46 @@ void OrbitCamera::act(const Actions& actions, Look& look, const GroundBelow& gro
     // The camera goes to the right when its view turns to the left.
     look.turn_smoothly((right - left) * turn, -up * turn);
 
-    previous_distance_m_ = distance_m_;
     const Real zoom = travel_of(actions, Action::ZoomOut) - travel_of(actions, Action::ZoomIn);
     const int notches = actions.presses(Action::Push) - actions.presses(Action::Pull) +
                         notches_of(actions, Action::ZoomIn, Action::ZoomOut);
     distance_m_ *= std::exp(zoom * kOrbitZoom_per_s * step_s) *
                    std::pow(kOrbitNotch, static_cast<Real>(notches));
+}
+
+void OrbitCamera::act_by_steps(const Actions& actions, Look& look, Real step_s) {
+    const auto acts = [&](KeyRepeat& repeat,
+                          std::initializer_list<Action> more,
+                          std::initializer_list<Action> less) {
+        int presses = 0;
+        int direction = 0;
+        for (const Action action : more) {
+            presses += actions.presses(action);
+            if (actions.is_held(action)) ++direction;
+        }
+        for (const Action action : less) {
+            presses -= actions.presses(action);
+            if (actions.is_held(action)) --direction;
+        }
+        return static_cast<Real>(repeat.acts(presses, std::clamp(direction, -1, 1), step_s));
+    };
+    Steps& steps = *steps_;
+    const Real right =
+        acts(steps.yaw, {Action::RotateRight, Action::Right}, {Action::RotateLeft, Action::Left});
+    const Real down = acts(steps.pitch, {Action::Back}, {Action::Forward});
+    look.turn_smoothly(right * steps.turn_rad, down * steps.turn_rad);
+    const Real out =
+        acts(steps.way, {Action::ZoomOut, Action::Pull}, {Action::ZoomIn, Action::Push});
+    distance_m_ += out * steps.way_m;
+}
+
+void OrbitCamera::act(const Actions& actions, Look& look, const GroundBelow& ground, Real step_s) {
+    previous_distance_m_ = distance_m_;
+    if (steps_) {
+        act_by_steps(actions, look, step_s);
+    } else {
+        act_smoothly(actions, look, step_s);
+    }
     distance_m_ = std::clamp(distance_m_, nearest_m_, farthest_m_);
     stay_above(ground, look);
     steady_pitch_rad_ = look.pitch_rad();
@@ -210,8 +266,8 @@ void OrbitCamera::stay_above(const GroundBelow& ground, Look& look) {
     const auto is_above = [&](Real part, Real clearance_share) {
         const Real distance = previous_distance_m_ + zoom * part;
         const Vec3 eye_m =
-            target_m_ +
-            orientation_of(look.yaw_rad(), steady_pitch_rad_ + pitch * part) * Vec3{0, 0, distance};
+            target_m_ + look.orientation_at(look.yaw_rad(), steady_pitch_rad_ + pitch * part) *
+                            Vec3{0, 0, distance};
         const Real clearance_m = std::min(clearance_m_, kOrbitClearance * distance);
         return ground(eye_m - Vec3{0, clearance_m * clearance_share, 0});
     };

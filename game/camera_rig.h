@@ -8,6 +8,8 @@
 #include "engine/core/pose.h"
 #include "engine/physics/physics_world.h"
 
+#include <optional>
+
 namespace plumbline::game {
 
 enum class MoveMode : std::uint8_t { Walk, Fly, Orbit };
@@ -16,6 +18,19 @@ enum class MoveMode : std::uint8_t { Walk, Fly, Orbit };
 Real travel_of(const Actions& actions, Action action);
 /// Wheel steps: presses of what is not held. `more` counts up, `less` down.
 int notches_of(const Actions& actions, Action more, Action less);
+
+/// A key that acts once a press and, while it stays down, again and again after a while.
+class KeyRepeat {
+public:
+    explicit KeyRepeat(Real acts_per_s) : every_s_(1 / acts_per_s) {}
+    /// How often it acts in this step. Of two keys against each other `presses` is the difference and
+    /// `direction`, -1, 0 or 1, that of those which are down.
+    int acts(int presses, int direction, Real step_s);
+
+private:
+    Real every_s_;
+    Real wait_s_{0};
+};
 
 /// Yaw about +Y (left is positive), pitch (up is positive).
 class Look {
@@ -36,6 +51,7 @@ public:
     Real pitch_rad() const { return pitch_rad_; }
     Vec3 right() const;
     Quat orientation() const;
+    Quat orientation_at(Real yaw_rad, Real pitch_rad) const;
     /// Between the last two steps, with look added that no step has seen yet.
     Quat orientation(Real blend, Real pending_yaw_rad, Real pending_pitch_rad) const;
 
@@ -96,6 +112,8 @@ public:
     void suit(Real radius_m);
     /// Moves what it turns around across the picture, by angles as the pointer gives them.
     void pan(const Quat& orientation, Real yaw_rad, Real pitch_rad);
+    /// From now on keys turn and zoom by steps: one a press, and while held ten a second.
+    void go_by_steps(Real turn_rad, Real way_m);
     /// Turns `look` by the keys as well, and back where that would take the eye under the ground.
     void act(const Actions& actions, Look& look, const GroundBelow& ground, Real step_s);
 
@@ -104,6 +122,15 @@ public:
     const Vec3& target_m() const { return target_m_; }
 
 private:
+    struct Steps {
+        Real turn_rad;
+        Real way_m;
+        KeyRepeat yaw{10};
+        KeyRepeat pitch{10};
+        KeyRepeat way{10};
+    };
+    void act_smoothly(const Actions& actions, Look& look, Real step_s);
+    void act_by_steps(const Actions& actions, Look& look, Real step_s);
     void stay_above(const GroundBelow& ground, Look& look);
 
     Vec3 target_m_{0, 0, 0};
@@ -113,6 +140,7 @@ private:
     Real nearest_m_{kNearest_m};
     Real farthest_m_{kFarthest_m};
     Real clearance_m_{0.1_r};  ///< over the ground
+    std::optional<Steps> steps_;
 };
 
 }  // namespace plumbline::game

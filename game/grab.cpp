@@ -11,6 +11,7 @@ namespace {
 constexpr Real kStiffness_radps = 18;  // of the spring: follows within about 0.15 s
 constexpr Real kTurnStiffness_radps = 14;
 constexpr Real kFastest_mps = 10;
+constexpr Real kFastest_per_m = 4;  // by a pointer: m/s for each metre that it is away
 constexpr Real kFastest_radps = 12;
 constexpr Real kMostTorque_Nm = 120;
 constexpr Real kLost_m = 1.5_r;       // farther from where it should be: the hand opens …
@@ -49,9 +50,9 @@ Vec3 middle_of(const physics::PhysicsWorld& world, physics::BodyId body) {
 
 }  // namespace
 
-std::optional<Looked> looked_at(const scene::Simulation& simulation, const Aim& aim, Real reach_m) {
+std::optional<Looked> looked_at(const scene::Simulation& simulation, const Aim& aim, Real arm_m) {
     const auto hit = simulation.physics.cast_ray(
-        aim.eye_m, aim.eye_m + aim.forward * reach_m, {.ignored = aim.own_body});
+        aim.eye_m, aim.eye_m + aim.forward * aim.reach_m(arm_m), {.ignored = aim.own_body});
     if (!hit) return std::nullopt;
     return Looked{.entity = simulation.entity_of(hit->body),
                   .body = hit->body,
@@ -74,9 +75,14 @@ std::optional<std::string> Grab::take(scene::Simulation& simulation, const Aim& 
     Vec3 high{};
     world.bounds(body_, low, high);
     radius_m_ = glm::length(high - low) / 2;
-    distance_m_ =
-        std::clamp(glm::length(middle_of(world, body_) - aim.eye_m), kNearest_m, kFarthest_m);
+    const Vec3 middle = middle_of(world, body_);
+    by_pointer_ = aim.by_pointer;
+    distance_m_ = by_pointer_
+                      ? looked->distance_m
+                      : std::clamp(glm::length(middle - aim.eye_m), kNearest_m, kFarthest_m);
     const Quat view = glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0});
+    middle_from_point_ =
+        by_pointer_ ? glm::conjugate(view) * (looked->point_m - middle) : Vec3{0, 0, 0};
     view_from_body_ = glm::conjugate(view) * world.state(body_).world_from_body.orientation;
     last_target_.reset();
     stuck_s_ = 0;
@@ -93,7 +99,8 @@ void Grab::release(scene::Simulation& simulation) {
 }
 
 void Grab::change_distance(Real by_m) {
-    distance_m_ = std::clamp(distance_m_ + by_m, kNearest_m, kFarthest_m);
+    const Real farthest_m = by_pointer_ ? Aim::kSight_m : kFarthest_m;
+    distance_m_ = std::clamp(distance_m_ + by_m, kNearest_m, farthest_m);
 }
 
 void Grab::rotate(Real yaw_rad, Real pitch_rad) {
@@ -103,7 +110,8 @@ void Grab::rotate(Real yaw_rad, Real pitch_rad) {
 }
 
 Vec3 Grab::target_of(const scene::Simulation& simulation, const Aim& aim) const {
-    Vec3 target = aim.eye_m + aim.forward * distance_m_;
+    Vec3 target = aim.eye_m + aim.forward * distance_m_ -
+                  glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0}) * middle_from_point_;
     // Looking down must not press it into the person's own feet.
     const Vec3 aside{target.x - aim.eye_m.x, 0, target.z - aim.eye_m.z};
     const Real keep = aim.keep_away_m > 0 ? aim.keep_away_m + std::min(radius_m_, 0.5_r) : 0;
@@ -130,7 +138,7 @@ void Grab::pull(scene::Simulation& simulation, const Aim& aim) {
     }
     const Vec3 target = target_of(simulation, aim);
     const Real dt = static_cast<Real>(simulation.step_s());
-    const bool lost = glm::length(target - middle_of(world, body_)) > kLost_m;
+    const bool lost = !by_pointer_ && glm::length(target - middle_of(world, body_)) > kLost_m;
     stuck_s_ = lost ? stuck_s_ + dt : Real{0};
     if (stuck_s_ > kLostAfter_s) {
         release(simulation);
@@ -149,10 +157,13 @@ void Grab::pull_straight(scene::Simulation& simulation, const Aim& aim, const Ve
     const Vec3 middle = middle_of(world, body_);
     const Vec3 arm = middle - state.world_from_body.position;
     const Vec3 velocity = state.velocity_mps + glm::cross(state.angular_velocity_radps, arm);
+    // The farther away, the farther a pointer goes in the same time.
+    const Real fastest_mps =
+        by_pointer_ ? std::max(kFastest_mps, kFastest_per_m * distance_m_) : kFastest_mps;
     const Vec3 target_velocity =
-        last_target_ ? shortened((target - *last_target_) / dt, kFastest_mps) : Vec3{0, 0, 0};
+        last_target_ ? shortened((target - *last_target_) / dt, fastest_mps) : Vec3{0, 0, 0};
     const Vec3 next = shortened(
-        damped(velocity, target - middle, target_velocity, kStiffness_radps, dt), kFastest_mps);
+        damped(velocity, target - middle, target_velocity, kStiffness_radps, dt), fastest_mps);
     const Vec3 weight = world.def().gravity_mps2 * mass_kg_;
     Vec3 force = shortened((next - velocity) * (mass_kg_ / dt) - weight, kMostForce_N);
     // Nobody lifts what he stands on.

@@ -18,7 +18,8 @@ public:
     static constexpr Real kNearest_m = 0.6_r;
     static constexpr Real kFarthest_m = 4;
 
-    /// Takes hold of what is looked at. Returns why not, or nothing.
+    /// Takes hold of what is looked at, by its middle; by a free pointer where that is, as far off as it
+    /// is. Returns why not, or nothing.
     std::optional<std::string> take(scene::Simulation& simulation, const Aim& aim);
     void release(scene::Simulation& simulation);
     bool holding() const { return entity_.generation != 0; }
@@ -42,18 +43,21 @@ private:
     Real mass_kg_{0};
     Real radius_m_{0};
     Real distance_m_{2};
+    Vec3 middle_from_point_{0, 0, 0};   ///< where it is held, seen from its middle; view's yaw
+    bool by_pointer_{false};            ///< it follows as fast as a pointer goes
     Quat view_from_body_{kNoRotation};  ///< turn against the view's yaw
     std::optional<Vec3> last_target_{};
     Real stuck_s_{0};
 };
 
-/// The entity with a body that is looked at within a reach, if any; its body and distance.
+/// The entity with a body that is looked at within an arm's length, or anywhere by a free pointer, if
+/// any; its body and distance.
 struct Looked {
     ecs::Entity entity{};
     physics::BodyId body{};
     Vec3 point_m{0, 0, 0};
     Real distance_m{0};
 };
-std::optional<Looked> looked_at(const scene::Simulation& simulation, const Aim& aim, Real reach_m);
+std::optional<Looked> looked_at(const scene::Simulation& simulation, const Aim& aim, Real arm_m);
 
 }  // namespace plumbline::game

@@ -57,8 +57,17 @@ PlaygroundGame::PlaygroundGame(scene::Simulation& simulation,
         return;
     }
     mode_ = MoveMode::Fly;
-    look_.aim_along(scene.camera.target_m - scene.camera.position_m);
+    const Quat world_from_upright = scene::upright(scene.camera.up);
+    const Vec3 forward = scene.camera.target_m - scene.camera.position_m;
+    look_.start_from(world_from_upright);
+    look_.aim_along(glm::conjugate(world_from_upright) * forward);
+    fly_.set_up(scene.camera.up);
     fly_.place(scene.camera.position_m);
+    if (scene.camera.orbit) {
+        mode_ = MoveMode::Orbit;
+        orbit_.place(scene.camera.target_m, glm::length(forward), look_.pitch_rad());
+        orbit_.go_by_steps(scene.camera.orbit->step_rad, scene.camera.orbit->step_m);
+    }
     begin_view(scene);
     start_feet_m_ = scene.camera.position_m;
     base_fov_rad_ = scene.camera.fov_y_rad;
@@ -93,7 +102,12 @@ Aim PlaygroundGame::aim() const {
     Aim aim{.eye_m = eye_m(1, orientation),
             .forward = orientation * Vec3{0, 0, -1},
             .yaw_rad = look_.yaw_rad(),
-            .velocity_mps = viewer_velocity_mps()};
+            .velocity_mps = viewer_velocity_mps(),
+            .by_pointer = pointer_.has_value()};
+    if (pointer_) {
+        const Vec3 ahead{Real{(*pointer_)[0]}, Real{(*pointer_)[1]}, Real{-1}};
+        aim.forward = orientation * glm::normalize(ahead);
+    }
     if (player_) aim.own_body = player_->body();
     if (mode_ == MoveMode::Walk) {
         aim.support = player_->state().ground_body;
@@ -103,6 +117,7 @@ Aim PlaygroundGame::aim() const {
 }
 
 void PlaygroundGame::act(scene::Simulation& simulation, const Actions& actions) {
+    pointer_ = actions.pointer;
     look_.begin_step();
     look_turns_held_ = grab_.holding() && actions.is_held(Action::RotateHeld);
     const Real yaw = Real{actions.look_yaw_rad};
@@ -124,6 +139,10 @@ void PlaygroundGame::act(scene::Simulation& simulation, const Actions& actions) 
     hold(simulation, actions);
     charge_and_throw(simulation, actions);
     drop(simulation, actions);
+    if (goal_) return;  // a game is won by hand
+    shoot(simulation, actions);
+    lift(simulation, actions);
+    explode(simulation, actions);
 }
 
 void PlaygroundGame::move(scene::Simulation& simulation, const Actions& actions) {

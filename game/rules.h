@@ -9,6 +9,7 @@
 #include "game/player.h"
 #include "game/things.h"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -77,6 +78,11 @@ private:
     /// What the hands may not touch: says so.
     bool is_guarded(ecs::Entity entity);
 
+    // rules_forces.cpp
+    void shoot(scene::Simulation& simulation, const Actions& actions);
+    void lift(scene::Simulation& simulation, const Actions& actions);
+    void explode(scene::Simulation& simulation, const Actions& actions);
+
     // rules_light.cpp
     void light(scene::Simulation& simulation, const Actions& actions);
     void change_fog(scene::Simulation& simulation, const Actions& actions);
@@ -95,10 +101,13 @@ private:
     Real base_fov_rad_;
     Real fov_rad_;
     Real previous_fov_rad_;
-    Real drop_wait_s_{0};    ///< until a held key drops the next one
+    KeyRepeat drop_repeat_{6};
     Real throw_held_s_{-1};  ///< how long throw is down; negative: it is not
     bool grab_was_held_{false};
-    bool chooses_{true};  ///< among the things to drop
+    bool chooses_{true};                           ///< among the things to drop
+    std::optional<std::array<float, 2>> pointer_;  ///< as the latest step was told
+    physics::BodyId lifted_{};
+    physics::ShapeId explosion_{};  ///< the ball it reaches; none before the first
     bool look_turns_held_{false};
     Real model_radius_m_{0};   ///< 0: the scene is more than a model
     Real viewer_radius_m_{0};  ///< 0: it is no JSON scene

@@ -9,8 +9,6 @@ namespace plumbline::game {
 
 namespace {
 
-constexpr Real kFirstRepeat_s = 0.4_r;     // a held drop key waits this long …
-constexpr Real kRepeat_s = 1.0_r / 6.0_r;  // … and then drops six a second
 constexpr int kMostDropsAtOnce = 4;
 constexpr Real kChargeFrom_s = 0.2_r;
 constexpr Real kChargeTo_s = 1.0_r;
@@ -83,14 +81,10 @@ void PlaygroundGame::drop(scene::Simulation& simulation, const Actions& actions)
     for (int i = 0; i < actions.presses(Action::UndoDrop); ++i) {
         if (!things_.undo(simulation)) say("nothing to undo");
     }
-    const int presses = std::min(actions.presses(Action::Drop), kMostDropsAtOnce);
-    for (int i = 0; i < presses; ++i) put_one(simulation, {0, 0, 0});
-    if (presses > 0) drop_wait_s_ = kFirstRepeat_s;
-    if (!actions.is_held(Action::Drop) || presses > 0) return;
-    drop_wait_s_ -= step_s_;
-    if (drop_wait_s_ > 1e-5_r) return;
-    drop_wait_s_ += kRepeat_s;
-    put_one(simulation, {0, 0, 0});
+    const int drops = drop_repeat_.acts(std::min(actions.presses(Action::Drop), kMostDropsAtOnce),
+                                        actions.is_held(Action::Drop) ? 1 : 0,
+                                        step_s_);
+    for (int i = 0; i < drops; ++i) put_one(simulation, {0, 0, 0});
 }
 
 void PlaygroundGame::charge_and_throw(scene::Simulation& simulation, const Actions& actions) {
@@ -184,7 +178,7 @@ void PlaygroundGame::remove_looked_at(scene::Simulation& simulation) {
 
 scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
     scene::HudContent content;
-    content.crosshair = mode_ != MoveMode::Orbit && !views_scene();
+    content.crosshair = mode_ != MoveMode::Orbit && !views_scene() && !pointer_;
     if (throw_held_s_ >= 0) content.charge = charge_after(throw_held_s_);
     if (!views_model() && !views_scene()) content.chosen_thing = std::string(things_.chosen_name());
     const auto looked = looked_at(simulation, aim(), Grab::kReach_m);

@@ -16,6 +16,10 @@ const std::array<std::string_view, kThingCount> kThingNames{
 
 namespace {
 
+std::string_view name_of_kind(std::size_t kind) {
+    return kind < kThingCount ? kThingNames[kind] : "shot";
+}
+
 struct Plain {
     scene::Primitive primitive;
     Real mass_kg;
@@ -45,9 +49,11 @@ Plain plain_thing(std::size_t index) {
                 physics::BoxShape{{2.4_r, 0.04_r, 0.2_r}}, 13, "wood", {0.6F, 0.45F, 0.27F}, 0.2_r};
         case 5:
             return {physics::SphereShape{0.15_r}, 35, "stone", {0.4F, 0.4F, 0.38F}, 0.1_r};
-        default:
+        case 6:
             return {
                 physics::BoxShape{{0.5_r, 1, 0.12_r}}, 20, "wood", {0.85F, 0.82F, 0.75F}, 0.1_r};
+        default:
+            return {physics::BoxShape{{1, 1, 1}}, 1, "wood", {0.13F, 0.0F, 0.13F}, 0};
     }
 }
 
@@ -68,15 +74,15 @@ physics::HullShape stone_hull() {
 Thing make_plain(std::size_t index) {
     const Plain plain = plain_thing(index);
     Thing thing;
-    thing.description.name = std::string(kThingNames[index]);
+    thing.description.name = std::string(name_of_kind(index));
     thing.description.visual = plain.primitive;
     scene::BodyDescription body;
-    if (kThingNames[index] == "stone") body.shape = physics::ShapeDef{stone_hull()};
+    if (thing.description.name == "stone") body.shape = physics::ShapeDef{stone_hull()};
     body.mass_kg = plain.mass_kg;
     body.restitution = plain.restitution;
-    if (kThingNames[index] == "ball") body.rolling_friction = 0.002_r;
+    if (thing.description.name == "ball") body.rolling_friction = 0.002_r;
     thing.description.body = body;
-    thing.description.material = fmt::format("{} (plain)", kThingNames[index]);
+    thing.description.material = fmt::format("{} (plain)", thing.description.name);
     thing.material = assets::MaterialData{.name = thing.description.material,
                                           .base_color = plain.color,
                                           .surface = std::string(plain.surface)};
@@ -86,7 +92,7 @@ Thing make_plain(std::size_t index) {
 /// Prefabs of a scene file become droppable: named, dynamic, at rest.
 Thing make_from(const scene::EntityDescription& prefab, std::size_t index) {
     Thing thing{.description = prefab};
-    thing.description.name = std::string(kThingNames[index]);
+    thing.description.name = std::string(name_of_kind(index));
     if (!thing.description.body) thing.description.body.emplace();
     thing.description.body->kind = physics::BodyKind::Dynamic;
     return thing;
@@ -115,8 +121,8 @@ Things::Things(scene::Simulation& simulation, const std::filesystem::path& asset
         if (auto loaded = scene::load_scene(file, assets_folder, faults)) shipped = *loaded;
     }
     simulation.builder().lend_materials(shipped.materials);
-    for (std::size_t i = 0; i < kThingCount; ++i) {
-        const std::string name(kThingNames[i]);
+    for (std::size_t i = 0; i < kKinds; ++i) {
+        const std::string name(name_of_kind(i));
         if (const auto own = scene.prefabs.find(name); own != scene.prefabs.end()) {
             things_[i] = make_from(own->second, i);
         } else if (const auto known = shipped.prefabs.find(name); known != shipped.prefabs.end()) {
@@ -177,8 +183,9 @@ std::size_t Things::count(const scene::Simulation& simulation) {
 
 Result<ecs::Entity> Things::put(scene::Simulation& simulation,
                                 const Aim& aim,
-                                const Vec3& velocity) {
-    Thing& thing = things_[chosen_];
+                                const Vec3& velocity,
+                                std::size_t kind) {
+    Thing& thing = things_[kind];
     scene::EntityDescription description = thing.description;
     // It appears level and turned as the person looks; its size is known once one exists.
     const Quat turn = glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0});
@@ -186,11 +193,11 @@ Result<ecs::Entity> Things::put(scene::Simulation& simulation,
     description.body->velocity_mps = velocity;
     const ecs::Entity entity = simulation.spawn(description);
     if (!simulation.registry.alive(entity)) {
-        return Error{fmt::format("cannot make a {}", chosen_name())};
+        return Error{fmt::format("cannot make a {}", name_of_kind(kind))};
     }
     const physics::BodyId body = simulation.registry.get<scene::BodyRef>(entity).body;
     const Vec3 size = size_of(simulation, body, thing);
-    physics::ShapeId& box = boxes_[chosen_];
+    physics::ShapeId& box = boxes_[kind];
     if (!box) {
         auto made = simulation.physics.create_shape(physics::BoxShape{size});
         if (made) box = *made;
@@ -203,7 +210,7 @@ Result<ecs::Entity> Things::put(scene::Simulation& simulation,
     const auto place = box ? free_place(simulation.physics, aim, room, kReach_m) : std::nullopt;
     if (!place) {
         destroy(simulation, entity);
-        return Error{fmt::format("no room for a {} there", chosen_name())};
+        return Error{fmt::format("no room for a {} there", name_of_kind(kind))};
     }
     const Pose pose{.position = *place - turn * middle, .orientation = turn};
     simulation.physics.set_pose(body, pose);

@@ -41,9 +41,18 @@ public:
     std::string_view chosen_name() const { return kThingNames[chosen_]; }
     const Thing& thing(std::size_t index) const { return things_[index]; }
 
+    /// As put(), of what the right button of the book's profile shoots: the scene's prefab "shot",
+    /// else a box of 1 kg.
+    Result<ecs::Entity> put_shot(scene::Simulation& simulation,
+                                 const Aim& aim,
+                                 const Vec3& velocity) {
+        return put(simulation, aim, velocity, kShot);
+    }
     /// Puts one of the chosen things where the person looks, in the nearest free place; never
     /// behind or into a wall. The error is a message for the person.
-    Result<ecs::Entity> put(scene::Simulation& simulation, const Aim& aim, const Vec3& velocity);
+    Result<ecs::Entity> put(scene::Simulation& simulation, const Aim& aim, const Vec3& velocity) {
+        return put(simulation, aim, velocity, chosen_);
+    }
     /// Takes the latest one away; false when there is none.
     bool undo(scene::Simulation& simulation);
     /// Takes the oldest away while there are too many; true when told for the first time.
@@ -51,16 +60,23 @@ public:
     std::size_t count(const scene::Simulation& simulation);
 
 private:
+    static constexpr std::size_t kShot = kThingCount;
+    static constexpr std::size_t kKinds = kThingCount + 1;
+
+    Result<ecs::Entity> put(scene::Simulation& simulation,
+                            const Aim& aim,
+                            const Vec3& velocity,
+                            std::size_t kind);
     void forget_gone(const scene::Simulation& simulation);
     void dress(scene::Simulation& simulation, ecs::Entity entity, const Thing& thing) const;
     Vec3 size_of(scene::Simulation& simulation, physics::BodyId body, Thing& thing) const;
 
-    std::array<Thing, kThingCount> things_;
+    std::array<Thing, kKinds> things_;
     std::size_t chosen_{0};
     std::uint64_t serial_{0};
     bool limit_told_{false};
     std::vector<ecs::Entity> dropped_;  ///< oldest first
-    std::array<physics::ShapeId, kThingCount> boxes_{};
+    std::array<physics::ShapeId, kKinds> boxes_{};
 };
 
 /// Takes an entity out of the world at once.

@@ -14,7 +14,11 @@ flat in vec3 surface_color;
 #endif
 in vec3 surface_to_eye;
 #ifndef PL_UNLIT
+#ifdef PL_FLAT
+flat in vec3 surface_normal_world;
+#else
 in vec3 surface_normal_world;
+#endif
 #endif
 #if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP) || defined(PL_EMISSIVE_MAP)
 in vec2 surface_uv;

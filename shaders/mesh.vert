@@ -22,7 +22,11 @@ flat out vec3 surface_color;
 #endif
 out vec3 surface_to_eye;
 #ifndef PL_UNLIT
+#ifdef PL_FLAT
+flat out vec3 surface_normal_world;
+#else
 out vec3 surface_normal_world;
+#endif
 #endif
 #if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP) || defined(PL_EMISSIVE_MAP)
 out vec2 surface_uv;

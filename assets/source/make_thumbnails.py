@@ -47,6 +47,10 @@ HARD = {
 }
 SCENES.update({f"hard/{file.stem}": HARD.get(f"hard/{file.stem}", (0.5, None))
                for file in sorted((ASSETS / "scenes" / "hard").glob("*.toml"))})
+# The book's stages; where they show what happens, the moment in which it does.
+BOOK = {"falling_cube": 1.1, "many_objects": 1.5, "events": 1.9, "trigger": 1.75, "shapes": 1.6, "filters": 1.2}
+SCENES.update({f"book/{file.stem}": (BOOK.get(file.stem, 0.1), None)
+               for file in sorted((ASSETS / "scenes" / "book").glob("*.toml")) if file.stem != "common"})
 SCENES.update({f"viewer/{file.stem}": (0.5, None)
                for file in sorted((ASSETS / "scenes" / "viewer").iterdir()) if file.suffix in (".json", ".toml")})
 

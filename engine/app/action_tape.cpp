@@ -53,6 +53,13 @@ json changes(const Actions& before, const Actions& now) {
         line["look"] = {static_cast<double>(now.look_yaw_rad),
                         static_cast<double>(now.look_pitch_rad)};
     }
+    if (now.pointer != before.pointer) {
+        line["pointer"] = nullptr;
+        if (now.pointer) {
+            line["pointer"] = {static_cast<double>((*now.pointer)[0]),
+                               static_cast<double>((*now.pointer)[1])};
+        }
+    }
     return line;
 }
 
@@ -98,6 +105,7 @@ Actions actions_from(const json& line, int format, const Actions& before) {
     if (format != kWholeLines) {
         actions.held = before.held;
         actions.amount = before.amount;
+        actions.pointer = before.pointer;
     }
     if (line.contains("held")) set_held(actions, line.at("held"), true);
     if (line.contains("down")) set_held(actions, line.at("down"), true);
@@ -117,6 +125,12 @@ Actions actions_from(const json& line, int format, const Actions& before) {
     if (line.contains("look")) {
         actions.look_yaw_rad = amount_from(line.at("look").at(0));
         actions.look_pitch_rad = amount_from(line.at("look").at(1));
+    }
+    if (line.contains("pointer")) {
+        const json& pointer = line.at("pointer");
+        actions.pointer.reset();
+        if (!pointer.is_null())
+            actions.pointer = std::array{amount_from(pointer.at(0)), amount_from(pointer.at(1))};
     }
     return actions;
 }

@@ -2,8 +2,9 @@
 // what a step was told can be written down, and the file replays it bit for bit.
 //
 // File: one JSON object a line. First a header {format, scene, scene_hash, precision, step_s, seed};
-// then steps in order, {n, down, up, pressed, amount, look}: which actions went down and up, which
-// amounts changed, how often each was pressed and how far the look turned in this step. A step
+// then steps in order, {n, down, up, pressed, amount, look, pointer}: which actions went down and up,
+// which amounts changed, how often each was pressed, how far the look turned in this step, and where
+// a free pointer went to (null: there is none any more). A step
 // without a line holds what the one before held. {n, reset: true} is before step n. Every 60 steps
 // {n, hash, steps, bodies}: the state after n steps, eight hex digits of the hash after each of the
 // latest steps, and "index:four digits" of every body whose fingerprint changed since the line

@@ -37,6 +37,9 @@ constexpr auto kWords = [] {
     say(Action::Freeze, "freeze what you look at, or free it");
     say(Action::Remove, "remove what you look at");
     say(Action::UndoDrop, "take the last drop back");
+    say(Action::Shoot, "shoot a box of 1 kg at 25 m/s");
+    say(Action::Lift, "held: lift what you point at with 20 N");
+    say(Action::Explode, "an explosion where you point");
     say(Action::Flashlight, "flashlight on and off");
     say(Action::Fog, "fog on and off");
     say(Action::FogDenser, "denser fog");
@@ -46,6 +49,8 @@ constexpr auto kWords = [] {
     say(Action::Wireframe, "wires");
     say(Action::Points, "points");
     say(Action::CollisionShapes, "show what collides");
+    say(Action::CollisionBoxes, "show the boxes round what collides");
+    say(Action::DepthTest, "the next depth test: less, always, never, greater, off");
     say(Action::Hud, "hide or show all that is written");
     say(Action::Help, "this help");
     say(Action::Stats, "what a frame costs");

@@ -27,7 +27,8 @@ void apply_time_actions(input::ActionLatch& latch,
 
 void apply_view_actions(input::ActionLatch& latch,
                         FrameControls& controls,
-                        platform::Window& window) {
+                        platform::Window& window,
+                        const std::function<void(std::string)>& say) {
     const auto toggles = [&](Action action) { return latch.take_frame_presses(action) % 2 == 1; };
     using render::FillMode;
     const auto toggle_fill = [&](FillMode mode) {
@@ -37,6 +38,11 @@ void apply_view_actions(input::ActionLatch& latch,
     if (toggles(Action::Stats)) controls.parts.stats = !controls.parts.stats;
     if (toggles(Action::AccuracyPanel)) controls.parts.accuracy = !controls.parts.accuracy;
     if (toggles(Action::CollisionShapes)) controls.collision_shapes = !controls.collision_shapes;
+    if (toggles(Action::CollisionBoxes)) controls.collision_boxes = !controls.collision_boxes;
+    if (const int times = latch.take_frame_presses(Action::DepthTest); times > 0) {
+        controls.depth_test = render::next(controls.depth_test, times);
+        say(fmt::format("depth test: {}", render::name_of(controls.depth_test)));
+    }
     if (toggles(Action::Wireframe)) toggle_fill(FillMode::Wireframe);
     if (toggles(Action::Points)) toggle_fill(FillMode::Points);
     if (latch.take_frame_presses(Action::Filled) > 0) controls.fill_mode = FillMode::Filled;
@@ -64,7 +70,7 @@ void apply_frame_actions(input::ActionLatch& latch,
                          platform::Window& window,
                          const std::function<void(std::string)>& say) {
     apply_time_actions(latch, controls, clock, say);
-    apply_view_actions(latch, controls, window);
+    apply_view_actions(latch, controls, window, say);
     refuse_unbuilt_actions(latch, say);
 }
 

@@ -19,6 +19,8 @@ struct FrameControls {
     OverlayParts parts{};
     render::FillMode fill_mode{render::FillMode::Filled};
     bool collision_shapes{false};
+    bool collision_boxes{false};
+    render::DepthTest depth_test{render::DepthTest::Less};
 
     // Asked for in this frame; the loop does them and clears them.
     bool quit{false};

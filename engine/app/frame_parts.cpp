@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <future>
 #include <thread>
 #include <utility>
@@ -209,9 +210,9 @@ void FrameParts::take_input(const InputSnapshot& input) {
     const bool menu_was_open = menu_.open();
     const InputSnapshot for_play = menu_.take(input, bindings_.current());
     if (!menu_was_open && menu_.open()) report.note_menu_opened();
-    const input::InputFocus focus{
-        .menu_open = menu_was_open && menu_.open(),
-        .ui_mouse = !window_.pointer_captured() && overlay_.wants_mouse()};
+    const input::InputFocus focus{.menu_open = menu_was_open && menu_.open(),
+                                  .ui_mouse = !window_.pointer_captured() && overlay_.wants_mouse(),
+                                  .pointer = pointer_of(input)};
     latch.update(for_play, focus);
     apply_frame_actions(latch, controls_, clock, window_, [&](std::string line) {
         overlay_.say(std::move(line), input.now_s);
@@ -222,6 +223,19 @@ void FrameParts::take_input(const InputSnapshot& input) {
     if (!input.dropped_files.empty()) controls_.open_scene = input.dropped_files.front();
     if (input.lost_focus && config_.current().pause_on_focus_loss) clock.set_paused(true);
     capture_pointer_if_playing(input);
+}
+
+bool FrameParts::pointer_is_free() const {
+    return latch.bindings().tuning.free_pointer && !session_.game->frees_pointer();
+}
+
+std::optional<std::array<float, 2>> FrameParts::pointer_of(const InputSnapshot& input) const {
+    const platform::PixelSize size = window_.framebuffer_size();
+    if (!pointer_is_free() || size.width <= 0 || size.height <= 0) return {};
+    const double height = size.height;
+    const double per_px = 2.0 * std::tan(static_cast<double>(view(Real{1}).fov_y_rad) / 2) / height;
+    return std::array{static_cast<float>((input.cursor_px[0] - size.width / 2.0) * per_px),
+                      static_cast<float>((height / 2.0 - input.cursor_px[1]) * per_px)};
 }
 
 void FrameParts::pause_under_menu() {
@@ -235,7 +249,7 @@ void FrameParts::capture_pointer_if_playing(const InputSnapshot& input) {
     // The pointer is the person's while a menu or the accuracy panel is open or another window has
     // the keyboard; a click into the picture gives it back to the game.
     if (menu_.open() || controls_.parts.accuracy || session_.game->frees_pointer() ||
-        !input.focused || input.lost_focus) {
+        pointer_is_free() || !input.focused || input.lost_focus) {
         window_.capture_pointer(false);
         wants_pointer_ = !input.lost_focus || wants_pointer_;
         return;

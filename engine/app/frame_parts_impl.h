@@ -86,6 +86,9 @@ private:
     /// The world stands still from the frame after the one that opened a menu: what was pressed
     /// before it still reaches a step.
     void pause_under_menu();
+    /// The person's controls leave the pointer free, and there is something to point at.
+    bool pointer_is_free() const;
+    std::optional<std::array<float, 2>> pointer_of(const InputSnapshot& input) const;
     void capture_pointer_if_playing(const InputSnapshot& input);
     std::array<std::uint64_t, kActionCount> actions_seen() const;
 

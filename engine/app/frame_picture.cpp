@@ -60,12 +60,15 @@ render::RenderFrame FrameParts::extract(const scene::ViewPoint& view) {
                                                static_cast<std::uint32_t>(size.width),
                                                static_cast<std::uint32_t>(size.height));
     frame.fill_mode = controls_.fill_mode;
+    frame.depth_test = controls_.depth_test;
     frame.quality = picture_control_.quality();
     session_.effects->extract(*session_.simulation, view, frame);
     accuracy_.take_answers();
     accuracy_.add_ghost_lines(frame.lines);
     if (controls_.collision_shapes)
         session_.simulation->physics.add_debug_lines(frame.lines, view.world_from_camera.position);
+    if (controls_.collision_boxes)
+        session_.simulation->physics.add_box_lines(frame.lines, view.world_from_camera.position);
     return frame;
 }
 

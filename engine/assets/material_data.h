@@ -32,7 +32,10 @@ struct MaterialData {
     /// light and eye to this power, in the surface's colour; normals are taken as they are.
     float shininess{0.0F};
     float specular{0.5F};
-    bool vertex_colors{false};  ///< shown even under a base colour map
+    float diffuse{1.0F};  ///< share of the matt light, where the highlight is the textbook's
+    bool white_highlight{false};  ///< ... and that highlight in the light's colour
+    bool flat{false};             ///< each triangle has its first vertex's normal all over
+    bool vertex_colors{false};    ///< shown even under a base colour map
     AlphaMode alpha_mode{AlphaMode::Opaque};
     float alpha_cutoff{0.5F};  ///< Mask only
     bool two_sided{false};

@@ -43,6 +43,9 @@ enum class Action : std::uint8_t {
     Freeze,
     Remove,
     UndoDrop,
+    Shoot,
+    Lift,
+    Explode,
     // view
     Flashlight,
     Fog,
@@ -53,6 +56,8 @@ enum class Action : std::uint8_t {
     Wireframe,
     Points,
     CollisionShapes,
+    CollisionBoxes,
+    DepthTest,
     Hud,
     Help,
     Stats,
@@ -125,6 +130,9 @@ struct Actions {
     std::array<float, kActionCount> amount{};          ///< 0…1: stick travel; 1 for a key held
     float look_yaw_rad{0.0F};    ///< turned left is positive, since the last step
     float look_pitch_rad{0.0F};  ///< up is positive, since the last step
+    /// Where a free pointer is: right and up of the picture's middle, per unit that the camera looks
+    /// ahead. None: hands go where the camera looks.
+    std::optional<std::array<float, 2>> pointer{};
 
     bool is_held(Action action) const { return held[index_of(action)]; }
     int presses(Action action) const { return pressed[index_of(action)]; }

@@ -41,6 +41,8 @@ struct EffectRow {
     ROW(skybox)               \
     ROW(post)                 \
     ROW(model_animation)      \
+    ROW(contact_look)         \
+    ROW(triggers)             \
     ROW(viewer_aids)          \
     ROW(light_cubes)          \
     ROW(impact_sounds)        \

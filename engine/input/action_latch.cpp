@@ -227,6 +227,7 @@ Actions ActionLatch::take() {
     actions.pressed = std::exchange(impl_->step_presses, {});
     actions.look_yaw_rad = pending_yaw_rad();
     actions.look_pitch_rad = pending_pitch_rad();
+    actions.pointer = impl_->focus.pointer;
     impl_->yaw_rad = 0.0;
     impl_->pitch_rad = 0.0;
     return actions;

@@ -17,6 +17,8 @@ struct InputFocus {
     bool menu_open{false};    ///< only the menu group is live, everything else is released
     bool ui_keyboard{false};  ///< a text field has the keyboard
     bool ui_mouse{false};     ///< the pointer is over a panel
+    /// Where the free pointer is, as Actions has it; none: the mouse looks around.
+    std::optional<std::array<float, 2>> pointer{};
 };
 
 /// Which device was used last: hints follow it.

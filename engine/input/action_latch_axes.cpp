@@ -78,7 +78,7 @@ void ActionLatch::Impl::follow_look(const InputSnapshot& input, double elapsed_s
     double yaw_deg = 0.0;
     double pitch_deg = 0.0;
     for (const Input& source : bindings.of(Action::Look)) {
-        if (source.kind == DeviceKind::MouseMove && !focus.ui_mouse) {
+        if (source.kind == DeviceKind::MouseMove && !focus.ui_mouse && !focus.pointer) {
             const double right = input.mouse_counts[0];
             const double down = input.mouse_counts[1];
             const double limit = std::clamp(

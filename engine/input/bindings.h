@@ -60,6 +60,7 @@ struct Tuning {
     float pad_outer_dead_zone{0.02F};
     float pad_curve{2.0F};
     float trigger_threshold{0.5F};
+    bool free_pointer{false};  ///< the mouse moves a pointer and turns no view
 };
 
 struct Bindings {

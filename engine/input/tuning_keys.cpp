@@ -14,6 +14,7 @@ constexpr auto kKeys = std::to_array<TuningKey>({
     {"pad_outer_dead_zone", &Tuning::pad_outer_dead_zone, nullptr, 0.0, 0.3},
     {"pad_curve", &Tuning::pad_curve, nullptr, 0.25, 5.0},
     {"trigger_threshold", &Tuning::trigger_threshold, nullptr, 0.05, 0.95},
+    {"free_pointer", nullptr, &Tuning::free_pointer},
 });
 
 }  // namespace

@@ -43,6 +43,7 @@ struct BodyDef {
     Real restitution{0};           ///< 0…1, combined as max(a, b)
     Real linear_damping_per_s{0};  ///< speed decays as exp(-damping * t)
     Real angular_damping_per_s{0};
+    Vec3 linear_factor{1, 1, 1};  ///< dynamic; world axes: 1 is free, 0 keeps its place along it
     bool can_sleep{true};
     ContinuousCollision ccd{ContinuousCollision::Auto};
     bool contact_events{false};        ///< list this body's contacts in contacts()

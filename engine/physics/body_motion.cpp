@@ -58,7 +58,7 @@ void fly(BodyRecord& record, const Vec3d& gravity_mps2, const WorldFeatures& fea
         flight.spin_radps = double_from_bullet(record.spin_before);
         flight.going = true;
     }
-    Vec3d acceleration = gravity_mps2;
+    Vec3d acceleration = gravity_mps2 * Vec3d(record.linear_factor);
     if (record.forced) {
         acceleration +=
             double_from_bullet(rigid.getTotalForce() - record.weight_N) / record.mass_kg;

@@ -85,4 +85,15 @@ void PhysicsWorld::add_debug_lines(LineList& lines, const std::optional<Vec3>& e
     }
 }
 
+void PhysicsWorld::add_box_lines(LineList& lines, const std::optional<Vec3>& eye_world) const {
+    LineCollector collector(lines);
+    impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+        if (eye_world && is_capsule_round(*record, *eye_world)) return;
+        btVector3 low;
+        btVector3 high;
+        record->rigid->getAabb(low, high);
+        collector.drawAabb(low, high, color_of(*record));
+    });
+}
+
 }  // namespace plumbline::physics

@@ -48,7 +48,7 @@ SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double
     body.inverse_inertia = symmetric(rigid.getInvInertiaTensorWorld());
     body.inertia_kgm2 = record.inertia_kgm2;
     body.round_inertia = record.round_inertia;
-    body.acceleration_mps2 = Vec3(step.gravity_mps2);
+    body.acceleration_mps2 = Vec3(step.gravity_mps2) * record.linear_factor;
     if (record.forced) {
         body.acceleration_mps2 +=
             from_bullet((rigid.getTotalForce() - record.weight_N) * rigid.getInvMass());
@@ -230,7 +230,13 @@ void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h
     loop.clear();
     records.assign(1, nullptr);
     bridge.begin_island();
-    for (BodyRecord* record : island.bodies) add_body(*record, dynamic_body(*record, step, h));
+    for (BodyRecord* record : island.bodies) {
+        if (record->held_along_axes()) {
+            loop.held.push_back({.body = static_cast<std::uint32_t>(loop.bodies.size()),
+                                 .linear_factor = record->linear_factor});
+        }
+        add_body(*record, dynamic_body(*record, step, h));
+    }
     for (btPersistentManifold* manifold : island.manifolds) {
         bridge.add(*manifold,
                    index_of(*manifold->getBody0()),

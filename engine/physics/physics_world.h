@@ -119,6 +119,7 @@ public:
     BodyKind kind(BodyId id) const;
     MassProperties mass_properties(BodyId id) const;
     std::uint64_t user(BodyId id) const;
+    bool groups_touch(BodyId a, BodyId b) const;  ///< their groups do not keep them apart
     /// World-space box of the shape at the body's present pose.
     void bounds(BodyId id, Vec3& min_world, Vec3& max_world) const;
 
@@ -216,6 +217,9 @@ public:
     /// Outlines of every collision shape, coloured by kind and sleep, and contact normals. The capsule
     /// of a character round the eye, if one is given, is left out: it would be all there is to see.
     void add_debug_lines(LineList& lines, const std::optional<Vec3>& eye_world = {}) const;
+
+    /// The box along the world's axes round every body, as the broad phase compares them.
+    void add_box_lines(LineList& lines, const std::optional<Vec3>& eye_world = {}) const;
 
 private:
     struct Impl;

@@ -105,6 +105,7 @@ struct BodyRecord {
     bool round_inertia{true};  ///< all three moments equal: no gyroscopic torque
     double linear_damping_per_s{0};
     double angular_damping_per_s{0};
+    Vec3 linear_factor{1, 1, 1};  ///< 0 along world axes that the body does not move along
     btVector3 weight_N{0, 0, 0};
     btScalar linear_keep{1};  ///< share of speed left after a substep
     btScalar angular_keep{1};
@@ -114,6 +115,8 @@ struct BodyRecord {
 
     std::unique_ptr<btCompoundShape> wrapper;  ///< when the mass frame is not the shape's own
     std::unique_ptr<btRigidBody> rigid;
+
+    bool held_along_axes() const { return linear_factor != Vec3{1, 1, 1}; }
 
     // As the latest substep found it.
     btTransform before{btTransform::getIdentity()};

@@ -90,7 +90,7 @@ void set_velocity_of_origin(BodyRecord& record, const Vec3& velocity, const Vec3
     btVector3 v = to_bullet(velocity);
     const btVector3 w = to_bullet(spin);
     if (!record.mass_frame_is_body) v -= w.cross(arm_of_origin(record));
-    record.rigid->setLinearVelocity(v);
+    record.rigid->setLinearVelocity(v * to_bullet(record.linear_factor));
     record.rigid->setAngularVelocity(w);
     record.flight.going = false;
 }
@@ -149,10 +149,12 @@ BodyId PhysicsWorld::create_body(const BodyDef& def) {
     record.can_sleep = def.can_sleep;
     record.linear_damping_per_s = static_cast<double>(def.linear_damping_per_s);
     record.angular_damping_per_s = static_cast<double>(def.angular_damping_per_s);
+    record.linear_factor = def.linear_factor;
     weigh(record, def, shape);
     btCollisionShape* collision = fitted_shape(record, shape);
     record.rigid = make_rigid(record, def, collision);
     record.rigid->setUserPointer(&record);
+    if (record.held_along_axes()) record.rigid->setLinearFactor(to_bullet(def.linear_factor));
     record.radius_m = collision->getAngularMotionDisc();
     record.touch_m = collision->getContactBreakingThreshold(gContactBreakingThreshold);
     impl_->suit_to_world(record);
@@ -218,6 +220,13 @@ MassProperties PhysicsWorld::mass_properties(BodyId id) const {
 
 std::uint64_t PhysicsWorld::user(BodyId id) const {
     return impl_->body(id).user;
+}
+
+bool PhysicsWorld::groups_touch(BodyId a, BodyId b) const {
+    const BodyRecord& record_a = impl_->body(a);
+    const BodyRecord& record_b = impl_->body(b);
+    return (record_a.group & record_b.collides_with) != 0 &&
+           (record_b.group & record_a.collides_with) != 0;
 }
 
 void PhysicsWorld::bounds(BodyId id, Vec3& min_world, Vec3& max_world) const {

@@ -175,7 +175,8 @@ void PhysicsWorld::Impl::suit_to_world(BodyRecord& record) const {
     record.linear_keep = kept_after(record.linear_damping_per_s, duration_s);
     record.angular_keep = kept_after(record.angular_damping_per_s, duration_s);
     if (record.kind == BodyKind::Dynamic) {
-        record.weight_N = to_bullet(def.gravity_mps2) * static_cast<btScalar>(record.mass_kg);
+        record.weight_N = to_bullet(def.gravity_mps2 * record.linear_factor) *
+                          static_cast<btScalar>(record.mass_kg);
     }
 }
 

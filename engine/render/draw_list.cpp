@@ -139,12 +139,17 @@ void build_opaque(const std::vector<VisibleItem>& visible,
     });
 }
 
-void build_translucent(std::vector<VisibleItem>& visible,
-                       const assets::AssetLibrary& library,
-                       DrawList& list) {
+void sort_far_to_near(std::vector<VisibleItem>& visible) {
     std::ranges::stable_sort(visible, [](const VisibleItem& a, const VisibleItem& b) {
         return a.distance_m > b.distance_m;
     });
+}
+
+/// One instance a draw; of each item the parts that blend, or the others.
+void build_one_by_one(const std::vector<VisibleItem>& visible,
+                      const assets::AssetLibrary& library,
+                      bool those_that_blend,
+                      DrawList& list) {
     for (const VisibleItem& member : visible) {
         const DrawItem& item = *member.item;
         DrawRun run{.mesh = item.mesh,
@@ -156,7 +161,7 @@ void build_translucent(std::vector<VisibleItem>& visible,
         for (const assets::SubMesh& part : member.parts) {
             run.material = material_of(member, part);
             const assets::MaterialData& look = look_of(library, run.material);
-            if (look.alpha_mode != assets::AlphaMode::Blend) continue;
+            if ((look.alpha_mode == assets::AlphaMode::Blend) != those_that_blend) continue;
             set_part(run, part, look);
             list.runs.push_back(run);
             has_part = true;
@@ -195,10 +200,17 @@ void build_draws(std::vector<VisibleItem> visible,
                  const assets::AssetLibrary& library,
                  DrawKind kind,
                  DrawList& list) {
-    if (kind == DrawKind::Opaque) {
-        build_opaque(visible, library, list);
-    } else {
-        build_translucent(visible, library, list);
+    switch (kind) {
+        case DrawKind::Opaque:
+            build_opaque(visible, library, list);
+            break;
+        case DrawKind::OpaqueInOrder:
+            build_one_by_one(visible, library, false, list);
+            break;
+        case DrawKind::Translucent:
+            sort_far_to_near(visible);
+            build_one_by_one(visible, library, true, list);
+            break;
     }
 }
 

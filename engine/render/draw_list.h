@@ -73,8 +73,9 @@ std::vector<VisibleItem> cull(const RenderFrame& frame,
                               const CullView& view);
 
 enum class DrawKind {
-    Opaque,      ///< all but Blend materials; near to far
-    Translucent  ///< Blend materials only; far to near, one instance a draw
+    Opaque,         ///< all but Blend materials; near to far
+    OpaqueInOrder,  ///< all but Blend materials; in the frame's order, one instance a draw
+    Translucent     ///< Blend materials only; far to near, one instance a draw
 };
 
 /// Distances are binned first, so that an instanced draw never spans near and far: overdraw is what

@@ -271,7 +271,7 @@ void Renderer::Impl::build_draw_lists() {
               .error_rad = quality.lod_error_px * pixel_rad,
               .smallest_rad = quality.smallest_px * pixel_rad,
               .beam = beam ? &*beam : nullptr});
-    build_draws(visible, scene.library, DrawKind::Opaque, opaque_draws);
+    build_draws(visible, scene.library, opaque_kind(), opaque_draws);
     build_draws(std::move(visible), scene.library, DrawKind::Translucent, translucent_draws);
 }
 

@@ -23,8 +23,10 @@ MaterialBlock block_of(const assets::MaterialData& material) {
             .emissive = Vec4f{material.emissive, material.alpha_cutoff},
             .surface = {is_phong ? material.shininess : material.roughness,
                         is_phong ? material.specular : material.metallic,
-                        is_leaf ? kLeafTransmission : 0.0F,
-                        material.occlusion}};
+                        is_phong  ? (material.white_highlight ? 1.0F : 0.0F)
+                        : is_leaf ? kLeafTransmission
+                                  : 0.0F,
+                        is_phong ? material.diffuse : material.occlusion}};
 }
 
 }  // namespace
@@ -45,6 +47,7 @@ FeatureSet features_of(const assets::MaterialData& material) {
     if (material.alpha_mode == assets::AlphaMode::Blend) features |= feature::kBlend;
     if (material.shading == assets::Shading::Unlit) return features;
 
+    if (material.flat) features |= feature::kFlat;
     if (!material.normal_map.empty()) features |= feature::kNormalMap;
     if (material.shading == assets::Shading::BlinnPhong && material.shininess > 0.0F) {
         return features | feature::kPhong;

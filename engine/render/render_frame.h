@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace plumbline::render {
@@ -87,6 +88,18 @@ struct Post {
 
 enum class FillMode : std::uint8_t { Filled, Wireframe, Points };
 
+/// Against the depth that is there already. With any other than Less, what is drawn later decides:
+/// opaque things are drawn in the frame's order.
+enum class DepthTest : std::uint8_t { Less, Always, Never, Greater, Off };
+constexpr std::string_view name_of(DepthTest test) {
+    constexpr std::array<std::string_view, 5> kNames{"less", "always", "never", "greater", "off"};
+    return kNames[static_cast<std::size_t>(test)];
+}
+/// In a ring.
+constexpr DepthTest next(DepthTest test, int times) {
+    return static_cast<DepthTest>((static_cast<int>(test) + times) % 5);
+}
+
 struct RenderFrame {
     std::uint32_t width_px{0};
     std::uint32_t height_px{0};
@@ -104,6 +117,7 @@ struct RenderFrame {
     std::optional<Post> post;  ///< absent: plain clamp and sRGB
     Quality quality;
     FillMode fill_mode{FillMode::Filled};
+    DepthTest depth_test{DepthTest::Less};
     bool textures{true};                     ///< false: base colours without their maps
     std::optional<assets::Shading> shading;  ///< over every material's own (`render --shading`)
     LineList lines;                          ///< collision shapes, contacts

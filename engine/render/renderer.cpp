@@ -8,6 +8,7 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -52,6 +53,16 @@ GLenum polygon_mode(FillMode mode) {
             return GL_POINT;
     }
     return GL_FILL;
+}
+
+void set_depth_test(DepthTest test) {
+    if (test == DepthTest::Off) {
+        glDisable(GL_DEPTH_TEST);
+        return;
+    }
+    constexpr std::array<GLenum, 4> kFunctions{GL_LESS, GL_ALWAYS, GL_NEVER, GL_GREATER};
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(kFunctions[static_cast<std::size_t>(test)]);
 }
 
 /// The background, which is as far as the camera sees.
@@ -116,6 +127,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader,
     if (!compiled) return compiled.error();
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     glPointSize(2.0F);
+    glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);  // flat shading goes by it
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
 }
 
@@ -194,8 +206,7 @@ void Renderer::opaque() {
     // The sky is drawn wherever nothing else is.
     const bool sky_covers = r.frame->sky && r.scene.sky.ready();
     glClear(GL_DEPTH_BUFFER_BIT | (sky_covers ? 0U : GL_COLOR_BUFFER_BIT));
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
+    set_depth_test(r.frame->depth_test);
     glDisable(GL_BLEND);
     glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(r.frame->fill_mode));
     if ((r.features & feature::kSunShadow) != 0) {
@@ -207,7 +218,8 @@ void Renderer::opaque() {
     if (r.scene.sky.ready()) {
         gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, r.scene.sky.reflection());
     }
-    r.opaque_pass.render(r.opaque_draws, DrawKind::Opaque, r.mesh_view(), r.scene, r.stats);
+    r.opaque_pass.render(r.opaque_draws, r.opaque_kind(), r.mesh_view(), r.scene, r.stats);
+    glEnable(GL_DEPTH_TEST);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 

@@ -74,6 +74,9 @@ struct Renderer::Impl {
     /// Sizes targets, reads the frame's wishes into features and matrices; frees what it has none.
     void set_up(const RenderFrame& new_frame);
     void build_draw_lists();
+    DrawKind opaque_kind() const {
+        return frame->depth_test == DepthTest::Less ? DrawKind::Opaque : DrawKind::OpaqueInOrder;
+    }
     MeshView mesh_view() const {
         return {.features = features,
                 .lights = frame->lights,

@@ -49,7 +49,8 @@ struct MaterialBlock {
     Vec4f surface{0.8F,
                   0.0F,
                   0.0F,
-                  0.0F};  ///< x: roughness; y: metallic; z: light through a leaf; w: occlusion
+                  0.0F};  ///< x: roughness; y: metallic; z: light through a leaf; w: occlusion;
+                          ///< of kPhong: exponent, highlight, how white that is, matt light
 };
 static_assert(sizeof(MaterialBlock) == 48);
 

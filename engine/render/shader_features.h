@@ -27,6 +27,7 @@ inline constexpr FeatureSet kEmissiveMap = 1U << 11U;
 inline constexpr FeatureSet kMetal = 1U << 12U;  ///< in part at least
 inline constexpr FeatureSet kEmissive = 1U << 13U;
 inline constexpr FeatureSet kPhong = 1U << 14U;  ///< with kBlinnPhong: the textbook's highlight
+inline constexpr FeatureSet kFlat = 1U << 15U;   ///< normals are not blended across triangles
 // of the frame
 inline constexpr FeatureSet kSun = 1U << 16U;
 inline constexpr FeatureSet kSunShadow = 1U << 17U;
@@ -47,7 +48,7 @@ inline constexpr FeatureSet kFourSamples = 1U << 31U;  ///< two by two make a pi
 inline constexpr FeatureSet kSkyCodes = 1U << 29U;     ///< the sky's faces hold sRGB codes
 }  // namespace feature
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 31> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 32> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -63,6 +64,7 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 31> kFeatur
     {feature::kMetal, "PL_METAL"},
     {feature::kEmissive, "PL_EMISSIVE"},
     {feature::kPhong, "PL_PHONG"},
+    {feature::kFlat, "PL_FLAT"},
     {feature::kSun, "PL_SUN"},
     {feature::kSunShadow, "PL_SUN_SHADOW"},
     {feature::kFlashlight, "PL_FLASHLIGHT"},

@@ -92,6 +92,23 @@ struct AmbientSound {
     bool loop{true};
 };
 
+/// Worn in place of the Visual's own materials while the body touches another.
+struct ContactLook {
+    assets::MaterialId material{};
+    std::vector<assets::MaterialId> own;  ///< kept while it is worn
+    bool touches{false};
+};
+
+/// A volume in which a prefab appears when a body comes in.
+struct TriggerVolume {
+    physics::ShapeId shape{};
+    std::string spawn;            ///< prefab of the scene
+    Vec3 at_m{0, 0, 0};           ///< world
+    std::vector<std::string> of;  ///< names that count; none: every moving body
+    int times_left{1};
+    std::vector<physics::BodyId> inside;  ///< after the latest step; sorted
+};
+
 /// A kinematic body that travels along its points and back for ever, resting for an instant at each.
 struct MotionPath {
     std::vector<Vec3> points_m;  ///< world; where the body's origin passes; none: it stays at start

@@ -269,9 +269,11 @@ Result<physics::BodyId> EntityBuilder::body_of(const EntityDescription& descript
          .restitution = body.restitution.value_or(surface.restitution),
          .linear_damping_per_s = body.linear_damping_per_s,
          .angular_damping_per_s = body.angular_damping_per_s,
+         .linear_factor = body.linear_factor,
          .can_sleep = body.can_sleep,
          .ccd = body.ccd,
-         .contact_events = is_dynamic && simulation_.is_heard(surface_index),
+         .contact_events = (is_dynamic && simulation_.is_heard(surface_index)) ||
+                           !description.contact_material.empty(),
          .group = *group,
          .collides_with = collides_with,
          .user = mark_of(entity)});
@@ -310,6 +312,22 @@ void EntityBuilder::track(const EntityDescription& description,
     registry.add<MotionPath>(entity, std::move(path));
 }
 
+void EntityBuilder::add_trigger(const EntityDescription& description, ecs::Entity entity) {
+    const auto* primitive = std::get_if<Primitive>(&description.visual);
+    if (primitive == nullptr) return;
+    std::vector<std::string> notes;
+    const Result<BuiltShape> shape =
+        shapes_.make(scaled(shape_of_primitive(*primitive), description.scale), notes);
+    if (!shape) return warn_once(shape.error().message);
+    const TriggerDescription& trigger = *description.trigger;
+    simulation_.registry.add<TriggerVolume>(entity,
+                                            TriggerVolume{.shape = shape->id,
+                                                          .spawn = trigger.spawn,
+                                                          .at_m = trigger.at_m,
+                                                          .of = trigger.of,
+                                                          .times_left = trigger.times});
+}
+
 Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
                                          const std::string& name) {
     const Look look = look_of(description);
@@ -344,6 +362,11 @@ Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
                                     .casts_shadow = description.casts_shadow,
                                     .is_static = is_static});
     }
+    if (!description.contact_material.empty()) {
+        registry.add<ContactLook>(
+            entity, ContactLook{.material = material_named(description.contact_material)});
+    }
+    if (description.trigger) add_trigger(description, entity);
     if (simulation_.library().moving(look.model) != nullptr) {
         registry.add<PlayingModel>(entity, PlayingModel{.model = look.model});
     }

@@ -56,6 +56,7 @@ private:
                ecs::Entity entity,
                physics::BodyId body,
                const BuiltShape& shape);
+    void add_trigger(const EntityDescription& description, ecs::Entity entity);
     void warn_once(const std::string& text);
 
     Simulation& simulation_;

@@ -82,10 +82,28 @@ void read_surface(TableReader& table, BodyDescription& body) {
     body.angular_damping_per_s = table.number("angular_damping_per_s", Real{0}, kDamping);
 }
 
+/// 1 for each of the world's axes that the body is free to move along, 0 for the others.
+Vec3 read_linear_factor(TableReader& table, const BodyDescription& body) {
+    const Vec3 free{1, 1, 1};
+    const Vec3 factor = table.vector("linear_factor", free, kAnyNumber);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (factor[axis] == Real{0} || factor[axis] == Real{1}) continue;
+        table.error("linear_factor",
+                    "expected 1 (free) or 0 (held) for each of x, y and z, as in [1, 1, 0]");
+        return free;
+    }
+    if (body.kind != BodyKind::Dynamic && factor != free) {
+        table.warning("linear_factor", "only dynamic bodies are held along axes; ignored");
+        return free;
+    }
+    return factor;
+}
+
 void read_motion_state(TableReader& table, BodyDescription& body) {
     body.velocity_mps = table.vector("velocity_mps", Vec3{0, 0, 0}, kSpeed_mps);
     body.angular_velocity_radps =
         table.vector("angular_velocity_radps", Vec3{0, 0, 0}, kSpin_radps);
+    body.linear_factor = read_linear_factor(table, body);
     body.can_sleep = table.flag("can_sleep", true);
     constexpr std::array<std::string_view, 3> kSweeps{"auto", "on", "off"};
     body.ccd = static_cast<physics::ContinuousCollision>(table.choice("ccd", 0, kSweeps));

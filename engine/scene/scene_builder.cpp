@@ -67,7 +67,7 @@ void warn_of_overlaps(Simulation& simulation) {
             const bool seen_from_both =
                 simulation.physics.kind(hit.body) == physics::BodyKind::Dynamic &&
                 hit.body < body.body;
-            if (seen_from_both) continue;
+            if (seen_from_both || !simulation.physics.groups_touch(hit.body, body.body)) continue;
             ++pairs;
             if (hit.depth_m <= deepest_m) continue;
             deepest_m = hit.depth_m;

@@ -53,6 +53,12 @@ struct PlayerDescription {
     Origin origin{};
 };
 
+/// `[camera] orbit`: play begins by turning about the target, a step a press of a key.
+struct OrbitDescription {
+    Real step_rad{radians_from_degrees(5.0_r)};
+    Real step_m{5};  ///< nearer and farther
+};
+
 struct CameraDescription {
     Vec3 position_m{4, 3, 6};
     Vec3 target_m{0, 0.5_r, 0};
@@ -60,7 +66,13 @@ struct CameraDescription {
     Real fov_y_rad{radians_from_degrees(60.0_r)};
     Real near_m{0.05_r};
     Real far_m{500};
+    std::optional<OrbitDescription> orbit{};
 };
+
+/// Views whose cosine with the camera's up is above this leave the picture's top open.
+inline constexpr Real kSteepUp = 0.9999_r;
+/// The shortest turn that takes +Y to `up`, which is unit.
+Quat upright(const Vec3& up);
 
 struct ShadowDescription {
     int cascades{1};
@@ -149,6 +161,7 @@ struct BodyDescription {
     Vec3 angular_velocity_radps{0, 0, 0};
     std::optional<Vec3> center_of_mass_m{};
     std::optional<Vec3> inertia_kgm2{};
+    Vec3 linear_factor{1, 1, 1};  ///< 0 along world axes that it does not move along
     bool can_sleep{true};
     physics::ContinuousCollision ccd{physics::ContinuousCollision::Auto};
     std::string group{"default"};
@@ -182,18 +195,28 @@ struct MotionDescription {
     Vec3 spin_radps{0, 0, 0};
 };
 
+/// A volume, that of the entity's primitive, in which something happens when a body comes in.
+struct TriggerDescription {
+    std::string spawn;            ///< prefab that appears
+    Vec3 at_m{0, 0, 0};           ///< there
+    std::vector<std::string> of;  ///< entities that count; none: every moving body
+    int times{1};                 ///< how often at most
+};
+
 struct EntityDescription {
     std::string name;
     std::string label;  ///< what a person reads: "clay pot"; empty: the name stands for it
     Pose world_from_body{};
     Vec3 scale{1, 1, 1};
     VisualDescription visual{};
-    std::string material;  ///< name; empty: the model's own or the default
+    std::string material;          ///< name; empty: the model's own or the default
+    std::string contact_material;  ///< worn while its body touches another; empty: none
     bool casts_shadow{true};
     std::optional<BodyDescription> body{};
     std::optional<LightDescription> light{};
     std::optional<SoundDescription> sound{};
     std::optional<MotionDescription> motion{};
+    std::optional<TriggerDescription> trigger{};
     Origin origin{};
 };
 

@@ -73,10 +73,55 @@ std::optional<MotionDescription> read_motion(TableReader& entity) {
     return motion;
 }
 
+std::optional<TriggerDescription> read_trigger(TableReader& entity, const LoadContext& context) {
+    auto table = entity.table("trigger");
+    if (!table) return {};
+    TriggerDescription trigger;
+    trigger.spawn = table->text("spawn", {});
+    if (!table->has("spawn")) {
+        table->error("spawn", "missing; expected the name of a prefab");
+    } else if (!context.prefabs.contains(trigger.spawn)) {
+        std::vector<std::string_view> known;
+        for (const auto& [name, prefab] : context.prefabs) known.push_back(name);
+        table->error("spawn",
+                     fmt::format("no prefab is called \"{}\"{}",
+                                 shown(trigger.spawn),
+                                 suggestion(trigger.spawn, known)));
+    }
+    if (!table->has("at_m")) table->error("at_m", "missing; expected where it appears");
+    trigger.at_m = table->vector("at_m", trigger.at_m, kCoordinate_m);
+    trigger.of = table->texts("of");
+    trigger.times = table->integer("times", trigger.times, 1, 10'000);
+    table->finish();
+    return trigger;
+}
+
+/// A volume needs a shape, and nothing that stops what comes in.
+void check_trigger(TableReader& table, const EntityDescription& entity) {
+    if (!entity.trigger) return;
+    if (entity.body) table.error("trigger", "is passed through: the entity has no body");
+    const auto* primitive = std::get_if<Primitive>(&entity.visual);
+    if (primitive == nullptr || std::holds_alternative<physics::PlaneShape>(*primitive))
+        table.error("trigger", "is the volume of a primitive other than a plane; there is none");
+}
+
 std::string material_names_hint(const std::string& name, const LoadContext& context) {
     std::vector<std::string_view> known;
     for (const auto& [material, place] : context.material_places) known.push_back(material);
     return suggestion(name, known);
+}
+
+std::string read_material_name(TableReader& table,
+                               std::string_view key,
+                               const LoadContext& context) {
+    std::string name = table.text(key, {});
+    if (table.has(key) && !context.material_places.contains(name)) {
+        table.error(
+            key,
+            fmt::format(
+                "no material is called \"{}\"{}", shown(name), material_names_hint(name, context)));
+    }
+    return name;
 }
 
 /// Sizes as they are once the scale is applied.
@@ -162,18 +207,17 @@ EntityDescription read_entity(TableReader& table, EntityUse use, LoadContext& co
     constexpr Range kScale{1e-3, 1e4, "a factor from 0.001 to 10000"};
     entity.scale = table.vector("scale", Vec3{1, 1, 1}, kScale);
     read_visual(table, entity, context);
-    entity.material = table.text("material", {});
-    if (table.has("material") && !context.material_places.contains(entity.material)) {
-        table.error("material",
-                    fmt::format("no material is called \"{}\"{}",
-                                shown(entity.material),
-                                material_names_hint(entity.material, context)));
-    }
+    entity.material = read_material_name(table, "material", context);
+    entity.contact_material = read_material_name(table, "contact_material", context);
     entity.casts_shadow = table.flag("casts_shadow", true);
     entity.light = read_light(table);
     entity.sound = read_sound(table, context);
     entity.motion = read_motion(table);
     entity.body = read_body(table, entity.visual, use);
+    entity.trigger = read_trigger(table, context);
+    check_trigger(table, entity);
+    if (!entity.contact_material.empty() && !entity.body && use == EntityUse::Entity)
+        table.error("contact_material", "nothing touches an entity without a body");
     check_scaled_size(table, entity);
     const bool is_kinematic = entity.body && entity.body->kind == physics::BodyKind::Kinematic;
     if (use == EntityUse::Entity && entity.motion && !is_kinematic)

@@ -19,6 +19,14 @@ std::filesystem::path read_map(TableReader& table,
     return image ? image->file : std::filesystem::path{};
 }
 
+void warn_of_unused(TableReader& table, const assets::MaterialData& material) {
+    if (material.shading == assets::Shading::BlinnPhong && material.shininess > 0) return;
+    for (const std::string_view key : {"diffuse", "white_highlight"}) {
+        if (table.has(key))
+            table.warning(key, "needs shading = \"blinn_phong\" and a shininess above 0; ignored");
+    }
+}
+
 }  // namespace
 
 std::optional<Reference> read_file_reference(TableReader& table,
@@ -77,6 +85,10 @@ assets::MaterialData read_material(TableReader& table, const LoadContext& contex
     constexpr Range kShininess{0, 1000, "an exponent from 0 to 1000"};
     material.shininess = table.single("shininess", material.shininess, kShininess);
     material.specular = table.single("specular", material.specular, kFraction);
+    material.diffuse = table.single("diffuse", material.diffuse, kFraction);
+    material.white_highlight = table.flag("white_highlight", material.white_highlight);
+    warn_of_unused(table, material);
+    material.flat = table.flag("flat", material.flat);
     material.alpha_mode =
         static_cast<assets::AlphaMode>(table.choice("alpha_mode", 0, kAlphaModes));
     material.alpha_cutoff = table.single("alpha_cutoff", material.alpha_cutoff, kFraction);

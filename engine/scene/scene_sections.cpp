@@ -61,6 +61,39 @@ void read_player(TableReader& root, SceneDescription& scene) {
     scene.player = player;
 }
 
+/// `orbit` also says where the camera stands, as seen from the target: yaw_deg about +Y from the side
+/// of -Z, pitch_deg above the horizon. What it leaves open is as position_m says.
+void read_orbit(TableReader& camera_table, CameraDescription& camera) {
+    auto table = camera_table.table("orbit");
+    if (!table) return;
+    constexpr Range kDistance_m{0.1, 500, "a length from 0.1 to 500 m"};
+    constexpr Range kSteepness_deg{-89, 89, "degrees from -89 to 89"};
+    constexpr Range kStep_deg{0.1, 90, "degrees from 0.1 to 90"};
+    constexpr Range kStep_m{1e-3, 100, "a length from 0.001 to 100 m"};
+    OrbitDescription orbit;
+    orbit.step_rad = radians_from_degrees(
+        table->number("step_deg", degrees_from_radians(orbit.step_rad), kStep_deg));
+    orbit.step_m = table->number("step_m", orbit.step_m, kStep_m);
+    if (table->has("distance_m") || table->has("pitch_deg") || table->has("yaw_deg")) {
+        const Quat world_from_upright = upright(camera.up);
+        const Vec3 away =
+            glm::conjugate(world_from_upright) * (camera.position_m - camera.target_m);
+        const Real length_m = glm::length(away);
+        const Real height = length_m > 0 ? std::clamp(away.y / length_m, Real{-1}, Real{1}) : 0;
+        const Real distance_m = table->number("distance_m", length_m, kDistance_m);
+        const Real pitch_rad = radians_from_degrees(
+            table->number("pitch_deg", degrees_from_radians(std::asin(height)), kSteepness_deg));
+        const Real yaw_rad = radians_from_degrees(
+            table->number("yaw_deg", degrees_from_radians(std::atan2(-away.x, -away.z)), kYaw_deg));
+        const Vec3 direction{-std::sin(yaw_rad) * std::cos(pitch_rad),
+                             std::sin(pitch_rad),
+                             -std::cos(yaw_rad) * std::cos(pitch_rad)};
+        camera.position_m = camera.target_m + world_from_upright * direction * distance_m;
+    }
+    table->finish();
+    camera.orbit = orbit;
+}
+
 void read_camera(TableReader& root, SceneDescription& scene) {
     auto table = root.table("camera");
     if (!table) return;
@@ -69,9 +102,11 @@ void read_camera(TableReader& root, SceneDescription& scene) {
     CameraDescription& camera = scene.camera;
     scene.clear_color = table->color("clear_color", scene.clear_color);
     // [camera] with nothing but a clear colour places no camera.
-    scene.has_camera = table->has("position_m") || table->has("target_m");
+    scene.has_camera = table->has("position_m") || table->has("target_m") || table->has("orbit");
     camera.position_m = table->vector("position_m", camera.position_m, kCoordinate_m);
     camera.target_m = table->vector("target_m", camera.target_m, kCoordinate_m);
+    camera.up = Vec3(table->direction("up", Vec3d(camera.up)));
+    read_orbit(*table, camera);
     camera.fov_y_rad = radians_from_degrees(
         table->number("fov_deg", degrees_from_radians(camera.fov_y_rad), kFov_deg));
     camera.near_m = table->number("near_m", camera.near_m, kPlane_m);
@@ -82,6 +117,9 @@ void read_camera(TableReader& root, SceneDescription& scene) {
     }
     if (glm::distance(camera.position_m, camera.target_m) < 1e-6_r)
         table->error("target_m", "is where the camera is; expected another point");
+    const Vec3 forward = normalize_or(camera.target_m - camera.position_m, Vec3{0, 0, -1});
+    if (table->has("up") && std::abs(glm::dot(forward, camera.up)) > kSteepUp)
+        table->error("up", "lies along the line of sight; expected another direction");
     table->finish();
 }
 

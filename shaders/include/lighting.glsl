@@ -31,11 +31,13 @@ float fresnel_weight(float cosine) {
 
 #ifdef PL_PHONG
 
-// The textbook's: `roughness` is the exponent, `metallic` the strength of the highlight.
+// The textbook's: `roughness` is the exponent, `metallic` the strength of the highlight, which is in
+// the surface's colour or in the light's.
 vec3 reflected(Surface s, vec3 to_light, vec3 light) {
     float mirrored = max(dot(reflect(-to_light, s.normal), s.to_eye), 0.0);
     float highlight = s.metallic * pow(mirrored, s.roughness);
-    return s.base_color * light * (max(dot(s.normal, to_light), 0.0) + highlight);
+    float matt = material.surface.w * max(dot(s.normal, to_light), 0.0);
+    return light * (s.base_color * matt + mix(s.base_color, vec3(1.0), material.surface.z) * highlight);
 }
 
 #elif defined(PL_BLINN_PHONG)

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <map>
 
 namespace plumbline::app::ui {
@@ -29,6 +30,14 @@ std::string last_part(const std::string& name) {
 
 std::string title_of(const scene::ListedScene& scene) {
     return scene.title.empty() ? last_part(scene.name) : scene.title;
+}
+
+/// Of "4. Depth test"; 0 where the title has none.
+int number_of(const std::string& title) {
+    int number = 0;
+    const char* end = title.data() + title.size();
+    const auto read = std::from_chars(title.data(), end, number);
+    return read.ec == std::errc{} && std::string_view(read.ptr, end).starts_with(". ") ? number : 0;
 }
 
 /// "book" reads "Book"; "book/nature" "Book: nature".
@@ -62,6 +71,9 @@ std::vector<Cell> MenuPages::cards(const std::string& folder, bool are_users_own
                          .picture = scene.name,
                          .activate = [this, file = scene.file] { world_.open_scene(file); }});
     }
+    // Lessons stand in their own order, all else by name.
+    std::ranges::stable_sort(
+        cells, std::ranges::less{}, [](const Cell& cell) { return number_of(cell.text); });
     return cells;
 }
 

@@ -18,6 +18,7 @@ void IslandLoop::clear() {
     bodies.assign(1, SolverBody{});
     contacts.blocks.clear();
     joints.clear();
+    held.clear();
 }
 
 LoopReport IslandLoop::run(const LoopSettings& settings) {
@@ -67,6 +68,15 @@ void IslandLoop::substep() {
     contacts.end_substep();
 }
 
+/// What pushed a body off its axes is taken back: the sweeps see its whole mass along all of them
+/// and reach the others' share of a push in the sweeps that follow.
+void IslandLoop::hold() {
+    for (const HeldBody& each : held) {
+        bodies[each.body].velocity_mps *= each.linear_factor;
+        bodies[each.body].moved_m *= each.linear_factor;
+    }
+}
+
 void IslandLoop::apply_steady_forces() {
     for (SolverBody& body : bodies) {
         body.steady_mps = body.acceleration_mps2 * h_;
@@ -85,6 +95,7 @@ void IslandLoop::solve_velocities() {
     for (int i = 0; i < settings_.iterations; ++i) {
         contacts.solve_with_bias();
         if (!joints.empty()) joint_system_.solve_velocities();
+        hold();
     }
 }
 
@@ -92,6 +103,7 @@ void IslandLoop::relax() {
     for (int i = 0; i < settings_.iterations; ++i) {
         contacts.relax();
         if (!joints.empty()) joint_system_.solve_velocities();
+        hold();
     }
 }
 
@@ -103,6 +115,7 @@ void IslandLoop::move() {
         body.moved_m += body.velocity_mps * h_ - body.steady_mps * half;
         turn(body);
     }
+    hold();
 }
 
 void IslandLoop::turn(SolverBody& body) const {

@@ -31,9 +31,16 @@ struct LoopReport {
     bool braked{false};  ///< there was more energy than can have been
 };
 
+/// A body that moves along some of the world's axes only.
+struct HeldBody {
+    std::uint32_t body{0};        ///< index in IslandLoop::bodies
+    Vec3 linear_factor{1, 1, 1};  ///< 0 along the others
+};
+
 class IslandLoop {
 public:
     std::vector<SolverBody> bodies;  ///< the first is the world
+    std::vector<HeldBody> held;
     ContactSet contacts;
     std::vector<SolverJoint> joints;
 
@@ -51,6 +58,7 @@ private:
     void turn(SolverBody& body) const;
     void solve_velocities();
     void relax();
+    void hold();
 
     LoopSettings settings_{};
     Real h_{0};

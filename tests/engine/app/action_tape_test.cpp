@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -25,7 +26,8 @@ std::filesystem::path tape_file() {
 
 bool same(const Actions& a, const Actions& b) {
     return a.held == b.held && a.pressed == b.pressed && a.amount == b.amount &&
-           a.look_yaw_rad == b.look_yaw_rad && a.look_pitch_rad == b.look_pitch_rad;
+           a.look_yaw_rad == b.look_yaw_rad && a.look_pitch_rad == b.look_pitch_rad &&
+           a.pointer == b.pointer;
 }
 
 TapeState state(std::uint64_t hash, std::vector<std::uint16_t> bodies = {}) {
@@ -96,6 +98,24 @@ TEST(ActionTape, AKeyThatIsHeldIsWrittenOnce) {
     for (std::uint64_t step = 0; step < 1000; ++step)
         ASSERT_TRUE(same(player->step(step).actions, walking)) << step;
     EXPECT_TRUE(same(player->step(1000).actions, {}));
+}
+
+// SOURCES A33: what a free pointer was on is told bit for bit, and only when it moves.
+TEST(ActionTape, AFreePointerIsWrittenWhereItMoves) {
+    TapeRecorder recorder(kHeader);
+    std::vector<Actions> made(40);
+    for (std::size_t step = 10; step < 30; ++step) made[step].pointer = {0.1F / 3.0F, -0.7F};
+    made[20].pointer = {1.25F, 0.333F};
+    made[20].pressed[index_of(Action::Shoot)] = 1;
+    for (std::size_t step = 0; step < made.size(); ++step) recorder.add_step(step, made[step]);
+    ASSERT_TRUE(recorder.save(tape_file(), made.size(), 1).ok());
+    const Result<std::string> text = read_file(tape_file(), 10'000);
+    ASSERT_TRUE(text.ok());
+    EXPECT_EQ(std::ranges::count(*text, '\n'), 1 + 4 + 1) << *text;
+    Result<TapePlayer> player = TapePlayer::open(tape_file(), kHeader);
+    ASSERT_TRUE(player.ok());
+    for (std::size_t step = 0; step < made.size(); ++step)
+        EXPECT_TRUE(same(player->step(step).actions, made[step])) << step;
 }
 
 // Twenty minutes of random play were 55 MB.

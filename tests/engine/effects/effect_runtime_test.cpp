@@ -42,6 +42,8 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "skybox",
                                                  "post",
                                                  "model_animation",
+                                                 "contact_look",
+                                                 "triggers",
                                                  "viewer_aids",
                                                  "light_cubes",
                                                  "impact_sounds",

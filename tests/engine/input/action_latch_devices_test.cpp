@@ -18,6 +18,20 @@ TEST(ActionLatch, LookTurnsByTheTunedAngle) {
     EXPECT_EQ(hands.latch.pending_yaw_rad(), 0.0F);
 }
 
+// SOURCES A33: where the pointer is free it points, and turns nothing.
+TEST(ActionLatch, AFreePointerPointsAndDoesNotLook) {
+    Hands hands;
+    hands.next.mouse_counts = {100.0, -50.0};
+    hands.frame({.pointer = std::array{0.25F, -0.5F}});
+    const Actions actions = hands.latch.take();
+    EXPECT_EQ(actions.pointer, (std::array{0.25F, -0.5F}));
+    EXPECT_EQ(actions.look_yaw_rad, 0.0F);
+    EXPECT_EQ(hands.latch.take().pointer, (std::array{0.25F, -0.5F})) << "it stays there";
+    hands.next.mouse_counts = {100.0, -50.0};
+    hands.frame();
+    EXPECT_FALSE(hands.latch.take().pointer.has_value());
+}
+
 TEST(ActionLatch, LookAddsUpOverFramesWithoutASteps) {
     Hands hands("[tuning]\ninvert_y = true\nmouse_deg_per_count = 0.1\n");
     for (int i = 0; i < 4; ++i) {

@@ -40,6 +40,7 @@ TEST_F(BindingFiles, TheShippedFileSaysWhatTheBuiltInTableSays) {
     }
     EXPECT_EQ(shipped.tuning.mouse_deg_per_count, built_in.tuning.mouse_deg_per_count);
     EXPECT_EQ(shipped.tuning.pad_look_deg_per_s, built_in.tuning.pad_look_deg_per_s);
+    EXPECT_EQ(shipped.tuning.free_pointer, built_in.tuning.free_pointer);
     EXPECT_EQ(shipped.tuning.pad_inner_dead_zone, built_in.tuning.pad_inner_dead_zone);
 }
 
@@ -63,8 +64,15 @@ TEST_F(BindingFiles, TheProfilesHaveTheKeysOfTheirSources) {
     const Bindings book = load("book");
     EXPECT_TRUE(drives(book, Action::ZoomIn, "z") && drives(book, Action::ZoomOut, "x"));
     EXPECT_TRUE(drives(book, Action::RotateLeft, "left") && drives(book, Action::Wireframe, "w"));
-    EXPECT_TRUE(drives(book, Action::Remove, "d") && drives(book, Action::Throw, "mouse.right"));
+    EXPECT_TRUE(drives(book, Action::RotateRight, "right") && drives(book, Action::Forward, "up"));
+    EXPECT_TRUE(drives(book, Action::Back, "down"));
+    EXPECT_TRUE(drives(book, Action::Remove, "d") && drives(book, Action::Shoot, "mouse.right"));
     EXPECT_TRUE(drives(book, Action::Grab, "mouse.left"));
+    EXPECT_EQ(book.hold_mode[index_of(Action::Grab)], HoldMode::Hold);
+    EXPECT_TRUE(drives(book, Action::Lift, "g") && drives(book, Action::Explode, "e"));
+    EXPECT_TRUE(drives(book, Action::CollisionBoxes, "b") && drives(book, Action::DepthTest, "t"));
+    EXPECT_TRUE(drives(book, Action::CollisionShapes, "s"));
+    EXPECT_TRUE(book.tuning.free_pointer);
     const Bindings nature = load("nature");
     EXPECT_TRUE(drives(nature, Action::RotateLeft, "q") &&
                 drives(nature, Action::RotateRight, "e"));

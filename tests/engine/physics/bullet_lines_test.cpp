@@ -29,5 +29,27 @@ TEST(BulletLines, TheCapsuleRoundTheEyeIsLeftOut) {
     EXPECT_EQ(corners(test.world, Vec3{3, 0.5_r, 0}), all);
 }
 
+// SOURCES A32: the box along the axes round a cube that is turned by 45 degrees is 1.414 m wide.
+TEST(BulletLines, BoxesAlongTheAxesHaveTwelveEdges) {
+    TestWorld test;
+    BodyDef turned{.kind = BodyKind::Dynamic};
+    turned.world_from_body.orientation = glm::angleAxis(kPi / 4, Vec3{0, 1, 0});
+    const BodyId body = test.add(BoxShape{.size_m = {1, 1, 1}}, {3, 4, 5}, turned);
+    LineList lines;
+    test.world.add_box_lines(lines);
+    ASSERT_EQ(lines.vertices.size(), 24U);
+    Vec3 low{};
+    Vec3 high{};
+    test.world.bounds(body, low, high);
+    EXPECT_NEAR(high.x - low.x, std::sqrt(2.0), 0.1);
+    for (const LineVertex& vertex : lines.vertices) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto part = static_cast<Real>(vertex.position_world[axis]);
+            EXPECT_TRUE(std::abs(part - low[axis]) < 1e-5_r ||
+                        std::abs(part - high[axis]) < 1e-5_r);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace plumbline::physics

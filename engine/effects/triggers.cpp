@@ -1,0 +1,81 @@
+// Volumes in which a prefab appears when a body comes in. They stop nothing.
+#include "engine/effects/callers.h"
+#include "engine/effects/effect_table.h"
+
+#include <algorithm>
+
+namespace plumbline::effects {
+namespace {
+
+class Triggers final : public Effect {
+public:
+    void after_step(scene::Simulation& simulation, const scene::Game&) override {
+        std::vector<scene::EntityDescription> wanted;
+        for (auto [entity, volume, placement] :
+             simulation.registry.view<scene::TriggerVolume, const scene::Placement>()) {
+            std::vector<physics::BodyId> inside =
+                bodies_in(simulation, volume, placement.world_from_body);
+            for (const physics::BodyId body : inside) {
+                if (volume.times_left == 0) break;
+                if (std::ranges::binary_search(volume.inside, body)) continue;
+                --volume.times_left;
+                scene::EntityDescription made = simulation.description().prefabs.at(volume.spawn);
+                made.world_from_body.position = volume.at_m;
+                wanted.push_back(std::move(made));
+            }
+            volume.inside = std::move(inside);
+        }
+        for (const scene::EntityDescription& description : wanted) {
+            simulation.spawn(description);
+            ++work_.calls;
+        }
+    }
+
+    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
+
+private:
+    static bool counts(const scene::Simulation& simulation,
+                       const scene::TriggerVolume& volume,
+                       physics::BodyId body) {
+        if (simulation.physics.kind(body) != physics::BodyKind::Dynamic) return false;
+        const ecs::Entity entity = simulation.entity_of(body);
+        if (!simulation.registry.alive(entity)) return false;
+        const std::string& name = simulation.registry.get<scene::Name>(entity).text;
+        return volume.of.empty() || std::ranges::find(volume.of, name) != volume.of.end();
+    }
+
+    static std::vector<physics::BodyId> bodies_in(const scene::Simulation& simulation,
+                                                  const scene::TriggerVolume& volume,
+                                                  const Pose& pose) {
+        std::vector<physics::BodyId> bodies;
+        for (const physics::OverlapHit& hit :
+             simulation.physics.overlaps(volume.shape, pose, Real{0})) {
+            if (counts(simulation, volume, hit.body)) bodies.push_back(hit.body);
+        }
+        std::ranges::sort(bodies);
+        bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+        return bodies;
+    }
+};
+
+Callers callers_of_triggers(const scene::Simulation& simulation) {
+    EntityCallers callers(simulation);
+    for (auto [entity, volume] : simulation.registry.view<const scene::TriggerVolume>())
+        callers.add(entity);
+    return callers.take();
+}
+
+std::unique_ptr<Effect> make_triggers(scene::Simulation&) {
+    return std::make_unique<Triggers>();
+}
+
+}  // namespace
+
+EffectRow triggers() {
+    return {.name = "triggers",
+            .domain = Domain::Step,
+            .called_for_by = &callers_of_triggers,
+            .make = &make_triggers};
+}
+
+}  // namespace plumbline::effects

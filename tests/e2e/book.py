@@ -1,0 +1,290 @@
+#!/usr/bin/env python3
+"""The book's stages in a window, one after the other: each opens with its own controls, its keys do what
+docs/SOURCES.md says of rows A1 to A39, and a picture of each is kept (PL_E2E_PICTURES)."""
+import os
+import pathlib
+import shutil
+import sys
+import time
+
+from png import read_png
+from support import Program, expect, home, settings_in, virtual_screen
+
+program_file = sys.argv[1]
+pictures = os.environ.get("PL_E2E_PICTURES")
+
+BACKGROUND = (153, 166, 217)
+RED = lambda p: p[0] > 25 and p[0] > 2 * p[1] + 10 and p[0] > 2 * p[2] + 10
+BLUE = lambda p: p[2] > 15 and p[2] > 2 * p[0] and p[2] > 1.7 * p[1]
+GREEN = lambda p: p[1] > 15 and p[1] > 1.7 * p[0] and p[1] > 1.7 * p[2]
+YELLOW = lambda p: p[0] > 25 and 0.6 * p[0] < p[1] < p[0] and p[2] < 0.5 * p[0]
+PURPLE = lambda p: p[0] > 8 and p[2] > 8 and 0.6 < p[0] / p[2] < 1.7 and p[1] < 0.5 * min(p[0], p[2])
+
+
+class Stage:
+    """One stage in a window of 640 x 480, with nothing written over the picture."""
+
+    def __init__(self, screen, folder, name):
+        self.name = name
+        self.folder = folder / name
+        self.folder.mkdir()
+        self.shots = self.folder / "data" / "plumbline" / "shots"
+        self.game = Program([program_file, "play", f"book/{name}", "--size", "640x480", "--level", "high"],
+                            settings_in(self.folder, screen), self.folder / "log.txt")
+
+    def __enter__(self):
+        self.game.do("windowfocus", self.game.window)
+        self.point(4, 4)
+        time.sleep(1.5)
+        self.game.press("F1")
+        self.again()
+        return self
+
+    def __exit__(self, failed, *_):
+        try:
+            if not failed:
+                self.keep("end")
+                expect("error" not in self.game.log(), self.game.log())
+        finally:
+            self.game.stop()
+
+    def again(self):
+        """From the start, standing still."""
+        self.game.press("r", 1, 0.2)
+        time.sleep(0.5)
+
+    def picture(self):
+        before = set(self.shots.glob("*.png"))
+        self.game.press("F12", 1, 0.1)
+        for _ in range(200):
+            new = set(self.shots.glob("*.png")) - before
+            if new:
+                self.last = new.pop()
+                if pictures:
+                    shutil.copy(self.last, pathlib.Path(pictures) / f"book_{self.name}_last.png")
+                return read_png(self.last)[:330]  # below, messages may stand
+            time.sleep(0.1)
+        raise AssertionError("no screenshot within 20 s:\n" + self.game.log())
+
+    def keep(self, words):
+        self.picture()
+        if pictures:
+            shutil.copy(self.last, pathlib.Path(pictures) / f"book_{self.name}_{words}.png")
+
+    def point(self, x, y):
+        self.game.do("mousemove", "--window", self.game.window, int(x), int(y))
+        time.sleep(0.2)
+
+    def press(self, key, times=1):
+        self.game.press(key, times, 0.35)
+
+
+def share(rows, wanted):
+    return sum(wanted(pixel) for row in rows for pixel in row) / (len(rows) * len(rows[0]))
+
+
+def middle(rows, wanted):
+    """Where the pixels of a colour are, in the mean."""
+    places = [(x, y) for y, row in enumerate(rows) for x, pixel in enumerate(row) if wanted(pixel)]
+    expect(places, "none of that colour is in the picture")
+    return sum(x for x, _ in places) / len(places), sum(y for _, y in places) / len(places)
+
+
+def until(stage, condition, message, seconds=10):
+    end = time.monotonic() + seconds
+    while True:
+        rows = stage.picture()
+        if condition(rows):
+            return rows
+        expect(time.monotonic() < end, f"{stage.name}: {message}")
+        time.sleep(0.2)
+
+
+def window(stage):
+    rows = stage.picture()
+    expect(all(pixel == BACKGROUND for row in rows for pixel in row), f"cleared to {rows[240][320]}")
+
+
+def box(stage):
+    rows = stage.picture()
+    expect(rows[4][4] == BACKGROUND, f"behind the box: {rows[4][4]}")
+    expect(rows[240][320] == (255, 51, 51), f"the box: {rows[240][320]}")
+    stage.press("w")
+    wires = stage.picture()
+    expect(0 < share(wires, RED) < 0.5 * share(rows, RED), "W shows wires")
+    stage.press("w")
+
+
+def lighting(stage):
+    rows = stage.picture()
+    balls = [[pixel for row in rows[60:235] for pixel in row[low:high] if RED(pixel) or min(pixel) > 225]
+             for low, high in ((60, 235), (235, 405), (405, 580))]
+    brightest = [max(map(sum, ball)) for ball in balls]
+    expect(len(set(balls[0])) <= 3, f"ambient light alone is even: {len(set(balls[0]))} colours")
+    expect(brightest[0] + 120 < brightest[1] < brightest[2] - 120, f"each part adds light: {brightest}")
+    expect(any(min(pixel) > 200 for pixel in balls[2]), "the highlight is white")
+    flat, smooth = ({pixel for row in rows[262:330] for pixel in row[low:high] if pixel[1] > 1.5 * pixel[0]}
+                    for low, high in ((150, 315), (325, 490)))
+    expect(len(flat) > 20 and len(flat) < 0.9 * len(smooth), f"{len(flat)} shades flat, {len(smooth)} smooth")
+
+
+def depth(stage):
+    def seen():
+        rows = stage.picture()
+        return [share(rows, color) for color in (RED, BLUE, GREEN)]
+
+    less = seen()
+    expect(min(less) > 0.002, f"LESS: all three are seen: {less}")
+    shares = {}
+    for name in ("always", "never", "greater", "off", "less"):
+        stage.press("t")
+        shares[name] = seen()
+        stage.keep(name)
+    expect(shares["always"][2] > 1.3 * less[2] and shares["always"][0] < less[0], f"ALWAYS: {shares['always']}, LESS: {less}")
+    expect(shares["off"] == shares["always"], "without a test as with ALWAYS")
+    expect(max(shares["never"] + shares["greater"]) == 0, "NEVER and GREATER let nothing through")
+    expect(shares["less"] == less, "and back")
+
+
+def camera(stage):
+    def size():
+        return share(stage.picture(), RED)
+
+    first = stage.picture()
+    at_start = share(first, RED)
+    stage.press("x")
+    expect(0.4 < size() / at_start < 0.75, "X: 20 m instead of 15")
+    stage.press("z", 2)
+    expect(1.8 < size() / at_start < 3.2, "Z twice: 10 m")
+    stage.press("x")
+    for there, back in (("Left", "Right"), ("Up", "Down")):
+        stage.press(there, 4)
+        expect(stage.picture() != first, f"{there} turns")
+        stage.keep(there.lower())
+        stage.press(back, 4)
+        expect(abs(size() - at_start) < 0.0005, f"{back} turns back")
+    stage.game.hold("Right", 1.5)
+    expect(stage.picture() != first, "what is held goes on")
+
+
+def falling_cube(stage):
+    high = middle(stage.picture(), RED)[1]
+    low = until(stage, lambda rows: middle(rows, RED)[1] > high + 20, "the box falls")
+    stage.keep("falling")
+    expect(share(low, RED) > 0.001, "and is still there")
+
+
+def many_objects(stage):
+    until(stage, lambda rows: share(rows, RED) > 0.001 and share(rows, BLUE) > 0.001, "a red box and a blue one")
+
+
+def debug_drawing(stage):
+    time.sleep(4)
+    before = stage.picture()
+    stage.press("b")
+    boxes = stage.picture()
+    stage.keep("boxes")
+    lines = sum(a != b for one, other in zip(before, boxes) for a, b in zip(one, other))
+    expect(lines > 300, f"B draws boxes: {lines} pixels")
+    stage.press("b")
+    stage.press("s")
+    shapes = stage.picture()
+    stage.keep("shapes")
+    expect(shapes != before and shapes != boxes, "S draws shapes, which are not the boxes")
+    stage.press("s")
+    stage.press("w")
+    expect(share(stage.picture(), RED) < 0.6 * share(before, RED), "W shows wires")
+    stage.press("w")
+    expect(abs(share(stage.picture(), RED) - share(before, RED)) < 0.0005, "and all is as it was")
+
+
+def ray_and_drag(stage):
+    time.sleep(4)
+    rows = stage.picture()
+    x, y = middle(rows, BLUE)
+    stage.point(x, y)
+    stage.game.do("mousedown", 1)
+    for _ in range(12):
+        stage.game.do("mousemove_relative", "--", 8, -8)
+        time.sleep(0.05)
+    time.sleep(1)
+    dragged = middle(stage.picture(), BLUE)
+    stage.keep("dragged")
+    expect(dragged[0] > x + 50 and dragged[1] < y - 50, f"the blue box is dragged from {x:.0f}, {y:.0f} to {dragged}")
+    stage.game.do("mouseup", 1)
+    stage.point(500, 60)
+    stage.game.do("click", 3)
+    until(stage, lambda rows: share(rows, PURPLE) > 0.0005, "the right button shoots")
+    stage.keep("shot")
+    stage.point(*middle(stage.picture(), RED))
+    stage.press("d")
+    until(stage, lambda rows: share(rows, RED) == 0, "D deletes the red box")
+
+
+def events(stage):
+    stage.press("p")
+    stage.again()
+    rows = stage.picture()
+    expect(share(rows, YELLOW) == 0 and share(rows, RED) > 0.0005, "red in the air")
+    stage.keep("air")
+    stage.press("p")
+    until(stage, lambda rows: share(rows, YELLOW) > 0.0005 and share(rows, RED) == 0, "yellow on the ground")
+
+
+def trigger(stage):
+    stage.press("p")
+    stage.again()
+    expect(share(stage.picture(), GREEN) < 0.02, "no green box yet")
+    stage.keep("before")
+    stage.press("p")
+    until(stage, lambda rows: share(rows, GREEN) > 0.01, "a green box appears")
+
+
+def forces(stage):
+    time.sleep(1)
+    before = middle(stage.picture(), RED)
+    stage.point(*before)
+    stage.game.do("keydown", "g")
+    time.sleep(0.9)
+    lifted = middle(stage.picture(), RED)
+    stage.game.do("keyup", "g")
+    stage.keep("lifted")
+    expect(lifted[1] < before[1] - 30, f"G lifts the red box: {before} before, {lifted} after")
+    time.sleep(2.5)
+    rows = stage.picture()
+    x, y = middle(rows, BLUE)
+    stage.point(x - 4, y + 20)
+    stage.press("e")
+    stage.keep("exploding")
+    after = until(stage, lambda later: share(later, BLUE) == 0 or abs(middle(later, BLUE)[0] - x) +
+                  abs(middle(later, BLUE)[1] - y) > 15, "E throws the blue boxes apart")
+    expect(after != rows, "E changes the picture")
+
+
+def shapes(stage):
+    rows = until(stage, lambda rows: all(share(rows, color) > 0.0003 for color in (RED, BLUE, YELLOW, PURPLE)),
+                 "pyramid, ball, cylinder and dumbbell are seen")
+    expect(rows[4][4] == BACKGROUND, "against the background")
+
+
+def filters(stage):
+    time.sleep(3)
+    rows = stage.picture()
+    expect(share(rows, RED) > 0.01 and share(rows, BLUE) > 0.01, "boxes and balls in the same places")
+
+
+STAGES = (window, box, lighting, depth, camera, falling_cube, many_objects, debug_drawing, ray_and_drag, events,
+          trigger, forces, shapes, filters)
+
+
+def stages_open(screen, folder, wanted):
+    for stage_of in STAGES:
+        if wanted and stage_of.__name__ not in wanted:
+            continue
+        with Stage(screen, folder, stage_of.__name__) as stage:
+            stage_of(stage)
+
+
+if __name__ == "__main__":
+    with virtual_screen() as screen, home() as folder:
+        stages_open(screen, folder, sys.argv[2:])
