@@ -4,6 +4,7 @@ docs/SOURCES.md says of rows A1 to A39, and a picture of each is kept (PL_E2E_PI
 import os
 import pathlib
 import shutil
+import subprocess
 import sys
 import time
 
@@ -285,6 +286,35 @@ def stages_open(screen, folder, wanted):
             stage_of(stage)
 
 
+def what_was_done_replays(screen, folder):
+    """Shots, drags, lifts, explosions and deletions come back bit for bit, whatever the window's size."""
+    environment = settings_in(folder, screen)
+    tape = folder / "done.tape"
+    game = Program([program_file, "play", "book/ray_and_drag", "--size", "640x480", "--seconds", "14", "--record", str(tape)],
+                   environment, folder / "log.txt")
+    try:
+        game.do("windowfocus", game.window)
+        for x, y, button in ((500, 60, 3), (320, 215, 3), (300, 212, 1)):
+            game.do("mousemove", "--window", game.window, x, y)
+            game.do("mousedown", button)
+            time.sleep(0.4)
+            game.do("mousemove_relative", "--", 20, -20)
+            time.sleep(0.4)
+            game.do("mouseup", button)
+        game.hold("g", 0.8)
+        game.press("e")
+        game.press("d")
+        expect(game.wait(60) == 0, game.log())
+    finally:
+        game.stop()
+    text = tape.read_text()
+    expect(all(word in text for word in ('"pointer"', '"shoot"', '"grab"', '"lift"', '"explode"', '"remove"')), text[:2000])
+    again = subprocess.run([program_file, "play", "book/ray_and_drag", "--size", "320x180", "--replay", str(tape)],
+                           env=environment, capture_output=True, text=True, timeout=120)
+    expect(again.returncode == 0, f"replay: exit {again.returncode}\n{again.stderr}")
+
+
 if __name__ == "__main__":
     with virtual_screen() as screen, home() as folder:
         stages_open(screen, folder, sys.argv[2:])
+        what_was_done_replays(screen, folder)
