@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <future>
 #include <thread>
 #include <utility>
@@ -227,15 +226,6 @@ void FrameParts::take_input(const InputSnapshot& input) {
 
 bool FrameParts::pointer_is_free() const {
     return latch.bindings().tuning.free_pointer && !session_.game->frees_pointer();
-}
-
-std::optional<std::array<float, 2>> FrameParts::pointer_of(const InputSnapshot& input) const {
-    const platform::PixelSize size = window_.framebuffer_size();
-    if (!pointer_is_free() || size.width <= 0 || size.height <= 0) return {};
-    const double height = size.height;
-    const double per_px = 2.0 * std::tan(static_cast<double>(view(Real{1}).fov_y_rad) / 2) / height;
-    return std::array{static_cast<float>((input.cursor_px[0] - size.width / 2.0) * per_px),
-                      static_cast<float>((height / 2.0 - input.cursor_px[1]) * per_px)};
 }
 
 void FrameParts::pause_under_menu() {

@@ -53,6 +53,17 @@ scene::ViewPoint FrameParts::view(Real blend) {
     return camera_path_.see(view, window_.now_s(), menu_.open());
 }
 
+std::optional<std::array<float, 2>> FrameParts::pointer_of(const InputSnapshot& input) const {
+    const platform::PixelSize size = window_.framebuffer_size();
+    if (!pointer_is_free() || size.width <= 0 || size.height <= 0) return {};
+    const scene::ViewPoint seen = session_.game->view(*session_.simulation, Real{1}, 0.0F, 0.0F);
+    const Real fov_y_rad = fov_with_setting_rad(seen.fov_y_rad, Real{config_.current().fov_deg});
+    const double height = size.height;
+    const double per_px = 2.0 * std::tan(static_cast<double>(fov_y_rad) / 2) / height;
+    return std::array{static_cast<float>((input.cursor_px[0] - size.width / 2.0) * per_px),
+                      static_cast<float>((height / 2.0 - input.cursor_px[1]) * per_px)};
+}
+
 render::RenderFrame FrameParts::extract(const scene::ViewPoint& view) {
     const platform::PixelSize size = window_.framebuffer_size();
     render::RenderFrame frame = scene::extract(*session_.simulation,
