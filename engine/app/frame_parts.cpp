@@ -111,9 +111,6 @@ FrameParts::FrameParts(platform::Window& window,
             session.library);
     }
     apply_config();
-    if (renderer->draws_in_software()) {
-        overlay_.say("drawing on the CPU (no GPU driver): expect few frames a second", start_s_);
-    }
     if (!def.first_message.empty()) say(def.first_message);
 }
 

@@ -129,6 +129,7 @@ private:
     bool written_{false};
     bool wants_pointer_{true};
     bool said_not_stored_{false};
+    bool said_software_{false};
 };
 
 /// While it lives, the parts' files are written also when the program ends by exit(): Xlib does that
