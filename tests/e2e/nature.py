@@ -124,6 +124,27 @@ def moves_and_turns(scene):
     scene.picture("moved")
 
 
+def orbits_and_walks(scene):
+    """U: orbiting what is seen, then walking, then flying again."""
+    scene.game.press("u", 1, 1)
+    around = scene.way(lambda: scene.game.hold("e", 1))
+    expect(math.dist(around[0][1], around[-1][1]) > 1, "E goes round what is seen")
+    scene.game.press("u", 1, 2)
+    slow = scene.way(lambda: scene.game.hold("w", 1.5))
+    expect(abs(slow[-1][1][1] - 1.65) < 0.15, f"eyes are {slow[-1][1][1]:.2f} m over the lawn")
+    scene.picture("walking")
+    scene.game.hold("s", 1.5)
+    for _ in range(3):
+        scene.game.do("click", 4)
+        time.sleep(0.3)
+    fast = scene.way(lambda: scene.game.hold("w", 1.5))
+    expect(1.5 < fastest(fast) / fastest(slow) < 2.5, f"three notches: {fastest(slow):.2f}, then {fastest(fast):.2f} m/s")
+    scene.game.hold("s", 1.5)
+    scene.game.press("u", 1, 1)
+    scene.game.hold("c", 1)
+    expect(scene.way(lambda: time.sleep(0.5))[-1][1][1] > 2.5, "C goes up in flight")
+
+
 def shows_wires_and_points(scene):
     filled = scene.picture("filled")
     scene.game.press("m", 1, 1)
@@ -256,6 +277,7 @@ def main():
         try:
             starts_as_the_report(scene)
             moves_and_turns(scene)
+            orbits_and_walks(scene)
             shows_wires_and_points(scene)
             fog_grows_denser(scene)
             turns_the_sun(scene)
