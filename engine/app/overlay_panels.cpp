@@ -83,7 +83,7 @@ std::string clock_text(double seconds) {
 
 std::vector<HudLine> goal_lines(const OverlayInput& input, const scene::GoalState& goal) {
     std::vector<HudLine> lines{{.text = goal.text, .tone = Tone::Head}};
-    std::string now = fmt::format("{} of {}", goal.counted, goal.wanted);
+    std::string now = fmt::format("{} of {}", std::min(goal.counted, goal.wanted), goal.wanted);
     if (goal.left_s) now += fmt::format("   {} left", clock_text(*goal.left_s));
     if (goal.throws_left) now += fmt::format("   {} to throw", *goal.throws_left);
     lines.push_back({.text = now});
