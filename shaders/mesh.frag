@@ -172,15 +172,17 @@ vec3 local_lights_light(Surface s) {
     int words = textureSize(light_masks) / (PL_CLUSTERS_X * PL_CLUSTERS_Y * PL_CLUSTERS_Z);
     int first = ((slice * PL_CLUSTERS_Y + tile.y) * PL_CLUSTERS_X + tile.x) * words;
     vec3 color = vec3(0.0);
-    for (int word = 0; word < words; ++word) {
-        uint bits = texelFetch(light_masks, first + word).r;
-        while (bits != 0u) {
-            // The exponent of a power of two is the number of its bit.
-            uint lowest = bits & (~bits + 1u);
-            int bit = (floatBitsToInt(float(lowest)) >> 23) - 127;
-            color += local_light(s, local_lights[word * 32 + bit]);
-            bits ^= lowest;
-        }
+    int word = 0;
+    uint bits = texelFetch(light_masks, first).r;
+    // One loop: where threads share an instruction, inner loops would wait for each other's longest.
+    for (;;) {
+        while (bits == 0u && ++word < words) bits = texelFetch(light_masks, first + word).r;
+        if (bits == 0u) break;
+        // The exponent of a power of two is the number of its bit.
+        uint lowest = bits & (~bits + 1u);
+        int bit = (floatBitsToInt(float(int(lowest))) >> 23 & 255) - 127;
+        color += local_light(s, local_lights[word * 32 + bit]);
+        bits ^= lowest;
     }
     return color;
 }

@@ -12,6 +12,8 @@ constexpr int kTilesY = PL_CLUSTERS_Y;
 constexpr int kSlices = PL_CLUSTERS_Z;
 constexpr std::size_t kClusters = std::size_t{kTilesX} * kTilesY * kSlices;
 constexpr std::size_t kWordBits = 32;
+// The smallest texture buffer that OpenGL 3.3 guarantees.
+static_assert(kClusters * PL_MAX_LIGHTS / kWordBits <= 65536);
 
 struct Range {
     int first{0};
