@@ -118,11 +118,11 @@ def scenes():
     run("simulate", circle, code=4, says="Too many levels of symbolic links")
     listed = json.loads(run("scenes", "--json").stdout)
     names = [scene["name"] for scene in listed]
-    assert names[:2] == ["garden", "falling_cube"] and "hard/H05" in names, names
+    assert names[0] == "garden" and {"falling_cube", "nature", "cans", "hard/H05"} <= set(names), names
     assert "materials" not in names and "things" not in names, names
     assert all(scene["title"] and scene["description"] and pathlib.Path(scene["file"]).is_file() for scene in listed), listed
     lines = run("scenes").stdout.splitlines()
-    assert len(lines) == len(listed) and lines[1].split() == ["falling_cube", "Falling", "cube:", "One", "cube,", "8", "m", "above", "the", "ground"]
+    assert len(lines) == len(listed) and ["falling_cube", "Falling", "cube:", "One", "cube,", "8", "m", "above", "the", "ground"] in map(str.split, lines)
     run("simulate", names[-1], "--seconds", 0)
     # A person's own have names too, and one of a shipped name stands for that.
     own = folder / "data/plumbline/scenes"
