@@ -9,7 +9,7 @@
 namespace plumbline::app {
 namespace {
 
-enum class Where : std::uint8_t { Playing, AtModel, Anywhere };
+enum class Where : std::uint8_t { Playing, AtModel, ByPointer, Anywhere };
 
 struct Row {
     FirstStep step;
@@ -41,6 +41,9 @@ constexpr std::array<Row, static_cast<std::size_t>(FirstStep::Count)> kRows{
      {FirstStep::TurnModel, AtModel, Action::TurnModel, "turn", "held, it turns the model", 1},
      {FirstStep::ShiftModel, AtModel, Action::ShiftModel, "shift", "held, it shifts the model", 1},
      {FirstStep::ComeNear, AtModel, Action::ZoomIn, "near", "come nearer", 1},
+     {FirstStep::TurnAbout, ByPointer, Action::RotateLeft, "turn_about", "turn the view", 1},
+     {FirstStep::Drag, ByPointer, Action::Grab, "drag", "held, it drags what the pointer is on", 1},
+     {FirstStep::Shoot, ByPointer, Action::Shoot, "shoot", "shoot where the pointer is", 1},
      {FirstStep::Menu,
       Anywhere,
       Action::Menu,
@@ -85,11 +88,11 @@ void FirstMinute::see(const std::array<std::uint64_t, kActionCount>& presses) {
 }
 
 std::optional<FirstStep> FirstMinute::now(const HintScene& scene) const {
+    const Where here = scene.looks_at_model ? AtModel : scene.by_pointer ? ByPointer : Playing;
     for (const Row& row : kRows) {
         if (done_[static_cast<std::size_t>(row.step)]) continue;
         if (row.step == FirstStep::Flashlight && !scene.has_flashlight) continue;
-        if (row.where == (scene.looks_at_model ? Playing : AtModel)) continue;
-        return row.step;
+        if (row.where == here || row.where == Anywhere) return row.step;
     }
     return std::nullopt;
 }

@@ -25,6 +25,9 @@ enum class FirstStep : std::uint8_t {
     TurnModel,
     ShiftModel,
     ComeNear,
+    TurnAbout,
+    Drag,
+    Shoot,
     Menu,
     Count
 };
@@ -33,6 +36,7 @@ enum class FirstStep : std::uint8_t {
 struct HintScene {
     bool has_flashlight{false};
     bool looks_at_model{false};  ///< a model by itself is turned: nobody walks among things
+    bool by_pointer{false};  ///< the pointer is free: hands go where it is, no mouse looks around
 };
 
 class FirstMinute {

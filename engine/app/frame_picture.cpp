@@ -96,7 +96,8 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
     const bool hints = config_.current().hints && !def_.unattended;
     const HintScene hint_scene{
         .has_flashlight = session_.simulation->description().flashlight.has_value(),
-        .looks_at_model = looks_at_model()};
+        .looks_at_model = looks_at_model(),
+        .by_pointer = pointer_is_free()};
     std::optional<AnimationBar> bar = bar_of(*session_.simulation);
     const AccuracyRequest asked =
         overlay_.draw({.parts = controls_.parts,

@@ -64,6 +64,21 @@ TEST_F(FirstMinuteTest, AtAModelItSaysWhatOneDoesWithModels) {
     EXPECT_EQ(minute.now(kHintScene), FirstStep::Look);  // nothing of it was playing
 }
 
+// With a free pointer no mouse looks around: what cannot be done is not asked for.
+TEST_F(FirstMinuteTest, WithAFreePointerItSaysWhatThatDoes) {
+    FirstMinute minute({});
+    constexpr HintScene kPointer{.by_pointer = true};
+    constexpr std::array kSteps{
+        FirstStep::TurnAbout, FirstStep::Drag, FirstStep::Shoot, FirstStep::Menu};
+    for (const FirstStep step : kSteps) {
+        EXPECT_EQ(minute.now(kPointer), step);
+        presses(action_of(step)) = 1;
+        minute.see(seen_);
+    }
+    EXPECT_EQ(minute.now(kPointer), std::nullopt);
+    EXPECT_EQ(minute.now({}), FirstStep::Look) << "elsewhere all is still to be said";
+}
+
 TEST_F(FirstMinuteTest, WhatWasDoneDoesNotComeAgainInTheNextSitting) {
     {
         FirstMinute minute(file());

@@ -63,7 +63,7 @@ TEST_P(LinearFactor, HeldAlongTheVerticalNothingFalls) {
 INSTANTIATE_TEST_SUITE_P(WithEverySolver,
                          LinearFactor,
                          testing::Values(Solver::SmallStep, Solver::BulletSi),
-                         [](const auto& info) { return std::string(solver_name(info.param)); });
+                         [](const auto& each) { return std::string(solver_name(each.param)); });
 
 }  // namespace
 }  // namespace plumbline::physics
