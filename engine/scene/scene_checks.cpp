@@ -145,6 +145,25 @@ void check_light_shadows(const SceneDescription& scene, LoadContext& context) {
         context.note_not_built(first, fmt::format("light shadows of: {}", listed(casters)));
 }
 
+/// A name that nothing has never comes in. Things made in play are numbered: "crate#1".
+void check_triggers(const SceneDescription& scene, LoadContext& context) {
+    const SceneNames names(scene, context);
+    for (std::size_t i = 0; i < scene.entities.size(); ++i) {
+        const auto& trigger = scene.entities[i].trigger;
+        if (!trigger) continue;
+        for (const std::string& name : trigger->of) {
+            if (names.find(name) || name.find('#') != std::string::npos) continue;
+            const std::string nearest = names.nearest(name);
+            context.faults.warning(
+                context.entity_places[i],
+                fmt::format("entity[{}].trigger.of", i),
+                fmt::format("no entity is called \"{}\"{}",
+                            shown(name),
+                            nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
+        }
+    }
+}
+
 void check_ground(const SceneDescription& scene, LoadContext& context) {
     if (!scene.player) return;
     bool stands = false;
@@ -165,6 +184,7 @@ void check_whole_scene(SceneDescription& scene, LoadContext& context) {
     check_groups(scene, context);
     check_mass_ratio(scene, context);
     check_light_shadows(scene, context);
+    check_triggers(scene, context);
     check_ground(scene, context);
     if (context.not_built.empty()) return;
     context.faults.warning(

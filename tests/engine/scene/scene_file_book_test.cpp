@@ -107,16 +107,20 @@ TEST_F(BookSceneFile, ATriggerIsAVolumeWithoutABody) {
     const std::string volume = "[[entity]]\nname = \"t\"\nprimitive = { box = [2, 0.5, 2] }\n";
     const SceneDescription scene =
         good(prefab + volume +
-             "trigger = { spawn = \"green_box\", at_m = [5, 10, 0], of = [\"a\"], times = 3 }\n");
+             "trigger = { spawn = \"green_box\", at_m = [5, 10, 0], of = [\"t\"], times = 3 }\n");
     const TriggerDescription& trigger = *scene.entities[0].trigger;
     EXPECT_EQ(trigger.spawn, "green_box");
     expect_near(trigger.at_m, {5, 10, 0});
-    EXPECT_EQ(trigger.of, std::vector<std::string>{"a"});
+    EXPECT_EQ(trigger.of, std::vector<std::string>{"t"});
     EXPECT_EQ(trigger.times, 3);
     expect_only(
         prefab + volume + "trigger = { spawn = \"green_bx\", at_m = [0, 0, 0] }\n",
         "8:21: error: entity[0].trigger.spawn: no prefab is called \"green_bx\"; did you mean "
         "\"green_box\"?");
+    expect_only(
+        prefab + volume +
+            "trigger = { spawn = \"green_box\", at_m = [0, 0, 0], of = [\"tt\", \"t#1\"] }\n",
+        "6:8: warning: entity[0].trigger.of: no entity is called \"tt\"; did you mean \"t\"?");
     expect_only(prefab + volume + "trigger = { at_m = [0, 0, 0] }\n",
                 "8:11: error: entity[0].trigger.spawn: missing; expected the name of a prefab");
     expect_only(prefab + volume + "trigger = { spawn = \"green_box\" }\n",
