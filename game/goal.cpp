@@ -25,7 +25,8 @@ bool is_meant(const std::string& name, const std::string& wanted) {
 Goal::Goal(const scene::Simulation& simulation) : goal_(*simulation.description().goal) {
     for (auto [entity, name, body] :
          simulation.registry.view<const scene::Name, const scene::BodyRef>()) {
-        const auto meant = [&](const std::string& wanted) { return is_meant(name.text, wanted); };
+        const std::string& text = name.text;
+        const auto meant = [&](const std::string& wanted) { return is_meant(text, wanted); };
         if (std::ranges::any_of(goal_.things, meant)) things_.push_back(entity);
     }
     wanted_ = goal_.count > 0 ? goal_.count : static_cast<int>(things_.size());

@@ -47,7 +47,7 @@ public:
             case PlyNumber::Uint32:
                 return bytes_.number<std::uint32_t>(order);
             case PlyNumber::Float:
-                return double{bytes_.number<float>(order)};
+                return static_cast<double>(bytes_.number<float>(order));
             case PlyNumber::Double:
                 return bytes_.number<double>(order);
         }

@@ -118,7 +118,8 @@ private:
         if (auto fault = size_fault({{"radius", r}}); !fault.empty()) {
             return refused_shape("sphere: " + fault);
         }
-        return keep(std::make_unique<btSphereShape>(r), frame, mass_of_sphere(r), r);
+        return keep(
+            std::make_unique<btSphereShape>(r), frame, mass_of_sphere(static_cast<double>(r)), r);
     }
 
     Result<Done> build(const CylinderShape& cylinder, const Pose& frame) {
@@ -129,7 +130,10 @@ private:
         }
         auto shape = std::make_unique<btCylinderShape>(btVector3(r, h * 0.5_r, r));
         shape->setMargin(margin_for_size(std::min(2 * r, h)));
-        return keep(std::move(shape), frame, mass_of_cylinder(r, h), std::min(r, 0.5_r * h));
+        return keep(std::move(shape),
+                    frame,
+                    mass_of_cylinder(static_cast<double>(r), static_cast<double>(h)),
+                    std::min(r, 0.5_r * h));
     }
 
     Result<Done> build(const CapsuleShape& capsule, const Pose& frame) {
@@ -138,7 +142,10 @@ private:
         if (auto fault = size_fault({{"radius", r}, {"height", h}}); !fault.empty()) {
             return refused_shape("capsule: " + fault);
         }
-        return keep(std::make_unique<btCapsuleShape>(r, h), frame, mass_of_capsule(r, h), r);
+        return keep(std::make_unique<btCapsuleShape>(r, h),
+                    frame,
+                    mass_of_capsule(static_cast<double>(r), static_cast<double>(h)),
+                    r);
     }
 
     Result<Done> build(const ConeShape& cone, const Pose& frame) {
@@ -156,7 +163,9 @@ private:
         auto shape = std::make_unique<btConeShape>(inner_h * r / h, inner_h);
         shape->setMargin(margin);
         const Vec3 shift{0, 0.5_r * (top + bottom), 0};
-        const SolidMass mass = moved(mass_of_cone(r, h), -Vec3d{shift}, Quatd{1, 0, 0, 0});
+        const SolidMass mass = moved(mass_of_cone(static_cast<double>(r), static_cast<double>(h)),
+                                     -Vec3d{shift},
+                                     Quatd{1, 0, 0, 0});
         // The largest ball round the centre of mass, a quarter of the height above the base.
         const Real core = std::min(0.25_r * h, 0.75_r * h * r / slant);
         return keep(std::move(shape), compose(frame, Pose{.position = shift}), mass, core);

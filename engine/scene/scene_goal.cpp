@@ -100,8 +100,8 @@ void read_goal(TableReader& root, SceneDescription& scene, LoadContext& context)
             int{goal.outside.has_value()} !=
         1)
         table->error("below_m", "expected one of below_m, inside and outside");
-    constexpr Range kTime_s{1, 36'000, "seconds from 1 to 36000"};
-    if (const auto within_s = table->optional_number("within_s", kTime_s))
+    constexpr Range kWithin_s{1, 36'000, "seconds from 1 to 36000"};
+    if (const auto within_s = table->optional_number("within_s", kWithin_s))
         goal.within_s = static_cast<double>(*within_s);
     if (table->has("throws")) goal.throws = table->integer("throws", 1, 1, 10'000);
     goal.with = table->text("with", {});

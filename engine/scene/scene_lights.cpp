@@ -137,10 +137,10 @@ void read_post(TableReader& root, SceneDescription& scene) {
 std::optional<LightDescription> read_light(TableReader& entity) {
     auto table = entity.table("light");
     if (!table) return {};
-    constexpr std::array<std::string_view, 2> kKinds{"point", "spot"};
+    constexpr std::array<std::string_view, 2> kLightKinds{"point", "spot"};
     LightDescription light;
     light.origin = origin_of(table->place());
-    light.is_spot = table->choice("kind", 0, kKinds) == 1;
+    light.is_spot = table->choice("kind", 0, kLightKinds) == 1;
     light.color = table->color("color", light.color);
     light.intensity = table->single("intensity", light.intensity, kIntensity);
     light.radius_m = table->single("radius_m", light.radius_m, kReach_m);

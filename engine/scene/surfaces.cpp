@@ -58,12 +58,12 @@ std::vector<fs::path> read_sounds(TableReader& table,
 }
 
 Surface read_surface(TableReader& table, const std::string& name, const fs::path& assets_folder) {
-    constexpr Range kFriction{0, 10, "a coefficient from 0 to 10"};
+    constexpr Range kSurfaceFriction{0, 10, "a coefficient from 0 to 10"};
     constexpr Range kDensity{1e-3, 1e5, "kg/m3 from 0.001 to 100000"};
     constexpr Range kLoudness{0, 10, "a factor from 0 to 10"};
     Surface surface;
     surface.name = name;
-    surface.friction = table.number("friction", surface.friction, kFriction);
+    surface.friction = table.number("friction", surface.friction, kSurfaceFriction);
     surface.restitution = table.number("restitution", surface.restitution, kFraction);
     surface.density_kgpm3 = table.number("density_kgpm3", surface.density_kgpm3, kDensity);
     surface.impact_sounds = read_sounds(table, "impact_sounds", assets_folder);

@@ -45,7 +45,7 @@ std::size_t only_dynamic(const PeerScene& scene) {
 }
 
 double gravity_of(const PeerScene& scene) {
-    return -double{scene.description.gravity_mps2.y};
+    return -static_cast<double>(scene.description.gravity_mps2.y);
 }
 
 /// Gaps between the anchors, were each rigidly part of its body.
@@ -140,7 +140,7 @@ public:
     explicit BounceMeter(const PeerScene& scene)
         : scene_(scene), ball_(only_dynamic(scene)), before_(start_views(scene)[ball_]) {
         const auto& shape = std::get<physics::SphereShape>(scene.bodies[ball_].shape);
-        radius_m_ = double{shape.radius_m};
+        radius_m_ = static_cast<double>(shape.radius_m);
         drop_m_ = before_.position.y - radius_m_;
     }
 
@@ -190,7 +190,8 @@ public:
         speed_mps_ = glm::length(start_.velocity_mps);
         along_ = start_.velocity_mps / speed_mps_;
         const bool rolls = glm::length(ball.body.angular_velocity_radps) > 0;
-        slowing_mps2_ = double{ball.body.friction.value_or(Real{0})} * gravity_of(scene);
+        slowing_mps2_ =
+            static_cast<double>(ball.body.friction.value_or(Real{0})) * gravity_of(scene);
         rolls_at_s_ = rolls ? 0.0 : 2 * speed_mps_ / (7 * slowing_mps2_);
     }
 

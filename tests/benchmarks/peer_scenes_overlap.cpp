@@ -38,7 +38,7 @@ Solid solid_of(const PeerBody& body) {
         return {Solid::Kind::Box, half_m, glm::length(half_m)};
     }
     if (const auto* ball = std::get_if<physics::SphereShape>(&body.shape)) {
-        const double radius_m{ball->radius_m};
+        const auto radius_m = static_cast<double>(ball->radius_m);
         return {Solid::Kind::Ball, {radius_m, 0, 0}, radius_m};
     }
     return {};

@@ -23,7 +23,7 @@ struct PeerBody {
     Pose start{};
 
     bool dynamic() const { return body.kind == physics::BodyKind::Dynamic; }
-    double mass_kg() const { return double{body.mass_kg.value_or(Real{0})}; }
+    double mass_kg() const { return static_cast<double>(body.mass_kg.value_or(Real{0})); }
     Vec3d inertia_kgm2() const { return Vec3d(body.inertia_kgm2.value_or(Vec3{0, 0, 0})); }
 };
 

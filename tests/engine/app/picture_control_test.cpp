@@ -15,7 +15,7 @@ struct Machine {
     double fixed_ms{10};
     double pixels_ms{100};  ///< at scale 1, level high
     double ms(const PictureControl& control) const {
-        const double scale = double{control.quality().render_scale};
+        const double scale = static_cast<double>(control.quality().render_scale);
         const double level = control.level() == Level::High     ? 1.0
                              : control.level() == Level::Medium ? 0.8
                                                                 : 0.5;

@@ -150,7 +150,7 @@ TEST_P(Primitive, keeps_the_texture_at_one_metre_a_unit) {
         const Vec2f b = mesh.vertices[mesh.indices[i + 1]].uv - a;
         const Vec2f c = mesh.vertices[mesh.indices[i + 2]].uv - a;
         // v runs down, so outer triangles turn the other way in the image.
-        const double twice_area = double{b.x * c.y} - double{c.x * b.y};
+        const double twice_area = static_cast<double>(b.x * c.y) - static_cast<double>(c.x * b.y);
         EXPECT_LT(twice_area, 1e-9);
         area_uv -= twice_area / 2;
     }
