@@ -9,9 +9,6 @@ find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
 find_package(OpenEXR REQUIRED)
 find_package(tomlplusplus REQUIRED)
-# Off by default for compilers of 2021; string streams take ten times as long.
-set_property(TARGET tomlplusplus::tomlplusplus APPEND
-    PROPERTY INTERFACE_COMPILE_DEFINITIONS TOML_FLOAT_CHARCONV=1)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(OpenAL REQUIRED)

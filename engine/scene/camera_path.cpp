@@ -59,11 +59,12 @@ public:
 
     Result<CameraPath> read() {
         if (text_.starts_with(kFirstLine)) {
-            const std::string_view version = take_line().substr(kFirstLine.size());
-            const std::string_view bare = version.substr(0, version.find('\r'));
-            if (bare != kVersion)
+            std::string_view version = take_line();
+            version.remove_prefix(std::min(kFirstLine.size(), version.size()));
+            if (version.ends_with('\r')) version.remove_suffix(1);
+            if (version != kVersion)
                 return fault(fmt::format("is version {} of camera paths; this program reads {}",
-                                         shortened(bare),
+                                         shortened(version),
                                          kVersion));
             is_own_ = true;
             if (!text_.empty() && text_.back() != '\n') {
