@@ -39,12 +39,12 @@ Pose camera(const Playground& play) {
 }
 
 /// In degrees and metres, as the book counts them: yaw from the side of -Z.
-struct Place {
+struct OrbitPlace {
     Real yaw_deg;
     Real pitch_deg;
     Real distance_m;
 };
-Place place(const Playground& play) {
+OrbitPlace orbit_place(const Playground& play) {
     const Vec3 away = camera(play).position;
     const Real distance_m = glm::length(away);
     return {degrees_from_radians(std::atan2(-away.x, -away.z)),
@@ -63,13 +63,13 @@ Actions at(const Playground& play, const Vec3& point_m, Actions actions = {}) {
 TEST(Book, TurnsAboutTheObjectFromTheFirstFrameByFiveDegreesAndFiveMetres) {
     Playground play(stage());
     EXPECT_EQ(play.game->mode(), MoveMode::Orbit);
-    EXPECT_NEAR(place(play).yaw_deg, 0, 1e-3);
-    EXPECT_NEAR(place(play).pitch_deg, 20, 1e-3);
-    EXPECT_NEAR(place(play).distance_m, 15, 1e-4);
+    EXPECT_NEAR(orbit_place(play).yaw_deg, 0, 1e-3);
+    EXPECT_NEAR(orbit_place(play).pitch_deg, 20, 1e-3);
+    EXPECT_NEAR(orbit_place(play).distance_m, 15, 1e-4);
     const auto after = [&](Action action) {
         play.step(press({action}));
         play.step();
-        return place(play);
+        return orbit_place(play);
     };
     EXPECT_NEAR(after(Action::Forward).pitch_deg, 25, 1e-3) << "up";
     EXPECT_NEAR(after(Action::Back).pitch_deg, 20, 1e-3) << "down";
@@ -80,7 +80,7 @@ TEST(Book, TurnsAboutTheObjectFromTheFirstFrameByFiveDegreesAndFiveMetres) {
         EXPECT_NEAR(after(Action::ZoomIn).distance_m, distance_m, 1e-4);
     EXPECT_NEAR(after(Action::ZoomOut).distance_m, 5.1, 1e-4);
     for (int i = 0; i < 72; ++i) after(Action::RotateRight);
-    EXPECT_NEAR(place(play).yaw_deg, 0, 1e-2) << "once round";
+    EXPECT_NEAR(orbit_place(play).yaw_deg, 0, 1e-2) << "once round";
 }
 
 // SOURCES A24: what is held goes on.
@@ -88,9 +88,10 @@ TEST(Book, AHeldArrowGoesOnTenTimesASecond) {
     Playground play(stage());
     play.step(press({Action::RotateRight}));
     for (int i = 0; i < 23; ++i) play.step(hold({Action::RotateRight}));
-    EXPECT_NEAR(std::abs(place(play).yaw_deg), 5, 1e-3) << "one press, until 0.4 s have passed";
+    EXPECT_NEAR(std::abs(orbit_place(play).yaw_deg), 5, 1e-3)
+        << "one press, until 0.4 s have passed";
     for (int i = 0; i < 60; ++i) play.step(hold({Action::RotateRight}));
-    EXPECT_NEAR(std::abs(place(play).yaw_deg), 55, 1e-2);
+    EXPECT_NEAR(std::abs(orbit_place(play).yaw_deg), 55, 1e-2);
 }
 
 // SOURCES A8: the up vector stands upright in the picture.
