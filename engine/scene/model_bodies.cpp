@@ -47,33 +47,32 @@ void add_bones(const assets::ModelData& model,
     }
 }
 
-/// The corners of the points' box, which is nowhere thinner than kThinnest_m.
-std::vector<Vec3> box_of(const std::vector<Vec3>& points) {
-    Vec3 low = points.front();
-    Vec3 high = points.front();
+struct Extent {
+    Vec3 low;
+    Vec3 high;
+    bool is_flat() const { return glm::any(glm::lessThan(high - low, Vec3{kThinnest_m})); }
+};
+
+Extent extent_of(const std::vector<Vec3>& points) {
+    Extent extent{points.front(), points.front()};
     for (const Vec3& point : points) {
-        low = glm::min(low, point);
-        high = glm::max(high, point);
+        extent.low = glm::min(extent.low, point);
+        extent.high = glm::max(extent.high, point);
     }
-    const Vec3 missing = glm::max(Vec3{kThinnest_m} - (high - low), Vec3{0}) * 0.5_r;
-    low -= missing;
-    high += missing;
+    return extent;
+}
+
+/// The corners of its box, which is nowhere thinner than kThinnest_m.
+std::vector<Vec3> corners_of(const Extent& extent) {
+    const Vec3 missing = glm::max(Vec3{kThinnest_m} - (extent.high - extent.low), Vec3{0}) * 0.5_r;
+    const Vec3 low = extent.low - missing;
+    const Vec3 high = extent.high + missing;
     std::vector<Vec3> corners;
     for (int i = 0; i < 8; ++i)
         corners.emplace_back((i & 1) != 0 ? high.x : low.x,
                              (i & 2) != 0 ? high.y : low.y,
                              (i & 4) != 0 ? high.z : low.z);
     return corners;
-}
-
-bool is_flat(const std::vector<Vec3>& points) {
-    Vec3 low = points.front();
-    Vec3 high = points.front();
-    for (const Vec3& point : points) {
-        low = glm::min(low, point);
-        high = glm::max(high, point);
-    }
-    return glm::any(glm::lessThan(high - low, Vec3{kThinnest_m}));
 }
 
 }  // namespace
@@ -97,7 +96,8 @@ std::vector<PartShape> part_shapes_of(const assets::MovingModel& model, const Ve
         const Mat3 part_from_node = glm::transpose(turn_of(axes)) * axes;
         std::vector<Vec3> points;
         for (const Vec3& point : found.points) points.push_back(part_from_node * point);
-        if (found.as_box || is_flat(points)) points = box_of(points);
+        const Extent extent = extent_of(points);
+        if (found.as_box || extent.is_flat()) points = corners_of(extent);
         std::string name = model.data.nodes[node].name;
         if (name.empty() || std::ranges::find(shapes, name, &PartShape::name) != shapes.end())
             name += fmt::format("{}", node);

@@ -147,19 +147,18 @@ void check_light_shadows(const SceneDescription& scene, LoadContext& context) {
 
 /// A name that nothing has never comes in. Things made in play are numbered: "crate#1".
 void check_triggers(const SceneDescription& scene, LoadContext& context) {
+    const auto has_trigger = [](const EntityDescription& e) { return e.trigger.has_value(); };
+    if (std::ranges::none_of(scene.entities, has_trigger)) return;
     const SceneNames names(scene, context);
     for (std::size_t i = 0; i < scene.entities.size(); ++i) {
         const auto& trigger = scene.entities[i].trigger;
         if (!trigger) continue;
         for (const std::string& name : trigger->of) {
             if (names.find(name) || name.find('#') != std::string::npos) continue;
-            const std::string nearest = names.nearest(name);
             context.faults.warning(
                 context.entity_places[i],
                 fmt::format("entity[{}].trigger.of", i),
-                fmt::format("no entity is called \"{}\"{}",
-                            shown(name),
-                            nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
+                fmt::format("no entity is called \"{}\"{}", shown(name), names.hint(name)));
         }
     }
 }

@@ -66,12 +66,8 @@ void read_things(TableReader& table,
             table.error("things", fmt::format("\"{}\" has no body", shown(name)));
             continue;
         }
-        const std::string nearest = names.nearest(name);
-        table.error(
-            "things",
-            fmt::format("no body is called \"{}\"{}",
-                        shown(name),
-                        nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest)));
+        table.error("things",
+                    fmt::format("no body is called \"{}\"{}", shown(name), names.hint(name)));
     }
     goal.count = table.integer("count", 0, 1, 50'000);
     if (bodies > 0 && static_cast<std::uint64_t>(goal.count) > bodies) {

@@ -30,12 +30,9 @@ void check_name(TableReader& table,
     // "cube.*" is looked up when the bodies are there.
     if (name.empty() || name.ends_with('*') || at.joints.contains(name)) return;
     if (at.entities.find(name)) return;
-    const std::string nearest = at.entities.nearest(name);
-    table.error(key,
-                fmt::format("no entity or joint is called \"{}\"{}",
-                            shown(name),
-                            nearest.empty() ? std::string()
-                                            : fmt::format("; did you mean \"{}\"?", nearest)));
+    table.error(
+        key,
+        fmt::format("no entity or joint is called \"{}\"{}", shown(name), at.entities.hint(name)));
 }
 
 HardCaseRule read_rule(TableReader& table, const Known& known) {

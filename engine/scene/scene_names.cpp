@@ -59,6 +59,11 @@ std::string SceneNames::nearest(std::string_view name) const {
     return std::string(nearest_name(name, known));
 }
 
+std::string SceneNames::hint(std::string_view name) const {
+    const std::string near = nearest(name);
+    return near.empty() ? near : fmt::format("; did you mean \"{}\"?", near);
+}
+
 Place SceneNames::place(std::string_view name) const {
     const auto entity = entities_.find(std::string(name));
     if (entity != entities_.end()) return context_.entity_places[entity->second];

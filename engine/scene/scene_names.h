@@ -23,6 +23,8 @@ public:
     std::optional<Found> find(std::string_view name) const;
     /// The nearest name of an entity or array, or empty.
     std::string nearest(std::string_view name) const;
+    /// `; did you mean "crate"?`, or empty with nothing near.
+    std::string hint(std::string_view name) const;
     /// Where a found name is given.
     Place place(std::string_view name) const;
     /// Where the array stands that a copy of that name belongs to.
