@@ -55,17 +55,10 @@ class Stage:
         time.sleep(0.5)
 
     def picture(self):
-        before = set(self.shots.glob("*.png"))
-        self.game.press("F12", 1, 0.1)
-        for _ in range(200):
-            new = set(self.shots.glob("*.png")) - before
-            if new:
-                self.last = new.pop()
-                if pictures:
-                    shutil.copy(self.last, pathlib.Path(pictures) / f"book_{self.name}_last.png")
-                return read_png(self.last)[:330]  # below, messages may stand
-            time.sleep(0.1)
-        raise AssertionError("no screenshot within 20 s:\n" + self.game.log())
+        self.last = self.game.screenshot(self.shots)
+        if pictures:
+            shutil.copy(self.last, pathlib.Path(pictures) / f"book_{self.name}_last.png")
+        return read_png(self.last)[:330]  # below, messages may stand
 
     def keep(self, words):
         self.picture()

@@ -30,18 +30,10 @@ class Scene:
 
     def picture(self, name):
         """What the program saves of its own screen, in rows of (r, g, b)."""
-        shots = self.data / "shots"
-        before = set(shots.glob("*.png"))
-        self.game.press("F12")
-        for _ in range(200):
-            new = set(shots.glob("*.png")) - before
-            if new:
-                file = new.pop()
-                if pictures:
-                    shutil.copy(file, pathlib.Path(pictures) / f"{self.name}_{name}.png")
-                return read_png(file)
-            time.sleep(0.1)
-        raise AssertionError("no screenshot within 20 s:\n" + self.game.log())
+        file = self.game.screenshot(self.data / "shots")
+        if pictures:
+            shutil.copy(file, pathlib.Path(pictures) / f"{self.name}_{name}.png")
+        return read_png(file)
 
     def way(self, doing):
         """The poses (time, place, quaternion) of the camera while something is done."""

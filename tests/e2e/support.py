@@ -76,6 +76,17 @@ class Program:
         time.sleep(seconds)
         self.do("keyup", key)
 
+    def screenshot(self, shots):
+        """Presses F12; the file of what the program saved of its own screen in the folder `shots`."""
+        before = set(shots.glob("*.png"))
+        self.press("F12")
+        for _ in range(200):
+            new = set(shots.glob("*.png")) - before
+            if new:
+                return new.pop()
+            time.sleep(0.1)
+        raise AssertionError("no screenshot within 20 s:\n" + self.log())
+
     def picture(self, path):
         subprocess.run(["import", "-window", "root", str(path)], env=self.environment, check=False)
 

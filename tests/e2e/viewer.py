@@ -44,14 +44,7 @@ class Viewer:
         self.game.press(key, 1, 0.6)
 
     def picture(self):
-        before = set(self.shots.glob("*.png"))
-        self.game.press("F12")
-        for _ in range(200):
-            new = set(self.shots.glob("*.png")) - before
-            if new:
-                return read_png(new.pop())
-            time.sleep(0.1)
-        raise AssertionError("no screenshot within 20 s:\n" + self.game.log())
+        return read_png(self.game.screenshot(self.shots))
 
     def lit(self):
         """The share of pixels with a colour, which all but the model lack."""

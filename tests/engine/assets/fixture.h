@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -107,6 +108,47 @@ struct TriangleFile {
 
     Json& primitive(std::size_t mesh = 0) { return json["meshes"][mesh]["primitives"][0]; }
     Json& attributes() { return primitive()["attributes"]; }
+
+    /// A node goes from x = 0 to 2 m in one second.
+    void slide(int node) {
+        std::string times;
+        std::string places;
+        append_bytes<float>(times, {0, 1});
+        append_bytes<float>(places, {0, 0, 0, 2, 0, 0});
+        animate(node,
+                "translation",
+                add_accessor(times, 5126, 2, "SCALAR"),
+                add_accessor(places, 5126, 2, "VEC3"));
+    }
+    /// The triangle hangs on a "bone", node 1, that turns by half a turn about y in one second.
+    void hang_on_turning_bone() {
+        std::string joints;
+        std::string weights;
+        std::string times;
+        std::string turns;
+        for (int i = 0; i < 3; ++i) {
+            append_bytes<std::uint8_t>(joints, {0, 0, 0, 0});
+            append_bytes<float>(weights, {1, 0, 0, 0});
+        }
+        const float half = std::sqrt(0.5F);
+        append_bytes<float>(times, {0, 0.5F, 1});
+        append_bytes<float>(turns, {0, 0, 0, 1, 0, half, 0, half, 0, 1, 0, 0});
+        attributes()["JOINTS_0"] = add_accessor(joints, 5121, 3, "VEC4");
+        attributes()["WEIGHTS_0"] = add_accessor(weights, 5126, 3, "VEC4");
+        json["nodes"] = {{{"mesh", 0}, {"skin", 0}}, {{"name", "bone"}}};
+        json["scenes"][0]["nodes"] = {0, 1};
+        json["skins"] = {{{"joints", {1}}}};
+        animate(1,
+                "rotation",
+                add_accessor(times, 5126, 3, "SCALAR"),
+                add_accessor(turns, 5126, 3, "VEC4"));
+    }
+    /// The file's only animation: one channel from accessors of times and values.
+    void animate(int node, const char* path, std::size_t input, std::size_t output) {
+        json["animations"] = {
+            {{"samplers", {{{"input", input}, {"output", output}}}},
+             {"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", path}}}}}}}};
+    }
 
     /// A view over new bytes at the buffer's end; the view's number.
     std::size_t add_view(std::string_view more) {

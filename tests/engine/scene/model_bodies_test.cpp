@@ -7,50 +7,20 @@
 namespace plumbline::scene {
 namespace {
 
-using assets::test::append_bytes;
 using assets::test::TempFolder;
 using assets::test::TriangleFile;
 
 /// A triangle from (0, 0) to (1, 0) and (0, 1) that slides by 2 m along x in one second.
 std::string sled() {
     TriangleFile file;
-    std::string times;
-    std::string places;
-    append_bytes<float>(times, {0, 1});
-    append_bytes<float>(places, {0, 0, 0, 2, 0, 0});
     file.json["nodes"] = {{{"mesh", 0}, {"name", "plate"}}};
-    const std::size_t input = file.add_accessor(times, 5126, 2, "SCALAR");
-    const std::size_t output = file.add_accessor(places, 5126, 2, "VEC3");
-    file.json["animations"] = {
-        {{"samplers", {{{"input", input}, {"output", output}}}},
-         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+    file.slide(0);
     return file.glb();
 }
 
-/// The triangle hangs on a bone that turns by half a turn about y in one second.
 std::string flag() {
     TriangleFile file;
-    std::string joints;
-    std::string weights;
-    std::string times;
-    std::string turns;
-    for (int i = 0; i < 3; ++i) {
-        append_bytes<std::uint8_t>(joints, {0, 0, 0, 0});
-        append_bytes<float>(weights, {1, 0, 0, 0});
-    }
-    const float half = std::sqrt(0.5F);
-    append_bytes<float>(times, {0, 0.5F, 1});
-    append_bytes<float>(turns, {0, 0, 0, 1, 0, half, 0, half, 0, 1, 0, 0});
-    file.attributes()["JOINTS_0"] = file.add_accessor(joints, 5121, 3, "VEC4");
-    file.attributes()["WEIGHTS_0"] = file.add_accessor(weights, 5126, 3, "VEC4");
-    const std::size_t input = file.add_accessor(times, 5126, 3, "SCALAR");
-    const std::size_t output = file.add_accessor(turns, 5126, 3, "VEC4");
-    file.json["nodes"] = {{{"mesh", 0}, {"skin", 0}}, {{"name", "bone"}}};
-    file.json["scenes"][0]["nodes"] = {0, 1};
-    file.json["skins"] = {{{"joints", {1}}}};
-    file.json["animations"] = {
-        {{"samplers", {{{"input", input}, {"output", output}}}},
-         {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "rotation"}}}}}}}};
+    file.hang_on_turning_bone();
     return file.glb();
 }
 
