@@ -28,10 +28,10 @@ struct Detail {
     float kept_cards;   ///< share
     float card_scale;   ///< the kept ones cover what all did, nearly
 };
-constexpr std::array<Detail, 4> kDetails{{{1.0F / 300.0F, 0.6F, 1.25F},
-                                          {1.0F / 150.0F, 0.4F, 1.45F},
-                                          {1.0F / 75.0F, 0.25F, 1.7F},
-                                          {1.0F / 37.0F, 0.15F, 2.0F}}};
+constexpr std::array<Detail, 4> kDetails{{{1.0F / 300.0F, 0.4F, 1.45F},
+                                          {1.0F / 150.0F, 0.25F, 1.7F},
+                                          {1.0F / 75.0F, 0.15F, 2.0F},
+                                          {1.0F / 37.0F, 0.09F, 2.5F}}};
 
 std::uint64_t key_of(const Vec3f& position, float cell_m) {
     const auto part = [&](float value) {

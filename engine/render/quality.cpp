@@ -14,7 +14,7 @@ Quality quality_of(PictureLevel level) {
                     .surface_maps = false,
                     .shadow_filter = false,
                     .shadow_detail = 0.5F,
-                    .lod_error_px = 1.5F,
+                    .lod_error_px = 2.0F,
                     .smallest_px = 4.0F};
         case PictureLevel::Medium:
             return {.render_scale = 0.8F, .fxaa = true, .lod_error_px = 1.2F, .smallest_px = 2.0F};

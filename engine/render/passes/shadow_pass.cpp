@@ -48,17 +48,22 @@ constexpr int kFarLag_frames = 3;
 
 }  // namespace
 
+void ShadowPass::make_map(Map& map, std::uint32_t size_px, std::uint32_t count) {
+    map.framebuffer = {};
+    map.depth = gl::Texture::target(
+        gl::TargetFormat::Depth16, size_px * count, size_px, gl::Filter::Linear);
+    map.framebuffer = gl::Framebuffer{nullptr, &map.depth};
+}
+
 void ShadowPass::render(std::span<const ShadowView> views,
                         const RenderFrame& frame,
                         SceneResources& resources,
                         FrameStats& stats) {
     const std::uint32_t size = std::max(views.front().size_px, 16U);
     const auto count = static_cast<std::uint32_t>(views.size());
-    if (map_.width() != size * count || map_.height() != size) {
-        framebuffer_ = {};
-        map_ =
-            gl::Texture::target(gl::TargetFormat::Depth16, size * count, size, gl::Filter::Linear);
-        framebuffer_ = gl::Framebuffer{nullptr, &map_};
+    if (map().width() != size * count || map().height() != size) {
+        make_map(shown_, size, count);
+        statics_ = {};
         drawn_.assign(count, {});
     }
     for (std::size_t i = 0; i < views.size(); ++i) {
@@ -71,39 +76,81 @@ void ShadowPass::render(std::span<const ShadowView> views,
                   .lods = view.error_m > 0.0F ? &resources.meshes.lods() : nullptr,
                   .error_m = view.error_m});
         std::erase_if(casters, [](const VisibleItem& c) { return !c.item->casts_shadow; });
-        const Cascade seen{
-            .view_and_statics = hash_of(view, casters, Casters::Static, resources.library),
-            .moving = hash_of(view, casters, Casters::Moving, resources.library)};
+        const std::uint64_t statics = hash_of(view, casters, Casters::Static, resources.library);
+        const std::uint64_t moving = hash_of(view, casters, Casters::Moving, resources.library);
         Cascade& shown = drawn_[i];
         const bool may_lag = i > 0 && ++shown.age_frames <= kFarLag_frames;
-        if (seen.view_and_statics == shown.view_and_statics &&
-            (seen.moving == shown.moving || may_lag)) {
+        const bool same_statics = shown.statics == statics;
+        if (same_statics && (shown.moving == moving || may_lag)) {
             ++stats.shadow_passes_cached;
             continue;
         }
-        shown = seen;
         ++stats.shadow_passes_rendered;
-        draws_.clear();
-        build_depth_draws(std::move(casters), resources.library, draws_);
-        draw(view, i, resources, stats);
+        if (same_statics && !statics_.depth) make_map(statics_, size, count);
+        shown.statics = statics;
+        shown.moving = moving;
+        shown.age_frames = 0;
+        if (statics_.depth) {
+            draw_on_statics(view, i, std::move(casters), resources, stats);
+        } else {
+            clear(shown_, i);
+            draw(view, std::move(casters), resources, stats);
+        }
     }
 }
 
-void ShadowPass::draw(const ShadowView& view,
-                      std::size_t cascade,
-                      SceneResources& resources,
-                      FrameStats& stats) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    const auto size = static_cast<GLsizei>(map_.height());
+void ShadowPass::draw_on_statics(const ShadowView& view,
+                                 std::size_t cascade,
+                                 std::vector<VisibleItem> casters,
+                                 SceneResources& resources,
+                                 FrameStats& stats) {
+    const auto first_moving = std::ranges::stable_partition(
+        casters, [](const VisibleItem& caster) { return caster.item->is_static; });
+    std::vector<VisibleItem> moving{first_moving.begin(), first_moving.end()};
+    casters.erase(first_moving.begin(), casters.end());
+    Cascade& drawn = drawn_[cascade];
+    if (drawn.in_statics_map != drawn.statics) {
+        drawn.in_statics_map = drawn.statics;
+        clear(statics_, cascade);
+        draw(view, std::move(casters), resources, stats);
+    }
+    const auto size = static_cast<GLint>(map().height());
+    const auto left = static_cast<GLint>(cascade) * size;
+    glDisable(GL_SCISSOR_TEST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, statics_.framebuffer.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, shown_.framebuffer.name());
+    glBlitFramebuffer(
+        left, 0, left + size, size, left, 0, left + size, size, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    aim(shown_, cascade);
+    draw(view, std::move(moving), resources, stats);
+}
+
+void ShadowPass::aim(const Map& map, std::size_t cascade) {
+    glBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer.name());
+    const auto size = static_cast<GLsizei>(map.depth.height());
     const auto left = static_cast<GLint>(cascade) * size;
     glViewport(left, 0, size, size);
     glScissor(left, 0, size, size);
+}
+
+void ShadowPass::clear(const Map& map, std::size_t cascade) {
+    aim(map, cascade);
+    glEnable(GL_SCISSOR_TEST);
+    glDepthMask(GL_TRUE);
+    glClear(GL_DEPTH_BUFFER_BIT);
+}
+
+void ShadowPass::draw(const ShadowView& view,
+                      std::vector<VisibleItem> casters,
+                      SceneResources& resources,
+                      FrameStats& stats) {
+    draws_.clear();
+    build_depth_draws(std::move(casters), resources.library, draws_);
     glEnable(GL_SCISSOR_TEST);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-    glClear(GL_DEPTH_BUFFER_BIT);
     // Casters between the light and the box keep casting: their depth is clamped, not cut.
     glEnable(GL_DEPTH_CLAMP);
     glEnable(GL_POLYGON_OFFSET_FILL);
@@ -138,8 +185,8 @@ void ShadowPass::draw(const ShadowView& view,
 }
 
 void ShadowPass::free() {
-    framebuffer_ = {};
-    map_ = {};
+    shown_ = {};
+    statics_ = {};
     drawn_.clear();
 }
 

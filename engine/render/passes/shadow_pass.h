@@ -1,6 +1,7 @@
 // The shadow map of a light: what it sees, as depth; several cascades lie side by side in one image.
-// Drawn again only when something in sight moved. Where far cascades show moving things only they
-// may lag: a few frames behind, they are drawn in turns.
+// Drawn again only when something in sight moved. Once something moves, what cannot is kept in a map of
+// its own, from which the moving things' map starts. Where far cascades show moving things only they may
+// lag: a few frames behind, they are drawn in turns.
 //
 // Does not move with its casters: the light's matrix comes from shadow_fit.
 #pragma once
@@ -35,23 +36,37 @@ public:
     /// Frees the map.
     void free();
 
-    const gl::Texture& map() const { return map_; }
-    std::size_t bytes() const { return map_.bytes(); }
+    const gl::Texture& map() const { return shown_.depth; }
+    std::size_t bytes() const { return shown_.depth.bytes() + statics_.depth.bytes(); }
 
 private:
-    /// What one cascade shows.
+    struct Map {
+        gl::Texture depth;
+        gl::Framebuffer framebuffer;
+    };
+    /// What one cascade shows; hashes.
     struct Cascade {
-        std::uint64_t view_and_statics{0};  ///< hashes
+        std::uint64_t statics{0};  ///< and the view
         std::uint64_t moving{0};
+        std::uint64_t in_statics_map{0};
         int age_frames{0};
     };
+    static void make_map(Map& map, std::uint32_t size_px, std::uint32_t count);
+    static void aim(const Map& map, std::size_t cascade);
+    static void clear(const Map& map, std::size_t cascade);
+    void draw_on_statics(const ShadowView& view,
+                         std::size_t cascade,
+                         std::vector<VisibleItem> casters,
+                         SceneResources& resources,
+                         FrameStats& stats);
+    /// Into the map aimed at.
     void draw(const ShadowView& view,
-              std::size_t cascade,
+              std::vector<VisibleItem> casters,
               SceneResources& resources,
               FrameStats& stats);
 
-    gl::Texture map_;
-    gl::Framebuffer framebuffer_;
+    Map shown_;
+    Map statics_;  ///< empty until something moves
     std::vector<Cascade> drawn_;
     DrawList draws_;
     InstanceStream instances_;

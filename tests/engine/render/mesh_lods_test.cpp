@@ -114,7 +114,7 @@ TEST(MeshLods, FewerCardsAreLargerAndCoverAsMuch) {
     const float full = area_of(crown, crown.sub_meshes);
     const auto lods = add_lods(crown, {true});
     ASSERT_EQ(lods.size(), 4U);
-    const std::array<float, 4> kept{0.6F, 0.4F, 0.25F, 0.15F};
+    const std::array<float, 4> kept{0.4F, 0.25F, 0.15F, 0.09F};
     for (std::size_t i = 0; i < lods.size(); ++i) {
         EXPECT_NEAR(static_cast<float>(triangles_of(lods[i])) / 2000.0F, kept[i], 0.04F);
         const float covered = area_of(crown, lods[i].sub_meshes) / full;

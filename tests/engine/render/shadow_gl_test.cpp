@@ -105,6 +105,38 @@ TEST_F(ShadowGl, FarCascadesFollowWhatMovesAFewFramesLater) {
     EXPECT_EQ(renderer_->stats().shadow_passes_cached, 2U);
 }
 
+TEST_F(ShadowGl, WhatCannotMoveIsNotDrawnAgainForWhatMoves) {
+    // A wall that cannot move stands half over where the box goes.
+    add_box(frame_, {1.0F, 3.0F, 2.0F}, {-2.0F, 1.5F, 0.0F}, matt({0.1F, 0.1F, 0.8F}));
+    frame_.items[0].is_static = true;
+    frame_.items[2].is_static = true;
+    const auto move_to = [&](float x) {
+        frame_.items[1].world_from_body = glm::translate(Mat4f{1.0F}, Vec3f{x, 1.0F, 0.4F * x});
+    };
+    const std::vector<float> places{-3.0F, -2.0F, -0.5F, 1.0F, -0.5F};
+    std::vector<assets::ImageData> moved;
+    std::vector<std::uint64_t> triangles;
+    for (const float x : places) {
+        move_to(x);
+        moved.push_back(draw(frame_));
+        triangles.push_back(renderer_->stats().triangles);
+    }
+    // First all; then all once more, the still ones into a map of their own; from then on the box.
+    EXPECT_EQ(triangles[1], triangles[0]);
+    EXPECT_EQ(triangles[2], triangles[0] - 24U);
+    EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{2048} * 2048 * 2 * 2);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        move_to(places[i]);
+        // Another size and back: everything is drawn anew.
+        frame_.sun_shadow->size_px = 1024;
+        draw(frame_);
+        frame_.sun_shadow->size_px = 2048;
+        EXPECT_EQ(draw(frame_).bytes, moved[i].bytes) << i;
+        EXPECT_EQ(renderer_->stats().triangles, triangles[0]);
+        EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{2048} * 2048 * 2);
+    }
+}
+
 TEST_F(ShadowGl, EndsWithItsDistance) {
     frame_.sun_shadow->distance_m = 30.0F;  // the ground is 60 m off
     const auto image = draw(frame_);
