@@ -264,11 +264,25 @@ for i in range(8):
     turn = 22.5 + 45 * i
     x, z = 1.5 * math.sin(math.radians(turn)), 1.5 * math.cos(math.radians(turn))
     parts.append(f"{{ box = [1.4, 0.61, 0.29], position_m = {vec(x, 0.305, z)}, rotation_deg = [0, {turn}, 0] }}")
-parts += ["{ cylinder = [0.22, 1.2], position_m = [0, 0.6, 0] }", "{ cylinder = [0.74, 0.16], position_m = [0, 1.42, 0] }",
+parts += ["{ cylinder = [0.22, 1.2], position_m = [0, 0.6, 0] }", "{ cylinder = [0.74, 0.16], position_m = [0, 1.4, 0] }",
           "{ cylinder = [0.11, 0.7], position_m = [0, 1.8, 0] }"]
 entity("fountain", (0, 0.03, 3.2), model='"models/fountain.glb"',
        sound='{ file = "sounds/loop_fountain.ogg", loop = true, gain = 1.0, radius_m = 14 }',
        body=['kind = "static"', "friction = 0.6", "shape = { compound = [\n    " + ",\n    ".join(parts) + ",\n] }"])
+
+heading("its water: a jet into the upper bowl, and what runs over from bowl to bowl")
+# Of the water's surface in the model: radius, height.
+BOWLS = [(0.27, 1.87), (0.68, 1.485), (1.46, 0.47)]
+pools = ", ".join(f"{{ center_m = {vec(0, 0.03 + y, 3.2)}, radius_m = {r} }}" for r, y in BOWLS)
+for y, ring, speed, spread, flow, drop in [
+    (2.23, None, 3.9, 3.5, 0.18, 9), (1.9, (0.335, 28), 0.3, 7, 0.13, 7), (1.53, (0.775, 64), 0.35, 7, 0.3, 7.5),
+]:
+    put(f"\n[[fountain]]\nposition_m = {vec(0, 0.03 + y, 3.2)}")
+    if ring:
+        put(f"ring = {{ radius_m = {ring[0]}, streams = {ring[1]} }}")
+    put(f"speed_mps = {speed}\nspread_deg = {spread}\nflow_lps = {flow}\ndrop_mm = {drop}")
+    if not ring:
+        put(f"pools = [{pools}]")
 
 heading("trees")
 TRUNK = ['kind = "static"', "shape = { compound = [ { cylinder = [0.2, 3.4], position_m = [0, 1.7, 0] } ] }"]

@@ -86,6 +86,21 @@ struct Post {
     float bloom{0.0F};  ///< 0: no bloom targets, no bloom passes
 };
 
+/// Water in the air, drawn as a soft streak.
+struct DropStreak {
+    Vec3f position_world{0.0F};
+    float radius_m{0.003F};
+    Vec3f trail_m{0.0F};  ///< the way that it moves while the picture is taken
+    float opacity{1.0F};
+};
+
+/// A ring that runs outwards on level water.
+struct WaterRingMark {
+    Vec3f center_world{0.0F};
+    float radius_m{0.1F};
+    float opacity{1.0F};
+};
+
 enum class FillMode : std::uint8_t { Filled, Wireframe, Points };
 
 /// Against the depth that is there already. With any other than Less, what is drawn later decides:
@@ -120,6 +135,8 @@ struct RenderFrame {
     DepthTest depth_test{DepthTest::Less};
     bool textures{true};                     ///< false: base colours without their maps
     std::optional<assets::Shading> shading;  ///< over every material's own (`render --shading`)
+    std::vector<DropStreak> drops;           ///< over all else that is translucent
+    std::vector<WaterRingMark> water_rings;  ///< below the drops
     LineList lines;                          ///< collision shapes, contacts
 };
 

@@ -159,6 +159,7 @@ void Renderer::prepare(const RenderFrame& frame) {
         r.scene.shaders.find(kDepthShader, 0);
         if (has_mask) r.scene.shaders.find(kDepthShader, feature::kAlphaMask);
     }
+    if (DropPass::has_work(frame)) DropPass::prepare(r.features, r.scene);
     r.scene.textures.load(textures);
     r.frame = nullptr;
 }
@@ -232,19 +233,28 @@ void Renderer::sky() {
 
 void Renderer::translucent() {
     Impl& r = *impl_;
-    if (r.nothing_to_draw || r.translucent_draws.runs.empty()) return;
-    const gl::PassTimers::Scope timed(r.timers, "translucent");
-    if (r.scene.sky.ready()) {
-        gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, r.scene.sky.reflection());
-    }
+    if (r.nothing_to_draw) return;
+    const bool has_drops = DropPass::has_work(*r.frame);
+    if (!has_drops) r.drop_pass.free();
+    if (r.translucent_draws.runs.empty() && !has_drops) return;
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(r.frame->fill_mode));
-    r.translucent_pass.render(
-        r.translucent_draws, DrawKind::Translucent, r.mesh_view(), r.scene, r.stats);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    if (!r.translucent_draws.runs.empty()) {
+        const gl::PassTimers::Scope timed(r.timers, "translucent");
+        if (r.scene.sky.ready()) {
+            gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, r.scene.sky.reflection());
+        }
+        glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(r.frame->fill_mode));
+        r.translucent_pass.render(
+            r.translucent_draws, DrawKind::Translucent, r.mesh_view(), r.scene, r.stats);
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    }
+    if (has_drops) {
+        const gl::PassTimers::Scope timed(r.timers, "drops");
+        r.drop_pass.render(*r.frame, r.features, r.post_view.scene_px.height, r.scene, r.stats);
+    }
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
 }
@@ -337,6 +347,7 @@ std::vector<GpuBytes> Renderer::gpu_bytes() const {
             {"flashlight", r.flashlight_shadow.bytes()},
             {"sky", r.scene.sky.bytes()},
             {"post", r.post.bloom_bytes()},
+            {"drops", r.drop_pass.bytes()},
             {"meshes", r.scene.meshes.bytes()},
             {"textures", r.scene.textures.bytes()},
             {"targets",

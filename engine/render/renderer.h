@@ -25,7 +25,7 @@ struct GlInfo {
 /// One pass of the latest frame. Passes that did not run are not listed.
 struct PassTiming {
     std::string_view
-        name;  ///< "shadow.sun", "shadow.flashlight", "opaque", "sky", "translucent", "post.bloom", "picture", "lines", "ui"
+        name;  ///< "shadow.sun", "shadow.flashlight", "opaque", "sky", "translucent", "drops", "post.bloom", "picture", "lines", "ui"
     double cpu_ms{0};   ///< of the calling thread
     double gpu_ms{-1};  ///< timer query of an earlier frame; -1 where the driver has none
 };
@@ -41,7 +41,7 @@ struct FrameStats {
     std::uint32_t scene_height_px{0};
 };
 
-/// GPU memory by what called for it: "sun_shadow", "flashlight", "sky", "post", "meshes", "textures", "targets".
+/// GPU memory by what called for it: "sun_shadow", "flashlight", "sky", "post", "drops", "meshes", "textures", "targets".
 struct GpuBytes {
     std::string_view owner;
     std::uint64_t bytes{0};

@@ -7,6 +7,7 @@
 #include "engine/render/gpu_lights.h"
 #include "engine/render/gpu_limits.h"
 #include "engine/render/light_beam.h"
+#include "engine/render/passes/drop_pass.h"
 #include "engine/render/passes/line_pass.h"
 #include "engine/render/passes/mesh_pass.h"
 #include "engine/render/passes/post_pass.h"
@@ -66,6 +67,7 @@ struct Renderer::Impl {
     MeshPass opaque_pass;
     MeshPass translucent_pass;
     PostPass post;
+    DropPass drop_pass;
     LinePass line_pass;
 
     gl::PassTimers timers;

@@ -8,7 +8,7 @@
 
 namespace plumbline::render {
 
-using FeatureSet = std::uint32_t;
+using FeatureSet = std::uint64_t;
 
 namespace feature {
 // of the material

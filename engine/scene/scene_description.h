@@ -10,6 +10,8 @@
 #include "engine/physics/joint.h"
 #include "engine/physics/physics_world.h"
 #include "engine/physics/shape.h"
+#include "engine/scene/nature_description.h"
+#include "engine/scene/origin.h"
 
 #include <array>
 #include <cstdint>
@@ -22,13 +24,6 @@
 #include <vector>
 
 namespace plumbline::scene {
-
-/// "garden.toml:14".
-struct Origin {
-    std::string file;
-    int line{0};
-};
-std::string to_string(const Origin& origin);
 
 struct Accuracy {
     std::string preset{"balanced"};  ///< draft | balanced | precise | reference | auto
@@ -379,7 +374,9 @@ struct SceneDescription {
     std::vector<ViewDescription> views;
     std::optional<HardCase> hard_case{};
     std::optional<GoalDescription> goal{};
-    std::map<std::string, Origin> effect_settings;  ///< [effects.NAME] tables seen
+    std::vector<FountainDescription> fountains;
+    Fidelity fountain_fidelity{Fidelity::Balanced};  ///< [effects.fountain]
+    std::map<std::string, Origin> effect_settings;   ///< [effects.NAME] tables seen
 };
 
 }  // namespace plumbline::scene

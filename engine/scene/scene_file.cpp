@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kIncludeDepth = 16;
 // Everything that a scene may hold beside materials and prefabs.
-constexpr std::array<std::string_view, 17> kSceneOnly{"world",
+constexpr std::array<std::string_view, 18> kSceneOnly{"world",
                                                       "accuracy",
                                                       "player",
                                                       "camera",
@@ -36,7 +36,8 @@ constexpr std::array<std::string_view, 17> kSceneOnly{"world",
                                                       "joint",
                                                       "effects",
                                                       "view",
-                                                      "hard_case"};
+                                                      "hard_case",
+                                                      "fountain"};
 
 /// One file of the load. Places point at its name, so it stays where it is.
 struct SourceFile {
@@ -78,6 +79,7 @@ public:
         read_views(root, scene_);
         read_hard_case(root, scene_, context_);
         read_goal(root, scene_, context_);
+        read_nature(root, scene_);
         root.find("material");
         root.find("prefab");
         root.finish();

@@ -125,6 +125,11 @@ void check_whole_scene(SceneDescription& scene, LoadContext& context);
 // --- scene_goal.cpp
 void read_goal(TableReader& root, SceneDescription& scene, LoadContext& context);
 
+// --- scene_nature.cpp
+void read_nature(TableReader& root, SceneDescription& scene);
+/// The key `fidelity` of [effects.NAME].
+Fidelity read_fidelity(TableReader& table);
+
 // --- json_scene.cpp
 /// A JSON scene of meshes and a camera (docs/SCENE-FORMAT.md, "JSON scenes"), with all that it names.
 /// Nothing when there is an error among the faults.

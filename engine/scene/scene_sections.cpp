@@ -29,8 +29,8 @@ constexpr std::array<std::string_view, 12> kEffects{"sun_shadow",
                                                     "continuous_collision",
                                                     "gyroscopic_torque",
                                                     "contact_events"};
-constexpr std::array<std::string_view, 8> kEffectsToCome{
-    "wind", "buoyancy", "drag", "fountain", "magnets", "explosions", "fracture", "conveyor"};
+constexpr std::array<std::string_view, 7> kEffectsToCome{
+    "wind", "buoyancy", "drag", "magnets", "explosions", "fracture", "conveyor"};
 
 void read_world(TableReader& root, SceneDescription& scene) {
     auto table = root.table("world");
@@ -131,6 +131,11 @@ void read_effects(TableReader& root, SceneDescription& scene, LoadContext& conte
         if (!settings) continue;
         settings->finish();  // none of them has settings so far
         scene.effect_settings.emplace(name, origin_of(settings->place()));
+    }
+    if (auto settings = table->table("fountain")) {
+        scene.fountain_fidelity = read_fidelity(*settings);
+        settings->finish();
+        scene.effect_settings.emplace("fountain", origin_of(settings->place()));
     }
     for (const std::string_view name : kEffectsToCome) {
         auto settings = table->table(name);

@@ -40,6 +40,7 @@ inline constexpr ShaderPair kBloomUpShader{"fullscreen.vert", "bloom_up.frag"};
 inline constexpr ShaderPair kSmoothEdgesShader{"fullscreen.vert", "smooth_edges.frag"};
 inline constexpr ShaderPair kScaleUpShader{"fullscreen.vert", "scale_up.frag"};
 inline constexpr ShaderPair kLineShader{"line.vert", "line.frag"};
+inline constexpr ShaderPair kDropShader{"drop.vert", "drop.frag"};
 /// All there are: a missing file is found at the start, not when its effect first runs.
 inline constexpr std::array kShaderPairs{kMeshShader,
                                          kDepthShader,
@@ -49,7 +50,8 @@ inline constexpr std::array kShaderPairs{kMeshShader,
                                          kBloomUpShader,
                                          kSmoothEdgesShader,
                                          kScaleUpShader,
-                                         kLineShader};
+                                         kLineShader,
+                                         kDropShader};
 
 /// Adds a draw to the statistics.
 inline void count_draw(FrameStats& stats, const DrawRun& run) {

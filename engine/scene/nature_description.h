@@ -1,0 +1,42 @@
+// What a scene file says of water that moves, as plain data in SI units and radians.
+#pragma once
+
+#include "engine/core/math.h"
+#include "engine/scene/origin.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace plumbline::scene {
+
+/// How much an effect spends on being right.
+enum class Fidelity : std::uint8_t { Draft, Balanced, Precise };
+
+/// A disc of still water, level, that drops fall into.
+struct PoolDescription {
+    Vec3 center_m{0, 0, 0};
+    Real radius_m{0.5_r};
+};
+
+/// Nozzles side by side on a circle: drops leave away from its middle, across the fountain's direction.
+struct NozzleRing {
+    Real radius_m{0.5_r};
+    int streams{16};
+};
+
+/// `[[fountain]]`: water that leaves a nozzle, falls in drops and ends in a pool or on what it hits.
+struct FountainDescription {
+    Vec3 position_m{0, 0, 0};  ///< of the nozzle, or the middle of the ring
+    Vec3 direction{0, 1, 0};   ///< unit; of the jet, or the ring's axis
+    std::optional<NozzleRing> ring{};
+    Real speed_mps{3};
+    Real spread_rad{radians_from_degrees(2.0_r)};  ///< drops leave within this of their direction
+    Real flow_lps{0.05_r};                         ///< of all nozzles, litres a second
+    Real drop_mm{6};                               ///< diameter
+    bool drag{true};                               ///< of still air
+    std::vector<PoolDescription> pools;            ///< that any fountain's drops fall into
+    Origin origin{};
+};
+
+}  // namespace plumbline::scene

@@ -1,0 +1,69 @@
+// What [[fountain]] says is what the description holds; what it gets wrong is named.
+#include "tests/engine/scene/scene_file_fixture.h"
+
+namespace plumbline::scene {
+namespace {
+
+TEST_F(SceneFileTest, AFountainIsRead) {
+    const Outcome outcome = load(R"([[fountain]]
+position_m = [1, 2, 3]
+direction = [0, 2, 0]
+ring = { radius_m = 0.4, streams = 12 }
+speed_mps = 4
+spread_deg = 90e-1
+flow_lps = 0.25
+drop_mm = 5
+drag = false
+pools = [{ center_m = [1, 0.5, 3], radius_m = 1.5 }]
+[effects.fountain]
+fidelity = "draft"
+)");
+    ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
+    EXPECT_TRUE(outcome.faults.empty());
+    EXPECT_EQ(outcome.scene->fountain_fidelity, Fidelity::Draft);
+    ASSERT_EQ(outcome.scene->fountains.size(), 1U);
+    const FountainDescription& fountain = outcome.scene->fountains.front();
+    expect_near(fountain.position_m, {1, 2, 3});
+    expect_near(fountain.direction, {0, 1, 0});
+    ASSERT_TRUE(fountain.ring);
+    EXPECT_EQ(fountain.ring->radius_m, 0.4_r);
+    EXPECT_EQ(fountain.ring->streams, 12);
+    EXPECT_EQ(fountain.speed_mps, Real{4});
+    EXPECT_NEAR(fountain.spread_rad, kPi / 20, kSlack);
+    EXPECT_EQ(fountain.flow_lps, 0.25_r);
+    EXPECT_EQ(fountain.drop_mm, Real{5});
+    EXPECT_FALSE(fountain.drag);
+    ASSERT_EQ(fountain.pools.size(), 1U);
+    expect_near(fountain.pools.front().center_m, {1, 0.5_r, 3});
+    EXPECT_EQ(fountain.pools.front().radius_m, 1.5_r);
+    EXPECT_EQ(to_string(fountain.origin).substr(to_string(fountain.origin).rfind('/') + 1),
+              "scene.toml:1");
+}
+
+TEST_F(SceneFileTest, FaultsOfAFountainAreNamed) {
+    const auto fault = [&](const std::string& text) {
+        const Outcome outcome = load(text);
+        EXPECT_FALSE(outcome.scene.ok()) << text;
+        return outcome.faults.size() == 1 ? outcome.faults.front()
+                                          : fmt::format("{}", fmt::join(outcome.faults, "\n"));
+    };
+    const std::string start = "[[fountain]]\nposition_m = [0, 1, 0]\n";
+    EXPECT_EQ(fault("[[fountain]]\n"),
+              "scene.toml:1:1: error: fountain[0].position_m: missing; expected [x, y, z] in m");
+    EXPECT_EQ(fault(start + "spead_mps = 3\n"),
+              "scene.toml:3:1: error: fountain[0].spead_mps: unknown key; did you mean "
+              "\"speed_mps\"?");
+    EXPECT_EQ(fault(start + "flow_lps = -1\n"),
+              "scene.toml:3:12: error: fountain[0].flow_lps: -1; expected litres a "
+              "second from 0 to 10000");
+    EXPECT_EQ(fault(start + "pools = [{ radius_m = 1 }]\n"),
+              "scene.toml:3:10: error: fountain[0].pools[0].center_m: missing; expected [x, y, z] "
+              "in m");
+    EXPECT_EQ(
+        fault("[effects.fountain]\nfidelity = \"exact\"\n"),
+        "scene.toml:2:12: error: effects.fountain.fidelity: \"exact\"; expected one of draft, "
+        "balanced, precise");
+}
+
+}  // namespace
+}  // namespace plumbline::scene
