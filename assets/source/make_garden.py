@@ -10,48 +10,9 @@ import math
 import random
 
 import house_plan as plan
+from scene_writer import array, box, compound, entity, heading, hinge, out, prefab, prism, put, vec
 
 rng = random.Random(20)
-out = []
-
-
-def put(text):
-    out.append(text)
-
-
-def vec(*numbers):
-    return "[" + ", ".join(f"{n:.3f}".rstrip("0").rstrip(".") if abs(n) > 5e-4 else "0" for n in numbers) + "]"
-
-
-def entity(name, position, **keys):
-    """One [[entity]]; values are TOML text already, `body` a list of lines."""
-    body = keys.pop("body", None)
-    put(f'\n[[entity]]\nname = "{name}"\nposition_m = {vec(*position)}')
-    for key, value in keys.items():
-        put(f"{key} = {value}")
-    if body:
-        put("[entity.body]")
-        for line in body:
-            put(line)
-
-
-def array(name, prefab, origin, count, spacing):
-    put(f'\n[[array]]\nname = "{name}"\nprefab = "{prefab}"\norigin_m = {vec(*origin)}')
-    put(f"count = {vec(*count)}\nspacing_m = {vec(*spacing)}")
-
-
-def prefab(name, lines, label=None):
-    put(f'\n[[prefab]]\nname = "{name}"')
-    if label:
-        put(f'label = "{label}"')
-    for line in lines:
-        put(line)
-
-
-def heading(text):
-    put(f"\n# --- {text}")
-
-
 HALF_X, BACK_Z, FRONT_Z = 15.0, -13.0, 17.0
 
 put("""# The garden: a house, trees, flower beds, a fountain, and things lying about to play with.
@@ -128,30 +89,9 @@ def in_house(x, y, z):
     return (HOUSE[0] + x, HOUSE[1] + y, HOUSE[2] + z)
 
 
-def box(centre, size, turn=None):
-    turned = f", rotation_deg = {vec(*turn)}" if turn else ""
-    return f"{{ box = {vec(*size)}, position_m = {vec(*centre)}{turned} }}"
-
-
-def compound(parts):
-    return "shape = { compound = [\n    " + ",\n    ".join(parts) + ",\n] }"
-
-
 def solids(name):
     """The boards of a piece of furniture that other things feel."""
     return compound(box(c, s) for _, c, s in plan.BOXES[name] if min(s) >= 0.025 or name == "shelf")
-
-
-def hinge(name, b, anchor, limits, friction_Nm):
-    """`friction_Nm`: what holds it where it was left."""
-    put(f'\n[[joint]]\nname = "{name}_hinge"\nkind = "hinge"\na = "{name}"\nb = "{b}"\nanchor_m = {vec(*anchor)}')
-    put(f"axis = [0, 1, 0]\nlimits = {vec(*limits)}\nmotor = {{ target = 0, max = {friction_Nm} }}")
-
-
-def prism(radius, y0, y1, sides=8):
-    """An upright prism: it stands on a face where a cylinder would rock on its rim."""
-    around = [2 * math.pi * (i + 0.5) / sides for i in range(sides)]
-    return "{ hull_m = [" + ", ".join(vec(radius * math.cos(a), y, radius * math.sin(a)) for y in (y0, y1) for a in around) + "] }"
 
 
 HX, HZ, RISE = plan.HX, plan.HZ, plan.RIDGE - plan.EAVES

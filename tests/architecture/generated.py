@@ -28,7 +28,7 @@ def run(script, printed_to, folder):
     """What is wrong with the run of one script, or None."""
     copy = folder / SOURCE / script
     shutil.copy(ROOT / SOURCE / script, copy)
-    for parts in ("hard_*.py", "house_plan.py"):  # what make_hard_scenes.py, make_garden.py read
+    for parts in ("hard_*.py", "house_plan.py", "scene_writer.py", "garden_*.py"):  # read by others
         for part in (ROOT / SOURCE).glob(parts):
             shutil.copy(part, folder / SOURCE)
     done = subprocess.run([sys.executable, "-B", str(copy)], cwd=folder, capture_output=True,
