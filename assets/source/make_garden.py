@@ -9,6 +9,7 @@ Same script, same file: positions come from a seeded generator.
 import math
 import random
 
+import garden_things
 import house_plan as plan
 from scene_writer import array, box, compound, entity, heading, hinge, out, prefab, prism, put, vec
 
@@ -285,7 +286,7 @@ for name, z in [("back", BACK_Z), ("front", FRONT_Z)]:
     for half, x0 in [("left", -HALF_X), ("right", 1.0)]:
         array(f"fence_{name}_{half}_posts", "fence_post", (x0, 0.6, z), (8, 1, 1), (2, 1, 1))
         array(f"fence_{name}_{half}_rails", "fence_rail_x", (x0 + 1, 0.5, z), (7, 2, 1), (2, 0.5, 1))
-        entity(f"fence_{name}_{half}", (x0 + 7, 0.6, z), body=['kind = "static"', "shape = { box = [14.1, 1.3, 0.1] }"])
+        entity(f"fence_{name}_{half}", (x0 + 7, 0.6, z), body=['kind = "static"', "shape = { box = [14, 1.3, 0.1] }"])
     if not gate:
         array("fence_back_middle_rails", "fence_rail_x", (0, 0.5, z), (1, 2, 1), (2, 0.5, 1))
         entity("fence_back_middle", (0, 0.6, z), body=['kind = "static"', "shape = { box = [2, 1.3, 0.1] }"])
@@ -332,5 +333,7 @@ for i in range(3):
     entity(f"plank_{i + 1}", (-7.2 + 0.1 * i, 0.021, 0.6 + 0.3 * i), prefab='"plank"', rotation_deg=f"[0, {5 * i}, 0]")
 for i in range(12):
     entity(f"domino_{i + 1}", (-8.2 + 0.06 * i, 0.4, 12.6 - 0.42 * i), prefab='"domino"', rotation_deg=f"[0, {-6 - 1.5 * i:.1f}, 0]")
+
+garden_things.put_things(FRONT_Z)
 
 print("\n".join(out))
