@@ -19,6 +19,7 @@ ASSETS = pathlib.Path(__file__).resolve().parent.parent
 # another one, or how many times nearer it goes.
 SCENES = {
     "garden": (1.0, None),
+    "fairground": (2.0, None),
     "falling_cube": (1.15, "3.2,2.0,5,32,-8"),
     "pile": (1.6, None),
     "playroom": (1.0, None),

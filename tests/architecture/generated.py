@@ -17,6 +17,7 @@ SCENES = "assets/scenes"
 # Script -> the file that gets what it prints; None: it writes its files itself.
 SCRIPTS = {
     "make_bench_scenes.py": None,
+    "make_fairground.py": "fairground.toml",
     "make_garden.py": "garden.toml",
     "make_hard_scenes.py": None,
     "make_peer_scenes.py": None,
@@ -28,7 +29,7 @@ def run(script, printed_to, folder):
     """What is wrong with the run of one script, or None."""
     copy = folder / SOURCE / script
     shutil.copy(ROOT / SOURCE / script, copy)
-    for parts in ("hard_*.py", "house_plan.py", "scene_writer.py", "garden_*.py"):  # read by others
+    for parts in ("hard_*.py", "house_plan.py", "scene_writer.py", "garden_*.py", "fairground_plan.py"):  # read by others
         for part in (ROOT / SOURCE).glob(parts):
             shutil.copy(part, folder / SOURCE)
     done = subprocess.run([sys.executable, "-B", str(copy)], cwd=folder, capture_output=True,

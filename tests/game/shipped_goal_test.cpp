@@ -1,4 +1,4 @@
-// SOURCES B36: the small game that ships can be won, and is lost by who does nothing useful.
+// SOURCES B36: the small games that ship can be won, and are lost by who does nothing useful.
 #include "engine/effects/advance.h"
 #include "engine/scene/open_scene.h"
 #include "game/rules.h"
@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace plumbline::game {
@@ -14,18 +16,20 @@ namespace {
 
 using scene::GoalEnd;
 
-/// The scene as `play` runs it, and a person who throws well.
-class Cans : public testing::Test {
+/// A scene as `play` runs it, and a person who throws well.
+class ShippedGoal : public testing::Test {
 protected:
-    void SetUp() override {
+    /// `feet_m`: where the person has walked to, if not where the scene begins.
+    void open(const char* scene, const std::optional<Vec3>& feet_m = {}) {
         const std::filesystem::path assets = std::filesystem::path(PL_SOURCE_DIR) / "assets";
         Diagnostics faults;
-        const auto opened = scene::open_scene(
-            assets / "scenes/cans.toml",
+        auto opened = scene::open_scene(
+            assets / "scenes" / scene,
             {.folders = {.assets = assets,
                          .config = std::filesystem::path(PL_SOURCE_DIR) / "config"}},
             faults);
         ASSERT_TRUE(opened.ok()) << opened.error().message;
+        if (feet_m) opened->description.player->feet_position_m = *feet_m;
         auto built = opened->build(library_);
         ASSERT_TRUE(built.ok()) << built.error().message;
         simulation_ = std::move(*built);
@@ -69,12 +73,27 @@ protected:
         run(1.1, held);
         run(1.2);
     }
-    bool stands(const std::string& name) const { return place(name).y > 0.6_r; }
+    /// Throws at one thing after the other that does not count yet, until it is decided.
+    void throw_at_all(const std::vector<std::string>& things) {
+        const Real below_m = *simulation_->description().goal->below_m;
+        while (state().end == GoalEnd::Open && *state().throws_left > 0) {
+            const auto next = std::ranges::find_if(
+                things, [&](const std::string& name) { return place(name).y > below_m; });
+            if (next == things.end()) break;
+            throw_at(*next);
+        }
+        run(2);
+    }
 
     assets::AssetLibrary library_;
     std::unique_ptr<scene::Simulation> simulation_;
     std::unique_ptr<PlaygroundGame> game_;
     std::unique_ptr<effects::EffectRuntime> effects_;
+};
+
+class Cans : public ShippedGoal {
+protected:
+    void SetUp() override { open("cans.toml"); }
 };
 
 TEST_F(Cans, StandAndRideUntilSomebodyThrows) {
@@ -85,23 +104,16 @@ TEST_F(Cans, StandAndRideUntilSomebodyThrows) {
 }
 
 TEST_F(Cans, CanBeWon) {
-    const std::vector<std::string> tins{"tin.low.1.0.0",
-                                        "tin.low.0.0.0",
-                                        "tin.low.2.0.0",
-                                        "tin.middle_1",
-                                        "tin.middle_2",
-                                        "tin.top",
-                                        "tin.on_barrel_1",
-                                        "tin.on_barrel_2",
-                                        "tin.riding_1",
-                                        "tin.riding_2"};
-    while (state().end == GoalEnd::Open && *state().throws_left > 0) {
-        const auto next =
-            std::ranges::find_if(tins, [&](const std::string& name) { return stands(name); });
-        if (next == tins.end()) break;
-        throw_at(*next);
-    }
-    run(2);
+    throw_at_all({"tin.low.1.0.0",
+                  "tin.low.0.0.0",
+                  "tin.low.2.0.0",
+                  "tin.middle_1",
+                  "tin.middle_2",
+                  "tin.top",
+                  "tin.on_barrel_1",
+                  "tin.on_barrel_2",
+                  "tin.riding_1",
+                  "tin.riding_2"});
     EXPECT_EQ(state().end, GoalEnd::Won) << state().counted << " of 10, " << *state().throws_left
                                          << " balls left after " << state().passed_s << " s";
     EXPECT_LT(state().passed_s, 60);
@@ -119,6 +131,38 @@ TEST_F(Cans, AreLostByThrowingPast) {
     }
     run(6.5);
     EXPECT_EQ(state().end, GoalEnd::Lost);
+}
+
+/// At the counter of the fairground's shooting gallery.
+class Gallery : public ShippedGoal {
+protected:
+    void SetUp() override { open("fairground.toml", Vec3{6.3_r, 0.03_r, 1.2_r}); }
+};
+
+TEST_F(Gallery, StandsUntilSomebodyThrows) {
+    run(20);
+    EXPECT_EQ(state().counted, 0) << "none falls by itself";
+    EXPECT_EQ(state().wanted, 9);
+    EXPECT_EQ(state().left_s, 60.0);
+}
+
+TEST_F(Gallery, CanBeWon) {
+    throw_at_all({"target.1",
+                  "target.2",
+                  "target.3",
+                  "target.4",
+                  "target.5",
+                  "tin.1",
+                  "tin.2",
+                  "tin.3",
+                  "tin.6",
+                  "tin.4",
+                  "tin.5"});
+    EXPECT_EQ(state().end, GoalEnd::Won) << state().counted << " of 9, " << *state().throws_left
+                                         << " balls left after " << state().passed_s << " s";
+    EXPECT_LT(state().passed_s, 60);
+    for (int i = 1; i <= 5; ++i)
+        EXPECT_LT(place("target." + std::to_string(i)).y, 1.05_r) << "a target stays down";
 }
 
 }  // namespace
