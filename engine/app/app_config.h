@@ -26,7 +26,7 @@ struct AppConfig {
     int max_fps{240};  ///< when vsync does not hold the loop back
     bool pause_on_focus_loss{false};
     PictureLevel picture_level{PictureLevel::Auto};  ///< [picture]
-    float target_ms{40.0F};                          ///< of a frame: what the level `auto` aims at
+    float target_ms{33.0F};                          ///< of a frame: what the level `auto` aims at
     float render_scale{0.0F};  ///< of each side of the picture; 0: by the level
     float fov_deg{70.0F};      ///< upright field of view of a walker; other cameras follow
     float ui_scale{0.0F};      ///< [hud] 0: from window and screen

@@ -21,7 +21,7 @@ namespace plumbline::app {
 struct PictureWish {
     std::optional<render::PictureLevel> level{};  ///< absent: auto
     float render_scale{0.0F};                     ///< 0: by level
-    double target_ms{40.0};                       ///< of a frame; only for auto
+    double target_ms{33.0};                       ///< of a frame; only for auto
 
     friend bool operator==(const PictureWish&, const PictureWish&) = default;
 };

@@ -2,6 +2,8 @@
 
 #include "engine/render/shader_source.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace plumbline::render {

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
+#include <type_traits>
 
 namespace plumbline::study {
 namespace {
@@ -97,14 +97,11 @@ std::optional<AutoChoice> auto_choice(const SceneStudy& study, const scene::Accu
     return chosen;
 }
 
-scene::Accuracy resolve_auto(const scene::OpenedScene& scene) {
+namespace {
+
+/// What a study of it recommends; where none can be had, "balanced".
+scene::Accuracy from_study(const scene::OpenedScene& scene) {
     const scene::SceneDescription& description = scene.description;
-    const scene::Accuracy& asked = description.accuracy;
-    if (asked.preset != "auto") return asked;
-    if (asked.solver_given && asked.step_hz_given && asked.substeps && asked.iterations)
-        return asked;
-    if (std::string_view(kPrecisionName) == "float64")
-        return balanced(description, "studies are the float32 program's");
     const Result<SceneStudy> study = study_of(scene);
     if (!study) return balanced(description, study.error().message);
     if (study->seconds < kSecondsLeast)
@@ -125,6 +122,22 @@ scene::Accuracy resolve_auto(const scene::OpenedScene& scene) {
                     point_text(choice->point));
     }
     return choice->accuracy;
+}
+
+}  // namespace
+
+scene::Accuracy resolve_auto(const scene::OpenedScene& scene) {
+    const scene::SceneDescription& description = scene.description;
+    const scene::Accuracy& asked = description.accuracy;
+    if (asked.preset != "auto") return asked;
+    if (asked.solver_given && asked.step_hz_given && asked.substeps && asked.iterations)
+        return asked;
+    // The float64 program studies nothing, and has no code for it.
+    if constexpr (std::is_same_v<Real, double>) {
+        return balanced(description, "studies are the float32 program's");
+    } else {
+        return from_study(scene);
+    }
 }
 
 }  // namespace plumbline::study
