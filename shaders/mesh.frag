@@ -6,6 +6,7 @@
 #include "include/lighting.glsl"
 #include "include/shadow.glsl"
 #include "include/sky_light.glsl"
+#include "include/water.glsl"
 
 #ifdef PL_VERTEX_COLOR
 in vec3 surface_color;
@@ -29,6 +30,9 @@ uniform sampler2D normal_map;
 #endif
 #ifdef PL_BASE_MAP
 uniform sampler2D base_color_map;
+#endif
+#ifdef PL_VARIATION
+flat in float surface_mean;
 #endif
 #ifdef PL_ORM_MAP
 uniform sampler2D orm_map;
@@ -68,6 +72,9 @@ vec3 emitted_light() {
 #endif
 }
 
+// Uniforms are dear on software GL: a shader that does not ask reads no camera.
+vec3 surface_position_world() { return frame.camera_world.xyz - surface_to_eye; }
+
 #ifndef PL_UNLIT
 
 vec3 shading_normal() {
@@ -75,6 +82,10 @@ vec3 shading_normal() {
 #if defined(PL_TWO_SIDED) && !defined(PL_ALPHA_MASK)
     // Leaf cards keep their normals, which bend outwards from the crown, on both sides.
     n = gl_FrontFacing ? n : -n;
+#endif
+#ifdef PL_RIPPLES
+    vec2 lean = ripple_slope(surface_position_world().xz, frame.wind.z);
+    n = normalize(n - vec3(lean.x, 0.0, lean.y) * n.y);
 #endif
 #ifdef PL_NORMAL_MAP
     vec3 t = normalize(surface_tangent_world.xyz - n * dot(n, surface_tangent_world.xyz));
@@ -122,9 +133,6 @@ vec3 sun_light(Surface s, float eye_distance_m) {
     return color;
 }
 #endif
-
-// Uniforms are dear on software GL: a shader without such lights reads no camera.
-vec3 surface_position_world() { return frame.camera_world.xyz - surface_to_eye; }
 
 #ifdef PL_FLASHLIGHT
 vec3 flashlight_light(Surface s) {
@@ -188,6 +196,10 @@ vec3 local_lights_light(Surface s) {
 }
 #endif
 
+#ifdef PL_RIPPLES
+float water_mirrors = 0.0;  // a share of what comes from above, set by lit_color
+#endif
+
 // Light from everywhere. Either way a surface turned every way gets frame.ambient on average: the
 // sky says where it comes from; without one, more comes from above than from below.
 vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
@@ -207,6 +219,9 @@ vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
     vec3 diffuse = max(sky_middle() + 0.6666667 * slope, 0.0);
 #ifdef PL_SKY_REFLECTION
     vec3 direction = reflect(-s.to_eye, s.normal);
+#ifdef PL_RIPPLES
+    direction.y = abs(direction.y);
+#endif
     vec3 reflection = textureLod(sky_map, direction, s.roughness * frame.tone.z).rgb * frame.tone.w;
 #else
     // The sky blurred as a rough surface mirrors it: the slope is that of the mirrored direction.
@@ -217,9 +232,18 @@ vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
     vec3 diffuse = frame.ambient.rgb * (1.0 + 0.3 * s.normal.y);
     vec3 reflection = frame.ambient.rgb;
 #endif
+#ifdef PL_RIPPLES
+    return diffuse * matt_color(s) + reflection * water_mirrors;
+#else
     return (diffuse * matt_color(s) + reflection * ambient_fresnel(s)) * occlusion;
 #endif
+#endif
 }
+
+#ifdef PL_RIPPLES
+// What gets through to the eye from below.
+float water_shows() { return (1.0 - material.base_color.a) * (1.0 - water_mirrors); }
+#endif
 
 vec3 lit_color(vec3 base_color, float eye_distance_m, vec3 to_eye) {
     Surface s;
@@ -228,6 +252,10 @@ vec3 lit_color(vec3 base_color, float eye_distance_m, vec3 to_eye) {
     s.metallic = material.surface.y;
     s.normal = shading_normal();
     s.to_eye = to_eye;
+#ifdef PL_RIPPLES
+    water_mirrors = water_fresnel(dot(s.normal, to_eye));
+    s.base_color *= material.base_color.a * (1.0 - water_mirrors);
+#endif
     float occlusion = 1.0;
 #ifdef PL_ORM_MAP
     vec3 orm = texture(orm_map, surface_uv).rgb;
@@ -254,6 +282,11 @@ void main() {
     vec4 base = vec4(surface_color, material.base_color.a);
 #ifdef PL_BASE_MAP
     vec4 texel = texture(base_color_map, surface_uv);
+#ifdef PL_VARIATION
+    // The map again, larger and turned, says where it is lighter and darker than on average.
+    float there = texture(base_color_map, surface_uv.yx * vec2(-0.137, 0.163) + 0.37).g;
+    texel.rgb *= 1.0 + material.surface.z * (there / surface_mean - 1.0);
+#endif
     base *= vec4(linear_from_srgb(texel.rgb), texel.a);
 #ifdef PL_ALPHA_MASK
     if (base.a < material.emissive.w) discard;
@@ -270,7 +303,13 @@ void main() {
     color = mix(frame.fog.rgb, color, fog_transmittance(eye_distance_m));
 #endif
 #ifdef PL_BLEND
+#ifdef PL_RIPPLES
+    // Blending takes the share that hides what is below: what is mirrored came with its own.
+    float hides = 1.0 - water_shows();
+    out_color = vec4(color / hides, hides);
+#else
     out_color = vec4(color, base.a);
+#endif
 #else
     out_color = vec4(color, 1.0);
 #endif

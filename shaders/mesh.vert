@@ -1,6 +1,7 @@
 // Places one instance of a mesh. Passes: opaque, translucent.
 #include "include/blocks.glsl"
 #include "include/sky_light.glsl"
+#include "include/wind.glsl"
 
 layout(location = 0) in vec3 position_body;
 layout(location = 1) in vec3 normal_body;
@@ -11,6 +12,9 @@ layout(location = 5) in vec4 world_from_body_x;
 layout(location = 6) in vec4 world_from_body_y;
 layout(location = 7) in vec4 world_from_body_z;
 layout(location = 8) in vec4 tint;
+#ifdef PL_WIND
+layout(location = 9) in vec4 wind_weights;
+#endif
 
 // Drawn in two parts, a surface must have the same depth in both.
 invariant gl_Position;
@@ -30,6 +34,10 @@ out vec3 surface_normal_world;
 #endif
 #if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP) || defined(PL_EMISSIVE_MAP)
 out vec2 surface_uv;
+#endif
+#ifdef PL_VARIATION
+flat out float surface_mean;  // of the base colour map's green
+uniform sampler2D base_color_map;
 #endif
 #ifdef PL_NORMAL_MAP
 out vec4 surface_tangent_world;
@@ -52,6 +60,17 @@ vec3 to_world(vec4 body) {
 
 void main() {
     vec3 position_world = to_world(vec4(position_body, 1.0));
+#if !defined(PL_UNLIT) || defined(PL_WIND)
+    // Normals turn with the matrix of cofactors, which is right for uneven scales too.
+    vec3 x = world_from_body_x.xyz;
+    vec3 y = world_from_body_y.xyz;
+    vec3 z = world_from_body_z.xyz;
+    vec3 normal_world = normalize(vec3(dot(cross(y, z), normal_body), dot(cross(z, x), normal_body),
+                                       dot(cross(x, y), normal_body)));
+#endif
+#ifdef PL_WIND
+    position_world = swayed(position_world, wind_weights.xyz, normal_world);
+#endif
     surface_to_eye = frame.camera_world.xyz - position_world;
     surface_color = tint.rgb * material.base_color.rgb;
 #ifdef PL_VERTEX_COLOR
@@ -60,13 +79,10 @@ void main() {
 #if defined(PL_BASE_MAP) || defined(PL_NORMAL_MAP) || defined(PL_ORM_MAP) || defined(PL_EMISSIVE_MAP)
     surface_uv = uv;
 #endif
+#ifdef PL_VARIATION
+    surface_mean = max(textureLod(base_color_map, vec2(0.5), 20.0).g, 0.05);
+#endif
 #ifndef PL_UNLIT
-    // Normals turn with the matrix of cofactors, which is right for uneven scales too.
-    vec3 x = world_from_body_x.xyz;
-    vec3 y = world_from_body_y.xyz;
-    vec3 z = world_from_body_z.xyz;
-    vec3 normal_world = normalize(vec3(dot(cross(y, z), normal_body), dot(cross(z, x), normal_body),
-                                       dot(cross(x, y), normal_body)));
     surface_normal_world = normal_world;
 #ifdef PL_SKY_BY_VERTEX
     surface_sky_slope = sky_slope(normal_world);

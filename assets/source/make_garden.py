@@ -14,6 +14,7 @@ import house_plan as plan
 from scene_writer import array, box, compound, entity, heading, hinge, out, prefab, prism, put, vec
 
 rng = random.Random(20)
+WIND = (1, 0, -0.35)  # as [wind] has it
 HALF_X, BACK_Z, FRONT_Z = 15.0, -13.0, 17.0
 
 put("""# The garden: a house, trees, flower beds, a fountain, and things lying about to play with.
@@ -49,6 +50,11 @@ skybox = "skies/garden"
 color = [0.26, 0.3, 0.36]
 
 [flashlight]
+
+[wind]
+direction = [1, 0, -0.35]
+speed_mps = 3.5
+gusts = 0.6
 
 [post]
 exposure = 1.2""")
@@ -210,6 +216,11 @@ parts += ["{ cylinder = [0.22, 1.2], position_m = [0, 0.6, 0] }", "{ cylinder = 
 entity("fountain", (0, 0.03, 3.2), model='"models/fountain.glb"',
        sound='{ file = "sounds/loop_fountain.ogg", loop = true, gain = 1.0, radius_m = 14 }',
        body=['kind = "static"', "friction = 0.6", "shape = { compound = [\n    " + ",\n    ".join(parts) + ",\n] }"])
+
+heading("a flag")
+FLAG = (-5.2, 0, -1.7)
+entity("flagpole", FLAG, model='"models/flagpole.glb"', body=['kind = "static"', "shape = { compound = [{ cylinder = [0.05, 5.2], position_m = [0, 2.6, 0] }] }"])
+entity("flag", FLAG, model='"models/flag.glb"', rotation_deg=vec(0, math.degrees(math.atan2(-WIND[2], WIND[0])), 0))
 
 heading("its water: a jet into the upper bowl, and what runs over from bowl to bowl")
 # Of the water's surface in the model: radius, height.

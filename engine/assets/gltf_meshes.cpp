@@ -79,6 +79,7 @@ bool has_known_form(const GltfAccessor& accessor, std::string_view attribute) {
         const bool is_scaled = accessor.normalized && is_whole(accessor.component);
         return (accessor.type == "VEC3" || accessor.type == "VEC4") && (is_float || is_scaled);
     }
+    if (attribute == "_WIND") return accessor.type == "VEC4" && is_float;
     if (attribute == "JOINTS_0") return accessor.type == "VEC4" && is_whole(accessor.component);
     if (attribute == "WEIGHTS_0") return accessor.type == "VEC4" && (is_float || is_small);
     return accessor.type == "VEC3" && (is_float || is_small);
@@ -124,6 +125,15 @@ Vec2f placed(const GltfTexturePlace& place, Vec2f uv) {
         uv = {cosine * uv.x + sine * uv.y, cosine * uv.y - sine * uv.x};
     }
     return uv + place.offset;
+}
+
+/// Sway, phase and flutter from 0 to 1, as our own plants have them in the attribute _WIND.
+WindWeights wind_of(const float* weights) {
+    const auto byte = [](float weight) {
+        const float share = std::isfinite(weight) ? std::clamp(weight, 0.0F, 1.0F) : 0.0F;
+        return static_cast<std::uint8_t>(std::lround(share * 255.0F));
+    };
+    return {.sway = byte(weights[0]), .phase = byte(weights[1]), .flutter = byte(weights[2])};
 }
 
 void read_influences(GltfReader& reader,
@@ -194,9 +204,11 @@ void read_vertices(GltfReader& reader,
     const std::vector<float> uvs = attribute_of(reader, attributes, uv_name, where, count);
     const std::vector<float> colors = attribute_of(reader, attributes, "COLOR_0", where, count);
     const std::size_t color_width = colors.size() / count;
+    const std::vector<float> winds = attribute_of(reader, attributes, "_WIND", where, count);
     mesh.vertices.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         Vertex& vertex = mesh.vertices[i];
+        if (!winds.empty()) vertex.wind = wind_of(&winds[i * 4]);
         vertex.position_body = {positions[i * 3], positions[i * 3 + 1], positions[i * 3 + 2]};
         vertex.normal_body = Vec3f{0.0F};
         if (!normals.empty()) {

@@ -39,6 +39,10 @@ struct MaterialData {
     AlphaMode alpha_mode{AlphaMode::Opaque};
     float alpha_cutoff{0.5F};  ///< Mask only
     bool two_sided{false};
+    /// Above 0: water, whose ripples run with this mean slope; it mirrors more the flatter it is seen.
+    float ripple_slope{0.0F};
+    /// How much the base colour map varies over metres, so that its tile is not seen: 0…1.
+    float variation{0.0F};
     std::string surface;  ///< name in config/surfaces.toml; empty: default
 
     friend bool operator==(const MaterialData&, const MaterialData&) = default;

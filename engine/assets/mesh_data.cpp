@@ -41,6 +41,11 @@ TriangleFrame frame_of(const Vertex& a, const Vertex& b, const Vertex& c) {
 
 }  // namespace
 
+bool sways(const MeshData& mesh) {
+    return std::ranges::any_of(mesh.vertices,
+                               [](const Vertex& vertex) { return vertex.wind != WindWeights{}; });
+}
+
 Aabb bounds_of(const MeshData& mesh) {
     Aabb bounds;
     for (const Vertex& vertex : mesh.vertices) bounds.include(vertex.position_body);

@@ -45,6 +45,7 @@ struct EffectRow {
     ROW(triggers)             \
     ROW(viewer_aids)          \
     ROW(light_cubes)          \
+    ROW(wind)                 \
     ROW(fountain)             \
     ROW(impact_sounds)        \
     ROW(ambient_sounds)       \

@@ -41,6 +41,7 @@ FeatureSet frame_features_of(const RenderFrame& frame) {
     if (!frame.lights.empty()) features |= feature::kLocalLights;
     if (frame.fog) features |= feature::kFog;
     if (frame.sky) features |= feature::kSkyLight;
+    if (frame.wind) features |= feature::kWind;
     return features;
 }
 
@@ -81,6 +82,8 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     block.camera_world = Vec4f{camera.position_world, 0.0F};
     block.ambient = Vec4f{new_frame.ambient, 0.0F};
     if (new_frame.fog) block.fog = Vec4f{new_frame.fog->color, new_frame.fog->density_per_m};
+    block.wind.z = new_frame.time_s;
+    if (new_frame.wind) set_up_wind(*new_frame.wind);
     if (new_frame.post) {
         block.tone.x = new_frame.post->exposure;
         block.tone.y = new_frame.post->bloom;
@@ -182,6 +185,17 @@ Result<Done> Renderer::Impl::try_scene_targets() {
     }
     const Result<Done> sized = scene_target.resize(size_px.width, size_px.height);
     return sized ? post.resize(post_view) : sized;
+}
+
+void Renderer::Impl::set_up_wind(const Wind& wind) {
+    block.wind.x = wind.mean_mps.x;
+    block.wind.y = wind.mean_mps.y;
+    for (std::size_t i = 0; i < kGustWaves; ++i) {
+        const Wind::Wave& wave = wind.gusts[i];
+        const float length = glm::length(wave.number_radpm);
+        block.gusts[i] = Vec4f{
+            wave.number_radpm, wave.phase_rad, length > 0.0F ? wave.speed_mps / length : 0.0F};
+    }
 }
 
 void Renderer::Impl::set_up_light() {

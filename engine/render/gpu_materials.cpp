@@ -15,17 +15,25 @@ constexpr float kMirrorRoughness = 0.3F;
 // The share of sunlight that comes through a leaf or petal.
 constexpr float kLeafTransmission = 0.55F;
 
+/// Two-sided without being metal: a leaf, a petal, a blade of grass.
+bool is_thin(const assets::MaterialData& material) {
+    return material.two_sided && material.metallic < 0.5F &&
+           material.alpha_mode != assets::AlphaMode::Blend;
+}
+
 MaterialBlock block_of(const assets::MaterialData& material) {
     const FeatureSet features = features_of(material);
     const bool is_leaf = (features & feature::kLeaf) != 0;
+    const bool is_water = (features & feature::kRipples) != 0;
     const bool is_phong = (features & feature::kPhong) != 0;
     return {.base_color = Vec4f{material.base_color, material.alpha},
             .emissive = Vec4f{material.emissive, material.alpha_cutoff},
             .surface = {is_phong ? material.shininess : material.roughness,
                         is_phong ? material.specular : material.metallic,
-                        is_phong  ? (material.white_highlight ? 1.0F : 0.0F)
-                        : is_leaf ? kLeafTransmission
-                                  : 0.0F,
+                        is_phong   ? (material.white_highlight ? 1.0F : 0.0F)
+                        : is_leaf  ? kLeafTransmission
+                        : is_water ? material.ripple_slope
+                                   : material.variation,
                         is_phong ? material.diffuse : material.occlusion}};
 }
 
@@ -47,6 +55,9 @@ FeatureSet features_of(const assets::MaterialData& material) {
     if (material.alpha_mode == assets::AlphaMode::Blend) features |= feature::kBlend;
     if (material.shading == assets::Shading::Unlit) return features;
 
+    if (material.variation > 0.0F && !material.base_color_map.empty() && !is_thin(material)) {
+        features |= feature::kVariation;
+    }
     if (material.flat) features |= feature::kFlat;
     if (!material.normal_map.empty()) features |= feature::kNormalMap;
     if (material.shading == assets::Shading::BlinnPhong && material.shininess > 0.0F) {
@@ -55,14 +66,14 @@ FeatureSet features_of(const assets::MaterialData& material) {
     if (!material.orm_map.empty()) features |= feature::kOrmMap;
     if (material.two_sided) features |= feature::kTwoSided;
     if (material.metallic > 0.0F) features |= feature::kMetal;
-    // Thin and two-sided without being metal: a leaf, a petal, a blade of grass.
-    if (material.two_sided && material.metallic < 0.5F &&
-        material.alpha_mode != assets::AlphaMode::Blend) {
-        features |= feature::kLeaf;
-    }
+    if (is_thin(material)) features |= feature::kLeaf;
     if (material.shading == assets::Shading::Pbr && material.orm_map.empty() &&
         material.roughness < kMirrorRoughness) {
         features |= feature::kSkyReflection;
+    }
+    if (material.shading == assets::Shading::Pbr && material.ripple_slope > 0.0F &&
+        material.alpha_mode == assets::AlphaMode::Blend && material.normal_map.empty()) {
+        features |= feature::kRipples;
     }
     return features;
 }

@@ -30,6 +30,7 @@ constexpr GLuint kUv = 3;
 constexpr GLuint kColor = 4;
 constexpr GLuint kInstanceRows = 5;  // to 7
 constexpr GLuint kTint = 8;
+constexpr GLuint kWind = 9;
 
 struct PackedVertex {
     Vec3f position_body;
@@ -163,6 +164,12 @@ void set_up_full(GpuMesh& mesh) {
     packed_attribute(kTangent, GL_INT_2_10_10_10_REV, offsetof(PackedVertex, tangent_body));
     float_attribute(kUv, 2, sizeof(PackedVertex), offsetof(PackedVertex, uv));
     packed_attribute(kColor, GL_UNSIGNED_BYTE, offsetof(PackedVertex, color));
+    if (mesh.sways) {
+        glBindBuffer(GL_ARRAY_BUFFER, mesh.wind.name());
+        glEnableVertexAttribArray(kWind);
+        glVertexAttribPointer(
+            kWind, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(assets::WindWeights), nullptr);
+    }
     enable_instance_attributes();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.name());
     glBindVertexArray(0);
@@ -193,14 +200,24 @@ enum class MeshLife { Kept, Changing };
 struct PackedMesh {
     std::vector<PackedVertex> vertices;
     std::vector<std::uint32_t> indices;
+    std::vector<assets::WindWeights> wind;  ///< of each vertex, or none
     DepthGeometry depth;
     std::vector<MeshLod> lods;
     std::uint32_t version{0};
 };
 
+std::vector<assets::WindWeights> wind_of(const assets::MeshData& data) {
+    std::vector<assets::WindWeights> wind;
+    if (!assets::sways(data)) return wind;
+    wind.reserve(data.vertices.size());
+    for (const assets::Vertex& vertex : data.vertices) wind.push_back(vertex.wind);
+    return wind;
+}
+
 PackedMesh packed(const assets::MeshData& data, MeshLife life) {
     return {.vertices = pack(data.vertices),
             .indices = data.indices,
+            .wind = wind_of(data),
             .depth = life == MeshLife::Kept ? merged_positions(data) : plain_positions(data),
             .lods = {},
             .version = data.version};
@@ -228,6 +245,11 @@ GpuMesh uploaded(const PackedMesh& data) {
     mesh.vertices.upload(data.vertices.data(), data.vertices.size() * sizeof(PackedVertex));
     mesh.indices = Buffer{BufferUse::Indices, BufferLife::Kept};
     mesh.index_type = upload_indices(mesh.indices, data.indices, data.vertices.size());
+    mesh.sways = !data.wind.empty();
+    if (mesh.sways) {
+        mesh.wind = Buffer{BufferUse::Vertices, BufferLife::Kept};
+        mesh.wind.upload(data.wind.data(), data.wind.size() * sizeof(assets::WindWeights));
+    }
     mesh.depth_vertices = Buffer{BufferUse::Vertices, BufferLife::Kept};
     const std::vector<Vec3f>& positions = data.depth.positions;
     mesh.depth_vertices.upload(positions.data(), positions.size() * sizeof(Vec3f));
@@ -239,7 +261,7 @@ GpuMesh uploaded(const PackedMesh& data) {
     set_up_depth(mesh);
     mesh.version = data.version;
     mesh.bytes = mesh.vertices.size() + mesh.indices.size() + mesh.depth_vertices.size() +
-                 mesh.depth_indices.size();
+                 mesh.depth_indices.size() + mesh.wind.size();
     return mesh;
 }
 

@@ -20,8 +20,10 @@ struct GpuMesh {
     gl::Buffer indices;
     gl::Buffer depth_vertices;
     gl::Buffer depth_indices;
+    gl::Buffer wind;  ///< weights; empty where nothing sways
     unsigned int index_type{0};
     unsigned int depth_index_type{0};
+    bool sways{false};
     std::size_t bytes{0};
     std::uint32_t version{0};  ///< MeshData::version of what was uploaded
 };

@@ -81,6 +81,17 @@ struct Sky {
     float brightness{1.0F};        ///< 1: as the picture is; below: dusk
 };
 
+/// A mean, and waves of gusts that it carries along.
+struct Wind {
+    Vec2f mean_mps{0.0F};  ///< along x and z
+    struct Wave {
+        Vec2f number_radpm{0.0F};  ///< along x and z
+        float phase_rad{0.0F};     ///< at the world's origin, now
+        float speed_mps{0.0F};     ///< of the gust, across its number
+    };
+    std::array<Wave, 2> gusts{};
+};
+
 struct Post {
     float exposure{1.0F};
     float bloom{0.0F};  ///< 0: no bloom targets, no bloom passes
@@ -129,6 +140,8 @@ struct RenderFrame {
     std::vector<LocalLight> lights;
     std::optional<Fog> fog;
     std::optional<Sky> sky;
+    std::optional<Wind> wind;  ///< absent: nothing sways
+    float time_s{0.0F};        ///< of what runs by itself: ripples, swaying
     std::optional<Post> post;  ///< absent: plain clamp and sRGB
     Quality quality;
     FillMode fill_mode{FillMode::Filled};

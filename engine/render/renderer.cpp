@@ -137,7 +137,7 @@ void Renderer::prepare(const RenderFrame& frame) {
     if (r.nothing_to_draw) return;
     std::vector<MeshRequest> meshes;
     std::vector<TextureRequest> textures;
-    std::set<FeatureSet> variants;
+    std::set<std::pair<assets::MeshId, FeatureSet>> looks;
     bool has_mask = false;
     for (const DrawItem& item : frame.items) {
         if (item.mesh.value == 0) continue;
@@ -147,13 +147,18 @@ void Renderer::prepare(const RenderFrame& frame) {
             const auto& material = r.scene.library.material(id);
             const auto& wanted = r.scene.materials.textures(id);
             textures.insert(textures.end(), wanted.begin(), wanted.end());
-            const FeatureSet look = r.scene.materials.features(id);
-            variants.insert(variant_of(look, r.features));
-            variants.insert(variant_of(look, r.features & ~feature::kFlashlight));
+            looks.emplace(item.mesh, r.scene.materials.features(id));
             has_mask = has_mask || material.alpha_mode == assets::AlphaMode::Mask;
         }
     }
     r.scene.meshes.load(meshes);
+    std::set<FeatureSet> variants;
+    for (const auto& [mesh, look] : looks) {
+        const bool sways = r.scene.meshes.get(mesh).sways;
+        const FeatureSet features = sways ? r.features : r.features & ~feature::kWind;
+        variants.insert(variant_of(look, features));
+        variants.insert(variant_of(look, features & ~feature::kFlashlight));
+    }
     for (const FeatureSet variant : variants) r.scene.shaders.find(kMeshShader, variant);
     if (frame.sun_shadow || frame.flashlight) {
         r.scene.shaders.find(kDepthShader, 0);

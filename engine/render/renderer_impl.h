@@ -93,6 +93,7 @@ private:
     void size_targets();
     void size_own_target();
     Result<Done> try_scene_targets();
+    void set_up_wind(const Wind& wind);
     void set_up_light();
     void set_up_flashlight(const Flashlight& flashlight);
 

@@ -14,6 +14,7 @@ namespace plumbline::render {
 
 inline constexpr std::size_t kMaxLights = PL_MAX_LIGHTS;
 inline constexpr std::size_t kMaxCascades = PL_MAX_CASCADES;
+inline constexpr std::size_t kGustWaves = PL_GUST_WAVES;
 inline constexpr std::size_t kSkyCoefficients = PL_SKY_COEFFICIENTS;
 
 /// Same for all draws of a frame.
@@ -33,14 +34,19 @@ struct FrameBlock {
     /// x: exposure; y: bloom's share; z: the sky's smallest mip level; w: the sky's own exposure
     Vec4f tone{1.0F, 0.0F, 0.0F, 1.0F};
     Vec4f clusters{0.0F};  ///< xy: tiles a pixel; z: 1 / cascades; w: bias of the far ones' depth
+    Vec4f wind{0.0F};      ///< xy: its mean along x and z, m/s; z: time, s
+    /// Of each wave of gusts: xy: its number along x and z, rad/m; z: phase now, rad; w: its speed over
+    /// the length of its number.
+    std::array<Vec4f, kGustWaves> gusts{};
     Vec4f cascade_ends{0.0F};  ///< eye distance at which each but the last ends, m
     /// From the first cascade's texture coordinates to each one's: xyz: offset; w: scale.
     std::array<Vec4f, kMaxCascades> cascades{};
     std::array<Vec4f, kSkyCoefficients> sky_light{};  ///< radiance of the sky, order-2 harmonics
 };
-static_assert(sizeof(FrameBlock) == 4 * 64 + 11 * 16 + kMaxCascades * 16 + kSkyCoefficients * 16);
+static_assert(sizeof(FrameBlock) ==
+              4 * 64 + 12 * 16 + (kGustWaves + kMaxCascades + kSkyCoefficients) * 16);
 static_assert(offsetof(FrameBlock, camera_world) == 256);
-static_assert(offsetof(FrameBlock, sky_light) == 496);
+static_assert(offsetof(FrameBlock, sky_light) == 544);
 
 /// Same for all instances of a draw.
 struct MaterialBlock {

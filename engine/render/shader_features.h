@@ -26,8 +26,10 @@ inline constexpr FeatureSet kSkyReflection = 1U << 10U;
 inline constexpr FeatureSet kEmissiveMap = 1U << 11U;
 inline constexpr FeatureSet kMetal = 1U << 12U;  ///< in part at least
 inline constexpr FeatureSet kEmissive = 1U << 13U;
-inline constexpr FeatureSet kPhong = 1U << 14U;  ///< with kBlinnPhong: the textbook's highlight
-inline constexpr FeatureSet kFlat = 1U << 15U;   ///< normals are not blended across triangles
+inline constexpr FeatureSet kPhong = 1U << 14U;      ///< with kBlinnPhong: the textbook's highlight
+inline constexpr FeatureSet kFlat = 1U << 15U;       ///< normals are not blended across triangles
+inline constexpr FeatureSet kRipples = 1ULL << 32U;  ///< water: normals that run
+inline constexpr FeatureSet kVariation = 1ULL << 33U;  ///< of the base colour over metres
 // of the frame
 inline constexpr FeatureSet kSun = 1U << 16U;
 inline constexpr FeatureSet kSunShadow = 1U << 17U;
@@ -38,6 +40,7 @@ inline constexpr FeatureSet kSkyLight = 1U << 21U;
 inline constexpr FeatureSet kSoftShadows = 1U << 22U;  ///< four taps: where lookups are cheap
 inline constexpr FeatureSet kHardShadows = 1U << 23U;  ///< one tap
 inline constexpr FeatureSet kCascades = 1U << 30U;     ///< more than one
+inline constexpr FeatureSet kWind = 1ULL << 34U;       ///< and of the mesh: it sways
 // of the passes after the scene
 inline constexpr FeatureSet kToneMap = 1U << 24U;  ///< exposure and tone curve
 inline constexpr FeatureSet kBloom = 1U << 25U;
@@ -48,7 +51,7 @@ inline constexpr FeatureSet kFourSamples = 1U << 31U;  ///< two by two make a pi
 inline constexpr FeatureSet kSkyCodes = 1U << 29U;     ///< the sky's faces hold sRGB codes
 }  // namespace feature
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 32> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 35> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -81,6 +84,9 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 32> kFeatur
     {feature::kSharpen, "PL_SHARPEN"},
     {feature::kSkyCodes, "PL_SKY_CODES"},
     {feature::kFourSamples, "PL_FOUR_SAMPLES"},
+    {feature::kRipples, "PL_RIPPLES"},
+    {feature::kVariation, "PL_VARIATION"},
+    {feature::kWind, "PL_WIND"},
 }};
 
 }  // namespace plumbline::render

@@ -73,6 +73,11 @@ render::RenderFrame extract(const Simulation& simulation,
                     .fov_y_rad = static_cast<float>(view.fov_y_rad),
                     .near_m = static_cast<float>(scene.camera.near_m),
                     .far_m = static_cast<float>(scene.camera.far_m)};
+    // Repeats so late that nobody notices, and early enough for the float's last bits.
+    constexpr double kRepeat_s = 3600;
+    const double between_s = (static_cast<double>(view.blend) - 1.0) * simulation.step_s();
+    frame.time_s =
+        static_cast<float>(std::fmod(std::max(simulation.time_s() + between_s, 0.0), kRepeat_s));
     frame.shading = simulation.switches.shading;
     frame.textures = simulation.switches.textures;
     // Dusk dims sun and sky; lamps shine on.

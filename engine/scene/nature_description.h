@@ -39,4 +39,13 @@ struct FountainDescription {
     Origin origin{};
 };
 
+/// `[wind]`: a mean, and gusts that it carries over the land.
+struct WindDescription {
+    Vec3 direction{1, 0, 0};  ///< level and unit; the way the air goes
+    Real speed_mps{3};
+    Real gusts{0.4_r};    ///< their speed as a share of the mean
+    Real gust_size_m{9};  ///< from crest to crest
+    Origin origin{};
+};
+
 }  // namespace plumbline::scene

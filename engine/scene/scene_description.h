@@ -374,6 +374,7 @@ struct SceneDescription {
     std::vector<ViewDescription> views;
     std::optional<HardCase> hard_case{};
     std::optional<GoalDescription> goal{};
+    std::optional<WindDescription> wind{};
     std::vector<FountainDescription> fountains;
     Fidelity fountain_fidelity{Fidelity::Balanced};  ///< [effects.fountain]
     std::map<std::string, Origin> effect_settings;   ///< [effects.NAME] tables seen

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kIncludeDepth = 16;
 // Everything that a scene may hold beside materials and prefabs.
-constexpr std::array<std::string_view, 18> kSceneOnly{"world",
+constexpr std::array<std::string_view, 19> kSceneOnly{"world",
                                                       "accuracy",
                                                       "player",
                                                       "camera",
@@ -37,7 +37,8 @@ constexpr std::array<std::string_view, 18> kSceneOnly{"world",
                                                       "effects",
                                                       "view",
                                                       "hard_case",
-                                                      "fountain"};
+                                                      "fountain",
+                                                      "wind"};
 
 /// One file of the load. Places point at its name, so it stays where it is.
 struct SourceFile {

@@ -68,6 +68,8 @@ assets::MaterialData read_material(TableReader& table, const LoadContext& contex
     material.shading = static_cast<assets::Shading>(table.choice("shading", 0, kShadings));
     material.base_color = table.color("base_color", material.base_color, kFraction);
     material.alpha = table.single("alpha", 1.0F, kFraction);
+    material.ripple_slope = table.single("ripple_slope", 0.0F, kFraction);
+    material.variation = table.single("variation", 0.0F, kFraction);
     material.emissive = table.color("emissive", material.emissive);
     material.base_color_map =
         read_map(table, "base_color_map", "a chequered picture stands in", context);

@@ -1,9 +1,10 @@
-// [[fountain]] and [effects.fountain].
+// [wind], [[fountain]] and [effects.fountain].
 #include "engine/scene/scene_parts.h"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace plumbline::scene {
 namespace {
@@ -60,6 +61,24 @@ FountainDescription read_fountain(TableReader& table) {
     return fountain;
 }
 
+void read_wind(TableReader& root, SceneDescription& scene) {
+    auto table = root.table("wind");
+    if (!table) return;
+    constexpr Range kSpeed_mps{0, 1000, "metres a second from 0 to 1000"};
+    constexpr Range kGustSize_m{0.5, 1000, "a length from 0.5 to 1000 m"};
+    WindDescription wind;
+    wind.origin = origin_of(table->place());
+    const Vec3 direction(table->direction("direction", Vec3d(wind.direction)));
+    if (std::hypot(direction.x, direction.z) < 1e-6_r)
+        table->error("direction", "is upright; expected a direction along the ground");
+    wind.direction = normalize_or(Vec3{direction.x, 0, direction.z}, wind.direction);
+    wind.speed_mps = table->number("speed_mps", wind.speed_mps, kSpeed_mps);
+    wind.gusts = table->number("gusts", wind.gusts, kFraction);
+    wind.gust_size_m = table->number("gust_size_m", wind.gust_size_m, kGustSize_m);
+    table->finish();
+    scene.wind = wind;
+}
+
 }  // namespace
 
 Fidelity read_fidelity(TableReader& table) {
@@ -69,6 +88,7 @@ Fidelity read_fidelity(TableReader& table) {
 }
 
 void read_nature(TableReader& root, SceneDescription& scene) {
+    read_wind(root, scene);
     const auto nodes = root.tables("fountain");
     if (nodes.size() > kFountains) {
         root.error("fountain",

@@ -17,7 +17,7 @@ constexpr Range kYaw_deg{-36'000, 36'000, "degrees from -36000 to 36000"};
 constexpr Range kPitch_deg{-90, 90, "degrees from -90 to 90"};
 
 // Names of effects that may carry a table of settings.
-constexpr std::array<std::string_view, 12> kEffects{"sun_shadow",
+constexpr std::array<std::string_view, 13> kEffects{"sun_shadow",
                                                     "flashlight",
                                                     "fog",
                                                     "skybox",
@@ -28,9 +28,10 @@ constexpr std::array<std::string_view, 12> kEffects{"sun_shadow",
                                                     "footsteps",
                                                     "continuous_collision",
                                                     "gyroscopic_torque",
-                                                    "contact_events"};
-constexpr std::array<std::string_view, 7> kEffectsToCome{
-    "wind", "buoyancy", "drag", "magnets", "explosions", "fracture", "conveyor"};
+                                                    "contact_events",
+                                                    "wind"};
+constexpr std::array<std::string_view, 6> kEffectsToCome{
+    "buoyancy", "drag", "magnets", "explosions", "fracture", "conveyor"};
 
 void read_world(TableReader& root, SceneDescription& scene) {
     auto table = root.table("world");

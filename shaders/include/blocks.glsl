@@ -16,6 +16,8 @@ layout(std140) uniform Frame {
     vec4 flashlight_intensity;
     vec4 tone;
     vec4 clusters;
+    vec4 wind;
+    vec4 gusts[PL_GUST_WAVES];
     vec4 cascade_ends;
     vec4 cascades[PL_MAX_CASCADES];
     vec4 sky_light[PL_SKY_COEFFICIENTS];

@@ -80,6 +80,8 @@ void MeshPass::draw(const DrawRun& run,
                     FeatureSet features,
                     SceneResources& resources,
                     FrameStats& stats) const {
+    const GpuMesh& mesh = resources.meshes.get(run.mesh);
+    if (!mesh.sways) features &= ~feature::kWind;
     const FeatureSet variant = variant_of(resources.materials.features(run.material), features);
     const gl::Program* program = resources.shaders.find(kMeshShader, variant);
     if (program == nullptr) return;
@@ -90,7 +92,7 @@ void MeshPass::draw(const DrawRun& run,
     } else {
         glEnable(GL_CULL_FACE);
     }
-    draw_instances(resources.meshes.get(run.mesh), MeshDetail::Full, instances_, run);
+    draw_instances(mesh, MeshDetail::Full, instances_, run);
     count_draw(stats, run);
 }
 

@@ -106,6 +106,21 @@ TEST(GltfImport, shows_colours_of_vertices_whatever_the_material_is_called) {
     }
 }
 
+TEST(GltfImport, reads_wind_weights_from_an_attribute_of_their_own) {
+    TriangleFile file;
+    std::string winds;
+    append_bytes<float>(winds, {0, 0, 0, 1, 1, 0.5F, 0.2F, 1, 7, -3, NAN, 1});
+    file.attributes()["_WIND"] = file.add_accessor(winds, 5126, 3, "VEC4");
+    const Import import = import_bytes(file.gltf());
+    ASSERT_TRUE(import.ok()) << import.error();
+    const std::vector<Vertex>& vertices = import.mesh().vertices;
+    EXPECT_EQ(vertices[0].wind, WindWeights{});
+    EXPECT_EQ(vertices[1].wind, (WindWeights{.sway = 255, .phase = 128, .flutter = 51}));
+    EXPECT_EQ(vertices[2].wind, (WindWeights{.sway = 255})) << "clamped";
+    EXPECT_EQ(vertices[1].color, Vec3f(1)) << "they are no colours";
+    EXPECT_TRUE(sways(import.mesh()));
+}
+
 TEST(GltfImport, gives_embedded_images_names_below_the_file_and_their_bytes) {
     TriangleFile file;
     const std::size_t view = file.add_view("PNG bytes");

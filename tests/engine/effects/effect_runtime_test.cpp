@@ -46,6 +46,7 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "triggers",
                                                  "viewer_aids",
                                                  "light_cubes",
+                                                 "wind",
                                                  "fountain",
                                                  "impact_sounds",
                                                  "ambient_sounds",

@@ -1,4 +1,4 @@
-// What [[fountain]] says is what the description holds; what it gets wrong is named.
+// What [wind] and [[fountain]] say is what the description holds; what they get wrong is named.
 #include "tests/engine/scene/scene_file_fixture.h"
 
 namespace plumbline::scene {
@@ -38,6 +38,23 @@ fidelity = "draft"
     EXPECT_EQ(fountain.pools.front().radius_m, 1.5_r);
     EXPECT_EQ(to_string(fountain.origin).substr(to_string(fountain.origin).rfind('/') + 1),
               "scene.toml:1");
+}
+
+TEST_F(SceneFileTest, TheWindIsRead) {
+    const Outcome outcome = load(
+        "[wind]\ndirection = [3, 9, 4]\nspeed_mps = 5\ngusts = 0.25\n"
+        "gust_size_m = 12\n");
+    ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
+    ASSERT_TRUE(outcome.scene->wind);
+    expect_near(outcome.scene->wind->direction, {0.6_r, 0, 0.8_r});
+    EXPECT_EQ(outcome.scene->wind->speed_mps, Real{5});
+    EXPECT_EQ(outcome.scene->wind->gusts, 0.25_r);
+    EXPECT_EQ(outcome.scene->wind->gust_size_m, Real{12});
+    const Outcome upright = load("[wind]\ndirection = [0, 1, 0]\n");
+    ASSERT_EQ(upright.faults.size(), 1U);
+    EXPECT_EQ(upright.faults.front(),
+              "scene.toml:2:13: error: wind.direction: is upright; expected a direction along the "
+              "ground");
 }
 
 TEST_F(SceneFileTest, FaultsOfAFountainAreNamed) {
