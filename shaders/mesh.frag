@@ -84,7 +84,7 @@ vec3 shading_normal() {
     n = gl_FrontFacing ? n : -n;
 #endif
 #ifdef PL_RIPPLES
-    vec2 lean = ripple_slope(surface_position_world().xz, frame.wind.z);
+    vec2 lean = ripple_slope(surface_position_world().xz, frame.wind.z, length(surface_to_eye));
     n = normalize(n - vec3(lean.x, 0.0, lean.y) * n.y);
 #endif
 #ifdef PL_NORMAL_MAP
@@ -233,6 +233,8 @@ vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
     vec3 reflection = frame.ambient.rgb;
 #endif
 #ifdef PL_RIPPLES
+    float upwards = abs(reflect(-s.to_eye, s.normal).y);
+    reflection = mix(frame.ambient.rgb * kShores, reflection, over_shores(upwards));
     return diffuse * matt_color(s) + reflection * water_mirrors;
 #else
     return (diffuse * matt_color(s) + reflection * ambient_fresnel(s)) * occlusion;

@@ -3,7 +3,7 @@ import os, sys; sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from bl_common import *
 HEIGHT, RADIUS, KNOB = 5.2, .04, .075               # metres; make_garden.py's body stands as high
 LONG, WIDE, COLUMNS, ROWS = 1.5, .95, 18, 6
-BANDS = [(.02, .16, .15), (.80, .74, .58), (.50, .07, .03)]
+BANDS = [(.025, .07, .22), (.82, .62, .20), (.025, .07, .22)]
 
 
 def vertex_colored(name, verts, faces, colors, material, weights=None):

@@ -56,6 +56,11 @@ direction = [1, 0, -0.35]
 speed_mps = 3.5
 gusts = 0.6
 
+[grass]
+on = ["lawn"]
+height_m = 0.12
+density_perm2 = 24
+
 [post]
 exposure = 1.2""")
 
@@ -217,8 +222,12 @@ entity("fountain", (0, 0.03, 3.2), model='"models/fountain.glb"',
        sound='{ file = "sounds/loop_fountain.ogg", loop = true, gain = 1.0, radius_m = 14 }',
        body=['kind = "static"', "friction = 0.6", "shape = { compound = [\n    " + ",\n    ".join(parts) + ",\n] }"])
 
+heading("birds over the garden, butterflies over the beds")
+for kind, count, center, radius, height in [("birds", 6, (2, 13, -6), 24, 6), ("butterflies", 4, (-2.4, 0.95, -2.4), 1.6, 0.7), ("butterflies", 4, (2.4, 0.95, 8.6), 1.8, 0.8)]:
+    put(f'\n[[flock]]\nkind = "{kind}"\ncount = {count}\ncenter_m = {vec(*center)}\nradius_m = {radius}\nheight_m = {height}')
+
 heading("a flag")
-FLAG = (-5.2, 0, -1.7)
+FLAG = (4.85, 0, -1.9)
 entity("flagpole", FLAG, model='"models/flagpole.glb"', body=['kind = "static"', "shape = { compound = [{ cylinder = [0.05, 5.2], position_m = [0, 2.6, 0] }] }"])
 entity("flag", FLAG, model='"models/flag.glb"', rotation_deg=vec(0, math.degrees(math.atan2(-WIND[2], WIND[0])), 0))
 
@@ -241,7 +250,7 @@ TRUNK = ['kind = "static"', "shape = { compound = [ { cylinder = [0.2, 3.4], pos
 TREES = [("oak", -9.5, 6.5, 1.0, 40), ("linden", 9.8, -6.5, 1.15, 120), ("linden", -7.2, -11.0, 1.1, 200),
          ("oak", 12.2, 10.5, 0.95, 300), ("oak", 5.5, -19.0, 1.2, 75), ("linden", 20.0, -13.0, 1.4, 260)]
 for i, (kind, x, z, scale, turn) in enumerate(TREES):
-    rustle = '{ file = "sounds/loop_leaves.ogg", loop = true, gain = 0.25, radius_m = 9 }'
+    rustle = '{ file = "sounds/loop_leaves.ogg", loop = true, gain = 0.25, radius_m = 9, by_wind = true }'
     entity(f"tree_{i + 1}", (x, 0, z), model=f'"models/tree_{kind}.glb"', rotation_deg=f"[0, {turn}, 0]",
            scale=vec(scale, scale, scale), **({"sound": rustle} if i < 2 else {}), body=TRUNK)
 

@@ -1,7 +1,9 @@
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/effects/sound_bank.h"
+#include "engine/scene/wind_field.h"
 
+#include <algorithm>
 #include <set>
 
 namespace plumbline::effects {
@@ -28,11 +30,12 @@ public:
             const Vec3f position(placement.world_from_body.position);
             const std::uint64_t key = scene::mark_of(entity);
             if (ambient.loop) {
-                frame.loops.push_back({.key = key,
-                                       .sound = known->second,
-                                       .position_world = position,
-                                       .gain = ambient.gain,
-                                       .radius_m = ambient.radius_m});
+                frame.loops.push_back(
+                    {.key = key,
+                     .sound = known->second,
+                     .position_world = position,
+                     .gain = ambient.gain * share_of_wind(simulation, ambient, placement),
+                     .radius_m = ambient.radius_m});
             } else if (played_once_.insert(key).second) {
                 frame.cues.push_back({.sound = known->second,
                                       .position_world = position,
@@ -46,6 +49,20 @@ public:
     std::uint64_t bytes_cpu() const override { return sizeof(*this) + bank_.bytes(); }
 
 private:
+    /// What rustles does so as the square of the wind, up to four times as loud as in the mean of it.
+    static float share_of_wind(const scene::Simulation& simulation,
+                               const scene::AmbientSound& ambient,
+                               const scene::Placement& placement) {
+        if (!ambient.by_wind) return 1.0F;
+        const auto& wind = simulation.description().wind;
+        if (!wind || wind->speed_mps <= 0) return 0.0F;
+        const Vec3 air =
+            scene::wind_at(*wind, placement.world_from_body.position, simulation.time_s());
+        const Real share = glm::length(air) / wind->speed_mps;
+        const Real loudness = std::min(share * share, Real{4});
+        return static_cast<float>(loudness);
+    }
+
     void load(scene::Simulation& simulation) {
         revision_ = simulation.revision();
         for (auto [entity, ambient] : simulation.registry.view<const scene::AmbientSound>()) {

@@ -46,6 +46,8 @@ struct EffectRow {
     ROW(viewer_aids)          \
     ROW(light_cubes)          \
     ROW(wind)                 \
+    ROW(grass)                \
+    ROW(flock)                \
     ROW(fountain)             \
     ROW(impact_sounds)        \
     ROW(ambient_sounds)       \

@@ -15,9 +15,14 @@ Quality quality_of(PictureLevel level) {
                     .shadow_filter = false,
                     .shadow_detail = 0.5F,
                     .lod_error_px = 2.0F,
+                    .ground_cover = 0.5F,
                     .smallest_px = 4.0F};
         case PictureLevel::Medium:
-            return {.render_scale = 0.8F, .fxaa = true, .lod_error_px = 1.2F, .smallest_px = 2.0F};
+            return {.render_scale = 0.8F,
+                    .fxaa = true,
+                    .lod_error_px = 1.2F,
+                    .ground_cover = 0.75F,
+                    .smallest_px = 2.0F};
         case PictureLevel::High:
             return {.fxaa = true, .far_shadows = true, .lod_error_px = 0.75F};
     }
@@ -44,6 +49,8 @@ std::string what_gave_way(const Quality& quality) {
     if (!quality.shadow_filter) add("smooth shadows");
     if (quality.shadow_detail < 1.0F) add("fine shadows");
     if (quality.lod_error_px > 1.0F) add("detail far off");
+    if (quality.ground_cover < 1.0F)
+        add(fmt::format("grass {:.0f} %", std::round(quality.ground_cover * 100.0F)));
     if (quality.smallest_px > 0.0F) add(fmt::format("things below {:.0f} px", quality.smallest_px));
     return list;
 }

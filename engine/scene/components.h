@@ -90,6 +90,7 @@ struct AmbientSound {
     float gain{1.0F};
     float radius_m{12.0F};
     bool loop{true};
+    bool by_wind{false};  ///< as loud as the wind is strong there; `gain` in the mean wind
 };
 
 /// Worn in place of the Visual's own materials while the body touches another.

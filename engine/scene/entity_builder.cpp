@@ -376,7 +376,8 @@ Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
                                    AmbientSound{.file = description.sound->file,
                                                 .gain = description.sound->gain,
                                                 .radius_m = description.sound->radius_m,
-                                                .loop = description.sound->loop});
+                                                .loop = description.sound->loop,
+                                                .by_wind = description.sound->by_wind});
     }
     if (moving != nullptr) {
         const Result<Done> made = build_parts(description, name, *moving, surface, entity);

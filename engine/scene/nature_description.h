@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace plumbline::scene {
@@ -45,6 +46,28 @@ struct WindDescription {
     Real speed_mps{3};
     Real gusts{0.4_r};    ///< their speed as a share of the mean
     Real gust_size_m{9};  ///< from crest to crest
+    Origin origin{};
+};
+
+/// `[grass]`: tufts near the eye.
+struct GrassDescription {
+    std::vector<std::string> on;          ///< entities on whose upper side it grows
+    Vec3f color{0.083F, 0.118F, 0.025F};  ///< the lawn's, on average
+    Real height_m{0.09_r};
+    Real density_perm2{7};
+    Real distance_m{11};  ///< none grows farther from the eye
+    Origin origin{};
+};
+
+enum class FlockKind : std::uint8_t { Birds, Butterflies };
+
+/// `[[flock]]`: decoration in the air.
+struct FlockDescription {
+    FlockKind kind{FlockKind::Birds};
+    int count{5};
+    Vec3 center_m{0, 10, 0};
+    Real radius_m{15};  ///< they stay so near the middle, seen from above
+    Real height_m{4};   ///< from the lowest to the highest
     Origin origin{};
 };
 

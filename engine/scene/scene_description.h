@@ -180,6 +180,7 @@ struct SoundDescription {
     bool loop{true};
     float gain{1.0F};
     float radius_m{12.0F};
+    bool by_wind{false};  ///< as loud as the wind is strong there
     Origin origin{};
 };
 
@@ -375,6 +376,8 @@ struct SceneDescription {
     std::optional<HardCase> hard_case{};
     std::optional<GoalDescription> goal{};
     std::optional<WindDescription> wind{};
+    std::optional<GrassDescription> grass{};
+    std::vector<FlockDescription> flocks;
     std::vector<FountainDescription> fountains;
     Fidelity fountain_fidelity{Fidelity::Balanced};  ///< [effects.fountain]
     std::map<std::string, Origin> effect_settings;   ///< [effects.NAME] tables seen

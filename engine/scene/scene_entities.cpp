@@ -38,6 +38,7 @@ std::optional<SoundDescription> read_sound(TableReader& entity, const LoadContex
     sound.loop = table->flag("loop", true);
     sound.gain = table->single("gain", 1.0F, kGain);
     sound.radius_m = table->single("radius_m", sound.radius_m, kSize_m);
+    sound.by_wind = table->flag("by_wind", sound.by_wind);
     table->finish();
     if (!file || !file->exists) return {};
     sound.file = file->file;

@@ -1,32 +1,41 @@
-// [wind], [[fountain]] and [effects.fountain].
+// [wind], [grass], [[flock]], [[fountain]] and [effects.fountain].
 #include "engine/scene/scene_parts.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace plumbline::scene {
 namespace {
 
-constexpr std::size_t kFountains = 64;
-constexpr std::size_t kPools = 64;
+constexpr std::size_t kListed = 64;  // fountains, their pools, flocks
+constexpr int kFlyers = 200;         // of a flock
 constexpr int kStreams = 256;
 constexpr Range kJetSpeed_mps{0, 100, "metres a second from 0 to 100"};
 constexpr Range kJetSpread_deg{0, 89, "degrees from 0 to 89"};
 constexpr Range kFlow_lps{0, 1e4, "litres a second from 0 to 10000"};
 constexpr Range kDrop_mm{0.1, 100, "millimetres from 0.1 to 100"};
 
-std::vector<PoolDescription> read_pools(TableReader& fountain) {
-    const auto nodes = fountain.tables("pools");
-    if (nodes.size() > kPools) {
-        fountain.error("pools", fmt::format("{} pools; at most {} are kept", nodes.size(), kPools));
+/// The items of an array of tables with their paths; none where there are too many.
+std::vector<std::pair<const TomlNode*, std::string>> listed_tables(TableReader& table,
+                                                                   std::string_view key) {
+    const auto nodes = table.tables(key);
+    if (nodes.size() > kListed) {
+        table.error(key, fmt::format("{} of them; at most {} are kept", nodes.size(), kListed));
         return {};
     }
+    std::vector<std::pair<const TomlNode*, std::string>> listed;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        listed.emplace_back(&nodes[i], fmt::format("{}[{}]", table.path_of(key), i));
+    return listed;
+}
+
+std::vector<PoolDescription> read_pools(TableReader& fountain) {
     std::vector<PoolDescription> pools;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        TableReader table(
-            nodes[i], fmt::format("{}[{}]", fountain.path_of("pools"), i), fountain.faults());
+    for (const auto& [node, path] : listed_tables(fountain, "pools")) {
+        TableReader table(*node, path, fountain.faults());
         PoolDescription pool;
         if (!table.has("center_m")) table.error("center_m", "missing; expected [x, y, z] in m");
         pool.center_m = table.vector("center_m", pool.center_m, kCoordinate_m);
@@ -79,6 +88,48 @@ void read_wind(TableReader& root, SceneDescription& scene) {
     scene.wind = wind;
 }
 
+FlockDescription read_flock(TableReader& table) {
+    constexpr std::array<std::string_view, 2> kKinds{"birds", "butterflies"};
+    FlockDescription flock;
+    flock.origin = origin_of(table.place());
+    flock.kind = static_cast<FlockKind>(table.choice("kind", 0, kKinds));
+    flock.count = table.integer("count", flock.count, 1, kFlyers);
+    if (!table.has("center_m")) table.error("center_m", "missing; expected [x, y, z] in m");
+    flock.center_m = table.vector("center_m", flock.center_m, kCoordinate_m);
+    flock.radius_m = table.number("radius_m", flock.radius_m, kSize_m);
+    flock.height_m = table.number("height_m", flock.height_m, kSize_m);
+    table.finish();
+    return flock;
+}
+
+void read_grass(TableReader& root, SceneDescription& scene) {
+    auto table = root.table("grass");
+    if (!table) return;
+    constexpr Range kHeight_m{0.01, 2, "a length from 0.01 to 2 m"};
+    constexpr Range kDensity_perm2{0, 100, "tufts a square metre from 0 to 100"};
+    constexpr Range kDistance_m{1, 60, "a length from 1 to 60 m"};
+    GrassDescription grass;
+    grass.origin = origin_of(table->place());
+    grass.on = table->texts("on");
+    if (grass.on.empty())
+        table->error("on", "missing; expected names of entities that it grows on");
+    for (const std::string& name : grass.on) {
+        const auto is_it = [&](const EntityDescription& entity) { return entity.name == name; };
+        const auto found = std::ranges::find_if(scene.entities, is_it);
+        if (found == scene.entities.end()) {
+            table->error("on", fmt::format("no entity is called \"{}\"", shown(name)));
+        } else if (!found->body) {
+            table->error("on", fmt::format("\"{}\" has no body", shown(name)));
+        }
+    }
+    grass.color = table->color("color", grass.color, kFraction);
+    grass.height_m = table->number("height_m", grass.height_m, kHeight_m);
+    grass.density_perm2 = table->number("density_perm2", grass.density_perm2, kDensity_perm2);
+    grass.distance_m = table->number("distance_m", grass.distance_m, kDistance_m);
+    table->finish();
+    scene.grass = grass;
+}
+
 }  // namespace
 
 Fidelity read_fidelity(TableReader& table) {
@@ -89,14 +140,13 @@ Fidelity read_fidelity(TableReader& table) {
 
 void read_nature(TableReader& root, SceneDescription& scene) {
     read_wind(root, scene);
-    const auto nodes = root.tables("fountain");
-    if (nodes.size() > kFountains) {
-        root.error("fountain",
-                   fmt::format("{} fountains; at most {} are kept", nodes.size(), kFountains));
-        return;
+    read_grass(root, scene);
+    for (const auto& [node, path] : listed_tables(root, "flock")) {
+        TableReader table(*node, path, root.faults());
+        scene.flocks.push_back(read_flock(table));
     }
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        TableReader table(nodes[i], fmt::format("fountain[{}]", i), root.faults());
+    for (const auto& [node, path] : listed_tables(root, "fountain")) {
+        TableReader table(*node, path, root.faults());
         scene.fountains.push_back(read_fountain(table));
     }
 }

@@ -17,7 +17,7 @@ constexpr Range kYaw_deg{-36'000, 36'000, "degrees from -36000 to 36000"};
 constexpr Range kPitch_deg{-90, 90, "degrees from -90 to 90"};
 
 // Names of effects that may carry a table of settings.
-constexpr std::array<std::string_view, 13> kEffects{"sun_shadow",
+constexpr std::array<std::string_view, 15> kEffects{"sun_shadow",
                                                     "flashlight",
                                                     "fog",
                                                     "skybox",
@@ -29,7 +29,9 @@ constexpr std::array<std::string_view, 13> kEffects{"sun_shadow",
                                                     "continuous_collision",
                                                     "gyroscopic_torque",
                                                     "contact_events",
-                                                    "wind"};
+                                                    "wind",
+                                                    "grass",
+                                                    "flock"};
 constexpr std::array<std::string_view, 6> kEffectsToCome{
     "buoyancy", "drag", "magnets", "explosions", "fracture", "conveyor"};
 

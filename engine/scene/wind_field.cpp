@@ -15,16 +15,19 @@ std::array<GustWave, 2> waves_at(const WindDescription& wind, double time_s) {
     constexpr std::array<Shape, 2> kShapes{{{0.62, 0.78, 0.6}, {0.47, -1.31, 0.4}}};
     const Vec2 along{wind.direction.x, wind.direction.z};
     const Vec2 across{-along.y, along.x};
-    const double turn = 2.0 * glm::pi<double>();
+    const double turn_rad = 2.0 * glm::pi<double>();
     std::array<GustWave, 2> waves;
     for (std::size_t i = 0; i < waves.size(); ++i) {
-        const double unit = turn / static_cast<double>(wind.gust_size_m);
-        const double phase =
-            -kShapes[i].along * unit * static_cast<double>(wind.speed_mps) * time_s;
-        waves[i] = {.number_radpm = along * static_cast<Real>(kShapes[i].along * unit) +
-                                    across * static_cast<Real>(kShapes[i].across * unit),
-                    .phase_rad = static_cast<Real>(phase - turn * std::floor(phase / turn)),
-                    .speed_mps = wind.speed_mps * wind.gusts * static_cast<Real>(kShapes[i].share)};
+        const double unit_radpm = turn_rad / static_cast<double>(wind.gust_size_m);
+        const double along_radpm = kShapes[i].along * unit_radpm;
+        const double across_radpm = kShapes[i].across * unit_radpm;
+        const double passed = along_radpm * static_cast<double>(wind.speed_mps) * time_s / turn_rad;
+        const double phase_rad = turn_rad * (std::ceil(passed) - passed);
+        const double share = kShapes[i].share;
+        waves[i] = {.number_radpm = along * static_cast<Real>(along_radpm) +
+                                    across * static_cast<Real>(across_radpm),
+                    .phase_rad = static_cast<Real>(phase_rad),
+                    .speed_mps = wind.speed_mps * wind.gusts * static_cast<Real>(share)};
     }
     return waves;
 }

@@ -2,14 +2,20 @@
 
 #ifdef PL_RIPPLES
 
-// How far the surface leans along x and z; waves of several lengths, of capillary and gravity speed.
-vec2 ripple_slope(vec2 at, float time_s) {
-    vec2 lean = vec2(0.9, 0.4) * sin(dot(at, vec2(19.0, 8.6)) - 14.1 * time_s);
-    lean += vec2(-0.5, 0.9) * sin(dot(at, vec2(-14.2, 25.5)) - 16.8 * time_s + 1.3);
-    lean += vec2(0.3, -1.0) * sin(dot(at, vec2(11.0, -37.0)) - 19.6 * time_s + 4.0);
-    lean += vec2(-1.0, -0.2) * sin(dot(at, vec2(-53.0, -9.0)) - 23.0 * time_s + 2.2);
-    return lean * (0.7 * material.surface.z);
+// How far the surface leans along x and z: short waves from several sides, bent out of line so that no
+// row of crests is seen. Far off they are finer than pixels: only their mean, a level surface, stays.
+vec2 ripple_slope(vec2 at, float time_s, float eye_distance_m) {
+    vec2 bent = at + 0.035 * sin(at.yx * vec2(13.0, 11.0) + vec2(1.9, -2.3) * time_s);
+    vec2 lean = vec2(0.9, 0.4) * sin(dot(bent, vec2(21.0, 9.6)) - 7.5 * time_s);
+    lean += vec2(-0.5, 0.9) * sin(dot(bent, vec2(-17.2, 28.5)) - 8.8 * time_s + 1.3);
+    lean += vec2(0.3, -1.0) * sin(dot(bent, vec2(14.0, -43.0)) - 10.6 * time_s + 4.0);
+    lean += vec2(-1.0, -0.2) * sin(dot(bent, vec2(-61.0, -19.0)) - 13.0 * time_s + 2.2);
+    return lean * (0.7 * material.surface.z / (1.0 + 0.02 * eye_distance_m * eye_distance_m));
 }
+
+// What stands round water hides the sky low down: it is mirrored as something dark and green.
+const vec3 kShores = vec3(0.22, 0.26, 0.15);
+float over_shores(float upwards) { return smoothstep(0.04, 0.42, upwards); }
 
 // Of light from above that water mirrors, Schlick's weight with its index of 1.33.
 float water_fresnel(float cosine) {

@@ -47,6 +47,8 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "viewer_aids",
                                                  "light_cubes",
                                                  "wind",
+                                                 "grass",
+                                                 "flock",
                                                  "fountain",
                                                  "impact_sounds",
                                                  "ambient_sounds",

@@ -1,4 +1,5 @@
 #include "engine/effects/effect_runtime.h"
+#include "engine/scene/wind_field.h"
 #include "tests/engine/effects/drawn.h"
 #include "tests/support/scene_in_code.h"
 
@@ -161,6 +162,29 @@ TEST(AmbientSounds, LoopWhereTheirEntitiesAre) {
     effects.refresh(*run);
     EXPECT_TRUE(effects.sound(*run, {}).loops.empty());
     EXPECT_EQ(line_of(effects, "ambient_sounds").bytes_cpu, 0U);
+}
+
+TEST(AmbientSounds, RustleAsTheSquareOfTheWind) {
+    EntityDescription tree;
+    tree.name = "tree";
+    tree.world_from_body.position = {3, 1, 2};
+    tree.sound = scene::SoundDescription{
+        .file = sound_file("loop_leaves.ogg"), .gain = 0.5F, .by_wind = true};
+    scene::SceneDescription scene = scene_of({tree});
+    {
+        Running calm(scene);
+        EffectRuntime effects(*calm, kWithSound);
+        EXPECT_EQ(effects.sound(*calm, {}).loops.at(0).gain, 0.0F);
+    }
+    scene.wind = scene::WindDescription{.speed_mps = 4, .gusts = 0.6_r};
+    Running run(scene);
+    EffectRuntime effects(*run, kWithSound);
+    for (int i = 0; i < 5; ++i) {
+        run.step(40, effects);
+        const Real speed = glm::length(scene::wind_at(*scene.wind, {3, 1, 2}, run->time_s()));
+        const Real expected = 0.5_r * speed * speed / 16;
+        EXPECT_NEAR(effects.sound(*run, {}).loops.at(0).gain, expected, 1e-5F);
+    }
 }
 
 TEST(AmbientSounds, ReadNoFileWhereNobodyListens) {

@@ -72,6 +72,8 @@ TEST_F(ShaderBlocksGl, FrameLiesAsInCpp) {
         {"Frame.flashlight_intensity", offsetof(FrameBlock, flashlight_intensity)},
         {"Frame.tone", offsetof(FrameBlock, tone)},
         {"Frame.clusters", offsetof(FrameBlock, clusters)},
+        {"Frame.wind", offsetof(FrameBlock, wind)},
+        {"Frame.gusts[0]", offsetof(FrameBlock, gusts)},
         {"Frame.cascade_ends", offsetof(FrameBlock, cascade_ends)},
         {"Frame.cascades[0]", offsetof(FrameBlock, cascades)},
         {"Frame.sky_light[0]", offsetof(FrameBlock, sky_light)},
@@ -118,6 +120,8 @@ std::vector<FeatureSet> material_variants() {
             kBaseMap | kNormalMap | kAlphaMask | kTwoSided | kLeaf,
             kVertexColor | kTwoSided | kLeaf,
             kVertexColor | kBlend | kSkyReflection,
+            kVertexColor | kBlend | kSkyReflection | kRipples,
+            kBaseMap | kNormalMap | kOrmMap | kVariation,
             kBaseMap | kBlend | kTwoSided};
 }
 
@@ -139,6 +143,15 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
                 program_of(kMesh, variant_of(material, light | a));
             }
         }
+    }
+    const FeatureSet whole = kSun | kSunShadow | kFlashlight | kFog | kSkyLight;
+    for (const FeatureSet material : {kVertexColor | kTwoSided | kLeaf,
+                                      kBaseMap | kNormalMap | kAlphaMask,
+                                      kUnlit | kVertexColor}) {
+        program_of(kMesh, variant_of(material, whole | kWind));
+    }
+    for (const FeatureSet f : {FeatureSet{0}, kSun, kSun | kFog | kFlashlight}) {
+        program_of({"drop.vert", "drop.frag"}, f);
     }
     for (const FeatureSet f : {FeatureSet{0}, kFog, kFog | kSkyCodes}) {
         program_of({"fullscreen.vert", "sky.frag"}, f);

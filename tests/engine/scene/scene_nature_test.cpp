@@ -1,4 +1,4 @@
-// What [wind] and [[fountain]] say is what the description holds; what they get wrong is named.
+// What [wind], [grass], [[flock]] and [[fountain]] say is what the description holds; what they get wrong is named.
 #include "tests/engine/scene/scene_file_fixture.h"
 
 namespace plumbline::scene {
@@ -55,6 +55,34 @@ TEST_F(SceneFileTest, TheWindIsRead) {
     EXPECT_EQ(upright.faults.front(),
               "scene.toml:2:13: error: wind.direction: is upright; expected a direction along the "
               "ground");
+}
+
+TEST_F(SceneFileTest, GrassAndFlocksAreRead) {
+    const std::string lawn =
+        "[[entity]]\nname = \"lawn\"\nprimitive = { plane = [9, 9] }\nbody = { kind = \"static\" "
+        "}\n"
+        "[[entity]]\nname = \"sign\"\nprimitive = { box = [1, 1, 1] }\n";
+    const Outcome outcome =
+        load(lawn +
+             "[grass]\non = [\"lawn\"]\nheight_m = 0.2\n[[flock]]\nkind = \"butterflies\"\n"
+             "count = 3\ncenter_m = [1, 2, 3]\n");
+    ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
+    ASSERT_TRUE(outcome.scene->grass);
+    EXPECT_EQ(outcome.scene->grass->on, std::vector<std::string>{"lawn"});
+    EXPECT_EQ(outcome.scene->grass->height_m, 0.2_r);
+    ASSERT_EQ(outcome.scene->flocks.size(), 1U);
+    EXPECT_EQ(outcome.scene->flocks.front().kind, FlockKind::Butterflies);
+    EXPECT_EQ(outcome.scene->flocks.front().count, 3);
+    const auto fault = [&](const std::string& text) {
+        const Outcome refused = load(lawn + text);
+        return refused.faults.size() == 1 ? refused.faults.front() : std::string{};
+    };
+    EXPECT_EQ(fault("[grass]\non = [\"lawm\"]\n"),
+              "scene.toml:9:6: error: grass.on: no entity is called \"lawm\"");
+    EXPECT_EQ(fault("[grass]\non = [\"sign\"]\n"),
+              "scene.toml:9:6: error: grass.on: \"sign\" has no body");
+    EXPECT_EQ(fault("[[flock]]\nkind = \"bats\"\ncenter_m = [0, 0, 0]\n"),
+              "scene.toml:9:8: error: flock[0].kind: \"bats\"; expected one of birds, butterflies");
 }
 
 TEST_F(SceneFileTest, FaultsOfAFountainAreNamed) {
