@@ -38,11 +38,20 @@ def sectors(m, profile, materials, count, keep=lambda k: True, scallop=0.0):
 def bulb(m, centre, material, size=0.05):
     """Few triangles that pass for a ball of light."""
     x, y, z = centre
-    count = 6 if size > 0.055 else 4
-    ring = [(x + size * math.cos(a), y, z - size * math.sin(a)) for a in (2 * math.pi * k / count for k in range(count))]
-    for a, b in zip(ring, ring[1:] + ring[:1]):
-        m.quad([a, b, (x, y + size * 1.1, z)], material)
-        m.quad([b, a, (x, y - size * 1.1, z)], material)
+    if size < 0.055:
+        levels, count = ((0, 1.1), (1, 0), (0, -1.1)), 4
+    else:
+        levels, count = ((0, 1), (0.85, 0.5), (0.85, -0.5), (0, -1)), 6
+
+    def at(level, k):
+        r, up = level
+        angle = 2 * math.pi * k / count
+        return (x + r * size * math.sin(angle), y + up * size, z + r * size * math.cos(angle))
+
+    for upper, lower in zip(levels, levels[1:]):
+        for k in range(count):
+            points = [at(lower, k), at(lower, k + 1), at(upper, k + 1), at(upper, k)]
+            m.quad(points[1:] if not lower[0] else points[:3] if not upper[0] else points, material)
 
 
 def bulbs_round(m, radius, y, count, size=0.06):
@@ -162,10 +171,10 @@ def gallery():
         ridge, eave = (top + 0.75, front + 0.7), (top - 0.05, -front - 0.15)
         m.quad([(x0, *ridge), (x1, *ridge), (x1, *eave), (x0, *eave)], material)
         m.quad([(x0, *ridge), (x0, ridge[0] - 0.25, ridge[1]), ((x0 + x1) / 2, ridge[0] - 0.42, ridge[1]), (x1, ridge[0] - 0.25, ridge[1]), (x1, *ridge)], material)
-    board(m, "stripe", (0, top + 0.85, front + 0.66), (3.4, 0.85, 0.06))
-    for y in (top + 0.42, top + 1.28):
+    board(m, "stripe", (0, top + 1.25, front + 0.66), (3.4, 0.85, 0.06))
+    for y in (top + 0.82, top + 1.68):
         board(m, "gold", (0, y, front + 0.68), (3.5, 0.06, 0.09))
-    lettering(m, "TARGETS", (0, top + 0.85, front + 0.73), 0.125, "bulb_warm", 0.045)
+    lettering(m, "TARGETS", (0, top + 1.25, front + 0.73), 0.125, "bulb_warm", 0.045)
     for k in range(13):
         bulb(m, (-half + 2 * half * k / 12, top + 0.28, front + 0.76), COLORS[k % len(COLORS)], 0.055)
     return [m.obj("gallery")]

@@ -12,7 +12,7 @@ from garden_things import at, turned
 from scene_writer import array, ball, box, compound, entity, heading, out, prefab, prism, put, vec
 
 RIDE, GALLERY = (-3.6, 0, -4.0), (6.3, 0, -2.2)
-WARM, RED, GREEN, BLUE = (1, 0.66, 0.32), (1, 0.22, 0.12), (0.35, 1, 0.4), (0.3, 0.5, 1)
+WARM, ROSE, BLUE = (1, 0.62, 0.28), (1, 0.3, 0.22), (0.35, 0.5, 1)
 
 put("""# The fairground: a swing ride, a shooting gallery, tents and strings of lamps, at night.
 # Written by assets/source/make_fairground.py: change that and run it again.
@@ -133,9 +133,9 @@ def swing_ride():
         entity(f"ride_chair_{k + 1}", hook, prefab='"ride_chair"', rotation_deg=turned(turn + 90, -lean),
                body=[f"velocity_mps = {vec(*(fair.RIDE_SPEED * fair.RIDE_RADIUS * v for v in onward))}", f"angular_velocity_radps = {vec(0, fair.RIDE_SPEED, 0)}"])
         put(f'\n[[joint]]\nname = "ride_chain_{k + 1}"\nkind = "hinge"\na = "ride_chair_{k + 1}"\nb = "ride_crown"\nanchor_m = {vec(*hook)}\naxis = {vec(*onward)}\nmotor = {{ target = 0, max = 3 }}')
-    for k in range(4):
-        lamp(at(RIDE, 45 + 90 * k, (0, fair.CANOPY[1] - 0.75, 2.2)), WARM, 16, 8)
-    lamp((RIDE[0], fair.CANOPY[1] + 1.1, RIDE[2] + 3.2), WARM, 9, 6)
+    for k in range(3):
+        lamp(at(RIDE, 20 + 120 * k, (0, 3.7, 2.2)), WARM, 24, 8)
+    lamp((RIDE[0] + 0.8, fair.CANOPY[1] + 1.1, RIDE[2] + 3.3), WARM, 8, 4.5)
     prefab("ring_post", ["primitive = { cylinder = [0.035, 1] }", 'material = "gold"', "casts_shadow = false", "[prefab.body]", 'kind = "static"'])
     prefab("ring_rail", ["primitive = { box = [0.03, 0.03, 1.95] }", 'material = "cream"', "casts_shadow = false", "[prefab.body]", 'kind = "static"',
                          "shape = { box = [0.03, 0.5, 1.95] }"])
@@ -172,8 +172,7 @@ def gallery():
     for i, place in enumerate(tins):
         entity(f"tin.{i + 1}", at(GALLERY, 0, place), prefab='"tin"')
     for x in (-1.5, 1.5):
-        lamp(at(GALLERY, 0, (x, 2.75, 0.6)), WARM, 14, 6)
-    lamp(at(GALLERY, 0, (0, 2.7, -1.0)), WARM, 5, 4)
+        lamp(at(GALLERY, 0, (x, 2.7, 0.2)), WARM, 13, 5)
     lamp(at(GALLERY, 0, (0, 3.2, 4.3)), WARM, 6, 5)
 
 
@@ -187,8 +186,7 @@ for name, piece, place, turn, light in [
     ("tent_3", "fair_tent_blue", (-9.2, 0, -9.0), 35, WARM), ("tent_4", "fair_tent", (2.0, 0, -9.6), -5, WARM),
 ]:
     model(name, piece, place, turn, WALL)
-    lamp((place[0], 1.9, place[2]), light, 12, 5)
-    lamp(at(place, turn, (0, 2.4, 3.4)), WARM, 4, 4)
+    lamp((place[0], 1.9, place[2]), light, 12, 3.8)
 radius, wall = fair.KIOSK
 model("kiosk", "kiosk", (8.0, 0, 5.6), 20, [prism(radius, 0, wall + 0.5)])
 lamp((7.0, 2.3, 6.9), WARM, 6, 4.5)
@@ -209,8 +207,8 @@ for i, (a, b) in enumerate(STRINGS):
     yaw, roll = math.degrees(math.atan2(-run[2], run[0])), math.degrees(math.asin(run[1] / length))
     stretch = length / fair.STRING
     entity(f"string_{i + 1}", a, model='"models/light_string.glb"', rotation_deg=turned(yaw, roll), scale=vec(stretch, 1, 1), casts_shadow="false")
-    for t, color in (((0.5, (RED, BLUE, GREEN, WARM)[i % 4]),) if length < 6 else ((0.3, (RED, BLUE, GREEN)[i % 3]), (0.72, WARM))):
-        lamp([p + t * w - (fair.STRING_SAG + 0.25 if j == 1 else 0) for j, (p, w) in enumerate(zip(a, run))], color, 9, 6.5)
+    middle = [p + 0.5 * w - (fair.STRING_SAG + 0.25 if j == 1 else 0) for j, (p, w) in enumerate(zip(a, run))]
+    lamp(middle, {3: ROSE, 8: BLUE, 9: ROSE}.get(i, WARM), 17, 6.5)
 
 heading("fence, benches, and things lying about")
 prefab("fence_board", ["primitive = { box = [2.4, 0.12, 0.04] }", 'material = "cream"', "casts_shadow = false"])
