@@ -41,8 +41,8 @@ bool is_playable(const SoundCue& cue) {
 
 bool is_playable(const LoopCue& cue) {
     return cue.key != 0 && cue.sound.value != 0 && is_near(cue.position_world) &&
-           std::isfinite(cue.gain) && cue.gain > 0.0F && std::isfinite(cue.radius_m) &&
-           cue.radius_m > 0.0F;
+           std::isfinite(cue.gain) && cue.gain > 0.0F && std::isfinite(cue.pitch) &&
+           std::isfinite(cue.radius_m) && cue.radius_m > 0.0F;
 }
 
 std::vector<ChosenCue> CueChoice::choose(std::span<const SoundCue> cues,

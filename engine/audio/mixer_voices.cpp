@@ -155,6 +155,7 @@ void Mixer::Impl::follow_loops(std::span<const LoopCue> cues, float elapsed_s) {
         }
         loop.cue = cue;
         loop.cue.gain = std::min(cue.gain, 1.0F);
+        loop.cue.pitch = std::clamp(cue.pitch, 0.5F, 2.0F);
         loop.named = true;
     }
     const float step = elapsed_s / kLoopFade_s;
@@ -191,7 +192,6 @@ void Mixer::Impl::update_loop(std::uint64_t key, const LoopState& loop) {
         const double offset_s = std::fmod(clock_s - loop.started_s, buffer.length_s);
         alSourcei(voice->source, AL_BUFFER, static_cast<ALint>(buffer.name));
         alSourcei(voice->source, AL_LOOPING, AL_TRUE);
-        alSourcef(voice->source, AL_PITCH, 1.0F);
         alSourcei(voice->source, AL_DIRECT_FILTER, AL_FILTER_NULL);
         alSourcef(voice->source, AL_SEC_OFFSET, static_cast<float>(std::max(offset_s, 0.0)));
         alSourcef(voice->source, AL_GAIN, 0.0F);
@@ -201,6 +201,7 @@ void Mixer::Impl::update_loop(std::uint64_t key, const LoopState& loop) {
     voice->gain = gain;
     voice->radius_m = cue.radius_m;
     voice->loudness = loudness;
+    alSourcef(voice->source, AL_PITCH, cue.pitch);
     alSource3f(voice->source,
                AL_POSITION,
                cue.position_world.x,

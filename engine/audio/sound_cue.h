@@ -26,6 +26,7 @@ struct LoopCue {
     assets::SoundId sound{};
     Vec3f position_world{0.0F};
     float gain{1.0F};
+    float pitch{1.0F};  ///< 0.5…2
     float radius_m{12.0F};
 };
 

@@ -50,6 +50,7 @@ struct EffectRow {
     ROW(flock)                \
     ROW(fountain)             \
     ROW(impact_sounds)        \
+    ROW(rolling_sounds)       \
     ROW(ambient_sounds)       \
     ROW(footsteps)            \
     ROW(continuous_collision) \

@@ -17,13 +17,14 @@ constexpr Range kYaw_deg{-36'000, 36'000, "degrees from -36000 to 36000"};
 constexpr Range kPitch_deg{-90, 90, "degrees from -90 to 90"};
 
 // Names of effects that may carry a table of settings.
-constexpr std::array<std::string_view, 15> kEffects{"sun_shadow",
+constexpr std::array<std::string_view, 16> kEffects{"sun_shadow",
                                                     "flashlight",
                                                     "fog",
                                                     "skybox",
                                                     "post",
                                                     "light_cubes",
                                                     "impact_sounds",
+                                                    "rolling_sounds",
                                                     "ambient_sounds",
                                                     "footsteps",
                                                     "continuous_collision",

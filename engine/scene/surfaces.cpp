@@ -57,6 +57,21 @@ std::vector<fs::path> read_sounds(TableReader& table,
     return files;
 }
 
+/// A loop; empty where there is none.
+fs::path read_loop(TableReader& table, std::string_view key, const fs::path& assets_folder) {
+    const std::string name = table.text(key, "");
+    if (name.empty()) return {};
+    const auto file = resolve_inside(assets_folder, name);
+    std::error_code failed;
+    if (!file)
+        table.error(key, file.error().message);
+    else if (!fs::is_regular_file(*file, failed))
+        table.warning(key, fmt::format("\"{}\" does not exist; left out", shown(name)));
+    else
+        return *file;
+    return {};
+}
+
 Surface read_surface(TableReader& table, const std::string& name, const fs::path& assets_folder) {
     constexpr Range kSurfaceFriction{0, 10, "a coefficient from 0 to 10"};
     constexpr Range kDensity{1e-3, 1e5, "kg/m3 from 0.001 to 100000"};
@@ -68,6 +83,8 @@ Surface read_surface(TableReader& table, const std::string& name, const fs::path
     surface.density_kgpm3 = table.number("density_kgpm3", surface.density_kgpm3, kDensity);
     surface.impact_sounds = read_sounds(table, "impact_sounds", assets_folder);
     surface.step_sounds = read_sounds(table, "step_sounds", assets_folder);
+    surface.roll_sound = read_loop(table, "roll_sound", assets_folder);
+    surface.scrape_sound = read_loop(table, "scrape_sound", assets_folder);
     surface.loudness = table.single("loudness", surface.loudness, kLoudness);
     table.finish();
     return surface;

@@ -20,7 +20,9 @@ struct Surface {
     Real density_kgpm3{700};
     std::vector<std::filesystem::path> impact_sounds;  ///< variations, one picked at random
     std::vector<std::filesystem::path> step_sounds;
-    float loudness{1.0F};  ///< of impacts
+    std::filesystem::path roll_sound;  ///< loops; empty: none
+    std::filesystem::path scrape_sound;
+    float loudness{1.0F};  ///< of impacts, of what rolls and scrapes
 };
 
 /// Index 0 is the default surface. Which of two surfaces sounds when they meet, and how.

@@ -222,6 +222,21 @@ TEST_F(MixerTest, ALoopGoesOnWithoutAClickWhileItIsNamed) {
     EXPECT_EQ(mixer().voices_playing(), 1U);
 }
 
+// A sine's steepest step is amplitude * 2 pi f / rate.
+TEST_F(MixerTest, ALoopIsHeardAtItsPitchAsItChanges) {
+    const auto sound = add("tone.wav", tone(440.0, 0.0, 0.1));
+    LoopCue loop{.key = 5, .sound = sound, .position_world = {0, 0, -1.0F}, .radius_m = 20.0F};
+    for (const float pitch : {1.0F, 1.5F, 0.75F}) {
+        loop.pitch = pitch;
+        frames(20, {loop});
+        const Heard heard = frames(50, {loop});
+        const double frequency_hz =
+            heard.largest_step * kRate_hz / (heard.left * std::sqrt(2.0) * 6.2831853);
+        EXPECT_NEAR(frequency_hz, 440.0 * static_cast<double>(pitch), 0.03 * 440.0) << pitch;
+    }
+    EXPECT_EQ(mixer().voices_playing(), 1U);
+}
+
 TEST_F(MixerTest, ALoopThatIsNoLongerNamedFadesOutWithoutAClick) {
     const auto sound = add("tone.wav", tone(440.0, 0.0, 0.1));
     const LoopCue loop{

@@ -51,6 +51,7 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "flock",
                                                  "fountain",
                                                  "impact_sounds",
+                                                 "rolling_sounds",
                                                  "ambient_sounds",
                                                  "footsteps",
                                                  "continuous_collision",

@@ -35,6 +35,7 @@ restitution = 0.2
 density_kgpm3 = 600
 impact_sounds = "hit"
 step_sounds = ["sounds/step.ogg"]
+roll_sound = "sounds/step.ogg"
 loudness = 0.5
 [default]
 friction = 0.9
@@ -53,15 +54,18 @@ friction = 0.9
     ASSERT_EQ(wood.impact_sounds.size(), 2U);
     EXPECT_EQ(wood.impact_sounds[1], assets() / "sounds/hit_1.ogg");
     ASSERT_EQ(wood.step_sounds.size(), 1U);
+    EXPECT_EQ(wood.roll_sound, assets() / "sounds/step.ogg");
+    EXPECT_TRUE(wood.scrape_sound.empty());
 }
 
 TEST_F(Surfaces, BadEntriesCostOnlyThemselves) {
     std::vector<std::string> said;
     const SurfaceTable table = load_text(
         "x = 3\n[ice]\nfriction = -1\nrestitution = 0.1\n[mud]\nfricton = 1\n"
-        "impact_sounds = \"none\"\nstep_sounds = [\"../../etc/x.ogg\"]\n",
+        "impact_sounds = \"none\"\nstep_sounds = [\"../../etc/x.ogg\"]\n"
+        "roll_sound = \"../x.ogg\"\nscrape_sound = \"sounds/none.ogg\"\n",
         said);
-    ASSERT_EQ(said.size(), 5U);
+    ASSERT_EQ(said.size(), 7U);
     EXPECT_EQ(said[0],
               "surfaces.toml:1:1: error: x: 3; expected a table, [NAME], for each surface");
     EXPECT_EQ(said[1],
@@ -74,6 +78,11 @@ TEST_F(Surfaces, BadEntriesCostOnlyThemselves) {
     EXPECT_EQ(
         said[4],
         "surfaces.toml:8:15: error: mud.step_sounds: \"../../etc/x.ogg\" leads out of its folder");
+    EXPECT_EQ(said[5],
+              "surfaces.toml:9:14: error: mud.roll_sound: \"../x.ogg\" leads out of its folder");
+    EXPECT_EQ(said[6],
+              "surfaces.toml:10:16: warning: mud.scrape_sound: \"sounds/none.ogg\" does not exist; "
+              "left out");
     EXPECT_EQ(table.get(table.find("ice")).friction, 0.5_r);
     EXPECT_EQ(table.get(table.find("ice")).restitution, 0.1_r);
     EXPECT_NE(table.find("mud"), 0);
