@@ -236,7 +236,7 @@ heading("its water: a jet into the upper bowl, and what runs over from bowl to b
 BOWLS = [(0.27, 1.87), (0.68, 1.485), (1.46, 0.47)]
 pools = ", ".join(f"{{ center_m = {vec(0, 0.03 + y, 3.2)}, radius_m = {r} }}" for r, y in BOWLS)
 for y, ring, speed, spread, flow, drop in [
-    (2.23, None, 3.9, 3.5, 0.18, 9), (1.9, (0.335, 28), 0.3, 7, 0.13, 7), (1.53, (0.775, 64), 0.35, 7, 0.3, 7.5),
+    (2.23, None, 3.9, 2.5, 0.2, 10), (1.9, (0.335, 20), 0.3, 4, 0.13, 7), (1.53, (0.775, 40), 0.35, 3.5, 0.3, 7.5),
 ]:
     put(f"\n[[fountain]]\nposition_m = {vec(0, 0.03 + y, 3.2)}")
     if ring:

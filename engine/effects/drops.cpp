@@ -119,7 +119,9 @@ void Drops::fly(Drop& drop, float step_s) const {
     // drops that air stops within a step.
     const Vec3f before = drop.velocity_mps;
     const auto slowed = [&](const Vec3f& velocity) {
-        return velocity / (1.0F + drop.drag_per_m * glm::length(velocity) * 0.5F * step_s);
+        const Vec3f through_air = velocity - wind_mps_;
+        return wind_mps_ +
+               through_air / (1.0F + drop.drag_per_m * glm::length(through_air) * 0.5F * step_s);
     };
     drop.velocity_mps = slowed(slowed(before) + gravity_mps2_ * step_s);
     drop.position_world += 0.5F * (before + drop.velocity_mps) * step_s;
@@ -168,7 +170,8 @@ void Drops::splash(const Vec3f& place, const Drop& drop) {
                          .rank = random_.uniform()});
 }
 
-void Drops::step(float step_s, const Obstacles& obstacles) {
+void Drops::step(float step_s, const Obstacles& obstacles, const Vec3f& wind_mps) {
+    wind_mps_ = wind_mps;
     splashes_.clear();
     std::size_t kept = 0;
     for (Drop drop : drops_) {  // a copy: places are taken over from the front

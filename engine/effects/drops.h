@@ -51,7 +51,8 @@ public:
           scene::Fidelity fidelity,
           const Vec3f& gravity_mps2);
 
-    void step(float step_s, const Obstacles& obstacles);
+    /// `wind_mps`: of the air that the drops fly through.
+    void step(float step_s, const Obstacles& obstacles, const Vec3f& wind_mps = Vec3f{0.0F});
 
     const std::vector<Drop>& drops() const { return drops_; }
     const std::vector<WaterRing>& rings() const { return rings_; }
@@ -97,6 +98,7 @@ private:
 
     Random random_{0x57A7E2};
     Vec3f gravity_mps2_;
+    Vec3f wind_mps_{0.0F};  ///< of the step under way
     std::vector<Nozzle> nozzles_;
     std::vector<Pool> pools_;
     std::vector<Drop> drops_;

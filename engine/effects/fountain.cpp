@@ -2,6 +2,7 @@
 #include "engine/effects/callers.h"
 #include "engine/effects/drops.h"
 #include "engine/effects/effect_table.h"
+#include "engine/scene/wind_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,8 @@ public:
                  simulation.description().fountain_fidelity,
                  Vec3f(simulation.description().gravity_mps2)) {
         const auto step_s = static_cast<float>(simulation.step_s());
-        for (float s = 0.0F; s < kRunning_s; s += step_s) drops_.step(step_s, {});
+        for (float s = kRunning_s; s > 0.0F; s -= step_s)
+            drops_.step(step_s, {}, wind_at(simulation, simulation.time_s()));
     }
 
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
@@ -35,7 +37,7 @@ public:
             return std::min(1.0F, static_cast<float>(hit->distance_m) / glm::distance(from, to));
         };
         step_s_ = static_cast<float>(simulation.step_s());
-        drops_.step(step_s_, free_share);
+        drops_.step(step_s_, free_share, wind_at(simulation, simulation.time_s()));
         ++work_.calls;
     }
 
@@ -71,6 +73,14 @@ public:
     std::uint64_t bytes_cpu() const override { return sizeof(*this) + drops_.bytes(); }
 
 private:
+    /// At the first nozzle: gusts are larger than fountains.
+    static Vec3f wind_at(const scene::Simulation& simulation, double time_s) {
+        const scene::SceneDescription& scene = simulation.description();
+        if (!scene.wind || !simulation.switches.is_on("wind", true)) return Vec3f{0.0F};
+        const Vec3 wind = scene::wind_at(*scene.wind, scene.fountains.front().position_m, time_s);
+        return Vec3f(wind);
+    }
+
     static constexpr float kLife_s = Drops::kLongestFlight_s;
     Drops drops_;
     float step_s_{1.0F / 60.0F};

@@ -35,7 +35,7 @@ struct FountainDescription {
     Real spread_rad{radians_from_degrees(2.0_r)};  ///< drops leave within this of their direction
     Real flow_lps{0.05_r};                         ///< of all nozzles, litres a second
     Real drop_mm{6};                               ///< diameter
-    bool drag{true};                               ///< of still air
+    bool drag{true};                               ///< of the air
     std::vector<PoolDescription> pools;            ///< that any fountain's drops fall into
     Origin origin{};
 };

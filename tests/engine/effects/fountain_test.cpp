@@ -96,6 +96,22 @@ TEST(Fountain, DragAloneSlowsAsItsFormulaSays) {
     EXPECT_NEAR(drop.velocity_mps.x, expected, 1e-3F * expected);
 }
 
+TEST(Fountain, TheWindCarriesDropsAlong) {
+    FountainDescription fountain = jet({0, 1, 0}, Real{0});
+    fountain.drop_mm = Real{1};
+    fountain.drag = true;
+    fountain.flow_lps = 1e-6_r;  // one drop
+    Drops drops({&fountain, 1}, Fidelity::Balanced, Vec3f{0.0F});
+    for (int i = 0; i < 60; ++i) drops.step(0.01F, {}, {5.0F, 0.0F, 0.0F});
+    ASSERT_EQ(drops.drops().size(), 1U);
+    const Drop& drop = drops.drops().front();
+    // Seen from the air it begins at -5 m/s, and v = v0 / (1 + v0 k t).
+    const float k = 0.375F * 1.2e-3F * 0.47F / 0.5e-3F;
+    const float expected = 5.0F - 5.0F / (1.0F + 5.0F * k * drop.age_s);
+    EXPECT_NEAR(drop.velocity_mps.x, expected, 1e-3F * 5.0F);
+    EXPECT_EQ(drop.velocity_mps.z, 0.0F);
+}
+
 TEST(Fountain, WhatFlowsInFlowsOutOrIsHeld) {
     FountainDescription fountain = jet({0, 1, 0}, Real{3});
     fountain.flow_lps = 0.3_r;
