@@ -1,12 +1,11 @@
 #include "game/effects_command.h"
 
-#include "engine/app/offscreen_run.h"
-#include "engine/core/files.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/log.h"
 #include "engine/core/stopwatch.h"
 #include "engine/study/any_scene/effects_cost.h"
 #include "engine/study/job.h"
+#include "game/picture_studio.h"
 
 #include <fmt/format.h>
 
@@ -17,41 +16,18 @@
 namespace plumbline::game {
 namespace {
 
-constexpr std::uint32_t kWidth_px = 640;
-constexpr std::uint32_t kHeight_px = 360;
 constexpr int kFramesOfAPass = 6;
 constexpr int kFramesToWarmUp = 2;
 
-/// Draws the scene off screen with and without an effect of the picture, in turns.
-class PictureStudio {
+/// Draws the scene with and without an effect of the picture, in turns.
+class EffectPictures {
 public:
-    static Result<std::unique_ptr<PictureStudio>> open(const std::filesystem::path& scene) {
-        const Result<DataFolders> folders = find_data_folders();
-        if (!folders) return folders.error();
-        auto studio = std::make_unique<PictureStudio>();
-        Result<std::unique_ptr<app::Session>> session = app::Session::open(
-            {.scene = scene,
-             .folders = *folders,
-             .served = {.picture = true},
-             .make_game = [](scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
-                 return std::make_unique<scene::NoGame>(simulation.description().camera);
-             }});
-        if (!session) return session.error();
-        studio->session_ = std::move(*session);
-        studio->session_->prefetch_images();
-        Result<std::unique_ptr<app::OffscreenRun>> run = app::OffscreenRun::create(
-            *studio->session_,
-            {.shader_folder = folders->shaders, .width_px = kWidth_px, .height_px = kHeight_px});
-        if (!run) return run.error();
-        studio->run_ = std::move(*run);
-        if (const Result<Done> drawn = studio->run_->draw({}); !drawn) return drawn.error();
-        return studio;
-    }
+    explicit EffectPictures(PictureStudio studio) : studio_(std::move(studio)) {}
 
     /// One line for each effect of the picture that something calls for.
     std::vector<study::EffectCost> measure(int pairs) {
         frames({});
-        const std::vector<effects::LedgerLine> ledger = session_->effects->ledger();
+        const std::vector<effects::LedgerLine> ledger = session().effects->ledger();
         std::vector<study::EffectCost> costs;
         for (std::size_t row = 0; row < ledger.size(); ++row) {
             const effects::EffectRow& definition = effects::effect_table()[row];
@@ -84,25 +60,25 @@ private:
     /// CPU ms of a frame, of all threads: software GL draws in several. The picture is read back at
     /// the end so that it is really there.
     double frames(std::string_view without) {
-        session_->effects = std::make_unique<effects::EffectRuntime>(
-            *session_->simulation, effects::ServedDomains{.picture = true, .without = without});
+        session().effects = std::make_unique<effects::EffectRuntime>(
+            *session().simulation, effects::ServedDomains{.picture = true, .without = without});
         for (int i = 0; i < kFramesToWarmUp; ++i) draw();
-        run_->pixels();
+        studio_.run->pixels();
         double drawing_s = 0;
         for (int i = 0; i < kFramesOfAPass; ++i) {
-            run_->simulate(1);
+            studio_.run->simulate(1);
             const double start_s = process_cpu_s();
             draw();
-            if (i + 1 == kFramesOfAPass) run_->pixels();
+            if (i + 1 == kFramesOfAPass) studio_.run->pixels();
             drawing_s += process_cpu_s() - start_s;
         }
         return drawing_s * 1e3 / kFramesOfAPass;
     }
-    /// Cannot fail any more: open() has drawn already.
-    void draw() { static_cast<void>(run_->draw({})); }
+    /// Cannot fail any more: the studio has drawn already.
+    void draw() { static_cast<void>(studio_.run->draw()); }
+    app::Session& session() { return *studio_.session; }
 
-    std::unique_ptr<app::Session> session_;
-    std::unique_ptr<app::OffscreenRun> run_;  // after the session: it goes first
+    PictureStudio studio_;
 };
 
 }  // namespace
@@ -116,9 +92,10 @@ ExitCode run_effects_study(const std::filesystem::path& scene, std::optional<dou
         return costs.error().exit_code;
     }
     if (!interrupted()) {
-        Result<std::unique_ptr<PictureStudio>> studio = PictureStudio::open(scene);
+        Result<PictureStudio> studio = PictureStudio::open(scene);
         if (studio) {
-            std::vector<study::EffectCost> picture = (*studio)->measure(run.pairs);
+            std::vector<study::EffectCost> picture =
+                EffectPictures(std::move(*studio)).measure(run.pairs);
             costs->insert(costs->begin(), picture.begin(), picture.end());
         } else {
             log_warning("effects of the picture are left out: {}", studio.error().message);
@@ -127,8 +104,8 @@ ExitCode run_effects_study(const std::filesystem::path& scene, std::optional<dou
     std::cout << study::effects_text(run, *costs);
     std::cout << fmt::format(
                      "Pictures are {} x {}; what a GPU does beside the CPU is not in their ms.\n",
-                     kWidth_px,
-                     kHeight_px)
+                     kStudioWidth_px,
+                     kStudioHeight_px)
               << std::flush;
     return interrupted() ? ExitCode::Interrupted : ExitCode::Good;
 }

@@ -1,5 +1,6 @@
 #include "game/study_command.h"
 
+#include "engine/assets/image_import.h"
 #include "engine/core/files.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/log.h"
@@ -17,6 +18,7 @@
 #include "game/command_line.h"
 #include "game/effects_command.h"
 #include "game/option_ranges.h"
+#include "game/picture_command.h"
 #include "game/program_words.h"
 #include "game/refuse.h"
 #include "game/scene_study_command.h"
@@ -159,20 +161,82 @@ void list_scenarios() {
         std::cout << fmt::format("{}: {}\n", each.what, each.why);
 }
 
-ExitCode study_effects(const StudyOptions& options) {
+/// What an option that wants scenes is given; `option` for the message.
+Result<std::vector<fs::path>> scenes_for(const char* option, const StudyOptions& options) {
     const Result<DataFolders> folders = find_data_folders();
-    if (!folders) return refuse(folders.error());
+    if (!folders) return folders.error();
     if (options.cases.empty())
-        return refuse({.message = "--effects needs a scene", .exit_code = ExitCode::BadUsage});
+        return Error{.message = fmt::format("{} needs a scene", option),
+                     .exit_code = ExitCode::BadUsage};
+    std::vector<fs::path> scenes;
     for (const std::string& word : options.cases) {
         const Result<fs::path> scene =
             scene::find_scene(word, scene::scene_folders(folders->assets));
-        if (!scene) return refuse(scene.error());
-        if (const ExitCode code = run_effects_study(*scene, options.seconds);
-            code != ExitCode::Good)
+        if (!scene) return scene.error();
+        scenes.push_back(*scene);
+    }
+    return scenes;
+}
+
+ExitCode study_effects(const StudyOptions& options) {
+    const Result<std::vector<fs::path>> scenes = scenes_for("--effects", options);
+    if (!scenes) return refuse(scenes.error());
+    for (const fs::path& scene : *scenes) {
+        if (const ExitCode code = run_effects_study(scene, options.seconds); code != ExitCode::Good)
             return code;
     }
     return ExitCode::Good;
+}
+
+/// The pictures' part of the findings, printed; each reference beside the page.
+Result<Done> add_pictures(const StudyOptions& options,
+                          const std::vector<fs::path>& scenes,
+                          const fs::path& folder,
+                          study::Findings& findings) {
+    for (const fs::path& scene : scenes) {
+        if (!findings.complete) break;
+        Result<PictureStudy> made = study_picture(scene, options.seconds);
+        if (!made) return made.error();
+        std::cout << study::picture_text(made->findings) << std::flush;
+        findings.complete = made->complete;
+        findings.pictures.push_back(std::move(made->findings));
+        const fs::path file = folder / (scene.stem().string() + "_reference.png");
+        if (const Result<Done> written = assets::write_png(file, study::codes_of(made->reference));
+            !written)
+            return written;
+    }
+    return Done{};
+}
+
+study::Findings empty_findings(const StudyOptions& options) {
+    return {.command = options.command,
+            .machine = study::machine_text(),
+            .build = fmt::format("{}, {}", version_text(), study::build_text()),
+            .made_on = study::today_text()};
+}
+
+/// Writes the files, and says how it went. An empty folder: nothing is written.
+ExitCode finish_study(const study::Findings& findings, const fs::path& folder) {
+    if (!folder.empty()) {
+        if (const Result<Done> written = write_files(findings, folder); !written)
+            return refuse(written.error());
+        std::cout << printable((folder / kReportPage).string()) << '\n';
+    }
+    if (findings.complete) return ExitCode::Good;
+    log_warning("interrupted: what was done by then is {}",
+                folder.empty() ? "above" : "above and written");
+    return ExitCode::Interrupted;
+}
+
+ExitCode run_picture_study(const StudyOptions& options) {
+    const Result<std::vector<fs::path>> scenes = scenes_for("--picture", options);
+    if (!scenes) return refuse(scenes.error());
+    const Result<fs::path> folder = output_folder(options);
+    if (!folder) return refuse(folder.error());
+    study::Findings findings = empty_findings(options);
+    if (const Result<Done> added = add_pictures(options, *scenes, *folder, findings); !added)
+        return refuse(added.error());
+    return finish_study(findings, *folder);
 }
 
 }  // namespace
@@ -188,6 +252,11 @@ CLI::App* add_study(CLI::App& app, StudyOptions& options) {
     study->add_flag("--quick", options.quick, "Two solvers, four step rates");
     study->add_flag("--list", options.list, "Names all scenarios");
     study->add_flag("--effects", options.effects, "What each effect of a scene costs");
+    study
+        ->add_flag("--picture",
+                   options.picture,
+                   "What a scene's picture costs and how near it comes to one with exact shadows")
+        ->excludes("--effects");
     study->add_option("--jobs", options.jobs, "Runs at once; as many as cores if not given")
         ->check(CLI::Range(1, 256));
     study->add_option("--seconds", options.seconds, "Of a scene: simulated time")
@@ -212,31 +281,21 @@ ExitCode run_study(const StudyOptions& options) {
     }
     catch_interrupts();
     if (options.effects) return study_effects(options);
+    if (options.picture) return run_picture_study(options);
     const Result<Chosen> chosen = chosen_by(options);
     if (!chosen) return refuse(chosen.error());
     if (const Result<Done> there = study::check_worker_programs(); !there)
         return refuse(there.error());
     const Result<fs::path> folder = output_folder(options);
     if (!folder) return refuse(folder.error());
-    study::Findings findings{.command = options.command,
-                             .machine = study::machine_text(),
-                             .build = fmt::format("{}, {}", version_text(), study::build_text()),
-                             .made_on = study::today_text()};
+    study::Findings findings = empty_findings(options);
     if (!chosen->scenarios.empty()) {
         if (const Result<Done> added = add_scenarios(options, *chosen, findings); !added)
             return refuse(added.error());
     }
     if (const Result<Done> added = add_scenes(options, *chosen, findings); !added)
         return refuse(added.error());
-    if (!folder->empty()) {
-        if (const Result<Done> written = write_files(findings, *folder); !written)
-            return refuse(written.error());
-        std::cout << printable((*folder / kReportPage).string()) << '\n';
-    }
-    if (findings.complete) return ExitCode::Good;
-    log_warning("interrupted: what was done by then is {}",
-                folder->empty() ? "above" : "above and written");
-    return ExitCode::Interrupted;
+    return finish_study(findings, *folder);
 }
 
 }  // namespace plumbline::game

@@ -40,8 +40,7 @@ void OffscreenRun::simulate(std::uint64_t steps) {
     }
 }
 
-Result<Done> OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
-    const double start_s = wall_s();
+render::RenderFrame OffscreenRun::frame(const std::optional<scene::ViewPoint>& view) {
     session_.effects->refresh(*session_.simulation);  // switches may have been turned
     const scene::ViewPoint seen_from =
         view ? *view : session_.game->view(*session_.simulation, Real{1}, 0.0F, 0.0F);
@@ -50,6 +49,17 @@ Result<Done> OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
     if (def_.shading) frame.shading = def_.shading;
     frame.quality = report_.picture().quality;
     session_.effects->extract(*session_.simulation, seen_from, frame);
+    return frame;
+}
+
+Result<Done> OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
+    const double start_s = wall_s();
+    const Result<Done> drawn = draw(frame(view));
+    report_.add_frame((wall_s() - start_s) * 1e3, renderer_->stats());
+    return drawn;
+}
+
+Result<Done> OffscreenRun::draw(const render::RenderFrame& frame) {
     if (report_.frames() == 0) renderer_->prepare(frame);
     renderer_->begin(frame);
     renderer_->shadows();
@@ -60,7 +70,6 @@ Result<Done> OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
     renderer_->lines();
     renderer_->end();
     session_.effects->add_render_stats(renderer_->stats(), renderer_->gpu_bytes());
-    report_.add_frame((wall_s() - start_s) * 1e3, renderer_->stats());
     if (renderer_->device_lost()) return Error{.message = "the graphics device was reset"};
     const std::string& fault = renderer_->shader_fault();
     if (!fault.empty()) return Error{.message = fault, .exit_code = ExitCode::NoDisplay};

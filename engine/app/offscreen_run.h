@@ -30,9 +30,11 @@ public:
 
     /// So many fixed steps without drawing.
     void simulate(std::uint64_t steps);
-    /// One picture of the present state; `view` absent: the game's own. A shader that does not compile
-    /// is an error (exit code 3).
-    Result<Done> draw(const std::optional<scene::ViewPoint>& view);
+    /// The present state as it is to be drawn; `view` absent: the game's own.
+    render::RenderFrame frame(const std::optional<scene::ViewPoint>& view = {});
+    /// A shader that does not compile is an error (exit code 3).
+    Result<Done> draw(const render::RenderFrame& frame);
+    Result<Done> draw(const std::optional<scene::ViewPoint>& view = {});
     assets::ImageData pixels(assets::ImageData spare = {}) const {
         return renderer_->read_pixels(std::move(spare));
     }

@@ -2,6 +2,7 @@
 // `preset = "auto"`.
 #pragma once
 
+#include "engine/study/picture/picture_findings.h"
 #include "engine/study/setting.h"
 
 #include <cstdint>
@@ -101,6 +102,7 @@ struct Findings {
     bool complete{true};     ///< false: interrupted, what was done by then
     double clock_spread{0};  ///< (median-min)/min over all points' repeats, median of them
     std::vector<Subject> subjects;
+    std::vector<PictureFindings> pictures;
 };
 
 }  // namespace plumbline::study

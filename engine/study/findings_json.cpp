@@ -114,11 +114,60 @@ KnobVerdict verdict_from(const Json& json) {
             .halvings = json.at("halvings")};
 }
 
+Json json_of(const Difference& difference) {
+    return {{"mean", study::json_of(difference.mean)},
+            {"standard_error", study::json_of(difference.standard_error)},
+            {"pairs", difference.pairs}};
+}
+
+Json json_of(const PictureRow& row) {
+    return {{"name", row.name},
+            {"rms_error", study::json_of(row.error.rms)},
+            {"mean_error", study::json_of(row.error.mean)},
+            {"cpu_ms", study::json_of(row.cpu_ms)},
+            {"more_ms", json_of(row.more_ms)},
+            {"unbeaten", row.unbeaten},
+            {"verdict", row.verdict}};
+}
+
+PictureRow picture_row_from(const Json& json) {
+    const Json& more = json.at("more_ms");
+    return {.name = json.at("name"),
+            .error = {.mean = number_from(json.at("mean_error")),
+                      .rms = number_from(json.at("rms_error"))},
+            .cpu_ms = number_from(json.at("cpu_ms")),
+            .more_ms = {.mean = number_from(more.at("mean")),
+                        .standard_error = number_from(more.at("standard_error")),
+                        .pairs = more.at("pairs")},
+            .unbeaten = json.at("unbeaten"),
+            .verdict = json.at("verdict")};
+}
+
+Json json_of(const PictureFindings& findings);
+
 template <class T>
 Json array_of(const std::vector<T>& values) {
     Json array = Json::array();
     for (const T& value : values) array.push_back(json_of(value));
     return array;
+}
+
+Json json_of(const PictureFindings& findings) {
+    return {{"scene", findings.scene},
+            {"width_px", findings.width_px},
+            {"height_px", findings.height_px},
+            {"samples_per_pixel", findings.samples_per_pixel},
+            {"mean_luminance", study::json_of(findings.mean_luminance)},
+            {"rows", array_of(findings.rows)}};
+}
+
+PictureFindings picture_from(const Json& json) {
+    return {.scene = json.at("scene"),
+            .width_px = json.at("width_px"),
+            .height_px = json.at("height_px"),
+            .samples_per_pixel = json.at("samples_per_pixel"),
+            .mean_luminance = number_from(json.at("mean_luminance")),
+            .rows = list_from(json.at("rows"), picture_row_from)};
 }
 
 /// Parses and converts, with both libraries' complaints as one error.
@@ -138,7 +187,8 @@ Findings findings_from(const Json& json) {
             .made_on = json.at("made_on"),
             .complete = json.at("complete"),
             .clock_spread = json.at("clock_spread"),
-            .subjects = list_from(json.at("subjects"), subject_from)};
+            .subjects = list_from(json.at("subjects"), subject_from),
+            .pictures = list_from(json.at("pictures"), picture_from)};
 }
 
 std::string text_of(const Json& json, int indent = -1) {
@@ -244,7 +294,8 @@ std::string findings_to_json(const Findings& findings) {
                     {"made_on", findings.made_on},
                     {"complete", findings.complete},
                     {"clock_spread", json_of(findings.clock_spread)},
-                    {"subjects", array_of(findings.subjects)}};
+                    {"subjects", array_of(findings.subjects)},
+                    {"pictures", array_of(findings.pictures)}};
     return fmt::format("{}\n", text_of(json, 1));
 }
 

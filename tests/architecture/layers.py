@@ -59,6 +59,7 @@ THIRD_PARTY = {
     "AL/": {"audio"},
     "glad/": {"render"},
     "toml++/": {"input", "scene", "app"},
+    "embree3/": {"study"},
     "nlohmann/": {"assets", "scene", "effects", "study", "app", "game"},
     "imgui": {"app"},
     "backends/imgui": {"app"},

@@ -6,6 +6,7 @@
 
 #include "engine/core/result.h"
 #include "engine/effects/effect_table.h"
+#include "engine/study/difference.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -14,20 +15,6 @@
 #include <vector>
 
 namespace plumbline::study {
-
-/// A difference of means, with its standard error.
-struct Difference {
-    double mean{0};
-    double standard_error{0};
-    int pairs{0};
-
-    /// Two standard errors from nothing.
-    bool told_from_nothing() const {
-        return pairs > 1 && (mean < 0 ? -mean : mean) > 2.0 * standard_error;
-    }
-};
-/// Of pairs measured next to each other, with[i] - without[i]: what drifts slowly falls out.
-Difference paired_difference(std::span<const double> with, std::span<const double> without);
 
 struct EffectCost {
     std::string name{};

@@ -7,6 +7,7 @@
 #include "engine/study/report/html_text.h"
 #include "engine/study/report/page_parts.h"
 #include "engine/study/report/peers.h"
+#include "engine/study/report/picture_section.h"
 #include "engine/study/report/scores.h"
 #include "engine/study/report/tables.h"
 
@@ -145,6 +146,15 @@ std::string section(const Subject& subject, std::size_t index, const Tools& tool
     return html + "</section>\n";
 }
 
+std::string section(const PictureFindings& findings, std::size_t index, const Tools& tools) {
+    const std::string anchor = fmt::format("picture{}", index);
+    std::string html = fmt::format(
+        "<section>\n<h2 id=\"{}\">The picture of {}</h2>\n", anchor, escape_html(findings.scene));
+    if (const auto plot = picture_plot(findings))
+        html += figure(*plot, anchor + "-cost", "Error of the picture against cost.", tools);
+    return html + picture_table(findings) + "</section>\n";
+}
+
 std::string head(const Findings& findings, const Tools& tools) {
     std::string html = fmt::format(
         "<h1>What accuracy costs in time</h1>\n"
@@ -183,6 +193,20 @@ std::string head(const Findings& findings, const Tools& tools) {
     return html;
 }
 
+/// What all subjects came to, and how their sections are read.
+std::string overview(const Findings& findings) {
+    std::string html = "<h2 id=\"contents\">What came of it</h2>\n";
+    html +=
+        "<p>ms/s: milliseconds of one core for each second simulated. All errors are relative: 1 % "
+        "of the scale that each section names.</p>\n";
+    html += score_table(findings);
+    html += findings.subjects.empty()
+                ? std::string("<p class=\"bad\">No subject was studied.</p>\n")
+                : contents_table(findings);
+    html += how_to_read();
+    return html + "<h3>What results are held against</h3>\n" + tier_table();
+}
+
 }  // namespace
 
 Result<Done> write_report(const Findings& findings, const std::filesystem::path& folder) {
@@ -194,16 +218,10 @@ Result<Done> write_report(const Findings& findings, const std::filesystem::path&
         "time</title>\n<style>{}</style>\n</head>\n<body>\n",
         page_style());
     html += head(findings, tools);
-    html += "<h2 id=\"contents\">What came of it</h2>\n";
-    html +=
-        "<p>ms/s: milliseconds of one core for each second simulated. All errors are relative: 1 % "
-        "of the scale that each section names.</p>\n";
-    html += score_table(findings);
-    html += findings.subjects.empty()
-                ? std::string("<p class=\"bad\">No subject was studied.</p>\n")
-                : contents_table(findings);
-    html += how_to_read();
-    html += "<h3>What results are held against</h3>\n" + tier_table();
+    if (!findings.subjects.empty() || findings.pictures.empty()) html += overview(findings);
+    for (std::size_t i = 0; i < findings.pictures.size(); ++i) {
+        html += section(findings.pictures[i], i, tools);
+    }
     for (std::size_t i = 0; i < findings.subjects.size(); ++i) {
         html += section(findings.subjects[i], i, tools);
     }

@@ -1,0 +1,67 @@
+#include "engine/study/picture/picture_ways.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace plumbline::study {
+namespace {
+
+using render::PictureLevel;
+using render::Quality;
+using render::RenderFrame;
+
+PictureWay quality_way(std::string name, void (*change)(Quality&)) {
+    return {.name = std::move(name),
+            .apply = [change](RenderFrame& frame) { change(frame.quality); }};
+}
+
+PictureWay level_way(PictureLevel level) {
+    return {.name = fmt::format("level {}", render::name_of(level)),
+            .apply = [level](RenderFrame& frame) { frame.quality = render::quality_of(level); }};
+}
+
+void add_shadow_ways(std::vector<PictureWay>& ways, const RenderFrame& frame) {
+    ways.push_back({"no shadow of the sun", [](RenderFrame& f) { f.sun_shadow.reset(); }});
+    for (std::uint32_t count = 1; count <= 4; ++count) {
+        if (count == frame.sun_shadow->cascades) continue;
+        ways.push_back({fmt::format("{} cascade{}", count, count == 1 ? "" : "s"),
+                        [count](RenderFrame& f) { f.sun_shadow->cascades = count; }});
+    }
+    ways.push_back(quality_way("shadow maps half as wide",
+                               [](Quality& quality) { quality.shadow_detail = 0.5F; }));
+    ways.push_back(quality_way("shadow maps a quarter as wide",
+                               [](Quality& quality) { quality.shadow_detail = 0.25F; }));
+    ways.push_back(quality_way("one lookup in shadow maps",
+                               [](Quality& quality) { quality.shadow_filter = false; }));
+    ways.push_back(quality_way("shadows to the scene's distance only",
+                               [](Quality& quality) { quality.far_shadows = false; }));
+}
+
+}  // namespace
+
+std::vector<PictureWay> picture_ways(const RenderFrame& frame) {
+    std::vector<PictureWay> ways{level_way(PictureLevel::High),
+                                 level_way(PictureLevel::Medium),
+                                 level_way(PictureLevel::Low)};
+    if (frame.sun && frame.sun_shadow) add_shadow_ways(ways, frame);
+    ways.push_back(
+        quality_way("no surface maps", [](Quality& quality) { quality.surface_maps = false; }));
+    ways.push_back(
+        quality_way("edges not smoothed", [](Quality& quality) { quality.fxaa = false; }));
+    ways.push_back(quality_way("4 samples a pixel", [](Quality& quality) {
+        quality.fxaa = false;
+        quality.samples_per_side = 2;
+    }));
+    ways.push_back(
+        quality_way("render scale 70 %", [](Quality& quality) { quality.render_scale = 0.7F; }));
+    ways.push_back(
+        quality_way("render scale 50 %", [](Quality& quality) { quality.render_scale = 0.5F; }));
+    ways.push_back(
+        quality_way("full meshes", [](Quality& quality) { quality.lod_error_px = 0.0F; }));
+    ways.push_back(quality_way("meshes coarser by 3 px",
+                               [](Quality& quality) { quality.lod_error_px = 3.0F; }));
+    return ways;
+}
+
+}  // namespace plumbline::study

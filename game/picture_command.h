@@ -1,0 +1,23 @@
+// `plumbline study --picture SCENE`: what the picture's accuracy costs.
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/study/picture/light_image.h"
+#include "engine/study/picture/picture_findings.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace plumbline::game {
+
+struct PictureStudy {
+    study::PictureFindings findings;
+    study::LightImage reference;
+    bool complete{true};  ///< false: interrupted; rows not measured by then are missing
+};
+
+/// Draws the scene as it is after `seconds` (not given: 2) from its own camera. No usable GL: exit code 3.
+Result<PictureStudy> study_picture(const std::filesystem::path& scene,
+                                   std::optional<double> seconds);
+
+}  // namespace plumbline::game

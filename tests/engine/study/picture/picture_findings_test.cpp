@@ -1,0 +1,129 @@
+#include "engine/study/picture/picture_findings.h"
+
+#include "engine/study/picture/picture_ways.h"
+#include "engine/study/report/picture_section.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace plumbline::study {
+namespace {
+
+PictureRow row(const std::string& name, double rms, double ms, double more_ms) {
+    return {.name = name,
+            .error = {.mean = 0.5 * rms, .rms = rms},
+            .cpu_ms = ms,
+            .more_ms = {.mean = more_ms, .standard_error = 0.1, .pairs = 4}};
+}
+
+PictureFindings judged() {
+    PictureFindings findings{.scene = "yard.toml",
+                             .width_px = 640,
+                             .height_px = 360,
+                             .samples_per_pixel = 16,
+                             .mean_luminance = 0.25,
+                             .rows = {row("level high", 0.10, 50, 0.0),
+                                      row("cheap", 0.20, 20, -30.0),
+                                      row("dear and worse", 0.15, 60, 10.0),
+                                      row("nearer", 0.05, 90, 40.0),
+                                      row("the same", 0.101, 50, 0.15)}};
+    judge(findings);
+    return findings;
+}
+
+TEST(PictureFindings, SayWhatIsGainedAndWhatItCosts) {
+    const std::vector<PictureRow> rows = judged().rows;
+    EXPECT_EQ(rows[0].verdict, "what the others are compared to");
+    EXPECT_EQ(rows[1].verdict, "100 % more error, saves 30.0 ms");
+    EXPECT_EQ(rows[2].verdict, "50 % more error, costs 10.0 ms more");
+    EXPECT_EQ(rows[3].verdict, "50 % less error, costs 40.0 ms more");
+    EXPECT_EQ(rows[4].verdict, "as near to the reference, no cost that could be told");
+}
+
+TEST(PictureFindings, AreUnbeatenWhereNothingIsCheaperAndNearer) {
+    std::vector<bool> unbeaten;
+    for (const PictureRow& each : judged().rows) unbeaten.push_back(each.unbeaten);
+    EXPECT_EQ(unbeaten, (std::vector{true, true, false, true, false}));
+}
+
+TEST(PictureFindings, OfEqualsNoneIsBeaten) {
+    PictureFindings findings{.rows = {row("a", 0.1, 5, 0), row("b", 0.1, 5, 0)}};
+    judge(findings);
+    EXPECT_TRUE(findings.rows[0].unbeaten && findings.rows[1].unbeaten);
+}
+
+TEST(PictureFindings, AreATableForPeople) {
+    const std::string text = picture_text(judged());
+    EXPECT_NE(text.find("* cheap"), std::string::npos);
+    EXPECT_NE(text.find("  dear and worse"), std::string::npos);
+    EXPECT_NE(text.find("640 x 360 pixels against 16 samples"), std::string::npos);
+    EXPECT_NE(text.find("20 %"), std::string::npos);
+}
+
+TEST(PictureFindings, AreATableAndADiagramOfThePage) {
+    PictureFindings findings = judged();
+    findings.rows[1].name = "<cheap>";
+    const std::string html = picture_table(findings);
+    EXPECT_NE(html.find("<b>&lt;cheap&gt;</b>"), std::string::npos);
+    EXPECT_NE(html.find("<td>dear and worse</td>"), std::string::npos);
+    const auto plot = picture_plot(findings);
+    ASSERT_TRUE(plot.has_value());
+    ASSERT_EQ(plot->curves.size(), 2U);
+    EXPECT_EQ(plot->curves[0].points.size(), 2U);
+    EXPECT_EQ(plot->curves[1].points.size(), 3U);
+    EXPECT_TRUE(std::ranges::is_sorted(plot->curves[1].points, {}, &PlotPoint::x));
+    EXPECT_LT(plot->x.least, 20.0);
+    EXPECT_GT(plot->x.most, 90.0);
+    findings.rows.resize(1);
+    EXPECT_FALSE(picture_plot(findings).has_value());
+}
+
+render::RenderFrame sunny() {
+    render::RenderFrame frame;
+    frame.quality = render::quality_of(render::PictureLevel::High);
+    frame.sun = render::DirectionalLight{};
+    frame.sun_shadow = render::SunShadow{.cascades = 2};
+    return frame;
+}
+
+TEST(PictureWays, BeginWithLevelHighAndHaveNamesOfTheirOwn) {
+    const std::vector<PictureWay> ways = picture_ways(sunny());
+    EXPECT_EQ(ways.front().name, "level high");
+    std::set<std::string> names;
+    for (const PictureWay& way : ways) names.insert(way.name);
+    EXPECT_EQ(names.size(), ways.size());
+    EXPECT_FALSE(names.contains("2 cascades")) << "so it is already";
+}
+
+TEST(PictureWays, ThoseOfShadowsNeedASunThatCastsThem) {
+    const render::RenderFrame dull;
+    for (const PictureWay& way : picture_ways(dull)) {
+        render::RenderFrame frame = dull;
+        way.apply(frame);
+        EXPECT_FALSE(frame.sun_shadow.has_value()) << way.name;
+    }
+    EXPECT_LT(picture_ways(dull).size(), picture_ways(sunny()).size());
+}
+
+TEST(PictureWays, EachDoesWhatItSays) {
+    const auto applied = [](const std::string& name) {
+        render::RenderFrame frame = sunny();
+        const std::vector<PictureWay> ways = picture_ways(frame);
+        const auto found = std::ranges::find(ways, name, &PictureWay::name);
+        EXPECT_NE(found, ways.end()) << name;
+        if (found != ways.end()) found->apply(frame);
+        return frame;
+    };
+    EXPECT_FALSE(applied("no shadow of the sun").sun_shadow.has_value());
+    EXPECT_EQ(applied("4 cascades").sun_shadow->cascades, 4U);
+    EXPECT_EQ(applied("shadow maps a quarter as wide").quality.shadow_detail, 0.25F);
+    EXPECT_EQ(applied("render scale 50 %").quality.render_scale, 0.5F);
+    EXPECT_EQ(applied("4 samples a pixel").quality.samples_per_side, 2U);
+    EXPECT_EQ(applied("level low").quality.render_scale,
+              render::quality_of(render::PictureLevel::Low).render_scale);
+}
+
+}  // namespace
+}  // namespace plumbline::study
