@@ -131,6 +131,8 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
         ->excludes("--camera-path");
     render->add_option("--sun-turn", options.sun_degps, "Degrees a second that the sun turns")
         ->check(between(-kMostTurn_deg, kMostTurn_deg));
+    render->add_option("--hour", options.hour, "Hour of the day, in a scene with [time]")
+        ->check(between(0, 24));
     render->add_option("--report", options.report, "Writes what it cost (JSON)");
     render->add_flag("--textures", options.textures, "With the textures of a JSON scene");
     render->add_flag("--shadows", options.shadows, "With the sun's shadows in a JSON scene");

@@ -147,6 +147,11 @@ Result<Done> draw_frames(const RenderOptions& options,
                           .frames_per_s = simulation.description().accuracy.step_hz});
     if (!files) return files.error();
     switch_on(options, simulation.switches);
+    if (options.hour) {
+        if (!simulation.hour())
+            return bad_option("--hour: the scene has no [time]; its sun stands still");
+        simulation.set_hour(*options.hour);
+    }
     app::OffscreenRun& run = *studio.run;
     run.simulate(steps_in(options.at_s, simulation));
     for (std::uint64_t frame = 0; frame < std::max<std::uint64_t>(options.frames, 1); ++frame) {
@@ -222,6 +227,7 @@ ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
         scene::LiveSwitches& switches = studio->session->simulation->switches;
         switches.turn("flashlight", stop.flashlight);
         switches.light_scale = stop.light_scale;
+        if (scene.time) studio->session->simulation->set_hour(stop.hour.value_or(scene.time->hour));
         studio->run->simulate(
             steps_in(static_cast<double>(stop.wait_s), *studio->session->simulation));
         const Result<Done> drawn =

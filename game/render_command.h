@@ -22,6 +22,7 @@ struct RenderOptions {
     std::filesystem::path video;  ///< a film of all frames
     double orbit_deg{0};          ///< so far the camera goes round during the frames
     double sun_degps{0};          ///< the sun turns
+    std::optional<double> hour;   ///< of the day
     std::filesystem::path report;
     std::string level;         ///< of the picture; empty: nothing is left out
     float render_scale{0.0F};  ///< with a level; 0: the level's own

@@ -14,6 +14,9 @@ in vec3 surface_color;
 flat in vec3 surface_color;
 #endif
 in vec3 surface_to_eye;
+#ifdef PL_AERIAL
+in vec4 surface_aerial;
+#endif
 #ifndef PL_UNLIT
 #ifdef PL_FLAT
 flat in vec3 surface_normal_world;
@@ -300,6 +303,9 @@ void main() {
     vec3 color = base.rgb + emitted_light();
 #else
     vec3 color = lit_color(base.rgb, eye_distance_m, to_eye / max(eye_distance_m, 1e-4));
+#endif
+#ifdef PL_AERIAL
+    color = color * surface_aerial.a + surface_aerial.rgb;
 #endif
 #ifdef PL_FOG
     color = mix(frame.fog.rgb, color, fog_transmittance(eye_distance_m));

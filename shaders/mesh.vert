@@ -1,5 +1,6 @@
 // Places one instance of a mesh. Passes: opaque, translucent.
 #include "include/blocks.glsl"
+#include "include/aerial.glsl"
 #include "include/sky_light.glsl"
 #include "include/wind.glsl"
 
@@ -25,6 +26,9 @@ out vec3 surface_color;
 flat out vec3 surface_color;
 #endif
 out vec3 surface_to_eye;
+#ifdef PL_AERIAL
+out vec4 surface_aerial;
+#endif
 #ifndef PL_UNLIT
 #ifdef PL_FLAT
 flat out vec3 surface_normal_world;
@@ -72,6 +76,9 @@ void main() {
     position_world = swayed(position_world, wind_weights.xyz, normal_world);
 #endif
     surface_to_eye = frame.camera_world.xyz - position_world;
+#ifdef PL_AERIAL
+    surface_aerial = aerial_light(surface_to_eye);
+#endif
     surface_color = tint.rgb * material.base_color.rgb;
 #ifdef PL_VERTEX_COLOR
     surface_color *= color.rgb * color.rgb;  // packed as its square root

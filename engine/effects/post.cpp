@@ -11,7 +11,8 @@ public:
                  const scene::ViewPoint&,
                  render::RenderFrame& frame) override {
         const scene::PostDescription& post = *simulation.description().post;
-        frame.post = render::Post{.exposure = post.exposure, .bloom = post.bloom};
+        frame.post =
+            render::Post{.exposure = post.exposure, .bloom = post.bloom, .adapts = post.adapts};
         ++work_.calls;
     }
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace plumbline::render {
 namespace {
@@ -29,6 +30,15 @@ Vec3f forward_of(const Camera& camera) {
 std::uint32_t scaled_px(std::uint32_t side_px, float scale, std::uint32_t largest_px) {
     const float scaled = std::round(static_cast<float>(side_px) * scale);
     return std::clamp(static_cast<std::uint32_t>(scaled), 1U, largest_px);
+}
+
+/// The light that throws shadows, as it reaches the ground: of a computed sky its sun or its moon,
+/// none while neither shines.
+std::optional<DirectionalLight> sun_of(const RenderFrame& frame, const ComputedSky* sky) {
+    if (sky == nullptr) return frame.sun;
+    const ComputedSky::KeyLight& light = sky->key_light();
+    if (light.irradiance == Vec3f{0.0F}) return {};
+    return DirectionalLight{.direction_world = -light.to_light_world, .radiance = light.irradiance};
 }
 
 }  // namespace
@@ -55,11 +65,14 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     size_targets();
     if (nothing_to_draw) return;
     if (quality.lod_error_px > 0.0F) scene.meshes.make_lods();
-    scene.sky.want(new_frame.sky ? new_frame.sky->folder : std::filesystem::path{});
+    scene.sky.want(new_frame.sky ? &*new_frame.sky : nullptr, new_frame.sun);
+    sun = sun_of(new_frame, scene.sky.computed());
     scene.materials.update({.shading = new_frame.shading,
                             .textures = new_frame.textures,
                             .surface_maps = quality.surface_maps});
     features = frame_features_of(new_frame);
+    if (!sun) features &= ~(feature::kSun | feature::kSunShadow);
+    if (sun) features |= feature::kSun;
     if ((features & (feature::kSunShadow | feature::kFlashlight)) != 0) {
         if (!quality.shadow_filter) {
             features |= feature::kHardShadows;
@@ -88,13 +101,7 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
         block.tone.x = new_frame.post->exposure;
         block.tone.y = new_frame.post->bloom;
     }
-    if (scene.sky.ready()) {
-        block.tone.z = static_cast<float>(scene.sky.reflection_levels() - 1);
-        for (std::size_t i = 0; i < kSkyCoefficients; ++i) {
-            block.sky_light[i] = Vec4f{scene.sky.light()[i] * new_frame.ambient, 0.0F};
-        }
-        block.tone.w = scene.sky.exposure() * new_frame.sky->brightness;
-    }
+    if (scene.sky.ready()) set_up_sky();
     block.clusters.x = PL_CLUSTERS_X / static_cast<float>(post_view.scene_px.width);
     block.clusters.y = PL_CLUSTERS_Y / static_cast<float>(post_view.scene_px.height);
     set_up_light();
@@ -198,13 +205,37 @@ void Renderer::Impl::set_up_wind(const Wind& wind) {
     }
 }
 
+void Renderer::Impl::set_up_sky() {
+    const GpuSky& sky = scene.sky;
+    block.tone.z = static_cast<float>(sky.reflection_levels() - 1);
+    if (const ComputedSky* computed = sky.computed(); computed != nullptr) {
+        for (std::size_t i = 0; i < kSkyCoefficients; ++i)
+            block.sky_light[i] = Vec4f{sky.light()[i], 0.0F};
+        block.tone.w = 1.0F;
+        if (const float visibility_m = frame->sky->model->visibility_m; visibility_m > 0.0F) {
+            features |= feature::kAerial;
+            const std::array<Vec3f, 3> horizon = computed->horizon();
+            const Vec2f way = computed->light_way();
+            // Koschmieder: a fiftieth of the contrast is left there.
+            block.aerial = {Vec4f{horizon[0], 3.912F / visibility_m},
+                            Vec4f{horizon[1], way.x},
+                            Vec4f{horizon[2], way.y}};
+        }
+        // Fog is as light as what falls into it.
+        block.fog = Vec4f{Vec3f{block.fog} * computed->irradiance() * kPerPi, block.fog.w};
+        return;
+    }
+    for (std::size_t i = 0; i < kSkyCoefficients; ++i)
+        block.sky_light[i] = Vec4f{sky.light()[i] * frame->ambient, 0.0F};
+    block.tone.w = sky.exposure() * frame->sky->brightness;
+}
+
 void Renderer::Impl::set_up_light() {
-    if (!frame->sun) return;
-    const DirectionalLight& sun = *frame->sun;
-    const Vec3f direction = normalize_or(sun.direction_world, Vec3f{0.0F, -1.0F, 0.0F});
+    if (!sun) return;
+    const Vec3f direction = normalize_or(sun->direction_world, Vec3f{0.0F, -1.0F, 0.0F});
     block.to_sun_world = Vec4f{-direction, 0.0F};
-    block.sun_radiance = Vec4f{sun.radiance * kPerPi, 0.0F};
-    if (!frame->sun_shadow) return;
+    block.sun_radiance = Vec4f{sun->radiance * kPerPi, 0.0F};
+    if ((features & feature::kSunShadow) == 0) return;
     const SunShadow& shadow = *frame->sun_shadow;
     const ViewShape view{.position_world = frame->camera.position_world,
                          .forward_world = forward_of(frame->camera),
@@ -262,6 +293,19 @@ void Renderer::Impl::set_up_flashlight(const Flashlight& flashlight) {
     flashlight_view = {.clip_from_world = clip_from_world,
                        .eye_world = flashlight.position_world,
                        .size_px = flashlight.shadow_size_px};
+}
+
+void Renderer::Impl::adapt_exposure() {
+    if (!frame->post || !frame->post->adapts) return exposure_meter.free();
+    const gl::PassTimers::Scope timed(timers, "post.exposure");
+    const bool is_seen_live = target != PresentTarget::Offscreen;
+    block.tone.x *= exposure_meter.measure(
+        scene_target.color(),
+        is_seen_live ? ExposureMeter::Reading::Later : ExposureMeter::Reading::Now,
+        triangle,
+        scene,
+        stats);
+    frame_buffer.upload(&block, sizeof(block));
 }
 
 void Renderer::Impl::build_draw_lists() {

@@ -21,6 +21,8 @@ constexpr std::uint32_t kLargestSide = 1024;
 constexpr std::uint32_t kLightSide = 32;
 // What a typical spot of an HDR sky is shown as: a third of a white wall in the sun.
 constexpr float kShownRadiance = 0.4F;
+// Of the sun that a night without one is lit by: moon and stars go by it.
+constexpr Vec3f kNoSunsIrradiance{3.0F};
 
 assets::ImageData gray_face() {
     return {.width = 1, .height = 1, .format = assets::PixelFormat::Rgb8, .bytes = {128, 128, 128}};
@@ -59,6 +61,10 @@ RadianceImage small_face(const assets::ImageData& image) {
     return radiance_of(image, std::max(image.width / kReflectionSide, 1U));
 }
 
+void halve(std::vector<RadianceImage>& faces) {
+    for (RadianceImage& face : faces) face = halved(face);
+}
+
 /// Each channel divided by its average over all directions.
 SkyCoefficients with_unit_mean(SkyCoefficients sky) {
     // The first harmonic is 0.282095 everywhere.
@@ -67,15 +73,74 @@ SkyCoefficients with_unit_mean(SkyCoefficients sky) {
     return sky;
 }
 
+/// What the clouds' faces hold on average over each direction that a ComputedSky knows.
+std::vector<CloudTexel> averaged_clouds(const std::vector<assets::ImageData>& faces) {
+    constexpr std::uint32_t kSide = ComputedSky::kSide;
+    std::vector<CloudTexel> texels;
+    for (const assets::ImageData& face : faces) {
+        const std::uint32_t block = face.width / kSide;
+        for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+            Vec4f sum{0.0F};
+            for (std::uint32_t k = 0; k < block * block; ++k) {
+                const std::size_t x = i % kSide * block + k % block;
+                const std::size_t y = i / kSide * block + k / block;
+                const std::uint8_t* codes = face.bytes.data() + (y * face.width + x) * 4;
+                sum += Vec4f{codes[0], codes[1], codes[2], codes[3]};
+            }
+            sum /= 255.0F * static_cast<float>(block * block);
+            texels.push_back({.cover = sum.w, .lit = sum.x, .toward = Vec2f{sum.y, sum.z} - 0.5F});
+        }
+    }
+    return texels;
+}
+
 }  // namespace
 
-void GpuSky::want(const std::filesystem::path& folder) {
-    if (folder == folder_) return;
-    folder_ = folder;
-    background_ = {};
-    reflection_ = {};
-    light_ = {};
-    if (!folder.empty()) load(folder);
+void GpuSky::want(const Sky* sky, const std::optional<DirectionalLight>& sun) {
+    const bool is_computed = sky != nullptr && sky->model;
+    const std::filesystem::path folder = sky != nullptr ? sky->folder : std::filesystem::path{};
+    if (folder != folder_ || is_computed != static_cast<bool>(dome_)) {
+        folder_ = folder;
+        background_ = {};
+        reflection_ = {};
+        light_ = {};
+        dome_.reset();
+        if (is_computed) {
+            dome_ = std::make_unique<Dome>();
+            if (!folder.empty()) load_clouds();
+        } else if (!folder.empty()) {
+            load(folder);
+        }
+    }
+    if (is_computed) compute(*sky->model, sun);
+}
+
+void GpuSky::load_clouds() {
+    std::vector<assets::ImageData> faces;
+    for (const std::filesystem::path& file : assets::skybox_files(folder_)) {
+        const std::shared_ptr<const assets::ImageData> face = library_.take_image(file);
+        if (face->format != assets::PixelFormat::Rgba8 || face->width != face->height ||
+            face->width < ComputedSky::kSide || face->width > largest_px_ ||
+            (!faces.empty() && face->width != faces[0].width)) {
+            log_warning(
+                "sky {}: clouds are six equal squares with alpha, {} px at least; there are none",
+                folder_.string(),
+                ComputedSky::kSide);
+            return;
+        }
+        faces.push_back(*face);
+    }
+    dome_->sky.set_clouds(averaged_clouds(faces));
+    background_ = gl::Texture::cube(faces, 1);
+}
+
+void GpuSky::compute(const SkyModel& model, const std::optional<DirectionalLight>& sun) {
+    if (!dome_->sky.want(model, sun ? sun->radiance : kNoSunsIrradiance)) return;
+    dome_->gpu.update(dome_->sky);
+    std::vector<RadianceImage> level = dome_->sky.faces();
+    light_ = project_sky(level);
+    exposure_ = 1.0F;
+    set_reflection(std::move(level));
 }
 
 void GpuSky::load(const std::filesystem::path& folder) {
@@ -104,22 +169,24 @@ void GpuSky::load(const std::filesystem::path& folder) {
     }
     for (auto& face : under_way) level.push_back(face.get());
 
-    std::vector<assets::ImageData> reflection_faces;
-    reflection_levels_ = 0;
-    for (;;) {
-        for (const RadianceImage& face : level) reflection_faces.push_back(half_floats_of(face));
-        ++reflection_levels_;
-        if (level[0].width <= kLightSide && light_[0] == Vec3f{0.0F}) {
-            light_ = with_unit_mean(project_sky(level));
-            exposure_ = kShownRadiance / std::max(typical_radiance(level), 1e-6F);
-        }
-        if (level[0].width == 1) break;
-        for (RadianceImage& face : level) face = halved(face);
-    }
+    std::vector<RadianceImage> small = level;
+    while (small[0].width > kLightSide) halve(small);
+    light_ = with_unit_mean(project_sky(small));
+    exposure_ = kShownRadiance / std::max(typical_radiance(small), 1e-6F);
+    set_reflection(std::move(level));
     is_srgb_ = faces[0].format != assets::PixelFormat::Rgb16F;
     if (is_srgb_) exposure_ = 1.0F;
     background_ = gl::Texture::cube(faces, 1);
-    reflection_ = gl::Texture::cube(reflection_faces, reflection_levels_);
+}
+
+void GpuSky::set_reflection(std::vector<RadianceImage> level) {
+    std::vector<assets::ImageData> faces;
+    for (reflection_levels_ = 1;; ++reflection_levels_) {
+        for (const RadianceImage& face : level) faces.push_back(half_floats_of(face));
+        if (level[0].width == 1) break;
+        halve(level);
+    }
+    reflection_ = gl::Texture::cube(faces, reflection_levels_);
 }
 
 }  // namespace plumbline::render

@@ -76,9 +76,21 @@ struct Fog {
     float density_per_m{0.02F};  ///< transmittance exp(-(density * distance)^2)
 };
 
+/// A sky that is computed: air, haze and clouds under the sun, or under moon and stars. The frame's
+/// sun is the light outside the air; what reaches the ground, and the ambient light, follow from it.
+struct SkyModel {
+    Vec3f to_sun_world{0.0F, 1.0F, 0.0F};     ///< unit; below the horizon it is night
+    Vec3f pole_world{0.0F, 0.643F, -0.766F};  ///< unit; the stars turn about it
+    float haze{1.0F};                         ///< 1: a clear day's
+    float clouds{0.5F};                       ///< 0: none; 1: as many as there are
+    /// Where contrast has gone down to a fiftieth, m; 0: things keep their colours at any distance.
+    float visibility_m{0.0F};
+};
+
 struct Sky {
-    std::filesystem::path folder;  ///< six faces px nx py ny pz nz
-    float brightness{1.0F};        ///< 1: as the picture is; below: dusk
+    std::filesystem::path folder;  ///< six faces px nx py ny pz nz; with a model: the clouds' five
+    float brightness{1.0F};        ///< 1: as the picture is; below: dusk. Of the six faces
+    std::optional<SkyModel> model{};
 };
 
 /// A mean, and waves of gusts that it carries along.
@@ -94,7 +106,8 @@ struct Wind {
 
 struct Post {
     float exposure{1.0F};
-    float bloom{0.0F};  ///< 0: no bloom targets, no bloom passes
+    float bloom{0.0F};   ///< 0: no bloom targets, no bloom passes
+    bool adapts{false};  ///< times what the picture's brightness asks for: more at night
 };
 
 /// Water in the air, drawn as a soft streak.

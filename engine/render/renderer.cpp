@@ -160,7 +160,7 @@ void Renderer::prepare(const RenderFrame& frame) {
         variants.insert(variant_of(look, features & ~feature::kFlashlight));
     }
     for (const FeatureSet variant : variants) r.scene.shaders.find(kMeshShader, variant);
-    if (frame.sun_shadow || frame.flashlight) {
+    if ((r.features & (feature::kSunShadow | feature::kFlashlight)) != 0) {
         r.scene.shaders.find(kDepthShader, 0);
         if (has_mask) r.scene.shaders.find(kDepthShader, feature::kAlphaMask);
     }
@@ -273,6 +273,7 @@ void Renderer::post() {
         const gl::PassTimers::Scope timed(r.timers, "post.bloom");
         r.post.render_bloom(r.scene_target, r.triangle, r.scene, r.stats);
     }
+    r.adapt_exposure();
     const gl::PassTimers::Scope timed(r.timers, "picture");
     r.post.render_picture(
         r.scene_target, r.post_view, r.present_framebuffer(), r.triangle, r.scene, r.stats);
@@ -302,7 +303,7 @@ void Renderer::forget_scene() {
     r.scene.meshes.clear();
     r.scene.textures.clear();
     r.scene.materials.clear();
-    r.scene.sky.want({});
+    r.scene.sky.want(nullptr, {});
     r.sun_shadow.free();
     r.flashlight_shadow.free();
 }
@@ -351,7 +352,7 @@ std::vector<GpuBytes> Renderer::gpu_bytes() const {
     return {{"sun_shadow", r.sun_shadow.bytes()},
             {"flashlight", r.flashlight_shadow.bytes()},
             {"sky", r.scene.sky.bytes()},
-            {"post", r.post.bloom_bytes()},
+            {"post", r.post.bloom_bytes() + r.exposure_meter.bytes()},
             {"drops", r.drop_pass.bytes()},
             {"meshes", r.scene.meshes.bytes()},
             {"textures", r.scene.textures.bytes()},

@@ -1,6 +1,7 @@
 // Private: what a Renderer owns.
 #pragma once
 
+#include "engine/render/exposure_meter.h"
 #include "engine/render/gl/buffer.h"
 #include "engine/render/gl/framebuffer.h"
 #include "engine/render/gl/pass_timer.h"
@@ -43,8 +44,9 @@ struct Renderer::Impl {
     bool nothing_to_draw{true};
     std::uint32_t width_px{0};
     std::uint32_t height_px{0};
-    Quality quality{};       ///< in force: the frame's, or less where memory is short
-    FeatureSet features{0};  ///< of the frame
+    Quality quality{};                    ///< in force: the frame's, or less where memory is short
+    FeatureSet features{0};               ///< of the frame
+    std::optional<DirectionalLight> sun;  ///< or moon, as it reaches the ground
     PostView post_view{};
     bool draws_codes{
         false};  ///< the scene is drawn into the present target, which encodes its light
@@ -68,6 +70,7 @@ struct Renderer::Impl {
     MeshPass translucent_pass;
     PostPass post;
     DropPass drop_pass;
+    ExposureMeter exposure_meter;
     LinePass line_pass;
 
     gl::PassTimers timers;
@@ -84,8 +87,11 @@ struct Renderer::Impl {
                 .lights = frame->lights,
                 .beam = beam ? &*beam : nullptr,
                 .clip_from_world = block.clip_from_world,
+                .eye_world = frame->camera.position_world,
                 .size_px = post_view.scene_px};
     }
+    /// Sets the exposure by how bright the scene has become.
+    void adapt_exposure();
     void bind_present_target() const;
     unsigned int present_framebuffer() const;
 
@@ -94,6 +100,7 @@ private:
     void size_own_target();
     Result<Done> try_scene_targets();
     void set_up_wind(const Wind& wind);
+    void set_up_sky();
     void set_up_light();
     void set_up_flashlight(const Flashlight& flashlight);
 

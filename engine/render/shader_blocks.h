@@ -42,9 +42,12 @@ struct FrameBlock {
     /// From the first cascade's texture coordinates to each one's: xyz: offset; w: scale.
     std::array<Vec4f, kMaxCascades> cascades{};
     std::array<Vec4f, kSkyCoefficients> sky_light{};  ///< radiance of the sky, order-2 harmonics
+    /// Horizon's radiance: of itself, and by the cosine of the angle from the light's compass
+    /// direction and its square. w: loss, 1/m; that direction's x and z.
+    std::array<Vec4f, 3> aerial{};
 };
 static_assert(sizeof(FrameBlock) ==
-              4 * 64 + 12 * 16 + (kGustWaves + kMaxCascades + kSkyCoefficients) * 16);
+              4 * 64 + 12 * 16 + (kGustWaves + kMaxCascades + kSkyCoefficients + 3) * 16);
 static_assert(offsetof(FrameBlock, camera_world) == 256);
 static_assert(offsetof(FrameBlock, sky_light) == 544);
 

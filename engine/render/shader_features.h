@@ -12,46 +12,48 @@ using FeatureSet = std::uint64_t;
 
 namespace feature {
 // of the material
-inline constexpr FeatureSet kBlinnPhong = 1U << 0U;
-inline constexpr FeatureSet kUnlit = 1U << 1U;
-inline constexpr FeatureSet kBaseMap = 1U << 2U;
-inline constexpr FeatureSet kNormalMap = 1U << 3U;
-inline constexpr FeatureSet kOrmMap = 1U << 4U;
-inline constexpr FeatureSet kAlphaMask = 1U << 5U;
-inline constexpr FeatureSet kBlend = 1U << 6U;
-inline constexpr FeatureSet kTwoSided = 1U << 7U;
-inline constexpr FeatureSet kLeaf = 1U << 8U;
-inline constexpr FeatureSet kVertexColor = 1U << 9U;
-inline constexpr FeatureSet kSkyReflection = 1U << 10U;
-inline constexpr FeatureSet kEmissiveMap = 1U << 11U;
-inline constexpr FeatureSet kMetal = 1U << 12U;  ///< in part at least
-inline constexpr FeatureSet kEmissive = 1U << 13U;
-inline constexpr FeatureSet kPhong = 1U << 14U;      ///< with kBlinnPhong: the textbook's highlight
-inline constexpr FeatureSet kFlat = 1U << 15U;       ///< normals are not blended across triangles
+inline constexpr FeatureSet kBlinnPhong = 1ULL << 0U;
+inline constexpr FeatureSet kUnlit = 1ULL << 1U;
+inline constexpr FeatureSet kBaseMap = 1ULL << 2U;
+inline constexpr FeatureSet kNormalMap = 1ULL << 3U;
+inline constexpr FeatureSet kOrmMap = 1ULL << 4U;
+inline constexpr FeatureSet kAlphaMask = 1ULL << 5U;
+inline constexpr FeatureSet kBlend = 1ULL << 6U;
+inline constexpr FeatureSet kTwoSided = 1ULL << 7U;
+inline constexpr FeatureSet kLeaf = 1ULL << 8U;
+inline constexpr FeatureSet kVertexColor = 1ULL << 9U;
+inline constexpr FeatureSet kSkyReflection = 1ULL << 10U;
+inline constexpr FeatureSet kEmissiveMap = 1ULL << 11U;
+inline constexpr FeatureSet kMetal = 1ULL << 12U;  ///< in part at least
+inline constexpr FeatureSet kEmissive = 1ULL << 13U;
+inline constexpr FeatureSet kPhong = 1ULL << 14U;    ///< with kBlinnPhong: the textbook's highlight
+inline constexpr FeatureSet kFlat = 1ULL << 15U;     ///< normals are not blended across triangles
 inline constexpr FeatureSet kRipples = 1ULL << 32U;  ///< water: normals that run
 inline constexpr FeatureSet kVariation = 1ULL << 33U;  ///< of the base colour over metres
 // of the frame
-inline constexpr FeatureSet kSun = 1U << 16U;
-inline constexpr FeatureSet kSunShadow = 1U << 17U;
-inline constexpr FeatureSet kFlashlight = 1U << 18U;
-inline constexpr FeatureSet kLocalLights = 1U << 19U;
-inline constexpr FeatureSet kFog = 1U << 20U;
-inline constexpr FeatureSet kSkyLight = 1U << 21U;
-inline constexpr FeatureSet kSoftShadows = 1U << 22U;  ///< four taps: where lookups are cheap
-inline constexpr FeatureSet kHardShadows = 1U << 23U;  ///< one tap
-inline constexpr FeatureSet kCascades = 1U << 30U;     ///< more than one
-inline constexpr FeatureSet kWind = 1ULL << 34U;       ///< and of the mesh: it sways
+inline constexpr FeatureSet kSun = 1ULL << 16U;
+inline constexpr FeatureSet kSunShadow = 1ULL << 17U;
+inline constexpr FeatureSet kFlashlight = 1ULL << 18U;
+inline constexpr FeatureSet kLocalLights = 1ULL << 19U;
+inline constexpr FeatureSet kFog = 1ULL << 20U;
+inline constexpr FeatureSet kSkyLight = 1ULL << 21U;
+inline constexpr FeatureSet kSoftShadows = 1ULL << 22U;  ///< four taps: where lookups are cheap
+inline constexpr FeatureSet kHardShadows = 1ULL << 23U;  ///< one tap
+inline constexpr FeatureSet kCascades = 1ULL << 30U;     ///< more than one
+inline constexpr FeatureSet kWind = 1ULL << 34U;         ///< and of the mesh: it sways
+inline constexpr FeatureSet kAerial = 1ULL << 35U;       ///< far things go over into the sky
+inline constexpr FeatureSet kClouds = 1ULL << 36U;       ///< before a computed sky
 // of the passes after the scene
-inline constexpr FeatureSet kToneMap = 1U << 24U;  ///< exposure and tone curve
-inline constexpr FeatureSet kBloom = 1U << 25U;
-inline constexpr FeatureSet kKeepDepth = 1U << 26U;  ///< lines will be drawn over the picture
-inline constexpr FeatureSet kFxaa = 1U << 27U;
-inline constexpr FeatureSet kSharpen = 1U << 28U;
-inline constexpr FeatureSet kFourSamples = 1U << 31U;  ///< two by two make a pixel
-inline constexpr FeatureSet kSkyCodes = 1U << 29U;     ///< the sky's faces hold sRGB codes
+inline constexpr FeatureSet kToneMap = 1ULL << 24U;  ///< exposure and tone curve
+inline constexpr FeatureSet kBloom = 1ULL << 25U;
+inline constexpr FeatureSet kKeepDepth = 1ULL << 26U;  ///< lines will be drawn over the picture
+inline constexpr FeatureSet kFxaa = 1ULL << 27U;
+inline constexpr FeatureSet kSharpen = 1ULL << 28U;
+inline constexpr FeatureSet kFourSamples = 1ULL << 31U;  ///< two by two make a pixel
+inline constexpr FeatureSet kSkyCodes = 1ULL << 29U;     ///< the sky's faces hold sRGB codes
 }  // namespace feature
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 35> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 37> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -87,6 +89,8 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 35> kFeatur
     {feature::kRipples, "PL_RIPPLES"},
     {feature::kVariation, "PL_VARIATION"},
     {feature::kWind, "PL_WIND"},
+    {feature::kClouds, "PL_CLOUDS"},
+    {feature::kAerial, "PL_AERIAL"},
 }};
 
 }  // namespace plumbline::render

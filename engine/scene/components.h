@@ -6,6 +6,7 @@
 #include "engine/core/pose.h"
 #include "engine/ecs/registry.h"
 #include "engine/physics/body.h"
+#include "engine/scene/live_light.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -75,12 +76,19 @@ struct SurfaceRef {
 };
 
 struct PointLight {
+    LampOn on{LampOn::Always};
     Vec3f intensity{1.0F};
     float radius_m{8.0F};
     bool is_spot{false};
     Vec3f direction_body{0.0F, -1.0F, 0.0F};
     float inner_rad{0.3F};
     float outer_rad{0.5F};
+};
+
+/// What a lamp that waits for the dark looks like by day: its Visual's materials without what they
+/// emit.
+struct LampLook {
+    std::vector<assets::MaterialId> off;
 };
 
 /// A sound that loops at the entity's place. Kept as a file: it is decoded by the effect that plays

@@ -61,8 +61,20 @@ std::string place_of(const EntityDescription& description, const std::string& na
     return fmt::format("{}: entity {}", to_string(description.origin), name);
 }
 
+LampLook dark_look_of(assets::AssetLibrary& library,
+                      const std::vector<assets::MaterialId>& materials) {
+    LampLook look;
+    for (const assets::MaterialId id : materials) {
+        assets::MaterialData dark = library.material(id);
+        dark.emissive = Vec3f{0.0F};
+        look.off.push_back(library.add_material(std::move(dark)));
+    }
+    return look;
+}
+
 PointLight light_of(const LightDescription& light) {
-    return {.intensity = light.color * light.intensity,
+    return {.on = light.on,
+            .intensity = light.color * light.intensity,
             .radius_m = light.radius_m,
             .is_spot = light.is_spot,
             .direction_body = normalize_or(light.direction, Vec3f{0.0F, -1.0F, 0.0F}),
@@ -361,6 +373,8 @@ Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
                                     .materials = look.materials,
                                     .casts_shadow = description.casts_shadow,
                                     .is_static = is_static});
+        if (description.light && description.light->on != LampOn::Always)
+            registry.add<LampLook>(entity, dark_look_of(simulation_.library(), look.materials));
     }
     if (!description.contact_material.empty()) {
         registry.add<ContactLook>(

@@ -9,27 +9,55 @@ namespace plumbline::scene {
 
 namespace {
 
+float smooth_step(float low, float high, float x) {
+    const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
+    return t * t * (3.0F - 2.0F * t);
+}
+
+/// How far lamps that wait for the dark are up: they come on while the sun's last five degrees sink,
+/// and where light is turned down by hand.
+float dark_lamps(const Simulation& simulation) {
+    const LiveSwitches& switches = simulation.switches;
+    if (switches.effects.contains("lamps")) return switches.is_on("lamps", true) ? 1.0F : 0.0F;
+    if (!simulation.description().sun || switches.light_scale < 0.25F) return 1.0F;
+    const float sun_height = -normalize_or(switches.sun_direction, Vec3f{0.0F, -1.0F, 0.0F}).y;
+    return 1.0F - smooth_step(0.0F, 0.0872F, sun_height);
+}
+
+float lamp_share(LampOn on, float dark) {
+    if (on == LampOn::Dark) return dark;
+    return on == LampOn::Always ? 1.0F : 0.0F;
+}
+
 void add_items(const Simulation& simulation, Real blend_share, render::RenderFrame& frame) {
+    const float dark = dark_lamps(simulation);
     for (auto [entity, visual, placement] :
          simulation.registry.view<const Visual, const Placement>()) {
         if (simulation.registry.has<PlayingModel>(entity)) continue;  // an effect draws its parts
         const Pose pose = drawn_pose(simulation, entity, placement, blend_share);
+        const LampLook* lamp = simulation.registry.find<LampLook>(entity);
+        const bool is_off =
+            lamp != nullptr &&
+            lamp_share(simulation.registry.get<PointLight>(entity).on, dark) < 0.05F;
         render::add_item(frame,
                          {.mesh = visual.mesh,
                           .world_from_body = matrix_of(pose, placement.scale),
                           .tint = visual.tint,
                           .casts_shadow = visual.casts_shadow,
                           .is_static = visual.is_static},
-                         visual.materials);
+                         is_off ? lamp->off : visual.materials);
     }
 }
 
 void add_lights(const Simulation& simulation, Real blend_share, render::RenderFrame& frame) {
+    const float dark = dark_lamps(simulation);
     for (auto [entity, light, placement] :
          simulation.registry.view<const PointLight, const Placement>()) {
+        const float share = lamp_share(light.on, dark);
+        if (share <= 0.0F) continue;
         const Pose pose = drawn_pose(simulation, entity, placement, blend_share);
         frame.lights.push_back({.position_world = Vec3f(pose.position),
-                                .intensity = light.intensity,
+                                .intensity = light.intensity * share,
                                 .radius_m = light.radius_m,
                                 .is_spot = light.is_spot,
                                 .direction_world = Quatf(pose.orientation) * light.direction_body,

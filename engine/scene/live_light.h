@@ -1,9 +1,11 @@
-// How far light and fog may be changed while a scene runs, and the colours that fog may be given.
+// How far light and fog may be changed while a scene runs, the colours that fog may be given, and
+// when lamps shine.
 #pragma once
 
 #include "engine/core/math.h"
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 namespace plumbline::scene {
@@ -14,6 +16,9 @@ inline constexpr float kThinnestFog = 0.05F;
 inline constexpr float kDensestFog = 50.0F;
 inline constexpr float kDimmestLight = 0.02F;
 inline constexpr float kBrightestLight = 20.0F;
+
+/// When a light shines by itself; the switch "lamps" goes over those that wait for the dark.
+enum class LampOn : std::uint8_t { Always, Dark, Never };
 
 struct FogColor {
     std::string_view name;

@@ -10,6 +10,7 @@
 #include "engine/physics/joint.h"
 #include "engine/physics/physics_world.h"
 #include "engine/physics/shape.h"
+#include "engine/scene/live_light.h"
 #include "engine/scene/nature_description.h"
 #include "engine/scene/origin.h"
 
@@ -87,8 +88,25 @@ struct SunDescription {
     Origin origin{};
 };
 
+/// `model = "atmosphere"`: computed from where the sun stands.
+struct SkyModelDescription {
+    float haze{1.0F};
+    float clouds{1.0F};
+    float visibility_m{0.0F};  ///< where contrast is down to a fiftieth; 0: none is lost
+};
+
 struct SkyDescription {
-    std::filesystem::path folder;
+    std::filesystem::path folder;  ///< of a model: its clouds; empty: none
+    std::optional<SkyModelDescription> model{};
+    Origin origin{};
+};
+
+/// `[time]`: the sun stands as at that hour, and turns about the earth's axis.
+struct TimeDescription {
+    double hour{12};  ///< solar, 0 to 24
+    double latitude_rad{radians_from_degrees(48.0)};
+    int day_of_year{172};
+    double north_rad{0};  ///< where north is: so far about +Y from -Z
     Origin origin{};
 };
 
@@ -113,6 +131,7 @@ struct FlashlightDescription {
 struct PostDescription {
     float bloom{0.0F};
     float exposure{1.0F};
+    bool adapts{false};  ///< exposure goes by how bright the picture is
     Origin origin{};
 };
 
@@ -164,6 +183,7 @@ struct BodyDescription {
 };
 
 struct LightDescription {
+    LampOn on{LampOn::Always};
     Vec3f color{1.0F};
     float intensity{20.0F};
     float radius_m{8.0F};
@@ -253,7 +273,8 @@ struct ViewDescription {
     Vec3 target_m{0, 0, -1};
     Real wait_s{0};  ///< simulated before the picture, after the stop before
     bool flashlight{false};
-    float light_scale{1.0F};  ///< of sun and sky: below 1 is dusk
+    float light_scale{1.0F};       ///< of sun and sky: below 1 is dusk
+    std::optional<double> hour{};  ///< with [time]; none: the scene's own
 };
 
 /// `[[hard_case.pass]]`: one number that is watched while the scene runs.
@@ -363,6 +384,7 @@ struct SceneDescription {
     Vec3f clear_color{0.6F, 0.65F, 0.85F};  ///< [camera] clear_color
     std::optional<SunDescription> sun{};
     std::optional<SkyDescription> sky{};
+    std::optional<TimeDescription> time{};
     Vec3f ambient{0.1F, 0.1F, 0.12F};
     std::optional<FogDescription> fog{};
     std::optional<FlashlightDescription> flashlight{};

@@ -20,10 +20,10 @@ namespace {
 
 constexpr std::size_t kIncludeDepth = 16;
 // Everything that a scene may hold beside materials and prefabs.
-constexpr std::array<std::string_view, 21> kSceneOnly{
-    "world",   "accuracy",   "player",    "camera",   "sun",    "sky",   "ambient",
-    "fog",     "flashlight", "post",      "goal",     "entity", "array", "joint",
-    "effects", "view",       "hard_case", "fountain", "wind",   "grass", "flock"};
+constexpr std::array<std::string_view, 22> kSceneOnly{
+    "world",      "accuracy", "player", "camera", "sun",   "sky",   "ambient", "fog",
+    "flashlight", "post",     "goal",   "entity", "array", "joint", "effects", "view",
+    "hard_case",  "fountain", "wind",   "grass",  "flock", "time"};
 
 /// One file of the load. Places point at its name, so it stays where it is.
 struct SourceFile {

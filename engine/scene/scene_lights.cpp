@@ -1,6 +1,7 @@
-// [sun] [sky] [ambient] [fog] [flashlight] [post], and the lights of entities.
+// [sun] [time] [sky] [ambient] [fog] [flashlight] [post], and the lights of entities.
 #include "engine/assets/skybox_files.h"
 #include "engine/scene/scene_parts.h"
+#include "engine/scene/sun_path.h"
 
 #include <fmt/format.h>
 
@@ -66,30 +67,91 @@ void read_sun(TableReader& root, SceneDescription& scene) {
     scene.sun = sun;
 }
 
-void read_sky(TableReader& root, SceneDescription& scene, const LoadContext& context) {
-    auto table = root.table("sky");
+void read_time(TableReader& root, SceneDescription& scene) {
+    auto table = root.table("time");
     if (!table) return;
-    const std::string name = table->text("skybox", {});
+    TimeDescription time;
+    time.origin = origin_of(table->place());
+    constexpr Range kLatitude_deg{-90, 90, "degrees from -90 to 90"};
+    constexpr Range kTurn_deg{-360, 360, "degrees from -360 to 360"};
+    const auto angle = [&](std::string_view key, double fallback_rad, const Range& range) {
+        return radians_from_degrees(static_cast<double>(
+            table->number(key, static_cast<Real>(degrees_from_radians(fallback_rad)), range)));
+    };
+    time.hour = static_cast<double>(table->number("hour", static_cast<Real>(time.hour), kHour));
+    time.latitude_rad = angle("latitude_deg", time.latitude_rad, kLatitude_deg);
+    time.day_of_year = table->integer("day_of_year", time.day_of_year, 1, 366);
+    time.north_rad = angle("north_deg", time.north_rad, kTurn_deg);
     table->finish();
-    const TomlNode* node = table->find("skybox");
-    if (node == nullptr) return table->error("skybox", "missing; expected a folder of six faces");
-    if (node->text() == nullptr) return;
+    if (!scene.sun)
+        return table->warning("hour", "there is no [sun] whose time it could be; ignored");
+    scene.time = time;
+    scene.sun->direction = Vec3(-to_sun_at(time, time.hour));
+}
+
+/// The folder of six faces that `key` names, if they are all there; else empty, with a fault that
+/// says what is seen `instead`.
+fs::path read_faces(TableReader& table,
+                    std::string_view key,
+                    std::string_view instead,
+                    const LoadContext& context) {
+    const TomlNode* node = table.find(key);
+    const std::string name = table.text(key, {});
+    if (node == nullptr || node->text() == nullptr) return {};
     const Result<Reference>& folder = context.reference(*node);
-    if (!folder) return table->error("skybox", folder.error().message);
+    if (!folder) {
+        table.error(key, folder.error().message);
+        return {};
+    }
     if (!folder->exists) {
-        return table->warning(
-            "skybox", fmt::format("\"{}\" does not exist; the clear colour is used", shown(name)));
+        table.warning(key, fmt::format("\"{}\" does not exist; {}", shown(name), instead));
+        return {};
     }
     const auto faces = assets::skybox_files(folder->file);
     const auto missing = std::ranges::find_if(faces, &fs::path::empty);
-    if (missing != faces.end()) {
-        return table->warning(
-            "skybox",
-            fmt::format("\"{}\" holds no {}.exr, .png or .jpg; the clear colour is used",
-                        shown(name),
-                        assets::kSkyboxFaces[static_cast<std::size_t>(missing - faces.begin())]));
+    if (missing == faces.end()) return folder->file;
+    table.warning(
+        key,
+        fmt::format("\"{}\" holds no {}.exr, .png or .jpg; {}",
+                    shown(name),
+                    assets::kSkyboxFaces[static_cast<std::size_t>(missing - faces.begin())],
+                    instead));
+    return {};
+}
+
+SkyDescription read_sky_model(TableReader& table,
+                              const SceneDescription& scene,
+                              const LoadContext& context) {
+    constexpr std::array<std::string_view, 1> kModels{"atmosphere"};
+    constexpr Range kHaze{0, 20, "a factor from 0 to 20"};
+    SkyModelDescription model;
+    table.choice("model", 0, kModels);
+    table.either("model", "skybox");
+    model.haze = table.single("haze", model.haze, kHaze);
+    constexpr Range kVisibility_m{100, 1e6, "a length from 100 to 1000000 m"};
+    model.visibility_m = table.single("visibility_m", model.visibility_m, kVisibility_m);
+    model.clouds = table.single("clouds", model.clouds, kFraction);
+    const fs::path clouds = read_faces(table, "cloud_map", "there are no clouds", context);
+    if (!scene.sun)
+        table.warning("model", "there is no [sun]; the sky is that of a night without moon");
+    return {.folder = clouds, .model = model, .origin = origin_of(table.place())};
+}
+
+void read_sky(TableReader& root, SceneDescription& scene, const LoadContext& context) {
+    auto table = root.table("sky");
+    if (!table) return;
+    if (table->has("model")) {
+        scene.sky = read_sky_model(*table, scene, context);
+        return table->finish();
     }
-    scene.sky = SkyDescription{.folder = folder->file, .origin = origin_of(table->place())};
+    if (!table->has("skybox")) {
+        table->error("skybox",
+                     "missing; expected a folder of six faces, or model = \"atmosphere\"");
+    }
+    const fs::path folder = read_faces(*table, "skybox", "the clear colour is used", context);
+    table->finish();
+    if (!folder.empty())
+        scene.sky = SkyDescription{.folder = folder, .origin = origin_of(table->place())};
 }
 
 void read_fog(TableReader& root, SceneDescription& scene) {
@@ -127,9 +189,20 @@ void read_post(TableReader& root, SceneDescription& scene) {
     post.origin = origin_of(table->place());
     constexpr Range kExposure{1e-3, 1e3, "a factor from 0.001 to 1000"};
     post.bloom = table->single("bloom", post.bloom, kFraction);
+    post.adapts = table->flag("adapts", post.adapts);
     post.exposure = table->single("exposure", post.exposure, kExposure);
     table->finish();
     scene.post = post;
+}
+
+/// `on = true`, false, or "dark".
+LampOn read_lamp_on(TableReader& light) {
+    const TomlNode* node = light.find("on");
+    if (node == nullptr) return LampOn::Always;
+    if (node->text() == nullptr) return light.flag("on", true) ? LampOn::Always : LampOn::Never;
+    constexpr std::array<std::string_view, 1> kWords{"dark"};
+    light.choice("on", 0, kWords);
+    return LampOn::Dark;
 }
 
 }  // namespace
@@ -145,6 +218,7 @@ std::optional<LightDescription> read_light(TableReader& entity) {
     light.intensity = table->single("intensity", light.intensity, kIntensity);
     light.radius_m = table->single("radius_m", light.radius_m, kReach_m);
     light.shadow = table->flag("shadow", false);
+    light.on = read_lamp_on(*table);
     light.direction = Vec3f(table->direction("direction", Vec3d(light.direction)));
     read_cone(*table, light.inner_deg, light.outer_deg);
     if (!light.is_spot) {
@@ -158,6 +232,7 @@ std::optional<LightDescription> read_light(TableReader& entity) {
 
 void read_lights_and_air(TableReader& root, SceneDescription& scene, LoadContext& context) {
     read_sun(root, scene);
+    read_time(root, scene);
     read_sky(root, scene, context);
     if (auto table = root.table("ambient")) {
         scene.ambient = table->color("color", scene.ambient);

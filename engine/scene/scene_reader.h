@@ -53,6 +53,7 @@ inline constexpr Range kPositive{1e-9, 1e9, "a number above 0, up to 1e9"};
 inline constexpr Range kFraction{0, 1, "a number from 0 to 1"};
 inline constexpr Range kSize_m{1e-3, 1e4, "a length from 0.001 to 10000 m"};
 inline constexpr Range kCoordinate_m{-1e5, 1e5, "metres from -100000 to 100000"};
+inline constexpr Range kHour{0, 24, "an hour from 0 to 24"};
 inline constexpr Range kColor{0, 1e4, "a colour part from 0 to 10000"};
 
 /// One table, or a table laid over others that it starts from (an entity over its prefab): a key

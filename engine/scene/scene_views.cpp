@@ -40,6 +40,8 @@ ViewDescription read_view(TableReader& table, std::string fallback_name) {
     view.wait_s = table.number("wait_s", view.wait_s, kWait_s);
     view.flashlight = table.flag("flashlight", view.flashlight);
     view.light_scale = table.single("light_scale", view.light_scale, kLight);
+    if (const auto hour = table.optional_number("hour", kHour))
+        view.hour = static_cast<double>(*hour);
     table.finish();
     return view;
 }

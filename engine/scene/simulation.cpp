@@ -3,6 +3,7 @@
 #include "engine/core/hash.h"
 #include "engine/core/limits.h"
 #include "engine/scene/entity_builder.h"
+#include "engine/scene/sun_path.h"
 
 #include <fmt/format.h>
 
@@ -88,12 +89,24 @@ void Simulation::step() {
     if (switches.sun_rotation_radps != 0.0F) {
         const float angle = switches.sun_rotation_radps * static_cast<float>(step_s_);
         const Vec3 up = description_.viewer ? description_.viewer->up : Vec3{0, 1, 0};
-        switches.sun_direction = glm::angleAxis(angle, Vec3f(up)) * switches.sun_direction;
+        // About the earth's axis the sky turns from east to west.
+        const Vec3f axis = description_.time ? -sky_pole(*description_.time) : Vec3f(up);
+        switches.sun_direction =
+            glm::normalize(glm::angleAxis(angle, axis) * switches.sun_direction);
     }
     sync_placements();
     report_quarantined();
     report_broken_joints();
     warn_of_mass_ratio();
+}
+
+void Simulation::set_hour(double hour) {
+    if (description_.time) switches.sun_direction = Vec3f(-to_sun_at(*description_.time, hour));
+}
+
+std::optional<double> Simulation::hour() const {
+    if (!description_.time) return {};
+    return hour_of_sun(*description_.time, -switches.sun_direction);
 }
 
 std::uint64_t Simulation::step_at(double time_s) const {

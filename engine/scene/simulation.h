@@ -49,8 +49,9 @@ struct LiveSwitches {
     float fog_density_scale{1.0F};  ///< of what the scene says
     std::size_t fog_color{0};       ///< in kFogColors
     Vec3f sun_direction{0.0F, -1.0F, 0.0F};
-    float sun_rotation_radps{0.0F};  ///< about +Y, applied by every step
-    float light_scale{1.0F};         ///< of sun and sky: below 1 is dusk
+    float sun_rotation_radps{
+        0.0F};                ///< about +Y; with [time] about the earth's axis; by every step
+    float light_scale{1.0F};  ///< of sun and sky: below 1 is dusk
 };
 
 /// A dynamic or kinematic body as the simulation keeps track of it.
@@ -125,6 +126,10 @@ public:
     void set_accuracy(const physics::WorldDef& def);
     /// Says that the state is that of another time: what moves along paths goes on from there.
     void set_time(double time_s);
+    /// With [time], the sun stands as at that hour, 0 to 24; else nothing happens.
+    void set_hour(double hour);
+    /// By where the sun stands; none without [time].
+    std::optional<double> hour() const;
     std::uint32_t removed_count() const { return removed_; }
     /// Dynamic and kinematic bodies in file order, then in the order in which play made them. Those
     /// destroyed since the latest step may still be listed: ask physics.contains().

@@ -21,6 +21,7 @@ layout(std140) uniform Frame {
     vec4 cascade_ends;
     vec4 cascades[PL_MAX_CASCADES];
     vec4 sky_light[PL_SKY_COEFFICIENTS];
+    vec4 aerial[3];
 } frame;
 
 layout(std140) uniform Material {

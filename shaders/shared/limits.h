@@ -8,3 +8,6 @@
 #define PL_MAX_CASCADES 4
 #define PL_SKY_COEFFICIENTS 9
 #define PL_GUST_WAVES 2
+#define PL_METER_X 32
+#define PL_METER_Y 18
+#define PL_AERIAL_FROM_M 20.0F

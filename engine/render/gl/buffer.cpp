@@ -13,6 +13,8 @@ GLenum target_of(BufferUse use) {
             return GL_ELEMENT_ARRAY_BUFFER;
         case BufferUse::Uniforms:
             return GL_UNIFORM_BUFFER;
+        case BufferUse::ReadBack:
+            return GL_PIXEL_PACK_BUFFER;
     }
     return GL_ARRAY_BUFFER;
 }

@@ -7,7 +7,7 @@
 
 namespace plumbline::render::gl {
 
-enum class BufferUse { Vertices, Indices, Uniforms };
+enum class BufferUse { Vertices, Indices, Uniforms, ReadBack };
 enum class BufferLife { Kept, PerFrame };
 
 class Buffer {

@@ -1,5 +1,7 @@
 #include "engine/render/passes/mesh_pass.h"
 
+#include "shaders/shared/limits.h"
+
 #include <glad/gl.h>
 
 #include <algorithm>
@@ -13,6 +15,10 @@ constexpr FeatureSet kLightFeatures =
 
 float distance_to(const Aabb& box, const Vec3f& point) {
     return glm::distance(point, glm::clamp(point, box.min, box.max));
+}
+
+float farthest_m(const Aabb& box, const Vec3f& point) {
+    return glm::length(glm::max(glm::abs(box.min - point), glm::abs(box.max - point)));
 }
 
 bool is_reached(const Aabb& box, const std::vector<LocalLight>& lights) {
@@ -60,6 +66,8 @@ void MeshPass::render(const DrawList& draws,
     for (const DrawRun& run : draws.runs) {
         FeatureSet features = view.features;
         if (!is_reached(run.bounds_world, view.lights)) features &= ~feature::kLocalLights;
+        if (farthest_m(run.bounds_world, view.eye_world) < PL_AERIAL_FROM_M)
+            features &= ~feature::kAerial;
         const FeatureSet without_beam = features & ~feature::kFlashlight;
         if (!run.in_beam) features = without_beam;
         if (run.in_beam && kind == DrawKind::Opaque && triangles(run) <= kFewTriangles) {

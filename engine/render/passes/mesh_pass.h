@@ -15,6 +15,7 @@ struct MeshView {
     const std::vector<LocalLight>& lights;
     const LightBeam* beam{nullptr};  ///< the flashlight's
     Mat4f clip_from_world{1.0F};
+    Vec3f eye_world{0.0F};
     PixelSize size_px;  ///< of what is drawn into
 };
 

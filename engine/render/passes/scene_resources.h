@@ -34,6 +34,9 @@ struct SceneResources {
 inline constexpr ShaderPair kMeshShader{"mesh.vert", "mesh.frag"};
 inline constexpr ShaderPair kDepthShader{"depth.vert", "depth.frag"};
 inline constexpr ShaderPair kSkyShader{"fullscreen.vert", "sky.frag"};
+inline constexpr ShaderPair kSkyDomeShader{"sky_dome.vert", "sky_dome.frag"};
+inline constexpr ShaderPair kSkyPointShader{"sky_point.vert", "sky_point.frag"};
+inline constexpr ShaderPair kExposureShader{"fullscreen.vert", "exposure.frag"};
 inline constexpr ShaderPair kToneMapShader{"fullscreen.vert", "tone_map.frag"};
 inline constexpr ShaderPair kBloomDownShader{"fullscreen.vert", "bloom_down.frag"};
 inline constexpr ShaderPair kBloomUpShader{"fullscreen.vert", "bloom_up.frag"};
@@ -45,6 +48,9 @@ inline constexpr ShaderPair kDropShader{"drop.vert", "drop.frag"};
 inline constexpr std::array kShaderPairs{kMeshShader,
                                          kDepthShader,
                                          kSkyShader,
+                                         kSkyDomeShader,
+                                         kSkyPointShader,
+                                         kExposureShader,
                                          kToneMapShader,
                                          kBloomDownShader,
                                          kBloomUpShader,

@@ -17,22 +17,59 @@ void FullscreenTriangle::draw() const {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+namespace {
+
+void render_picture(const FullscreenTriangle& triangle,
+                    FeatureSet features,
+                    SceneResources& resources,
+                    FrameStats& stats) {
+    const gl::Program* program = resources.shaders.find(kSkyShader, features);
+    if (program == nullptr) return;
+    program->use();
+    gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, resources.sky.background());
+    triangle.draw();
+    ++stats.draw_calls;
+}
+
+void render_computed(FeatureSet features, SceneResources& resources, FrameStats& stats) {
+    const gl::Program* dome = resources.shaders.find(kSkyDomeShader, features);
+    const gl::Program* points = resources.shaders.find(kSkyPointShader, features & feature::kFog);
+    if (dome == nullptr || points == nullptr) return;
+    const GpuSkyDome& gpu = resources.sky.dome();
+    dome->use();
+    if ((features & feature::kClouds) != 0) {
+        const ComputedSky& sky = *resources.sky.computed();
+        const Vec3f& key = sky.to_cloud_light();
+        gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, resources.sky.background());
+        glUniform3f(dome->location("cloud_key"), key.x, key.z, sky.model().clouds);
+    }
+    gpu.draw_dome();
+    points->use();
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    gpu.draw_points();
+    glDisable(GL_BLEND);
+    stats.draw_calls += 2;
+}
+
+}  // namespace
+
 void render_sky(const FullscreenTriangle& triangle,
                 FeatureSet frame_features,
                 SceneResources& resources,
                 FrameStats& stats) {
     FeatureSet features = frame_features & feature::kFog;
-    if (resources.sky.is_srgb()) features |= feature::kSkyCodes;
-    const gl::Program* program = resources.shaders.find(kSkyShader, features);
-    if (program == nullptr) return;
-    program->use();
-    gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, resources.sky.background());
     glDisable(GL_CULL_FACE);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
-    triangle.draw();
+    if (resources.sky.computed() != nullptr) {
+        if (resources.sky.background()) features |= feature::kClouds;
+        render_computed(features, resources, stats);
+    } else {
+        if (resources.sky.is_srgb()) features |= feature::kSkyCodes;
+        render_picture(triangle, features, resources, stats);
+    }
     glDepthMask(GL_TRUE);
-    ++stats.draw_calls;
 }
 
 }  // namespace plumbline::render

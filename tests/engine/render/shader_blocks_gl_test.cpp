@@ -77,6 +77,7 @@ TEST_F(ShaderBlocksGl, FrameLiesAsInCpp) {
         {"Frame.cascade_ends", offsetof(FrameBlock, cascade_ends)},
         {"Frame.cascades[0]", offsetof(FrameBlock, cascades)},
         {"Frame.sky_light[0]", offsetof(FrameBlock, sky_light)},
+        {"Frame.aerial[0]", offsetof(FrameBlock, aerial)},
     };
     EXPECT_EQ(offsets, expected);
 }
@@ -136,7 +137,7 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
                                          kSun | kSunShadow | kFlashlight | kSoftShadows,
                                          kSun | kSunShadow | kFlashlight | kHardShadows,
                                          kSun | kSunShadow | kCascades | kLocalLights};
-    const std::vector<FeatureSet> air{0, kFog, kSkyLight, kFog | kSkyLight};
+    const std::vector<FeatureSet> air{0, kFog, kSkyLight, kFog | kSkyLight, kSkyLight | kAerial};
     for (const FeatureSet material : material_variants()) {
         for (const FeatureSet light : lights) {
             for (const FeatureSet a : air) {
@@ -156,6 +157,10 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
     for (const FeatureSet f : {FeatureSet{0}, kFog, kFog | kSkyCodes}) {
         program_of({"fullscreen.vert", "sky.frag"}, f);
     }
+    for (const FeatureSet f : {FeatureSet{0}, kFog, kClouds, kFog | kClouds}) {
+        program_of({"sky_dome.vert", "sky_dome.frag"}, f);
+        program_of({"sky_point.vert", "sky_point.frag"}, f & kFog);
+    }
     for (const FeatureSet f : {FeatureSet{0}, kKeepDepth}) {
         program_of({"fullscreen.vert", "tone_map.frag"}, f);
         program_of({"fullscreen.vert", "tone_map.frag"}, f | kBloom | kToneMap | kFxaa);
@@ -163,6 +168,7 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
         program_of({"fullscreen.vert", "smooth_edges.frag"}, f | kFxaa | kSharpen);
         program_of({"fullscreen.vert", "scale_up.frag"}, f);
     }
+    program_of({"fullscreen.vert", "exposure.frag"}, 0);
     program_of({"fullscreen.vert", "bloom_down.frag"}, 0);
     program_of({"fullscreen.vert", "bloom_up.frag"}, 0);
     program_of({"depth.vert", "depth.frag"}, 0);

@@ -88,6 +88,43 @@ body = { kind = "static" }
     EXPECT_FLOAT_EQ(scene.views[0].light_scale, 0.25F);
 }
 
+TEST_F(SceneFileTest, TimeMovesTheSunAndAModelMakesTheSky) {
+    for (const char* face : {"px", "nx", "py", "ny", "pz", "nz"})
+        write(fmt::format("assets/skies/heaps/{}.png", face), "x");
+    const Outcome outcome = load(R"([sun]
+direction = [0, -1, 0]
+[time]
+hour = 18
+latitude_deg = -45
+day_of_year = 81
+north_deg = 90
+[sky]
+model = "atmosphere"
+haze = 2
+cloud_map = "skies/heaps"
+clouds = 0.5
+[[view]]
+position_m = [0, 0, 1]
+target_m = [0, 0, 0]
+hour = 21.5
+)");
+    ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
+    EXPECT_TRUE(outcome.faults.empty());
+    const SceneDescription& scene = *outcome.scene;
+    ASSERT_TRUE(scene.time);
+    EXPECT_EQ(scene.time->hour, 18);
+    EXPECT_NEAR(scene.time->latitude_rad, -glm::pi<double>() / 4, 1e-6);
+    EXPECT_EQ(scene.time->day_of_year, 81);
+    // North is -X, so west, where the sun sets that day, is +Z: light travels the other way.
+    expect_near(scene.sun->direction, {0, 0, -1});
+    ASSERT_TRUE(scene.sky && scene.sky->model);
+    EXPECT_EQ(scene.sky->model->haze, 2.0F);
+    EXPECT_EQ(scene.sky->model->clouds, 0.5F);
+    EXPECT_EQ(scene.sky->folder.filename(), "heaps");
+    ASSERT_TRUE(scene.views[0].hour);
+    EXPECT_EQ(*scene.views[0].hour, 21.5);
+}
+
 TEST_F(SceneFileTest, LightAndAir) {
     for (const char* face : {"px", "nx", "py", "ny", "pz", "nz"})
         write(fmt::format("assets/skies/day/{}.png", face), "x");

@@ -1,0 +1,31 @@
+// Sun, moon and stars as points. Passes: sky.
+#include "include/blocks.glsl"
+#include "include/fog.glsl"
+
+layout(location = 0) in vec3 direction_world;
+layout(location = 1) in vec3 radiance;
+layout(location = 2) in vec3 toward_light;
+layout(location = 3) in float breadth_rad;
+
+flat out vec3 point_radiance;
+flat out vec3 point_to_light;  // right, up, towards the eye; 0: it shines itself
+flat out float point_edge;     // half its breadth, px
+
+void main() {
+    point_radiance = radiance;
+#ifdef PL_FOG
+    point_radiance *= sky_transmittance(direction_world);
+#endif
+    vec3 right = frame.world_from_ray[0].xyz;
+    vec3 up = frame.world_from_ray[1].xyz;
+    point_to_light = vec3(dot(toward_light, normalize(right)), dot(toward_light, normalize(up)),
+                          -dot(toward_light, direction_world));
+    float height_px = float(PL_CLUSTERS_Y) / frame.clusters.y;
+    float breadth_px = breadth_rad * 0.5 * height_px / length(up);
+    // What is smaller than a pixel's diagonal is as much fainter.
+    float shown_px = max(breadth_px, 1.5);
+    point_radiance *= breadth_px * breadth_px / (shown_px * shown_px);
+    point_edge = 0.5 * shown_px;
+    gl_PointSize = shown_px + 1.0;
+    gl_Position = (frame.clip_from_world * vec4(direction_world, 0.0)).xyww;
+}
