@@ -33,6 +33,13 @@ void PlaygroundGame::light(scene::Simulation& simulation, const Actions& actions
     switches.sun_rotation_radps +=
         kSunNotch_radps * static_cast<float>(actions.presses(Action::SunFaster));
     if (actions.presses(Action::SunStop) > 0) switches.sun_rotation_radps = 0.0F;
+    if (const auto hour = simulation.hour(); hour && wants_sun) {
+        const auto minutes = static_cast<int>(*hour * 60);
+        say(fmt::format("{}:{:02}, {:.0f} minutes a second",
+                        minutes / 60,
+                        minutes % 60,
+                        degrees_from_radians(switches.sun_rotation_radps) * 4.0F));
+    }
     const int brighter =
         actions.presses(Action::LightBrighter) - actions.presses(Action::LightDimmer);
     if (brighter != 0) {

@@ -49,12 +49,17 @@ float dome_turn(std::uint32_t column) {
 
 std::vector<std::uint32_t> dome_indices() {
     std::vector<std::uint32_t> indices;
-    constexpr std::uint32_t kStride = kDomeColumns + 1;
     for (std::uint32_t row = 0; row + 1 < kRowsBelow + kDomeRows; ++row) {
         for (std::uint32_t column = 0; column < kDomeColumns; ++column) {
-            const std::uint32_t at = row * kStride + column;
-            for (const std::uint32_t corner :
-                 {at, at + 1, at + kStride, at + 1, at + kStride + 1, at + kStride}) {
+            const std::uint32_t left = row * kDomeColumns + column;
+            // The last column meets the first: no seam.
+            const std::uint32_t right = row * kDomeColumns + (column + 1) % kDomeColumns;
+            for (const std::uint32_t corner : {left,
+                                               right,
+                                               left + kDomeColumns,
+                                               right,
+                                               right + kDomeColumns,
+                                               left + kDomeColumns}) {
                 indices.push_back(corner);
             }
         }
@@ -69,7 +74,7 @@ std::vector<DomeVertex> dome_vertices(const ComputedSky& sky) {
     for (std::uint32_t row = 0; row < kRowsBelow + kDomeRows; ++row) {
         const float sine = dome_sine(row);
         const float cosine = std::sqrt(std::max(1.0F - sine * sine, 0.0F));
-        for (std::uint32_t column = 0; column <= kDomeColumns; ++column) {
+        for (std::uint32_t column = 0; column < kDomeColumns; ++column) {
             const float turn = sun_turn + dome_turn(column);
             const Vec3f direction{cosine * std::cos(turn), sine, cosine * std::sin(turn)};
             const ComputedSky::CloudLight cloud = sky.cloud_light(direction);
