@@ -60,9 +60,9 @@ TEST_F(ComputedSkyGl, LightsTheGroundAsItsIrradianceSays) {
         const Vec3f expected = sky_.irradiance() * glm::one_over_pi<float>();
         const Pixel ground = center(frame);
         const Vec3f code = srgb_from_linear(expected) * 255.0F;
-        EXPECT_NEAR(ground.r / code.x, 1.0F, 0.05F) << sun_deg;
-        EXPECT_NEAR(ground.g / code.y, 1.0F, 0.05F) << sun_deg;
-        EXPECT_NEAR(ground.b / code.z, 1.0F, 0.05F) << sun_deg;
+        EXPECT_NEAR(static_cast<float>(ground.r) / code.x, 1.0F, 0.05F) << sun_deg;
+        EXPECT_NEAR(static_cast<float>(ground.g) / code.y, 1.0F, 0.05F) << sun_deg;
+        EXPECT_NEAR(static_cast<float>(ground.b) / code.z, 1.0F, 0.05F) << sun_deg;
     }
 }
 
