@@ -63,8 +63,8 @@ float ExposureMeter::measure(const gl::Texture& scene,
     const gl::Program* program = resources.shaders.find(kExposureShader, 0);
     if (program == nullptr) return exposure_.value_or(1.0F);
     make();
-    const std::optional<float> before =
-        reading == Reading::Later && copied_ ? std::optional{read_copy()} : std::nullopt;
+    const bool has_before = reading == Reading::Later && copied_;
+    const float before = has_before ? read_copy() : 0.0F;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glViewport(0, 0, PL_METER_X, PL_METER_Y);
     glDisable(GL_DEPTH_TEST);
@@ -79,8 +79,8 @@ float ExposureMeter::measure(const gl::Texture& scene,
     seen_ = now;
     if (reading == Reading::Now || !exposure_) {
         exposure_ = exposure_for(read_cells());
-    } else if (before) {
-        const float wanted = exposure_for(*before);
+    } else if (has_before) {
+        const float wanted = exposure_for(before);
         exposure_ = since_s > kLongPause_s ? wanted : adapted(*exposure_, wanted, since_s);
     }
     if (reading == Reading::Later) {
