@@ -38,16 +38,23 @@ target_m = [-0.4, 1.35, 0]
 fov_deg = 55
 
 [sun]
-direction = [-0.545, -0.53, -0.65]      # as in the sky's picture
-color = [1.0, 0.93, 0.82]
-intensity = 3.4
+color = [1, 1, 1]
+intensity = 4.6
 shadow = { cascades = 2, size_px = 2048, distance_m = 150 }
 
-[sky]
-skybox = "skies/garden"
+# South of the equator, the house looking north-west: the afternoon's sun and the evening's shine on
+# its front.
+[time]
+hour = 16
+latitude_deg = -38
+day_of_year = 45
+north_deg = 138
 
-[ambient]
-color = [0.26, 0.3, 0.36]
+[sky]
+model = "atmosphere"
+haze = 1.5
+visibility_m = 2200
+cloud_map = "skies/clouds"
 
 [flashlight]
 
@@ -62,7 +69,8 @@ height_m = 0.12
 density_perm2 = 24
 
 [post]
-exposure = 1.2""")
+exposure = 1.5
+adapts = true""")
 
 heading("where the tour takes its pictures")
 for name, position, target, extra in [
@@ -76,6 +84,10 @@ for name, position, target, extra in [
     ("crates", (8.6, 1.6, 6.4), (6.1, 0.7, 2.3), ""),
     ("from_above", (13.5, 9.5, 15.0), (-1.0, 0.2, -1.5), ""),
     ("horizon", (12.5, 1.7, 12.0), (-40, 4.0, -30), ""),
+    ("noon", (7.5, 2.2, 9.5), (-1.5, 1.2, 0), "hour = 12.5\n"),
+    ("golden_hour", (6.2, 2.3, 11.5), (-0.4, 1.35, 0), "hour = 18.1\n"),
+    ("dusk", (-5.5, 1.7, 1.0), (4.0, 1.9, 4.8), "hour = 18.9\n"),
+    ("night_with_flashlight", (5.2, 1.7, 10.2), (-0.2, 1.5, 0), "hour = 21.5\nflashlight = true\n"),
     ("shed_with_flashlight", (-10.9, 1.6, -5.3), (-11.7, 0.85, -9.2), "flashlight = true\nlight_scale = 0.06\n"),
 ]:
     put(f'\n[[view]]\nname = "{name}"\nposition_m = {vec(*position)}\ntarget_m = {vec(*target)}\n{extra}'.rstrip())
@@ -202,13 +214,24 @@ heading("lamps")
 GLOW = "color = [1, 0.72, 0.42]"
 entity("pendant_lamp", in_house(-1.15, plan.CEILING - 0.6, -1.3), model='"models/lamp_pendant.glb"', casts_shadow="false",
        label='"hanging lamp"',
-       light=f'{{ kind = "point", {GLOW}, intensity = 3.2, radius_m = 4.5 }}',
+       light=f'{{ kind = "point", {GLOW}, intensity = 3.2, radius_m = 4.5, on = "dark" }}',
        body=["shape = { compound = [{ cylinder = [0.2, 0.2], position_m = [0, 0.04, 0] }] }", "mass_kg = 1.5", "angular_damping_per_s = 0.8"])
 put(f'\n[[joint]]\nname = "pendant_cord"\nkind = "ball"\na = "pendant_lamp"\nb = "house"\nanchor_m = {vec(*in_house(-1.15, plan.CEILING, -1.3))}')
 entity("bedside_lamp", in_house(2.08, plan.FLOOR + stool_top, -2.3), model='"models/lamp_table.glb"', casts_shadow="false",
        label='"bedside lamp"',
-       light=f'{{ kind = "point", {GLOW}, intensity = 1.6, radius_m = 3.2 }}',
+       light=f'{{ kind = "point", {GLOW}, intensity = 1.6, radius_m = 3.2, on = "dark" }}',
        body=[compound([box((0, 0.015, 0), (0.13, 0.03, 0.13)), prism(0.03, 0.03, 0.2), prism(0.1, 0.2, 0.36)]), "mass_kg = 1.2"])
+
+heading("lamps of the garden: they come on when the sun is low")
+prefab("garden_lamp", ["primitive = { sphere = 0.1 }", 'material = "lamp_bulb"', "casts_shadow = false",
+                       f'light = {{ kind = "point", {GLOW}, intensity = 3, radius_m = 6.5, on = "dark" }}'], "garden lamp")
+prefab("garden_lamp_post", ["primitive = { cylinder = [0.035, 2.1] }", 'material = "iron"', "[prefab.body]", 'kind = "static"'], "lamp post")
+for i, (x, z) in enumerate([(1.35, 15.6), (-3.0, 6.6), (3.9, 1.2), (-6.4, -1.4)]):
+    entity(f"garden_lamp_post_{i + 1}", (x, 1.05, z), prefab='"garden_lamp_post"')
+    entity(f"garden_lamp_{i + 1}", (x, 2.18, z), prefab='"garden_lamp"')
+x, y, z = in_house(0.72, plan.FLOOR + 2.02, HZ + 0.2)
+entity("door_lamp_arm", (x, y + 0.1, z - 0.06), primitive="{ box = [0.03, 0.03, 0.28] }", material='"iron"', casts_shadow="false")
+entity("door_lamp", (x, y, z), prefab='"garden_lamp"', scale="[0.8, 0.8, 0.8]", light="{ intensity = 0.9 }")
 
 heading("fountain")
 parts = ["{ cylinder = [1.5, 0.18], position_m = [0, 0.09, 0] }"]

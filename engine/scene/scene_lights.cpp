@@ -133,7 +133,7 @@ SkyDescription read_sky_model(TableReader& table,
     model.clouds = table.single("clouds", model.clouds, kFraction);
     const fs::path clouds = read_faces(table, "cloud_map", "there are no clouds", context);
     if (!scene.sun)
-        table.warning("model", "there is no [sun]; the sky is that of a night without moon");
+        table.warning("model", "there is no [sun]; the sky is that of a night");
     return {.folder = clouds, .model = model, .origin = origin_of(table.place())};
 }
 

@@ -36,6 +36,14 @@ std::uint64_t triangles(const DrawRun& run) {
     return std::uint64_t{run.index_count} / 3 * run.instance_count;
 }
 
+/// The far air's light hangs on vertices: a large thing of few, as the ground is, has none where it is
+/// near, and goes without.
+bool is_in_far_air(const DrawRun& run, const Vec3f& eye_world) {
+    if (farthest_m(run.bounds_world, eye_world) < PL_AERIAL_FROM_M) return false;
+    return triangles(run) > kFewTriangles ||
+           distance_to(run.bounds_world, eye_world) > PL_AERIAL_FROM_M;
+}
+
 void scissor(const ClipRect& part, const PixelSize& size_px) {
     const Vec2f size{size_px.width, size_px.height};
     const Vec2f first = glm::floor((part.min * 0.5F + 0.5F) * size) - 1.0F;
@@ -66,8 +74,7 @@ void MeshPass::render(const DrawList& draws,
     for (const DrawRun& run : draws.runs) {
         FeatureSet features = view.features;
         if (!is_reached(run.bounds_world, view.lights)) features &= ~feature::kLocalLights;
-        if (farthest_m(run.bounds_world, view.eye_world) < PL_AERIAL_FROM_M)
-            features &= ~feature::kAerial;
+        if (!is_in_far_air(run, view.eye_world)) features &= ~feature::kAerial;
         const FeatureSet without_beam = features & ~feature::kFlashlight;
         if (!run.in_beam) features = without_beam;
         if (run.in_beam && kind == DrawKind::Opaque && triangles(run) <= kFewTriangles) {

@@ -111,7 +111,9 @@ TEST(ComputedSky, ChangesWithoutAStepAsTheSunSinks) {
         sky.want({.to_sun_world = towards(height_deg, 10.0F)}, kWhite);
         const float now = luminance(sky.irradiance());
         EXPECT_GT(now, 0.0F);
-        if (before > 0.0F) EXPECT_NEAR(now / before, 1.0F, 0.1F) << height_deg;
+        if (before > 0.0F) {
+            EXPECT_NEAR(now / before, 1.0F, 0.1F) << height_deg;
+        }
         before = now;
     }
 }
