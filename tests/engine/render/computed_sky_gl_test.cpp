@@ -91,10 +91,10 @@ TEST_F(ComputedSkyGl, DistanceGoesOverIntoTheHorizon) {
     frame.sky->model->visibility_m = 200.0F;
     const auto seen_at = [&](float distance_m) {
         RenderFrame each = frame;
-        add_box(each, Vec3f{distance_m}, {0.0F, 0.0F, -1.5F * distance_m}, unlit(Vec3f{0.0F}));
+        add_box(each, Vec3f{4.0F}, {0.0F, 0.0F, -distance_m - 2.0F}, unlit(Vec3f{0.0F}));
         each.camera = camera_at(Vec3f{0.0F}, {0.0F, 0.0F, -1.0F});
         each.camera.far_m = 5000.0F;
-        each.camera.fov_y_rad = 0.02F;
+        each.camera.fov_y_rad = 0.001F;
         return center(each);
     };
     EXPECT_EQ(seen_at(15.0F).g, 0);
