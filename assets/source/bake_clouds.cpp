@@ -23,12 +23,19 @@ namespace {
 struct Vec {
     float x, y, z;
 };
-Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vec operator*(Vec a, float s) { return {a.x * s, a.y * s, a.z * s}; }
-Vec unit(Vec a) { return a * (1 / std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z)); }
+Vec operator+(Vec a, Vec b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Vec operator*(Vec a, float s) {
+    return {a.x * s, a.y * s, a.z * s};
+}
+Vec unit(Vec a) {
+    return a * (1 / std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z));
+}
 
 float corner(int x, int y, int z, std::uint32_t seed) {
-    std::uint32_t h = static_cast<std::uint32_t>(x) * 0x8da6b343U ^ static_cast<std::uint32_t>(y) * 0xd8163841U ^
+    std::uint32_t h = static_cast<std::uint32_t>(x) * 0x8da6b343U ^
+                      static_cast<std::uint32_t>(y) * 0xd8163841U ^
                       static_cast<std::uint32_t>(z) * 0xcb1ab31fU ^ seed * 0x9e3779b9U;
     h = (h ^ (h >> 15U)) * 0x2c1b3c6dU;
     h = (h ^ (h >> 12U)) * 0x297a2d39U;
@@ -64,7 +71,8 @@ float density(Vec p, int octaves) {
     if (height <= 0 || height >= 1) return 0;
     const Vec flat{p.x, 0, p.z};
     const float fields = 0.55F * noise(flat * 0.23F, 90) + 0.45F * noise(flat * 0.55F, 93);
-    const float grown = std::clamp((fields - 0.47F) * 4.5F, 0.0F, 1.0F);  // how high the heap here grows
+    const float grown =
+        std::clamp((fields - 0.47F) * 4.5F, 0.0F, 1.0F);  // how high the heap here grows
     if (grown <= 0) return 0;
     const float low = std::min(height * 9, 1.0F);
     const float high = 1 - height / (0.25F + 0.75F * grown);
@@ -76,12 +84,15 @@ float density(Vec p, int octaves) {
 /// Of a light from there: how much arrives, softened by what is scattered onwards.
 float arriving(Vec p, Vec to_light) {
     float depth = 0, at = 0.05F, step = 0.09F;
-    for (int i = 0; i < 5; ++i, at += step, step *= 1.6F) depth += density(p + to_light * at, 3) * step;
+    for (int i = 0; i < 5; ++i, at += step, step *= 1.6F)
+        depth += density(p + to_light * at, 3) * step;
     depth *= kLost_perkm;
-    return 0.55F * std::exp(-depth) + 0.30F * std::exp(-0.28F * depth) + 0.15F * std::exp(-0.07F * depth);
+    return 0.55F * std::exp(-depth) + 0.30F * std::exp(-0.28F * depth) +
+           0.15F * std::exp(-0.07F * depth);
 }
 
-const std::array<Vec, 5> kLights{Vec{0, 1, 0}, unit({1, 0.5F, 0}), unit({-1, 0.5F, 0}), unit({0, 0.5F, 1}), unit({0, 0.5F, -1})};
+const std::array<Vec, 5> kLights{
+    Vec{0, 1, 0}, unit({1, 0.5F, 0}), unit({-1, 0.5F, 0}), unit({0, 0.5F, 1}), unit({0, 0.5F, -1})};
 
 std::array<std::uint8_t, 4> baked(Vec direction, float jitter) {
     if (direction.y < 0.012F) return {0, 128, 128, 0};
@@ -104,7 +115,8 @@ std::array<std::uint8_t, 4> baked(Vec direction, float jitter) {
         const float share = 1 - std::exp(-here * kLost_perkm * std::min(step, 0.08F));
         // Dark where little can have been scattered towards the eye: edges of powder.
         const float powder = 1 - 0.35F * std::exp(-9 * here);
-        for (std::size_t k = 0; k < light.size(); ++k) light[k] += through * share * powder * arriving(p, kLights[k]);
+        for (std::size_t k = 0; k < light.size(); ++k)
+            light[k] += through * share * powder * arriving(p, kLights[k]);
         through *= 1 - share;
     }
     const float cover = 1 - through;
@@ -113,19 +125,30 @@ std::array<std::uint8_t, 4> baked(Vec direction, float jitter) {
     const float mean = 0.2F * (light[0] + light[1] + light[2] + light[3] + light[4]);
     const float far = std::exp(-from / 30) * std::clamp((direction.y - 0.012F) / 0.05F, 0.0F, 1.0F);
     const float flat = 2 * kLights[1].x;
-    const auto code = [](float v) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0F, 1.0F))); };
-    return {code(mean), code(0.5F + (light[1] - light[2]) / flat), code(0.5F + (light[3] - light[4]) / flat), code(cover * far)};
+    const auto code = [](float v) {
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0F, 1.0F)));
+    };
+    return {code(mean),
+            code(0.5F + (light[1] - light[2]) / flat),
+            code(0.5F + (light[3] - light[4]) / flat),
+            code(cover * far)};
 }
 
 /// OpenGL's table of cube faces.
 Vec cube_direction(int face, float s, float t) {
     switch (face) {
-        case 0: return unit({1, -t, -s});
-        case 1: return unit({-1, -t, s});
-        case 2: return unit({s, 1, t});
-        case 3: return unit({s, -1, -t});
-        case 4: return unit({s, -t, 1});
-        default: return unit({-s, -t, -1});
+        case 0:
+            return unit({1, -t, -s});
+        case 1:
+            return unit({-1, -t, s});
+        case 2:
+            return unit({s, 1, t});
+        case 3:
+            return unit({s, -1, -t});
+        case 4:
+            return unit({s, -t, 1});
+        default:
+            return unit({-s, -t, -1});
     }
 }
 
@@ -140,9 +163,12 @@ int main(int count, char** words) {
         const auto rows = [&](int first) {
             for (int y = first; y < side; y += 2) {
                 for (int x = 0; x < side; ++x) {
-                    const Vec d = cube_direction(face, 2 * (x + 0.5F) / side - 1, 2 * (y + 0.5F) / side - 1);
+                    const Vec d =
+                        cube_direction(face, 2 * (x + 0.5F) / side - 1, 2 * (y + 0.5F) / side - 1);
                     const auto texel = baked(d, corner(x, y, face, 5));
-                    std::copy(texel.begin(), texel.end(), pixels.begin() + (static_cast<std::ptrdiff_t>(y) * side + x) * 4);
+                    std::copy(texel.begin(),
+                              texel.end(),
+                              pixels.begin() + (static_cast<std::ptrdiff_t>(y) * side + x) * 4);
                 }
             }
         };
@@ -154,7 +180,8 @@ int main(int count, char** words) {
         image.width = image.height = static_cast<png_uint_32>(side);
         image.format = PNG_FORMAT_RGBA;
         const std::string file = std::string(words[1]) + "/" + names[face] + ".png";
-        if (png_image_write_to_file(&image, file.c_str(), 0, pixels.data(), 0, nullptr) == 0) return 1;
+        if (png_image_write_to_file(&image, file.c_str(), 0, pixels.data(), 0, nullptr) == 0)
+            return 1;
     }
     return 0;
 }

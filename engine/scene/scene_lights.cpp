@@ -132,8 +132,7 @@ SkyDescription read_sky_model(TableReader& table,
     model.visibility_m = table.single("visibility_m", model.visibility_m, kVisibility_m);
     model.clouds = table.single("clouds", model.clouds, kFraction);
     const fs::path clouds = read_faces(table, "cloud_map", "there are no clouds", context);
-    if (!scene.sun)
-        table.warning("model", "there is no [sun]; the sky is that of a night");
+    if (!scene.sun) table.warning("model", "there is no [sun]; the sky is that of a night");
     return {.folder = clouds, .model = model, .origin = origin_of(table.place())};
 }
 
