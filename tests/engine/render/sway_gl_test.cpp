@@ -56,6 +56,15 @@ TEST_F(SwayGl, ATipIsCarriedAsTheSquareOfTheWindAndTheFootStays) {
     EXPECT_NEAR(middle_of_row(blown, 89), 0.0F, 1.0F);
 }
 
+TEST_F(SwayGl, AGaleBendsNoFurtherThanAStrongWind) {
+    RenderFrame frame = strip({.sway = 128});
+    frame.wind = Wind{.mean_mps = {15.0F, 0.0F}};
+    const assets::ImageData strong = draw(frame);
+    EXPECT_GT(middle_of_row(strong, 50), 10.0F);
+    frame.wind = Wind{.mean_mps = {1000.0F, 0.0F}};
+    EXPECT_EQ(draw(frame).bytes, strong.bytes);
+}
+
 TEST_F(SwayGl, WhatHasNoWeightsStandsAndAsksForNoOtherShader) {
     RenderFrame frame = strip({});
     const assets::ImageData still = draw(frame);
