@@ -34,15 +34,20 @@ pitch_deg = 4
 position_m = [0.9, 1.75, 9.4]
 target_m = [0.5, 2.9, -3]
 fov_deg = 60
-clear_color = [0.006, 0.009, 0.024]
 
-[sun]                                   # the moon
-direction = [0.45, -0.8, -0.35]
-color = [0.5, 0.62, 1]
-intensity = 0.22
+[time]
+hour = 20.1                             # the last light behind the hills
+latitude_deg = 52
+day_of_year = 235
 
-[ambient]
-color = [0.022, 0.026, 0.05]
+[sun]
+color = [1.0, 0.96, 0.9]
+intensity = 20                          # of a long exposure: the sky is blue, and stars are out
+
+[sky]
+model = "atmosphere"
+cloud_map = "skies/clouds"
+clouds = 0.35
 
 [flashlight]
 
