@@ -2,13 +2,13 @@
 
 #include "engine/core/log.h"
 #include "engine/core/stopwatch.h"
+#include "engine/study/any_scene/auto_fallback.h"
 #include "engine/study/machine.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
 
 namespace plumbline::study {
 namespace {
@@ -16,15 +16,6 @@ namespace {
 constexpr double kCalibration_s = 9.0;
 /// A study of less of the scene may not have seen the first thing land.
 constexpr double kSecondsLeast = 1.0;
-
-scene::Accuracy balanced(const scene::SceneDescription& description, const std::string& why) {
-    log_warning("{}: preset \"auto\" falls back to \"balanced\": {}",
-                description.file.filename().string(),
-                why);
-    scene::Accuracy accuracy = description.accuracy;
-    accuracy.preset = "balanced";
-    return accuracy;
-}
 
 Wish wish_of(const scene::Accuracy& accuracy) {
     return {.tolerance = accuracy.tolerance, .budget_ms = accuracy.budget_ms};
@@ -97,11 +88,9 @@ std::optional<AutoChoice> auto_choice(const SceneStudy& study, const scene::Accu
     return chosen;
 }
 
-namespace {
-
-/// What a study of it recommends; where none can be had, "balanced".
-scene::Accuracy from_study(const scene::OpenedScene& scene) {
+scene::Accuracy resolve_auto(const scene::OpenedScene& scene) {
     const scene::SceneDescription& description = scene.description;
+    if (!leaves_a_choice(description.accuracy)) return description.accuracy;
     const Result<SceneStudy> study = study_of(scene);
     if (!study) return balanced(description, study.error().message);
     if (study->seconds < kSecondsLeast)
@@ -122,22 +111,6 @@ scene::Accuracy from_study(const scene::OpenedScene& scene) {
                     point_text(choice->point));
     }
     return choice->accuracy;
-}
-
-}  // namespace
-
-scene::Accuracy resolve_auto(const scene::OpenedScene& scene) {
-    const scene::SceneDescription& description = scene.description;
-    const scene::Accuracy& asked = description.accuracy;
-    if (asked.preset != "auto") return asked;
-    if (asked.solver_given && asked.step_hz_given && asked.substeps && asked.iterations)
-        return asked;
-    // The float64 program studies nothing, and has no code for it.
-    if constexpr (std::is_same_v<Real, double>) {
-        return balanced(description, "studies are the float32 program's");
-    } else {
-        return from_study(scene);
-    }
 }
 
 }  // namespace plumbline::study
