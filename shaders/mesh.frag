@@ -240,7 +240,9 @@ vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
     reflection = mix(frame.ambient.rgb * kShores, reflection, over_shores(upwards));
     return diffuse * matt_color(s) + reflection * water_mirrors;
 #else
-    return (diffuse * matt_color(s) + reflection * ambient_fresnel(s)) * occlusion;
+    // What is mirrored does not get in: no surface sends out more than falls on it.
+    Reflectance mirrored = ambient_fresnel(s);
+    return (diffuse * matt_color(s) * (1.0 - mirrored) + reflection * mirrored) * occlusion;
 #endif
 #endif
 }

@@ -86,7 +86,7 @@ for name, position, target, extra in [
     ("horizon", (12.5, 1.7, 12.0), (-40, 4.0, -30), ""),
     ("noon", (7.5, 2.2, 9.5), (-1.5, 1.2, 0), "hour = 12.5\n"),
     ("golden_hour", (6.2, 2.3, 11.5), (-0.4, 1.35, 0), "hour = 18.1\n"),
-    ("dusk", (-5.5, 1.7, 1.0), (4.0, 1.9, 4.8), "hour = 18.9\n"),
+    ("dusk", (-5.5, 1.7, 1.0), (4.0, 1.9, 4.8), "hour = 18.8\n"),
     ("night_with_flashlight", (5.2, 1.7, 10.2), (-0.2, 1.5, 0), "hour = 21.5\nflashlight = true\n"),
     ("shed_with_flashlight", (-10.9, 1.6, -5.3), (-11.7, 0.85, -9.2), "flashlight = true\nlight_scale = 0.06\n"),
 ]:
