@@ -93,6 +93,55 @@ TEST(Extract, DuskDimsSunAndSkyButNoLamp) {
     EXPECT_FALSE(frame.sun_shadow || frame.fog || frame.sky || frame.flashlight || frame.post);
 }
 
+TEST(Extract, LampsThatWaitForTheDarkGlowWhenTheSunIsLowAndByTheirSwitch) {
+    SceneDescription scene = scene_of({});
+    scene.sun = SunDescription{.direction = {0, -1, 0}};
+    scene.materials["bulb"] = {.name = "bulb", .emissive = {9, 6, 3}};
+    EntityDescription lamp = cube("lamp", {0, 2, 0});
+    lamp.body.reset();
+    lamp.material = "bulb";
+    lamp.light = LightDescription{.on = LampOn::Dark, .color = {1, 1, 1}, .intensity = 10};
+    scene.entities = {lamp};
+    Running run(scene);
+    const auto seen_under = [&](float sun_height_deg) {
+        const float height = radians_from_degrees(sun_height_deg);
+        run->switches.sun_direction = {-std::cos(height), -std::sin(height), 0.0F};
+        return frame_of(run, 1);
+    };
+    const auto glow = [&](const render::RenderFrame& frame) {
+        return run->library().material(frame.material_ids.at(0)).emissive.x;
+    };
+    const render::RenderFrame noon = seen_under(60.0F);
+    EXPECT_TRUE(noon.lights.empty());
+    EXPECT_EQ(glow(noon), 0.0F);
+    // Half way through the last five degrees half of it shines.
+    const render::RenderFrame low = seen_under(2.5F);
+    ASSERT_EQ(low.lights.size(), 1U);
+    EXPECT_NEAR(low.lights[0].intensity.x, 5.0F, 0.05F);
+    const render::RenderFrame night = seen_under(-30.0F);
+    ASSERT_EQ(night.lights.size(), 1U);
+    EXPECT_NEAR(night.lights[0].intensity.x, 10.0F, 1e-4F);
+    EXPECT_EQ(glow(night), 9.0F);
+    run->switches.turn("lamps", true);
+    EXPECT_EQ(seen_under(60.0F).lights.size(), 1U);
+    run->switches.turn("lamps", false);
+    EXPECT_TRUE(seen_under(-30.0F).lights.empty());
+}
+
+TEST(Extract, TheDayGoesOnAboutTheEarthsAxis) {
+    SceneDescription scene = scene_of({});
+    scene.sun = SunDescription{};
+    scene.time = TimeDescription{.hour = 9};
+    Running run(scene);
+    run->set_hour(9);
+    ASSERT_TRUE(run->hour());
+    EXPECT_NEAR(*run->hour(), 9.0, 1e-3);
+    run->switches.sun_rotation_radps = radians_from_degrees(15.0F);
+    run.step(60);
+    EXPECT_NEAR(*run->hour(), 10.0, 5e-3);
+    EXPECT_NEAR(glm::length(run->switches.sun_direction), 1.0F, 1e-5F);
+}
+
 TEST(Extract, KeepsTheNearestLights) {
     SceneDescription scene = scene_of({});
     const int count = static_cast<int>(limits::kLights) + 10;
