@@ -67,6 +67,8 @@ constexpr float kBase_km = 1.25F, kTop_km = 2.6F, kLost_perkm = 26.0F;
 
 /// How thick the cloud is at a place, km from the eye: 0 to 1.
 float density(Vec p, int octaves) {
+    // A stretch with a clear zenith, far from the noise's origin, where its cells look alike.
+    p = p + Vec{402.1F, 0, 120.8F};
     const float height = (p.y - kBase_km) / (kTop_km - kBase_km);
     if (height <= 0 || height >= 1) return 0;
     const Vec flat{p.x, 0, p.z};
