@@ -87,7 +87,7 @@ TEST(PictureControl, DoesNotSwing) {
 }
 
 TEST(PictureControl, FollowsASceneThatGrowsDearerAndCheaperAgain) {
-    PictureControl control({}, true);
+    PictureControl control({.target_ms = 40.0}, true);
     draw(control, {5.0, 40.0}, 600);
     const float before = control.quality().render_scale;
     draw(control, {5.0, 160.0}, 200);
