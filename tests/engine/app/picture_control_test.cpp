@@ -145,7 +145,7 @@ TEST(PictureControl, SaysWhatGaveWay) {
     const PictureControl low({.level = Level::Low}, true);
     EXPECT_EQ(render::what_gave_way(low.quality()),
               "render scale 60 %, surface maps, smooth shadows, fine shadows, detail far off, "
-              "things below 4 px");
+              "grass 50 %, things below 4 px");
     const PictureControl high({.level = Level::High}, true);
     EXPECT_EQ(render::what_gave_way(high.quality()), "");
 }
