@@ -19,7 +19,7 @@ namespace {
 constexpr double kUsual_s = 2.0;
 constexpr std::uint32_t kSamplesPerSide = 4;
 constexpr int kPairs = 4;
-constexpr int kFramesOfAPass = 3;
+constexpr int kFramesOfATurn = 3;
 
 /// The frame as light, of level high: no curve, no glow between the scene's light and the screen.
 render::RenderFrame frame_of_high(PictureStudio& studio) {
@@ -54,7 +54,7 @@ Result<study::LightImage> make_reference(PictureStudio& studio) {
 /// are really there.
 double frame_ms(PictureStudio& studio, const study::PictureWay& way) {
     double drawing_s = 0;
-    for (int i = -1; i < kFramesOfAPass; ++i) {
+    for (int i = -1; i < kFramesOfATurn; ++i) {
         studio.run->simulate(1);
         render::RenderFrame frame = studio.run->frame();
         frame.quality = render::quality_of(render::PictureLevel::High);
@@ -62,10 +62,10 @@ double frame_ms(PictureStudio& studio, const study::PictureWay& way) {
         const double start_s = process_cpu_s();
         // Cannot fail any more: the same shaders have drawn the picture that was compared.
         static_cast<void>(studio.run->draw(frame));
-        if (i < 0 || i + 1 == kFramesOfAPass) studio.run->pixels();
+        if (i < 0 || i + 1 == kFramesOfATurn) studio.run->pixels();
         if (i >= 0) drawing_s += process_cpu_s() - start_s;
     }
-    return drawing_s * 1e3 / kFramesOfAPass;
+    return drawing_s * 1e3 / kFramesOfATurn;
 }
 
 void measure_cost(PictureStudio& studio,

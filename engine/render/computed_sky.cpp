@@ -7,7 +7,7 @@ namespace plumbline::render {
 namespace {
 
 constexpr std::size_t kRows = 40;
-constexpr std::size_t kColumns = 33;
+constexpr std::size_t kDirections = 33;
 constexpr float kMoved = 0.99999962F;  // cosine of a twentieth of a degree
 
 // Scenes give lamps in the units of a picture of the day, some thousand times too bright beside the
@@ -80,11 +80,11 @@ void ComputedSky::light_up(LitAir& air, const Vec3f& to_light, const Vec3f& irra
         air.table.clear();
         return;
     }
-    air.table.resize(kRows * kColumns);
+    air.table.resize(kRows * kDirections);
     for (std::size_t row = 0; row < kRows; ++row) {
-        for (std::size_t column = 0; column < kColumns; ++column) {
-            const float u = static_cast<float>(column) / static_cast<float>(kColumns - 1);
-            air.table[row * kColumns + column] =
+        for (std::size_t column = 0; column < kDirections; ++column) {
+            const float u = static_cast<float>(column) / static_cast<float>(kDirections - 1);
+            air.table[row * kDirections + column] =
                 atmosphere_->scattered(row_sine(row), 1.0F - 2.0F * u * u, to_light.y);
         }
     }
@@ -99,13 +99,13 @@ Vec3f ComputedSky::LitAir::at(const Vec3f& direction) const {
     const float cosine =
         lengths > 1e-6F ? std::clamp(glm::dot(way, light_way) / lengths, -1.0F, 1.0F) : 0.0F;
     const float row = std::sqrt(sine) * static_cast<float>(kRows - 1);
-    const float column = std::sqrt(0.5F * (1.0F - cosine)) * static_cast<float>(kColumns - 1);
+    const float column = std::sqrt(0.5F * (1.0F - cosine)) * static_cast<float>(kDirections - 1);
     const auto i = std::min(static_cast<std::size_t>(row), kRows - 2);
-    const auto k = std::min(static_cast<std::size_t>(column), kColumns - 2);
+    const auto k = std::min(static_cast<std::size_t>(column), kDirections - 2);
     const float down = row - static_cast<float>(i);
     const float across = column - static_cast<float>(k);
-    const Atmosphere::Scattered* low = table.data() + i * kColumns + k;
-    const Atmosphere::Scattered* high = low + kColumns;
+    const Atmosphere::Scattered* low = table.data() + i * kDirections + k;
+    const Atmosphere::Scattered* high = low + kDirections;
     const auto mixed = [&](Vec3f Atmosphere::Scattered::*part) {
         return glm::mix(glm::mix(low[0].*part, low[1].*part, across),
                         glm::mix(high[0].*part, high[1].*part, across),

@@ -12,7 +12,7 @@ namespace {
 
 using physics::BodyId;
 
-constexpr double kSpeed_mps = 2;
+constexpr double kMeetingSpeed_mps = 2;
 
 /// Errors of the two velocities after a blow, and of the momentum. `aside` in radii.
 std::array<double, 2> blow(double mass_ratio,
@@ -25,7 +25,7 @@ std::array<double, 2> blow(double mass_ratio,
     const Stuff stuff{.friction = 0, .restitution = kE};
     Stuff coming = stuff;
     coming.mass_kg = mass_ratio;
-    coming.velocity_mps = {kSpeed_mps, 0, 0};
+    coming.velocity_mps = {kMeetingSpeed_mps, 0, 0};
     const double aside_m = aside * kRadius_m;
     const BodyId a = rig.ball({-0.5, aside_m, 0}, kRadius_m, coming);
     const BodyId b = rig.ball({0, 0, 0}, kRadius_m, stuff);
@@ -35,11 +35,11 @@ std::array<double, 2> blow(double mass_ratio,
     const double up = aside_m / (2 * kRadius_m);
     const Vec3d normal{std::sqrt(1 - up * up), -up, 0};  // from a to b
     const double reduced = mass_ratio / (1 + mass_ratio);
-    const Vec3d impulse = normal * ((1 + kE) * kSpeed_mps * normal.x * reduced);
-    const Vec3d expected_a = Vec3d{kSpeed_mps, 0, 0} - impulse / mass_ratio;
+    const Vec3d impulse = normal * ((1 + kE) * kMeetingSpeed_mps * normal.x * reduced);
+    const Vec3d expected_a = Vec3d{kMeetingSpeed_mps, 0, 0} - impulse / mass_ratio;
     const double off = std::max(glm::distance(rig.velocity(a), expected_a),
                                 glm::distance(rig.velocity(b), impulse));
-    return {off / kSpeed_mps,
+    return {off / kMeetingSpeed_mps,
             glm::distance(rig.world.momentum_kgmps(), momentum) / glm::length(momentum)};
 }
 
@@ -168,13 +168,14 @@ Scenario cradle(double gap_m) {
                              kRadius_m,
                              {.friction = 0,
                               .restitution = 1,
-                              .velocity_mps = {i == 0 ? kSpeed_mps : 0.0, 0, 0}});
+                              .velocity_mps = {i == 0 ? kMeetingSpeed_mps : 0.0, 0, 0}});
                 }
                 course.run(rig, 1);
                 double rest = 0;
                 for (std::size_t i = 0; i < 4; ++i)
                     rest = std::max(rest, glm::length(rig.velocity(rig.movers[i])));
-                return {rig.velocity(rig.movers[4]).x / kSpeed_mps - 1, rest / kSpeed_mps};
+                return {rig.velocity(rig.movers[4]).x / kMeetingSpeed_mps - 1,
+                        rest / kMeetingSpeed_mps};
             }};
 }
 

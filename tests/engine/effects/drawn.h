@@ -11,6 +11,9 @@
 
 namespace plumbline::effects {
 
+/// What `render` serves.
+inline constexpr ServedDomains kPicture{.picture = true};
+
 /// One frame as the window makes it.
 inline render::RenderFrame draw(test::Running& run, EffectRuntime& effects, Real blend = 1) {
     effects.refresh(*run);

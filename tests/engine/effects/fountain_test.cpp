@@ -16,7 +16,6 @@ using test::Running;
 
 constexpr float kGravity_mps2 = 9.81F;
 constexpr float kStep_s = 1.0F / 60.0F;
-constexpr ServedDomains kPicture{.picture = true};
 const Vec3f kDown{0.0F, -kGravity_mps2, 0.0F};
 
 FountainDescription jet(const Vec3& direction, Real speed_mps) {

@@ -11,8 +11,6 @@ namespace {
 using scene::SceneDescription;
 using test::Running;
 
-constexpr ServedDomains kPicture{.picture = true};
-
 /// Light from straight above, and a flashlight in the hand.
 SceneDescription sunny() {
     SceneDescription scene = test::scene_of({});

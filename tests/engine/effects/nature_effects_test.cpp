@@ -13,8 +13,7 @@ namespace {
 using scene::SceneDescription;
 using test::Running;
 
-constexpr ServedDomains kPicture{.picture = true};
-constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kAllTufts = std::numeric_limits<std::size_t>::max();
 
 TEST(NatureEffects, NobodyWhoDoesNotCallForThemPays) {
     Running run(test::scene_of({test::ground()}));
@@ -50,9 +49,10 @@ TEST(GrassField, TheSamePlaceGrowsTheSameWhicheverWayOneComes) {
     const LawnAt flat = [](float, float) { return 0.25F; };
     const scene::GrassDescription grass{.density_perm2 = 4};
     GrassField here(grass);
-    here.follow({0.0F, 1.7F, 0.0F}, 8.0F, kAll, flat);
+    here.follow({0.0F, 1.7F, 0.0F}, 8.0F, kAllTufts, flat);
     GrassField walked(grass);
-    for (float x = 40.0F; x >= 0.0F; x -= 0.5F) walked.follow({x, 1.7F, 0.0F}, 8.0F, kAll, flat);
+    for (float x = 40.0F; x >= 0.0F; x -= 0.5F)
+        walked.follow({x, 1.7F, 0.0F}, 8.0F, kAllTufts, flat);
     ASSERT_FALSE(here.cells().empty());
     std::size_t tufts = 0;
     for (const auto& [cell, grown] : here.cells()) {
