@@ -30,6 +30,22 @@ std::vector<fs::path> variations_of(const fs::path& assets_folder, const std::st
     return files;
 }
 
+/// Empty, and the fault is said, where there is no such file.
+fs::path sound_file(TableReader& table,
+                    std::string_view key,
+                    const std::string& name,
+                    const fs::path& assets_folder) {
+    const auto file = resolve_inside(assets_folder, name);
+    std::error_code failed;
+    if (!file)
+        table.error(key, file.error().message);
+    else if (!fs::is_regular_file(*file, failed))
+        table.warning(key, fmt::format("\"{}\" does not exist; left out", shown(name)));
+    else
+        return *file;
+    return {};
+}
+
 /// A text is a prefix of variations; a list names files below the assets folder one by one.
 std::vector<fs::path> read_sounds(TableReader& table,
                                   std::string_view key,
@@ -45,14 +61,8 @@ std::vector<fs::path> read_sounds(TableReader& table,
     }
     std::vector<fs::path> files;
     for (const std::string& name : table.texts(key)) {
-        const auto file = resolve_inside(assets_folder, name);
-        std::error_code failed;
-        if (!file)
-            table.error(key, file.error().message);
-        else if (!fs::is_regular_file(*file, failed))
-            table.warning(key, fmt::format("\"{}\" does not exist; left out", shown(name)));
-        else
-            files.push_back(*file);
+        const fs::path file = sound_file(table, key, name, assets_folder);
+        if (!file.empty()) files.push_back(file);
     }
     return files;
 }
@@ -60,16 +70,7 @@ std::vector<fs::path> read_sounds(TableReader& table,
 /// A loop; empty where there is none.
 fs::path read_loop(TableReader& table, std::string_view key, const fs::path& assets_folder) {
     const std::string name = table.text(key, "");
-    if (name.empty()) return {};
-    const auto file = resolve_inside(assets_folder, name);
-    std::error_code failed;
-    if (!file)
-        table.error(key, file.error().message);
-    else if (!fs::is_regular_file(*file, failed))
-        table.warning(key, fmt::format("\"{}\" does not exist; left out", shown(name)));
-    else
-        return *file;
-    return {};
+    return name.empty() ? fs::path{} : sound_file(table, key, name, assets_folder);
 }
 
 Surface read_surface(TableReader& table, const std::string& name, const fs::path& assets_folder) {
