@@ -131,13 +131,15 @@ def bench_with_dominoes(place, yaw_deg, count):
     top = garden.BENCH_TOP
     seat = [box((0, top - 0.015, -0.0175), (1.5, 0.03, 0.37)), box((0, 0.68, -0.225), (1.5, 0.325, 0.03))]
     seat += [box((x, 0.21, z), (0.05, 0.42, 0.05)) for x in (-0.66, 0.66) for z in (0.13, -0.215)]
-    entity("garden_bench", place, label='"garden bench"', model='"models/garden_bench.glb"', rotation_deg=vec(0, yaw_deg, 0),
+    # Contacts are springs: both are placed as deep as they sink in, else the dominoes hop off their places.
+    bench_sinks, domino_sinks = 1e-5, 1e-4
+    entity("garden_bench", at(place, 0, (0, -bench_sinks, 0)), digits=5, label='"garden bench"', model='"models/garden_bench.glb"', rotation_deg=vec(0, yaw_deg, 0),
            body=[compound(seat), "mass_kg = 32", "friction = 0.6"])
     prefab("small_domino", ["primitive = { box = [0.02, 0.12, 0.06] }", 'material = "glaze_white"', "casts_shadow = false", "[prefab.body]", "mass_kg = 0.1", "friction = 0.4",
                             "restitution = 0"], "little domino")
     for i in range(count):
         x = 0.07 * (i - (count - 1) / 2)
-        entity(f"small_domino_{i + 1}", at(place, yaw_deg, (x, top + 0.06, 0.0)), prefab='"small_domino"', rotation_deg=vec(0, yaw_deg, 0))
+        entity(f"small_domino_{i + 1}", at(place, yaw_deg, (x, top + 0.06 - bench_sinks - domino_sinks, 0.0)), digits=5, prefab='"small_domino"', rotation_deg=vec(0, yaw_deg, 0))
 
 
 def wheelbarrow(place, yaw_deg):

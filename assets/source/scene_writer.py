@@ -15,14 +15,16 @@ def heading(text):
     put(f"\n# --- {text}")
 
 
-def vec(*numbers):
-    return "[" + ", ".join(f"{n:.3f}".rstrip("0").rstrip(".") if abs(n) > 5e-4 else "0" for n in numbers) + "]"
+def vec(*numbers, digits=3):
+    least = 0.5 * 10 ** -digits
+    return "[" + ", ".join(f"{n:.{digits}f}".rstrip("0").rstrip(".") if abs(n) > least else "0" for n in numbers) + "]"
 
 
 def entity(name, position, **keys):
-    """One [[entity]]; `body` is a list of lines."""
+    """One [[entity]]; `body` is a list of lines, `digits` those of the position."""
     body = keys.pop("body", None)
-    put(f'\n[[entity]]\nname = "{name}"\nposition_m = {vec(*position)}')
+    digits = keys.pop("digits", 3)
+    put(f'\n[[entity]]\nname = "{name}"\nposition_m = {vec(*position, digits=digits)}')
     for key, value in keys.items():
         put(f"{key} = {value}")
     if body:

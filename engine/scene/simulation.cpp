@@ -91,8 +91,7 @@ void Simulation::step() {
         const Vec3 up = description_.viewer ? description_.viewer->up : Vec3{0, 1, 0};
         // About the earth's axis the sky turns from east to west.
         const Vec3f axis = description_.time ? -sky_pole(*description_.time) : Vec3f(up);
-        switches.sun_direction =
-            glm::normalize(glm::angleAxis(angle, axis) * switches.sun_direction);
+        switches.sun_direction = glm::angleAxis(angle, axis) * switches.sun_direction;
     }
     sync_placements();
     report_quarantined();

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <type_traits>
 
 namespace plumbline {
 namespace {
@@ -57,6 +58,8 @@ TEST_F(Fairground, ChairsHangAsFarOutAsTheRideIsFast) {
 }
 
 TEST_F(Fairground, WhatNobodyTouchesStandsAndSleeps) {
+    // Cylinders are met by Bullet's detector, whose points in float64 let a tin wobble longer.
+    constexpr Real kCreep_m = std::is_same_v<Real, double> ? 0.005_r : 0.003_r;
     std::vector<Vec3> start;
     const auto& moving = run_.simulation->moving_bodies();
     for (const scene::MovingBody& one : moving)
@@ -68,7 +71,7 @@ TEST_F(Fairground, WhatNobodyTouchesStandsAndSleeps) {
         EXPECT_FALSE(name.label.empty()) << name.text;
         if (name.text.starts_with("ride_")) continue;
         const Vec3 end = world().state(moving[i].body).world_from_body.position;
-        EXPECT_LT(glm::distance(end, start[i]), 0.003_r) << name.text;
+        EXPECT_LT(glm::distance(end, start[i]), kCreep_m) << name.text;
     }
     EXPECT_LT(world().max_penetration_m(), 0.002);
 }
