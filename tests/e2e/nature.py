@@ -170,7 +170,7 @@ def fog_grows_denser(scene):
 
 def turns_the_sun(scene):
     noon = scene.picture("sun")
-    scene.game.press("j", 8, 0.3)
+    scene.game.press("j", 2, 0.3)
     time.sleep(4)
     scene.game.press("l", 1, 1)
     later = scene.picture("sun_turned_j")

@@ -38,7 +38,7 @@ def wait_for(game, text, times=1):
 def shaders_that_do_not_compile_end_the_start(folder, environment):  # EXPERIENCE A6
     shaders, environment = own_shaders(folder, environment)
     picture = folder / "none.png"
-    for name, commands in (("mesh.frag", ("render", "play")), ("depth.frag", ("render",)), ("sky.frag", ("render", "play")),
+    for name, commands in (("mesh.frag", ("render", "play")), ("depth.frag", ("render",)), ("sky_dome.frag", ("render", "play")),
                            ("tone_map.frag", ("render", "play")), ("include/lighting.glsl", ("render",))):
         text = (shaders / name).read_text()
         (shaders / name).write_text(text + WRONG)
