@@ -130,7 +130,7 @@ def orbits_and_walks(scene):
         scene.game.do("click", 4)
         time.sleep(0.3)
     # No farther than the slow way led, with its way back: the house is near.
-    fast = scene.way(lambda: scene.game.hold("w", 0.9))
+    fast = scene.way(lambda: scene.game.hold("w", 0.6))
     expect(1.5 < fastest(fast) / fastest(slow) < 2.5, f"three notches: {fastest(slow):.2f}, then {fastest(fast):.2f} m/s")
     scene.game.hold("s", 1.5)
     scene.game.press("u", 1, 1)
