@@ -5,6 +5,7 @@
 #include "engine/assets/polygon_triangles_impl.h"
 #include "engine/assets/single_mesh_impl.h"
 #include "engine/assets/text_words_impl.h"
+#include "engine/core/color.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 

@@ -4,15 +4,9 @@
 #include "engine/assets/model_readers_impl.h"
 #include "engine/core/math.h"
 
-#include <cmath>
 #include <utility>
 
 namespace plumbline::assets {
-
-/// sRGB as files store colours of vertices, to linear light.
-inline float linear_from_srgb(float value) {
-    return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
-}
 
 /// A model of one node, turned so that the file's +Z becomes our +Y.
 inline ModelData model_with_z_up(ModelMesh mesh, bool has_colors) {

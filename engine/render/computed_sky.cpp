@@ -1,5 +1,7 @@
 #include "engine/render/computed_sky.h"
 
+#include "engine/core/color.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,15 +32,6 @@ float sine_from_degrees(float degrees) {
     return std::sin(radians_from_degrees(degrees));
 }
 
-float brightness(const Vec3f& light) {
-    return glm::dot(light, Vec3f{0.2126F, 0.7152F, 0.0722F});
-}
-
-float smooth_step(float low, float high, float x) {
-    const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
-    return t * t * (3.0F - 2.0F * t);
-}
-
 float row_sine(std::size_t row) {
     const float v = static_cast<float>(row) / static_cast<float>(kRows - 1);
     return v * v;
@@ -63,12 +56,12 @@ bool ComputedSky::want(const SkyModel& model, const Vec3f& sun_irradiance) {
              height > sine_from_degrees(-20.0F) ? sun_irradiance : Vec3f{0.0F});
     find_level();
     // The moon's light comes once the sun's is gone.
-    const float night = smooth_step(sine_from_degrees(-3.0F), sine_from_degrees(-9.0F), height);
+    const float night = glm::smoothstep(sine_from_degrees(-3.0F), sine_from_degrees(-9.0F), height);
     const float moon_up =
-        smooth_step(sine_from_degrees(-6.0F), sine_from_degrees(4.0F), to_moon_.y);
+        glm::smoothstep(sine_from_degrees(-6.0F), sine_from_degrees(4.0F), to_moon_.y);
     light_up(moon_, to_moon_, sun_irradiance * kMoonlight * (night * moon_up));
     night_glow_ = sun_irradiance * kNightGlow * night;
-    stars_ = smooth_step(sine_from_degrees(-4.0F), sine_from_degrees(-12.0F), height);
+    stars_ = glm::smoothstep(sine_from_degrees(-4.0F), sine_from_degrees(-12.0F), height);
     find_key_light();
     return true;
 }
@@ -135,8 +128,8 @@ Vec3f ComputedSky::gathered(const LitAir& air) const {
 /// Flattens the evening's fall: the sun outside the air shines as bright as it must for that.
 void ComputedSky::find_level() {
     if (sun_.table.empty()) return;
-    const float whole = std::max(brightness(sun_.irradiance), 1e-12F);
-    const float share = brightness(gathered(sun_)) / (whole * kEveningSky);
+    const float whole = std::max(luminance(sun_.irradiance), 1e-12F);
+    const float share = luminance(gathered(sun_)) / (whole * kEveningSky);
     if (share > 0.0F && share < 1.0F) sun_.irradiance *= std::pow(share, kFall - 1.0F);
     if (share <= 0.0F) sun_ = {.to_light = sun_.to_light};
 }
@@ -151,9 +144,8 @@ void ComputedSky::find_key_light() {
         sun_.irradiance * atmosphere_->transmittance(sun_.to_light.y, kCloudAltitude_m);
     const Vec3f high_moon =
         moon_.irradiance * atmosphere_->transmittance(moon_.to_light.y, kCloudAltitude_m);
-    cloud_key_ = brightness(high_sun) >= brightness(high_moon)
-                     ? KeyLight{sun_.to_light, high_sun}
-                     : KeyLight{moon_.to_light, high_moon};
+    cloud_key_ = luminance(high_sun) >= luminance(high_moon) ? KeyLight{sun_.to_light, high_sun}
+                                                             : KeyLight{moon_.to_light, high_moon};
 
     const Vec3f sky = gathered(sun_) + gathered(moon_) + night_glow_ * glm::pi<float>();
     overhead_ = sky * glm::one_over_pi<float>();
@@ -169,7 +161,7 @@ Vec3f ComputedSky::above(const Vec3f& direction) const {
 Vec3f ComputedSky::radiance(const Vec3f& direction) const {
     const Vec3f sky = above(direction);
     if (direction.y >= 0.0F) return sky;
-    return glm::mix(sky, ground_, smooth_step(0.0F, 0.06F, -direction.y));
+    return glm::mix(sky, ground_, glm::smoothstep(0.0F, 0.06F, -direction.y));
 }
 
 ComputedSky::CloudLight ComputedSky::cloud_light(const Vec3f& direction) const {

@@ -1,6 +1,7 @@
 #include "engine/render/mip_chain.h"
 
 #include "engine/core/assert.h"
+#include "engine/core/color.h"
 
 #include <algorithm>
 #include <array>
@@ -20,8 +21,8 @@ std::array<std::uint16_t, 256> make_light_from_code() {
     std::array<std::uint16_t, 256> table{};
     for (std::size_t code = 0; code < table.size(); ++code) {
         const double c = static_cast<double>(code) / 255.0;
-        const double light = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-        table[code] = static_cast<std::uint16_t>(std::lround(light * (kLightSteps - 1)));
+        table[code] =
+            static_cast<std::uint16_t>(std::lround(linear_from_srgb(c) * (kLightSteps - 1)));
     }
     return table;
 }
@@ -30,9 +31,7 @@ std::array<std::uint8_t, kLightSteps> make_code_from_light() {
     std::array<std::uint8_t, kLightSteps> table{};
     for (std::size_t step = 0; step < table.size(); ++step) {
         const double light = static_cast<double>(step) / (kLightSteps - 1);
-        const double code =
-            light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
-        table[step] = static_cast<std::uint8_t>(std::lround(code * 255.0));
+        table[step] = static_cast<std::uint8_t>(std::lround(srgb_from_linear(light) * 255.0));
     }
     return table;
 }

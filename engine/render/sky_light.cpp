@@ -1,5 +1,7 @@
 #include "engine/render/sky_light.h"
 
+#include "engine/core/color.h"
+
 #include <glm/gtc/packing.hpp>
 
 #include <algorithm>
@@ -26,8 +28,7 @@ Basis basis_at(const Vec3f& d) {
 }
 
 float linear_from_code(std::uint8_t code) {
-    const float c = static_cast<float>(code) / 255.0F;
-    return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
+    return linear_from_srgb(static_cast<float>(code) / 255.0F);
 }
 
 float component(const assets::ImageData& image, std::size_t pixel, std::size_t channel) {
@@ -194,8 +195,7 @@ float typical_radiance(std::span<const RadianceImage> faces) {
     float total_weight = 0.0F;
     for_each_pixel(faces, [&](const Vec3f& direction, const Vec3f& radiance, float weight) {
         if (direction.y < 0.0F) return;
-        const float luminance = glm::dot(radiance, Vec3f{0.2126F, 0.7152F, 0.0722F});
-        log_sum += std::log(std::max(luminance, 1e-6F)) * weight;
+        log_sum += std::log(std::max(luminance(radiance), 1e-6F)) * weight;
         total_weight += weight;
     });
     return std::exp(log_sum / total_weight);

@@ -9,11 +9,6 @@ namespace plumbline::scene {
 
 namespace {
 
-float smooth_step(float low, float high, float x) {
-    const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
-    return t * t * (3.0F - 2.0F * t);
-}
-
 /// How far lamps that wait for the dark are up: they come on while the sun's last five degrees sink,
 /// and where light is turned down by hand.
 float dark_lamps(const Simulation& simulation) {
@@ -21,7 +16,7 @@ float dark_lamps(const Simulation& simulation) {
     if (switches.effects.contains("lamps")) return switches.is_on("lamps", true) ? 1.0F : 0.0F;
     if (!simulation.description().sun || switches.light_scale < 0.25F) return 1.0F;
     const float sun_height = -normalize_or(switches.sun_direction, Vec3f{0.0F, -1.0F, 0.0F}).y;
-    return 1.0F - smooth_step(0.0F, 0.0872F, sun_height);
+    return 1.0F - glm::smoothstep(0.0F, 0.0872F, sun_height);
 }
 
 float lamp_share(LampOn on, float dark) {
@@ -29,8 +24,10 @@ float lamp_share(LampOn on, float dark) {
     return on == LampOn::Always ? 1.0F : 0.0F;
 }
 
-void add_items(const Simulation& simulation, Real blend_share, render::RenderFrame& frame) {
-    const float dark = dark_lamps(simulation);
+void add_items(const Simulation& simulation,
+               Real blend_share,
+               float dark,
+               render::RenderFrame& frame) {
     for (auto [entity, visual, placement] :
          simulation.registry.view<const Visual, const Placement>()) {
         if (simulation.registry.has<PlayingModel>(entity)) continue;  // an effect draws its parts
@@ -49,8 +46,10 @@ void add_items(const Simulation& simulation, Real blend_share, render::RenderFra
     }
 }
 
-void add_lights(const Simulation& simulation, Real blend_share, render::RenderFrame& frame) {
-    const float dark = dark_lamps(simulation);
+void add_lights(const Simulation& simulation,
+                Real blend_share,
+                float dark,
+                render::RenderFrame& frame) {
     for (auto [entity, light, placement] :
          simulation.registry.view<const PointLight, const Placement>()) {
         const float share = lamp_share(light.on, dark);
@@ -118,8 +117,9 @@ render::RenderFrame extract(const Simulation& simulation,
                 normalize_or(simulation.switches.sun_direction, Vec3f{0.0F, -1.0F, 0.0F}),
             .radiance = scene.sun->color * scene.sun->intensity * daylight};
     }
-    add_items(simulation, view.blend, frame);
-    add_lights(simulation, view.blend, frame);
+    const float dark = dark_lamps(simulation);
+    add_items(simulation, view.blend, dark, frame);
+    add_lights(simulation, view.blend, dark, frame);
     return frame;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/scene/scene_reader.h"
 
 #include "engine/core/assert.h"
+#include "engine/core/color.h"
 #include "engine/core/nearest_name.h"
 #include "engine/core/printable.h"
 
@@ -21,11 +22,6 @@ bool is_bare_key(std::string_view key) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                c == '_' || c == '-';
     });
-}
-
-// The sRGB transfer curve (IEC 61966-2-1).
-double linear_from_srgb(double value) {
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "engine/study/picture/light_image.h"
 
+#include "engine/core/color.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,21 +12,14 @@ namespace {
 std::array<float, 256> light_by_code() {
     std::array<float, 256> light{};
     for (std::size_t i = 0; i < light.size(); ++i) {
-        const float code = static_cast<float>(i) / 255.0F;
-        light[i] = code <= 0.04045F ? code / 12.92F : std::pow((code + 0.055F) / 1.055F, 2.4F);
+        light[i] = linear_from_srgb(static_cast<float>(i) / 255.0F);
     }
     return light;
 }
 
 std::uint8_t code_of(float light) {
-    const float clamped = std::clamp(light, 0.0F, 1.0F);
-    const float code =
-        clamped <= 0.0031308F ? 12.92F * clamped : 1.055F * std::pow(clamped, 1.0F / 2.4F) - 0.055F;
-    return static_cast<std::uint8_t>(std::lround(code * 255.0F));
-}
-
-double luminance(const Vec3f& light) {
-    return static_cast<double>(glm::dot(light, Vec3f{0.2126F, 0.7152F, 0.0722F}));
+    return static_cast<std::uint8_t>(
+        std::lround(srgb_from_linear(std::clamp(light, 0.0F, 1.0F)) * 255.0F));
 }
 
 }  // namespace
