@@ -54,7 +54,7 @@ assets::ImageData codes_of(const LightImage& image) {
 
 double mean_luminance(const LightImage& image) {
     double sum = 0;
-    for (const Vec3f& light : image.light) sum += luminance(light);
+    for (const Vec3f& light : image.light) sum += static_cast<double>(luminance(light));
     return sum / static_cast<double>(std::max<std::size_t>(image.light.size(), 1));
 }
 
@@ -63,7 +63,8 @@ PictureError picture_error(const LightImage& image, const LightImage& reference)
     const auto count = static_cast<double>(reference.light.size());
     PictureError error;
     for (std::size_t i = 0; i < reference.light.size(); ++i) {
-        const double off = luminance(glm::abs(image.light[i] - reference.light[i]));
+        const auto off =
+            static_cast<double>(luminance(glm::abs(image.light[i] - reference.light[i])));
         error.mean += off / count;
         error.rms += off * off / count;
     }
