@@ -59,6 +59,8 @@ CLI::App* add_play(CLI::App& app, PlayOptions& options) {
     play->add_option("--size", options.size, "WIDTHxHEIGHT of the window");
     play->add_option("--level", options.level, "Of the picture: auto, low, medium or high")
         ->check(CLI::IsMember({"auto", "low", "medium", "high"}));
+    play->add_option("--hour", options.hour, "Hour of the day, in a scene with [time]")
+        ->check(between(0, 24));
     play->add_option("--seconds", options.seconds, "Ends after so much time")
         ->check(positive_up_to(kLongestRun_s));
     play->add_option("--record", options.record, "Writes every action to this file");

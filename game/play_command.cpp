@@ -8,6 +8,7 @@
 #include "engine/core/output.h"
 #include "engine/scene/camera_path.h"
 #include "engine/scene/scene_file.h"
+#include "game/hour_option.h"
 #include "game/program.h"
 #include "game/refuse.h"
 #include "game/rules.h"
@@ -166,6 +167,8 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     Result<std::unique_ptr<app::Session>> session = reading.get();
     if (!session) return refuse(session.error());
     if (!window) return refuse(window.error());
+    if (const Result<Done> set = set_hour(options.hour, *(*session)->simulation); !set)
+        return refuse(set.error());
     if (const auto& viewer = (*session)->description().viewer; viewer && options.size.empty()) {
         width = viewer->width_px;
         height = viewer->height_px;

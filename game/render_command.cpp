@@ -10,6 +10,7 @@
 #include "game/camera_text.h"
 #include "game/contact_sheet.h"
 #include "game/frame_files.h"
+#include "game/hour_option.h"
 #include "game/refuse.h"
 
 #include <fmt/format.h>
@@ -147,11 +148,7 @@ Result<Done> draw_frames(const RenderOptions& options,
                           .frames_per_s = simulation.description().accuracy.step_hz});
     if (!files) return files.error();
     switch_on(options, simulation.switches);
-    if (options.hour) {
-        if (!simulation.hour())
-            return bad_option("--hour: the scene has no [time]; its sun stands still");
-        simulation.set_hour(*options.hour);
-    }
+    if (const Result<Done> set = set_hour(options.hour, simulation); !set) return set.error();
     app::OffscreenRun& run = *studio.run;
     run.simulate(steps_in(options.at_s, simulation));
     for (std::uint64_t frame = 0; frame < std::max<std::uint64_t>(options.frames, 1); ++frame) {

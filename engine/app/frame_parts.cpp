@@ -152,6 +152,8 @@ ui::MenuWorld FrameParts::menu_world() {
                 const scene::FogDescription plain{.on = false};
                 return session_.simulation->description().fog.value_or(plain);
             },
+        .hour = [this] { return session_.simulation->hour(); },
+        .set_hour = [this](double hour) { session_.simulation->set_hour(hour); },
         .start_again = [this] { controls_.reset = true; },
         .quit = [this] { controls_.quit = true; },
         .forget_first_minute =

@@ -34,6 +34,9 @@ struct MenuWorld {
     std::function<void(const std::filesystem::path&)> open_scene;
     std::function<scene::LiveSwitches&()> switches;    ///< of the running scene
     std::function<scene::FogDescription()> scene_fog;  ///< as the scene has it, or a plain one
+    std::function<std::optional<double>()>
+        hour;  ///< of the scene's day; none: its sun stands still
+    std::function<void(double)> set_hour;
     std::function<void()> start_again;
     std::function<void()> quit;
     std::function<void()> forget_first_minute;
@@ -75,9 +78,12 @@ private:
     void add_settings(Page& page, std::vector<std::string_view> tables);
     void add_mouse(Page& page);
     void add_accuracy(Page& page);
-    void add_light(Page& page);
     Line setting_line(std::size_t row);
     void change_setting(std::size_t row, const std::function<void(const Setting&)>& change);
+
+    // light_page.cpp
+    void add_light(Page& page);
+    void add_hour(Page& page, double hour);
 
     // controls_pages.cpp
     Page controls();

@@ -1,8 +1,8 @@
 #include "engine/app/accuracy_choice.h"
 #include "engine/app/ui/pages.h"
+#include "engine/app/ui/setting_cells.h"
 #include "engine/input/tuning_keys.h"
 #include "engine/scene/accuracy.h"
-#include "engine/scene/live_light.h"
 
 #include <fmt/format.h>
 
@@ -25,52 +25,9 @@ constexpr std::array<NamedTuning, 7> kTuning{{{"mouse_deg_per_count", "Mouse: sp
                                               {"pad_curve", "Stick: finer near the middle"},
                                               {"trigger_threshold", "Trigger: pressed from"}}};
 
-std::string on_or_off(bool on) {
-    return on ? "on" : "off";
-}
-
-Cell toggle(bool on, const std::function<void(bool)>& set) {
-    return {.text = on_or_off(on),
-            .icon = on ? Icon::On : Icon::Off,
-            .activate = [on, set] { set(!on); },
-            .adjust = [set](int direction) { set(direction > 0); }};
-}
-
-/// A number between two ends that moves by equal parts of its way.
-Cell slider(std::string text,
-            double value,
-            double min,
-            double max,
-            double step,
-            const std::function<void(double)>& set) {
-    const auto on_step = [=](double wanted) {
-        return std::clamp(min + std::round((wanted - min) / step) * step, min, max);
-    };
-    return {.text = std::move(text),
-            .fraction = static_cast<float>((value - min) / (max - min)),
-            .adjust =
-                [=](int direction) {
-                    // Values between two steps go to the next one in the direction.
-                    const double at = on_step(value);
-                    const bool lies_ahead = direction > 0 ? at > value : at < value;
-                    const bool between = std::abs(at - value) > step * 1e-3;
-                    set(between && lies_ahead ? at : on_step(at + direction * step));
-                },
-            .set_fraction =
-                [=](float fraction) {
-                    const double wanted =
-                        on_step(min + static_cast<double>(fraction) * (max - min));
-                    if (std::abs(wanted - value) > step * 1e-3) set(wanted);
-                }};
-}
-
 /// As floats are written: without the digits that a float cannot hold.
 float tidy(double value) {
     return static_cast<float>(std::round(value * 1e4) / 1e4);
-}
-
-std::string percent(float share) {
-    return fmt::format("{:.0f} %", static_cast<double>(share) * 100.0);
 }
 
 Cell number_cell(std::string_view key,
@@ -279,69 +236,6 @@ Page MenuPages::settings() {
                         world_.change_config(wanted);
                     }}}});
     return page;
-}
-
-void MenuPages::add_light(Page& page) {
-    const scene::LiveSwitches& now = world_.switches();
-    const scene::FogDescription fog = world_.scene_fog();
-    const auto change = [this](const std::function<void(scene::LiveSwitches&)>& change_of) {
-        change_of(world_.switches());
-    };
-    // Equal steps of the logarithm, as the keys take them.
-    const auto factor = [&](std::string text, float value, float least, float most, auto set) {
-        const auto log_of = [](float number) { return static_cast<double>(std::log2(number)); };
-        const double notch = log_of(scene::kLiveNotch);
-        return slider(std::move(text),
-                      log_of(value),
-                      std::ceil(log_of(least) / notch) * notch,
-                      std::floor(log_of(most) / notch) * notch,
-                      notch,
-                      [change, set](double wanted) {
-                          change([&](scene::LiveSwitches& switches) {
-                              set(switches, static_cast<float>(std::exp2(wanted)));
-                          });
-                      });
-    };
-    page.lines.push_back({.kind = LineKind::Cells,
-                          .label = "Fog",
-                          .cells = {toggle(now.is_on("fog", fog.on), [change](bool on) {
-                              change([on](scene::LiveSwitches& s) { s.turn("fog", on); });
-                          })}});
-    page.lines.push_back(
-        {.kind = LineKind::Cells,
-         .label = "How dense",
-         .cells = {factor(fmt::format("{:.2g} per m", fog.density_per_m * now.fog_density_scale),
-                          now.fog_density_scale,
-                          scene::kThinnestFog,
-                          scene::kDensestFog,
-                          [](scene::LiveSwitches& s, float value) {
-                              s.turn("fog", true);  // who changes it wants to see it
-                              s.fog_density_scale = value;
-                          })}});
-    Line colors{.kind = LineKind::Cells, .label = "Its colour"};
-    for (std::size_t i = 0; i < scene::kFogColors.size(); ++i) {
-        colors.cells.push_back({.text = std::string(scene::kFogColors[i].name),
-                                .activate =
-                                    [change, i] {
-                                        change([i](scene::LiveSwitches& s) {
-                                            s.turn("fog", true);
-                                            s.fog_color = i;
-                                        });
-                                    },
-                                .marked = now.fog_color == i});
-    }
-    page.lines.push_back(std::move(colors));
-    page.lines.push_back(
-        {.kind = LineKind::Cells,
-         .label = "Sun and sky",
-         .cells = {factor(percent(now.light_scale),
-                          now.light_scale,
-                          scene::kDimmestLight,
-                          scene::kBrightestLight,
-                          [](scene::LiveSwitches& s, float value) { s.light_scale = value; })}});
-    page.lines.push_back({.kind = LineKind::Text,
-                          .label = "These hold until you leave the scene or start it again; keys "
-                                   "do the same in play."});
 }
 
 void MenuPages::add_accuracy(Page& page) {

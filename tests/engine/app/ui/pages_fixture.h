@@ -57,6 +57,8 @@ protected:
             .open_scene = [this](const fs::path& file) { opened_ = file; },
             .switches = [this]() -> scene::LiveSwitches& { return switches_; },
             .scene_fog = [] { return scene::FogDescription{.density_per_m = 0.04F, .on = false}; },
+            .hour = [this] { return hour_; },
+            .set_hour = [this](double hour) { hour_ = hour; },
             .start_again = [this] { started_again_ = true; },
             .quit = [this] { quit_ = true; },
             .forget_first_minute = [this] { forgotten_ = true; }});
@@ -146,6 +148,7 @@ protected:
     std::unique_ptr<LiveBindings> bindings_;
     study::Setting accuracy_;
     scene::LiveSwitches switches_;
+    std::optional<double> hour_{12.1};  ///< none: the scene has no [time]
     std::vector<scene::ListedScene> scenes_;
     bool adopted_{false};
     bool looks_at_model_{false};
