@@ -281,7 +281,8 @@ void FrameParts::finish_frame(double frame_start_s, double present_s) {
     for (const render::PassTiming& pass : renderer->stats().passes) {
         if (pass.gpu_ms >= 0.0) cost.gpu_ms = std::max(cost.gpu_ms, 0.0) + pass.gpu_ms;
     }
-    if (!window_.iconified()) picture_control_.add_frame(cost);
+    if (!window_.iconified() && renderer->stats().new_programs == 0)
+        picture_control_.add_frame(cost);
     report.set_picture({.level = name_of(picture_control_.level()),
                         .is_automatic = picture_control_.is_automatic(),
                         .quality = picture_control_.quality()});

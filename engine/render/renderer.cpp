@@ -93,6 +93,10 @@ ResetStatus reset_status_of(GlLoader loader) {
     return nullptr;
 }
 
+// What a window spends on programs that are new to it: in the first frame of a scene, and in others.
+constexpr double kFirstPrograms_s = 0.3;
+constexpr double kNewPrograms_s = 0.008;
+
 GpuLimits within_driver(GpuLimits limits) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -173,6 +177,9 @@ void Renderer::begin(const RenderFrame& frame) {
     Impl& r = *impl_;
     r.stats = {};
     r.timers.begin_frame();
+    // A window is better off with simpler light for some frames than with one frame of seconds.
+    if (r.target == PresentTarget::Window)
+        r.scene.shaders.allow_new(r.drew_a_frame ? kNewPrograms_s : kFirstPrograms_s);
     r.set_up(frame);
     if (r.nothing_to_draw) return;
     r.build_draw_lists();
@@ -291,6 +298,8 @@ void Renderer::lines() {
 void Renderer::end() {
     Impl& r = *impl_;
     r.stats.passes = r.timers.timings();
+    r.stats.new_programs = r.scene.shaders.new_count();
+    r.drew_a_frame = r.drew_a_frame || !r.nothing_to_draw;
     r.frame = nullptr;
     if (r.reset_status != nullptr && r.reset_status() != GL_NO_ERROR) r.device_lost = true;
     // Nobody presents an off-screen picture: without this, frames would pile up in the driver,
@@ -304,6 +313,7 @@ void Renderer::forget_scene() {
     r.scene.textures.clear();
     r.scene.materials.clear();
     r.scene.sky.want(nullptr, {});
+    r.drew_a_frame = false;
     r.sun_shadow.free();
     r.flashlight_shadow.free();
 }

@@ -39,6 +39,7 @@ struct FrameStats {
     std::uint32_t shadow_passes_cached{0};
     std::uint32_t scene_width_px{0};  ///< of the image that the scene is drawn into
     std::uint32_t scene_height_px{0};
+    std::uint32_t new_programs{0};  ///< compiled in this frame: its time tells nothing of the next
 };
 
 /// GPU memory by what called for it: "sun_shadow", "flashlight", "sky", "post", "drops", "meshes", "textures", "targets".

@@ -75,6 +75,7 @@ struct Renderer::Impl {
 
     gl::PassTimers timers;
     FrameStats stats;
+    bool drew_a_frame{false};  ///< since there were other meshes and materials
 
     /// Sizes targets, reads the frame's wishes into features and matrices; frees what it has none.
     void set_up(const RenderFrame& new_frame);

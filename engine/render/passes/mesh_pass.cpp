@@ -13,6 +13,16 @@ constexpr FeatureSet kLightFeatures =
     feature::kSun | feature::kSunShadow | feature::kFlashlight | feature::kLocalLights |
     feature::kSkyLight | feature::kSoftShadows | feature::kHardShadows | feature::kCascades;
 
+/// For the frames until a program is compiled: nothing that would be see-through is solid, and nothing
+/// is read that is not bound.
+constexpr Substitutes kSubstitutes{
+    .kept = feature::kUnlit | feature::kBlinnPhong | feature::kPhong | feature::kAlphaMask |
+            feature::kBlend | feature::kBaseMap | feature::kVertexColor | feature::kSun |
+            feature::kSkyLight,
+    .harmless = feature::kSoftShadows | feature::kHardShadows | feature::kCascades | feature::kFog |
+                feature::kAerial,
+    .dear = feature::kSunShadow | feature::kWind | feature::kFog};
+
 float distance_to(const Aabb& box, const Vec3f& point) {
     return glm::distance(point, glm::clamp(point, box.min, box.max));
 }
@@ -98,7 +108,8 @@ void MeshPass::draw(const DrawRun& run,
     const GpuMesh& mesh = resources.meshes.get(run.mesh);
     if (!mesh.sways) features &= ~feature::kWind;
     const FeatureSet variant = variant_of(resources.materials.features(run.material), features);
-    const gl::Program* program = resources.shaders.find(kMeshShader, variant);
+    const gl::Program* program =
+        resources.shaders.find_or_similar(kMeshShader, variant, kSubstitutes);
     if (program == nullptr) return;
     program->use();
     resources.materials.bind(run.material);
