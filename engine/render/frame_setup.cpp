@@ -173,7 +173,7 @@ Result<Done> Renderer::Impl::try_scene_targets() {
     post_view = {.scene_px = {picture_px.width * samples, picture_px.height * samples},
                  .picture_px = picture_px,
                  .present_px = {width_px, height_px},
-                 .bloom = frame->post && frame->post->bloom > 0.0F,
+                 .bloom = frame->post && frame->post->bloom > 0.0F && limits.half_float_targets,
                  .tone_curve = frame->post.has_value(),
                  .fxaa = quality.fxaa,
                  .keeps_depth = !frame->lines.vertices.empty()};
@@ -186,11 +186,11 @@ Result<Done> Renderer::Impl::try_scene_targets() {
     }
     const PixelSize& size_px = post_view.scene_px;
     if (limits.target_bytes > 0 &&
-        SceneTarget::bytes_for(size_px.width, size_px.height) > limits.target_bytes) {
+        SceneTarget::bytes_for(size_px, light_format()) > limits.target_bytes) {
         return Error{fmt::format(
             "the driver has no memory for a picture of {} x {}", size_px.width, size_px.height)};
     }
-    const Result<Done> sized = scene_target.resize(size_px.width, size_px.height);
+    const Result<Done> sized = scene_target.resize(size_px, light_format());
     return sized ? post.resize(post_view) : sized;
 }
 
@@ -296,7 +296,8 @@ void Renderer::Impl::set_up_flashlight(const Flashlight& flashlight) {
 }
 
 void Renderer::Impl::adapt_exposure() {
-    if (!frame->post || !frame->post->adapts) return exposure_meter.free();
+    if (!frame->post || !frame->post->adapts || !limits.half_float_targets)
+        return exposure_meter.free();
     const gl::PassTimers::Scope timed(timers, "post.exposure");
     const bool is_seen_live = target != PresentTarget::Offscreen;
     block.tone.x *= exposure_meter.measure(

@@ -97,11 +97,24 @@ ResetStatus reset_status_of(GlLoader loader) {
 constexpr double kFirstPrograms_s = 0.3;
 constexpr double kNewPrograms_s = 0.008;
 
-GpuLimits within_driver(GpuLimits limits) {
+// More than a window has pixels; larger pictures only cost a software driver its memory.
+constexpr std::uint32_t kSoftwareMap_px = 4096;
+
+GpuLimits within_driver(GpuLimits limits, bool is_software_gl) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     const auto driver_px = static_cast<std::uint32_t>(std::max(largest, 1024));
     limits.texture_px = limits.texture_px == 0 ? driver_px : std::min(limits.texture_px, driver_px);
+    if (limits.map_px == 0) limits.map_px = is_software_gl ? kSoftwareMap_px : limits.texture_px;
+    limits.map_px = std::min(limits.map_px, limits.texture_px);
+    const auto half_floats =
+        gl::Texture::target(gl::TargetFormat::HdrColor, 4, 4, gl::Filter::Nearest);
+    limits.half_float_targets =
+        limits.half_float_targets && gl::Framebuffer{&half_floats, nullptr}.complete();
+    if (!limits.half_float_targets)
+        log_warning(
+            "the driver draws into no half floats: light is cut at white, without bloom "
+            "and exposure that adapts");
     return limits;
 }
 
@@ -118,9 +131,11 @@ Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader,
     auto info = load_gl(loader);
     if (!info) return info.error();
     gl::listen_to_driver();
-    auto impl = std::make_unique<Impl>(target, shader_folder, library, within_driver(limits));
+    const bool is_software_gl = is_software(*info);
+    auto impl = std::make_unique<Impl>(
+        target, shader_folder, library, within_driver(limits, is_software_gl));
     impl->gl = std::move(*info);
-    impl->is_software_gl = is_software(impl->gl);
+    impl->is_software_gl = is_software_gl;
     impl->reset_status = reset_status_of(loader);
     for (const ShaderPair& pair : kShaderPairs) {
         const auto found = impl->scene.shaders.check_files(pair);
@@ -212,6 +227,7 @@ void Renderer::opaque() {
         glEnable(GL_FRAMEBUFFER_SRGB);
     } else {
         r.scene_target.bind();
+        if (r.light_format() == gl::TargetFormat::Srgb8) glEnable(GL_FRAMEBUFFER_SRGB);
     }
     const Vec3f clear = background_of(*r.frame);
     glClearColor(clear.x, clear.y, clear.z, 1.0F);

@@ -29,10 +29,10 @@ struct Renderer::Impl {
          const std::filesystem::path& shaders,
          assets::AssetLibrary& library,
          const GpuLimits& gpu_limits)
-        : target(present), limits(gpu_limits), scene(shaders, library, gpu_limits.texture_px) {}
+        : target(present), limits(gpu_limits), scene(shaders, library, gpu_limits.map_px) {}
 
     PresentTarget target;
-    GpuLimits limits;  ///< texture_px is set
+    GpuLimits limits;  ///< sizes are set, half_float_targets is as the driver has them
     GlInfo gl{};
     bool is_software_gl{false};
     ResetStatus reset_status{nullptr};
@@ -80,6 +80,10 @@ struct Renderer::Impl {
     /// Sizes targets, reads the frame's wishes into features and matrices; frees what it has none.
     void set_up(const RenderFrame& new_frame);
     void build_draw_lists();
+    /// Without half floats light is kept as sRGB codes: white is the brightest.
+    gl::TargetFormat light_format() const {
+        return limits.half_float_targets ? gl::TargetFormat::HdrColor : gl::TargetFormat::Srgb8;
+    }
     DrawKind opaque_kind() const {
         return frame->depth_test == DepthTest::Less ? DrawKind::Opaque : DrawKind::OpaqueInOrder;
     }

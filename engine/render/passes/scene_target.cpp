@@ -5,13 +5,13 @@
 
 namespace plumbline::render {
 
-Result<Done> SceneTarget::resize(std::uint32_t width_px, std::uint32_t height_px) {
-    using gl::Filter;
-    using gl::TargetFormat;
+Result<Done> SceneTarget::resize(const PixelSize& size_px, gl::TargetFormat light) {
+    const auto [width_px, height_px] = size_px;
     if (framebuffer_ && color_.width() == width_px && color_.height() == height_px) return Done{};
     framebuffer_ = {};
-    color_ = gl::Texture::target(TargetFormat::HdrColor, width_px, height_px, Filter::Linear);
-    depth_ = gl::Texture::target(TargetFormat::Depth24, width_px, height_px, Filter::Nearest);
+    color_ = gl::Texture::target(light, width_px, height_px, gl::Filter::Linear);
+    depth_ =
+        gl::Texture::target(gl::TargetFormat::Depth24, width_px, height_px, gl::Filter::Nearest);
     framebuffer_ = gl::Framebuffer{&color_, &depth_};
     if (framebuffer_.complete()) return Done{};
     *this = {};
@@ -19,10 +19,9 @@ Result<Done> SceneTarget::resize(std::uint32_t width_px, std::uint32_t height_px
         fmt::format("the driver has no memory for a picture of {} x {}", width_px, height_px)};
 }
 
-std::size_t SceneTarget::bytes_for(std::uint32_t width_px, std::uint32_t height_px) {
-    return std::size_t{width_px} * height_px *
-           (gl::bytes_per_pixel(gl::TargetFormat::HdrColor) +
-            gl::bytes_per_pixel(gl::TargetFormat::Depth24));
+std::size_t SceneTarget::bytes_for(const PixelSize& size_px, gl::TargetFormat light) {
+    return std::size_t{size_px.width} * size_px.height *
+           (gl::bytes_per_pixel(light) + gl::bytes_per_pixel(gl::TargetFormat::Depth24));
 }
 
 void SceneTarget::bind() const {

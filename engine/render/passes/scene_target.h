@@ -19,9 +19,9 @@ struct PixelSize {
 class SceneTarget {
 public:
     /// Makes the images for that size; nothing if they are there. The error: out of memory.
-    Result<Done> resize(std::uint32_t width_px, std::uint32_t height_px);
+    Result<Done> resize(const PixelSize& size_px, gl::TargetFormat light);
     /// Bytes that images of that size hold.
-    static std::size_t bytes_for(std::uint32_t width_px, std::uint32_t height_px);
+    static std::size_t bytes_for(const PixelSize& size_px, gl::TargetFormat light);
 
     /// Makes it what is drawn into, all of it.
     void bind() const;

@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+"""Bad input and rough handling of the picture: files that are missing, a picture of 16384 px, levels that change all the
+time, a window that is resized all the time. FAULTS J."""
+import pathlib
+import random
+import re
+import resource
+import shutil
+import subprocess
+import sys
+import time
+import zlib
+
+from png import read_png
+from support import Program, expect, home, settings_in, virtual_screen
+
+program_file = sys.argv[1]
+sanitized = b"__asan_init" in pathlib.Path(program_file).read_bytes()
+SCENE = """
+[scene]
+title = "what is not there"
+[[material]]
+name = "base"
+base_color_map = "gone_base.png"
+[[material]]
+name = "maps"
+normal_map = "gone_normal.png"
+orm_map = "gone_orm.png"
+height_map = "gone_height.png"
+[sun]
+[sky]
+skybox = "gone_sky"
+[[entity]]
+name = "box"
+primitive = { box = [2, 2, 2] }
+material = "base"
+sound = { file = "gone.ogg" }
+[[entity]]
+name = "ball"
+primitive = { sphere = 1 }
+material = "maps"
+position_m = [3, 0, 0]
+[[entity]]
+name = "model"
+model = "gone.glb"
+position_m = [-3, 0, 0]
+"""
+
+
+def rendered(scene, folder, environment, *words, code=0):
+    file = folder / "picture.png"
+    done = subprocess.run([program_file, "render", scene, "--size", "320x180", "--out", file, *words], env=environment,
+                          capture_output=True, text=True, timeout=120)
+    expect(done.returncode == code, f"render {scene}: exit {done.returncode}\n{done.stderr}")
+    return done.stderr
+
+
+def missing_files_of_every_kind(folder, environment):
+    """A line for each file, with its place in the scene, and a picture all the same; without a shader there is none."""
+    scene = folder / "gone.toml"
+    scene.write_text(SCENE)
+    said = rendered(scene, folder, environment)
+    for name in ("gone_base.png", "gone_normal.png", "gone_orm.png", "gone_height.png", "gone_sky", "gone.ogg", "gone.glb"):
+        line = 1 + SCENE[:SCENE.index(name)].count("\n")
+        expect(len(re.findall(rf"gone\.toml:{line}:\d+: warning: .*\"{re.escape(name)}\" does not exist; ", said)) == 1,
+               f"not one line for {name} at line {line}:\n{said}")
+    colors = {pixel for row in read_png(folder / "picture.png") for pixel in map(tuple, row)}
+    expect(len(colors) > 20, f"a picture of {len(colors)} colours")
+    (folder / "gone_sky").mkdir()
+    expect('"gone_sky" holds no px.exr, .png or .jpg' in rendered(scene, folder, environment), "an empty sky is not told")
+    # Where all six are expected, one that is missing is told and the others are shown.
+    sky = pathlib.Path("assets/skies/clouds")
+    for face in list(sky.glob("*.png"))[1:]:
+        (folder / "gone_sky" / face.name).symlink_to(face.absolute())
+    said = rendered(scene, folder, environment)
+    expect(said.count("gone_sky") >= 1, f"a missing face is not told:\n{said}")
+    data = folder / "own data"
+    data.mkdir()
+    for name in ("assets", "config"):
+        (data / name).symlink_to(pathlib.Path(name).absolute())
+    shutil.copytree("shaders", data / "shaders")
+    (data / "shaders/mesh.frag").unlink()
+    said = rendered("falling_cube", folder, {**environment, "PLUMBLINE_DATA": str(data)}, code=3)
+    expect(said.count("\n") == 1 and "mesh.frag: No such file" in said, f"a missing shader:\n{said}")
+
+
+def write_black_png(file, width, height, channels):
+    def chunk(kind, body):
+        return len(body).to_bytes(4, "big") + kind + body + zlib.crc32(kind + body).to_bytes(4, "big")
+    packer, row = zlib.compressobj(1), bytes(1 + width * channels)
+    packed = b"".join(packer.compress(row) for _ in range(height)) + packer.flush()
+    head = width.to_bytes(4, "big") + height.to_bytes(4, "big") + bytes([8, 2 if channels == 3 else 0, 0, 0, 0])
+    file.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", packed) + chunk(b"IEND", b""))
+
+
+def a_picture_of_16384_pixels(folder, environment):
+    """800 MiB are refused in one line; 192 are taken, and no more is held of them than a window can show."""
+    scene = folder / "large.toml"
+    scene.write_text('[scene]\ntitle = "large"\n[[material]]\nname = "m"\nbase_color_map = "large.png"\n[sun]\n[[entity]]\n'
+                     'name = "a"\nprimitive = { box = [4, 4, 4] }\nmaterial = "m"\n')
+    for height, refusals in ((16384, 1), (4096, 0)):
+        write_black_png(folder / "large.png", 16384, height, 3)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+        said = rendered(scene, folder, environment)
+        expect(said.count("large.png is refused") == refusals and said.count("\n") == refusals, said)
+        most_mib = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+        expect(sanitized or most_mib < 480, f"16384 x {height}: {most_mib} MiB, {before / 1024} before")
+
+
+def rss_kib(game):
+    status = pathlib.Path(f"/proc/{game.process.pid}/status").read_text()
+    return int(re.search(r"VmRSS:\s+(\d+)", status)[1])
+
+
+def levels_that_change_every_second(folder, environment):
+    """For a minute. What the levels need is there after the first round; then memory stays."""
+    settings = folder / "config/plumbline/app.toml"
+    settings.parent.mkdir(parents=True, exist_ok=True)
+    game = Program([program_file, "play", "garden", "--size", "320x180", "--no-sound"], environment, folder / "levels.txt")
+    held = []
+    try:
+        for second in range(60):
+            level = ("low", "medium", "high", "auto")[second % 4]
+            settings.write_text(f'format = 1\n[picture]\nlevel = "{level}"\n')
+            time.sleep(1)
+            expect(game.process.poll() is None, f"it ended at level {level}:\n{game.log()}")
+            held.append(rss_kib(game))
+        log = game.log()
+    finally:
+        game.stop()
+    settings.unlink()
+    expect("error" not in log, log)
+    middle, end = (max(part) for part in (held[20:40], held[40:]))
+    expect(end < 1.04 * middle, f"{middle} KiB in the middle third, {end} in the last: {held}")
+
+
+def a_window_that_is_resized_all_the_time(folder, environment):
+    game = Program([program_file, "play", "playroom", "--size", "480x270"], environment, folder / "sizes.txt")
+    chance = random.Random(11)
+    try:
+        time.sleep(1)
+        until_s = time.monotonic() + 15
+        while time.monotonic() < until_s:
+            game.do("windowsize", game.window, chance.randint(1, 1200), chance.randint(1, 700))
+            expect(game.process.poll() is None, f"it ended:\n{game.log()}")
+        game.do("windowsize", game.window, 640, 360)
+        time.sleep(2)
+        game.do("windowfocus", game.window)
+        rows = read_png(game.screenshot(folder / "data/plumbline/shots"))
+        expect((len(rows[0]), len(rows)) == (640, 360), f"{len(rows[0])} x {len(rows)}")
+        expect(len({tuple(pixel) for row in rows for pixel in row}) > 100, "nothing is in the picture")
+        expect("error" not in game.log(), game.log())
+    finally:
+        game.stop()
+
+
+def main():
+    with virtual_screen() as screen:
+        for test in (missing_files_of_every_kind, a_picture_of_16384_pixels, levels_that_change_every_second,
+                     a_window_that_is_resized_all_the_time):
+            with home() as folder:
+                test(folder, settings_in(folder, screen))
+
+
+main()
