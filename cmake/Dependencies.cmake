@@ -13,6 +13,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(OpenAL REQUIRED)
 find_package(embree 3 REQUIRED)
+find_package(meshoptimizer REQUIRED)
 
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)

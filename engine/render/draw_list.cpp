@@ -1,5 +1,7 @@
 #include "engine/render/draw_list.h"
 
+#include "engine/render/foliage_order.h"
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -50,11 +52,14 @@ std::span<const assets::SubMesh> parts_of(const DrawItem& item,
     const float scale = std::max({glm::length(Vec3f{item.world_from_body[0]}),
                                   glm::length(Vec3f{item.world_from_body[1]}),
                                   glm::length(Vec3f{item.world_from_body[2]})});
-    std::span<const assets::SubMesh> parts{mesh.sub_meshes};
+    const MeshLod* coarsest = nullptr;
     for (const MeshLod& lod : found->second) {
-        if (lod.error_m * scale <= allowed_m) parts = lod.sub_meshes;
+        if (lod.error_m * scale <= allowed_m) coarsest = &lod;
     }
-    return parts;
+    if (coarsest == nullptr) return mesh.sub_meshes;
+    if (!view.sorts_foliage || coarsest->by_side.empty()) return coarsest->sub_meshes;
+    const Vec3f to_eye = view.eye_world - Vec3f{item.world_from_body[3]};
+    return coarsest->by_side[side_seen_from(glm::transpose(Mat3f{item.world_from_body}) * to_eye)];
 }
 
 struct SortEntry {

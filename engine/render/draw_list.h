@@ -64,6 +64,7 @@ struct CullView {
     float error_m{0.0F};             ///< a mesh may be off by so much anywhere,
     float error_rad{0.0F};           ///< or by so much as seen from the eye
     float smallest_rad{0.0F};        ///< what looks smaller is left out
+    bool sorts_foliage{false};       ///< where the table has it near to far
     const LightBeam* beam{nullptr};  ///< of the flashlight; null: there is none
 };
 

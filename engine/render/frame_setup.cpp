@@ -329,6 +329,7 @@ void Renderer::Impl::build_draw_lists() {
               .lods = quality.lod_error_px > 0.0F ? &scene.meshes.lods() : nullptr,
               .error_rad = quality.lod_error_px * pixel_rad,
               .smallest_rad = quality.smallest_px * pixel_rad,
+              .sorts_foliage = true,
               .beam = beam ? &*beam : nullptr});
     build_draws(visible, scene.library, opaque_kind(), opaque_draws);
     build_draws(std::move(visible), scene.library, DrawKind::Translucent, translucent_draws);

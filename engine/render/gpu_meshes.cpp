@@ -1,5 +1,6 @@
 #include "engine/render/gpu_meshes.h"
 
+#include "engine/render/foliage_order.h"
 #include "engine/render/gpu_materials.h"
 
 #include <glad/gl.h>
@@ -17,8 +18,6 @@
 namespace plumbline::render {
 namespace {
 
-/// Coarser versions of boards and tiles open gaps between them, and save little in a mesh this small.
-constexpr std::size_t kFewSolidTriangles = 4000;
 /// Making coarser versions of more takes seconds.
 constexpr std::size_t kMostLodTriangles = 400'000;
 
@@ -225,13 +224,14 @@ PackedMesh packed(const assets::MeshData& data, MeshLife life) {
 
 PackedMesh packed_with_lods(const assets::MeshData& data, const std::vector<bool>& is_foliage) {
     const bool is_solid = std::ranges::find(is_foliage, true) == is_foliage.end();
-    const std::size_t triangles = data.indices.size() / 3;
-    if ((is_solid && triangles <= kFewSolidTriangles) || triangles > kMostLodTriangles)
-        return packed(data, MeshLife::Kept);
+    if (data.indices.size() / 3 > kMostLodTriangles) return packed(data, MeshLife::Kept);
     assets::MeshData all = data;
     std::vector<MeshLod> lods = add_lods(all, is_foliage);
+    if (!is_solid) lods.insert(lods.begin(), {.error_m = 0.0F, .sub_meshes = data.sub_meshes});
     if (lods.empty()) return packed(data, MeshLife::Kept);
     PackedMesh mesh = packed(all, MeshLife::Kept);
+    // Shadow maps do without.
+    add_foliage_order(all.vertices, is_foliage, mesh.indices, lods);
     mesh.lods = std::move(lods);
     return mesh;
 }

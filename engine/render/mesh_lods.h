@@ -1,7 +1,7 @@
 // Coarser versions of a mesh for when it is far off. Pure arithmetic on mesh data; no GL.
 //
 // Loose cards of foliage (leaves, petals, blades of grass) become fewer and larger: the crown stays
-// as dense. Everything else is drawn through the vertices of a grid, one vertex a cell.
+// as dense. Of everything else, edges are collapsed (assets/mesh_simplify.h).
 #pragma once
 
 #include "engine/assets/asset_library.h"
@@ -14,6 +14,9 @@ namespace plumbline::render {
 struct MeshLod {
     float error_m{0.0F};  ///< how far a point may have moved, in body space
     std::vector<assets::SubMesh> sub_meshes;
+    /// The same parts, foliage near to far, by the side that they are seen from (foliage_order.h);
+    /// empty: none of them is dense.
+    std::vector<std::vector<assets::SubMesh>> by_side;
 };
 
 /// By mesh, the finest first; a mesh without an entry has none.

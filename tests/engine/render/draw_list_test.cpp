@@ -127,6 +127,19 @@ TEST_F(DrawListTest, TakesTheCoarsestVersionThatIsFineEnough) {
     EXPECT_EQ(list.runs[2].first_index, 60U);
 }
 
+TEST_F(DrawListTest, TakesFoliageInTheOrderOfTheSideThatIsSeen) {
+    MeshLod crown{.error_m = 0.0F, .sub_meshes = {{0, 36, 0}}};
+    for (std::uint32_t side = 0; side < 8; ++side) crown.by_side.push_back({{100 + side, 36, 0}});
+    const LodTable lods{{box_, {crown}}};
+    const Mat4f everything = glm::ortho(-1e4F, 1e4F, -1e4F, 1e4F, -1e4F, 1e4F);
+    CullView view{.frustum = Frustum{everything}, .lods = &lods, .error_rad = 1e-3F};
+    // The eye is on the side of +z, which is the third from +x.
+    const RenderFrame& frame = frame_of({{box_, red_, -9.0F}});
+    EXPECT_EQ(cull(frame, library_, view)[0].parts[0].first_index, 0U);
+    view.sorts_foliage = true;
+    EXPECT_EQ(cull(frame, library_, view)[0].parts[0].first_index, 102U);
+}
+
 TEST_F(DrawListTest, DrawsWhatTheFlashlightReachesApart) {
     // Straight ahead, 0.6 m far: it reaches only the box whose near side is at 0.5 m.
     const LightBeam beam{Vec3f{0.0F}, Vec3f{0.0F, 0.0F, -1.0F}, 0.2F, 0.6F};
