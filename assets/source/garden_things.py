@@ -38,7 +38,7 @@ def gate(z):
         entity(f"gate_post_{side}", (sign * x, 0, z), prefab='"gate_post"')
         place = (sign * garden.GATE_HINGE_X, 0.02, z)
         entity(f"gate_{side}", place, prefab='"gate_leaf"', rotation_deg=vec(0, turn, 0))
-        hinge(f"gate_{side}", f"gate_post_{side}", place, (-100, 100), 1.5)
+        hinge(f"gate_{side}", f"gate_post_{side}", place, (-100, 100), 1.5, creak=0.7)
 
 
 def swing(place, yaw_deg):
@@ -47,7 +47,7 @@ def swing(place, yaw_deg):
     axis = at(place, yaw_deg, (0, garden.SWING_AXIS_Y, 0))
     entity("swing", axis, label='"swing"', model='"models/swing.glb"', rotation_deg=vec(0, yaw_deg, 0),
            body=[boards("swing"), "mass_kg = 18", "friction = 0.9", "angular_damping_per_s = 0.05"])
-    hinge("swing", "swing_frame", axis, (-100, 100), 0.3, across(yaw_deg))
+    hinge("swing", "swing_frame", axis, (-100, 100), 0.3, across(yaw_deg), creak=0.6)
 
 
 def seesaw(place, yaw_deg):
@@ -56,7 +56,7 @@ def seesaw(place, yaw_deg):
     axis, tip = at(place, yaw_deg, (0, garden.SEESAW_AXIS_Y, 0)), garden.SEESAW_TIP_DEG
     entity("seesaw", axis, label='"seesaw"', model='"models/seesaw.glb"', rotation_deg=turned(yaw_deg, tip),
            body=[boards("seesaw"), "mass_kg = 28", "friction = 0.9"])
-    hinge("seesaw", "seesaw_base", axis, (-2 * tip, 0), 24, at((0, 0, 0), yaw_deg, (0, 0, 1)))
+    hinge("seesaw", "seesaw_base", axis, (-2 * tip, 0), 24, at((0, 0, 0), yaw_deg, (0, 0, 1)), creak=0.5)
 
 
 def turned(yaw_deg, roll_deg):
@@ -79,7 +79,7 @@ def windmill(place, yaw_deg):
     entity("windmill_rotor", axis, label='"sails of the windmill"', model='"models/windmill_rotor.glb"', rotation_deg=vec(0, yaw_deg, 0), casts_shadow="false",
            body=[compound(box(*part[1:]) for part in garden.BOXES["windmill_rotor"] if part[0] == "blade"), "mass_kg = 5"])
     put('\n[[joint]]\nname = "windmill_axle"\nkind = "hinge"\na = "windmill_rotor"\nb = "windmill"')
-    put(f"anchor_m = {vec(*axis)}\naxis = {vec(*at((0, 0, 0), yaw_deg, (0, 0, 1)))}\nmotor = {{ target = 1.4, max = 4 }}")
+    put(f"anchor_m = {vec(*axis)}\naxis = {vec(*at((0, 0, 0), yaw_deg, (0, 0, 1)))}\nmotor = {{ target = 1.4, max = 4 }}\ncreak = 0.35")
 
 
 def hook_post(name, place, yaw_deg):
@@ -106,6 +106,7 @@ def lantern_on_chain(place, yaw_deg, links):
     ring = (hook[0], hook[1] - links * garden.LINK, hook[2])
     entity("lantern_hanging", (ring[0], ring[1] - garden.LANTERN_RING, ring[2]), prefab='"lantern"', rotation_deg=vec(0, yaw_deg, 0))
     ball("lantern_hanging_joint", "lantern_hanging", above, ring)
+    put("creak = 0.4")
 
 
 def chimes(place, yaw_deg):

@@ -51,6 +51,9 @@ clouds = 0.35
 
 [flashlight]
 
+[sound]
+paths = true
+
 [post]
 exposure = 1.1
 bloom = 0.1
@@ -127,7 +130,7 @@ def swing_ride():
                            f"{{ cylinder = [{rim}, 0.1], position_m = [0, {rim_y + 0.05}, 0] }}"]),
                  "mass_kg = 500", f"angular_velocity_radps = {vec(0, fair.RIDE_SPEED, 0)}"])
     put('\n[[joint]]\nname = "ride_axle"\nkind = "hinge"\na = "ride_crown"\nb = "ride_base"')
-    put(f"anchor_m = {vec(RIDE[0], fair.RIDE_ARM_Y, RIDE[2])}\naxis = [0, 1, 0]\nmotor = {{ target = {fair.RIDE_SPEED}, max = 1500 }}")
+    put(f"anchor_m = {vec(RIDE[0], fair.RIDE_ARM_Y, RIDE[2])}\naxis = [0, 1, 0]\nmotor = {{ target = {fair.RIDE_SPEED}, max = 1500 }}\ncreak = 0.5")
     prefab("ride_chair", ['model = "models/ride_chair.glb"', "casts_shadow = false", "[prefab.body]", compound(box(c, s) for _, c, s in fair.CHAIR),
                           f"mass_kg = {fair.CHAIR_MASS}", "friction = 0.9"], "chair of the swing ride")
     lean = math.degrees(fair.chair_angle())
@@ -168,7 +171,7 @@ def gallery():
     for i, x in enumerate(fair.TARGET_X):
         place = at(GALLERY, 0, (x, fair.TARGET_Y, fair.TARGET_Z))
         entity(f"target.{i + 1}", at(place, 0, (0, leaf, 0)), prefab='"target"')
-        put(f'\n[[joint]]\nname = "target_{i + 1}_hinge"\nkind = "hinge"\na = "target.{i + 1}"\nb = "gallery"\nanchor_m = {vec(*place)}\naxis = [1, 0, 0]\nlimits = [-105, 0]\nmotor = {{ target = 0, max = 0.4 }}')
+        put(f'\n[[joint]]\nname = "target_{i + 1}_hinge"\nkind = "hinge"\na = "target.{i + 1}"\nb = "gallery"\nanchor_m = {vec(*place)}\naxis = [1, 0, 0]\nlimits = [-105, 0]\nmotor = {{ target = 0, max = 0.4 }}\ncreak = 0.25')
     prefab("tin", ['model = "models/fair_tin.glb"', "casts_shadow = false", "[prefab.body]", f"shape = {{ cylinder = [{fair.TIN[0]}, {fair.TIN[1]}] }}", "mass_kg = 0.25", "friction = 0.6",
                    "restitution = 0.1", "rolling_friction = 0.004"], "tin")
     (low, low_z), (high, high_z) = fair.SHELVES

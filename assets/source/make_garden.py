@@ -62,6 +62,11 @@ cloud_map = "skies/clouds"
 direction = [1, 0, -0.35]
 speed_mps = 3.5
 gusts = 0.6
+sound = { file = "sounds/loop_wind.ogg", gain = 0.12 }
+
+[sound]
+paths = true
+reverb = true
 
 [grass]
 on = ["lawn"]
@@ -145,13 +150,13 @@ place = in_house(-w / 2 - 0.001, plan.FLOOR + 0.006, HZ - 0.12)
 entity("front_door", place, model='"models/door.glb"',
        label='"front door"',
        body=[compound([box((w / 2, h / 2, 0), (w, h, t))]), "mass_kg = 28", "angular_damping_per_s = 0.8"])
-hinge("front_door", "house", place, (-95, 95), 2)
+hinge("front_door", "house", place, (-95, 95), 2, creak=0.4)
 w, h, t = plan.ROOM_DOOR_LEAF
 place = in_house(plan.HALL_X, plan.FLOOR + 0.012, plan.ROOM_DOOR_Z + w / 2 + 0.005)
 entity("bedroom_door", place, model='"models/room_door.glb"', rotation_deg="[0, 30, 0]",
        label='"bedroom door"',
        body=[compound([box((w / 2, h / 2, 0), (w, h, t))]), "mass_kg = 18", "angular_damping_per_s = 0.8"])
-hinge("bedroom_door", "house", place, (-35, 150), 1.5)
+hinge("bedroom_door", "house", place, (-35, 150), 1.5, creak=0.4)
 w, h, t = plan.SHUTTER
 prefab("shutter", ['model = "models/shutter.glb"', "[prefab.body]", compound([box((w / 2, 0, 0.025), (w, h, 0.045))]),
                    "mass_kg = 6", "angular_damping_per_s = 0.8"], "window shutter")
@@ -162,7 +167,7 @@ for wall in plan.OUTER:
             place = in_house(*wall.place(u, (hole[2] + hole[3]) / 2, -0.012))
             yaw = -wall.yaw_deg if turn else wall.yaw_deg
             entity(name, place, prefab='"shutter"', rotation_deg=f"[0, {yaw}, {turn}]")
-            hinge(name, "house", place, limits, 0.4)
+            hinge(name, "house", place, limits, 0.4, creak=0.3)
 
 heading("furniture")
 PIECES = {"chair": ("kitchen chair", 5), "table": ("dining table", 24), "desk": ("desk", 18), "stool": ("stool", 4),
@@ -242,7 +247,7 @@ for i in range(8):
 parts += ["{ cylinder = [0.22, 1.2], position_m = [0, 0.6, 0] }", "{ cylinder = [0.74, 0.16], position_m = [0, 1.4, 0] }",
           "{ cylinder = [0.11, 0.7], position_m = [0, 1.8, 0] }"]
 entity("fountain", (0, 0.03, 3.2), model='"models/fountain.glb"',
-       sound='{ file = "sounds/loop_fountain.ogg", loop = true, gain = 1.0, radius_m = 14 }',
+       sound='{ file = "sounds/loop_fountain.ogg", loop = true, gain = 1.0, radius_m = 14, by_flow = true }',
        body=['kind = "static"', "friction = 0.6", "shape = { compound = [\n    " + ",\n    ".join(parts) + ",\n] }"])
 
 heading("birds over the garden, butterflies over the beds")

@@ -61,10 +61,10 @@ def prism(radius, y0, y1, sides=8):
     return "{ hull_m = [" + ", ".join(vec(radius * math.cos(a), y, radius * math.sin(a)) for y in (y0, y1) for a in around) + "] }"
 
 
-def hinge(name, b, anchor, limits, friction_Nm, axis=(0, 1, 0)):
+def hinge(name, b, anchor, limits, friction_Nm, axis=(0, 1, 0), creak=0):
     """`friction_Nm`: what holds it where it was left."""
     put(f'\n[[joint]]\nname = "{name}_hinge"\nkind = "hinge"\na = "{name}"\nb = "{b}"\nanchor_m = {vec(*anchor)}')
-    put(f"axis = {vec(*axis)}\nlimits = {vec(*limits)}\nmotor = {{ target = 0, max = {friction_Nm} }}")
+    put(f"axis = {vec(*axis)}\nlimits = {vec(*limits)}\nmotor = {{ target = 0, max = {friction_Nm} }}" + (f"\ncreak = {creak}" if creak else ""))
 
 
 def ball(name, a, b, anchor):

@@ -19,10 +19,30 @@ SoundCue in_range(SoundCue cue) {
     cue.gain = std::min(cue.gain, 1.0F);
     cue.pitch = std::clamp(cue.pitch, 0.5F, 2.0F);
     cue.low_pass = std::clamp(cue.low_pass, 0.0F, 1.0F);
+    cue.importance = std::isfinite(cue.importance) ? std::clamp(cue.importance, 0.0F, 1e3F) : 1.0F;
     return cue;
 }
 
 }  // namespace
+
+Vec3f with_bounded_speed(const Vec3f& velocity_mps) {
+    constexpr float kFastest_mps = 60.0F;
+    if (!is_finite(velocity_mps)) return Vec3f{0.0F};
+    const float speed_mps = glm::length(velocity_mps);
+    return speed_mps > kFastest_mps ? velocity_mps * (kFastest_mps / speed_mps) : velocity_mps;
+}
+
+MonoPlace place_in_mono(const Vec3f& position_world,
+                        const Vec3f& velocity_mps,
+                        const Listener& listener) {
+    const Vec3f ahead = listener.orientation * Vec3f{0.0F, 0.0F, -1.0F};
+    const Vec3f away = position_world - listener.position_world;
+    const float distance_m = glm::length(away);
+    const Vec3f direction = distance_m > 1e-6F ? away / distance_m : ahead;
+    const float going_mps = glm::dot(velocity_mps - listener.velocity_mps, direction);
+    return {.position_world = listener.position_world + ahead * std::max(distance_m, 1e-3F),
+            .velocity_mps = listener.velocity_mps + ahead * going_mps};
+}
 
 float attenuation(float distance_m, float radius_m) {
     if (!(radius_m > 0.0F) || !(distance_m < radius_m)) return 0.0F;
@@ -42,7 +62,7 @@ bool is_playable(const SoundCue& cue) {
 bool is_playable(const LoopCue& cue) {
     return cue.key != 0 && cue.sound.value != 0 && is_near(cue.position_world) &&
            std::isfinite(cue.gain) && cue.gain > 0.0F && std::isfinite(cue.pitch) &&
-           std::isfinite(cue.radius_m) && cue.radius_m > 0.0F;
+           std::isfinite(cue.radius_m) && cue.radius_m > 0.0F && std::isfinite(cue.low_pass);
 }
 
 std::vector<ChosenCue> CueChoice::choose(std::span<const SoundCue> cues,
@@ -57,10 +77,11 @@ std::vector<ChosenCue> CueChoice::choose(std::span<const SoundCue> cues,
         if (!is_playable(cue)) continue;
         const SoundCue ranged = in_range(cue);
         const float distance_m = glm::length(ranged.position_world - listener_world);
-        const float loudness = ranged.gain * attenuation(distance_m, ranged.radius_m);
+        const float distant = ranged.in_head ? 1.0F : attenuation(distance_m, ranged.radius_m);
+        const float loudness = ranged.gain * distant;
         if (loudness >= kInaudible) heard.push_back({ranged, loudness});
     }
-    std::ranges::stable_sort(heard, std::ranges::greater{}, &ChosenCue::loudness);
+    std::ranges::stable_sort(heard, std::ranges::greater{}, &ChosenCue::worth);
 
     std::vector<ChosenCue> chosen;
     for (const ChosenCue& candidate : heard) {

@@ -15,6 +15,18 @@ namespace plumbline::audio {
 /// `radius_m` and stay there. Distances and radii of small things scale along.
 float attenuation(float distance_m, float radius_m);
 
+/// Beyond 60 m/s the Doppler shift is only a nuisance; 0 for what is no number.
+Vec3f with_bounded_speed(const Vec3f& velocity_mps);
+
+/// Where a source stands and how it moves for who hears all from ahead: as fast towards the ear.
+struct MonoPlace {
+    Vec3f position_world{0.0F};
+    Vec3f velocity_mps{0.0F};
+};
+MonoPlace place_in_mono(const Vec3f& position_world,
+                        const Vec3f& velocity_mps,
+                        const Listener& listener);
+
 /// True for a cue that may go to a device: finite everywhere, some gain, some radius, a sound.
 bool is_playable(const SoundCue& cue);
 bool is_playable(const LoopCue& cue);
@@ -23,9 +35,10 @@ bool is_playable(const LoopCue& cue);
 struct ChosenCue {
     SoundCue cue;
     float loudness{0.0F};  ///< gain at the listener
+    float worth() const { return loudness * cue.importance; }
 };
 
-/// Picks the loudest cues and remembers merge keys for 50 ms.
+/// Picks the cues that are worth most, by loudness and importance, and remembers merge keys for 50 ms.
 class CueChoice {
 public:
     static constexpr double kMerge_s = 0.05;

@@ -14,7 +14,7 @@ constexpr double kRetry_s = 5.0;
 constexpr double kConnectionCheck_s = 1.0;
 constexpr double kMaxFrame_s = 0.25;
 constexpr int kMaxVoices = 256;
-constexpr float kMaxListenerSpeed_mps = 60.0F;  // beyond it the Doppler shift is only a nuisance
+constexpr int kFadingVoices = 8;
 
 float finite_gain(float gain) {
     return std::isfinite(gain) ? std::clamp(gain, 0.0F, 1.0F) : 1.0F;
@@ -32,17 +32,19 @@ void Mixer::Impl::prepare_device() {
     said_silent = false;
     log_note("sound: {}", device.name());
     alDistanceModel(AL_NONE);  // hearing.cpp decides what distance does
-    alSpeedOfSound(343.3F);
+    alSpeedOfSound(kSpeedOfSound_mps);
+    alDopplerFactor(def.doppler ? 1.0F : 0.0F);
     alListenerf(AL_GAIN, def.master_gain);
     voices.clear();
     const int wanted = std::clamp(def.voices, 1, kMaxVoices);
     alGetError();
-    for (int i = 0; i < wanted; ++i) {
+    for (int i = 0; i < wanted + kFadingVoices; ++i) {
         Voice voice;
         alGenSources(1, &voice.source);
         if (alGetError() != AL_NO_ERROR) break;  // as many as the device has
         voices.push_back(voice);
     }
+    most_playing = std::min(voices.size(), static_cast<std::size_t>(wanted));
 }
 
 void Mixer::Impl::forget_device() {
@@ -51,6 +53,7 @@ void Mixer::Impl::forget_device() {
         if (buffer.name != 0) alDeleteBuffers(1, &buffer.name);
     voices.clear();
     buffers.clear();
+    underway.clear();
     device.close();
 }
 
@@ -81,9 +84,7 @@ void Mixer::Impl::set_listener(const Listener& wanted) {
     if (!is_finite(wanted.position_world) || !is_finite(wanted.orientation)) return;
     listener = wanted;
     if (!is_finite(listener.velocity_mps)) listener.velocity_mps = Vec3f{0.0F};
-    const float speed_mps = glm::length(listener.velocity_mps);
-    if (speed_mps > kMaxListenerSpeed_mps)
-        listener.velocity_mps *= kMaxListenerSpeed_mps / speed_mps;
+    listener.velocity_mps = with_bounded_speed(listener.velocity_mps);
     const float length = glm::length(listener.orientation);
     listener.orientation =
         length > 1e-6F ? listener.orientation / length : Quatf{1.0F, 0.0F, 0.0F, 0.0F};
@@ -119,12 +120,16 @@ void Mixer::play(std::span<const SoundCue> cues,
     impl_->started = true;
     impl_->last_now_s = now_s;
     impl_->watch_device(now_s);
-    if (impl_->paused) return;
+    if (impl_->paused) {
+        impl_->start_cues_in_head(cues, now_s);
+        return;
+    }
     impl_->clock_s += elapsed_s;
     if (!impl_->device.is_open()) return;
     impl_->set_listener(listener);
     impl_->free_finished_voices();
-    impl_->start_cues(cues, now_s);
+    impl_->follow_room(listener.room);
+    impl_->start_cues(cues, now_s, elapsed_s);
     impl_->follow_loops(loops, static_cast<float>(elapsed_s));
     impl_->update_loudness();
 }
@@ -138,7 +143,7 @@ std::string Mixer::device_name() const {
 }
 
 std::size_t Mixer::voices_playing() const {
-    return static_cast<std::size_t>(std::ranges::count(impl_->voices, true, &Voice::busy));
+    return impl_->playing();
 }
 
 std::size_t Mixer::bytes() const {
@@ -151,6 +156,7 @@ void Mixer::set_paused(bool paused) {
     if (impl_->paused == paused) return;
     impl_->paused = paused;
     for (const Voice& voice : impl_->voices) {
+        if (voice.in_head) continue;
         ALint state = AL_STOPPED;
         alGetSourcei(voice.source, AL_SOURCE_STATE, &state);
         if (paused && state == AL_PLAYING) alSourcePause(voice.source);
@@ -161,6 +167,22 @@ void Mixer::set_paused(bool paused) {
 void Mixer::set_master_gain(float gain) {
     impl_->def.master_gain = finite_gain(gain);
     if (impl_->device.is_open()) alListenerf(AL_GAIN, impl_->def.master_gain);
+}
+
+void Mixer::set_mono(bool mono) {
+    impl_->def.mono = mono;
+    if (!impl_->device.is_open()) return;
+    for (const Voice& voice : impl_->voices)
+        if (voice.state == VoiceState::Playing) impl_->place(voice);
+}
+
+void Mixer::set_doppler(bool doppler) {
+    impl_->def.doppler = doppler;
+    if (impl_->device.is_open()) alDopplerFactor(doppler ? 1.0F : 0.0F);
+}
+
+bool Mixer::has_filters() const {
+    return impl_->device.has_filters();
 }
 
 void Mixer::reopen(const std::string& device) {

@@ -17,6 +17,8 @@ struct MixerDef {
     int voices{32};
     int new_voices_per_frame{8};  ///< the loudest win
     bool offline{false};          ///< no device: render() gives the samples (films, tests)
+    bool mono{false};             ///< every sound as loud on both sides
+    bool doppler{false};          ///< what comes is heard higher, what goes lower
 };
 
 class Mixer {
@@ -27,7 +29,9 @@ public:
     Mixer(const Mixer&) = delete;
     Mixer& operator=(const Mixer&) = delete;
 
-    /// Once a frame: starts the cues, keeps the named loops (starting and fading out others).
+    /// Once a frame: starts the cues, keeps the named loops (starting and fading out others). Where
+    /// voices are few those that matter least at the listener fade and make room. While paused only
+    /// cues that are in_head start.
     /// Non-finite positions and gains are dropped.
     void play(std::span<const SoundCue> cues,
               std::span<const LoopCue> loops,
@@ -40,6 +44,10 @@ public:
     std::size_t bytes() const;  ///< sample memory uploaded
     void set_paused(bool paused);
     void set_master_gain(float gain);
+    void set_mono(bool mono);
+    void set_doppler(bool doppler);
+    /// Whether walls can dull and rooms reverberate here (EFX); gain and delay are always there.
+    bool has_filters() const;
     /// Builds everything on another device (empty: the default one), as after a loss: loops go on
     /// where they would be by now, one-shots end.
     void reopen(const std::string& device);

@@ -17,16 +17,29 @@ struct SampleBuffer {
     double length_s{0.0};
 };
 
+enum class VoiceState : std::uint8_t { Free, Playing, Fading };
+
 /// One OpenAL source and the one-shot or loop on it.
 struct Voice {
     ALuint source{0};
-    bool busy{false};
+    VoiceState state{VoiceState::Free};
+    double silent_s{0.0};       ///< Fading: from then on nothing is left of it
     std::uint64_t loop_key{0};  ///< 0: a one-shot
     std::uint64_t merge_key{0};
     Vec3f position_world{0.0F};
+    Vec3f velocity_mps{0.0F};
     float gain{0.0F};
     float radius_m{1.0F};
+    float low_pass{1.0F};
+    float importance{1.0F};
+    bool in_head{false};
     float loudness{0.0F};  ///< gain at the listener, as of the last frame
+};
+
+/// A cue on its way through the air.
+struct CueUnderway {
+    SoundCue cue;
+    double heard_s{0.0};  ///< by the mixer's clock
 };
 
 /// A loop goes on by the clock even while it is too far away to need a voice.
@@ -46,6 +59,8 @@ struct Mixer::Impl {
     SoundDevice device;
     CueChoice choice;
     std::vector<Voice> voices;
+    std::size_t most_playing{0};  ///< of them: the others are for those that fade
+    std::vector<CueUnderway> underway;
     std::map<assets::SoundId, SampleBuffer> buffers;
     std::map<std::uint64_t, LoopState> loops;
     Listener listener;
@@ -62,13 +77,22 @@ struct Mixer::Impl {
     void watch_device(double now_s);
     void free_finished_voices();
     void set_listener(const Listener& wanted);
-    void start_cues(std::span<const SoundCue> cues, double now_s);
+    void start_cues(std::span<const SoundCue> cues, double now_s, double elapsed_s);
+    void start_cues_in_head(std::span<const SoundCue> cues, double now_s);
+    std::vector<SoundCue> arrived(std::span<const SoundCue> cues, double elapsed_s);
+    void start(Voice& voice, const ChosenCue& chosen, ALuint buffer);
+    void follow_room(const Room& room);
     void follow_loops(std::span<const LoopCue> cues, float elapsed_s);
     void update_loop(std::uint64_t key, const LoopState& loop);
     void update_loudness();
 
     const SampleBuffer& buffer_of(assets::SoundId sound);
-    Voice* voice_for(float loudness);
+    Voice* voice_for(float worth);
+    Voice* free_voice();
+    std::size_t playing() const;
+    void fade(Voice& voice);
+    void place(const Voice& voice) const;
+    void dull(Voice& voice, float low_pass);
     Voice* voice_of_loop(std::uint64_t key);
     void stop(Voice& voice);
     float loudness_of(const Vec3f& position_world, float gain, float radius_m) const;

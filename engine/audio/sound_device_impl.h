@@ -1,6 +1,7 @@
 // The OpenAL device and its context: opened, lost, opened again.
 #pragma once
 
+#include "engine/audio/sound_cue.h"
 #include "engine/core/result.h"
 
 #include <AL/al.h>
@@ -40,12 +41,21 @@ public:
     std::string name() const;
     void render(std::span<float> stereo_samples);
 
-    /// A low-pass filter for the given openness (1: none); 0 where the device has no filters.
-    ALuint low_pass_filter(float openness);
+    /// Whether the device has filters and rooms (EFX).
+    bool has_filters() const { return filter_ != 0; }
+    /// Dulls a source, also where it leads into the room: 1 open … 0 dull. Without filters nothing
+    /// happens, which is said once.
+    void set_low_pass(ALuint source, float openness);
+    void keep_out_of_room(ALuint source);
+    /// The room that sources lead into; it is made with the first that has a gain. True then: the
+    /// low pass of every source is to be set, which leads it there.
+    bool set_room(const Room& room);
 
 private:
     bool adopt(ALCdevice* device, const ALCint* attributes);
     void find_filters();
+    bool make_room();
+    void say_no_filters();
 
     ALCdevice* device_{nullptr};
     ALCcontext* context_{nullptr};
@@ -54,7 +64,16 @@ private:
     LPALGENFILTERS gen_filters_{nullptr};
     LPALFILTERI filter_i_{nullptr};
     LPALFILTERF filter_f_{nullptr};
+    LPALGENEFFECTS gen_effects_{nullptr};
+    LPALEFFECTI effect_i_{nullptr};
+    LPALEFFECTF effect_f_{nullptr};
+    LPALGENAUXILIARYEFFECTSLOTS gen_slots_{nullptr};
+    LPALAUXILIARYEFFECTSLOTI slot_i_{nullptr};
     ALuint filter_{0};
+    ALuint reverb_{0};
+    ALuint room_slot_{0};  ///< 0: no room so far
+    Room room_{};          ///< as the device has it
+    bool said_no_filters_{false};
 };
 
 /// All names that can be opened, for the message about one that cannot.

@@ -16,6 +16,7 @@ namespace plumbline::effects {
 struct SoundFrame {
     std::vector<audio::SoundCue> cues;
     std::vector<audio::LoopCue> loops;
+    audio::Room room{};
 };
 
 /// What an effect did so far, for the ledger.

@@ -33,7 +33,7 @@ struct EffectRow {
 };
 
 // Each is defined in the source file of its name. A row may call for rows below it: impact sounds
-// ask for contact events.
+// ask for contact events. Sounds come before what changes them.
 #define PL_EFFECTS(ROW)       \
     ROW(sun_shadow)           \
     ROW(flashlight)           \
@@ -53,6 +53,10 @@ struct EffectRow {
     ROW(rolling_sounds)       \
     ROW(ambient_sounds)       \
     ROW(footsteps)            \
+    ROW(creak_sounds)         \
+    ROW(wind_sound)           \
+    ROW(sound_paths)          \
+    ROW(room_reverb)          \
     ROW(continuous_collision) \
     ROW(gyroscopic_torque)    \
     ROW(contact_events)

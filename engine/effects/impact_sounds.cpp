@@ -112,8 +112,25 @@ private:
               .pitch = random_.uniform(0.92F, 1.08F),
               .radius_m = 15.0F + 35.0F * gain,
               .low_pass = std::clamp(0.25F + speed_mps * 0.25F, 0.25F, 1.0F),
-              .merge_key = merge_key_of(louder, contact.point_world)});
+              .merge_key = merge_key_of(louder, contact.point_world),
+              .made_by = {maker_of(simulation, contact.a, contact.user_a),
+                          maker_of(simulation, contact.b, contact.user_b)},
+              .caption = caption_of(table.get(louder), table.get(softer))});
         ++work_.calls;
+    }
+
+    /// What stands still, a wall or the ground, is in the way of what strikes its other side.
+    static std::uint64_t maker_of(const scene::Simulation& simulation,
+                                  physics::BodyId body,
+                                  std::uint64_t user) {
+        const physics::PhysicsWorld& world = simulation.physics;
+        const bool moves = world.contains(body) && world.kind(body) != physics::BodyKind::Static;
+        return moves ? user : 0;
+    }
+
+    static std::string caption_of(const scene::Surface& louder, const scene::Surface& softer) {
+        if (!louder.caption.empty()) return louder.caption;
+        return louder.name + " hits " + softer.name;
     }
 
     /// When nobody listens for a while, or a heap comes down, the loudest are worth keeping.

@@ -116,6 +116,16 @@ private:
                world.state(body).awake;
     }
 
+    static audio::SoundMakers marks_of_moving(const physics::PhysicsWorld& world,
+                                              const physics::ContactEvent& contact) {
+        return {is_moving(world, contact.a) ? contact.user_a : 0,
+                is_moving(world, contact.b) ? contact.user_b : 0};
+    }
+    static Vec3 velocity_of_moving(const physics::PhysicsWorld& world,
+                                   const physics::ContactEvent& contact) {
+        return world.state(is_moving(world, contact.a) ? contact.a : contact.b).velocity_mps;
+    }
+
     const scene::Surface& surface_of(std::uint64_t mark) const {
         const ecs::Entity entity = simulation_.entity_of_mark(mark);
         const auto* surface = simulation_.registry.alive(entity)
@@ -145,22 +155,33 @@ private:
         const auto sliding = static_cast<float>(contact.sliding_speed_mps);
         const Real grip = std::sqrt(a.friction * b.friction);
         const float dulled = std::sqrt(a.loudness * b.loudness);
-        const auto swell = [&](RollingLoop& loop, auto file, float share, float speed_mps) {
-            const bool by_a = !(a.*file).empty() && ((b.*file).empty() || a.loudness > b.loudness);
-            const std::filesystem::path& path = by_a ? a.*file : b.*file;
-            if (path.empty() || speed_mps < kLeastWay_mps) return;
-            loop.cue.sound = bank_.get(simulation_, path);
-            loop.cue.position_world = Vec3f(contact.point_world);
-            loop.cue.pitch = std::clamp(0.7F + 0.2F * speed_mps, 0.7F, 1.5F);
-            loop.wanted = std::min(dulled * std::sqrt(share), 1.0F);
-        };
+        const auto swell =
+            [&](RollingLoop& loop, auto file, const char* verb, float share, float speed_mps) {
+                const bool by_a =
+                    !(a.*file).empty() && ((b.*file).empty() || a.loudness > b.loudness);
+                const std::filesystem::path& path = by_a ? a.*file : b.*file;
+                if (path.empty() || speed_mps < kLeastWay_mps) return;
+                loop.cue.sound = bank_.get(simulation_, path);
+                loop.cue.position_world = Vec3f(contact.point_world);
+                loop.cue.made_by = marks_of_moving(world, contact);
+                const Vec3 velocity_mps = velocity_of_moving(world, contact);
+                loop.cue.velocity_mps = Vec3f(velocity_mps);
+                loop.cue.pitch = std::clamp(0.7F + 0.2F * speed_mps, 0.7F, 1.5F);
+                loop.cue.caption = (by_a ? a : b).name + verb;
+                loop.wanted = std::min(dulled * std::sqrt(share), 1.0F);
+            };
         pair.scrape.cue.key = key_of(marks, 0);
         pair.roll.cue.key = key_of(marks, 1);
         swell(pair.scrape,
               &scene::Surface::scrape_sound,
+              " scrapes",
               static_cast<float>(grip) * load_N * sliding / kFullScrape_W,
               sliding);
-        swell(pair.roll, &scene::Surface::roll_sound, load_N * rolling / kFullRoll_W, rolling);
+        swell(pair.roll,
+              &scene::Surface::roll_sound,
+              " rolls",
+              load_N * rolling / kFullRoll_W,
+              rolling);
     }
 
     /// No entity's mark: those name the loops of ambient_sounds.

@@ -99,6 +99,7 @@ struct AmbientSound {
     float radius_m{12.0F};
     bool loop{true};
     bool by_wind{false};  ///< as loud as the wind is strong there; `gain` in the mean wind
+    bool by_flow{false};  ///< as loud as the fountains within its radius; `gain` at 5 W of water
 };
 
 /// Worn in place of the Visual's own materials while the body touches another.

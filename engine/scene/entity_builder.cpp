@@ -391,7 +391,8 @@ Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
                                                 .gain = description.sound->gain,
                                                 .radius_m = description.sound->radius_m,
                                                 .loop = description.sound->loop,
-                                                .by_wind = description.sound->by_wind});
+                                                .by_wind = description.sound->by_wind,
+                                                .by_flow = description.sound->by_flow});
     }
     if (moving != nullptr) {
         const Result<Done> made = build_parts(description, name, *moving, surface, entity);

@@ -5,6 +5,7 @@
 #include "engine/scene/origin.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,8 +45,10 @@ struct FountainDescription {
 struct WindDescription {
     Vec3 direction{1, 0, 0};  ///< level and unit; the way the air goes
     Real speed_mps{3};
-    Real gusts{0.4_r};    ///< their speed as a share of the mean
-    Real gust_size_m{9};  ///< from crest to crest
+    Real gusts{0.4_r};            ///< their speed as a share of the mean
+    Real gust_size_m{9};          ///< from crest to crest
+    std::filesystem::path sound;  ///< a loop, heard at the ear; empty: none
+    float sound_gain{0.3F};       ///< in the mean wind
     Origin origin{};
 };
 

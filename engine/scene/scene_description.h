@@ -201,6 +201,14 @@ struct SoundDescription {
     float gain{1.0F};
     float radius_m{12.0F};
     bool by_wind{false};  ///< as loud as the wind is strong there
+    bool by_flow{false};  ///< as loud as the fountains within its radius are strong
+    Origin origin{};
+};
+
+/// `[sound]`: how what stands round source and listener changes what is heard.
+struct AcousticsDescription {
+    bool paths{false};   ///< walls muffle, distance delays
+    bool reverb{false};  ///< rooms reverberate
     Origin origin{};
 };
 
@@ -263,6 +271,7 @@ struct JointDescription {
     std::optional<Real> rest_length_m{};
     bool collide{false};
     Real break_N{0};
+    float creak{0.0F};  ///< how loudly it creaks as it turns; 0: not at all
     Origin origin{};
 };
 
@@ -397,6 +406,7 @@ struct SceneDescription {
     std::vector<ViewDescription> views;
     std::optional<HardCase> hard_case{};
     std::optional<GoalDescription> goal{};
+    std::optional<AcousticsDescription> acoustics{};
     std::optional<WindDescription> wind{};
     std::optional<GrassDescription> grass{};
     std::vector<FlockDescription> flocks;

@@ -29,16 +29,17 @@ void read_visual(TableReader& table, EntityDescription& entity, const LoadContex
 std::optional<SoundDescription> read_sound(TableReader& entity, const LoadContext& context) {
     auto table = entity.table("sound");
     if (!table) return {};
-    constexpr std::array<std::string_view, 5> kSounds{".ogg", ".wav", ".flac", ".opus", ".mp3"};
     constexpr Range kGain{0, 10, "a factor from 0 to 10"};
     SoundDescription sound;
     sound.origin = origin_of(table->place());
     if (!table->has("file")) table->error("file", "missing; expected a sound file");
-    const auto file = read_file_reference(*table, "file", kSounds, "it stays silent", context);
+    const auto file =
+        read_file_reference(*table, "file", kSoundExtensions, "it stays silent", context);
     sound.loop = table->flag("loop", true);
     sound.gain = table->single("gain", 1.0F, kGain);
     sound.radius_m = table->single("radius_m", sound.radius_m, kSize_m);
     sound.by_wind = table->flag("by_wind", sound.by_wind);
+    sound.by_flow = table->flag("by_flow", sound.by_flow);
     table->finish();
     if (!file || !file->exists) return {};
     sound.file = file->file;

@@ -20,10 +20,10 @@ namespace {
 
 constexpr std::size_t kIncludeDepth = 16;
 // Everything that a scene may hold beside materials and prefabs.
-constexpr std::array<std::string_view, 22> kSceneOnly{
+constexpr std::array<std::string_view, 23> kSceneOnly{
     "world",      "accuracy", "player", "camera", "sun",   "sky",   "ambient", "fog",
     "flashlight", "post",     "goal",   "entity", "array", "joint", "effects", "view",
-    "hard_case",  "fountain", "wind",   "grass",  "flock", "time"};
+    "hard_case",  "fountain", "wind",   "grass",  "flock", "time",  "sound"};
 
 /// One file of the load. Places point at its name, so it stays where it is.
 struct SourceFile {
@@ -65,7 +65,7 @@ public:
         read_views(root, scene_);
         read_hard_case(root, scene_, context_);
         read_goal(root, scene_, context_);
-        read_nature(root, scene_);
+        read_nature(root, scene_, context_);
         root.find("material");
         root.find("prefab");
         root.finish();

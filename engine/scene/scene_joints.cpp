@@ -31,6 +31,11 @@ bool has_motor(JointKind kind) {
     return kind == JointKind::Hinge || kind == JointKind::Slider;
 }
 
+/// Those whose bodies turn against each other.
+bool creaks(JointKind kind) {
+    return kind == JointKind::Hinge || kind == JointKind::Ball || kind == JointKind::Cone;
+}
+
 struct End {
     const EntityDescription* entity{nullptr};  ///< null: the world, or nothing good
     Vec3 position_m{0, 0, 0};
@@ -176,6 +181,8 @@ void read_drive(TableReader& table, JointDescription& joint) {
     joint.rest_length_m = table.optional_number("rest_length_m", kLength_m);
     joint.collide = table.flag("collide", false);
     joint.break_N = table.number("break_N", Real{0}, kForce);
+    constexpr Range kCreak{0, 10, "a factor from 0 to 10"};
+    joint.creak = table.single("creak", joint.creak, kCreak);
 }
 
 /// Keys that the kind has no use for: said, not refused.
@@ -190,6 +197,7 @@ void warn_of_unused(TableReader& table, JointKind kind) {
     if (!has_axis(kind)) unused("axis");
     if (!has_limits(kind)) unused("limits");
     if (!has_motor(kind)) unused("motor");
+    if (!creaks(kind)) unused("creak");
     if (kind != JointKind::Cone) unused("twist");
     if (has_two_anchors(kind)) {
         unused("anchor_m");

@@ -70,7 +70,20 @@ FountainDescription read_fountain(TableReader& table) {
     return fountain;
 }
 
-void read_wind(TableReader& root, SceneDescription& scene) {
+/// `sound = { file, gain }`
+void read_wind_sound(TableReader& wind_table, WindDescription& wind, const LoadContext& context) {
+    auto table = wind_table.table("sound");
+    if (!table) return;
+    constexpr Range kGain{0, 10, "a factor from 0 to 10"};
+    if (!table->has("file")) table->error("file", "missing; expected a sound file");
+    const auto file =
+        read_file_reference(*table, "file", kSoundExtensions, "it stays silent", context);
+    wind.sound_gain = table->single("gain", wind.sound_gain, kGain);
+    table->finish();
+    if (file && file->exists) wind.sound = file->file;
+}
+
+void read_wind(TableReader& root, SceneDescription& scene, const LoadContext& context) {
     auto table = root.table("wind");
     if (!table) return;
     constexpr Range kSpeed_mps{0, 1000, "metres a second from 0 to 1000"};
@@ -84,6 +97,7 @@ void read_wind(TableReader& root, SceneDescription& scene) {
     wind.speed_mps = table->number("speed_mps", wind.speed_mps, kSpeed_mps);
     wind.gusts = table->number("gusts", wind.gusts, kFraction);
     wind.gust_size_m = table->number("gust_size_m", wind.gust_size_m, kGustSize_m);
+    read_wind_sound(*table, wind, context);
     table->finish();
     scene.wind = wind;
 }
@@ -138,8 +152,8 @@ Fidelity read_fidelity(TableReader& table) {
         table.choice("fidelity", static_cast<std::size_t>(Fidelity::Balanced), kNames));
 }
 
-void read_nature(TableReader& root, SceneDescription& scene) {
-    read_wind(root, scene);
+void read_nature(TableReader& root, SceneDescription& scene, const LoadContext& context) {
+    read_wind(root, scene, context);
     read_grass(root, scene);
     for (const auto& [node, path] : listed_tables(root, "flock")) {
         TableReader table(*node, path, root.faults());

@@ -8,6 +8,7 @@
 #include "engine/scene/scene_paths.h"
 #include "engine/scene/scene_reader.h"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -19,6 +20,9 @@ namespace plumbline::scene {
 
 /// A group that no body can be in: `collides_with = []`.
 inline constexpr std::string_view kNoGroup = "";
+
+inline constexpr std::array<std::string_view, 5> kSoundExtensions{
+    ".ogg", ".wav", ".flac", ".opus", ".mp3"};
 
 /// A [[prefab]] table as found; the node outlives the load.
 struct PrefabSource {
@@ -126,7 +130,7 @@ void check_whole_scene(SceneDescription& scene, LoadContext& context);
 void read_goal(TableReader& root, SceneDescription& scene, LoadContext& context);
 
 // --- scene_nature.cpp
-void read_nature(TableReader& root, SceneDescription& scene);
+void read_nature(TableReader& root, SceneDescription& scene, const LoadContext& context);
 /// The key `fidelity` of [effects.NAME].
 Fidelity read_fidelity(TableReader& table);
 

@@ -17,7 +17,7 @@ constexpr Range kYaw_deg{-36'000, 36'000, "degrees from -36000 to 36000"};
 constexpr Range kPitch_deg{-90, 90, "degrees from -90 to 90"};
 
 // Names of effects that may carry a table of settings.
-constexpr std::array<std::string_view, 16> kEffects{"sun_shadow",
+constexpr std::array<std::string_view, 20> kEffects{"sun_shadow",
                                                     "flashlight",
                                                     "fog",
                                                     "skybox",
@@ -27,6 +27,10 @@ constexpr std::array<std::string_view, 16> kEffects{"sun_shadow",
                                                     "rolling_sounds",
                                                     "ambient_sounds",
                                                     "footsteps",
+                                                    "creak_sounds",
+                                                    "wind_sound",
+                                                    "sound_paths",
+                                                    "room_reverb",
                                                     "continuous_collision",
                                                     "gyroscopic_torque",
                                                     "contact_events",
@@ -125,6 +129,17 @@ void read_camera(TableReader& root, SceneDescription& scene) {
     if (table->has("up") && std::abs(glm::dot(forward, camera.up)) > kSteepUp)
         table->error("up", "lies along the line of sight; expected another direction");
     table->finish();
+}
+
+void read_acoustics(TableReader& root, SceneDescription& scene) {
+    auto table = root.table("sound");
+    if (!table) return;
+    AcousticsDescription acoustics;
+    acoustics.origin = origin_of(table->place());
+    acoustics.paths = table->flag("paths", acoustics.paths);
+    acoustics.reverb = table->flag("reverb", acoustics.reverb);
+    table->finish();
+    scene.acoustics = acoustics;
 }
 
 void read_effects(TableReader& root, SceneDescription& scene, LoadContext& context) {
@@ -232,6 +247,7 @@ void read_sections(TableReader& root, SceneDescription& scene, LoadContext& cont
     read_player(root, scene);
     read_camera(root, scene);
     read_lights_and_air(root, scene, context);
+    read_acoustics(root, scene);
     read_effects(root, scene, context);
 }
 

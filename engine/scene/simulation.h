@@ -71,6 +71,9 @@ struct MovingBody {
 struct SceneJoint {
     std::string name;
     physics::JointId joint{};
+    Vec3 anchor_a_body{0, 0, 0};  ///< where it holds a, in a's frame
+    float creak{0.0F};            ///< how loudly it creaks; 0: not at all
+    Origin origin{};
 };
 
 /// Bodies that need an optional part of the physics in the next step: one of each, or null.

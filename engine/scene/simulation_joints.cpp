@@ -41,7 +41,12 @@ Result<Done> Simulation::add_joint(const JointDescription& description) {
                               .break_N = description.break_N,
                               .user = joints_.size()});
     if (!made) return refuse(made.error().message);
-    joints_.push_back({.name = description.name, .joint = *made});
+    const Pose body_from_world = invert(physics.state(*a).world_from_body);
+    joints_.push_back({.name = description.name,
+                       .joint = *made,
+                       .anchor_a_body = transform_point(body_from_world, description.anchor_a_m),
+                       .creak = description.creak,
+                       .origin = description.origin});
     return Done{};
 }
 

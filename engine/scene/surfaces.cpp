@@ -86,7 +86,10 @@ Surface read_surface(TableReader& table, const std::string& name, const fs::path
     surface.step_sounds = read_sounds(table, "step_sounds", assets_folder);
     surface.roll_sound = read_loop(table, "roll_sound", assets_folder);
     surface.scrape_sound = read_loop(table, "scrape_sound", assets_folder);
+    surface.creak_sound = read_loop(table, "creak_sound", assets_folder);
     surface.loudness = table.single("loudness", surface.loudness, kLoudness);
+    surface.absorption = table.single("absorption", surface.absorption, kFraction);
+    surface.caption = table.text("caption", {});
     table.finish();
     return surface;
 }

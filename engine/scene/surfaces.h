@@ -22,7 +22,10 @@ struct Surface {
     std::vector<std::filesystem::path> step_sounds;
     std::filesystem::path roll_sound;  ///< loops; empty: none
     std::filesystem::path scrape_sound;
-    float loudness{1.0F};  ///< of impacts, of what rolls and scrapes
+    std::filesystem::path creak_sound;  ///< of joints as they turn
+    float loudness{1.0F};               ///< of impacts, of what rolls and scrapes
+    float absorption{0.1F};             ///< 0…1: the share of sound's energy that it swallows
+    std::string caption;  ///< of its impacts: "chimes ring"; empty: "wood hits stone", by the names
 };
 
 /// Index 0 is the default surface. Which of two surfaces sounds when they meet, and how.

@@ -54,6 +54,10 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "rolling_sounds",
                                                  "ambient_sounds",
                                                  "footsteps",
+                                                 "creak_sounds",
+                                                 "wind_sound",
+                                                 "sound_paths",
+                                                 "room_reverb",
                                                  "continuous_collision",
                                                  "gyroscopic_torque",
                                                  "contact_events"};

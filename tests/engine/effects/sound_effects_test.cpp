@@ -187,6 +187,67 @@ TEST(AmbientSounds, RustleAsTheSquareOfTheWind) {
     }
 }
 
+// Power is flow times what each kilogram lands with; loudness goes with its root, 1 at 5 W.
+TEST(AmbientSounds, RushAsTheRootOfTheWatersPower) {
+    EntityDescription basin;
+    basin.name = "basin";
+    basin.sound = scene::SoundDescription{
+        .file = sound_file("loop_fountain.ogg"), .gain = 0.5F, .radius_m = 10, .by_flow = true};
+    const auto gain_of = [&](std::vector<scene::FountainDescription> fountains) {
+        scene::SceneDescription scene = scene_of({basin});
+        scene.fountains = std::move(fountains);
+        Running run(scene);
+        EffectRuntime effects(*run, kWithSound);
+        return effects.sound(*run, {}).loops.at(0).gain;
+    };
+    scene::FountainDescription jet{.position_m = {0, 2, 0}, .speed_mps = 4, .flow_lps = 0.25_r};
+    jet.pools = {{.center_m = {0, 1.5_r, 0}, .radius_m = 1},
+                 {.center_m = {0, 0.2_r, 0}, .radius_m = 3}};
+    const float power_W = 0.25F * (8 + 9.81F * 0.5F);
+    EXPECT_NEAR(gain_of({jet}), 0.5F * std::sqrt(power_W / 5), 1e-3F);
+    scene::FountainDescription stronger = jet;
+    stronger.flow_lps *= 2;
+    EXPECT_NEAR(gain_of({stronger}) / gain_of({jet}), std::sqrt(2.0F), 1e-3F);
+    scene::FountainDescription dry = jet;
+    dry.flow_lps = 0;
+    EXPECT_EQ(gain_of({dry}), 0.0F);
+    EXPECT_EQ(gain_of({}), 0.0F);
+    scene::FountainDescription far = jet;
+    far.position_m.x = 50;
+    EXPECT_EQ(gain_of({far}), 0.0F);
+}
+
+TEST(WindSound, FollowsTheGustsAtTheEarAndIsLessInTheLee) {
+    scene::SceneDescription scene = scene_of({ground()});
+    scene.wind = scene::WindDescription{.speed_mps = 4,
+                                        .gusts = 0.6_r,
+                                        .sound = sound_file("loop_wind.ogg"),
+                                        .sound_gain = 0.2F,
+                                        .origin = {"garden.toml", 30}};
+    scene::ViewPoint ear;
+    ear.world_from_camera.position = {3, 1.7_r, 2};
+    Running run(scene);
+    EffectRuntime effects(*run, kWithSound);
+    EXPECT_EQ(line_of(effects, "wind_sound").called_for_by,
+              Callers{"[wind] sound (garden.toml:30)"});
+    for (int i = 0; i < 5; ++i) {
+        run.step(40, effects);
+        const Real speed = glm::length(scene::wind_at(*scene.wind, {3, 1.7_r, 2}, run->time_s()));
+        const audio::LoopCue wind = effects.sound(*run, ear).loops.at(0);
+        EXPECT_NEAR(wind.gain, 0.2_r * speed * speed / 16, 1e-4F);
+        EXPECT_LT(wind.position_world.x, 3.0F) << "from where it blows";
+    }
+    // A wall upwind, 2 m off.
+    scene.entities.push_back(
+        test::box("wall", {1, 5, 2}, {0.2_r, 30, 40}, physics::BodyKind::Static));
+    Running sheltered(scene);
+    EffectRuntime in_the_lee(*sheltered, kWithSound);
+    const Real speed = glm::length(scene::wind_at(*scene.wind, {3, 1.7_r, 2}, 0));
+    EXPECT_NEAR(in_the_lee.sound(*sheltered, ear).loops.at(0).gain,
+                0.15_r * 0.2_r * speed * speed / 16,
+                1e-4F);
+}
+
 TEST(AmbientSounds, ReadNoFileWhereNobodyListens) {
     EntityDescription fountain;
     fountain.name = "fountain";

@@ -73,7 +73,7 @@ TEST_F(SceneFileHostile, DeepNesting) {
                 "scene.toml:1:1: error: a: unknown key; known: accuracy, ambient, array, camera, "
                 "effects, entity, flashlight, flock, fog, fountain, goal, grass, hard_case, joint, "
                 "material, "
-                "player, post, prefab, scene, sky, sun, time, view, wind, world");
+                "player, post, prefab, scene, sky, sound, sun, time, view, wind, world");
 }
 
 TEST_F(SceneFileHostile, ManyDottedParts) {

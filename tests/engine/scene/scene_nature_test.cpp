@@ -57,6 +57,20 @@ TEST_F(SceneFileTest, TheWindIsRead) {
               "ground");
 }
 
+TEST_F(SceneFileTest, WhatIsHeardIsRead) {
+    const Outcome outcome = load("[sound]\npaths = true\nreverb = true\n");
+    ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
+    ASSERT_TRUE(outcome.scene->acoustics);
+    EXPECT_TRUE(outcome.scene->acoustics->paths);
+    EXPECT_TRUE(outcome.scene->acoustics->reverb);
+    EXPECT_FALSE(load("").scene->acoustics);
+    const Outcome wrong = load("[sound]\npath = true\nreverb = 1\n");
+    ASSERT_EQ(wrong.faults.size(), 2U);
+    EXPECT_EQ(wrong.faults[0],
+              "scene.toml:2:1: error: sound.path: unknown key; did you mean \"paths\"?");
+    EXPECT_EQ(wrong.faults[1], "scene.toml:3:10: error: sound.reverb: 1; expected true or false");
+}
+
 TEST_F(SceneFileTest, GrassAndFlocksAreRead) {
     const std::string lawn =
         "[[entity]]\nname = \"lawn\"\nprimitive = { plane = [9, 9] }\nbody = { kind = \"static\" "
