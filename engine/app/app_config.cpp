@@ -186,7 +186,11 @@ std::vector<Setting> settings_of(AppConfig& config) {
         {"sound", "master_gain", FloatSetting{&config.master_gain, 0, 1}, "Everything"},
         {"sound", "effects_gain", FloatSetting{&config.effects_gain, 0, 1}, "Impacts and steps"},
         {"sound", "ambience_gain", FloatSetting{&config.ambience_gain, 0, 1}, "Surroundings"},
+        {"sound", "ui_gain", FloatSetting{&config.ui_gain, 0, 1}, "Menu"},
         {"sound", "mute", &config.mute, "Mute"},
+        {"sound", "mono", &config.mono, "Mono"},
+        {"sound", "doppler", &config.doppler, "Doppler shift"},
+        {"sound", "captions", &config.captions, "Captions of loud sounds"},
         {"sound", "voices", IntSetting{&config.voices, 1, 256}, "Sounds at the same time"},
     };
 }

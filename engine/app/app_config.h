@@ -35,7 +35,11 @@ struct AppConfig {
     float master_gain{1.0F};    ///< [sound] 0…1
     float effects_gain{1.0F};   ///< of what strikes, steps and breaks
     float ambience_gain{1.0F};  ///< of what sounds on: wind, insects, rolling
+    float ui_gain{0.5F};        ///< of the menu's own sounds
     bool mute{false};
+    bool mono{false};      ///< every sound as loud on both sides
+    bool doppler{false};   ///< what comes is heard higher, what goes lower
+    bool captions{false};  ///< loud events in words, with an arrow to where they are
     int voices{32};
 
     friend bool operator==(const AppConfig&, const AppConfig&) = default;

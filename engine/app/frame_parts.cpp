@@ -97,6 +97,7 @@ FrameParts::FrameParts(platform::Window& window,
                        log_note("{}", line);
                        say(std::move(line));
                    }),
+      menu_sounds_(session.folders().assets / "sounds", session.library),
       menu_(menu_world()),
       first_minute_(def.user_data_folder.empty() ? std::filesystem::path()
                                                  : def.user_data_folder / "first_minute"),
@@ -166,7 +167,11 @@ ui::MenuWorld FrameParts::menu_world() {
 void FrameParts::apply_config() {
     const AppConfig& config = config_.current();
     window_.set_vsync(config.vsync);
-    if (mixer_) mixer_->set_master_gain(config.mute ? 0.0F : config.master_gain);
+    if (mixer_) {
+        mixer_->set_master_gain(config.mute ? 0.0F : config.master_gain);
+        mixer_->set_mono(config.mono);
+        mixer_->set_doppler(config.doppler);
+    }
     const PictureWish wish = picture_wish_of(config);
     if (wish == picture_wish_) return;
     picture_wish_ = wish;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "engine/app/camera_path_control.h"
+#include "engine/app/captions.h"
 #include "engine/app/first_minute.h"
 #include "engine/app/frame_controls.h"
 #include "engine/app/frame_loop.h"
+#include "engine/app/menu_sounds.h"
 #include "engine/app/overlay.h"
 #include "engine/app/picture_control.h"
 #include "engine/app/scene_watch.h"
@@ -108,6 +110,8 @@ private:
     std::string config_fault_;
     Overlay overlay_;
     CameraPathControl camera_path_;
+    Captions captions_;
+    MenuSounds menu_sounds_;
     ui::MenuControl menu_;
     FirstMinute first_minute_;
     InputSnapshot devices_;  ///< of this frame

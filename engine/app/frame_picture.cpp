@@ -115,6 +115,7 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
                        .reduce_motion = config_.current().reduce_motion,
                        .faults = standing_faults(),
                        .lines_not_shown = frame.lines.not_shown,
+                       .captions = captions_.lines(now_s),
                        .camera_path = camera_path_.status(),
                        .animation = bar ? &*bar : nullptr,
                        .now_s = now_s},
@@ -145,15 +146,19 @@ void FrameParts::do_accuracy(const AccuracyRequest& asked) {
 void FrameParts::play_sound(const scene::ViewPoint& view, double now_s) {
     if (!mixer_) return;
     effects::SoundFrame sound = session_.effects->sound(*session_.simulation, view);
+    const audio::Listener listener{.position_world = Vec3f(view.world_from_camera.position),
+                                   .orientation = Quatf(view.world_from_camera.orientation),
+                                   .velocity_mps = Vec3f(view.velocity_mps),
+                                   .room = sound.room};
+    if (!config_.current().captions)
+        captions_.clear();
+    else if (!clock.paused())
+        captions_.add(sound, listener, now_s);
     for (audio::SoundCue& cue : sound.cues) cue.gain *= config_.current().effects_gain;
     for (audio::LoopCue& loop : sound.loops) loop.gain *= config_.current().ambience_gain;
+    menu_sounds_.add(menu_.menu().use(), config_.current().ui_gain, sound.cues);
     mixer_->set_paused(clock.paused());
-    mixer_->play(sound.cues,
-                 sound.loops,
-                 {.position_world = Vec3f(view.world_from_camera.position),
-                  .orientation = Quatf(view.world_from_camera.orientation),
-                  .velocity_mps = Vec3f(view.velocity_mps)},
-                 now_s);
+    mixer_->play(sound.cues, sound.loops, listener, now_s);
 }
 
 }  // namespace plumbline::app

@@ -131,6 +131,7 @@ AccuracyRequest Overlay::draw(const OverlayInput& input,
     canvas.draw(layout.side, kSolid);
     canvas.draw(layout.target, 0.25F);
     canvas.draw(layout.hint, kSolid);
+    canvas.draw(layout.captions, kSolid);
     canvas.draw(menu.menu());
     canvas.draw(layout.messages, kSolid, ui::Layer::Above);
     canvas.end();

@@ -56,8 +56,9 @@ struct OverlayInput {
     bool reduce_motion{false};
     std::vector<std::string> faults{};  ///< of files that were saved: shown until they are mended
     std::size_t lines_not_shown{0};
-    std::string camera_path{};         ///< what is done with one; empty: nothing
-    AnimationBar* animation{nullptr};  ///< null: the scene is no model that moves
+    std::vector<std::string> captions{};  ///< of sounds
+    std::string camera_path{};            ///< what is done with one; empty: nothing
+    AnimationBar* animation{nullptr};     ///< null: the scene is no model that moves
     double now_s{0};
 };
 

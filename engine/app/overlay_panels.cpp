@@ -190,6 +190,7 @@ ui::HudTexts hud_texts(const OverlayInput& input) {
     if (input.hud.crosshair && !input.hud.looking_at.empty())
         texts.target = {{.text = input.hud.looking_at}};
     if (input.hint) texts.hint = {{.text = hint_text(input, *input.hint), .tone = Tone::Head}};
+    for (const std::string& caption : input.captions) texts.captions.push_back({.text = caption});
     return texts;
 }
 

@@ -101,8 +101,19 @@ HudLayout layout_of(const HudTexts& texts,
     Placer::move(
         out.target, (width_px - out.target.box.width) * 0.5F, height_px * 0.5F + font_px * 0.9F);
 
-    // Messages grow upwards from the hint and stay clear of what the crosshair names.
-    const float bottom = texts.hint.empty() ? height_px * 0.86F : out.hint.box.y - gap;
+    const float above_hint =
+        texts.hint.empty() ? height_px - margin - font_px : out.hint.box.y - gap;
+    out.captions = place.stack(texts.captions, std::min(free_width, font_px * 40.0F));
+    Placer::move(out.captions,
+                 middle_x - out.captions.box.width * 0.5F,
+                 above_hint - out.captions.box.height);
+
+    // Messages grow upwards from there and stay clear of what the crosshair names.
+    const float above_captions =
+        texts.captions.empty() ? height_px * 0.86F : out.captions.box.y - gap;
+    const float bottom = texts.hint.empty() || !texts.captions.empty()
+                             ? std::min(above_captions, height_px * 0.86F)
+                             : out.hint.box.y - gap;
     const float top = texts.side.empty() ? height_px * 0.5F + font_px * 3.4F : height_px * 0.72F;
     std::vector<HudLine> messages = texts.messages;
     do {
@@ -117,9 +128,9 @@ HudLayout layout_of(const HudTexts& texts,
     Placer::move(out.verdict, margin, below_status);
 
     const float side_top = texts.verdict.empty() ? below_status : out.verdict.box.bottom() + gap;
-    const float lowest = texts.messages.empty() && texts.hint.empty()
-                             ? height_px - margin
-                             : std::min(out.messages.box.y, out.hint.box.y) - gap;
+    float lowest = height_px - margin;
+    for (const HudPanel* below : {&out.messages, &out.captions, &out.hint})
+        if (!below->texts.empty()) lowest = std::min(lowest, below->box.y - gap);
     out.side = columns_of(
         texts.side, place, kSideWidth * font_px, free_width, std::max(0.0F, lowest - margin));
     const float side_x = margin + free_width - out.side.box.width;

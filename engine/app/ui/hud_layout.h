@@ -23,7 +23,8 @@ struct HudTexts {
     std::vector<HudLine> verdict;   ///< below it: how a hard case stands
     std::vector<HudLine> side;      ///< top right: what a frame costs
     std::vector<HudLine> target;    ///< below the crosshair: what is looked at
-    std::vector<HudLine> messages;  ///< above the hint, newest last; the oldest go first
+    std::vector<HudLine> messages;  ///< above the captions, newest last; the oldest go first
+    std::vector<HudLine> captions;  ///< above the hint: what is heard
     std::vector<HudLine> hint;      ///< at the bottom
 };
 
@@ -43,6 +44,7 @@ struct HudLayout {
     HudPanel side;
     HudPanel target;
     HudPanel messages;
+    HudPanel captions;
     HudPanel hint;
 };
 

@@ -84,6 +84,7 @@ const PlacedCell* Menu::under(float x, float y) const {
 template <class... Args>
 void Menu::call(const std::function<void(Args...)>& what, Args... args) {
     if (!what) return;
+    ++use_.choices;
     // A copy: what is called makes pages anew, and with them itself.
     const std::function<void(Args...)> kept = what;
     kept(args...);
@@ -108,6 +109,7 @@ void Menu::move(int dx, int dy) {
         scroll(static_cast<float>(dy) * font_px_ * 3.0F);
         return;
     }
+    if (next != shown.focus) ++use_.moves;
     shown.focus = next;
     shown.scroll_px = scroll_to(layout_, next, shown.scroll_px);
 }
@@ -163,7 +165,10 @@ void Menu::point_at(float x, float y) {
     pointer_x_ = x;
     pointer_y_ = y;
     if (dragging_) return drag_to(x, y);
-    if (const PlacedCell* at = under(x, y)) pages_.back().focus = at->place;
+    if (const PlacedCell* at = under(x, y)) {
+        if (at->place != pages_.back().focus) ++use_.moves;
+        pages_.back().focus = at->place;
+    }
 }
 
 void Menu::drag_to(float x, float y) {

@@ -9,11 +9,18 @@
 #include "engine/app/ui/menu_layout.h"
 #include "engine/app/ui/menu_page.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace plumbline::app::ui {
+
+/// How often the mark moved and something was chosen, since the program began.
+struct MenuUse {
+    std::uint64_t moves{0};
+    std::uint64_t choices{0};
+};
 
 class Menu {
 public:
@@ -38,6 +45,7 @@ public:
     /// The pointer moved here: what is below it is chosen.
     void point_at(float x, float y);
     void release_drag() { dragging_ = false; }
+    const MenuUse& use() const { return use_; }
 
 private:
     struct Shown {
@@ -62,6 +70,7 @@ private:
     std::vector<Shown> pages_;
     bool can_close_{true};
     bool dragging_{false};
+    MenuUse use_{};
     Page page_;
     MenuLayout layout_;
     float font_px_{17.0F};

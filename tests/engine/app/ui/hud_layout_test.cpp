@@ -50,6 +50,7 @@ TEST_P(HudAtSize, NothingLeavesTheWindowAndNothingOverlaps) {
                      {.text = "the tower stands: 0.0012  within 0.5 of 1 mm"}};
     texts.target = {{.text = "oak crate, 30 kg"}};
     texts.hint = {{.text = "Left mouse: throw one; held, it flies harder"}};
+    texts.captions = {{.text = "< wood hits stone"}, {.text = "garden gate creaks >"}};
     for (int i = 0; i < 6; ++i)
         texts.messages.push_back(
             {.text = std::string(150 + 20 * static_cast<std::size_t>(i), 'm')});
@@ -62,12 +63,13 @@ TEST_P(HudAtSize, NothingLeavesTheWindowAndNothingOverlaps) {
         // Who asks for the statistics of a hard case has a window that holds both.
         if (width < 1000.0F && right_taken == 0.0F) texts.verdict.clear();
         const HudLayout layout = layout_of(texts, width, height, font_px, right_taken, text);
-        const std::array<const HudPanel*, 6> panels{&layout.status,
+        const std::array<const HudPanel*, 7> panels{&layout.status,
                                                     &layout.verdict,
                                                     &layout.side,
                                                     &layout.target,
                                                     &layout.messages,
-                                                    &layout.hint};
+                                                    &layout.hint,
+                                                    &layout.captions};
         for (std::size_t i = 0; i < panels.size(); ++i) {
             const Box& box = panels[i]->box;
             if (panels[i]->texts.empty()) continue;
