@@ -50,6 +50,9 @@ in vec3 surface_sky_slope_to_eye;
 #ifdef PL_SUN_SHADOW
 in vec3 surface_sun_shadow;
 uniform sampler2DShadow sun_shadow_map;
+#ifdef PL_CONTACT_HARDENING
+uniform sampler2D sun_depth_map;
+#endif
 #endif
 #ifdef PL_FLASHLIGHT
 in vec4 surface_flashlight_shadow;
@@ -61,13 +64,22 @@ uniform samplerCube sky_map;
 #ifdef PL_LOCAL_LIGHTS
 layout(std140) uniform LocalLights { LocalLight local_lights[PL_MAX_LIGHTS]; };
 uniform usamplerBuffer light_masks;
+#ifdef PL_LIGHT_SHADOWS
+uniform sampler2DShadow light_shadow_map;
+#endif
+#endif
+#ifdef PL_PARALLAX
+uniform sampler2D height_map;
+vec2 shown_uv;  // set by main
+#else
+#define shown_uv surface_uv
 #endif
 
 layout(location = 0) out vec4 out_color;
 
 vec3 emitted_light() {
 #ifdef PL_EMISSIVE_MAP
-    return material.emissive.rgb * linear_from_srgb(texture(emissive_map, surface_uv).rgb);
+    return material.emissive.rgb * linear_from_srgb(texture(emissive_map, shown_uv).rgb);
 #elif defined(PL_EMISSIVE)
     return material.emissive.rgb;
 #else
@@ -93,11 +105,41 @@ vec3 shading_normal() {
 #ifdef PL_NORMAL_MAP
     vec3 t = normalize(surface_tangent_world.xyz - n * dot(n, surface_tangent_world.xyz));
     vec3 b = cross(n, t) * surface_tangent_world.w;
-    vec3 m = texture(normal_map, surface_uv).xyz * 2.0 - 1.0;
+    vec3 m = texture(normal_map, shown_uv).xyz * 2.0 - 1.0;
     n = normalize(t * m.x + b * m.y + n * m.z);
 #endif
     return n;
 }
+
+#ifdef PL_PARALLAX
+const float kReliefEnds_m = 9.0;
+
+// Where the eye's way meets what the height map says, below the surface: steps down, then a straight line
+// through the last two (parallax occlusion mapping: Brawley and Tatarchuk, 2004). Flat from afar.
+vec2 below_relief(vec2 uv, vec3 to_eye, float eye_distance_m) {
+    vec2 texels = vec2(textureSize(height_map, 0)) * max(fwidth(uv.x), fwidth(uv.y));
+    float lod = log2(max(max(texels.x, texels.y), 1.0));
+    float depth = material.relief.x * clamp(2.0 - 2.0 * eye_distance_m / kReliefEnds_m, 0.0, 1.0);
+    if (depth <= 0.0) return uv;
+    vec3 n = normalize(surface_normal_world);
+    vec3 t = normalize(surface_tangent_world.xyz - n * dot(n, surface_tangent_world.xyz));
+    vec3 b = cross(n, t) * surface_tangent_world.w;
+    // Green is up in the picture, where v is less.
+    vec2 way = vec2(-dot(to_eye, t), dot(to_eye, b)) * (depth / max(dot(to_eye, n), 0.15));
+    const int kSteps = 12;
+    float before = 0.0;
+    for (int i = 1; i <= kSteps; ++i) {
+        float at = float(i) / float(kSteps);
+        float below = 1.0 - textureLod(height_map, uv + way * at, lod).r - at;
+        if (below <= 0.0) {
+            float back = below / (below - before);
+            return uv + way * (at - back / float(kSteps));
+        }
+        before = below;
+    }
+    return uv + way;
+}
+#endif
 
 #ifdef PL_CASCADES
 // From the first cascade's coordinates to the place in the map where the cascade of that distance
@@ -124,7 +166,12 @@ vec3 sun_light(Surface s, float eye_distance_m) {
 #ifdef PL_CASCADES
     at = in_cascade(at, eye_distance_m);
 #endif
+#ifdef PL_CONTACT_HARDENING
+    lit = disc_shadow(sun_shadow_map, sun_depth_map, vec3(at.xy, min(at.z, 1.0)),
+                      dot(normalize(surface_normal_world), frame.to_sun_world.xyz));
+#else
     lit = sun_shadow(sun_shadow_map, vec3(at.xy, min(at.z, 1.0)), frame.sun_radiance.w);
+#endif
     // The last tenth of the distance fades the shadow out.
     lit = mix(lit, 1.0, clamp(eye_distance_m * frame.to_sun_world.w * 10.0 - 9.0, 0.0, 1.0));
 #endif
@@ -171,7 +218,34 @@ vec3 local_light(Surface s, LocalLight light) {
 }
 #endif
 
+#ifdef PL_LIGHT_SHADOWS
+// The maps round a light lie as light_shadows.h says: an axis forward, the next to a side, the third up.
+float local_light_lit(Surface s, LocalLight light) {
+    vec3 from = surface_position_world() - light.position_world.xyz;
+    vec3 size = abs(from);
+    float reach = max(size.x, max(size.y, size.z));
+    // Looked up a texel's breadth off the surface, more where light grazes it: no acne.
+    float slope = clamp(1.0 + dot(s.normal, from) * inversesqrt(dot(from, from)), 0.0, 1.0);
+    from += s.normal * (light.shadow.w * reach * (0.5 + 1.5 * slope));
+    size = abs(from);
+    bool is_x = size.x >= max(size.y, size.z);
+    bool is_y = !is_x && size.y >= size.z;
+    vec3 way = is_x ? from : (is_y ? from.yzx : from.zxy);
+    float ahead = abs(way.x);
+    float face = (is_x ? 0.0 : (is_y ? 2.0 : 4.0)) + float(way.x < 0.0);
+    vec2 slopes = vec2(way.x < 0.0 ? way.y : -way.y, way.z) / ahead;
+    vec2 texel = 1.0 / vec2(textureSize(light_shadow_map, 0));
+    float side_px = 0.1666667 / texel.x;
+    vec2 at_px = (vec2(face, light.shadow.x) + 0.5) * side_px + slopes / light.shadow.w;
+    return lamp_shadow(light_shadow_map, vec3(at_px * texel, light.shadow.y - light.shadow.z / ahead),
+                       texel);
+}
+#endif
+
 #ifdef PL_LOCAL_LIGHTS
+// The exponent of a power of two is the number of its bit.
+int bit_of(uint power) { return (floatBitsToInt(float(int(power))) >> 23 & 255) - 127; }
+
 // The lights whose bits this part of the picture has; light_clusters.h says how they lie.
 vec3 local_lights_light(Surface s) {
     ivec2 tile = min(ivec2(gl_FragCoord.xy * frame.clusters.xy),
@@ -185,22 +259,31 @@ vec3 local_lights_light(Surface s) {
     vec3 color = vec3(0.0);
     int word = 0;
     uint bits = texelFetch(light_masks, first).r;
+#ifdef PL_LIGHT_SHADOWS
+    uint casting = bits & uint(frame.wind.w);
+    bits ^= casting;
+    while (casting != 0u) {
+        uint lowest = casting & (~casting + 1u);
+        LocalLight light = local_lights[bit_of(lowest)];
+        color += local_light(s, light) * local_light_lit(s, light);
+        casting ^= lowest;
+    }
+#endif
     // One loop: where threads share an instruction, inner loops would wait for each other's longest.
     for (;;) {
         while (bits == 0u && ++word < words) bits = texelFetch(light_masks, first + word).r;
         if (bits == 0u) break;
-        // The exponent of a power of two is the number of its bit.
         uint lowest = bits & (~bits + 1u);
-        int bit = (floatBitsToInt(float(int(lowest))) >> 23 & 255) - 127;
-        color += local_light(s, local_lights[word * 32 + bit]);
+        color += local_light(s, local_lights[word * 32 + bit_of(lowest)]);
         bits ^= lowest;
     }
     return color;
 }
 #endif
 
-#ifdef PL_RIPPLES
-float water_mirrors = 0.0;  // a share of what comes from above, set by lit_color
+#if defined(PL_RIPPLES) || defined(PL_GLASS)
+#define PL_CLEAR 1
+float clear_mirrors = 0.0;  // a share of what comes from above, set by lit_color
 #endif
 
 // Light from everywhere. Either way a surface turned every way gets frame.ambient on average: the
@@ -235,10 +318,13 @@ vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
     vec3 diffuse = frame.ambient.rgb * (1.0 + 0.3 * s.normal.y);
     vec3 reflection = frame.ambient.rgb;
 #endif
+#ifdef PL_CLEAR
+    float upwards = reflect(-s.to_eye, s.normal).y;
 #ifdef PL_RIPPLES
-    float upwards = abs(reflect(-s.to_eye, s.normal).y);
+    upwards = abs(upwards);
+#endif
     reflection = mix(frame.ambient.rgb * kShores, reflection, over_shores(upwards));
-    return diffuse * matt_color(s) + reflection * water_mirrors;
+    return diffuse * matt_color(s) + reflection * clear_mirrors;
 #else
     // What is mirrored does not get in: no surface sends out more than falls on it.
     Reflectance mirrored = ambient_fresnel(s);
@@ -247,12 +333,12 @@ vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
 #endif
 }
 
-#ifdef PL_RIPPLES
-// What gets through to the eye from below.
-float water_shows() { return (1.0 - material.base_color.a) * (1.0 - water_mirrors); }
+#ifdef PL_CLEAR
+// What gets through to the eye from behind.
+float clear_shows(float alpha) { return (1.0 - alpha) * (1.0 - clear_mirrors); }
 #endif
 
-vec3 lit_color(vec3 base_color, float eye_distance_m, vec3 to_eye) {
+vec3 lit_color(vec3 base_color, float alpha, float eye_distance_m, vec3 to_eye) {
     Surface s;
     s.base_color = base_color;
     s.roughness = material.surface.x;
@@ -260,12 +346,17 @@ vec3 lit_color(vec3 base_color, float eye_distance_m, vec3 to_eye) {
     s.normal = shading_normal();
     s.to_eye = to_eye;
 #ifdef PL_RIPPLES
-    water_mirrors = water_fresnel(dot(s.normal, to_eye));
-    s.base_color *= material.base_color.a * (1.0 - water_mirrors);
+    clear_mirrors = water_fresnel(dot(s.normal, to_eye));
+#endif
+#ifdef PL_GLASS
+    clear_mirrors = pane_fresnel(material.relief.y, dot(s.normal, to_eye));
+#endif
+#ifdef PL_CLEAR
+    s.base_color *= alpha * (1.0 - clear_mirrors);
 #endif
     float occlusion = 1.0;
 #ifdef PL_ORM_MAP
-    vec3 orm = texture(orm_map, surface_uv).rgb;
+    vec3 orm = texture(orm_map, shown_uv).rgb;
     occlusion = mix(1.0, orm.r, material.surface.w);
     s.roughness *= orm.g;
     s.metallic *= orm.b;
@@ -286,12 +377,17 @@ vec3 lit_color(vec3 base_color, float eye_distance_m, vec3 to_eye) {
 #endif
 
 void main() {
+    vec3 to_eye = surface_to_eye;
+    float eye_distance_m = length(to_eye);
+#ifdef PL_PARALLAX
+    shown_uv = below_relief(surface_uv, to_eye / max(eye_distance_m, 1e-4), eye_distance_m);
+#endif
     vec4 base = vec4(surface_color, material.base_color.a);
 #ifdef PL_BASE_MAP
-    vec4 texel = texture(base_color_map, surface_uv);
+    vec4 texel = texture(base_color_map, shown_uv);
 #ifdef PL_VARIATION
     // The map again, larger and turned, says where it is lighter and darker than on average.
-    float there = texture(base_color_map, surface_uv.yx * vec2(-0.137, 0.163) + 0.37).g;
+    float there = texture(base_color_map, shown_uv.yx * vec2(-0.137, 0.163) + 0.37).g;
     texel.rgb *= 1.0 + material.surface.z * (there / surface_mean - 1.0);
 #endif
     base *= vec4(linear_from_srgb(texel.rgb), texel.a);
@@ -299,12 +395,10 @@ void main() {
     if (base.a < material.emissive.w) discard;
 #endif
 #endif
-    vec3 to_eye = surface_to_eye;
-    float eye_distance_m = length(to_eye);
 #ifdef PL_UNLIT
     vec3 color = base.rgb + emitted_light();
 #else
-    vec3 color = lit_color(base.rgb, eye_distance_m, to_eye / max(eye_distance_m, 1e-4));
+    vec3 color = lit_color(base.rgb, base.a, eye_distance_m, to_eye / max(eye_distance_m, 1e-4));
 #endif
 #ifdef PL_AERIAL
     color = color * surface_aerial.a + surface_aerial.rgb;
@@ -313,9 +407,9 @@ void main() {
     color = mix(frame.fog.rgb, color, fog_transmittance(eye_distance_m));
 #endif
 #ifdef PL_BLEND
-#ifdef PL_RIPPLES
-    // Blending takes the share that hides what is below: what is mirrored came with its own.
-    float hides = 1.0 - water_shows();
+#ifdef PL_CLEAR
+    // Blending takes the share that hides what is behind: what is mirrored came with its own.
+    float hides = max(1.0 - clear_shows(base.a), 1e-3);
     out_color = vec4(color / hides, hides);
 #else
     out_color = vec4(color, base.a);

@@ -92,7 +92,7 @@ def lantern_on_chain(place, yaw_deg, links):
     heading("a lantern on a chain, and another that stands about")
     hook = hook_post("lantern_post", place, yaw_deg)
     width, height = garden.LANTERN
-    prefab("lantern", ['model = "models/lantern.glb"', 'light = { kind = "point", color = [1, 0.66, 0.34], intensity = 1.2, radius_m = 4, on = "dark" }', "[prefab.body]", compound([box((0, height / 2, 0), (width, height, width))]),
+    prefab("lantern", ['model = "models/lantern.glb"', 'light = { kind = "point", color = [1, 0.66, 0.34], intensity = 1.2, radius_m = 4, offset_m = [0, 0.165, 0], shadow = true, on = "dark" }', "[prefab.body]", compound([box((0, height / 2, 0), (width, height, width))]),
                        "mass_kg = 1.6", "angular_damping_per_s = 0.4", "linear_damping_per_s = 0.5"], "lantern")
     prefab("chain_link", ['model = "models/chain_link.glb"', "casts_shadow = false", "[prefab.body]",
                           compound([box((0, -garden.LINK / 2, 0), (0.03, garden.LINK, 0.03))]), "mass_kg = 0.08",

@@ -98,15 +98,15 @@ for name, color, more in [
 lamps = 0
 
 
-def lamp(place, color, intensity, radius):
+def lamp(place, color, intensity, radius, shadow=False):
     global lamps
     lamps += 1
-    entity(f"lamp_{lamps}", place, light=f'{{ kind = "point", color = {vec(*color)}, intensity = {intensity}, radius_m = {radius} }}')
+    entity(f"lamp_{lamps}", place, light=f'{{ kind = "point", color = {vec(*color)}, intensity = {intensity}, radius_m = {radius}{", shadow = true" if shadow else ""} }}')
 
 
 def model(name, piece, place, yaw_deg=0, parts=None, **keys):
     """Something that does not move; without parts nothing meets it."""
-    entity(name, place, model=f'"models/{piece}.glb"', rotation_deg=vec(0, yaw_deg, 0), casts_shadow="false", **keys,
+    entity(name, place, model=f'"models/{piece}.glb"', rotation_deg=vec(0, yaw_deg, 0), **keys,
            **({"body": ['kind = "static"', compound(parts)]} if parts else {}))
 
 
@@ -131,7 +131,7 @@ def swing_ride():
                  "mass_kg = 500", f"angular_velocity_radps = {vec(0, fair.RIDE_SPEED, 0)}"])
     put('\n[[joint]]\nname = "ride_axle"\nkind = "hinge"\na = "ride_crown"\nb = "ride_base"')
     put(f"anchor_m = {vec(RIDE[0], fair.RIDE_ARM_Y, RIDE[2])}\naxis = [0, 1, 0]\nmotor = {{ target = {fair.RIDE_SPEED}, max = 1500 }}\ncreak = 0.5")
-    prefab("ride_chair", ['model = "models/ride_chair.glb"', "casts_shadow = false", "[prefab.body]", compound(box(c, s) for _, c, s in fair.CHAIR),
+    prefab("ride_chair", ['model = "models/ride_chair.glb"', "[prefab.body]", compound(box(c, s) for _, c, s in fair.CHAIR),
                           f"mass_kg = {fair.CHAIR_MASS}", "friction = 0.9"], "chair of the swing ride")
     lean = math.degrees(fair.chair_angle())
     for k in range(fair.RIDE_CHAIRS):
@@ -142,10 +142,10 @@ def swing_ride():
                body=[f"velocity_mps = {vec(*(fair.RIDE_SPEED * fair.RIDE_RADIUS * v for v in onward))}", f"angular_velocity_radps = {vec(0, fair.RIDE_SPEED, 0)}"])
         put(f'\n[[joint]]\nname = "ride_chain_{k + 1}"\nkind = "hinge"\na = "ride_chair_{k + 1}"\nb = "ride_crown"\nanchor_m = {vec(*hook)}\naxis = {vec(*onward)}\nmotor = {{ target = 0, max = 3 }}')
     for k in range(3):
-        lamp(at(RIDE, 20 + 120 * k, (0, 3.7, 2.2)), WARM, 24, 8)
+        lamp(at(RIDE, 20 + 120 * k, (0, 3.7, 2.2)), WARM, 24, 8, shadow=True)
     lamp((RIDE[0] + 0.8, fair.CANOPY[1] + 1.1, RIDE[2] + 3.3), WARM, 8, 4.5)
-    prefab("ring_post", ["primitive = { cylinder = [0.035, 1] }", 'material = "gold"', "casts_shadow = false", "[prefab.body]", 'kind = "static"'])
-    prefab("ring_rail", ["primitive = { box = [0.03, 0.03, 1.95] }", 'material = "cream"', "casts_shadow = false", "[prefab.body]", 'kind = "static"',
+    prefab("ring_post", ["primitive = { cylinder = [0.035, 1] }", 'material = "gold"', "[prefab.body]", 'kind = "static"'])
+    prefab("ring_rail", ["primitive = { box = [0.03, 0.03, 1.95] }", 'material = "cream"', "[prefab.body]", 'kind = "static"',
                          "shape = { box = [0.03, 0.5, 1.95] }"])
     for k in range(20):
         turn = 18 * k
@@ -165,14 +165,14 @@ def gallery():
     model("gallery", "gallery", GALLERY, parts=parts)
     leaf = fair.TARGET_STEM + fair.TARGET_RADIUS
     r = fair.TARGET_RADIUS
-    prefab("target", ['model = "models/target.glb"', "casts_shadow = false", "[prefab.body]",
+    prefab("target", ['model = "models/target.glb"', "[prefab.body]",
                       f"shape = {{ compound = [{{ cylinder = [{r}, 0.024], rotation_deg = [90, 0, 0] }}, {box((0, fair.TARGET_STEM / 2 - leaf, 0), (0.05, fair.TARGET_STEM, 0.02))}] }}",
                       "mass_kg = 1.5", "angular_damping_per_s = 0.6"], "target")
     for i, x in enumerate(fair.TARGET_X):
         place = at(GALLERY, 0, (x, fair.TARGET_Y, fair.TARGET_Z))
         entity(f"target.{i + 1}", at(place, 0, (0, leaf, 0)), prefab='"target"')
         put(f'\n[[joint]]\nname = "target_{i + 1}_hinge"\nkind = "hinge"\na = "target.{i + 1}"\nb = "gallery"\nanchor_m = {vec(*place)}\naxis = [1, 0, 0]\nlimits = [-105, 0]\nmotor = {{ target = 0, max = 0.4 }}\ncreak = 0.25')
-    prefab("tin", ['model = "models/fair_tin.glb"', "casts_shadow = false", "[prefab.body]", f"shape = {{ cylinder = [{fair.TIN[0]}, {fair.TIN[1]}] }}", "mass_kg = 0.25", "friction = 0.6",
+    prefab("tin", ['model = "models/fair_tin.glb"', "[prefab.body]", f"shape = {{ cylinder = [{fair.TIN[0]}, {fair.TIN[1]}] }}", "mass_kg = 0.25", "friction = 0.6",
                    "restitution = 0.1", "rolling_friction = 0.004"], "tin")
     (low, low_z), (high, high_z) = fair.SHELVES
     tins = [(x, low + fair.TIN[1] / 2, low_z) for x in (-1.2, 0.0, 1.2)] + [(x, high + fair.TIN[1] / 2, high_z) for x in (0.51, 0.69)]
@@ -180,7 +180,7 @@ def gallery():
     for i, place in enumerate(tins):
         entity(f"tin.{i + 1}", at(GALLERY, 0, place), prefab='"tin"')
     for x in (-1.5, 1.5):
-        lamp(at(GALLERY, 0, (x, 2.7, 0.2)), WARM, 13, 5)
+        lamp(at(GALLERY, 0, (x, 2.7, 0.2)), WARM, 13, 5, shadow=True)
     lamp(at(GALLERY, 0, (0, 3.2, 4.3)), WARM, 6, 5)
 
 
@@ -197,9 +197,9 @@ for name, piece, place, turn, light in [
     lamp((place[0], 1.9, place[2]), light, 12, 3.8)
 radius, wall = fair.KIOSK
 model("kiosk", "kiosk", (8.0, 0, 5.6), 20, [prism(radius, 0, wall + 0.5)])
-lamp((7.0, 2.3, 6.9), WARM, 6, 4.5)
+lamp((7.0, 2.3, 6.9), WARM, 6, 4.5, shadow=True)
 model("entrance", "fair_entrance", (0, 0, 15.2), 180, [box((side * 2.1, 1.75, 0), (0.35, 3.5, 0.35)) for side in (-1, 1)] + [box((0, 3.75, 0), (4.9, 1.1, 0.16))])
-lamp((0, 3.2, 14.2), WARM, 6, 5)
+lamp((0, 3.2, 14.2), WARM, 6, 5, shadow=True)
 
 heading("strings of lamps from pole to pole")
 POLES = [(-3.4, 11.2), (3.6, 11.2), (-4.4, 3.6), (2.6, 3.8), (10.6, 2.0), (11.4, 11.0), (-11.0, 10.6), (-11.6, -1.5), (2.4, -5.2)]
@@ -216,7 +216,7 @@ for i, (a, b) in enumerate(STRINGS):
     stretch = length / fair.STRING
     entity(f"string_{i + 1}", a, model='"models/light_string.glb"', rotation_deg=turned(yaw, roll), scale=vec(stretch, 1, 1), casts_shadow="false")
     middle = [p + 0.5 * w - (fair.STRING_SAG + 0.25 if j == 1 else 0) for j, (p, w) in enumerate(zip(a, run))]
-    lamp(middle, {3: ROSE, 8: BLUE, 9: ROSE}.get(i, WARM), 17, 6.5)
+    lamp(middle, {3: ROSE, 8: BLUE, 9: ROSE}.get(i, WARM), 17, 6.5, shadow=i in (2, 3, 5, 11))
 
 heading("fence, benches, and things lying about")
 prefab("fence_board", ["primitive = { box = [2.4, 0.12, 0.04] }", 'material = "cream"', "casts_shadow = false"])
@@ -230,13 +230,13 @@ for name, x in [("west", -12.4), ("east", 12.4)]:
     array(f"fence_{name}_posts", "fence_post", (x, 0.55, -12.4), (1, 1, 13), (1, 1, 2.3))
     entity(f"fence_{name}", (x, 0.6, 1.4), primitive="{ box = [0.05, 0.5, 27.6] }", material='"cream"', casts_shadow="false", body=['kind = "static"', "shape = { box = [0.12, 1.2, 27.6] }"])
 for i, (x, z, turn) in enumerate([(4.6, 3.6, 200), (-6.4, 7.6, 140), (7.4, 8.8, 250)]):
-    entity(f"bench_{i + 1}", (x, 0.025, z), label='"garden bench"', model='"models/garden_bench.glb"', rotation_deg=vec(0, turn, 0), casts_shadow="false",
+    entity(f"bench_{i + 1}", (x, 0.025, z), label='"garden bench"', model='"models/garden_bench.glb"', rotation_deg=vec(0, turn, 0),
            body=[compound([box((0, 0.435, -0.0175), (1.5, 0.03, 0.37)), box((0, 0.68, -0.225), (1.5, 0.325, 0.03))] +
                           [box((x0, 0.21, z0), (0.05, 0.42, 0.05)) for x0 in (-0.66, 0.66) for z0 in (0.13, -0.215)]), "mass_kg = 32", "friction = 0.6"])
 for i, (kind, x, y, z, turn) in enumerate([("crate", 9.6, 0.432, -5.6, 10), ("crate", 10.5, 0.432, -5.2, -14), ("crate", 10.0, 1.247, -5.4, 33), ("barrel", 9.6, 0.025, -4.4, 0),
                                            ("crate", -10.4, 0.432, 5.0, 50), ("barrel", -9.9, 0.025, 4.2, 0), ("crate", 1.3, 0.432, -10.4, 15), ("crate", 2.5, 0.432, -10.5, -8),
                                            ("barrel", 9.4, 0.025, 5.2, 40), ("crate", -6.9, 0.432, 11.6, 24), ("barrel", -7.9, 0.025, 11.2, 0)]):
-    entity(f"{kind}_{i + 1}", (x, y, z), prefab=f'"{kind}"', rotation_deg=f"[0, {turn}, 0]", casts_shadow="false")
+    entity(f"{kind}_{i + 1}", (x, y, z), prefab=f'"{kind}"', rotation_deg=f"[0, {turn}, 0]")
 for i in range(4):
     entity(f"ball_{i + 1}", at(GALLERY, 0, (-1.2 + 0.8 * i, fair.COUNTER_Y + 0.12, fair.COUNTER_Z)), prefab='"ball"')
 

@@ -219,12 +219,12 @@ heading("lamps")
 GLOW = "color = [1, 0.72, 0.42]"
 entity("pendant_lamp", in_house(-1.15, plan.CEILING - 0.6, -1.3), model='"models/lamp_pendant.glb"', casts_shadow="false",
        label='"hanging lamp"',
-       light=f'{{ kind = "point", {GLOW}, intensity = 3.2, radius_m = 4.5, on = "dark" }}',
+       light=f'{{ kind = "point", {GLOW}, intensity = 3.2, radius_m = 4.5, shadow = true, on = "dark" }}',
        body=["shape = { compound = [{ cylinder = [0.2, 0.2], position_m = [0, 0.04, 0] }] }", "mass_kg = 1.5", "angular_damping_per_s = 0.8"])
 put(f'\n[[joint]]\nname = "pendant_cord"\nkind = "ball"\na = "pendant_lamp"\nb = "house"\nanchor_m = {vec(*in_house(-1.15, plan.CEILING, -1.3))}')
 entity("bedside_lamp", in_house(2.08, plan.FLOOR + stool_top, -2.3), model='"models/lamp_table.glb"', casts_shadow="false",
        label='"bedside lamp"',
-       light=f'{{ kind = "point", {GLOW}, intensity = 1.6, radius_m = 3.2, on = "dark" }}',
+       light=f'{{ kind = "point", {GLOW}, intensity = 1.6, radius_m = 3.2, offset_m = [0, 0.26, 0], shadow = true, on = "dark" }}',
        body=[compound([box((0, 0.015, 0), (0.13, 0.03, 0.13)), prism(0.03, 0.03, 0.2), prism(0.1, 0.2, 0.36)]), "mass_kg = 1.2"])
 
 heading("lamps of the garden: they come on when the sun is low")

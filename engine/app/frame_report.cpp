@@ -97,6 +97,8 @@ std::string FrameReport::json(const ReportContext& context) const {
         {"instances", last_.instances},
         {"shadow_passes_rendered", shadow_rendered_},
         {"shadow_passes_cached", shadow_cached_},
+        {"shadowed_lights", last_.shadowed_lights},
+        {"unshadowed_lights", last_.unshadowed_lights},
         {"physics", json::parse(scene::cost_json(physics_))},
         {"lost_time_s", context.lost_s},
         {"peak_rss_bytes", peak_resident_bytes()},

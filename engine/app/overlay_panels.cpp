@@ -159,6 +159,10 @@ std::vector<HudLine> stats_lines(const OverlayInput& input) {
                     stats.instances,
                     stats.shadow_passes_rendered,
                     stats.shadow_passes_cached));
+    if (stats.shadowed_lights + stats.unshadowed_lights > 0)
+        add(fmt::format("shadows of {} lamps, {} in sight go without",
+                        stats.shadowed_lights,
+                        stats.unshadowed_lights));
     for (const render::PassTiming& pass : stats.passes) {
         const std::string gpu = pass.gpu_ms >= 0.0 ? fmt::format("{:.2f}", pass.gpu_ms) : "-";
         add(fmt::format("{}: cpu {:.2f}  gpu {} ms", pass.name, pass.cpu_ms, gpu));

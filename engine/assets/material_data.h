@@ -25,6 +25,7 @@ struct MaterialData {
     std::filesystem::path orm_map;         ///< occlusion, roughness, metallic in r, g, b
     std::filesystem::path emissive_map;    ///< sRGB; multiplies `emissive`
     std::filesystem::path height_map;      ///< 8 bit, 1 is high
+    float height_depth{0.0F};              ///< from high to low, of the map's width
     float roughness{0.8F};                 ///< multiplies the map's
     float metallic{0.0F};                  ///< multiplies the map's when there is one
     float occlusion{1.0F};                 ///< how much of orm_map's red counts
@@ -38,6 +39,8 @@ struct MaterialData {
     bool vertex_colors{false};    ///< shown even under a base colour map
     AlphaMode alpha_mode{AlphaMode::Opaque};
     float alpha_cutoff{0.5F};  ///< Mask only
+    /// Above 0, with Blend: clear glass of this index of refraction; what it mirrors is not blended away.
+    float ior{0.0F};
     bool two_sided{false};
     /// Above 0: water, whose ripples run with this mean slope; it mirrors more the flatter it is seen.
     float ripple_slope{0.0F};

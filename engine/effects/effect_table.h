@@ -36,6 +36,7 @@ struct EffectRow {
 // ask for contact events. Sounds come before what changes them.
 #define PL_EFFECTS(ROW)       \
     ROW(sun_shadow)           \
+    ROW(light_shadows)        \
     ROW(flashlight)           \
     ROW(fog)                  \
     ROW(skybox)               \

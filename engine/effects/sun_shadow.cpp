@@ -14,7 +14,8 @@ public:
         frame.sun_shadow =
             render::SunShadow{.size_px = static_cast<std::uint32_t>(shadow.size_px),
                               .distance_m = static_cast<float>(shadow.distance_m),
-                              .cascades = static_cast<std::uint32_t>(shadow.cascades)};
+                              .cascades = static_cast<std::uint32_t>(shadow.cascades),
+                              .angular_size_rad = radians_from_degrees(shadow.angular_size_deg)};
         ++work_.calls;
     }
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }

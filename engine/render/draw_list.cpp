@@ -221,6 +221,7 @@ void build_draws(std::vector<VisibleItem> visible,
 
 void build_depth_draws(std::vector<VisibleItem> visible,
                        const assets::AssetLibrary& library,
+                       Emitters emitters,
                        DrawList& list) {
     std::erase_if(visible, [](const VisibleItem& member) { return !member.item->casts_shadow; });
     for_each_group(visible, [&](std::span<const SortEntry> entries) {
@@ -230,6 +231,7 @@ void build_depth_draws(std::vector<VisibleItem> visible,
             const assets::MaterialId material = material_of(first, part);
             const assets::MaterialData& look = look_of(library, material);
             if (look.alpha_mode == assets::AlphaMode::Blend) continue;
+            if (emitters == Emitters::LetThrough && look.emissive != Vec3f{0.0F}) continue;
             const bool masked = look.alpha_mode == assets::AlphaMode::Mask;
             // Neighbouring opaque parts are one draw: depth does not tell materials apart.
             if (!masked && !list.runs.empty()) {

@@ -86,10 +86,16 @@ void build_draws(std::vector<VisibleItem> visible,
                  DrawKind kind,
                  DrawList& list);
 
+enum class Emitters {
+    Cast,
+    LetThrough  ///< what shines casts no shadow: bulbs and lamp shades stand round their light
+};
+
 /// For depth-only passes, of the items that cast shadows: neighbouring opaque parts of a mesh join
 /// (their run has no material), parts with an alpha mask stay apart. Blend materials cast none.
 void build_depth_draws(std::vector<VisibleItem> visible,
                        const assets::AssetLibrary& library,
+                       Emitters emitters,
                        DrawList& list);
 
 }  // namespace plumbline::render

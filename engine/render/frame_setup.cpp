@@ -69,18 +69,11 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     sun = sun_of(new_frame, scene.sky.computed());
     scene.materials.update({.shading = new_frame.shading,
                             .textures = new_frame.textures,
-                            .surface_maps = quality.surface_maps});
+                            .surface_maps = quality.surface_maps,
+                            .parallax = quality.parallax});
     features = frame_features_of(new_frame);
     if (!sun) features &= ~(feature::kSun | feature::kSunShadow);
     if (sun) features |= feature::kSun;
-    if ((features & (feature::kSunShadow | feature::kFlashlight)) != 0) {
-        if (!quality.shadow_filter) {
-            features |= feature::kHardShadows;
-        } else if (!is_software_gl) {
-            features |= feature::kSoftShadows;
-        }
-    }
-
     const Camera& camera = new_frame.camera;
     const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
     const Mat4f world_from_view = glm::mat4_cast(camera.orientation);
@@ -105,6 +98,14 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     block.clusters.x = PL_CLUSTERS_X / static_cast<float>(post_view.scene_px.width);
     block.clusters.y = PL_CLUSTERS_Y / static_cast<float>(post_view.scene_px.height);
     set_up_light();
+    choose_light_shadows();
+    if ((features & kShadowFeatures) != 0) {
+        if (!quality.shadow_filter) {
+            features |= feature::kHardShadows;
+        } else if (!is_software_gl) {
+            features |= feature::kSoftShadows;
+        }
+    }
     beam.reset();
     if (new_frame.flashlight) set_up_flashlight(*new_frame.flashlight);
     frame_buffer.upload(&block, sizeof(block));
@@ -112,7 +113,8 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
         lights.free();
     } else {
         lights.upload(
-            new_frame.lights,
+            lights_in_order,
+            light_shadow_numbers,
             {.view_from_world = view_from_world, .tan_x = tan_y * aspect, .tan_y = tan_y});
     }
 }
@@ -268,6 +270,10 @@ void Renderer::Impl::set_up_light() {
     // Unused ends lie beyond all: nothing is in a cascade that there is not.
     for (std::uint32_t i = count - 1; i < kMaxCascades; ++i) {
         block.cascade_ends[static_cast<int>(i)] = 1e9F;
+    }
+    if (quality.contact_hardening && shadow.angular_size_rad > 0.0F) {
+        features |= feature::kContactHardening;
+        block.cascade_ends.w = std::tan(0.5F * shadow.angular_size_rad);
     }
     block.sun_shadow_from_world = kTextureFromClip * first.clip_from_world;
     block.camera_world.w = first.texel_m;

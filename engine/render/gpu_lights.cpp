@@ -8,7 +8,9 @@
 
 namespace plumbline::render {
 
-void GpuLights::upload(std::span<const LocalLight> lights, const ClusterView& view) {
+void GpuLights::upload(std::span<const LocalLight> lights,
+                       std::span<const Vec4f> shadows,
+                       const ClusterView& view) {
     if (!masks_texture_) {
         lights_ = gl::Buffer{gl::BufferUse::Uniforms, gl::BufferLife::PerFrame};
         masks_ = gl::Buffer{gl::BufferUse::Vertices, gl::BufferLife::PerFrame};
@@ -24,7 +26,8 @@ void GpuLights::upload(std::span<const LocalLight> lights, const ClusterView& vi
             .position_world = Vec4f{light.position_world, 1.0F / std::max(light.radius_m, 1e-3F)},
             .intensity = Vec4f{light.intensity * glm::one_over_pi<float>(),
                                light.is_spot ? light.outer_cos : -2.0F},
-            .direction_world = Vec4f{light.direction_world, 1.0F / width}};
+            .direction_world = Vec4f{light.direction_world, 1.0F / width},
+            .shadow = i < shadows.size() ? shadows[i] : Vec4f{0.0F}};
     }
     lights_.upload(&block, sizeof(block));
     gl::bind_uniforms(kLocalLightsBinding, lights_, 0, sizeof(block));

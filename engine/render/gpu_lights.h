@@ -12,7 +12,10 @@ namespace plumbline::render {
 class GpuLights {
 public:
     /// Uploads the first PL_MAX_LIGHTS lights and makes them what the next draws read.
-    void upload(std::span<const LocalLight> lights, const ClusterView& view);
+    /// `shadows`: LocalLightEntry::shadow of the first ones.
+    void upload(std::span<const LocalLight> lights,
+                std::span<const Vec4f> shadows,
+                const ClusterView& view);
     /// For frames without lights.
     void free();
 

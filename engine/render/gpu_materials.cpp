@@ -21,6 +21,12 @@ bool is_thin(const assets::MaterialData& material) {
            material.alpha_mode != assets::AlphaMode::Blend;
 }
 
+/// What glass mirrors head on (Fresnel).
+float head_on_of(float ior) {
+    const float share = (ior - 1.0F) / (ior + 1.0F);
+    return share * share;
+}
+
 MaterialBlock block_of(const assets::MaterialData& material) {
     const FeatureSet features = features_of(material);
     const bool is_leaf = (features & feature::kLeaf) != 0;
@@ -34,7 +40,8 @@ MaterialBlock block_of(const assets::MaterialData& material) {
                         : is_leaf  ? kLeafTransmission
                         : is_water ? material.ripple_slope
                                    : material.variation,
-                        is_phong ? material.diffuse : material.occlusion}};
+                        is_phong ? material.diffuse : material.occlusion},
+            .relief = {material.height_depth, head_on_of(material.ior), 0.0F, 0.0F}};
 }
 
 }  // namespace
@@ -75,6 +82,14 @@ FeatureSet features_of(const assets::MaterialData& material) {
         material.alpha_mode == assets::AlphaMode::Blend && material.normal_map.empty()) {
         features |= feature::kRipples;
     }
+    if (material.ior > 0.0F && material.shading == assets::Shading::Pbr &&
+        material.alpha_mode == assets::AlphaMode::Blend && (features & feature::kRipples) == 0) {
+        features |= feature::kGlass | feature::kSkyReflection;
+    }
+    if (!material.height_map.empty() && material.height_depth > 0.0F &&
+        !material.normal_map.empty()) {
+        features |= feature::kParallax;
+    }
     return features;
 }
 
@@ -90,6 +105,10 @@ std::vector<TextureRequest> textures_of(const assets::MaterialData& material) {
     if ((features & feature::kNormalMap) != 0) {
         requests.push_back(
             {.file = material.normal_map, .content = MipContent::Data, .unit = kNormalUnit});
+    }
+    if ((features & feature::kParallax) != 0) {
+        requests.push_back(
+            {.file = material.height_map, .content = MipContent::Data, .unit = kHeightUnit});
     }
     if ((features & feature::kOrmMap) != 0) {
         requests.push_back(
@@ -123,6 +142,7 @@ void GpuMaterials::update(const MaterialUse& use) {
             id == 0 ? assets::MaterialData{} : library_.material(assets::MaterialId{id});
         if (use.shading) material.shading = *use.shading;
         if (!use.textures) material.base_color_map.clear();
+        if (!use.parallax) material.height_map.clear();
         if (!use.surface_maps) {
             material.normal_map.clear();
             // What is metal where is in there, too.

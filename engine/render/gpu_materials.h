@@ -23,6 +23,7 @@ struct MaterialUse {
     bool textures{true};                       ///< false: no base colour maps
     /// False leaves normal maps out, and the maps of roughness where nothing is metal.
     bool surface_maps{true};
+    bool parallax{true};  ///< false leaves height maps out
 
     friend bool operator==(const MaterialUse&, const MaterialUse&) = default;
 };

@@ -3,6 +3,7 @@
 #include "engine/assets/skybox_files.h"
 #include "engine/core/log.h"
 #include "engine/render/mip_chain.h"
+#include "engine/render/sky_reflection.h"
 
 #include <algorithm>
 #include <array>
@@ -179,13 +180,12 @@ void GpuSky::load(const std::filesystem::path& folder) {
     background_ = gl::Texture::cube(faces, 1);
 }
 
-void GpuSky::set_reflection(std::vector<RadianceImage> level) {
+void GpuSky::set_reflection(std::vector<RadianceImage> sky) {
+    const auto levels = render::reflection_levels(std::move(sky));
     std::vector<assets::ImageData> faces;
-    for (reflection_levels_ = 1;; ++reflection_levels_) {
+    for (const auto& level : levels)
         for (const RadianceImage& face : level) faces.push_back(half_floats_of(face));
-        if (level[0].width == 1) break;
-        halve(level);
-    }
+    reflection_levels_ = static_cast<std::uint32_t>(levels.size());
     reflection_ = gl::Texture::cube(faces, reflection_levels_);
 }
 

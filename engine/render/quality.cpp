@@ -14,17 +14,23 @@ Quality quality_of(PictureLevel level) {
                     .surface_maps = false,
                     .shadow_filter = false,
                     .shadow_detail = 0.5F,
+                    .shadowed_lights = 0,
+                    .contact_hardening = false,
+                    .parallax = false,
                     .lod_error_px = 2.0F,
                     .ground_cover = 0.5F,
                     .smallest_px = 4.0F};
         case PictureLevel::Medium:
             return {.render_scale = 0.8F,
                     .fxaa = true,
+                    .shadowed_lights = 3,
+                    .contact_hardening = false,
+                    .parallax = false,
                     .lod_error_px = 1.2F,
                     .ground_cover = 0.75F,
                     .smallest_px = 2.0F};
         case PictureLevel::High:
-            return {.fxaa = true, .far_shadows = true, .lod_error_px = 0.75F};
+            return {.fxaa = true, .far_shadows = true, .shadowed_lights = 6, .lod_error_px = 0.75F};
     }
     return {};
 }
@@ -48,6 +54,7 @@ std::string what_gave_way(const Quality& quality) {
     if (!quality.surface_maps) add("surface maps");
     if (!quality.shadow_filter) add("smooth shadows");
     if (quality.shadow_detail < 1.0F) add("fine shadows");
+    if (quality.shadowed_lights == 0) add("shadows of lamps");
     if (quality.lod_error_px > 1.0F) add("detail far off");
     if (quality.ground_cover < 1.0F)
         add(fmt::format("grass {:.0f} %", std::round(quality.ground_cover * 100.0F)));

@@ -1,6 +1,8 @@
 // What a picture may cost, as plain data: part of every RenderFrame.
 #pragma once
 
+#include "shaders/shared/limits.h"
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -30,9 +32,13 @@ struct Quality {
     /// The sun's shadows go on beyond the scene's distance to the camera's far plane, in one more
     /// cascade where there are fewer than four.
     bool far_shadows{false};
-    float lod_error_px{0.0F};  ///< a mesh may be coarser by so much; 0: always the full mesh
-    float ground_cover{1.0F};  ///< of the grass, and of how far it goes; 0: none
-    float smallest_px{0.0F};   ///< things that look smaller than this are left out; 0: nothing is
+    /// So many local lights cast shadows at most, 0…PL_MAX_SHADOWED_LIGHTS: those that light most.
+    std::uint32_t shadowed_lights{PL_MAX_SHADOWED_LIGHTS};
+    bool contact_hardening{true};  ///< edges of the sun's shadows as wide as its disc makes them
+    bool parallax{true};           ///< height maps near the eye
+    float lod_error_px{0.0F};      ///< a mesh may be coarser by so much; 0: always the full mesh
+    float ground_cover{1.0F};      ///< of the grass, and of how far it goes; 0: none
+    float smallest_px{0.0F};  ///< things that look smaller than this are left out; 0: nothing is
 };
 
 /// Low is for drawing on the CPU; High leaves out nothing that can be seen at 1280x720.

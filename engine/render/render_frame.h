@@ -47,9 +47,12 @@ struct SunShadow {
     /// From the camera; beyond it nothing is in shadow, unless Quality::far_shadows.
     float distance_m{80.0F};
     std::uint32_t cascades{1};  ///< 1…4 maps of size_px each, near to far
+    /// Of the sun as seen from the ground. Above 0 edges are the softer the further off what casts
+    /// them is; 0: as soft as the map's filter makes them.
+    float angular_size_rad{0.0F};
 };
 
-/// Point and spot lights of the scene (no shadows yet).
+/// Point and spot lights of the scene.
 struct LocalLight {
     Vec3f position_world{0.0F};
     Vec3f intensity{1.0F};  ///< colour times intensity, candela-like: irradiance at 1 m
@@ -58,6 +61,12 @@ struct LocalLight {
     Vec3f direction_world{0.0F, 0.0F, -1.0F};
     float inner_cos{1.0F};
     float outer_cos{0.0F};
+    bool casts_shadow{false};  ///< where the frame has light_shadows
+};
+
+/// Shadows of local lights, for as many of those that ask as Quality::shadowed_lights.
+struct LightShadows {
+    std::uint32_t size_px{512};  ///< of each of the six maps round a light
 };
 
 /// The player's flashlight: a spot light with its own shadow map. The beam starts at the hand.
@@ -151,6 +160,7 @@ struct RenderFrame {
     std::optional<SunShadow> sun_shadow;  ///< needs sun
     std::optional<Flashlight> flashlight;
     std::vector<LocalLight> lights;
+    std::optional<LightShadows> light_shadows;
     std::optional<Fog> fog;
     std::optional<Sky> sky;
     std::optional<Wind> wind;  ///< absent: nothing sways

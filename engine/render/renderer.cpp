@@ -65,6 +65,9 @@ void set_depth_test(DepthTest test) {
     glDepthFunc(kFunctions[static_cast<std::size_t>(test)]);
 }
 
+// Casters of a lamp's shadow may be coarser by so much: a texel's width at two metres.
+constexpr float kLightShadowError_m = 0.008F;
+
 /// The background, which is as far as the camera sees.
 Vec3f background_of(const RenderFrame& frame) {
     if (!frame.fog) return frame.clear_color;
@@ -177,9 +180,11 @@ void Renderer::prepare(const RenderFrame& frame) {
         const FeatureSet features = sways ? r.features : r.features & ~feature::kWind;
         variants.insert(variant_of(look, features));
         variants.insert(variant_of(look, features & ~feature::kFlashlight));
+        if ((features & feature::kLightShadows) != 0)
+            variants.insert(variant_of(look, features & ~feature::kLightShadows));
     }
     for (const FeatureSet variant : variants) r.scene.shaders.find(kMeshShader, variant);
-    if ((r.features & (feature::kSunShadow | feature::kFlashlight)) != 0) {
+    if ((r.features & kShadowFeatures) != 0) {
         r.scene.shaders.find(kDepthShader, 0);
         if (has_mask) r.scene.shaders.find(kDepthShader, feature::kAlphaMask);
     }
@@ -216,6 +221,14 @@ void Renderer::shadows() {
     } else {
         r.flashlight_shadow.free();
     }
+    if ((r.features & feature::kLightShadows) != 0) {
+        const gl::PassTimers::Scope timed(r.timers, "shadow.lights");
+        const float error_m = r.quality.lod_error_px > 0.0F ? kLightShadowError_m : 0.0F;
+        r.light_shadow.render(
+            r.light_choice.chosen(), r.light_shadow_px(), error_m, *r.frame, r.scene, r.stats);
+    } else if (!r.frame->light_shadows || r.quality.shadowed_lights == 0) {
+        r.light_shadow.free();
+    }
 }
 
 void Renderer::opaque() {
@@ -240,6 +253,10 @@ void Renderer::opaque() {
     glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(r.frame->fill_mode));
     if ((r.features & feature::kSunShadow) != 0) {
         gl::bind_texture(kSunShadowUnit, gl::TextureKind::Flat, r.sun_shadow.map());
+    }
+    r.bind_sun_depth();
+    if ((r.features & feature::kLightShadows) != 0) {
+        gl::bind_texture(kLightShadowUnit, gl::TextureKind::Flat, r.light_shadow.map());
     }
     if ((r.features & feature::kFlashlight) != 0) {
         gl::bind_texture(kFlashlightShadowUnit, gl::TextureKind::Flat, r.flashlight_shadow.map());
@@ -377,6 +394,7 @@ std::vector<GpuBytes> Renderer::gpu_bytes() const {
     const Impl& r = *impl_;
     return {{"sun_shadow", r.sun_shadow.bytes()},
             {"flashlight", r.flashlight_shadow.bytes()},
+            {"light_shadows", r.light_shadow.bytes()},
             {"sky", r.scene.sky.bytes()},
             {"post", r.post.bloom_bytes() + r.exposure_meter.bytes()},
             {"drops", r.drop_pass.bytes()},

@@ -25,7 +25,7 @@ struct GlInfo {
 /// One pass of the latest frame. Passes that did not run are not listed.
 struct PassTiming {
     std::string_view
-        name;  ///< "shadow.sun", "shadow.flashlight", "opaque", "sky", "translucent", "drops", "post.bloom", "picture", "lines", "ui"
+        name;  ///< "shadow.sun", "shadow.flashlight", "shadow.lights", "opaque", "sky", "translucent", "drops", "post.bloom", "picture", "lines", "ui"
     double cpu_ms{0};   ///< of the calling thread
     double gpu_ms{-1};  ///< timer query of an earlier frame; -1 where the driver has none
 };
@@ -37,12 +37,14 @@ struct FrameStats {
     std::uint32_t instances{0};
     std::uint32_t shadow_passes_rendered{0};
     std::uint32_t shadow_passes_cached{0};
-    std::uint32_t scene_width_px{0};  ///< of the image that the scene is drawn into
+    std::uint32_t shadowed_lights{0};
+    std::uint32_t unshadowed_lights{0};  ///< ask for shadows and are in sight, but too many
+    std::uint32_t scene_width_px{0};     ///< of the image that the scene is drawn into
     std::uint32_t scene_height_px{0};
     std::uint32_t new_programs{0};  ///< compiled in this frame: its time tells nothing of the next
 };
 
-/// GPU memory by what called for it: "sun_shadow", "flashlight", "sky", "post", "drops", "meshes", "textures", "targets".
+/// GPU memory by what called for it: "sun_shadow", "flashlight", "light_shadows", "sky", "post", "drops", "meshes", "textures", "targets".
 struct GpuBytes {
     std::string_view owner;
     std::uint64_t bytes{0};

@@ -4,11 +4,13 @@
 #include "engine/render/exposure_meter.h"
 #include "engine/render/gl/buffer.h"
 #include "engine/render/gl/framebuffer.h"
+#include "engine/render/gl/object.h"
 #include "engine/render/gl/pass_timer.h"
 #include "engine/render/gpu_lights.h"
 #include "engine/render/gpu_limits.h"
 #include "engine/render/light_beam.h"
 #include "engine/render/passes/drop_pass.h"
+#include "engine/render/passes/light_shadow_pass.h"
 #include "engine/render/passes/line_pass.h"
 #include "engine/render/passes/mesh_pass.h"
 #include "engine/render/passes/post_pass.h"
@@ -54,6 +56,9 @@ struct Renderer::Impl {
     std::vector<ShadowView> sun_views;  ///< one a cascade
     ShadowView flashlight_view{};
     std::optional<LightBeam> beam;  ///< the flashlight's
+    LightShadowChoice light_choice;
+    std::vector<LocalLight> lights_in_order;  ///< those that cast shadows first
+    std::vector<Vec4f> light_shadow_numbers;  ///< of those
     DrawList opaque_draws;
     DrawList translucent_draws;
 
@@ -66,6 +71,8 @@ struct Renderer::Impl {
     FullscreenTriangle triangle;
     ShadowPass sun_shadow;
     ShadowPass flashlight_shadow;
+    LightShadowPass light_shadow;
+    gl::SamplerObject depth_sampler;  ///< reads depths that textures compare; made when asked for
     MeshPass opaque_pass;
     MeshPass translucent_pass;
     PostPass post;
@@ -89,14 +96,19 @@ struct Renderer::Impl {
     }
     MeshView mesh_view() const {
         return {.features = features,
-                .lights = frame->lights,
+                .lights = lights_in_order,
+                .shadowed_lights = light_shadow_numbers.size(),
                 .beam = beam ? &*beam : nullptr,
                 .clip_from_world = block.clip_from_world,
                 .eye_world = frame->camera.position_world,
                 .size_px = post_view.scene_px};
     }
+    /// Side of one of the maps round a light.
+    std::uint32_t light_shadow_px() const;
     /// Sets the exposure by how bright the scene has become.
     void adapt_exposure();
+    /// The sun's map as depths, where the frame's shaders ask for those.
+    void bind_sun_depth();
     void bind_present_target() const;
     unsigned int present_framebuffer() const;
 
@@ -106,12 +118,16 @@ private:
     Result<Done> try_scene_targets();
     void set_up_wind(const Wind& wind);
     void set_up_sky();
+    void choose_light_shadows();
     void set_up_light();
     void set_up_flashlight(const Flashlight& flashlight);
 
     PixelSize asked_px_{};  ///< for which size memory was short
     int given_up_{0};       ///< 0: nothing; 1: half the render scale; 2: the lowest level
 };
+
+inline constexpr FeatureSet kShadowFeatures =
+    feature::kSunShadow | feature::kFlashlight | feature::kLightShadows;
 
 /// The shader code that all of a frame's draws share.
 FeatureSet frame_features_of(const RenderFrame& frame);

@@ -34,11 +34,14 @@ struct FrameBlock {
     /// x: exposure; y: bloom's share; z: the sky's smallest mip level; w: the sky's own exposure
     Vec4f tone{1.0F, 0.0F, 0.0F, 1.0F};
     Vec4f clusters{0.0F};  ///< xy: tiles a pixel; z: 1 / cascades; w: bias of the far ones' depth
-    Vec4f wind{0.0F};      ///< xy: its mean along x and z, m/s; z: time, s
+    /// xy: its mean along x and z, m/s; z: time, s; w: so many lights cast shadows, those of the lowest
+    /// numbers
+    Vec4f wind{0.0F};
     /// Of each wave of gusts: xy: its number along x and z, rad/m; z: phase now, rad; w: its speed over
     /// the length of its number.
     std::array<Vec4f, kGustWaves> gusts{};
-    Vec4f cascade_ends{0.0F};  ///< eye distance at which each but the last ends, m
+    /// Eye distance at which each but the last ends, m; w: tangent of half the sun's angular size.
+    Vec4f cascade_ends{0.0F};
     /// From the first cascade's texture coordinates to each one's: xyz: offset; w: scale.
     std::array<Vec4f, kMaxCascades> cascades{};
     std::array<Vec4f, kSkyCoefficients> sky_light{};  ///< radiance of the sky, order-2 harmonics
@@ -60,20 +63,25 @@ struct MaterialBlock {
                   0.0F,
                   0.0F};  ///< x: roughness; y: metallic; z: light through a leaf; w: occlusion;
                           ///< of kPhong: exponent, highlight, how white that is, matt light
+    /// x: depth of the height map, in uv; y: what glass mirrors head on
+    Vec4f relief{0.0F};
 };
-static_assert(sizeof(MaterialBlock) == 48);
+static_assert(sizeof(MaterialBlock) == 64);
 
 struct LocalLightEntry {
     Vec4f position_world{0.0F};   ///< w: 1 / radius, 1/m
     Vec4f intensity{0.0F};        ///< w: cosine of the outer angle; -2: a point light
     Vec4f direction_world{0.0F};  ///< w: 1 / (inner cosine - outer cosine)
+    /// x: row in the atlas of shadow maps; yz: depth there is y - z / distance along the map's axis;
+    /// w: a texel's width at 1 m
+    Vec4f shadow{0.0F};
 };
 
 /// All local lights of the frame; the bits of the clusters name those that reach a surface.
 struct LocalLightsBlock {
     std::array<LocalLightEntry, kMaxLights> lights{};
 };
-static_assert(sizeof(LocalLightsBlock) == kMaxLights * 48);
+static_assert(sizeof(LocalLightsBlock) == kMaxLights * 64);
 // The smallest uniform block that OpenGL 3.3 guarantees.
 static_assert(sizeof(LocalLightsBlock) <= 16384);
 
@@ -98,10 +106,13 @@ enum TextureUnit : unsigned int {
     kBloomUnit,
     kDepthUnit,
     kEmissiveUnit,
-    kLightMasksUnit
+    kLightMasksUnit,
+    kLightShadowUnit,
+    kSunDepthUnit,
+    kHeightUnit
 };
 
-inline constexpr std::array<std::pair<const char*, unsigned int>, 11> kSamplerUnits{{
+inline constexpr std::array<std::pair<const char*, unsigned int>, 14> kSamplerUnits{{
     {"base_color_map", kBaseColorUnit},
     {"normal_map", kNormalUnit},
     {"orm_map", kOrmUnit},
@@ -113,6 +124,9 @@ inline constexpr std::array<std::pair<const char*, unsigned int>, 11> kSamplerUn
     {"depth_image", kDepthUnit},
     {"emissive_map", kEmissiveUnit},
     {"light_masks", kLightMasksUnit},
+    {"light_shadow_map", kLightShadowUnit},
+    {"sun_depth_map", kSunDepthUnit},
+    {"height_map", kHeightUnit},
 }};
 
 }  // namespace plumbline::render

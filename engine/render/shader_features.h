@@ -30,6 +30,9 @@ inline constexpr FeatureSet kPhong = 1ULL << 14U;    ///< with kBlinnPhong: the 
 inline constexpr FeatureSet kFlat = 1ULL << 15U;     ///< normals are not blended across triangles
 inline constexpr FeatureSet kRipples = 1ULL << 32U;  ///< water: normals that run
 inline constexpr FeatureSet kVariation = 1ULL << 33U;  ///< of the base colour over metres
+inline constexpr FeatureSet kParallax = 1ULL << 48U;   ///< with kNormalMap: a height map
+inline constexpr FeatureSet kGlass = 1ULL
+                                     << 49U;  ///< with kBlend: mirrors, and shows what is behind
 // of the frame
 inline constexpr FeatureSet kSun = 1ULL << 16U;
 inline constexpr FeatureSet kSunShadow = 1ULL << 17U;
@@ -37,12 +40,14 @@ inline constexpr FeatureSet kFlashlight = 1ULL << 18U;
 inline constexpr FeatureSet kLocalLights = 1ULL << 19U;
 inline constexpr FeatureSet kFog = 1ULL << 20U;
 inline constexpr FeatureSet kSkyLight = 1ULL << 21U;
-inline constexpr FeatureSet kSoftShadows = 1ULL << 22U;  ///< four taps: where lookups are cheap
-inline constexpr FeatureSet kHardShadows = 1ULL << 23U;  ///< one tap
-inline constexpr FeatureSet kCascades = 1ULL << 30U;     ///< more than one
-inline constexpr FeatureSet kWind = 1ULL << 34U;         ///< and of the mesh: it sways
-inline constexpr FeatureSet kAerial = 1ULL << 35U;       ///< far things go over into the sky
-inline constexpr FeatureSet kClouds = 1ULL << 36U;       ///< before a computed sky
+inline constexpr FeatureSet kSoftShadows = 1ULL << 22U;   ///< four taps: where lookups are cheap
+inline constexpr FeatureSet kHardShadows = 1ULL << 23U;   ///< one tap
+inline constexpr FeatureSet kCascades = 1ULL << 30U;      ///< more than one
+inline constexpr FeatureSet kWind = 1ULL << 34U;          ///< and of the mesh: it sways
+inline constexpr FeatureSet kAerial = 1ULL << 35U;        ///< far things go over into the sky
+inline constexpr FeatureSet kClouds = 1ULL << 36U;        ///< before a computed sky
+inline constexpr FeatureSet kLightShadows = 1ULL << 46U;  ///< with kLocalLights
+inline constexpr FeatureSet kContactHardening = 1ULL << 47U;  ///< with kSunShadow
 // of the passes after the scene
 inline constexpr FeatureSet kToneMap = 1ULL << 24U;  ///< exposure and tone curve
 inline constexpr FeatureSet kBloom = 1ULL << 25U;
@@ -53,7 +58,7 @@ inline constexpr FeatureSet kFourSamples = 1ULL << 31U;  ///< two by two make a 
 inline constexpr FeatureSet kSkyCodes = 1ULL << 29U;     ///< the sky's faces hold sRGB codes
 }  // namespace feature
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 37> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 41> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -91,6 +96,10 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 37> kFeatur
     {feature::kWind, "PL_WIND"},
     {feature::kClouds, "PL_CLOUDS"},
     {feature::kAerial, "PL_AERIAL"},
+    {feature::kLightShadows, "PL_LIGHT_SHADOWS"},
+    {feature::kContactHardening, "PL_CONTACT_HARDENING"},
+    {feature::kParallax, "PL_PARALLAX"},
+    {feature::kGlass, "PL_GLASS"},
 }};
 
 }  // namespace plumbline::render

@@ -83,6 +83,8 @@ struct PointLight {
     Vec3f direction_body{0.0F, -1.0F, 0.0F};
     float inner_rad{0.3F};
     float outer_rad{0.5F};
+    Vec3f offset_body{0.0F};
+    bool casts_shadow{false};
 };
 
 /// What a lamp that waits for the dark looks like by day: its Visual's materials without what they

@@ -79,7 +79,9 @@ PointLight light_of(const LightDescription& light) {
             .is_spot = light.is_spot,
             .direction_body = normalize_or(light.direction, Vec3f{0.0F, -1.0F, 0.0F}),
             .inner_rad = radians_from_degrees(light.inner_deg),
-            .outer_rad = radians_from_degrees(light.outer_deg)};
+            .outer_rad = radians_from_degrees(light.outer_deg),
+            .offset_body = Vec3f(light.offset_m),
+            .casts_shadow = light.shadow};
 }
 
 bool has_even_inertia(const Vec3& inertia_kgm2) {

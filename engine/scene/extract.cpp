@@ -55,13 +55,16 @@ void add_lights(const Simulation& simulation,
         const float share = lamp_share(light.on, dark);
         if (share <= 0.0F) continue;
         const Pose pose = drawn_pose(simulation, entity, placement, blend_share);
-        frame.lights.push_back({.position_world = Vec3f(pose.position),
-                                .intensity = light.intensity * share,
-                                .radius_m = light.radius_m,
-                                .is_spot = light.is_spot,
-                                .direction_world = Quatf(pose.orientation) * light.direction_body,
-                                .inner_cos = std::cos(light.inner_rad),
-                                .outer_cos = std::cos(light.outer_rad)});
+        const Quatf orientation(pose.orientation);
+        frame.lights.push_back(
+            {.position_world = Vec3f(pose.position) + orientation * light.offset_body,
+             .intensity = light.intensity * share,
+             .radius_m = light.radius_m,
+             .is_spot = light.is_spot,
+             .direction_world = orientation * light.direction_body,
+             .inner_cos = std::cos(light.inner_rad),
+             .outer_cos = std::cos(light.outer_rad),
+             .casts_shadow = light.casts_shadow});
     }
     if (frame.lights.size() <= limits::kLights) return;
     const Vec3f eye = frame.camera.position_world;

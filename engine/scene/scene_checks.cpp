@@ -131,20 +131,6 @@ void check_mass_ratio(const SceneDescription& scene, LoadContext& context) {
                     brief(light.place)));
 }
 
-void check_light_shadows(const SceneDescription& scene, LoadContext& context) {
-    std::vector<std::string> casters;
-    Place first{};
-    for_each_kind(scene,
-                  context,
-                  [&](const EntityDescription& entity, const Place& place, const auto& path, auto) {
-                      if (!entity.light || !entity.light->shadow) return;
-                      if (casters.empty()) first = place;
-                      casters.push_back(shown(entity.name.empty() ? path : entity.name));
-                  });
-    if (!casters.empty())
-        context.note_not_built(first, fmt::format("light shadows of: {}", listed(casters)));
-}
-
 /// A name that nothing has never comes in. Things made in play are numbered: "crate#1".
 void check_triggers(const SceneDescription& scene, LoadContext& context) {
     const auto has_trigger = [](const EntityDescription& e) { return e.trigger.has_value(); };
@@ -182,7 +168,6 @@ void check_whole_scene(SceneDescription& scene, LoadContext& context) {
     check_names(scene, context);
     check_groups(scene, context);
     check_mass_ratio(scene, context);
-    check_light_shadows(scene, context);
     check_triggers(scene, context);
     check_ground(scene, context);
     if (context.not_built.empty()) return;

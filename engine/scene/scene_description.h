@@ -74,6 +74,7 @@ struct ShadowDescription {
     int cascades{1};
     int size_px{2048};
     Real distance_m{80};
+    float angular_size_deg{0.0F};  ///< of the sun; 0: edges as soft as the map's filter makes them
     Origin origin{};
 };
 
@@ -187,6 +188,7 @@ struct LightDescription {
     Vec3f color{1.0F};
     float intensity{20.0F};
     float radius_m{8.0F};
+    Vec3 offset_m{0, 0, 0};  ///< from the entity's origin, turning with it
     bool is_spot{false};
     Vec3f direction{0.0F, -1.0F, 0.0F};
     float inner_deg{20.0F};

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr Range kIntensity{0, 1e6, "a number from 0 to 1000000"};
 constexpr Range kReach_m{1e-2, 1e4, "a length from 0.01 to 10000 m"};
+constexpr Range kOffset_m{-100, 100, "a length from -100 to 100 m"};
 constexpr Range kHalfAngle_deg{0, 89, "degrees from 0 to 89"};
 constexpr Range kCubeEdge_m{0, 100, "a length from 0 to 100 m"};
 
@@ -45,6 +46,8 @@ std::optional<ShadowDescription> read_sun_shadow(TableReader& sun) {
     shadow.size_px = table->integer("size_px", shadow.size_px, 64, 8192);
     constexpr Range kDistance_m{1, 1e4, "a length from 1 to 10000 m"};
     shadow.distance_m = table->number("distance_m", shadow.distance_m, kDistance_m);
+    constexpr Range kDisc_deg{0, 10, "degrees from 0 to 10"};
+    shadow.angular_size_deg = table->single("angular_size_deg", shadow.angular_size_deg, kDisc_deg);
     table->finish();
     return shadow;
 }
@@ -218,6 +221,7 @@ std::optional<LightDescription> read_light(TableReader& entity) {
     light.radius_m = table->single("radius_m", light.radius_m, kReach_m);
     light.shadow = table->flag("shadow", false);
     light.on = read_lamp_on(*table);
+    light.offset_m = table->vector("offset_m", light.offset_m, kOffset_m);
     light.direction = Vec3f(table->direction("direction", Vec3d(light.direction)));
     read_cone(*table, light.inner_deg, light.outer_deg);
     if (!light.is_spot) {

@@ -82,6 +82,10 @@ assets::MaterialData read_material(TableReader& table, const LoadContext& contex
         std::error_code failed;
         if (!map->empty() && !std::filesystem::exists(*map, failed)) map->clear();
     }
+    constexpr Range kDepth{0, 0.2, "a share of the map's width from 0 to 0.2"};
+    material.height_depth = table.single("height_depth", material.height_depth, kDepth);
+    if (!material.height_map.empty() && material.normal_map.empty())
+        table.warning("height_map", "needs a normal_map; the map is left out");
     material.roughness = table.single("roughness", material.roughness, kFraction);
     material.metallic = table.single("metallic", material.metallic, kFraction);
     constexpr Range kShininess{0, 1000, "an exponent from 0 to 1000"};
@@ -94,6 +98,10 @@ assets::MaterialData read_material(TableReader& table, const LoadContext& contex
     material.alpha_mode =
         static_cast<assets::AlphaMode>(table.choice("alpha_mode", 0, kAlphaModes));
     material.alpha_cutoff = table.single("alpha_cutoff", material.alpha_cutoff, kFraction);
+    constexpr Range kIor{1, 4, "an index of refraction from 1 to 4"};
+    material.ior = table.single("ior", material.ior, kIor);
+    if (material.ior > 0.0F && material.alpha_mode != assets::AlphaMode::Blend)
+        table.warning("ior", "needs alpha_mode = \"blend\"; ignored");
     material.two_sided = table.flag("two_sided", false);
     material.surface = table.text("surface", {});
     table.finish();

@@ -28,10 +28,12 @@ layout(std140) uniform Material {
     vec4 base_color;
     vec4 emissive;
     vec4 surface;
+    vec4 relief;
 } material;
 
 struct LocalLight {
     vec4 position_world;
     vec4 intensity;
     vec4 direction_world;
+    vec4 shadow;
 };

@@ -1,4 +1,4 @@
-// Water: ripples that run over it, and what it mirrors.
+// Water and glass: ripples that run over it, and what it mirrors.
 
 #ifdef PL_RIPPLES
 
@@ -13,15 +13,31 @@ vec2 ripple_slope(vec2 at, float time_s, float eye_distance_m) {
     return lean * (0.7 * material.surface.z / (1.0 + 0.02 * eye_distance_m * eye_distance_m));
 }
 
-// What stands round water hides the sky low down: it is mirrored as something dark and green.
-const vec3 kShores = vec3(0.22, 0.26, 0.15);
-float over_shores(float upwards) { return smoothstep(0.04, 0.42, upwards); }
-
 // Of light from above that water mirrors, Schlick's weight with its index of 1.33.
 float water_fresnel(float cosine) {
     float m = clamp(1.0 - cosine, 0.0, 1.0);
     float m2 = m * m;
     return 0.02 + 0.98 * m2 * m2 * m;
+}
+
+#endif
+
+#if defined(PL_RIPPLES) || defined(PL_GLASS)
+
+// What stands round hides the sky low down: it is mirrored as something dark and green.
+const vec3 kShores = vec3(0.22, 0.26, 0.15);
+float over_shores(float upwards) { return smoothstep(0.04, 0.42, upwards); }
+
+#endif
+
+#ifdef PL_GLASS
+
+// Of a pane, whose two sides mirror in turns: the sum of what goes back and forth between them.
+float pane_fresnel(float head_on, float cosine) {
+    float m = clamp(1.0 - abs(cosine), 0.0, 1.0);
+    float m2 = m * m;
+    float side = head_on + (1.0 - head_on) * m2 * m2 * m;
+    return 2.0 * side / (1.0 + side);
 }
 
 #endif

@@ -1,5 +1,8 @@
 // Numbers that shaders and C++ share. Only #define lines: GLSL reads this file too.
 #define PL_MAX_LIGHTS 256
+#define PL_MAX_SHADOWED_LIGHTS 8
+#define PL_LIGHT_SHADOW_NEAR_M 0.04F
+#define PL_LIGHT_SHADOW_MARGIN_PX 3.0F
 #define PL_CLUSTERS_X 16
 #define PL_CLUSTERS_Y 9
 #define PL_CLUSTERS_Z 20

@@ -25,5 +25,8 @@ void delete_shader(unsigned int name) {
 void delete_query(unsigned int name) {
     glDeleteQueries(1, &name);
 }
+void delete_sampler(unsigned int name) {
+    glDeleteSamplers(1, &name);
+}
 
 }  // namespace plumbline::render::gl

@@ -12,6 +12,7 @@ void delete_framebuffer(unsigned int name);
 void delete_program(unsigned int name);
 void delete_shader(unsigned int name);
 void delete_query(unsigned int name);
+void delete_sampler(unsigned int name);
 
 /// Owns one name and deletes it; moves, does not copy. 0 owns none.
 /// Must not outlive the context that the name belongs to.
@@ -50,5 +51,6 @@ using FramebufferObject = Object<delete_framebuffer>;
 using ProgramObject = Object<delete_program>;
 using ShaderObject = Object<delete_shader>;
 using QueryObject = Object<delete_query>;
+using SamplerObject = Object<delete_sampler>;
 
 }  // namespace plumbline::render::gl

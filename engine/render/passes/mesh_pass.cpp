@@ -11,7 +11,8 @@ namespace {
 
 constexpr FeatureSet kLightFeatures =
     feature::kSun | feature::kSunShadow | feature::kFlashlight | feature::kLocalLights |
-    feature::kSkyLight | feature::kSoftShadows | feature::kHardShadows | feature::kCascades;
+    feature::kSkyLight | feature::kSoftShadows | feature::kHardShadows | feature::kCascades |
+    feature::kLightShadows | feature::kContactHardening;
 
 /// For the frames until a program is compiled: nothing that would be see-through is solid, and nothing
 /// is read that is not bound.
@@ -31,7 +32,7 @@ float farthest_m(const Aabb& box, const Vec3f& point) {
     return glm::length(glm::max(glm::abs(box.min - point), glm::abs(box.max - point)));
 }
 
-bool is_reached(const Aabb& box, const std::vector<LocalLight>& lights) {
+bool is_reached(const Aabb& box, std::span<const LocalLight> lights) {
     return std::ranges::any_of(lights, [&](const LocalLight& light) {
         return distance_to(box, light.position_world) < light.radius_m;
     });
@@ -84,6 +85,8 @@ void MeshPass::render(const DrawList& draws,
     for (const DrawRun& run : draws.runs) {
         FeatureSet features = view.features;
         if (!is_reached(run.bounds_world, view.lights)) features &= ~feature::kLocalLights;
+        if (!is_reached(run.bounds_world, view.lights.first(view.shadowed_lights)))
+            features &= ~feature::kLightShadows;
         if (!is_in_far_air(run, view.eye_world)) features &= ~feature::kAerial;
         const FeatureSet without_beam = features & ~feature::kFlashlight;
         if (!run.in_beam) features = without_beam;

@@ -5,14 +5,15 @@
 #include "engine/render/passes/scene_resources.h"
 #include "engine/render/passes/scene_target.h"
 
-#include <vector>
+#include <span>
 
 namespace plumbline::render {
 
 /// What is the same for all draws of a frame.
 struct MeshView {
     FeatureSet features{0};  ///< the shader code that this frame's lights and air need
-    const std::vector<LocalLight>& lights;
+    std::span<const LocalLight> lights;
+    std::size_t shadowed_lights{0};  ///< so many of the first cast shadows
     const LightBeam* beam{nullptr};  ///< the flashlight's
     Mat4f clip_from_world{1.0F};
     Vec3f eye_world{0.0F};

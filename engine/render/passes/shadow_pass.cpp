@@ -48,26 +48,30 @@ constexpr int kFarLag_frames = 3;
 
 }  // namespace
 
-void ShadowPass::make_map(Map& map, std::uint32_t size_px, std::uint32_t count) {
+void ShadowPass::make_map(Map& map) const {
     map.framebuffer = {};
     map.depth = gl::Texture::target(
-        gl::TargetFormat::Depth16, size_px * count, size_px, gl::Filter::Linear);
+        gl::TargetFormat::Depth16, size_px_ * columns_, size_px_ * rows_, gl::Filter::Linear);
     map.framebuffer = gl::Framebuffer{nullptr, &map.depth};
+}
+
+void ShadowPass::resize(std::uint32_t size_px, std::uint32_t columns, std::uint32_t rows) {
+    if (size_px == size_px_ && columns == columns_ && rows == rows_) return;
+    size_px_ = size_px;
+    columns_ = columns;
+    rows_ = rows;
+    make_map(shown_);
+    statics_ = {};
+    drawn_.assign(std::size_t{columns} * rows, {});
 }
 
 void ShadowPass::render(std::span<const ShadowView> views,
                         const RenderFrame& frame,
                         SceneResources& resources,
                         FrameStats& stats) {
-    const std::uint32_t size = std::max(views.front().size_px, 16U);
-    const auto count = static_cast<std::uint32_t>(views.size());
-    if (map().width() != size * count || map().height() != size) {
-        make_map(shown_, size, count);
-        statics_ = {};
-        drawn_.assign(count, {});
-    }
+    resize(std::max(views.front().size_px, 16U), static_cast<std::uint32_t>(views.size()), 1);
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const ShadowView& view = views[i];
+        ShadowView view = views[i];
         std::vector<VisibleItem> casters =
             cull(frame,
                  resources.library,
@@ -76,31 +80,40 @@ void ShadowPass::render(std::span<const ShadowView> views,
                   .lods = view.error_m > 0.0F ? &resources.meshes.lods() : nullptr,
                   .error_m = view.error_m});
         std::erase_if(casters, [](const VisibleItem& c) { return !c.item->casts_shadow; });
-        const std::uint64_t statics = hash_of(view, casters, Casters::Static, resources.library);
-        const std::uint64_t moving = hash_of(view, casters, Casters::Moving, resources.library);
-        Cascade& shown = drawn_[i];
-        const bool may_lag = i > 0 && ++shown.age_frames <= kFarLag_frames;
-        const bool same_statics = shown.statics == statics;
-        if (same_statics && (shown.moving == moving || may_lag)) {
-            ++stats.shadow_passes_cached;
-            continue;
-        }
-        ++stats.shadow_passes_rendered;
-        if (same_statics && !statics_.depth) make_map(statics_, size, count);
-        shown.statics = statics;
-        shown.moving = moving;
-        shown.age_frames = 0;
-        if (statics_.depth) {
-            draw_on_statics(view, i, std::move(casters), resources, stats);
-        } else {
-            clear(shown_, i);
-            draw(view, std::move(casters), resources, stats);
-        }
+        view.may_lag = i > 0;
+        show(i, view, std::move(casters), resources, stats);
+    }
+}
+
+void ShadowPass::show(std::size_t part,
+                      const ShadowView& view,
+                      std::vector<VisibleItem> casters,
+                      SceneResources& resources,
+                      FrameStats& stats) {
+    const std::uint64_t statics = hash_of(view, casters, Casters::Static, resources.library);
+    const std::uint64_t moving = hash_of(view, casters, Casters::Moving, resources.library);
+    Part& shown = drawn_[part];
+    const bool may_lag = view.may_lag && ++shown.age_frames <= kFarLag_frames;
+    const bool same_statics = shown.statics == statics;
+    if (same_statics && (shown.moving == moving || may_lag)) {
+        ++stats.shadow_passes_cached;
+        return;
+    }
+    ++stats.shadow_passes_rendered;
+    if (same_statics && !statics_.depth) make_map(statics_);
+    shown.statics = statics;
+    shown.moving = moving;
+    shown.age_frames = 0;
+    if (statics_.depth && !view.moves) {
+        draw_on_statics(view, part, std::move(casters), resources, stats);
+    } else {
+        clear(shown_, part);
+        draw(view, std::move(casters), resources, stats);
     }
 }
 
 void ShadowPass::draw_on_statics(const ShadowView& view,
-                                 std::size_t cascade,
+                                 std::size_t part,
                                  std::vector<VisibleItem> casters,
                                  SceneResources& resources,
                                  FrameStats& stats) {
@@ -108,33 +121,46 @@ void ShadowPass::draw_on_statics(const ShadowView& view,
         casters, [](const VisibleItem& caster) { return caster.item->is_static; });
     std::vector<VisibleItem> moving{first_moving.begin(), first_moving.end()};
     casters.erase(first_moving.begin(), casters.end());
-    Cascade& drawn = drawn_[cascade];
+    Part& drawn = drawn_[part];
     if (drawn.in_statics_map != drawn.statics) {
         drawn.in_statics_map = drawn.statics;
-        clear(statics_, cascade);
+        clear(statics_, part);
         draw(view, std::move(casters), resources, stats);
     }
-    const auto size = static_cast<GLint>(map().height());
-    const auto left = static_cast<GLint>(cascade) * size;
+    const auto size = static_cast<GLint>(size_px_);
+    const auto [left, bottom] = place_of(part);
     glDisable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, statics_.framebuffer.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, shown_.framebuffer.name());
-    glBlitFramebuffer(
-        left, 0, left + size, size, left, 0, left + size, size, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-    aim(shown_, cascade);
+    glBlitFramebuffer(left,
+                      bottom,
+                      left + size,
+                      bottom + size,
+                      left,
+                      bottom,
+                      left + size,
+                      bottom + size,
+                      GL_DEPTH_BUFFER_BIT,
+                      GL_NEAREST);
+    aim(shown_, part);
     draw(view, std::move(moving), resources, stats);
 }
 
-void ShadowPass::aim(const Map& map, std::size_t cascade) {
-    glBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer.name());
-    const auto size = static_cast<GLsizei>(map.depth.height());
-    const auto left = static_cast<GLint>(cascade) * size;
-    glViewport(left, 0, size, size);
-    glScissor(left, 0, size, size);
+ShadowPass::Place ShadowPass::place_of(std::size_t part) const {
+    return {.left = static_cast<int>(part % columns_ * size_px_),
+            .bottom = static_cast<int>(part / columns_ * size_px_)};
 }
 
-void ShadowPass::clear(const Map& map, std::size_t cascade) {
-    aim(map, cascade);
+void ShadowPass::aim(const Map& map, std::size_t part) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer.name());
+    const auto size = static_cast<GLsizei>(size_px_);
+    const auto [left, bottom] = place_of(part);
+    glViewport(left, bottom, size, size);
+    glScissor(left, bottom, size, size);
+}
+
+void ShadowPass::clear(const Map& map, std::size_t part) const {
+    aim(map, part);
     glEnable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
@@ -145,7 +171,10 @@ void ShadowPass::draw(const ShadowView& view,
                       SceneResources& resources,
                       FrameStats& stats) {
     draws_.clear();
-    build_depth_draws(std::move(casters), resources.library, draws_);
+    build_depth_draws(std::move(casters),
+                      resources.library,
+                      view.from_lamp ? Emitters::LetThrough : Emitters::Cast,
+                      draws_);
     glEnable(GL_SCISSOR_TEST);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -188,6 +217,7 @@ void ShadowPass::free() {
     shown_ = {};
     statics_ = {};
     drawn_.clear();
+    size_px_ = 0;
 }
 
 }  // namespace plumbline::render

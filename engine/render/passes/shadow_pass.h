@@ -22,7 +22,10 @@ struct ShadowView {
     Vec3f eye_world{0.0F};  ///< casters nearest to it are drawn first
     std::uint32_t size_px{1024};
     float slope_bias{1.5F};
-    float error_m{0.0F};  ///< casters may be coarser by so much; 0: full meshes
+    float error_m{0.0F};    ///< casters may be coarser by so much; 0: full meshes
+    bool from_lamp{false};  ///< what shines does not cast: it is the lamp
+    bool moves{false};      ///< itself: there is no use in keeping what it shows
+    bool may_lag{false};    ///< behind moving things
 };
 
 class ShadowPass {
@@ -33,6 +36,14 @@ public:
                 const RenderFrame& frame,
                 SceneResources& resources,
                 FrameStats& stats);
+    /// Of a map that is made of many: `columns` in a row. Nothing is shown any more if the size changes.
+    void resize(std::uint32_t size_px, std::uint32_t columns, std::uint32_t rows);
+    /// One of those maps, row by row; drawn only if it does not show this already.
+    void show(std::size_t part,
+              const ShadowView& view,
+              std::vector<VisibleItem> casters,
+              SceneResources& resources,
+              FrameStats& stats);
     /// Frees the map.
     void free();
 
@@ -44,18 +55,23 @@ private:
         gl::Texture depth;
         gl::Framebuffer framebuffer;
     };
-    /// What one cascade shows; hashes.
-    struct Cascade {
+    /// What one part shows; hashes.
+    struct Part {
         std::uint64_t statics{0};  ///< and the view
         std::uint64_t moving{0};
         std::uint64_t in_statics_map{0};
         int age_frames{0};
     };
-    static void make_map(Map& map, std::uint32_t size_px, std::uint32_t count);
-    static void aim(const Map& map, std::size_t cascade);
-    static void clear(const Map& map, std::size_t cascade);
+    struct Place {
+        int left{0};
+        int bottom{0};
+    };
+    void make_map(Map& map) const;
+    Place place_of(std::size_t part) const;
+    void aim(const Map& map, std::size_t part) const;
+    void clear(const Map& map, std::size_t part) const;
     void draw_on_statics(const ShadowView& view,
-                         std::size_t cascade,
+                         std::size_t part,
                          std::vector<VisibleItem> casters,
                          SceneResources& resources,
                          FrameStats& stats);
@@ -66,8 +82,11 @@ private:
               FrameStats& stats);
 
     Map shown_;
-    Map statics_;  ///< empty until something moves
-    std::vector<Cascade> drawn_;
+    Map statics_;               ///< empty until something moves
+    std::uint32_t size_px_{0};  ///< of a part
+    std::uint32_t columns_{0};
+    std::uint32_t rows_{0};
+    std::vector<Part> drawn_;
     DrawList draws_;
     InstanceStream instances_;
 };

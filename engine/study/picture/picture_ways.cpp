@@ -34,6 +34,9 @@ void add_shadow_ways(std::vector<PictureWay>& ways, const RenderFrame& frame) {
                                [](Quality& quality) { quality.shadow_detail = 0.25F; }));
     ways.push_back(quality_way("one lookup in shadow maps",
                                [](Quality& quality) { quality.shadow_filter = false; }));
+    if (frame.sun_shadow->angular_size_rad > 0.0F)
+        ways.push_back(quality_way("edges of shadows of one width",
+                                   [](Quality& quality) { quality.contact_hardening = false; }));
     ways.push_back(quality_way("shadows to the scene's distance only",
                                [](Quality& quality) { quality.far_shadows = false; }));
 }
@@ -45,6 +48,9 @@ std::vector<PictureWay> picture_ways(const RenderFrame& frame) {
                                  level_way(PictureLevel::Medium),
                                  level_way(PictureLevel::Low)};
     if (frame.sun && frame.sun_shadow) add_shadow_ways(ways, frame);
+    if (frame.light_shadows) {
+        ways.push_back({"no shadows of lamps", [](RenderFrame& f) { f.light_shadows.reset(); }});
+    }
     ways.push_back(
         quality_way("no surface maps", [](Quality& quality) { quality.surface_maps = false; }));
     ways.push_back(

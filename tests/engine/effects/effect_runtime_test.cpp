@@ -37,6 +37,7 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
     std::vector<std::string_view> names;
     for (const EffectRow& row : effect_table()) names.push_back(row.name);
     const std::vector<std::string_view> expected{"sun_shadow",
+                                                 "light_shadows",
                                                  "flashlight",
                                                  "fog",
                                                  "skybox",

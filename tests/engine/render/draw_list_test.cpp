@@ -84,7 +84,7 @@ TEST_F(DrawListTest, CastsNoShadowOfGlassNorOfWhatCastsNone) {
     const std::vector<Thing> items{
         {box_, glass_, -3.0F}, {box_, red_, -5.0F}, {ball_, red_, -5.0F, false}};
     DrawList list;
-    build_depth_draws(all_of(items), library_, list);
+    build_depth_draws(all_of(items), library_, Emitters::Cast, list);
     ASSERT_EQ(list.runs.size(), 1U);
     EXPECT_EQ(list.runs[0].mesh, box_);
     EXPECT_EQ(list.runs[0].index_count, 36U);

@@ -89,6 +89,7 @@ TEST_F(ShaderBlocksGl, MaterialLiesAsInCpp) {
         {"Material.base_color", offsetof(MaterialBlock, base_color)},
         {"Material.emissive", offsetof(MaterialBlock, emissive)},
         {"Material.surface", offsetof(MaterialBlock, surface)},
+        {"Material.relief", offsetof(MaterialBlock, relief)},
     };
     EXPECT_EQ(offsets, expected);
 }
@@ -102,6 +103,8 @@ TEST_F(ShaderBlocksGl, LocalLightsLieAsInCpp) {
               sizeof(LocalLightEntry) + offsetof(LocalLightEntry, intensity));
     EXPECT_EQ(offsets.at("local_lights[1].direction_world"),
               sizeof(LocalLightEntry) + offsetof(LocalLightEntry, direction_world));
+    EXPECT_EQ(offsets.at("local_lights[1].shadow"),
+              sizeof(LocalLightEntry) + offsetof(LocalLightEntry, shadow));
 }
 
 /// Materials that between them use every feature a material can have.
@@ -122,6 +125,9 @@ std::vector<FeatureSet> material_variants() {
             kVertexColor | kTwoSided | kLeaf,
             kVertexColor | kBlend | kSkyReflection,
             kVertexColor | kBlend | kSkyReflection | kRipples,
+            kVertexColor | kBlend | kSkyReflection | kGlass,
+            kBaseMap | kBlend | kSkyReflection | kGlass,
+            kBaseMap | kNormalMap | kOrmMap | kParallax,
             kBaseMap | kNormalMap | kOrmMap | kVariation,
             kBaseMap | kBlend | kTwoSided};
 }
@@ -136,7 +142,12 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
                                          kSun | kSunShadow | kFlashlight | kLocalLights,
                                          kSun | kSunShadow | kFlashlight | kSoftShadows,
                                          kSun | kSunShadow | kFlashlight | kHardShadows,
-                                         kSun | kSunShadow | kCascades | kLocalLights};
+                                         kSun | kSunShadow | kCascades | kLocalLights,
+                                         kSun | kSunShadow | kContactHardening,
+                                         kSun | kSunShadow | kCascades | kContactHardening,
+                                         kLocalLights | kLightShadows,
+                                         kLocalLights | kLightShadows | kHardShadows,
+                                         kLocalLights | kLightShadows | kSoftShadows};
     const std::vector<FeatureSet> air{0, kFog, kSkyLight, kFog | kSkyLight, kSkyLight | kAerial};
     for (const FeatureSet material : material_variants()) {
         for (const FeatureSet light : lights) {

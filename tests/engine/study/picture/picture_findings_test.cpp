@@ -84,7 +84,8 @@ render::RenderFrame sunny() {
     render::RenderFrame frame;
     frame.quality = render::quality_of(render::PictureLevel::High);
     frame.sun = render::DirectionalLight{};
-    frame.sun_shadow = render::SunShadow{.cascades = 2};
+    frame.sun_shadow = render::SunShadow{.cascades = 2, .angular_size_rad = 0.009F};
+    frame.light_shadows = render::LightShadows{};
     return frame;
 }
 
@@ -117,6 +118,8 @@ TEST(PictureWays, EachDoesWhatItSays) {
         return frame;
     };
     EXPECT_FALSE(applied("no shadow of the sun").sun_shadow.has_value());
+    EXPECT_FALSE(applied("no shadows of lamps").light_shadows.has_value());
+    EXPECT_FALSE(applied("edges of shadows of one width").quality.contact_hardening);
     EXPECT_EQ(applied("4 cascades").sun_shadow->cascades, 4U);
     EXPECT_EQ(applied("shadow maps a quarter as wide").quality.shadow_detail, 0.25F);
     EXPECT_EQ(applied("render scale 50 %").quality.render_scale, 0.5F);

@@ -1,0 +1,77 @@
+#include "engine/render/passes/light_shadow_pass.h"
+
+#include <algorithm>
+
+namespace plumbline::render {
+namespace {
+
+/// Things that cast shadows and lie near any of the lights.
+std::vector<VisibleItem> casters_near(std::span<const ShadowedLight> chosen,
+                                      float error_m,
+                                      const RenderFrame& frame,
+                                      SceneResources& resources) {
+    Aabb reach;
+    for (const ShadowedLight& one : chosen) {
+        const LocalLight& light = frame.lights[one.light];
+        reach.include(
+            Aabb{light.position_world - light.radius_m, light.position_world + light.radius_m});
+    }
+    const Vec3f half = reach.size() * 0.5F;
+    const Mat4f clip_from_world =
+        glm::translate(glm::scale(Mat4f{1.0F}, 1.0F / half), -reach.center());
+    std::vector<VisibleItem> casters =
+        cull(frame,
+             resources.library,
+             {.frustum = Frustum{clip_from_world},
+              .eye_world = frame.camera.position_world,
+              .lods = error_m > 0.0F ? &resources.meshes.lods() : nullptr,
+              .error_m = error_m});
+    std::erase_if(casters, [](const VisibleItem& c) { return !c.item->casts_shadow; });
+    return casters;
+}
+
+bool reaches(const LocalLight& light, const Aabb& box_world) {
+    const Vec3f nearest = glm::clamp(light.position_world, box_world.min, box_world.max);
+    return glm::distance(nearest, light.position_world) < light.radius_m;
+}
+
+}  // namespace
+
+void LightShadowPass::render(std::span<const ShadowedLight> chosen,
+                             std::uint32_t size_px,
+                             float error_m,
+                             const RenderFrame& frame,
+                             SceneResources& resources,
+                             FrameStats& stats) {
+    for (const ShadowedLight& one : chosen) rows_ = std::max(rows_, one.row + 1);
+    maps_.resize(size_px, kLightFaces, rows_);
+    const std::vector<VisibleItem> near = casters_near(chosen, error_m, frame, resources);
+    for (const ShadowedLight& one : chosen) {
+        const LocalLight& light = frame.lights[one.light];
+        std::vector<VisibleItem> lit;
+        std::ranges::copy_if(near, std::back_inserter(lit), [&](const VisibleItem& caster) {
+            return reaches(light, caster.bounds_world);
+        });
+        for (std::uint32_t face = 0; face < kLightFaces; ++face) {
+            if (!shines_into(light, face)) continue;
+            const ShadowView view{.clip_from_world = clip_from_world(light, face, size_px),
+                                  .eye_world = light.position_world,
+                                  .size_px = size_px,
+                                  .from_lamp = true,
+                                  .moves = one.moved};
+            const Frustum sight{view.clip_from_world};
+            std::vector<VisibleItem> casters;
+            std::ranges::copy_if(lit, std::back_inserter(casters), [&](const VisibleItem& caster) {
+                return sight.may_touch(caster.bounds_world);
+            });
+            maps_.show(one.row * kLightFaces + face, view, std::move(casters), resources, stats);
+        }
+    }
+}
+
+void LightShadowPass::free() {
+    maps_.free();
+    rows_ = 0;
+}
+
+}  // namespace plumbline::render
