@@ -170,7 +170,11 @@ vec3 sun_light(Surface s, float eye_distance_m) {
     lit = disc_shadow(sun_shadow_map, sun_depth_map, vec3(at.xy, min(at.z, 1.0)),
                       dot(normalize(surface_normal_world), frame.to_sun_world.xyz));
 #else
-    lit = sun_shadow(sun_shadow_map, vec3(at.xy, min(at.z, 1.0)), frame.sun_radiance.w);
+    vec2 texel = vec2(frame.sun_radiance.w);
+#ifdef PL_CASCADES
+    texel.x *= frame.clusters.z;  // they lie side by side
+#endif
+    lit = filtered_shadow(sun_shadow_map, vec3(at.xy, min(at.z, 1.0)), texel);
 #endif
     // The last tenth of the distance fades the shadow out.
     lit = mix(lit, 1.0, clamp(eye_distance_m * frame.to_sun_world.w * 10.0 - 9.0, 0.0, 1.0));
@@ -237,8 +241,8 @@ float local_light_lit(Surface s, LocalLight light) {
     vec2 texel = 1.0 / vec2(textureSize(light_shadow_map, 0));
     float side_px = 0.1666667 / texel.x;
     vec2 at_px = (vec2(face, light.shadow.x) + 0.5) * side_px + slopes / light.shadow.w;
-    return lamp_shadow(light_shadow_map, vec3(at_px * texel, light.shadow.y - light.shadow.z / ahead),
-                       texel);
+    return filtered_shadow(
+        light_shadow_map, vec3(at_px * texel, light.shadow.y - light.shadow.z / ahead), texel);
 }
 #endif
 

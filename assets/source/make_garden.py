@@ -40,7 +40,7 @@ fov_deg = 55
 [sun]
 color = [1, 1, 1]
 intensity = 4.6
-shadow = { cascades = 2, size_px = 2048, distance_m = 150 }
+shadow = { cascades = 2, size_px = 2048, distance_m = 150, angular_size_deg = 0.53 }
 
 # South of the equator, the house looking north-west: the afternoon's sun and the evening's shine on
 # its front.

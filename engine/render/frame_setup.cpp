@@ -271,7 +271,9 @@ void Renderer::Impl::set_up_light() {
     for (std::uint32_t i = count - 1; i < kMaxCascades; ++i) {
         block.cascade_ends[static_cast<int>(i)] = 1e9F;
     }
-    if (quality.contact_hardening && shadow.angular_size_rad > 0.0F) {
+    const bool hardens = quality.contact_hardening == ContactHardening::Always ||
+                         (quality.contact_hardening == ContactHardening::OnGpu && !is_software_gl);
+    if (hardens && shadow.angular_size_rad > 0.0F) {
         features |= feature::kContactHardening;
         block.cascade_ends.w = std::tan(0.5F * shadow.angular_size_rad);
     }

@@ -15,7 +15,7 @@ Quality quality_of(PictureLevel level) {
                     .shadow_filter = false,
                     .shadow_detail = 0.5F,
                     .shadowed_lights = 0,
-                    .contact_hardening = false,
+                    .contact_hardening = ContactHardening::Never,
                     .parallax = false,
                     .lod_error_px = 2.0F,
                     .ground_cover = 0.5F,
@@ -24,13 +24,17 @@ Quality quality_of(PictureLevel level) {
             return {.render_scale = 0.8F,
                     .fxaa = true,
                     .shadowed_lights = 3,
-                    .contact_hardening = false,
+                    .contact_hardening = ContactHardening::Never,
                     .parallax = false,
                     .lod_error_px = 1.2F,
                     .ground_cover = 0.75F,
                     .smallest_px = 2.0F};
         case PictureLevel::High:
-            return {.fxaa = true, .far_shadows = true, .shadowed_lights = 6, .lod_error_px = 0.75F};
+            return {.fxaa = true,
+                    .far_shadows = true,
+                    .shadowed_lights = 6,
+                    .contact_hardening = ContactHardening::OnGpu,
+                    .lod_error_px = 0.75F};
     }
     return {};
 }

@@ -17,6 +17,9 @@ inline constexpr std::array<std::string_view, 3> kPictureLevelNames{"low", "medi
 
 inline constexpr float kSmallestRenderScale = 0.4F;
 
+/// 26 lookups a pixel, which a CPU takes half as long again for.
+enum class ContactHardening : std::uint8_t { Never, OnGpu, Always };
+
 /// The defaults leave nothing out and smooth nothing.
 struct Quality {
     /// Of width and height, kSmallestRenderScale…1: the scene is drawn so large and scaled up.
@@ -34,11 +37,12 @@ struct Quality {
     bool far_shadows{false};
     /// So many local lights cast shadows at most, 0…PL_MAX_SHADOWED_LIGHTS: those that light most.
     std::uint32_t shadowed_lights{PL_MAX_SHADOWED_LIGHTS};
-    bool contact_hardening{true};  ///< edges of the sun's shadows as wide as its disc makes them
-    bool parallax{true};           ///< height maps near the eye
-    float lod_error_px{0.0F};      ///< a mesh may be coarser by so much; 0: always the full mesh
-    float ground_cover{1.0F};      ///< of the grass, and of how far it goes; 0: none
-    float smallest_px{0.0F};  ///< things that look smaller than this are left out; 0: nothing is
+    /// Edges of the sun's shadows as wide as its disc makes them, where the scene asks.
+    ContactHardening contact_hardening{ContactHardening::Always};
+    bool parallax{true};       ///< height maps near the eye
+    float lod_error_px{0.0F};  ///< a mesh may be coarser by so much; 0: always the full mesh
+    float ground_cover{1.0F};  ///< of the grass, and of how far it goes; 0: none
+    float smallest_px{0.0F};   ///< things that look smaller than this are left out; 0: nothing is
 };
 
 /// Low is for drawing on the CPU; High leaves out nothing that can be seen at 1280x720.

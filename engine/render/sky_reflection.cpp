@@ -10,7 +10,9 @@ namespace {
 
 using Faces = std::vector<RadianceImage>;
 
-constexpr std::uint32_t kLobeSamples = 48;
+constexpr std::uint32_t kLobeSamples = 64;
+// Faces of less than eight pixels a side say too little of where light comes from.
+constexpr int kCoarsest = 3;
 
 struct CubePlace {
     std::size_t face{0};
@@ -52,7 +54,7 @@ Vec3f looked_up(const Faces& faces, const Vec3f& direction) {
 struct LobeSample {
     Vec3f way{0.0F, 0.0F, 1.0F};
     float weight{1.0F};
-    float level{0.0F};  ///< of levels whose first has a side of 1 pixel: 0 or below
+    float level{0.0F};  ///< counted from the one with a side of 1 pixel
 };
 
 std::array<LobeSample, kLobeSamples> lobe_of(float roughness) {
@@ -90,8 +92,10 @@ Vec3f mean_over(const std::vector<Faces>& levels,
     for (const LobeSample& sample : lobe) {
         if (sample.weight <= 0.0F) continue;
         const Vec3f way = x * sample.way.x + y * sample.way.y + direction * sample.way.z;
-        const int level = std::clamp(
-            static_cast<int>(std::lround(static_cast<float>(last) + sample.level)), 0, last);
+        const int level =
+            std::clamp(static_cast<int>(std::lround(static_cast<float>(last) + sample.level)),
+                       0,
+                       std::max(last - kCoarsest, 0));
         sum += looked_up(levels[static_cast<std::size_t>(level)], way) * sample.weight;
         weight += sample.weight;
     }

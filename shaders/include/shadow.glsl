@@ -3,58 +3,39 @@
 #ifdef PL_SOFT_SHADOWS
 
 // Four taps half a texel off centre weigh 3 x 3 texels like a tent.
-float sun_shadow(sampler2DShadow map, vec3 at, float texel) {
-    float h = 0.5 * texel;
-    float lit = texture(map, at + vec3(-h, -h, 0.0)) + texture(map, at + vec3(h, -h, 0.0)) +
-                texture(map, at + vec3(-h, h, 0.0)) + texture(map, at + vec3(h, h, 0.0));
+float filtered_shadow(sampler2DShadow map, vec3 at, vec2 texel) {
+    vec2 h = 0.5 * texel;
+    float lit = texture(map, at + vec3(-h, 0.0)) + texture(map, at + vec3(h.x, -h.y, 0.0)) +
+                texture(map, at + vec3(-h.x, h.y, 0.0)) + texture(map, at + vec3(h, 0.0));
     return 0.25 * lit;
 }
 
 float flashlight_shadow(sampler2DShadow map, vec3 at, float texel) {
-    return sun_shadow(map, at, texel);
-}
-
-#elif defined(PL_HARD_SHADOWS)
-
-float sun_shadow(sampler2DShadow map, vec3 at, float texel) {
-    return texture(map, at);
-}
-
-float flashlight_shadow(sampler2DShadow map, vec3 at, float texel) {
-    return texture(map, at);
+    return filtered_shadow(map, at, vec2(texel));
 }
 
 #else
-
-// Two taps across one diagonal: most of the smoothness at half the cost.
-float sun_shadow(sampler2DShadow map, vec3 at, float texel) {
-    float h = 0.5 * texel;
-    return 0.5 * (texture(map, at + vec3(-h, h, 0.0)) + texture(map, at + vec3(h, -h, 0.0)));
-}
 
 // The flashlight's map is fine where its light is strong.
 float flashlight_shadow(sampler2DShadow map, vec3 at, float texel) {
     return texture(map, at);
 }
 
-#endif
-
-#ifdef PL_LIGHT_SHADOWS
-
-float lamp_shadow(sampler2DShadow map, vec3 at, vec2 texel) {
 #ifdef PL_HARD_SHADOWS
+
+float filtered_shadow(sampler2DShadow map, vec3 at, vec2 texel) {
     return texture(map, at);
-#else
-    vec2 h = 0.5 * texel;
-    float lit = texture(map, at + vec3(-h.x, h.y, 0.0)) + texture(map, at + vec3(h.x, -h.y, 0.0));
-#ifdef PL_SOFT_SHADOWS
-    lit += texture(map, at + vec3(-h, 0.0)) + texture(map, at + vec3(h, 0.0));
-    lit *= 0.5;
-#endif
-    return 0.5 * lit;
-#endif
 }
 
+#else
+
+// Two taps across one diagonal: most of the smoothness at half the cost.
+float filtered_shadow(sampler2DShadow map, vec3 at, vec2 texel) {
+    vec2 h = 0.5 * texel;
+    return 0.5 * (texture(map, at + vec3(-h.x, h.y, 0.0)) + texture(map, at + vec3(h.x, -h.y, 0.0)));
+}
+
+#endif
 #endif
 
 #ifdef PL_CONTACT_HARDENING

@@ -67,7 +67,11 @@ GLint min_filter(Filter filter) {
     return GL_LINEAR;
 }
 
+// No shader reads from this unit: filling a new image takes none away from those that are drawn with.
+constexpr GLenum kFillUnit = GL_TEXTURE15;
+
 TextureObject new_texture() {
+    glActiveTexture(kFillUnit);
     GLuint name = 0;
     glGenTextures(1, &name);
     return TextureObject{name};

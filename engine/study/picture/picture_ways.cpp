@@ -34,9 +34,14 @@ void add_shadow_ways(std::vector<PictureWay>& ways, const RenderFrame& frame) {
                                [](Quality& quality) { quality.shadow_detail = 0.25F; }));
     ways.push_back(quality_way("one lookup in shadow maps",
                                [](Quality& quality) { quality.shadow_filter = false; }));
-    if (frame.sun_shadow->angular_size_rad > 0.0F)
-        ways.push_back(quality_way("edges of shadows of one width",
-                                   [](Quality& quality) { quality.contact_hardening = false; }));
+    if (frame.sun_shadow->angular_size_rad > 0.0F) {
+        ways.push_back(quality_way("edges of shadows of one width", [](Quality& quality) {
+            quality.contact_hardening = render::ContactHardening::Never;
+        }));
+        ways.push_back(quality_way("edges as wide as the sun's disc", [](Quality& quality) {
+            quality.contact_hardening = render::ContactHardening::Always;
+        }));
+    }
     ways.push_back(quality_way("shadows to the scene's distance only",
                                [](Quality& quality) { quality.far_shadows = false; }));
 }

@@ -1,5 +1,7 @@
 #include "engine/render/mip_chain.h"
 
+#include "engine/assets/image_import.h"
+
 #include <gtest/gtest.h>
 
 namespace plumbline::render {
@@ -50,6 +52,28 @@ TEST(MipChain, KeepsTheShareOfPixelsThatPassTheCutoff) {
         }
         const double share = static_cast<double>(passing) / (levels[i].width * levels[i].height);
         EXPECT_GE(share, 0.25) << "level " << i;
+    }
+}
+
+// Crowns stay as dense with distance: of our twigs each level down to eight pixels a side covers what
+// the picture itself covers, to 2 % of the square.
+TEST(MipChain, OurTwigsCoverTheSameAtEveryLevel) {
+    for (const char* name : {"twig_oak_base.png", "twig_oval_base.png"}) {
+        const auto image =
+            assets::import_image(std::filesystem::path{PL_SOURCE_DIR "/assets/textures"} / name);
+        ASSERT_TRUE(image.ok()) << image.error().message;
+        const auto share = [](const ImageData& level) {
+            std::size_t passing = 0;
+            for (std::size_t at = 3; at < level.bytes.size(); at += 4)
+                passing += static_cast<std::size_t>(level.bytes[at] >= 128);
+            return static_cast<double>(passing) / (level.width * level.height);
+        };
+        const double wanted = share(*image);
+        EXPECT_GT(wanted, 0.1);
+        for (const ImageData& level : mip_chain(*image, MipContent::Color, 0.5F)) {
+            if (level.width < 8) break;
+            EXPECT_NEAR(share(level), wanted, 0.02) << name << ", " << level.width << " px";
+        }
     }
 }
 

@@ -119,7 +119,10 @@ TEST(PictureWays, EachDoesWhatItSays) {
     };
     EXPECT_FALSE(applied("no shadow of the sun").sun_shadow.has_value());
     EXPECT_FALSE(applied("no shadows of lamps").light_shadows.has_value());
-    EXPECT_FALSE(applied("edges of shadows of one width").quality.contact_hardening);
+    EXPECT_EQ(applied("edges of shadows of one width").quality.contact_hardening,
+              render::ContactHardening::Never);
+    EXPECT_EQ(applied("edges as wide as the sun's disc").quality.contact_hardening,
+              render::ContactHardening::Always);
     EXPECT_EQ(applied("4 cascades").sun_shadow->cascades, 4U);
     EXPECT_EQ(applied("shadow maps a quarter as wide").quality.shadow_detail, 0.25F);
     EXPECT_EQ(applied("render scale 50 %").quality.render_scale, 0.5F);
