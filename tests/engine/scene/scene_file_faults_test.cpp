@@ -77,6 +77,11 @@ TEST_F(SceneFileFaults, EveryTableRefusesUnknownKeysAndNamesTheNearest) {
          "scene.toml:2:1: error: post.blom: unknown key; did you mean \"bloom\"?"},
         {"[[material]]\nname = \"m\"\nrougness = 1",
          "scene.toml:3:1: error: material[0].rougness: unknown key; did you mean \"roughness\"?"},
+        {"[[material]]\nname = \"pane\"\nior = 0.5",
+         "scene.toml:3:7: error: material[0].ior: 0.5; expected an index of refraction from 1 to "
+         "4"},
+        {"[sun]\nshadow = { angular_size_deg = 12 }",
+         "scene.toml:2:31: error: sun.shadow.angular_size_deg: 12; expected degrees from 0 to 10"},
         {"[[entity]]\nlight = { knd = \"spot\" }",
          "scene.toml:2:11: error: entity[0].light.knd: unknown key; did you mean \"kind\"?"},
         {"[[entity]]\nprimitive = { bx = [1,1,1] }",

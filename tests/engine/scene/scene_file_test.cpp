@@ -238,7 +238,7 @@ surface = "soft"
 TEST_F(SceneFileTest, LightSoundAndMotion) {
     write("assets/sounds/f.ogg", "x");
     const Outcome outcome = load(R"([[entity]]
-light = { kind = "spot", color = [1, 0.5, 0], intensity = 30, radius_m = 9, direction = [0, 0, -3], inner_deg = 15, outer_deg = 35 }
+light = { kind = "spot", color = [1, 0.5, 0], intensity = 30, radius_m = 9, direction = [0, 0, -3], inner_deg = 15, outer_deg = 35, shadow = true, offset_m = [0, 0.5, 0] }
 sound = { file = "sounds/f.ogg", loop = false, gain = 0.6, radius_m = 7 }
 primitive = { box = [1, 1, 1] }
 motion = { points_m = [[0, 0, 0], [3, 0, 0]], period_s = 6, spin_degps = [0, 90, 0] }
@@ -253,6 +253,8 @@ body = { kind = "kinematic" }
     expect_near_f(entity.light->direction, {0.0F, 0.0F, -1.0F});
     EXPECT_FLOAT_EQ(entity.light->inner_deg, 15.0F);
     EXPECT_FLOAT_EQ(entity.light->outer_deg, 35.0F);
+    EXPECT_TRUE(entity.light->shadow);
+    EXPECT_EQ(entity.light->offset_m, (Vec3{0, 0.5_r, 0}));
     EXPECT_FALSE(entity.sound->loop);
     EXPECT_FLOAT_EQ(entity.sound->gain, 0.6F);
     EXPECT_EQ(entity.sound->file, assets() / "sounds/f.ogg");
