@@ -1,4 +1,4 @@
-// Sun, moon and stars as points. Passes: sky.
+// Sun, moon and stars as points, behind clouds. Passes: sky. Reads the clouds' cube map.
 #include "include/blocks.glsl"
 #include "include/fog.glsl"
 
@@ -6,6 +6,10 @@ layout(location = 0) in vec3 direction_world;
 layout(location = 1) in vec3 radiance;
 layout(location = 2) in vec3 toward_light;
 layout(location = 3) in float breadth_rad;
+#ifdef PL_CLOUDS
+uniform samplerCube sky_map;
+uniform float cloud_share;
+#endif
 
 flat out vec3 point_radiance;
 flat out vec3 point_to_light;  // right, up, towards the eye; 0: it shines itself
@@ -15,6 +19,9 @@ void main() {
     point_radiance = radiance;
 #ifdef PL_FOG
     point_radiance *= sky_transmittance(direction_world);
+#endif
+#ifdef PL_CLOUDS
+    point_radiance *= 1.0 - textureLod(sky_map, direction_world, 0.0).a * cloud_share;
 #endif
     vec3 right = frame.world_from_ray[0].xyz;
     vec3 up = frame.world_from_ray[1].xyz;

@@ -33,7 +33,7 @@ void render_picture(const FullscreenTriangle& triangle,
 
 void render_computed(FeatureSet features, SceneResources& resources, FrameStats& stats) {
     const gl::Program* dome = resources.shaders.find(kSkyDomeShader, features);
-    const gl::Program* points = resources.shaders.find(kSkyPointShader, features & feature::kFog);
+    const gl::Program* points = resources.shaders.find(kSkyPointShader, features);
     if (dome == nullptr || points == nullptr) return;
     const GpuSkyDome& gpu = resources.sky.dome();
     dome->use();
@@ -45,6 +45,8 @@ void render_computed(FeatureSet features, SceneResources& resources, FrameStats&
     }
     gpu.draw_dome();
     points->use();
+    if ((features & feature::kClouds) != 0)
+        glUniform1f(points->location("cloud_share"), resources.sky.computed()->model().clouds);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     gpu.draw_points();

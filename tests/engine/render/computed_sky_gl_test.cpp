@@ -1,6 +1,8 @@
 // The computed sky as it is drawn: its colours are the model's, and what it lights is lit by it.
+#include "engine/assets/image_import.h"
 #include "engine/render/computed_sky.h"
 #include "tests/engine/render/picture_fixture.h"
+#include "tests/support/temporary_folder.h"
 
 #include <cmath>
 
@@ -49,6 +51,26 @@ TEST_F(ComputedSkyGl, TheSunStandsWhereTheModelSaysAndIsWhite) {
     const Pixel disc = seen(frame, at_height(40.0F, 20.0F));
     EXPECT_EQ(std::min({disc.r, disc.g, disc.b}), 255);
     EXPECT_LT(seen(frame, at_height(40.0F, 32.0F)).r, 255);
+}
+
+// Points of light do not shine through: behind a closed cover the sun's place is as dull as any other.
+TEST_F(ComputedSkyGl, WhatIsBehindCloudsIsNotSeen) {
+    const test::TemporaryFolder folder;
+    constexpr std::uint32_t kSide = ComputedSky::kSide;
+    assets::ImageData face{
+        .width = kSide, .height = kSide, .format = assets::PixelFormat::Rgba8, .bytes = {}};
+    for (std::uint32_t i = 0; i < kSide * kSide; ++i)
+        face.bytes.insert(face.bytes.end(), {128, 128, 128, 255});
+    for (const char* name : {"px.png", "nx.png", "py.png", "ny.png", "pz.png", "nz.png"})
+        ASSERT_TRUE(assets::write_png(folder / name, face).ok());
+    RenderFrame frame = under(40.0F, 0.3F);
+    const Vec3f to_sun = at_height(40.0F, 20.0F);
+    EXPECT_EQ(seen(frame, to_sun).g, 255);
+    frame.sky->folder = folder.path();
+    frame.sky->model->clouds = 1.0F;
+    const Pixel covered = seen(frame, to_sun);
+    EXPECT_LT(covered.g, 200);
+    EXPECT_NEAR(covered.g, seen(frame, at_height(40.0F, 23.0F)).g, 6);
 }
 
 // Level white ground sends out what falls on it, over pi.
