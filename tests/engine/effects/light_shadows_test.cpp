@@ -41,7 +41,7 @@ TEST(LightShadows, ALampThatAsksCallsForThemUntilTheyAreSwitchedOff) {
     // Off the origin by what the scene says, turned with the entity.
     EXPECT_TRUE(test::near(frame.lights[1].position_world, Vec3f{0.0F, 4.0F, 0.0F}, 1e-5));
     const LedgerLine line = line_of(effects, "light_shadows");
-    EXPECT_EQ(line.called_for_by, Callers{"test.toml:7: entity lamp"});
+    EXPECT_EQ(line.called_for_by, Callers{"entity lamp (test.toml:7)"});
     EXPECT_EQ(line.calls, 1U);
 
     run->switches.turn("light_shadows", false);
