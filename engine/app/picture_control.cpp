@@ -74,7 +74,7 @@ PictureControl::PictureControl(const PictureWish& wish, bool draws_on_cpu)
       next_wait_(kShortestWait) {
     // As well as it is likely to go. The CPU begins at low: compiling the shaders of another level
     // would hold up the first picture.
-    const double start = draws_on_cpu ? 0.31 : 1.0;
+    const double start = draws_on_cpu ? 0.24 : 1.0;
     const auto too_much =
         std::ranges::find_if(rungs_, [&](const Rung& r) { return r.cost > start; });
     const auto count = static_cast<std::size_t>(too_much - rungs_.begin());
