@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kUsual_s = 2.0;
 constexpr std::uint32_t kSamplesPerSide = 4;
+constexpr std::uint32_t kManyLooks = 8;  // for horizons, in the reference
 constexpr int kPairs = 4;
 constexpr int kFramesOfATurn = 3;
 
@@ -26,6 +27,10 @@ render::RenderFrame frame_of_high(PictureStudio& studio) {
     render::RenderFrame frame = studio.run->frame();
     frame.quality = render::quality_of(render::PictureLevel::High);
     frame.post.reset();
+    // Light of the air and lenses mix what rays tell apart.
+    frame.shafts.reset();
+    frame.depth_of_field.reset();
+    frame.motion_blur.reset();
     frame.lines = {};
     return frame;
 }
@@ -42,6 +47,10 @@ Result<study::LightImage> make_reference(PictureStudio& studio) {
     frame.height_px *= kSamplesPerSide;
     frame.quality = {};  // nothing is left out
     frame.sun_shadow.reset();
+    if (frame.occlusion) {
+        frame.occlusion->slices = kManyLooks;
+        frame.occlusion->steps = kManyLooks;
+    }
     const Result<assets::ImageData> in_sun = drawn(studio, frame);
     if (!in_sun) return in_sun.error();
     frame.sun.reset();

@@ -77,6 +77,11 @@ vec2 shown_uv;  // set by main
 
 layout(location = 0) out vec4 out_color;
 
+#ifdef PL_OCCLUSION
+const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
+float light_from_everywhere = 0.0;  // its luminance, set by lit_color
+#endif
+
 vec3 emitted_light() {
 #ifdef PL_EMISSIVE_MAP
     return material.emissive.rgb * linear_from_srgb(texture(emissive_map, shown_uv).rgb);
@@ -365,7 +370,11 @@ vec3 lit_color(vec3 base_color, float alpha, float eye_distance_m, vec3 to_eye) 
     s.roughness *= orm.g;
     s.metallic *= orm.b;
 #endif
-    vec3 color = ambient_light(s, eye_distance_m, occlusion) + emitted_light();
+    vec3 color = ambient_light(s, eye_distance_m, occlusion);
+#ifdef PL_OCCLUSION
+    light_from_everywhere = dot(color, kLuminance);
+#endif
+    color += emitted_light();
 #ifdef PL_SUN
     color += sun_light(s, eye_distance_m);
 #endif
@@ -378,6 +387,20 @@ vec3 lit_color(vec3 base_color, float alpha, float eye_distance_m, vec3 to_eye) 
     return color;
 }
 
+#endif
+
+#ifdef PL_OCCLUSION
+// What may be taken away where things hide the sky: passes after this one find it in alpha.
+float occludable_share(vec3 color, float eye_distance_m) {
+    float light = light_from_everywhere;
+#ifdef PL_AERIAL
+    light *= surface_aerial.a;
+#endif
+#ifdef PL_FOG
+    light *= fog_transmittance(eye_distance_m);
+#endif
+    return clamp(light / max(dot(color, kLuminance), 1e-5), 0.0, 1.0);
+}
 #endif
 
 void main() {
@@ -418,6 +441,8 @@ void main() {
 #else
     out_color = vec4(color, base.a);
 #endif
+#elif defined(PL_OCCLUSION)
+    out_color = vec4(color, occludable_share(color, eye_distance_m));
 #else
     out_color = vec4(color, 1.0);
 #endif

@@ -3,14 +3,14 @@
 // bloom image and, where lines follow, the depth image.
 #include "include/blocks.glsl"
 #include "include/color.glsl"
+#include "include/scene_light.glsl"
 
 in vec2 screen_uv;
 in vec3 ray_world;
-uniform sampler2D source_image;
 #ifdef PL_BLOOM
 uniform sampler2D bloom_image;
 #endif
-#ifdef PL_KEEP_DEPTH
+#if defined(PL_KEEP_DEPTH) && !defined(PL_OCCLUSION) && !defined(PL_SHAFTS)
 uniform sampler2D depth_image;
 #endif
 
@@ -22,10 +22,10 @@ void main() {
     vec3 color = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
         // What the screen cannot show must not outshine its neighbours.
-        color += min(texelFetch(source_image, at * 2 + ivec2(i & 1, i >> 1), 0).rgb, 1.0) * 0.25;
+        color += min(scene_light(at * 2 + ivec2(i & 1, i >> 1)), 1.0) * 0.25;
     }
 #else
-    vec3 color = texelFetch(source_image, at, 0).rgb;
+    vec3 color = scene_light(at);
 #endif
 #ifdef PL_BLOOM
     color = mix(color, texture(bloom_image, screen_uv).rgb, frame.tone.y);

@@ -40,6 +40,10 @@ struct EffectRow {
     ROW(flashlight)           \
     ROW(fog)                  \
     ROW(skybox)               \
+    ROW(ambient_occlusion)    \
+    ROW(sun_shafts)           \
+    ROW(depth_of_field)       \
+    ROW(motion_blur)          \
     ROW(post)                 \
     ROW(model_animation)      \
     ROW(contact_look)         \

@@ -72,6 +72,7 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
                             .surface_maps = quality.surface_maps,
                             .parallax = quality.parallax});
     features = frame_features_of(new_frame);
+    if (has_occlusion()) features |= feature::kOcclusion;
     if (!sun) features &= ~(feature::kSun | feature::kSunShadow);
     if (sun) features |= feature::kSun;
     const Camera& camera = new_frame.camera;
@@ -84,6 +85,9 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
         glm::perspective(camera.fov_y_rad, aspect, camera.near_m, camera.far_m) * view_from_world;
     const float tan_y = std::tan(camera.fov_y_rad * 0.5F);
     const Mat4f view_from_ray = glm::scale(Mat4f{1.0F}, Vec3f{tan_y * aspect, tan_y, -1.0F});
+    screen_view = {.tan_half = {tan_y * aspect, tan_y},
+                   .depth_line = {1.0F / camera.near_m, 1.0F / camera.far_m - 1.0F / camera.near_m},
+                   .pixels_at_1m = 0.5F * static_cast<float>(post_view.scene_px.height) / tan_y};
     block.world_from_ray = world_from_view * view_from_ray;
     block.camera_world = Vec4f{camera.position_world, 0.0F};
     block.ambient = Vec4f{new_frame.ambient, 0.0F};
@@ -178,7 +182,8 @@ Result<Done> Renderer::Impl::try_scene_targets() {
                  .bloom = frame->post && frame->post->bloom > 0.0F && limits.half_float_targets,
                  .tone_curve = frame->post.has_value(),
                  .fxaa = quality.fxaa,
-                 .keeps_depth = !frame->lines.vertices.empty()};
+                 .keeps_depth = !frame->lines.vertices.empty(),
+                 .adds_light = has_occlusion() || has_shafts() || has_focus() || has_motion_blur()};
     stats.scene_width_px = post_view.scene_px.width;
     stats.scene_height_px = post_view.scene_px.height;
     draws_codes = target == PresentTarget::Offscreen && post_view.has_no_steps();

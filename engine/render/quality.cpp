@@ -17,6 +17,8 @@ Quality quality_of(PictureLevel level) {
                     .shadowed_lights = 0,
                     .contact_hardening = ContactHardening::Never,
                     .parallax = false,
+                    .ambient_occlusion = false,
+                    .sun_shafts = false,
                     .lod_error_px = 2.0F,
                     .ground_cover = 0.5F,
                     .smallest_px = 4.0F};
@@ -26,6 +28,7 @@ Quality quality_of(PictureLevel level) {
                     .shadowed_lights = 3,
                     .contact_hardening = ContactHardening::Never,
                     .parallax = false,
+                    .ambient_occlusion = false,
                     .lod_error_px = 1.2F,
                     .ground_cover = 0.75F,
                     .smallest_px = 2.0F};
@@ -59,6 +62,8 @@ std::string what_gave_way(const Quality& quality) {
     if (!quality.shadow_filter) add("smooth shadows");
     if (quality.shadow_detail < 1.0F) add("fine shadows");
     if (quality.shadowed_lights == 0) add("shadows of lamps");
+    if (!quality.ambient_occlusion) add("ambient occlusion");
+    if (!quality.sun_shafts) add("sun shafts");
     if (quality.lod_error_px > 1.0F) add("detail far off");
     if (quality.ground_cover < 1.0F)
         add(fmt::format("grass {:.0f} %", std::round(quality.ground_cover * 100.0F)));

@@ -39,10 +39,12 @@ struct Quality {
     std::uint32_t shadowed_lights{PL_MAX_SHADOWED_LIGHTS};
     /// Edges of the sun's shadows as wide as its disc makes them, where the scene asks.
     ContactHardening contact_hardening{ContactHardening::Always};
-    bool parallax{true};       ///< height maps near the eye
-    float lod_error_px{0.0F};  ///< a mesh may be coarser by so much; 0: always the full mesh
-    float ground_cover{1.0F};  ///< of the grass, and of how far it goes; 0: none
-    float smallest_px{0.0F};   ///< things that look smaller than this are left out; 0: nothing is
+    bool parallax{true};           ///< height maps near the eye
+    bool ambient_occlusion{true};  ///< where the frame asks for it
+    bool sun_shafts{true};         ///< likewise
+    float lod_error_px{0.0F};      ///< a mesh may be coarser by so much; 0: always the full mesh
+    float ground_cover{1.0F};      ///< of the grass, and of how far it goes; 0: none
+    float smallest_px{0.0F};  ///< things that look smaller than this are left out; 0: nothing is
 };
 
 /// Low is for drawing on the CPU; High leaves out nothing that can be seen at 1280x720.

@@ -119,6 +119,40 @@ struct Post {
     bool adapts{false};  ///< times what the picture's brightness asks for: more at night
 };
 
+/// The share of the ambient light that corners and narrow places do not get: what is in the picture
+/// hides the rest of the sky from its neighbours. Light of lamps and sun is not taken away.
+struct AmbientOcclusion {
+    float radius_m{
+        0.6F};  ///< what is farther takes nothing away, what is nearer than half of it all
+    float strength{1.0F};  ///< 0…1 of it
+    std::uint32_t slices{
+        2};                  ///< planes through the line of sight, a pixel: each finds two horizons
+    std::uint32_t steps{2};  ///< from the pixel to each
+};
+
+/// Air that the sun lights up where it is not in shadow.
+struct SunShafts {
+    float density_per_m{0.008F};
+    float distance_m{60.0F};  ///< from the eye
+    std::uint32_t steps{16};  ///< along each line of sight
+};
+
+/// A thin lens: a point at distance z is seen as a disc, aperture_m * |1/focus_m - 1/z| wide as an
+/// angle.
+struct DepthOfField {
+    float focus_m{4.0F};  ///< along the line of sight
+    float aperture_m{0.02F};
+    std::uint32_t samples{24};  ///< of a disc
+};
+
+/// Where the camera was when the shutter opened; what its way since then takes across the picture
+/// is drawn as a streak. The camera of the frame is where it closes.
+struct MotionBlur {
+    Vec3f position_before_world{0.0F};
+    Quatf orientation_before{1.0F, 0.0F, 0.0F, 0.0F};
+    std::uint32_t samples{12};  ///< of a streak
+};
+
 /// Water in the air, drawn as a soft streak.
 struct DropStreak {
     Vec3f position_world{0.0F};
@@ -165,6 +199,10 @@ struct RenderFrame {
     std::optional<Sky> sky;
     std::optional<Wind> wind;  ///< absent: nothing sways
     float time_s{0.0F};        ///< of what runs by itself: ripples, swaying
+    std::optional<AmbientOcclusion> occlusion;
+    std::optional<SunShafts> shafts;  ///< needs sun
+    std::optional<DepthOfField> depth_of_field;
+    std::optional<MotionBlur> motion_blur;
     std::optional<Post> post;  ///< absent: plain clamp and sRGB
     Quality quality;
     FillMode fill_mode{FillMode::Filled};

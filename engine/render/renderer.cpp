@@ -285,7 +285,8 @@ void Renderer::translucent() {
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    // What of the light can be occluded, in alpha, is hidden as the light itself is.
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
     if (!r.translucent_draws.runs.empty()) {
         const gl::PassTimers::Scope timed(r.timers, "translucent");
         if (r.scene.sky.ready()) {
@@ -308,15 +309,21 @@ void Renderer::post() {
     Impl& r = *impl_;
     if (r.nothing_to_draw) return;
     glDisable(GL_FRAMEBUFFER_SRGB);
+    const SceneLight light = r.finish_light();
     if (r.draws_codes) return;
     if (r.post_view.bloom) {
         const gl::PassTimers::Scope timed(r.timers, "post.bloom");
-        r.post.render_bloom(r.scene_target, r.triangle, r.scene, r.stats);
+        r.post.render_bloom(light, r.triangle, r.scene, r.stats);
     }
     r.adapt_exposure();
     const gl::PassTimers::Scope timed(r.timers, "picture");
-    r.post.render_picture(
-        r.scene_target, r.post_view, r.present_framebuffer(), r.triangle, r.scene, r.stats);
+    r.post.render_picture(light,
+                          r.scene_target.depth(),
+                          r.post_view,
+                          r.present_framebuffer(),
+                          r.triangle,
+                          r.scene,
+                          r.stats);
 }
 
 void Renderer::lines() {
@@ -398,6 +405,10 @@ std::vector<GpuBytes> Renderer::gpu_bytes() const {
             {"sky", r.scene.sky.bytes()},
             {"post", r.post.bloom_bytes() + r.exposure_meter.bytes()},
             {"drops", r.drop_pass.bytes()},
+            {"ambient_occlusion", r.occlusion_pass.bytes()},
+            {"sun_shafts", r.shaft_pass.bytes()},
+            {"depth_of_field", r.focus_pass.bytes()},
+            {"motion_blur", r.motion_blur_pass.bytes()},
             {"meshes", r.scene.meshes.bytes()},
             {"textures", r.scene.textures.bytes()},
             {"targets",

@@ -10,13 +10,17 @@
 #include "engine/render/gpu_limits.h"
 #include "engine/render/light_beam.h"
 #include "engine/render/passes/drop_pass.h"
+#include "engine/render/passes/focus_pass.h"
 #include "engine/render/passes/light_shadow_pass.h"
 #include "engine/render/passes/line_pass.h"
 #include "engine/render/passes/mesh_pass.h"
+#include "engine/render/passes/motion_blur_pass.h"
+#include "engine/render/passes/occlusion_pass.h"
 #include "engine/render/passes/post_pass.h"
 #include "engine/render/passes/scene_resources.h"
 #include "engine/render/passes/scene_target.h"
 #include "engine/render/passes/shadow_pass.h"
+#include "engine/render/passes/shaft_pass.h"
 #include "engine/render/passes/sky_pass.h"
 #include "engine/render/renderer.h"
 #include "engine/render/shader_blocks.h"
@@ -50,6 +54,7 @@ struct Renderer::Impl {
     FeatureSet features{0};               ///< of the frame
     std::optional<DirectionalLight> sun;  ///< or moon, as it reaches the ground
     PostView post_view{};
+    ScreenView screen_view{};
     bool draws_codes{
         false};  ///< the scene is drawn into the present target, which encodes its light
     FrameBlock block;
@@ -77,6 +82,10 @@ struct Renderer::Impl {
     MeshPass translucent_pass;
     PostPass post;
     DropPass drop_pass;
+    OcclusionPass occlusion_pass;
+    ShaftPass shaft_pass;
+    FocusPass focus_pass;
+    MotionBlurPass motion_blur_pass;
     ExposureMeter exposure_meter;
     LinePass line_pass;
 
@@ -105,6 +114,8 @@ struct Renderer::Impl {
     }
     /// Side of one of the maps round a light.
     std::uint32_t light_shadow_px() const;
+    /// Runs the passes between the scene and bloom; frees those that the frame does not ask for.
+    SceneLight finish_light();
     /// Sets the exposure by how bright the scene has become.
     void adapt_exposure();
     /// The sun's map as depths, where the frame's shaders ask for those.
@@ -113,6 +124,21 @@ struct Renderer::Impl {
     unsigned int present_framebuffer() const;
 
 private:
+    // Light that passes after the scene add needs half floats.
+    bool has_occlusion() const {
+        return limits.half_float_targets && frame->occlusion && quality.ambient_occlusion;
+    }
+    bool has_shafts() const {
+        return limits.half_float_targets && frame->sun && frame->shafts && quality.sun_shafts;
+    }
+    bool has_focus() const { return limits.half_float_targets && frame->depth_of_field; }
+    bool has_motion_blur() const { return limits.half_float_targets && frame->motion_blur; }
+    /// Where the camera of the frame's motion blur was.
+    Mat4f clip_before_from_world() const;
+    void add_occlusion(SceneLight& light);
+    void add_shafts(SceneLight& light);
+    void add_focus(SceneLight& light);
+    void add_motion_blur(SceneLight& light);
     void size_targets();
     void size_own_target();
     Result<Done> try_scene_targets();

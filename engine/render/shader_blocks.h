@@ -109,10 +109,13 @@ enum TextureUnit : unsigned int {
     kLightMasksUnit,
     kLightShadowUnit,
     kSunDepthUnit,
-    kHeightUnit
+    kHeightUnit,
+    kOcclusionUnit,
+    kShaftsUnit,
+    kBlurredUnit
 };
 
-inline constexpr std::array<std::pair<const char*, unsigned int>, 14> kSamplerUnits{{
+inline constexpr std::array<std::pair<const char*, unsigned int>, 17> kSamplerUnits{{
     {"base_color_map", kBaseColorUnit},
     {"normal_map", kNormalUnit},
     {"orm_map", kOrmUnit},
@@ -127,6 +130,9 @@ inline constexpr std::array<std::pair<const char*, unsigned int>, 14> kSamplerUn
     {"light_shadow_map", kLightShadowUnit},
     {"sun_depth_map", kSunDepthUnit},
     {"height_map", kHeightUnit},
+    {"occlusion_image", kOcclusionUnit},
+    {"shafts_image", kShaftsUnit},
+    {"blurred_image", kBlurredUnit},
 }};
 
 }  // namespace plumbline::render

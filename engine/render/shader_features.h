@@ -56,9 +56,12 @@ inline constexpr FeatureSet kFxaa = 1ULL << 27U;
 inline constexpr FeatureSet kSharpen = 1ULL << 28U;
 inline constexpr FeatureSet kFourSamples = 1ULL << 31U;  ///< two by two make a pixel
 inline constexpr FeatureSet kSkyCodes = 1ULL << 29U;     ///< the sky's faces hold sRGB codes
+// light that is added after the scene
+inline constexpr FeatureSet kOcclusion = 1ULL << 40U;  ///< less ambient light in corners
+inline constexpr FeatureSet kShafts = 1ULL << 41U;     ///< light from air in the sun
 }  // namespace feature
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 41> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 43> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -100,6 +103,8 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 41> kFeatur
     {feature::kContactHardening, "PL_CONTACT_HARDENING"},
     {feature::kParallax, "PL_PARALLAX"},
     {feature::kGlass, "PL_GLASS"},
+    {feature::kOcclusion, "PL_OCCLUSION"},
+    {feature::kShafts, "PL_SHAFTS"},
 }};
 
 }  // namespace plumbline::render

@@ -3,6 +3,7 @@
 
 #include "engine/core/math.h"
 #include "engine/scene/origin.h"
+#include "engine/scene/picture_description.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -11,9 +12,6 @@
 #include <vector>
 
 namespace plumbline::scene {
-
-/// How much an effect spends on being right.
-enum class Fidelity : std::uint8_t { Draft, Balanced, Precise };
 
 /// A disc of still water, level, that drops fall into.
 struct PoolDescription {

@@ -13,6 +13,7 @@
 #include "engine/scene/live_light.h"
 #include "engine/scene/nature_description.h"
 #include "engine/scene/origin.h"
+#include "engine/scene/picture_description.h"
 
 #include <array>
 #include <cstdint>
@@ -63,6 +64,7 @@ struct CameraDescription {
     Real near_m{0.05_r};
     Real far_m{500};
     std::optional<OrbitDescription> orbit{};
+    std::optional<FocusDescription> focus{};
 };
 
 /// Views whose cosine with the camera's up is above this leave the picture's top open.
@@ -83,6 +85,7 @@ struct SunDescription {
     Vec3f color{1.0F, 0.96F, 0.9F};
     float intensity{3.0F};
     std::optional<ShadowDescription> shadow{};
+    std::optional<ShaftsDescription> shafts{};
     Real rotation_radps{0};
     float cube_m{0.0F};  ///< edge of the cube that shows where the light comes from; 0: none
     float cube_distance_m{20.0F};  ///< of that from the world's origin
@@ -133,6 +136,7 @@ struct PostDescription {
     float bloom{0.0F};
     float exposure{1.0F};
     bool adapts{false};  ///< exposure goes by how bright the picture is
+    std::optional<ShutterDescription> shutter{};
     Origin origin{};
 };
 
@@ -397,6 +401,7 @@ struct SceneDescription {
     std::optional<SkyDescription> sky{};
     std::optional<TimeDescription> time{};
     Vec3f ambient{0.1F, 0.1F, 0.12F};
+    std::optional<OcclusionDescription> occlusion{};
     std::optional<FogDescription> fog{};
     std::optional<FlashlightDescription> flashlight{};
     std::optional<PostDescription> post{};
@@ -414,7 +419,8 @@ struct SceneDescription {
     std::vector<FlockDescription> flocks;
     std::vector<FountainDescription> fountains;
     Fidelity fountain_fidelity{Fidelity::Balanced};  ///< [effects.fountain]
-    std::map<std::string, Origin> effect_settings;   ///< [effects.NAME] tables seen
+    PictureFidelity picture_fidelity{};
+    std::map<std::string, Origin> effect_settings;  ///< [effects.NAME] tables seen
 };
 
 }  // namespace plumbline::scene

@@ -30,25 +30,20 @@ void read_cone(TableReader& table, float& inner_deg, float& outer_deg) {
     }
 }
 
-/// `shadow = { … }`, or true for one with the usual numbers, or false for none.
 std::optional<ShadowDescription> read_sun_shadow(TableReader& sun) {
-    const TomlNode* node = sun.find("shadow");
-    if (node == nullptr) return {};
+    Wish wish = read_wish(sun, "shadow");
+    if (!wish.is_made) return {};
     ShadowDescription shadow;
-    shadow.origin = origin_of(node->place);
-    if (std::get_if<bool>(&node->value) != nullptr) {
-        if (!sun.flag("shadow", false)) return {};
-        return shadow;
-    }
-    auto table = sun.table("shadow");
-    if (!table) return {};
-    shadow.cascades = table->integer("cascades", shadow.cascades, 1, 4);
-    shadow.size_px = table->integer("size_px", shadow.size_px, 64, 8192);
+    shadow.origin = wish.origin;
+    if (!wish.numbers) return shadow;
+    shadow.cascades = wish.numbers->integer("cascades", shadow.cascades, 1, 4);
+    shadow.size_px = wish.numbers->integer("size_px", shadow.size_px, 64, 8192);
     constexpr Range kDistance_m{1, 1e4, "a length from 1 to 10000 m"};
-    shadow.distance_m = table->number("distance_m", shadow.distance_m, kDistance_m);
+    shadow.distance_m = wish.numbers->number("distance_m", shadow.distance_m, kDistance_m);
     constexpr Range kDisc_deg{0, 10, "degrees from 0 to 10"};
-    shadow.angular_size_deg = table->single("angular_size_deg", shadow.angular_size_deg, kDisc_deg);
-    table->finish();
+    shadow.angular_size_deg =
+        wish.numbers->single("angular_size_deg", shadow.angular_size_deg, kDisc_deg);
+    wish.numbers->finish();
     return shadow;
 }
 
@@ -66,6 +61,7 @@ void read_sun(TableReader& root, SceneDescription& scene) {
     sun.cube_m = table->single("cube_m", sun.cube_m, kCubeEdge_m);
     sun.cube_distance_m = table->single("cube_distance_m", sun.cube_distance_m, kReach_m);
     sun.shadow = read_sun_shadow(*table);
+    sun.shafts = read_shafts(*table);
     table->finish();
     scene.sun = sun;
 }
@@ -193,6 +189,7 @@ void read_post(TableReader& root, SceneDescription& scene) {
     post.bloom = table->single("bloom", post.bloom, kFraction);
     post.adapts = table->flag("adapts", post.adapts);
     post.exposure = table->single("exposure", post.exposure, kExposure);
+    post.shutter = read_shutter(*table);
     table->finish();
     scene.post = post;
 }
@@ -239,6 +236,7 @@ void read_lights_and_air(TableReader& root, SceneDescription& scene, LoadContext
     read_sky(root, scene, context);
     if (auto table = root.table("ambient")) {
         scene.ambient = table->color("color", scene.ambient);
+        scene.occlusion = read_occlusion(*table);
         table->finish();
     }
     read_fog(root, scene);

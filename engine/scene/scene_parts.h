@@ -67,6 +67,19 @@ Accuracy read_accuracy(TableReader& table);
 void read_lights_and_air(TableReader& root, SceneDescription& scene, LoadContext& context);
 std::optional<LightDescription> read_light(TableReader& entity);
 
+// --- scene_picture.cpp
+/// `KEY = { … }`, or true for one with the usual numbers; false or absent: none.
+struct Wish {
+    bool is_made{false};
+    std::optional<TableReader> numbers{};
+    Origin origin{};
+};
+Wish read_wish(TableReader& table, std::string_view key);
+std::optional<OcclusionDescription> read_occlusion(TableReader& ambient);
+std::optional<ShaftsDescription> read_shafts(TableReader& sun);
+std::optional<FocusDescription> read_focus(TableReader& camera);
+std::optional<ShutterDescription> read_shutter(TableReader& post);
+
 // --- scene_materials.cpp
 /// The name is checked for doubles by the caller.
 assets::MaterialData read_material(TableReader& table, const LoadContext& context);

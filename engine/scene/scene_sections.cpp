@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace plumbline::scene {
@@ -115,6 +116,7 @@ void read_camera(TableReader& root, SceneDescription& scene) {
     camera.target_m = table->vector("target_m", camera.target_m, kCoordinate_m);
     camera.up = Vec3(table->direction("up", Vec3d(camera.up)));
     read_orbit(*table, camera);
+    camera.focus = read_focus(*table);
     camera.fov_y_rad = radians_from_degrees(
         table->number("fov_deg", degrees_from_radians(camera.fov_y_rad), kFov_deg));
     camera.near_m = table->number("near_m", camera.near_m, kPlane_m);
@@ -151,10 +153,18 @@ void read_effects(TableReader& root, SceneDescription& scene, LoadContext& conte
         settings->finish();  // none of them has settings so far
         scene.effect_settings.emplace(name, origin_of(settings->place()));
     }
-    if (auto settings = table->table("fountain")) {
-        scene.fountain_fidelity = read_fidelity(*settings);
+    const std::array<std::pair<std::string_view, Fidelity*>, 5> with_fidelity{
+        {{"fountain", &scene.fountain_fidelity},
+         {"ambient_occlusion", &scene.picture_fidelity.occlusion},
+         {"sun_shafts", &scene.picture_fidelity.shafts},
+         {"depth_of_field", &scene.picture_fidelity.focus},
+         {"motion_blur", &scene.picture_fidelity.shutter}}};
+    for (const auto& [name, fidelity] : with_fidelity) {
+        auto settings = table->table(name);
+        if (!settings) continue;
+        *fidelity = read_fidelity(*settings);
         settings->finish();
-        scene.effect_settings.emplace("fountain", origin_of(settings->place()));
+        scene.effect_settings.emplace(name, origin_of(settings->place()));
     }
     for (const std::string_view name : kEffectsToCome) {
         auto settings = table->table(name);

@@ -45,6 +45,8 @@ GlFormat format_of(TargetFormat format) {
             return {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
         case TargetFormat::HdrColor:
             return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
+        case TargetFormat::Pair16F:
+            return {GL_RG16F, GL_RG, GL_HALF_FLOAT, 4};
         case TargetFormat::Depth16:
             return {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, 2};
         case TargetFormat::Depth24:

@@ -17,10 +17,6 @@ void set_viewport(const PixelSize& size_px) {
     glViewport(0, 0, static_cast<GLsizei>(size_px.width), static_cast<GLsizei>(size_px.height));
 }
 
-PixelSize size_of(const gl::Texture& image) {
-    return {image.width(), image.height()};
-}
-
 /// Depth is only written while the test is on.
 void write_depth(bool keeps_depth) {
     if (!keeps_depth) {
@@ -34,14 +30,6 @@ void write_depth(bool keeps_depth) {
 
 }  // namespace
 
-bool PostPass::resize_image(Image& target, gl::TargetFormat format, const PixelSize& size_px) {
-    if (target.framebuffer && size_of(target.image) == size_px) return true;
-    target.framebuffer = {};
-    target.image = gl::Texture::target(format, size_px.width, size_px.height, gl::Filter::Linear);
-    target.framebuffer = gl::Framebuffer{&target.image, nullptr};
-    return target.framebuffer.complete();
-}
-
 bool PostPass::resize_bloom(const PostView& view) {
     std::size_t level = 0;
     PixelSize size_px = view.scene_px;
@@ -49,7 +37,7 @@ bool PostPass::resize_bloom(const PostView& view) {
         size_px = {std::max(size_px.width / 2, 1U), std::max(size_px.height / 2, 1U)};
         if (std::min(size_px.width, size_px.height) < kSmallestSide_px) break;
         if (level == bloom_levels_.size()) bloom_levels_.emplace_back();
-        if (!resize_image(bloom_levels_[level], gl::TargetFormat::HdrColor, size_px)) return false;
+        if (!bloom_levels_[level].resize(gl::TargetFormat::HdrColor, size_px)) return false;
         ++level;
     }
     bloom_levels_.resize(level);
@@ -59,12 +47,12 @@ bool PostPass::resize_bloom(const PostView& view) {
 Result<Done> PostPass::resize(const PostView& view) {
     bool complete = resize_bloom(view);
     if (view.fxaa) {
-        complete = complete && resize_image(toned_, gl::TargetFormat::Rgba8, view.picture_px);
+        complete = complete && toned_.resize(gl::TargetFormat::Rgba8, view.picture_px);
     } else {
         toned_ = {};
     }
     if (view.is_scaled()) {
-        complete = complete && resize_image(smooth_, gl::TargetFormat::Rgba8, view.picture_px);
+        complete = complete && smooth_.resize(gl::TargetFormat::Rgba8, view.picture_px);
     } else {
         smooth_ = {};
     }
@@ -75,11 +63,11 @@ Result<Done> PostPass::resize(const PostView& view) {
 
 std::size_t PostPass::bloom_bytes() const {
     std::size_t bytes = 0;
-    for (const Image& level : bloom_levels_) bytes += level.image.bytes();
+    for (const PassImage& level : bloom_levels_) bytes += level.image.bytes();
     return bytes;
 }
 
-void PostPass::render_bloom(const SceneTarget& scene_target,
+void PostPass::render_bloom(const SceneLight& light,
                             const FullscreenTriangle& triangle,
                             SceneResources& resources,
                             FrameStats& stats) {
@@ -90,10 +78,10 @@ void PostPass::render_bloom(const SceneTarget& scene_target,
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     down->use();
-    const gl::Texture* source = &scene_target.color();
-    for (const Image& level : bloom_levels_) {
+    const gl::Texture* source = light.image;
+    for (const PassImage& level : bloom_levels_) {
         glBindFramebuffer(GL_FRAMEBUFFER, level.framebuffer.name());
-        set_viewport(size_of(level.image));
+        set_viewport(level.size_px());
         gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, *source);
         triangle.draw();
         ++stats.draw_calls;
@@ -103,9 +91,9 @@ void PostPass::render_bloom(const SceneTarget& scene_target,
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     for (std::size_t i = bloom_levels_.size() - 1; i > 0; --i) {
-        const Image& target = bloom_levels_[i - 1];
+        const PassImage& target = bloom_levels_[i - 1];
         glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
-        set_viewport(size_of(target.image));
+        set_viewport(target.size_px());
         gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, bloom_levels_[i].image);
         triangle.draw();
         ++stats.draw_calls;
@@ -113,7 +101,8 @@ void PostPass::render_bloom(const SceneTarget& scene_target,
     glDisable(GL_BLEND);
 }
 
-void PostPass::render_picture(const SceneTarget& scene_target,
+void PostPass::render_picture(const SceneLight& light,
+                              const gl::Texture& depth,
                               const PostView& view,
                               unsigned int present_framebuffer,
                               const FullscreenTriangle& triangle,
@@ -128,11 +117,11 @@ void PostPass::render_picture(const SceneTarget& scene_target,
     const gl::Framebuffer* before_scaling = view.is_scaled() ? &smooth_.framebuffer : nullptr;
     std::vector<Step> steps;
     steps.push_back({kToneMapShader,
-                     (view.tone_curve ? feature::kToneMap : 0U) |
+                     light.features | (view.tone_curve ? feature::kToneMap : 0U) |
                          (view.fxaa ? feature::kFxaa : 0U) |
                          (view.has_samples() ? feature::kFourSamples : 0U) |
                          (bloom_levels_.empty() ? 0U : feature::kBloom),
-                     scene_target.color(),
+                     *light.image,
                      view.fxaa ? &toned_.framebuffer : before_scaling});
     if (view.fxaa) {
         steps.push_back({kSmoothEdgesShader,
@@ -144,7 +133,7 @@ void PostPass::render_picture(const SceneTarget& scene_target,
 
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, scene_target.depth());
+    gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, depth);
     if (!bloom_levels_.empty()) {
         gl::bind_texture(kBloomUnit, gl::TextureKind::Flat, bloom_levels_.front().image);
     }
@@ -157,6 +146,7 @@ void PostPass::render_picture(const SceneTarget& scene_target,
             step.shader, step.features | (keeps_depth ? feature::kKeepDepth : 0U));
         if (program == nullptr) continue;
         program->use();
+        bind_scene_light(light, *program);
         gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, step.source);
         write_depth(keeps_depth);
         triangle.draw();

@@ -3,8 +3,8 @@
 // the scene's image straight to the screen, or none where the renderer's own target encodes.
 #pragma once
 
-#include "engine/render/gl/framebuffer.h"
-#include "engine/render/gl/texture.h"
+#include "engine/render/passes/pass_image.h"
+#include "engine/render/passes/scene_light.h"
 #include "engine/render/passes/scene_resources.h"
 #include "engine/render/passes/scene_target.h"
 #include "engine/render/passes/sky_pass.h"
@@ -23,12 +23,13 @@ struct PostView {
     bool tone_curve{false};
     bool fxaa{false};
     bool keeps_depth{false};  ///< lines will be drawn over the picture
+    bool adds_light{false};   ///< passes after the scene change its light
 
     bool is_scaled() const { return picture_px != present_px; }
     bool has_samples() const { return scene_px != picture_px; }
     /// Light has to be encoded, nothing else.
     bool has_no_steps() const {
-        return !bloom && !tone_curve && !fxaa && !is_scaled() && !has_samples();
+        return !bloom && !tone_curve && !fxaa && !is_scaled() && !has_samples() && !adds_light;
     }
 };
 
@@ -39,12 +40,13 @@ public:
     std::size_t bloom_bytes() const;
     std::size_t picture_bytes() const { return toned_.image.bytes() + smooth_.image.bytes(); }
 
-    void render_bloom(const SceneTarget& scene_target,
+    void render_bloom(const SceneLight& light,
                       const FullscreenTriangle& triangle,
                       SceneResources& resources,
                       FrameStats& stats);
     /// All steps after bloom; the last one draws into `present_framebuffer`.
-    void render_picture(const SceneTarget& scene_target,
+    void render_picture(const SceneLight& light,
+                        const gl::Texture& depth,
                         const PostView& view,
                         unsigned int present_framebuffer,
                         const FullscreenTriangle& triangle,
@@ -52,17 +54,11 @@ public:
                         FrameStats& stats) const;
 
 private:
-    struct Image {
-        gl::Texture image;
-        gl::Framebuffer framebuffer;
-    };
     bool resize_bloom(const PostView& view);
-    /// False: no memory.
-    static bool resize_image(Image& target, gl::TargetFormat format, const PixelSize& size_px);
 
-    std::vector<Image> bloom_levels_;  ///< from half the scene's size down
-    Image toned_;   ///< the picture before its edges are smoothed; only with FXAA
-    Image smooth_;  ///< the picture before it is scaled up; only when it is
+    std::vector<PassImage> bloom_levels_;  ///< from half the scene's size down
+    PassImage toned_;   ///< the picture before its edges are smoothed; only with FXAA
+    PassImage smooth_;  ///< the picture before it is scaled up; only when it is
 };
 
 }  // namespace plumbline::render

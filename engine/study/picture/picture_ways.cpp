@@ -56,6 +56,10 @@ std::vector<PictureWay> picture_ways(const RenderFrame& frame) {
     if (frame.light_shadows) {
         ways.push_back({"no shadows of lamps", [](RenderFrame& f) { f.light_shadows.reset(); }});
     }
+    if (frame.occlusion) {
+        ways.push_back(quality_way("no ambient occlusion",
+                                   [](Quality& quality) { quality.ambient_occlusion = false; }));
+    }
     ways.push_back(
         quality_way("no surface maps", [](Quality& quality) { quality.surface_maps = false; }));
     ways.push_back(

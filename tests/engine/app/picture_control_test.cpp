@@ -145,8 +145,7 @@ TEST(PictureControl, SaysWhatGaveWay) {
     const PictureControl low({.level = Level::Low}, true);
     EXPECT_EQ(render::what_gave_way(low.quality()),
               "render scale 60 %, surface maps, smooth shadows, fine shadows, shadows of lamps, "
-              "detail far "
-              "off, grass 50 %, things below 4 px");
+              "ambient occlusion, sun shafts, detail far off, grass 50 %, things below 4 px");
     const PictureControl high({.level = Level::High}, true);
     EXPECT_EQ(render::what_gave_way(high.quality()), "");
 }

@@ -161,6 +161,7 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
                                       kBaseMap | kNormalMap | kAlphaMask,
                                       kUnlit | kVertexColor}) {
         program_of(kMesh, variant_of(material, whole | kWind));
+        program_of(kMesh, variant_of(material, whole | kOcclusion));
     }
     for (const FeatureSet f : {FeatureSet{0}, kSun, kSun | kFog | kFlashlight}) {
         program_of({"drop.vert", "drop.frag"}, f);
@@ -174,12 +175,23 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
     }
     for (const FeatureSet f : {FeatureSet{0}, kKeepDepth}) {
         program_of({"fullscreen.vert", "tone_map.frag"}, f);
+        program_of({"fullscreen.vert", "tone_map.frag"}, f | kOcclusion);
+        program_of({"fullscreen.vert", "tone_map.frag"}, f | kShafts);
         program_of({"fullscreen.vert", "tone_map.frag"}, f | kBloom | kToneMap | kFxaa);
         program_of({"fullscreen.vert", "smooth_edges.frag"}, f | kFxaa);
         program_of({"fullscreen.vert", "smooth_edges.frag"}, f | kFxaa | kSharpen);
         program_of({"fullscreen.vert", "scale_up.frag"}, f);
     }
     program_of({"fullscreen.vert", "exposure.frag"}, 0);
+    program_of({"fullscreen.vert", "occlusion.frag"}, 0);
+    program_of({"fullscreen.vert", "pair_blur.frag"}, 0);
+    program_of({"fullscreen.vert", "focus_gather.frag"}, 0);
+    for (const FeatureSet f : {FeatureSet{0}, kSunShadow, kSunShadow | kCascades})
+        program_of({"fullscreen.vert", "shafts.frag"}, f);
+    for (const FeatureSet f : {FeatureSet{0}, kOcclusion, kShafts, kOcclusion | kShafts}) {
+        for (const char* shader : {"focus_down.frag", "focus_join.frag", "motion_blur.frag"})
+            program_of({"fullscreen.vert", shader}, f);
+    }
     program_of({"fullscreen.vert", "bloom_down.frag"}, 0);
     program_of({"fullscreen.vert", "bloom_up.frag"}, 0);
     program_of({"depth.vert", "depth.frag"}, 0);

@@ -1,0 +1,88 @@
+// A shutter that stays open while the camera moves. World time counts: in slow motion streaks are no
+// shorter, and a world that stands still is sharp.
+#include "engine/effects/callers.h"
+#include "engine/effects/effect_table.h"
+
+namespace plumbline::effects {
+namespace {
+
+constexpr std::uint32_t streak_samples(scene::Fidelity fidelity) {
+    switch (fidelity) {
+        case scene::Fidelity::Draft:
+            return 6;
+        case scene::Fidelity::Balanced:
+            return 16;
+        case scene::Fidelity::Precise:
+            return 48;
+    }
+    return 16;
+}
+
+// A longer gap between two pictures, or a faster way, is a cut to another view.
+constexpr double kLongestGap_s = 0.1;
+constexpr Real kFastest_mps = 100;
+
+class MotionBlur final : public Effect {
+public:
+    void extract(const scene::Simulation& simulation,
+                 const scene::ViewPoint& view,
+                 render::RenderFrame& frame) override {
+        const double step_s = simulation.step_s();
+        const double now_s = simulation.time_s() + (static_cast<double>(view.blend) - 1.0) * step_s;
+        const double gap_s = now_s - before_s_;
+        const Pose now = view.world_from_camera;
+        if (gap_s > 0.0 && gap_s <= kLongestGap_s && !is_cut(now, static_cast<Real>(gap_s)))
+            add(simulation.description(), now, static_cast<Real>(gap_s), frame);
+        before_ = now;
+        before_s_ = now_s;
+    }
+    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
+
+private:
+    bool is_cut(const Pose& now, Real gap_s) const {
+        return glm::distance(now.position, before_.position) > kFastest_mps * gap_s;
+    }
+    void add(const scene::SceneDescription& scene,
+             const Pose& now,
+             Real gap_s,
+             render::RenderFrame& frame) {
+        if (now.position == before_.position && now.orientation == before_.orientation) return;
+        const Real share = static_cast<Real>(scene.post->shutter->open_s) / gap_s;
+        // Where it was when the shutter opened, as it moved between the two pictures.
+        const Quat turn = glm::slerp(
+            Quat{1, 0, 0, 0}, before_.orientation * glm::conjugate(now.orientation), share);
+        const Pose opened{.position = now.position + (before_.position - now.position) * share,
+                          .orientation = turn * now.orientation};
+        frame.motion_blur =
+            render::MotionBlur{.position_before_world = Vec3f(opened.position),
+                               .orientation_before = Quatf(opened.orientation),
+                               .samples = streak_samples(scene.picture_fidelity.shutter)};
+        ++work_.calls;
+    }
+
+    Pose before_{};
+    double before_s_{-1e9};
+};
+
+Callers callers_of_motion_blur(const scene::Simulation& simulation) {
+    const auto& post = simulation.description().post;
+    if (!post || !post->shutter || !simulation.switches.is_on("motion_blur", true)) return {};
+    return {setting("[post] shutter_s", post->shutter->origin)};
+}
+
+std::unique_ptr<Effect> make_motion_blur(scene::Simulation&) {
+    return std::make_unique<MotionBlur>();
+}
+
+}  // namespace
+
+EffectRow motion_blur() {
+    return {.name = "motion_blur",
+            .domain = Domain::Picture,
+            .called_for_by = &callers_of_motion_blur,
+            .make = &make_motion_blur,
+            .gpu_owner = "motion_blur",
+            .passes = "motion_blur"};
+}
+
+}  // namespace plumbline::effects

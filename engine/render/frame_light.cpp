@@ -1,0 +1,74 @@
+// The passes between the scene and its tone curve.
+#include "engine/render/renderer_impl.h"
+
+#include <glad/gl.h>
+
+namespace plumbline::render {
+
+SceneLight Renderer::Impl::finish_light() {
+    SceneLight light{.image = &scene_target.color(),
+                     .depth = &scene_target.depth(),
+                     .depth_line = screen_view.depth_line};
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    add_occlusion(light);
+    add_shafts(light);
+    add_focus(light);
+    add_motion_blur(light);
+    return light;
+}
+
+void Renderer::Impl::add_occlusion(SceneLight& light) {
+    if (!has_occlusion()) return occlusion_pass.free();
+    const gl::PassTimers::Scope timed(timers, "occlusion");
+    light.occlusion =
+        occlusion_pass.render(*frame->occlusion, screen_view, *light.depth, triangle, scene, stats);
+    if (light.occlusion != nullptr) light.features |= feature::kOcclusion;
+}
+
+void Renderer::Impl::add_shafts(SceneLight& light) {
+    if (!has_shafts() || !sun) return shaft_pass.free();
+    const gl::PassTimers::Scope timed(timers, "shafts");
+    const bool has_shadow = (features & feature::kSunShadow) != 0;
+    light.shafts = shaft_pass.render(*frame->shafts,
+                                     features,
+                                     screen_view,
+                                     *light.depth,
+                                     has_shadow ? &sun_shadow.map() : nullptr,
+                                     triangle,
+                                     scene,
+                                     stats);
+    if (light.shafts != nullptr) light.features |= feature::kShafts;
+}
+
+void Renderer::Impl::add_focus(SceneLight& light) {
+    if (!has_focus()) return focus_pass.free();
+    const gl::PassTimers::Scope timed(timers, "focus");
+    const gl::Texture* seen =
+        focus_pass.render(*frame->depth_of_field, screen_view, light, triangle, scene, stats);
+    if (seen == nullptr) return;
+    light.image = seen;
+    light.features = 0;
+}
+
+void Renderer::Impl::add_motion_blur(SceneLight& light) {
+    if (!has_motion_blur()) return motion_blur_pass.free();
+    const gl::PassTimers::Scope timed(timers, "motion_blur");
+    const gl::Texture* seen = motion_blur_pass.render(
+        *frame->motion_blur, clip_before_from_world(), light, triangle, scene, stats);
+    if (seen == nullptr) return;
+    light.image = seen;
+    light.features = 0;
+}
+
+Mat4f Renderer::Impl::clip_before_from_world() const {
+    const Camera& camera = frame->camera;
+    const MotionBlur& blur = *frame->motion_blur;
+    const float aspect = screen_view.tan_half.x / screen_view.tan_half.y;
+    return glm::perspective(camera.fov_y_rad, aspect, camera.near_m, camera.far_m) *
+           glm::translate(glm::mat4_cast(glm::conjugate(blur.orientation_before)),
+                          -blur.position_before_world);
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,118 @@
+// What is added to the picture's light after the scene: by whom, with which numbers, and that nobody
+// pays who does not call.
+#include "tests/engine/effects/drawn.h"
+
+namespace plumbline::effects {
+namespace {
+
+using scene::SceneDescription;
+using test::Running;
+
+TEST(ScreenEffects, NobodyWhoDoesNotCallForThemPays) {
+    Running run(test::scene_of({test::ground()}));
+    EffectRuntime effects(*run, kPicture);
+    run.step(2, effects);
+    const render::RenderFrame frame = draw(run, effects);
+    EXPECT_FALSE(frame.occlusion);
+    EXPECT_FALSE(frame.shafts);
+    EXPECT_FALSE(frame.depth_of_field);
+    EXPECT_FALSE(frame.motion_blur);
+    for (const char* name : {"ambient_occlusion", "sun_shafts", "depth_of_field", "motion_blur"}) {
+        const LedgerLine line = line_of(effects, name);
+        EXPECT_EQ(line.constructions, 0U) << name;
+        EXPECT_EQ(line.calls, 0U) << name;
+        EXPECT_EQ(line.bytes_cpu, 0U) << name;
+    }
+}
+
+TEST(ScreenEffects, OcclusionHasTheScenesNumbersAndItsFidelitysLooks) {
+    SceneDescription scene = test::scene_of({});
+    scene.occlusion = scene::OcclusionDescription{
+        .radius_m = 0.5F, .strength = 0.75F, .origin = {"garden.toml", 30}};
+    scene.picture_fidelity.occlusion = scene::Fidelity::Draft;
+    Running run(scene);
+    EffectRuntime effects(*run, kPicture);
+    const render::RenderFrame frame = draw(run, effects);
+    ASSERT_TRUE(frame.occlusion);
+    EXPECT_EQ(frame.occlusion->radius_m, 0.5F);
+    EXPECT_EQ(frame.occlusion->strength, 0.75F);
+    EXPECT_EQ(frame.occlusion->slices * frame.occlusion->steps, 2U);
+    EXPECT_EQ(line_of(effects, "ambient_occlusion").called_for_by,
+              Callers{"[ambient] occlusion (garden.toml:30)"});
+    run->switches.turn("ambient_occlusion", false);
+    EXPECT_FALSE(draw(run, effects).occlusion);
+}
+
+TEST(ScreenEffects, ShaftsAndLensHaveTheScenesNumbers) {
+    SceneDescription scene = test::scene_of({});
+    scene.sun = scene::SunDescription{};
+    scene.sun->shafts = scene::ShaftsDescription{
+        .density_per_m = 0.03F, .distance_m = 25.0F, .origin = {"garden.toml", 4}};
+    scene.camera.focus = scene::FocusDescription{
+        .distance_m = 3.0F, .aperture_m = 0.01F, .origin = {"garden.toml", 9}};
+    Running run(scene);
+    EffectRuntime effects(*run, kPicture);
+    const render::RenderFrame frame = draw(run, effects);
+    ASSERT_TRUE(frame.shafts);
+    EXPECT_EQ(frame.shafts->density_per_m, 0.03F);
+    EXPECT_EQ(frame.shafts->distance_m, 25.0F);
+    ASSERT_TRUE(frame.depth_of_field);
+    EXPECT_EQ(frame.depth_of_field->focus_m, 3.0F);
+    EXPECT_EQ(frame.depth_of_field->aperture_m, 0.01F);
+    EXPECT_EQ(line_of(effects, "sun_shafts").called_for_by,
+              Callers{"[sun] shafts (garden.toml:4)"});
+    EXPECT_EQ(line_of(effects, "depth_of_field").called_for_by,
+              Callers{"[camera] focus (garden.toml:9)"});
+}
+
+/// Pictures of a camera that goes its way, one a step of 1/60 s; the shutter is open for half of it.
+class Shutter : public testing::Test {
+protected:
+    static SceneDescription scene() {
+        SceneDescription scene = test::scene_of({});
+        scene.post = scene::PostDescription{};
+        scene.post->shutter = scene::ShutterDescription{.open_s = 1.0F / 120.0F};
+        return scene;
+    }
+    std::optional<render::MotionBlur> seen_from(const Pose& world_from_camera) {
+        run_.step(1, effects_);
+        return seen_now(world_from_camera);
+    }
+    std::optional<render::MotionBlur> seen_now(const Pose& world_from_camera) {
+        scene::ViewPoint view;
+        view.world_from_camera = world_from_camera;
+        render::RenderFrame frame = scene::extract(*run_, view, 64, 64);
+        effects_.extract(*run_, view, frame);
+        return frame.motion_blur;
+    }
+    Running run_{scene()};
+    EffectRuntime effects_{*run_, kPicture};
+};
+
+TEST_F(Shutter, OpensWhereTheCameraWasHalfWayBack) {
+    EXPECT_FALSE(seen_from({.position = {0, 0, 0}})) << "nothing was seen before";
+    const auto moved = seen_from({.position = {0.2_r, 0, 0}});
+    ASSERT_TRUE(moved);
+    EXPECT_NEAR(moved->position_before_world.x, 0.1F, 1e-5F);
+    const auto turned =
+        seen_from({.position = {0.2_r, 0, 0}, .orientation = glm::angleAxis(0.1_r, Vec3{0, 1, 0})});
+    ASSERT_TRUE(turned);
+    EXPECT_NEAR(glm::angle(turned->orientation_before), 0.05F, 1e-4F);
+}
+
+TEST_F(Shutter, ACameraThatStandsStillCostsNothing) {
+    seen_from({.position = {1, 2, 3}});
+    EXPECT_FALSE(seen_from({.position = {1, 2, 3}}));
+    EXPECT_EQ(line_of(effects_, "motion_blur").calls, 0U);
+}
+
+TEST_F(Shutter, AWorldThatStandsStillAndACutToAnotherPlaceAreSharp) {
+    seen_from({.position = {0, 0, 0}});
+    EXPECT_FALSE(seen_now({.position = {0.1_r, 0, 0}})) << "paused";
+    EXPECT_FALSE(seen_from({.position = {30, 0, 0}})) << "a cut";
+    run_.step(30, effects_);
+    EXPECT_FALSE(seen_from({.position = {30.5_r, 0, 0}})) << "half a second later";
+}
+
+}  // namespace
+}  // namespace plumbline::effects
