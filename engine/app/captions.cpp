@@ -26,11 +26,10 @@ std::string caption_line(const std::string& words,
 
 void Captions::hear(const std::string& words,
                     const Vec3f& position_world,
-                    float loudness,
                     double from_s,
                     const audio::Listener& listener,
                     double now_s) {
-    if (words.empty() || !(loudness >= kLoud)) return;
+    if (words.empty()) return;
     const std::string line = caption_line(words, position_world, listener);
     const auto known = std::ranges::find(heard_, words, &Heard::words);
     if (known != heard_.end()) {
@@ -57,12 +56,13 @@ void Captions::add(const effects::SoundFrame& sound,
     // Few lines: the loudest get them.
     std::ranges::sort(cues, std::ranges::greater{}, [](const auto& each) { return each.first; });
     for (const auto& [loudness, cue] : cues) {
+        if (!(loudness >= kLoud)) break;
         const double heard_s = now_s + static_cast<double>(cue->delay_s);
-        hear(cue->caption, cue->position_world, loudness, heard_s, listener, now_s);
+        hear(cue->caption, cue->position_world, heard_s, listener, now_s);
     }
     for (const audio::LoopCue& loop : sound.loops) {
-        if (!audio::is_playable(loop)) continue;
-        hear(loop.caption, loop.position_world, loudness_of(loop), now_s, listener, now_s);
+        if (!audio::is_playable(loop) || !(loudness_of(loop) >= kLoudLoop)) continue;
+        hear(loop.caption, loop.position_world, now_s, listener, now_s);
     }
 }
 

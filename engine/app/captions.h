@@ -11,8 +11,9 @@ namespace plumbline::app {
 /// Which events are worth words, and where they are as seen from the listener.
 class Captions {
 public:
-    static constexpr float kLoud = 0.06F;    ///< gain at the listener from which words are made
-    static constexpr double kShown_s = 2.5;  ///< after it was last heard
+    static constexpr float kLoud = 0.06F;      ///< gain at the listener from which words are made
+    static constexpr float kLoudLoop = 0.15F;  ///< of what goes on
+    static constexpr double kShown_s = 2.5;    ///< after it was last heard
     static constexpr double kLeastApart_s = 0.4;  ///< from one new line to the next
     static constexpr std::size_t kMostLines = 3;
 
@@ -31,7 +32,6 @@ private:
     };
     void hear(const std::string& words,
               const Vec3f& position_world,
-              float loudness,
               double from_s,
               const audio::Listener& listener,
               double now_s);

@@ -35,12 +35,12 @@ const std::filesystem::path& creak_file(const scene::Simulation& simulation, phy
     return simulation.surfaces().get(surface->surface).creak_sound;
 }
 
-/// "garden gate creaks"
+/// "garden gate: creaking"
 std::string creak_caption(const scene::Simulation& simulation, physics::BodyId body) {
     const ecs::Entity entity = simulation.entity_of(body);
     const auto* name =
         simulation.registry.alive(entity) ? simulation.registry.find<scene::Name>(entity) : nullptr;
-    return name == nullptr || name->label.empty() ? "creaking" : name->label + " creaks";
+    return name == nullptr || name->label.empty() ? "creaking" : name->label + ": creaking";
 }
 
 std::uint64_t mark_of_body(const scene::Simulation& simulation, physics::BodyId body) {

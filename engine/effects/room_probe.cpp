@@ -59,7 +59,22 @@ void RoomProbe::cast(const scene::Simulation& simulation, const Vec3& ear_world,
     }
 }
 
+float RoomProbe::farthest_wall_m(const Vec3& ear_world) const {
+    constexpr float kTimes =
+        3.5F;  // of what four fifths are nearer than: in a corner most are near
+    std::vector<float> distances_m;
+    for (const Sample& sample : samples_) {
+        const bool is_here = glm::distance(sample.from_world, Vec3f(ear_world)) <= kHeardFrom_m;
+        if (is_here && sample.distance_m > 0.0F) distances_m.push_back(sample.distance_m);
+    }
+    if (distances_m.empty()) return 0.0F;
+    const auto fifth = distances_m.end() - 1 - static_cast<std::ptrdiff_t>(distances_m.size() / 5);
+    std::nth_element(distances_m.begin(), fifth, distances_m.end());
+    return kTimes * *fifth;
+}
+
 RoomEstimate RoomProbe::estimate(const Vec3& ear_world) const {
+    const float farthest_m = farthest_wall_m(ear_world);
     double volume = 0;
     double surface = 0;
     double absorption = 0;
@@ -68,7 +83,7 @@ RoomEstimate RoomProbe::estimate(const Vec3& ear_world) const {
     for (const Sample& sample : samples_) {
         if (glm::distance(sample.from_world, Vec3f(ear_world)) > kHeardFrom_m) continue;
         ++all;
-        if (sample.distance_m <= 0.0F) continue;
+        if (sample.distance_m <= 0.0F || sample.distance_m > farthest_m) continue;
         ++met;
         const auto distance_m = static_cast<double>(sample.distance_m);
         volume += distance_m * distance_m * distance_m / 3.0;

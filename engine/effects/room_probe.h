@@ -15,7 +15,8 @@ struct RoomEstimate {
     float volume_m3{0};
     float surface_m2{0};
     float absorption_m2{0};  ///< an opening is as large as walls on average there would be
-    float openness{1};       ///< 0…1: share of directions in which nothing is met
+    float openness{
+        1};  ///< 0…1: share of directions in which nothing is met, or what is far outside
 };
 
 /// Takes few rays at a time and keeps what they met: the estimate gets better while one stays.
@@ -35,6 +36,9 @@ private:
         float area_m2{0};     ///< of wall for each steradian
         float absorption{0};
     };
+    /// What is met farther off is outside, through a door or a window.
+    float farthest_wall_m(const Vec3& ear_world) const;
+
     std::vector<Sample> samples_;  ///< by direction, as many as were cast so far
     std::size_t next_{0};
 };

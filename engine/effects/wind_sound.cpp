@@ -34,8 +34,11 @@ public:
         const Vec3 air = scene::wind_at(wind, ear, simulation.time_s());
         const Real strength = glm::length(air) / wind.speed_mps;
         const auto share = static_cast<float>(strength);
-        constexpr Real kBeside_m = 0.5_r;  // it comes from where it blows from
-        const Vec3 from = ear - normalize_or(air, wind.direction) * kBeside_m;
+        // It comes from where it blows from, and from above: it is round the head.
+        constexpr Real kBeside_m = 0.4_r;
+        constexpr Real kAbove_m = 0.7_r;
+        const Vec3 upwind = -normalize_or(air, wind.direction);
+        const Vec3 from = ear + upwind * kBeside_m + Vec3{0, kAbove_m, 0};
         frame.loops.push_back(
             {.key = kWindKey,
              .sound = sound_,

@@ -85,9 +85,9 @@ TEST(Captions, OfWhatGoesOnStayUntilItEnds) {
                            .sound = {1},
                            .position_world = {3, 0, 0},
                            .gain = 0.8F,
-                           .caption = "garden gate creaks"});
+                           .caption = "garden gate: creaking"});
     for (int frame = 0; frame <= 300; ++frame) captions.add(sound, {}, 10.0 + frame / 60.0);
-    EXPECT_EQ(captions.lines(15.0), Lines{"garden gate creaks >"});
+    EXPECT_EQ(captions.lines(15.0), Lines{"garden gate: creaking >"});
     captions.add({}, {}, 18.0);
     EXPECT_TRUE(captions.lines(18.0).empty());
 }

@@ -42,6 +42,37 @@ TEST(Attenuation, NumbersThatAreNoneAreSilent) {
     EXPECT_EQ(attenuation(1.0F, -1.0F), 0.0F);
 }
 
+TEST(PlaceInMono, IsAheadAndComesAsFast) {
+    Listener listener;  // looks down -Z
+    listener.position_world = {1, 2, 3};
+    listener.velocity_mps = {0, 0, 5};
+    const MonoPlace place = place_in_mono({5, 2, 3}, {-7, 4, 0}, listener);
+    EXPECT_NEAR(glm::distance(place.position_world, Vec3f{1, 2, -1}), 0.0F, 1e-5F);
+    // 7 m/s nearer along x are 7 m/s nearer from ahead; what goes past counts for nothing.
+    EXPECT_NEAR(glm::distance(place.velocity_mps, Vec3f{0, 0, 5 + 7}), 0.0F, 1e-5F);
+    const MonoPlace at_the_ear = place_in_mono({1, 2, 3}, {0, 0, 0}, listener);
+    EXPECT_TRUE(is_finite(at_the_ear.position_world) && is_finite(at_the_ear.velocity_mps));
+}
+
+TEST(BoundedSpeed, KeepsItsDirectionAndIsNumbers) {
+    EXPECT_EQ(with_bounded_speed({3, 0, 4}), (Vec3f{3, 0, 4}));
+    EXPECT_NEAR(glm::distance(with_bounded_speed({300, 0, 400}), Vec3f{36, 0, 48}), 0.0F, 1e-3F);
+    EXPECT_EQ(with_bounded_speed({kNan, 0, 4}), Vec3f{0.0F});
+}
+
+TEST(CueChoice, WhatMattersMoreComesFirst) {
+    std::vector<SoundCue> cues{cue_at(1.0F), cue_at(2.0F), cue_at(100.0F, 0.3F)};
+    cues[1].importance = 5.0F;
+    cues[2].in_head = true;  // from no place: as loud as it is
+    cues[2].importance = 100.0F;
+    CueChoice choice;
+    const auto chosen = choice.choose(cues, Vec3f{0.0F}, 0.0, 2);
+    ASSERT_EQ(chosen.size(), 2U);
+    EXPECT_TRUE(chosen[0].cue.in_head);
+    EXPECT_EQ(chosen[0].loudness, 0.3F);
+    EXPECT_EQ(chosen[1].cue.position_world.x, 2.0F);
+}
+
 TEST(CueChoice, TheLoudestOfAStormWin) {  // B8
     std::vector<SoundCue> storm;
     for (int i = 0; i < 1'000; ++i) storm.push_back(cue_at(1.0F + static_cast<float>(i % 23)));

@@ -83,6 +83,18 @@ TEST(RoomProbe, AnOpenSideLetsTheSoundOut) {
     EXPECT_GT(estimate.absorption_m2, 2 * in_closed.estimate({0, 0, -1}).absorption_m2);
 }
 
+TEST(RoomProbe, WhatIsSeenThroughADoorIsNotTheRoom) {
+    std::vector<scene::EntityDescription> walls = room({6, 3, 4});
+    walls.pop_back();
+    walls.push_back(box("hill", {0, 0, 30}, {80, 80, 1}, BodyKind::Static));
+    Running run(with_reverb(walls), absorbing(0.05F));
+    RoomProbe probe;
+    probe.cast(*run, {0, 0, -1}, RoomProbe::kDirections);
+    const RoomEstimate estimate = probe.estimate({0, 0, -1});
+    EXPECT_NEAR(estimate.openness, 0.1, 0.06);
+    EXPECT_LT(estimate.volume_m3, 80.0F);
+}
+
 TEST(RoomProbe, ForgetsWhatWasMetElsewhere) {
     Running run(with_reverb(room({6, 3, 4})), absorbing(0.1F));
     RoomProbe probe;

@@ -50,7 +50,7 @@ TEST_P(HudAtSize, NothingLeavesTheWindowAndNothingOverlaps) {
                      {.text = "the tower stands: 0.0012  within 0.5 of 1 mm"}};
     texts.target = {{.text = "oak crate, 30 kg"}};
     texts.hint = {{.text = "Left mouse: throw one; held, it flies harder"}};
-    texts.captions = {{.text = "< wood hits stone"}, {.text = "garden gate creaks >"}};
+    texts.captions = {{.text = "< wood hits stone"}, {.text = "garden gate: creaking >"}};
     for (int i = 0; i < 6; ++i)
         texts.messages.push_back(
             {.text = std::string(150 + 20 * static_cast<std::size_t>(i), 'm')});
