@@ -164,6 +164,19 @@ TEST(AmbientSounds, LoopWhereTheirEntitiesAre) {
     EXPECT_EQ(line_of(effects, "ambient_sounds").bytes_cpu, 0U);
 }
 
+TEST(AmbientSounds, MoveAsFastAsTheirBodies) {  // what the Doppler shift goes by
+    EntityDescription bee = cube("bee", {0, 50, 0});
+    bee.body->velocity_mps = {3, 0, 0};
+    bee.sound = scene::SoundDescription{.file = sound_file("loop_leaves.ogg")};
+    Running run(scene_of({bee}));
+    EffectRuntime effects(*run, kWithSound);
+    run.step(60, effects);
+    const audio::LoopCue buzz = effects.sound(*run, {}).loops.at(0);
+    EXPECT_NEAR(buzz.velocity_mps.x, 3.0F, 1e-3F);
+    EXPECT_NEAR(buzz.velocity_mps.y, -9.81F, 0.1F);
+    EXPECT_EQ(buzz.made_by[0], scene::mark_of(run->find("bee"))) << "it is not in its own way";
+}
+
 TEST(AmbientSounds, RustleAsTheSquareOfTheWind) {
     EntityDescription tree;
     tree.name = "tree";

@@ -15,7 +15,7 @@ using test::box;
 using test::Running;
 using test::scene_of;
 
-constexpr ServedDomains kHeard{.picture = false, .sound = true};
+constexpr ServedDomains kWithPaths{.picture = false, .sound = true};
 
 /// Between x = -0.1 and 0.1.
 scene::EntityDescription wall(const std::string& name, const Vec3& size_m, Real x_m = 0) {
@@ -134,7 +134,7 @@ TEST(SoundPath, NumbersThatAreNoneChangeNothing) {
 
 TEST(SoundPaths, DullWhatIsBehindAWall) {
     Running run(with_paths({wall("wall", {0.3_r, 40, 40}), sounding("stream", {-3, 0, 0})}));
-    EffectRuntime effects(*run, kHeard);
+    EffectRuntime effects(*run, kWithPaths);
     EXPECT_EQ(line_of(effects, "sound_paths").called_for_by,
               Callers{"[sound] paths (garden.toml:7)"});
     const audio::LoopCue behind = effects.sound(*run, ear_at({3, 0, 0})).loops.at(0);
@@ -154,7 +154,7 @@ TEST(SoundPaths, SoundTravelsAtItsSpeed) {
     scene::EntityDescription bell = sounding("bell", {-34.3_r, 0, 0});
     bell.sound->loop = false;
     Running run(with_paths({bell}));
-    EffectRuntime effects(*run, kHeard);
+    EffectRuntime effects(*run, kWithPaths);
     const SoundFrame heard = effects.sound(*run, ear_at({0, 0, 0}));
     ASSERT_EQ(heard.cues.size(), 1U);
     EXPECT_NEAR(heard.cues[0].delay_s, 0.1, 1e-5);
@@ -165,7 +165,7 @@ TEST(SoundPaths, AreNotThereWhereNobodyCallsForThem) {
     scene::SceneDescription scene =
         scene_of({wall("wall", {0.3_r, 40, 40}), sounding("stream", {-3, 0, 0})});
     Running run(scene);
-    EffectRuntime effects(*run, kHeard);
+    EffectRuntime effects(*run, kWithPaths);
     const SoundFrame heard = effects.sound(*run, ear_at({3, 0, 0}));
     EXPECT_EQ(heard.loops.at(0).gain, 1.0F);
     for (const char* name : {"sound_paths", "room_reverb", "creak_sounds", "wind_sound"}) {
@@ -176,7 +176,7 @@ TEST(SoundPaths, AreNotThereWhereNobodyCallsForThem) {
     run->switches.turn("sound_paths", true);
     scene.acoustics = scene::AcousticsDescription{};
     Running asked(scene);
-    EffectRuntime some(*asked, kHeard);
+    EffectRuntime some(*asked, kWithPaths);
     EXPECT_FALSE(line_of(some, "sound_paths").exists);
     asked->switches.turn("sound_paths", true);
     some.refresh(*asked);
@@ -188,7 +188,7 @@ TEST(SoundPaths, OfFiveHundredSourcesFewAreTracedAFrame) {
     for (int i = 0; i < 500; ++i)
         entities.push_back(sounding("source" + std::to_string(i), {-1 - Real(i) / 20, 0, 0}));
     Running run(with_paths(std::move(entities)));
-    EffectRuntime effects(*run, kHeard);
+    EffectRuntime effects(*run, kWithPaths);
     for (int i = 0; i < 100; ++i) {
         run.step(1, effects);
         EXPECT_EQ(effects.sound(*run, ear_at({3, 0, 0})).loops.size(), 500U);
