@@ -13,6 +13,7 @@
 #include "game/program_words.h"
 #include "game/render_command.h"
 #include "game/scenes_command.h"
+#include "game/shader_worker.h"
 #include "game/simulate_cli.h"
 #include "game/stability_command.h"
 #include "game/study_command.h"
@@ -39,6 +40,8 @@ struct Words {
     bool explain_as_json{false};
     bool list_as_json{false};
     std::filesystem::path foreign_model;
+    std::filesystem::path shader_scene;
+    std::filesystem::path shaders_done;
     std::vector<std::filesystem::path> checked;
 };
 
@@ -205,6 +208,11 @@ std::vector<Command> add_commands(CLI::App& app, Words& words) {
         app.add_subcommand("model-worker", "Reads a Collada or FBX file for another")->group("");
     reader->add_option("file", words.foreign_model)->required();
     add(reader, [&] { return assets::run_model_worker(words.foreign_model); });
+    CLI::App* shaders =
+        app.add_subcommand("shader-worker", "Compiles ahead what a scene may need")->group("");
+    shaders->add_option("scene", words.shader_scene)->required();
+    shaders->add_option("done", words.shaders_done)->required();
+    add(shaders, [&] { return run_shader_worker(words.shader_scene, words.shaders_done); });
     return commands;
 }
 

@@ -7,6 +7,13 @@
 namespace plumbline::game {
 
 Result<PictureStudio> PictureStudio::open(const std::filesystem::path& scene) {
+    Result<PictureStudio> studio = open_undrawn(scene);
+    if (!studio) return studio;
+    if (const Result<Done> drawn = studio->run->draw(); !drawn) return drawn.error();
+    return studio;
+}
+
+Result<PictureStudio> PictureStudio::open_undrawn(const std::filesystem::path& scene) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
     PictureStudio studio;
@@ -27,7 +34,6 @@ Result<PictureStudio> PictureStudio::open(const std::filesystem::path& scene) {
                                    .height_px = kStudioHeight_px});
     if (!run) return run.error();
     studio.run = std::move(*run);
-    if (const Result<Done> drawn = studio.run->draw(); !drawn) return drawn.error();
     return studio;
 }
 

@@ -17,6 +17,8 @@ struct PictureStudio {
 
     /// Nobody plays. One picture has been drawn. No usable GL: exit code 3.
     static Result<PictureStudio> open(const std::filesystem::path& scene);
+    /// As open(), without a picture.
+    static Result<PictureStudio> open_undrawn(const std::filesystem::path& scene);
 };
 
 }  // namespace plumbline::game

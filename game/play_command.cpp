@@ -12,6 +12,7 @@
 #include "game/program.h"
 #include "game/refuse.h"
 #include "game/rules.h"
+#include "game/shader_worker.h"
 
 #include <fmt/format.h>
 
@@ -179,6 +180,10 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     app::PlayDef play = play_def(options, common, *folders);
     play.open_scene = [&](const std::filesystem::path& file) {
         return sessions.open(file.string());
+    };
+    ShadersAhead shaders;
+    play.after_first_frame = [&](const app::Session& open, const render::GlInfo& gl) {
+        shaders.start(open, play.shader_folder, gl);
     };
     ExitCode code = ExitCode::Good;
     for (;;) {

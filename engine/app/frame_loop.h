@@ -6,6 +6,7 @@
 #include "engine/app/session.h"
 #include "engine/app/stepper.h"
 #include "engine/platform/window.h"
+#include "engine/render/renderer.h"
 
 #include <filesystem>
 #include <functional>
@@ -19,6 +20,8 @@ namespace plumbline::app {
 struct PlayDef {
     /// Opens what is chosen in the menu or dropped on the window.
     std::function<Result<std::unique_ptr<Session>>(const std::filesystem::path&)> open_scene;
+    /// When the first frame of a scene is on the screen.
+    std::function<void(const Session&, const render::GlInfo&)> after_first_frame{};
     std::filesystem::path shader_folder;
     std::filesystem::path user_data_folder;  ///< pictures, recordings, what was said already
     std::filesystem::path thumbnails;        ///< folder of pictures of scenes

@@ -282,6 +282,8 @@ void FrameParts::finish_frame(double frame_start_s, double present_s) {
     session_.effects->add_render_stats(renderer->stats(), renderer->gpu_bytes());
     const double wall_ms = (wall_s() - frame_start_s) * 1e3;
     report.add_frame(wall_ms, renderer->stats());
+    if (report.frames() == 1 && def_.after_first_frame)
+        def_.after_first_frame(session_, renderer->gl());
     FrameCost cost{.wall_ms = wall_ms, .cpu_ms = (present_s - frame_start_s) * 1e3};
     for (const render::PassTiming& pass : renderer->stats().passes) {
         if (pass.gpu_ms >= 0.0) cost.gpu_ms = std::max(cost.gpu_ms, 0.0) + pass.gpu_ms;

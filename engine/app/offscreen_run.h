@@ -35,6 +35,8 @@ public:
     /// A shader that does not compile is an error (exit code 3).
     Result<Done> draw(const render::RenderFrame& frame);
     Result<Done> draw(const std::optional<scene::ViewPoint>& view = {});
+    /// Compiled programs are made anew when they are needed.
+    void forget_programs() { renderer_->forget_programs(); }
     assets::ImageData pixels(assets::ImageData spare = {}) const {
         return renderer_->read_pixels(std::move(spare));
     }

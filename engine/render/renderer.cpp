@@ -358,6 +358,10 @@ void Renderer::forget_scene() {
     r.flashlight_shadow.free();
 }
 
+void Renderer::forget_programs() {
+    impl_->scene.shaders.clear();
+}
+
 Result<Done> Renderer::reload_shaders() {
     return impl_->scene.shaders.reload();
 }

@@ -87,6 +87,8 @@ public:
 
     /// Drops every GPU resource made for meshes and textures of the old scene.
     void forget_scene();
+    /// Drops all programs: what is drawn next is compiled anew.
+    void forget_programs();
     /// Recompiles changed shader files; a broken one leaves the old program and tells why.
     Result<Done> reload_shaders();
     /// Why a shader that a frame asked for is not as its files say: file, line and the driver's text.

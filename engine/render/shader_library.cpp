@@ -61,6 +61,11 @@ void ShaderLibrary::allow_new(double seconds) {
     left_s_ = seconds;
     first_draw_from_s_.reset();
     new_count_ = 0;
+    // Each holds a megabyte of the driver's, and comes back from its cache.
+    if (++frame_ % (kKeptUnused / 4) != 0) return;
+    std::erase_if(programs_, [&](const auto& program) {
+        return program.second.drawn && program.second.used + kKeptUnused < frame_;
+    });
 }
 
 const gl::Program* ShaderLibrary::most_similar(const Key& key,
@@ -90,14 +95,19 @@ const gl::Program* ShaderLibrary::find_or_similar(const ShaderPair& files,
     if (first_draw_from_s_) left_s_ -= wall_s() - *std::exchange(first_draw_from_s_, {});
     const Key key{files.vertex, files.fragment, features};
     const auto found = programs_.find(key);
-    if (found != programs_.end() && found->second.drawn) return &*found->second.program;
+    if (found != programs_.end() && found->second.drawn) {
+        found->second.used = frame_;
+        return &*found->second.program;
+    }
     if (left_s_ <= 0.0) {
         if (const gl::Program* similar = most_similar(key, substitutes)) return similar;
     }
     const double from_s = wall_s();
     const gl::Program* program = find(files, features);
     if (program == nullptr) return nullptr;
-    programs_.find(key)->second.drawn = true;
+    Entry& entry = programs_.find(key)->second;
+    entry.drawn = true;
+    entry.used = frame_;
     first_draw_from_s_ = from_s;
     ++new_count_;
     return program;

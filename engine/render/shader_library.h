@@ -34,7 +34,7 @@ public:
     explicit ShaderLibrary(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     /// Compiles at the first call. Null if it does not compile: see fault(), not tried again until
-    /// reload(). The pointer is good as long as the library; reload() swaps what is behind it.
+    /// reload(). The pointer is good until clear(); reload() swaps what is behind it.
     const gl::Program* find(const ShaderPair& files, FeatureSet features);
     /// As find(); but once allow_new()'s time is spent, a program that nothing was drawn with so far is
     /// left for a later frame, and the one most like it, of those that were, is given in its place.
@@ -43,8 +43,10 @@ public:
     const gl::Program* find_or_similar(const ShaderPair& files,
                                        FeatureSet features,
                                        const Substitutes& substitutes);
-    /// For programs that are new in this frame; without a call there is no end to it.
+    /// For programs that are new in this frame; without a call there is no end to it. Once a frame:
+    /// programs of find_or_similar() that nothing was drawn with for kKeptUnused frames are dropped.
     void allow_new(double seconds);
+    static constexpr std::uint64_t kKeptUnused = 1800;
     /// Programs that were drawn with for the first time since allow_new().
     std::uint32_t new_count() const { return new_count_; }
     /// Why a program that was asked for is not what its files say; empty when all are.
@@ -56,6 +58,8 @@ public:
     /// That all files of the pair are there; the error names the one that is not.
     Result<Done> check_files(const ShaderPair& files) const;
     std::size_t size() const { return programs_.size(); }
+    /// Pointers to programs end here.
+    void clear() { programs_.clear(); }
 
 private:
     struct Key {
@@ -66,7 +70,8 @@ private:
     };
     struct Entry {
         std::optional<gl::Program> program;  ///< empty: did not compile
-        bool drawn{false};                   ///< with find_or_similar()
+        bool drawn{false};                   ///< with find_or_similar(),
+        std::uint64_t used{0};               ///< in that frame at last
     };
     Result<gl::Program> build(const Key& key) const;
     const gl::Program* most_similar(const Key& key, const Substitutes& substitutes) const;
@@ -77,6 +82,7 @@ private:
     double left_s_{std::numeric_limits<double>::infinity()};
     std::optional<double> first_draw_from_s_;  ///< a new program is being drawn with
     std::uint32_t new_count_{0};
+    std::uint64_t frame_{0};
 };
 
 }  // namespace plumbline::render

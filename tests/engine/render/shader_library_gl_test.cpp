@@ -69,5 +69,22 @@ TEST_F(ShaderLibraryGl, ALaterFrameHasTheProgramItself) {
     EXPECT_EQ(find(kPlain | feature::kSunShadow), plain);
 }
 
+TEST_F(ShaderLibraryGl, WhatIsNotUsedForALongTimeIsDropped) {
+    find(kPlain);
+    find(kPlain | feature::kFlashlight);
+    shaders_.find(kMesh, kPlain | feature::kFog);  // of passes that ask each time: it stays
+    for (std::uint64_t frame = 0; frame < 2 * ShaderLibrary::kKeptUnused; ++frame) {
+        shaders_.allow_new(1.0);
+        find(kPlain);
+        if (frame == ShaderLibrary::kKeptUnused - 1) {
+            EXPECT_EQ(shaders_.size(), 3U);
+        }
+    }
+    EXPECT_EQ(shaders_.size(), 2U);
+    EXPECT_EQ(shaders_.new_count(), 0U);
+    find(kPlain | feature::kFlashlight);
+    EXPECT_EQ(shaders_.new_count(), 1U);
+}
+
 }  // namespace
 }  // namespace plumbline::render
