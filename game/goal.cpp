@@ -1,5 +1,7 @@
 #include "game/goal.h"
 
+#include "engine/scene/goal_names.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,18 +17,13 @@ bool is_within(const scene::Region& region, const Vec3& point_m) {
            glm::all(glm::lessThanEqual(point_m, region.max_m));
 }
 
-bool is_meant(const std::string& name, const std::string& wanted) {
-    if (!wanted.ends_with(".*")) return name == wanted;
-    return name.starts_with(std::string_view(wanted).substr(0, wanted.size() - 1));
-}
-
 }  // namespace
 
 Goal::Goal(const scene::Simulation& simulation) : goal_(*simulation.description().goal) {
     for (auto [entity, name, body] :
          simulation.registry.view<const scene::Name, const scene::BodyRef>()) {
         const std::string& text = name.text;
-        const auto meant = [&](const std::string& wanted) { return is_meant(text, wanted); };
+        const auto meant = [&](const std::string& wanted) { return scene::is_meant(text, wanted); };
         if (std::ranges::any_of(goal_.things, meant)) things_.push_back(entity);
     }
     wanted_ = goal_.count > 0 ? goal_.count : static_cast<int>(things_.size());

@@ -1,4 +1,5 @@
 // [goal]: a small game.
+#include "engine/scene/goal_names.h"
 #include "engine/scene/scene_names.h"
 #include "engine/scene/scene_parts.h"
 
@@ -30,16 +31,16 @@ std::optional<Region> read_region(TableReader& goal, std::string_view key) {
 std::uint64_t bodies_named(const std::string& name,
                            const SceneDescription& scene,
                            const SceneNames& names) {
-    if (!name.ends_with(".*")) {
+    const std::optional<std::string_view> stem = stem_of(name);
+    if (!stem) {
         const auto found = names.find(name);
         return found && found->entity->body ? 1 : 0;
     }
-    const std::string stem = name.substr(0, name.size() - 1);
     std::uint64_t bodies = 0;
     for (const EntityDescription& entity : scene.entities)
-        bodies += entity.body && entity.name.starts_with(stem) ? 1U : 0U;
+        bodies += entity.body && entity.name.starts_with(*stem) ? 1U : 0U;
     for (const ArrayDescription& array : scene.arrays) {
-        if (!array.prefab.body || !(array.name + ".").starts_with(stem)) continue;
+        if (!array.prefab.body || !(array.name + ".").starts_with(*stem)) continue;
         std::uint64_t copies = 1;
         for (const int count : array.count) copies *= static_cast<std::uint64_t>(count);
         bodies += copies;
