@@ -1,6 +1,7 @@
 #include "game/play_command.h"
 
 #include "engine/app/frame_loop.h"
+#include "engine/app/loading_screen.h"
 #include "engine/app/picture_control.h"
 #include "engine/core/crash_report.h"
 #include "engine/core/files.h"
@@ -16,6 +17,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <future>
 #include <new>
 #include <utility>
@@ -120,6 +122,21 @@ app::PlayDef play_def(const PlayOptions& options,
             .steps = {.replay = options.replay, .random_seed = options.random_input}};
 }
 
+/// Until the scene is read.
+void show_bar(platform::Window& window,
+              std::future<Result<std::unique_ptr<app::Session>>>& reading,
+              int width,
+              int height) {
+    constexpr std::chrono::milliseconds kLook{10};
+    app::LoadingScreen screen(window);
+    bool is_shown = false;
+    while (reading.wait_for(is_shown ? kLook : 0 * kLook) == std::future_status::timeout) {
+        if (!is_shown) window.show("Plumbline", width, height);
+        is_shown = true;
+        screen.show(0.0F);
+    }
+}
+
 /// What an earlier run left that did not end as it should.
 void tidy_up() {
     const std::filesystem::path data = user_data_folder();
@@ -157,14 +174,15 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
                        .exit_code = ExitCode::BadUsage});
     }
     const Sessions sessions{*folders, !common.no_sound};
-    // The driver takes as long as the scene: each on a thread of its own. A window that is not
-    // needed after all is never seen.
+    // The driver takes as long as the scene: each on a thread of its own. What is refused meanwhile
+    // needs no window, and none is seen.
     std::future<Result<std::unique_ptr<app::Session>>> reading =
         std::async(std::launch::async | std::launch::deferred, [&] {
             return options.scene.empty() ? sessions.open_last() : sessions.open(options.scene);
         });
     Result<std::unique_ptr<platform::Window>> window = platform::Window::open(
         {.width = width, .height = height, .vsync = config.current().vsync, .visible = false});
+    if (window) show_bar(**window, reading, width, height);
     Result<std::unique_ptr<app::Session>> session = reading.get();
     if (!session) return refuse(session.error());
     if (!window) return refuse(window.error());

@@ -50,6 +50,7 @@ PlayEnd run(platform::Window& window,
         parts.renderer->post();
         parts.renderer->lines();
         parts.draw_overlay(frame);
+        parts.draw_opening();
         parts.renderer->end();
         parts.film_frame();
 

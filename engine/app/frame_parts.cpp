@@ -1,5 +1,6 @@
 #include "engine/app/frame_parts_impl.h"
 #include "engine/app/key_labels.h"
+#include "engine/app/loading_screen.h"
 #include "engine/core/hash.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/log.h"
@@ -58,7 +59,10 @@ Result<std::unique_ptr<FrameParts>> FrameParts::create(platform::Window& window,
     if (!stepper) return stepper.error();
     std::unique_ptr<FrameParts> parts(new FrameParts(
         window, session, bindings, config, def, std::move(*stepper), std::move(*renderer)));
-    parts->renderer->prepare(parts->extract(parts->view(Real{1})));
+    LoadingScreen screen(window);
+    screen.show(0.0F);
+    parts->renderer->prepare(parts->extract(parts->view(Real{1})),
+                             [&](float share) { screen.show(share); });
     if (const std::string& fault = parts->renderer->shader_fault(); !fault.empty())
         return Error{.message = fault, .exit_code = ExitCode::NoDisplay};
     parts->scenes_ = scenes.get();

@@ -18,6 +18,7 @@
 #include "engine/render/renderer.h"
 #include "engine/scene/scene_list.h"
 
+#include <future>
 #include <memory>
 
 namespace plumbline::app {
@@ -37,7 +38,8 @@ public:
     scene::ViewPoint view(Real blend);
     render::RenderFrame extract(const scene::ViewPoint& view);
     void draw_overlay(const render::RenderFrame& frame);
-    void film_frame();  ///< while a film is taken: hands the picture to its thread
+    void draw_opening();  ///< over the frame, while another scene is read
+    void film_frame();    ///< while a film is taken: hands the picture to its thread
     void play_sound(const scene::ViewPoint& view, double now_s);
     void finish_frame(double frame_start_s, double present_s);
     /// Writes what was asked for.
@@ -61,7 +63,8 @@ private:
                std::unique_ptr<render::Renderer> renderer);
     void say(std::string line);  ///< to the person, in the overlay
     void say_faults();
-    void open_scene();
+    void begin_opening();
+    void take_opened();
     void end_with(ExitCode code, const std::string& why);
     void reload_settings(double now_s);
     void reload_shaders();
@@ -121,7 +124,8 @@ private:
     std::vector<effects::LedgerLine> ledger_;  ///< refreshed for the statistics panel
     double start_s_;
     SlowMotion slow_motion_;
-    std::unique_ptr<Session> next_;  ///< that was chosen; null: none
+    std::unique_ptr<Session> next_;                          ///< that was chosen; null: none
+    std::future<Result<std::unique_ptr<Session>>> opening_;  ///< on a thread; invalid: nothing is
     double chosen_s_{0};
     std::string report_text_;
     std::unique_ptr<VideoFile> film_;  ///< null: none is taken

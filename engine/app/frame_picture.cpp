@@ -1,5 +1,6 @@
 // What a frame shows and sounds like: the world read, the overlay over it, the cues of its steps.
 #include "engine/app/frame_parts_impl.h"
+#include "engine/app/loading_screen.h"
 #include "engine/scene/extract.h"
 
 #include <algorithm>
@@ -123,6 +124,13 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
                       menu_);
     if (bar) apply_bar(*bar, *session_.simulation);
     do_accuracy(asked);
+}
+
+void FrameParts::draw_opening() {
+    if (!opening_.valid()) return;
+    render::LoadingBar bar = loading_bar_of(window_, 0.0F);
+    bar.background = render::LoadingBackground::AsItIs;
+    render::draw_loading_bar(window_.gl_loader(), bar);
 }
 
 bool FrameParts::looks_at_model() const {

@@ -5,6 +5,7 @@
 #include "engine/core/log.h"
 #include "engine/core/stopwatch.h"
 
+#include <chrono>
 #include <new>
 
 namespace plumbline::app {
@@ -32,7 +33,8 @@ void FrameParts::do_requests() {
     if (controls_.screenshot) save_picture();
     if (controls_.save_recording) save_recording_so_far();
     if (controls_.film) start_or_end_film();
-    if (!controls_.open_scene.empty()) open_scene();
+    if (!controls_.open_scene.empty()) begin_opening();
+    take_opened();
     if (controls_.quit) closing_ = true;
     controls_.clear_requests();
 }
@@ -41,9 +43,19 @@ void FrameParts::say(std::string line) {
     overlay_.say(std::move(line), window_.now_s());
 }
 
-void FrameParts::open_scene() {
+void FrameParts::begin_opening() {
+    if (opening_.valid()) return;  // one after the other
     chosen_s_ = wall_s();
-    Result<std::unique_ptr<Session>> opened = def_.open_scene(controls_.open_scene);
+    opening_ =
+        std::async(std::launch::async | std::launch::deferred,
+                   [open = def_.open_scene, file = controls_.open_scene] { return open(file); });
+}
+
+void FrameParts::take_opened() {
+    if (!opening_.valid() ||
+        opening_.wait_for(std::chrono::seconds(0)) == std::future_status::timeout)
+        return;
+    Result<std::unique_ptr<Session>> opened = opening_.get();
     if (opened) {
         next_ = std::move(*opened);
         return;

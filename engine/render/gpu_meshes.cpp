@@ -287,7 +287,7 @@ const GpuMesh& GpuMeshes::get(assets::MeshId id, std::span<const assets::Materia
     return add(id, uploaded(mesh), std::move(mesh.lods));
 }
 
-void GpuMeshes::load(std::span<const MeshRequest> requests) {
+void GpuMeshes::load(std::span<const MeshRequest> requests, const std::function<void()>& on_each) {
     struct UnderWay {
         assets::MeshId id;
         std::future<PackedMesh> mesh;
@@ -300,6 +300,7 @@ void GpuMeshes::load(std::span<const MeshRequest> requests) {
     };
     std::set<assets::MeshId> asked;
     for (const MeshRequest& request : requests) {
+        on_each();
         if (meshes_.contains(request.id) || !asked.insert(request.id).second) continue;
         const assets::MeshData& data = library_.mesh(request.id);
         // Deferred to whoever asks where no thread can be made.

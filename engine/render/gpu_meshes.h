@@ -7,6 +7,7 @@
 #include "engine/render/gl/object.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <span>
 #include <vector>
@@ -42,8 +43,8 @@ public:
     const GpuMesh& get(assets::MeshId id) { return get(id, {}); }
     /// `materials`: of the first thing that is drawn with it; they tell what is foliage.
     const GpuMesh& get(assets::MeshId id, std::span<const assets::MaterialId> materials);
-    /// Makes all of them ready for get(), on several threads.
-    void load(std::span<const MeshRequest> requests);
+    /// Makes all of them ready for get(), on several threads; `on_each`: after every request.
+    void load(std::span<const MeshRequest> requests, const std::function<void()>& on_each);
     void clear();
     std::size_t bytes() const { return bytes_; }
     /// Coarser versions of what was uploaded since make_lods(). Meshes that change have none.

@@ -42,7 +42,8 @@ const gl::Texture& GpuTextures::get(const TextureRequest& request) {
     return add(request, *image, mip_chain(*image, request.content, request.alpha_cutoff));
 }
 
-void GpuTextures::load(const std::vector<TextureRequest>& requests) {
+void GpuTextures::load(const std::vector<TextureRequest>& requests,
+                       const std::function<void()>& on_each) {
     struct UnderWay {
         TextureRequest request;
         std::shared_ptr<const assets::ImageData> image;
@@ -56,6 +57,7 @@ void GpuTextures::load(const std::vector<TextureRequest>& requests) {
     };
     std::map<Key, bool> asked;
     for (const TextureRequest& request : requests) {
+        on_each();
         const Key key{request.file, request.content};
         if (textures_.contains(key) || !asked.emplace(key, true).second) continue;
         // Deferred to whoever asks where no thread can be made; given as a copy, for a failed start

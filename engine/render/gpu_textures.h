@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -31,8 +32,9 @@ public:
 
     /// Uploads at the first call; the reference is good until clear().
     const gl::Texture& get(const TextureRequest& request);
-    /// Uploads all that are not there yet, halving them on worker threads meanwhile.
-    void load(const std::vector<TextureRequest>& requests);
+    /// Uploads all that are not there yet, halving them on worker threads meanwhile; `on_each`: after
+    /// every request.
+    void load(const std::vector<TextureRequest>& requests, const std::function<void()>& on_each);
     void clear();
     std::size_t bytes() const { return bytes_; }
 

@@ -153,7 +153,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader,
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
 }
 
-void Renderer::prepare(const RenderFrame& frame) {
+void Renderer::prepare(const RenderFrame& frame, const std::function<void(float share)>& tell) {
     Impl& r = *impl_;
     r.set_up(frame);
     if (r.nothing_to_draw) return;
@@ -173,7 +173,13 @@ void Renderer::prepare(const RenderFrame& frame) {
             has_mask = has_mask || material.alpha_mode == assets::AlphaMode::Mask;
         }
     }
-    r.scene.meshes.load(meshes);
+    // Each mesh, shader and picture counts alike.
+    float done = 0.0F;
+    const auto total = static_cast<float>(meshes.size() + 2 * looks.size() + textures.size());
+    const auto on_each = [&] {
+        if (tell) tell(std::min((done += 1.0F) / total, 1.0F));
+    };
+    r.scene.meshes.load(meshes, on_each);
     std::set<FeatureSet> variants;
     for (const auto& [mesh, look] : looks) {
         const bool sways = r.scene.meshes.get(mesh).sways;
@@ -183,13 +189,18 @@ void Renderer::prepare(const RenderFrame& frame) {
         if ((features & feature::kLightShadows) != 0)
             variants.insert(variant_of(look, features & ~feature::kLightShadows));
     }
-    for (const FeatureSet variant : variants) r.scene.shaders.find(kMeshShader, variant);
+    done = static_cast<float>(meshes.size());
+    for (const FeatureSet variant : variants) {
+        r.scene.shaders.find(kMeshShader, variant);
+        on_each();
+    }
     if ((r.features & kShadowFeatures) != 0) {
         r.scene.shaders.find(kDepthShader, 0);
         if (has_mask) r.scene.shaders.find(kDepthShader, feature::kAlphaMask);
     }
     if (DropPass::has_work(frame)) DropPass::prepare(r.features, r.scene);
-    r.scene.textures.load(textures);
+    done = total - static_cast<float>(textures.size());
+    r.scene.textures.load(textures, on_each);
     r.frame = nullptr;
 }
 

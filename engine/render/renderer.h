@@ -8,6 +8,7 @@
 #include "engine/render/render_frame.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -71,7 +72,8 @@ public:
     Renderer& operator=(const Renderer&) = delete;
 
     /// Uploads and compiles all that this frame needs, so that the first frame does not stutter.
-    void prepare(const RenderFrame& frame);
+    /// `tell` hears again and again which share of it is done; it may draw and present.
+    void prepare(const RenderFrame& frame, const std::function<void(float share)>& tell = {});
 
     // The passes of a frame, in this order. begin() culls, sorts near to far and batches; it
     // survives a size of 0 x 0 (every pass is then skipped).
