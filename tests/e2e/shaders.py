@@ -14,11 +14,10 @@ program_file = sys.argv[1]
 def workers_of(game):
     """Process ids of the children that compile."""
     found = []
-    for task in pathlib.Path(f"/proc/{game.process.pid}/task").iterdir():
-        for child in (task / "children").read_text().split():
-            words = pathlib.Path(f"/proc/{child}/cmdline").read_bytes().split(b"\0")
-            if b"shader-worker" in words:
-                found.append(child)
+    for child in pathlib.Path(f"/proc/{game.process.pid}/task/{game.process.pid}/children").read_text().split():
+        words = pathlib.Path(f"/proc/{child}/cmdline")
+        if words.exists() and b"shader-worker" in words.read_bytes().split(b"\0"):
+            found.append(child)
     return found
 
 
