@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 #include <string_view>
 
 namespace plumbline::render {
@@ -151,57 +150,6 @@ Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader,
     glPointSize(2.0F);
     glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);  // flat shading goes by it
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
-}
-
-void Renderer::prepare(const RenderFrame& frame, const std::function<void(float share)>& tell) {
-    Impl& r = *impl_;
-    r.set_up(frame);
-    if (r.nothing_to_draw) return;
-    std::vector<MeshRequest> meshes;
-    std::vector<TextureRequest> textures;
-    std::set<std::pair<assets::MeshId, FeatureSet>> looks;
-    bool has_mask = false;
-    for (const DrawItem& item : frame.items) {
-        if (item.mesh.value == 0) continue;
-        meshes.push_back({item.mesh, materials_of(frame, item)});
-        for (const assets::MaterialId id : materials_of(frame, item)) {
-            if (id.value == 0) continue;
-            const auto& material = r.scene.library.material(id);
-            const auto& wanted = r.scene.materials.textures(id);
-            textures.insert(textures.end(), wanted.begin(), wanted.end());
-            looks.emplace(item.mesh, r.scene.materials.features(id));
-            has_mask = has_mask || material.alpha_mode == assets::AlphaMode::Mask;
-        }
-    }
-    // Each mesh, shader and picture counts alike.
-    float done = 0.0F;
-    const auto total = static_cast<float>(meshes.size() + 2 * looks.size() + textures.size());
-    const auto on_each = [&] {
-        if (tell) tell(std::min((done += 1.0F) / total, 1.0F));
-    };
-    r.scene.meshes.load(meshes, on_each);
-    std::set<FeatureSet> variants;
-    for (const auto& [mesh, look] : looks) {
-        const bool sways = r.scene.meshes.get(mesh).sways;
-        const FeatureSet features = sways ? r.features : r.features & ~feature::kWind;
-        variants.insert(variant_of(look, features));
-        variants.insert(variant_of(look, features & ~feature::kFlashlight));
-        if ((features & feature::kLightShadows) != 0)
-            variants.insert(variant_of(look, features & ~feature::kLightShadows));
-    }
-    done = static_cast<float>(meshes.size());
-    for (const FeatureSet variant : variants) {
-        r.scene.shaders.find(kMeshShader, variant);
-        on_each();
-    }
-    if ((r.features & kShadowFeatures) != 0) {
-        r.scene.shaders.find(kDepthShader, 0);
-        if (has_mask) r.scene.shaders.find(kDepthShader, feature::kAlphaMask);
-    }
-    if (DropPass::has_work(frame)) DropPass::prepare(r.features, r.scene);
-    done = total - static_cast<float>(textures.size());
-    r.scene.textures.load(textures, on_each);
-    r.frame = nullptr;
 }
 
 void Renderer::begin(const RenderFrame& frame) {
