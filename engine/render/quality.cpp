@@ -37,7 +37,8 @@ Quality quality_of(PictureLevel level) {
                     .far_shadows = true,
                     .shadowed_lights = 6,
                     .contact_hardening = ContactHardening::OnGpu,
-                    .lod_error_px = 0.75F};
+                    .lod_error_px = 1.0F,
+                    .smallest_px = 1.0F};
     }
     return {};
 }
