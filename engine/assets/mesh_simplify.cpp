@@ -2,6 +2,7 @@
 
 #include <meshoptimizer.h>
 
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -11,6 +12,7 @@ namespace {
 /// The part of a mesh that some indices use, numbered by itself.
 struct OwnVertices {
     std::vector<Vec3f> positions;
+    std::vector<Vec3f> colors;
     std::vector<std::uint32_t> in_mesh;  ///< by own number
     std::vector<std::uint32_t> indices;
 };
@@ -26,6 +28,7 @@ OwnVertices own_vertices(const std::vector<Vertex>& vertices,
             number[index] = static_cast<std::uint32_t>(own.in_mesh.size());
             own.in_mesh.push_back(index);
             own.positions.push_back(vertices[index].position_body);
+            own.colors.push_back(vertices[index].color);
         }
         own.indices.push_back(number[index]);
     }
@@ -49,20 +52,23 @@ std::vector<std::uint32_t> collapsed(const std::vector<Vec3f>& positions,
     return fewer;
 }
 
-/// Vertices by the place where they are.
+/// Vertices by the place where they are; where colours meet are several.
 class Places {
 public:
-    explicit Places(const std::vector<Vec3f>& positions) : place_of_(positions.size()) {
-        const std::size_t count = meshopt_generateVertexRemap(place_of_.data(),
-                                                              nullptr,
-                                                              positions.size(),
-                                                              positions.data(),
-                                                              positions.size(),
-                                                              sizeof(Vec3f));
+    explicit Places(const OwnVertices& own) : place_of_(own.positions.size()) {
+        const std::array<meshopt_Stream, 2> streams{
+            {{own.positions.data(), sizeof(Vec3f), sizeof(Vec3f)},
+             {own.colors.data(), sizeof(Vec3f), sizeof(Vec3f)}}};
+        const std::size_t count = meshopt_generateVertexRemapMulti(place_of_.data(),
+                                                                   own.indices.data(),
+                                                                   own.indices.size(),
+                                                                   own.positions.size(),
+                                                                   streams.data(),
+                                                                   streams.size());
         first_.resize(count + 1);
         for (const std::uint32_t place : place_of_) ++first_[place + 1];
         for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-        there_.resize(positions.size());
+        there_.resize(own.positions.size());
         std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
         for (std::uint32_t i = 0; i < place_of_.size(); ++i) there_[next[place_of_[i]]++] = i;
     }
@@ -84,7 +90,7 @@ private:
 std::vector<std::uint32_t> collapsed_places(const std::vector<Vertex>& vertices,
                                             const OwnVertices& own,
                                             float error_m) {
-    const Places places(own.positions);
+    const Places places(own);
     std::vector<Vec3f> positions(places.count());
     for (std::uint32_t i = 0; i < own.positions.size(); ++i)
         positions[places.of(i)] = own.positions[i];

@@ -9,8 +9,8 @@
 
 namespace plumbline::assets {
 
-/// Indices into the same vertices. No surface moves by more than about `error_m`; open borders and
-/// seams of texture coordinates stay closed.
+/// Indices into the same vertices. No surface moves by more than about `error_m`; open borders, seams
+/// of texture coordinates and edges between colours stay closed. Colours that change gradually are lost.
 std::vector<std::uint32_t> simplified(const std::vector<Vertex>& vertices,
                                       const std::vector<std::uint32_t>& indices,
                                       float error_m);

@@ -20,6 +20,8 @@ using assets::Vertex;
 constexpr std::size_t kCheapTriangles = 300;
 /// A loose piece of foliage with no more triangles than this is a card.
 constexpr std::uint32_t kCardTriangles = 32;
+/// Where there are fewer cards than this each is seen by itself, and none may go.
+constexpr std::size_t kManyCards = 300;
 
 struct Detail {
     float error_share;  ///< of the mesh's diagonal
@@ -65,28 +67,44 @@ float share_of(std::uint32_t number) {
     return static_cast<float>(h >> 8U) / static_cast<float>(1U << 24U);
 }
 
-/// Appends a share of the loose cards in `indices`, enlarged, and all that is no card.
+/// The loose pieces of which some triangles are made.
+class Cards {
+public:
+    Cards(const MeshData& mesh, const std::vector<std::uint32_t>& indices)
+        : joined_(mesh.vertices.size()) {
+        for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+            joined_.join(indices[i], indices[i + 1]);
+            joined_.join(indices[i], indices[i + 2]);
+        }
+        for (const std::uint32_t index : indices) {
+            Piece& piece = pieces_[joined_.find(index)];
+            ++piece.corners;
+            piece.sum += mesh.vertices[index].position_body;
+        }
+    }
+    std::size_t count() const { return pieces_.size(); }
+    /// A number that is the card's own, and what it is.
+    std::pair<std::uint32_t, const Piece&> of(std::uint32_t index) {
+        const std::uint32_t root = joined_.find(index);
+        return {root, pieces_[root]};
+    }
+
+private:
+    Pieces joined_;
+    std::unordered_map<std::uint32_t, Piece> pieces_;
+};
+
+/// Appends a share of the cards in `indices`, enlarged, and all that is no card.
 void append_cards(MeshData& mesh, const std::vector<std::uint32_t>& indices, const Detail& detail) {
-    Pieces joined(mesh.vertices.size());
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        joined.join(indices[i], indices[i + 1]);
-        joined.join(indices[i], indices[i + 2]);
-    }
-    std::unordered_map<std::uint32_t, Piece> pieces;
-    for (const std::uint32_t index : indices) {
-        Piece& piece = pieces[joined.find(index)];
-        ++piece.corners;
-        piece.sum += mesh.vertices[index].position_body;
-    }
+    Cards cards(mesh, indices);
     std::unordered_map<std::uint32_t, std::uint32_t> enlarged;
     for (const std::uint32_t index : indices) {
-        const std::uint32_t root = joined.find(index);
-        const Piece& piece = pieces[root];
+        const auto [number, piece] = cards.of(index);
         if (piece.corners > 3 * kCardTriangles) {
             mesh.indices.push_back(index);
             continue;
         }
-        if (share_of(root) > detail.kept_cards) continue;
+        if (share_of(number) > detail.kept_cards) continue;
         const auto [found, is_new] =
             enlarged.emplace(index, static_cast<std::uint32_t>(mesh.vertices.size()));
         if (is_new) {
@@ -99,16 +117,24 @@ void append_cards(MeshData& mesh, const std::vector<std::uint32_t>& indices, con
     }
 }
 
+bool has_colors(const MeshData& mesh, const std::vector<std::uint32_t>& indices) {
+    return std::ranges::any_of(indices, [&](std::uint32_t index) {
+        return mesh.vertices[index].color != mesh.vertices[indices.front()].color;
+    });
+}
+
 /// The parts of a mesh on their way to the coarsest version.
 class Coarser {
 public:
     Coarser(MeshData& mesh, const std::vector<bool>& is_foliage) : mesh_(mesh) {
         for (const SubMesh& part : mesh.sub_meshes) {
             const auto first = mesh.indices.begin() + part.first_index;
-            parts_.push_back(
-                {.indices = {first, first + part.index_count},
-                 .drawn = part,
-                 .is_foliage = parts_.size() < is_foliage.size() && is_foliage[parts_.size()]});
+            const std::size_t number = parts_.size();
+            Part& own = parts_.emplace_back(
+                Part{.indices = {first, first + part.index_count}, .drawn = part});
+            const bool foliage = number < is_foliage.size() && is_foliage[number];
+            own.thins_out = foliage && Cards(mesh, own.indices).count() >= kManyCards;
+            own.stays = !foliage && has_colors(mesh, own.indices);
         }
     }
 
@@ -116,7 +142,7 @@ public:
     std::vector<SubMesh> add(const Detail& detail, float error_m) {
         std::vector<SubMesh> drawn;
         for (Part& part : parts_) {
-            const bool thins_out = part.is_foliage && detail.kept_cards < 1.0F;
+            const bool thins_out = part.thins_out && detail.kept_cards < 1.0F;
             // Bent cards become flat; coarser than that they would vanish.
             const std::size_t before = part.indices.size();
             if (!thins_out)
@@ -141,7 +167,8 @@ private:
     struct Part {
         std::vector<std::uint32_t> indices;
         SubMesh drawn;
-        bool is_foliage{false};
+        bool thins_out{false};  ///< a crown of many cards
+        bool stays{false};      ///< what is painted on vertices goes with them
     };
     MeshData& mesh_;
     std::vector<Part> parts_;

@@ -123,6 +123,21 @@ TEST(MeshLods, FewerCardsAreLargerAndCoverAsMuch) {
     }
 }
 
+TEST(MeshLods, FewCardsAllStay) {
+    MeshData tuft = cards(200);
+    const float full = area_of(tuft, tuft.sub_meshes);
+    for (const MeshLod& lod : add_lods(tuft, {true})) {
+        if (lod.error_m > 0.04F) break;
+        EXPECT_NEAR(area_of(tuft, lod.sub_meshes), full, 1e-3F * full);
+    }
+}
+
+TEST(MeshLods, WhatIsPaintedOnVerticesStays) {
+    MeshData ball = assets::sphere_mesh(1.0F);
+    ball.vertices[ball.indices[100]].color = Vec3f{0.5F};
+    EXPECT_TRUE(add_lods(ball, {}).empty());
+}
+
 TEST(MeshLods, LoosePiecesOfWhatIsNoFoliageAllStay) {
     // Tiles of a roof: none may be missing, however coarse. Cards of 10 cm are cells of their own.
     MeshData roof = cards(400);
