@@ -418,7 +418,11 @@ void main() {
     texel.rgb *= 1.0 + material.surface.z * (there / surface_mean - 1.0);
 #endif
     base *= vec4(linear_from_srgb(texel.rgb), texel.a);
-#ifdef PL_ALPHA_MASK
+#ifdef PL_COVERAGE
+    // As wide as a pixel, the mask's edge covers a share of its samples.
+    float coverage = (base.a - material.emissive.w) / max(fwidth(base.a), 1e-3) + 0.5;
+    if (coverage <= 0.0) discard;
+#elif defined(PL_ALPHA_MASK)
     if (base.a < material.emissive.w) discard;
 #endif
 #endif
@@ -441,6 +445,8 @@ void main() {
 #else
     out_color = vec4(color, base.a);
 #endif
+#elif defined(PL_COVERAGE)
+    out_color = vec4(color, min(coverage, 1.0));
 #elif defined(PL_OCCLUSION)
     out_color = vec4(color, occludable_share(color, eye_distance_m));
 #else

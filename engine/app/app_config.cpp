@@ -53,8 +53,8 @@ std::string toml_value(const SettingTarget& target) {
     if (bool* const* flag = std::get_if<bool*>(&target)) return **flag ? "true" : "false";
     if (const auto* whole = std::get_if<IntSetting>(&target))
         return fmt::format("{}", *whole->value);
-    if (PictureLevel* const* level = std::get_if<PictureLevel*>(&target))
-        return fmt::format("\"{}\"", kPictureLevelNames[static_cast<std::size_t>(**level)]);
+    if (const auto* word = std::get_if<WordSetting>(&target))
+        return fmt::format("\"{}\"", word->words[*word->value]);
     return fmt::format("{}", *std::get<FloatSetting>(target).value);
 }
 
@@ -74,11 +74,11 @@ std::string set(const SettingTarget& target, const toml::node& node) {
         *whole->value = static_cast<int>(*value);
         return {};
     }
-    if (PictureLevel* const* level = std::get_if<PictureLevel*>(&target)) {
-        const auto found = std::ranges::find(kPictureLevelNames, node.value_or(std::string_view{}));
-        if (found == kPictureLevelNames.end())
-            return fmt::format("expected one of {}", fmt::join(kPictureLevelNames, ", "));
-        **level = static_cast<PictureLevel>(found - kPictureLevelNames.begin());
+    if (const auto* word = std::get_if<WordSetting>(&target)) {
+        const auto found = std::ranges::find(word->words, node.value_or(std::string_view{}));
+        if (found == word->words.end())
+            return fmt::format("expected one of {}", fmt::join(word->words, ", "));
+        *word->value = static_cast<std::uint8_t>(found - word->words.begin());
         return {};
     }
     const auto& real = std::get<FloatSetting>(target);
@@ -169,6 +169,16 @@ void apply_layer(const std::filesystem::path& path, AppConfig& config, Diagnosti
 
 }  // namespace
 
+namespace {
+
+template <class Enum>
+std::uint8_t* place_of(Enum& value) {
+    static_assert(std::is_same_v<std::underlying_type_t<Enum>, std::uint8_t>);
+    return reinterpret_cast<std::uint8_t*>(&value);
+}
+
+}  // namespace
+
 std::vector<Setting> settings_of(AppConfig& config) {
     return {
         {"window", "width", IntSetting{&config.width, 64, 16384}, "Width at the start"},
@@ -176,9 +186,16 @@ std::vector<Setting> settings_of(AppConfig& config) {
         {"window", "vsync", &config.vsync, "Wait for the screen (vsync)"},
         {"window", "max_fps", IntSetting{&config.max_fps, 10, 10000}, "Frames a second at most"},
         {"window", "pause_on_focus_loss", &config.pause_on_focus_loss, "Pause in the background"},
-        {"picture", "level", &config.picture_level, "Level of detail"},
+        {"picture",
+         "level",
+         WordSetting{place_of(config.picture_level), kPictureLevelNames},
+         "Level of detail"},
         {"picture", "target_ms", FloatSetting{&config.target_ms, 4, 200}, "Auto: ms a frame"},
         {"picture", "render_scale", FloatSetting{&config.render_scale, 0, 1}, "Render scale"},
+        {"picture",
+         "anti_aliasing",
+         WordSetting{place_of(config.anti_aliasing), kEdgeWishNames},
+         "Smooth edges"},
         {"picture", "fov_deg", FloatSetting{&config.fov_deg, 30, 120}, "Field of view"},
         {"hud", "ui_scale", FloatSetting{&config.ui_scale, 0, 3}, "Size of text"},
         {"hud", "hints", &config.hints, "Hints"},

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -19,6 +20,10 @@ enum class PictureLevel : std::uint8_t { Auto, Low, Medium, High };
 inline constexpr std::array<std::string_view, 4> kPictureLevelNames{
     "auto", "low", "medium", "high"};
 
+enum class EdgeWish : std::uint8_t { Auto, Off, Fxaa, Msaa2, Msaa4, Msaa8 };
+inline constexpr std::array<std::string_view, 6> kEdgeWishNames{
+    "auto", "off", "fxaa", "msaa2", "msaa4", "msaa8"};
+
 struct AppConfig {
     int width{1280};  ///< [window]
     int height{720};
@@ -27,9 +32,10 @@ struct AppConfig {
     bool pause_on_focus_loss{false};
     PictureLevel picture_level{PictureLevel::Auto};  ///< [picture]
     float target_ms{33.0F};                          ///< of a frame: what the level `auto` aims at
-    float render_scale{0.0F};  ///< of each side of the picture; 0: by the level
-    float fov_deg{70.0F};      ///< upright field of view of a walker; other cameras follow
-    float ui_scale{0.0F};      ///< [hud] 0: from window and screen
+    float render_scale{0.0F};                ///< of each side of the picture; 0: by the level
+    EdgeWish anti_aliasing{EdgeWish::Auto};  ///< auto: by the level, and by what draws
+    float fov_deg{70.0F};  ///< upright field of view of a walker; other cameras follow
+    float ui_scale{0.0F};  ///< [hud] 0: from window and screen
     bool hints{true};
     bool reduce_motion{false};  ///< nothing fades, sways or turns by itself
     float master_gain{1.0F};    ///< [sound] 0…1
@@ -55,7 +61,12 @@ struct FloatSetting {
     float min;
     float max;
 };
-using SettingTarget = std::variant<IntSetting, FloatSetting, bool*, PictureLevel*>;
+/// One of some words; `value` is the place of an enumeration that counts them.
+struct WordSetting {
+    std::uint8_t* value;
+    std::span<const std::string_view> words;
+};
+using SettingTarget = std::variant<IntSetting, FloatSetting, bool*, WordSetting>;
 
 /// One key of app.toml and the place of its value.
 struct Setting {

@@ -26,7 +26,7 @@ OffscreenRun::OffscreenRun(Session& session, const OffscreenDef& def)
     : session_(session), def_(def) {
     // What is only looked at is drawn as its source draws it: a pixel is the mean of four samples.
     if (!def.level && session.simulation->description().viewer)
-        report_.set_picture({.quality = {.samples_per_side = 2}});
+        report_.set_picture({.quality = {.anti_aliasing = render::AntiAliasing::Ssaa4}});
     if (!def.level) return;
     render::Quality quality = render::quality_of(*def.level);
     if (def.render_scale > 0.0F) quality.render_scale = def.render_scale;

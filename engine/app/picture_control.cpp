@@ -68,6 +68,7 @@ std::vector<PictureControl::Rung> PictureControl::ladder(const PictureWish& wish
 
 PictureControl::PictureControl(const PictureWish& wish, bool draws_on_cpu)
     : target_ms_(wish.target_ms),
+      anti_aliasing_(wish.anti_aliasing),
       draws_on_cpu_(draws_on_cpu),
       rungs_(ladder(wish)),
       too_dear_(rungs_.size()),
@@ -88,6 +89,11 @@ bool PictureControl::go_to(std::size_t rung) {
     at_ = rung;
     quality_ = render::quality_of(rungs_[at_].level);
     quality_.render_scale = rungs_[at_].render_scale;
+    if (anti_aliasing_) {
+        quality_.anti_aliasing = *anti_aliasing_;
+    } else if (!draws_on_cpu_ && rungs_[at_].level == render::PictureLevel::High) {
+        quality_.anti_aliasing = render::AntiAliasing::Msaa4;
+    }
     calm_ = 0;
     if (changed) frames_to_skip_ = another_level ? 2 * kFramesToSkip : kFramesToSkip;
     return changed;
@@ -153,6 +159,13 @@ PictureWish picture_wish_of(const AppConfig& config) {
         case PictureLevel::High:
             wish.level = render::PictureLevel::High;
             break;
+    }
+    if (config.anti_aliasing != EdgeWish::Auto) {
+        const auto found =
+            std::ranges::find(render::kAntiAliasingNames,
+                              kEdgeWishNames[static_cast<std::size_t>(config.anti_aliasing)]);
+        wish.anti_aliasing =
+            static_cast<render::AntiAliasing>(found - render::kAntiAliasingNames.begin());
     }
     if (wish.render_scale > 0.0F) {
         wish.render_scale = std::max(wish.render_scale, render::kSmallestRenderScale);

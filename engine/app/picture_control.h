@@ -19,9 +19,10 @@ namespace plumbline::app {
 
 /// What the settings ask for.
 struct PictureWish {
-    std::optional<render::PictureLevel> level{};  ///< absent: auto
-    float render_scale{0.0F};                     ///< 0: by level
-    double target_ms{33.0};                       ///< of a frame; only for auto
+    std::optional<render::PictureLevel> level{};          ///< absent: auto
+    float render_scale{0.0F};                             ///< 0: by level
+    std::optional<render::AntiAliasing> anti_aliasing{};  ///< absent: by level and GPU
+    double target_ms{33.0};                               ///< of a frame; only for auto
 
     friend bool operator==(const PictureWish&, const PictureWish&) = default;
 };
@@ -64,6 +65,7 @@ private:
     bool decide(double median_ms);
 
     double target_ms_;
+    std::optional<render::AntiAliasing> anti_aliasing_;
     bool draws_on_cpu_;
     std::vector<Rung> rungs_;
     std::size_t at_{0};

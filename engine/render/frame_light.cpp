@@ -6,6 +6,10 @@
 namespace plumbline::render {
 
 SceneLight Renderer::Impl::finish_light() {
+    if (scene_target.samples() > 1) {
+        const gl::PassTimers::Scope timed(timers, "resolve");
+        scene_target.resolve();
+    }
     SceneLight light{.image = &scene_target.color(),
                      .depth = &scene_target.depth(),
                      .depth_line = screen_view.depth_line};

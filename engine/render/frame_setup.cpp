@@ -73,6 +73,7 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
                             .parallax = quality.parallax});
     features = frame_features_of(new_frame);
     if (has_occlusion()) features |= feature::kOcclusion;
+    if (scene_target.samples() > 1) features |= feature::kCoverage;
     if (!sun) features &= ~(feature::kSun | feature::kSunShadow);
     if (sun) features |= feature::kSun;
     const Camera& camera = new_frame.camera;
@@ -145,7 +146,8 @@ void Renderer::Impl::size_targets() {
     }
     for (;; ++given_up_) {
         quality = frame->quality;
-        if (given_up_ >= 1) quality.samples_per_side = 1;
+        if (given_up_ >= 1 && quality.anti_aliasing != AntiAliasing::Fxaa)
+            quality.anti_aliasing = AntiAliasing::Off;
         if (given_up_ == 1) quality.render_scale *= 0.5F;
         if (given_up_ == 2) {
             quality = quality_of(PictureLevel::Low);
@@ -175,13 +177,14 @@ Result<Done> Renderer::Impl::try_scene_targets() {
     const std::uint32_t samples =
         std::clamp(limits.texture_px / std::max(picture_px.width, picture_px.height),
                    1U,
-                   quality.samples_per_side);
+                   quality.anti_aliasing == AntiAliasing::Ssaa4 ? 2U : 1U);
     post_view = {.scene_px = {picture_px.width * samples, picture_px.height * samples},
                  .picture_px = picture_px,
                  .present_px = {width_px, height_px},
                  .bloom = frame->post && frame->post->bloom > 0.0F && limits.half_float_targets,
                  .tone_curve = frame->post.has_value(),
-                 .fxaa = quality.fxaa,
+                 .fxaa = quality.anti_aliasing == AntiAliasing::Fxaa,
+                 .samples = samples_of(quality.anti_aliasing),
                  .keeps_depth = !frame->lines.vertices.empty(),
                  .adds_light = has_occlusion() || has_shafts() || has_focus() || has_motion_blur()};
     stats.scene_width_px = post_view.scene_px.width;
@@ -193,11 +196,11 @@ Result<Done> Renderer::Impl::try_scene_targets() {
     }
     const PixelSize& size_px = post_view.scene_px;
     if (limits.target_bytes > 0 &&
-        SceneTarget::bytes_for(size_px, light_format()) > limits.target_bytes) {
+        SceneTarget::bytes_for(size_px, light_format(), post_view.samples) > limits.target_bytes) {
         return Error{fmt::format(
             "the driver has no memory for a picture of {} x {}", size_px.width, size_px.height)};
     }
-    const Result<Done> sized = scene_target.resize(size_px, light_format());
+    const Result<Done> sized = scene_target.resize(size_px, light_format(), post_view.samples);
     return sized ? post.resize(post_view) : sized;
 }
 

@@ -10,7 +10,7 @@ Quality quality_of(PictureLevel level) {
     switch (level) {
         case PictureLevel::Low:
             return {.render_scale = 0.6F,
-                    .fxaa = true,
+                    .anti_aliasing = AntiAliasing::Fxaa,
                     .surface_maps = false,
                     .shadow_filter = false,
                     .shadow_detail = 0.5F,
@@ -24,7 +24,7 @@ Quality quality_of(PictureLevel level) {
                     .smallest_px = 4.0F};
         case PictureLevel::Medium:
             return {.render_scale = 0.8F,
-                    .fxaa = true,
+                    .anti_aliasing = AntiAliasing::Fxaa,
                     .shadowed_lights = 3,
                     .contact_hardening = ContactHardening::Never,
                     .parallax = false,
@@ -33,7 +33,7 @@ Quality quality_of(PictureLevel level) {
                     .ground_cover = 0.75F,
                     .smallest_px = 2.0F};
         case PictureLevel::High:
-            return {.fxaa = true,
+            return {.anti_aliasing = AntiAliasing::Fxaa,
                     .far_shadows = true,
                     .shadowed_lights = 6,
                     .contact_hardening = ContactHardening::OnGpu,
@@ -41,6 +41,22 @@ Quality quality_of(PictureLevel level) {
                     .smallest_px = 1.0F};
     }
     return {};
+}
+
+std::uint32_t samples_of(AntiAliasing way) {
+    switch (way) {
+        case AntiAliasing::Msaa2:
+            return 2;
+        case AntiAliasing::Msaa4:
+            return 4;
+        case AntiAliasing::Msaa8:
+            return 8;
+        case AntiAliasing::Off:
+        case AntiAliasing::Fxaa:
+        case AntiAliasing::Ssaa4:
+            return 1;
+    }
+    return 1;
 }
 
 std::optional<PictureLevel> picture_level_named(std::string_view name) {

@@ -15,6 +15,15 @@ enum class PictureLevel : std::uint8_t { Low, Medium, High };
 
 inline constexpr std::array<std::string_view, 3> kPictureLevelNames{"low", "medium", "high"};
 
+/// How the edges of things are smoothed. Fxaa: in the finished picture. Msaa: the scene's image keeps
+/// so many samples of each pixel that an edge crosses: little on a GPU, much on a CPU. Ssaa4: the scene
+/// is drawn twice as wide and high.
+enum class AntiAliasing : std::uint8_t { Off, Fxaa, Msaa2, Msaa4, Msaa8, Ssaa4 };
+inline constexpr std::array<std::string_view, 6> kAntiAliasingNames{
+    "off", "fxaa", "msaa2", "msaa4", "msaa8", "ssaa4"};
+/// Samples that the scene's image has a pixel; 1 without Msaa.
+std::uint32_t samples_of(AntiAliasing way);
+
 inline constexpr float kSmallestRenderScale = 0.4F;
 
 /// 26 lookups a pixel, which a CPU takes half as long again for.
@@ -25,10 +34,7 @@ struct Quality {
     /// Of width and height, kSmallestRenderScale…1: the scene is drawn so large and scaled up.
     /// Lines and UI keep the full size.
     float render_scale{1.0F};
-    /// 1 or 2: the scene is drawn so many times as wide and as high; a pixel is the mean light of its
-    /// samples.
-    std::uint32_t samples_per_side{1};
-    bool fxaa{false};           ///< smooths edges of the finished picture
+    AntiAliasing anti_aliasing{AntiAliasing::Off};
     bool surface_maps{true};    ///< normal maps, and roughness maps of what is no metal
     bool shadow_filter{true};   ///< several lookups in a shadow map instead of one
     float shadow_detail{1.0F};  ///< of the shadow map's side: 0.25…1

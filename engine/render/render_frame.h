@@ -132,7 +132,7 @@ struct AmbientOcclusion {
 
 /// Air that the sun lights up where it is not in shadow.
 struct SunShafts {
-    float density_per_m{0.008F};
+    float density_per_m{0.003F};
     float distance_m{60.0F};  ///< from the eye
     std::uint32_t steps{16};  ///< along each line of sight
 };

@@ -26,7 +26,7 @@ struct GlInfo {
 /// One pass of the latest frame. Passes that did not run are not listed.
 struct PassTiming {
     std::string_view
-        name;  ///< "shadow.sun", "shadow.flashlight", "shadow.lights", "opaque", "sky", "translucent", "drops", "occlusion", "shafts", "focus", "motion_blur", "post.bloom", "picture", "lines", "ui"
+        name;  ///< "shadow.sun", "shadow.flashlight", "shadow.lights", "opaque", "sky", "translucent", "drops", "resolve", "occlusion", "shafts", "focus", "motion_blur", "post.bloom", "picture", "lines", "ui"
     double cpu_ms{0};   ///< of the calling thread
     double gpu_ms{-1};  ///< timer query of an earlier frame; -1 where the driver has none
 };

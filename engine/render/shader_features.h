@@ -58,10 +58,11 @@ inline constexpr FeatureSet kFourSamples = 1ULL << 31U;  ///< two by two make a 
 inline constexpr FeatureSet kSkyCodes = 1ULL << 29U;     ///< the sky's faces hold sRGB codes
 // light that is added after the scene
 inline constexpr FeatureSet kOcclusion = 1ULL << 40U;  ///< less ambient light in corners
+inline constexpr FeatureSet kCoverage = 1ULL << 42U;   ///< masks cover samples, not whole pixels
 inline constexpr FeatureSet kShafts = 1ULL << 41U;     ///< light from air in the sun
 }  // namespace feature
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 43> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 44> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -105,6 +106,7 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 43> kFeatur
     {feature::kGlass, "PL_GLASS"},
     {feature::kOcclusion, "PL_OCCLUSION"},
     {feature::kShafts, "PL_SHAFTS"},
+    {feature::kCoverage, "PL_COVERAGE"},
 }};
 
 }  // namespace plumbline::render

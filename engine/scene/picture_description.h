@@ -19,7 +19,7 @@ struct OcclusionDescription {
 
 /// `[sun] shafts`: air that the sun lights up where it is not in shadow.
 struct ShaftsDescription {
-    float density_per_m{0.008F};  ///< exp(-density * distance) of the light gets through
+    float density_per_m{0.003F};  ///< exp(-density * distance) of the light gets through
     float distance_m{60.0F};      ///< from the eye; beyond it nothing is added
     Origin origin{};
 };

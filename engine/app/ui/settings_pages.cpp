@@ -103,17 +103,17 @@ Line MenuPages::setting_line(std::size_t row) {
         line.cells.push_back(toggle(**flag, [this, row](bool on) {
             change_setting(row, [on](const Setting& s) { *std::get<bool*>(s.target) = on; });
         }));
-    } else if (PictureLevel* const* level = std::get_if<PictureLevel*>(&setting.target)) {
-        for (std::size_t i = 0; i < kPictureLevelNames.size(); ++i) {
-            const auto each = static_cast<PictureLevel>(i);
-            line.cells.push_back({.text = std::string(kPictureLevelNames[i]),
+    } else if (const auto* word = std::get_if<WordSetting>(&setting.target)) {
+        for (std::size_t i = 0; i < word->words.size(); ++i) {
+            const auto each = static_cast<std::uint8_t>(i);
+            line.cells.push_back({.text = std::string(word->words[i]),
                                   .activate =
                                       [this, row, each] {
                                           change_setting(row, [each](const Setting& s) {
-                                              *std::get<PictureLevel*>(s.target) = each;
+                                              *std::get<WordSetting>(s.target).value = each;
                                           });
                                       },
-                                  .marked = **level == each});
+                                  .marked = *word->value == each});
         }
     } else if (const auto* real = std::get_if<FloatSetting>(&setting.target)) {
         line.cells.push_back(number_cell(setting.key, *real, [this, row](float value) {

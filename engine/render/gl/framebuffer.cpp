@@ -3,6 +3,14 @@
 #include <glad/gl.h>
 
 namespace plumbline::render::gl {
+namespace {
+
+void attach(GLenum place, const Texture& texture) {
+    const GLenum kind = texture.samples() > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    glFramebufferTexture2D(GL_FRAMEBUFFER, place, kind, texture.name(), 0);
+}
+
+}  // namespace
 
 Framebuffer::Framebuffer(const Texture* color, const Texture* depth) {
     GLuint name = 0;
@@ -10,15 +18,13 @@ Framebuffer::Framebuffer(const Texture* color, const Texture* depth) {
     object_ = FramebufferObject{name};
     glBindFramebuffer(GL_FRAMEBUFFER, name);
     if (color != nullptr) {
-        glFramebufferTexture2D(
-            GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color->name(), 0);
+        attach(GL_COLOR_ATTACHMENT0, *color);
     } else {
         glDrawBuffer(GL_NONE);
         glReadBuffer(GL_NONE);
     }
     if (depth != nullptr) {
-        glFramebufferTexture2D(
-            GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->name(), 0);
+        attach(GL_DEPTH_ATTACHMENT, *depth);
     }
     complete_ = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }

@@ -188,6 +188,31 @@ Texture Texture::target(TargetFormat format,
     return texture;
 }
 
+Texture Texture::multisampled(TargetFormat format,
+                              std::uint32_t width,
+                              std::uint32_t height,
+                              std::uint32_t samples) {
+    const GlFormat gl_format = format_of(format);
+    GLint most = 1;
+    glGetIntegerv(gl_format.format == GL_DEPTH_COMPONENT ? GL_MAX_DEPTH_TEXTURE_SAMPLES
+                                                         : GL_MAX_COLOR_TEXTURE_SAMPLES,
+                  &most);
+    Texture texture;
+    texture.object_ = new_texture();
+    texture.width_ = width;
+    texture.height_ = height;
+    texture.samples_ = std::min(samples, static_cast<std::uint32_t>(std::max(most, 1)));
+    texture.bytes_ = std::size_t{width} * height * gl_format.bytes_per_pixel * texture.samples_;
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture.name());
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE,
+                            static_cast<GLsizei>(texture.samples_),
+                            gl_format.internal,
+                            static_cast<GLsizei>(width),
+                            static_cast<GLsizei>(height),
+                            GL_TRUE);
+    return texture;
+}
+
 Texture Texture::tiling(std::span<const assets::ImageData* const> levels, Filter filter) {
     Texture texture;
     texture.object_ = new_texture();

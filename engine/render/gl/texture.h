@@ -29,6 +29,12 @@ public:
                           std::uint32_t width,
                           std::uint32_t height,
                           Filter filter);
+    /// Storage with several samples a pixel, to draw into and to resolve; at most as many samples as the
+    /// driver has.
+    static Texture multisampled(TargetFormat format,
+                                std::uint32_t width,
+                                std::uint32_t height,
+                                std::uint32_t samples);
     /// A tiling image from its mip levels, largest first.
     static Texture tiling(std::span<const assets::ImageData* const> levels, Filter filter);
     /// Six faces in the order +x -x +y -y +z -z; level after level when `levels` > 1.
@@ -38,12 +44,14 @@ public:
     explicit operator bool() const { return static_cast<bool>(object_); }
     std::uint32_t width() const { return width_; }
     std::uint32_t height() const { return height_; }
+    std::uint32_t samples() const { return samples_; }
     std::size_t bytes() const { return bytes_; }
 
 private:
     TextureObject object_;
     std::uint32_t width_{0};
     std::uint32_t height_{0};
+    std::uint32_t samples_{1};
     std::size_t bytes_{0};
 };
 

@@ -72,6 +72,7 @@ void scissor(const ClipRect& part, const PixelSize& size_px) {
 FeatureSet variant_of(FeatureSet material_features, FeatureSet frame_features) {
     if ((material_features & feature::kUnlit) != 0) frame_features &= ~kLightFeatures;
     if ((frame_features & feature::kSkyLight) == 0) material_features &= ~feature::kSkyReflection;
+    if ((material_features & feature::kAlphaMask) == 0) frame_features &= ~feature::kCoverage;
     return material_features | frame_features;
 }
 
@@ -121,7 +122,10 @@ void MeshPass::draw(const DrawRun& run,
     } else {
         glEnable(GL_CULL_FACE);
     }
+    const bool covers_samples = (variant & feature::kCoverage) != 0;
+    if (covers_samples) glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     draw_instances(mesh, MeshDetail::Full, instances_, run);
+    if (covers_samples) glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     count_draw(stats, run);
 }
 

@@ -22,14 +22,16 @@ struct PostView {
     bool bloom{false};
     bool tone_curve{false};
     bool fxaa{false};
-    bool keeps_depth{false};  ///< lines will be drawn over the picture
-    bool adds_light{false};   ///< passes after the scene change its light
+    std::uint32_t samples{1};  ///< of a pixel of the scene's image
+    bool keeps_depth{false};   ///< lines will be drawn over the picture
+    bool adds_light{false};    ///< passes after the scene change its light
 
     bool is_scaled() const { return picture_px != present_px; }
     bool has_samples() const { return scene_px != picture_px; }
     /// Light has to be encoded, nothing else.
     bool has_no_steps() const {
-        return !bloom && !tone_curve && !fxaa && !is_scaled() && !has_samples() && !adds_light;
+        return !bloom && !tone_curve && !fxaa && !is_scaled() && !has_samples() && samples == 1 &&
+               !adds_light;
     }
 };
 

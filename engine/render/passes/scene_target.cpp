@@ -5,28 +5,54 @@
 
 namespace plumbline::render {
 
-Result<Done> SceneTarget::resize(const PixelSize& size_px, gl::TargetFormat light) {
+Result<Done> SceneTarget::resize(const PixelSize& size_px,
+                                 gl::TargetFormat light,
+                                 std::uint32_t samples) {
     const auto [width_px, height_px] = size_px;
-    if (framebuffer_ && color_.width() == width_px && color_.height() == height_px) return Done{};
-    framebuffer_ = {};
+    if (framebuffer_ && color_.width() == width_px && color_.height() == height_px &&
+        asked_samples_ == samples)
+        return Done{};
+    *this = {};
+    asked_samples_ = samples;
     color_ = gl::Texture::target(light, width_px, height_px, gl::Filter::Linear);
     depth_ =
         gl::Texture::target(gl::TargetFormat::Depth24, width_px, height_px, gl::Filter::Nearest);
     framebuffer_ = gl::Framebuffer{&color_, &depth_};
-    if (framebuffer_.complete()) return Done{};
+    bool complete = framebuffer_.complete();
+    if (samples > 1) {
+        color_samples_ = gl::Texture::multisampled(light, width_px, height_px, samples);
+        depth_samples_ = gl::Texture::multisampled(
+            gl::TargetFormat::Depth24, width_px, height_px, color_samples_.samples());
+        samples_framebuffer_ = gl::Framebuffer{&color_samples_, &depth_samples_};
+        complete = complete && samples_framebuffer_.complete();
+    }
+    if (complete) return Done{};
     *this = {};
     return Error{
         fmt::format("the driver has no memory for a picture of {} x {}", width_px, height_px)};
 }
 
-std::size_t SceneTarget::bytes_for(const PixelSize& size_px, gl::TargetFormat light) {
-    return std::size_t{size_px.width} * size_px.height *
+std::size_t SceneTarget::bytes_for(const PixelSize& size_px,
+                                   gl::TargetFormat light,
+                                   std::uint32_t samples) {
+    return std::size_t{size_px.width} * size_px.height * (samples > 1 ? samples + 1 : 1) *
            (gl::bytes_per_pixel(light) + gl::bytes_per_pixel(gl::TargetFormat::Depth24));
 }
 
 void SceneTarget::bind() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    const gl::Framebuffer& drawn = samples_framebuffer_ ? samples_framebuffer_ : framebuffer_;
+    glBindFramebuffer(GL_FRAMEBUFFER, drawn.name());
     glViewport(0, 0, static_cast<GLsizei>(color_.width()), static_cast<GLsizei>(color_.height()));
+}
+
+void SceneTarget::resolve() const {
+    if (!samples_framebuffer_) return;
+    const auto width = static_cast<GLint>(color_.width());
+    const auto height = static_cast<GLint>(color_.height());
+    constexpr GLbitfield kAll = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_framebuffer_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, kAll, GL_NEAREST);
 }
 
 }  // namespace plumbline::render

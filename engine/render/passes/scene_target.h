@@ -19,20 +19,32 @@ struct PixelSize {
 class SceneTarget {
 public:
     /// Makes the images for that size; nothing if they are there. The error: out of memory.
-    Result<Done> resize(const PixelSize& size_px, gl::TargetFormat light);
+    Result<Done> resize(const PixelSize& size_px, gl::TargetFormat light, std::uint32_t samples);
     /// Bytes that images of that size hold.
-    static std::size_t bytes_for(const PixelSize& size_px, gl::TargetFormat light);
+    static std::size_t bytes_for(const PixelSize& size_px,
+                                 gl::TargetFormat light,
+                                 std::uint32_t samples);
 
     /// Makes it what is drawn into, all of it.
     void bind() const;
+    /// What was drawn becomes color() and depth(), where a pixel has several samples.
+    void resolve() const;
+    /// Of a pixel; fewer than asked for where the driver has no more.
+    std::uint32_t samples() const { return samples_framebuffer_ ? color_samples_.samples() : 1; }
     const gl::Texture& color() const { return color_; }
     const gl::Texture& depth() const { return depth_; }
-    std::size_t bytes() const { return color_.bytes() + depth_.bytes(); }
+    std::size_t bytes() const {
+        return color_.bytes() + depth_.bytes() + color_samples_.bytes() + depth_samples_.bytes();
+    }
 
 private:
     gl::Texture color_;
     gl::Texture depth_;
     gl::Framebuffer framebuffer_;
+    gl::Texture color_samples_;
+    gl::Texture depth_samples_;
+    gl::Framebuffer samples_framebuffer_;
+    std::uint32_t asked_samples_{1};
 };
 
 }  // namespace plumbline::render

@@ -7,6 +7,7 @@
 namespace plumbline::study {
 namespace {
 
+using render::AntiAliasing;
 using render::PictureLevel;
 using render::Quality;
 using render::RenderFrame;
@@ -46,6 +47,17 @@ void add_shadow_ways(std::vector<PictureWay>& ways, const RenderFrame& frame) {
                                [](Quality& quality) { quality.far_shadows = false; }));
 }
 
+void add_edge_ways(std::vector<PictureWay>& ways) {
+    ways.push_back(quality_way(
+        "edges not smoothed", [](Quality& quality) { quality.anti_aliasing = AntiAliasing::Off; }));
+    ways.push_back(quality_way("edges of 4 samples", [](Quality& quality) {
+        quality.anti_aliasing = AntiAliasing::Msaa4;
+    }));
+    ways.push_back(quality_way("4 samples a pixel", [](Quality& quality) {
+        quality.anti_aliasing = AntiAliasing::Ssaa4;
+    }));
+}
+
 }  // namespace
 
 std::vector<PictureWay> picture_ways(const RenderFrame& frame) {
@@ -62,12 +74,7 @@ std::vector<PictureWay> picture_ways(const RenderFrame& frame) {
     }
     ways.push_back(
         quality_way("no surface maps", [](Quality& quality) { quality.surface_maps = false; }));
-    ways.push_back(
-        quality_way("edges not smoothed", [](Quality& quality) { quality.fxaa = false; }));
-    ways.push_back(quality_way("4 samples a pixel", [](Quality& quality) {
-        quality.fxaa = false;
-        quality.samples_per_side = 2;
-    }));
+    add_edge_ways(ways);
     ways.push_back(
         quality_way("render scale 70 %", [](Quality& quality) { quality.render_scale = 0.7F; }));
     ways.push_back(

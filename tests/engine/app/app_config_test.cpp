@@ -98,6 +98,7 @@ TEST_F(AppConfigTest, MissingFilesMeanDefaults) {
 TEST_F(AppConfigTest, ALevelIsAWord) {
     EXPECT_EQ(load("[picture]\nlevel = \"low\"\n").picture_level, PictureLevel::Low);
     EXPECT_TRUE(faults_.list().empty());
+    EXPECT_EQ(load("[picture]\nanti_aliasing = \"msaa4\"\n").anti_aliasing, EdgeWish::Msaa4);
     EXPECT_EQ(load("[picture]\nlevel = \"best\"\n").picture_level, PictureLevel::Auto);
     EXPECT_EQ(only_fault(),
               "app.toml:2:9: warning: picture.level: expected one of auto, low, medium, high; the "

@@ -150,6 +150,23 @@ TEST(PictureControl, SaysWhatGaveWay) {
     EXPECT_EQ(render::what_gave_way(high.quality()), "");
 }
 
+TEST(PictureControl, EdgesAreSmoothedAsWishedOrAsTheGpuAffords) {
+    const auto chosen = [](const AppConfig& config, Level level, bool draws_on_cpu) {
+        PictureWish wish = picture_wish_of(config);
+        wish.level = level;
+        return PictureControl(wish, draws_on_cpu).quality().anti_aliasing;
+    };
+    using render::AntiAliasing;
+    AppConfig config;
+    EXPECT_EQ(chosen(config, Level::High, true), AntiAliasing::Fxaa);
+    EXPECT_EQ(chosen(config, Level::High, false), AntiAliasing::Msaa4);
+    EXPECT_EQ(chosen(config, Level::Low, false), AntiAliasing::Fxaa);
+    config.anti_aliasing = EdgeWish::Msaa8;
+    EXPECT_EQ(chosen(config, Level::Low, true), AntiAliasing::Msaa8);
+    config.anti_aliasing = EdgeWish::Off;
+    EXPECT_EQ(chosen(config, Level::High, false), AntiAliasing::Off);
+}
+
 TEST(PictureControl, WishIsWhatTheSettingsSay) {
     AppConfig config;
     EXPECT_EQ(picture_wish_of(config), PictureWish{});

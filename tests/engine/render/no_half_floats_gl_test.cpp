@@ -59,7 +59,7 @@ TEST_F(NoHalfFloatsGl, BloomAndEyesThatAdaptAreLeftOut) {
 TEST_F(NoHalfFloatsGl, AllOtherStepsAreAsUsual) {
     RenderFrame frame = ball_under_the_sun();
     frame.quality.render_scale = 0.5F;
-    frame.quality.fxaa = true;
+    frame.quality.anti_aliasing = AntiAliasing::Fxaa;
     frame.lines.add({-1.0F, 1.0F, 0.0F}, {1.0F, 1.0F, 0.0F}, {1.0F, 0.0F, 0.0F});
     frame.post = Post{};
     const Pixel usual = pixel_at(draw(frame), 8, 40);

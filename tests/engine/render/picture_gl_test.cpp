@@ -1,5 +1,6 @@
 // Pictures whose colours can be computed by hand.
 #include "engine/assets/image_import.h"
+#include "engine/core/color.h"
 #include "tests/engine/render/picture_fixture.h"
 
 #include <algorithm>
@@ -118,7 +119,7 @@ TEST_F(EdgeGl, FxaaTurnsStairsIntoGreysAndLeavesTheRest) {
     const auto plain = draw(frame);
     EXPECT_EQ(greys(plain), 0U);
     EXPECT_EQ(bytes_of("targets"), 120U * 90U * (4U + 4U));  // encoded as it is drawn
-    frame.quality.fxaa = true;
+    frame.quality.anti_aliasing = AntiAliasing::Fxaa;
     const auto smooth = draw(frame);
     // One grey at least for each column of the edge, and none off it.
     EXPECT_GE(greys(smooth), 100U);
@@ -131,6 +132,69 @@ TEST_F(EdgeGl, FxaaTurnsStairsIntoGreysAndLeavesTheRest) {
         }
     }
     EXPECT_EQ(changed_off_edge, 0U);
+}
+
+TEST_F(EdgeGl, SamplesOfAPixelAreCountedAlongEdgesOnly) {
+    RenderFrame frame = slope();
+    const auto plain = draw(frame);
+    frame.quality.anti_aliasing = AntiAliasing::Msaa4;
+    const auto smooth = draw(frame);
+    // The picture, the scene's image and its four samples.
+    EXPECT_EQ(bytes_of("targets"), 120U * 90U * (8U + 12U * 5U));
+    EXPECT_GE(greys(smooth), 60U);
+    for (std::uint32_t y = 0; y < 90; ++y) {
+        for (std::uint32_t x = 0; x < 120; ++x) {
+            const int code = pixel_at(smooth, x, y).r;
+            const float quarters = 4.0F * linear_from_srgb(static_cast<float>(code) / 255.0F);
+            EXPECT_NEAR(quarters, std::round(quarters), 0.05F) << x << " " << y;
+            if (y < 20 || y > 70) {
+                EXPECT_EQ(code, pixel_at(plain, x, y).r);
+            }
+        }
+    }
+    frame.quality.anti_aliasing = AntiAliasing::Off;
+    EXPECT_EQ(draw(frame).bytes, plain.bytes);
+    EXPECT_EQ(bytes_of("targets"), 120U * 90U * 8U);
+}
+
+TEST_F(EdgeGl, AMaskCoversSamplesWhereThereAreSeveral) {
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / "plumbline_mask_image.png";
+    assets::ImageData mask{
+        .width = 8, .height = 8, .format = assets::PixelFormat::Rgba8, .bytes = {}};
+    for (int i = 0; i < 64; ++i) {
+        mask.bytes.insert(mask.bytes.end(), 3, 255);
+        mask.bytes.push_back(static_cast<std::uint8_t>((i % 8) * 36));
+    }
+    ASSERT_TRUE(assets::write_png(file, mask).ok());
+    const auto leaf = library_.add_material({.name = "leaf",
+                                             .shading = assets::Shading::Unlit,
+                                             .base_color_map = file,
+                                             .alpha_mode = assets::AlphaMode::Mask,
+                                             .alpha_cutoff = 0.5F});
+    RenderFrame frame = empty_frame(120, 90);
+    frame.camera = camera_at(Vec3f{0.0F}, {0.0F, 0.0F, -1.0F});
+    const auto mesh = library_.add_mesh("leaf", assets::box_mesh({3.0F, 3.0F, 0.01F}));
+    add_item(
+        frame,
+        mesh,
+        leaf,
+        glm::rotate(
+            glm::translate(Mat4f{1.0F}, Vec3f{0.0F, 0.0F, -4.0F}), 0.12F, Vec3f{0.0F, 0.0F, 1.0F}));
+    const auto plain = draw(frame);
+    EXPECT_EQ(greys(plain), 0U);
+    frame.quality.anti_aliasing = AntiAliasing::Msaa4;
+    const auto smooth = draw(frame);
+    EXPECT_GE(greys(smooth), 60U);
+    const auto light_of = [](const assets::ImageData& image) {
+        float sum = 0.0F;
+        for (std::size_t i = 0; i < image.bytes.size(); i += 3)
+            sum += linear_from_srgb(static_cast<float>(image.bytes[i]) / 255.0F);
+        return sum;
+    };
+    // The mask neither grows nor shrinks.
+    EXPECT_NEAR(light_of(smooth), light_of(plain), 0.03F * light_of(plain));
+    std::filesystem::remove(file);
 }
 
 TEST_F(EdgeGl, RenderScaleDrawsFewerPixelsAndLinesInFull) {

@@ -157,7 +157,7 @@ TEST_F(RendererGl, LightIsEncodedAlikeWhileItIsDrawnAndByAPassAfterIt) {
     const auto direct = draw(frame);
     ASSERT_EQ(renderer_->stats().passes.back().name, "opaque");
     // Edges are smoothed in a pass of its own; the box's inside stays.
-    frame.quality.fxaa = true;
+    frame.quality.anti_aliasing = AntiAliasing::Fxaa;
     const auto after = draw(frame);
     ASSERT_EQ(renderer_->stats().passes.back().name, "picture");
     std::size_t different = 0;

@@ -162,6 +162,7 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
                                       kUnlit | kVertexColor}) {
         program_of(kMesh, variant_of(material, whole | kWind));
         program_of(kMesh, variant_of(material, whole | kOcclusion));
+        program_of(kMesh, variant_of(material, whole | kOcclusion | kCoverage));
     }
     for (const FeatureSet f : {FeatureSet{0}, kSun, kSun | kFog | kFlashlight}) {
         program_of({"drop.vert", "drop.frag"}, f);

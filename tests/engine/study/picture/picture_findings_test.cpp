@@ -126,7 +126,8 @@ TEST(PictureWays, EachDoesWhatItSays) {
     EXPECT_EQ(applied("4 cascades").sun_shadow->cascades, 4U);
     EXPECT_EQ(applied("shadow maps a quarter as wide").quality.shadow_detail, 0.25F);
     EXPECT_EQ(applied("render scale 50 %").quality.render_scale, 0.5F);
-    EXPECT_EQ(applied("4 samples a pixel").quality.samples_per_side, 2U);
+    EXPECT_EQ(applied("4 samples a pixel").quality.anti_aliasing, render::AntiAliasing::Ssaa4);
+    EXPECT_EQ(applied("edges of 4 samples").quality.anti_aliasing, render::AntiAliasing::Msaa4);
     EXPECT_EQ(applied("level low").quality.render_scale,
               render::quality_of(render::PictureLevel::Low).render_scale);
 }
