@@ -1,6 +1,7 @@
 #include "engine/effects/room_probe.h"
 
 #include "engine/effects/acoustics.h"
+#include "engine/effects/sound_obstacles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,12 +40,12 @@ float absorption_of(const scene::Simulation& simulation, std::uint64_t user) {
 
 void RoomProbe::cast(const scene::Simulation& simulation, const Vec3& ear_world, std::size_t rays) {
     samples_.reserve(kDirections);
+    const physics::QueryFilter filter = rays_from_ear(simulation, ear_world);
     for (std::size_t i = 0; i < rays; ++i, next_ = (next_ + 1) % kDirections) {
         const Vec3 direction = direction_of(next_);
         Sample sample{.from_world = Vec3f(ear_world)};
-        // The person's own body stands round the ear: a ray is not met by what it begins in.
         const auto hit =
-            simulation.physics.cast_ray(ear_world, ear_world + direction * Real{kReach_m});
+            simulation.physics.cast_ray(ear_world, ear_world + direction * Real{kReach_m}, filter);
         if (hit) {
             const Real facing = std::abs(glm::dot(hit->normal_world, direction));
             const auto cosine = static_cast<float>(facing);

@@ -28,10 +28,14 @@ struct Crossing {
 
 /// Calls with every body face that the ray meets from outside.
 template <class Meet>
-void each_face(const physics::PhysicsWorld& world, Vec3 from, const Vec3& to, Meet meet) {
+void each_face(const physics::PhysicsWorld& world,
+               Vec3 from,
+               const Vec3& to,
+               const physics::QueryFilter& filter,
+               Meet meet) {
     const Vec3 direction = normalize_or(to - from, Vec3{0, 0, 0});
     for (int i = 0; i < kMostRays; ++i) {
-        const auto hit = world.cast_ray(from, to);
+        const auto hit = world.cast_ray(from, to, filter);
         if (!hit) return;
         // What begins within a body's margin is met at once: that face was counted before.
         if (hit->distance_m > kAtOnce_m) meet(*hit);
@@ -68,6 +72,24 @@ bool lies_within(const Vec3& point, const Vec3& low, const Vec3& high) {
 
 }  // namespace
 
+physics::QueryFilter rays_from_ear(const scene::Simulation& simulation, const Vec3& ear_world) {
+    // A round body is met at once by rays that begin in it and go deeper, and the eye stands high in
+    // a person: most often the first finds it.
+    constexpr std::array<Vec3, 6> kWays{Vec3{0, -1, 0},
+                                        Vec3{0, 1, 0},
+                                        Vec3{1, 0, 0},
+                                        Vec3{-1, 0, 0},
+                                        Vec3{0, 0, 1},
+                                        Vec3{0, 0, -1}};
+    for (const Vec3& way : kWays) {
+        const auto hit = simulation.physics.cast_ray(ear_world, ear_world + way);
+        if (hit && hit->distance_m <= kAtOnce_m &&
+            !simulation.registry.alive(simulation.entity_of_mark(hit->user)))
+            return {.ignored = hit->body};
+    }
+    return {};
+}
+
 std::vector<SoundObstacle> obstacles_between(const scene::Simulation& simulation,
                                              const Vec3& source_world,
                                              const Vec3& ear_world,
@@ -92,13 +114,14 @@ std::vector<SoundObstacle> obstacles_between(const scene::Simulation& simulation
         const Real so_far = glm::dot(hit.point_world - source_world, along);
         return static_cast<float>(so_far);
     };
-    each_face(simulation.physics, from, to, [&](const physics::RayHit& hit) {
+    const physics::QueryFilter filter = rays_from_ear(simulation, ear_world);
+    each_face(simulation.physics, from, to, filter, [&](const physics::RayHit& hit) {
         if (Crossing* crossing = crossing_of(hit)) {
             ++crossing->entered;
             crossing->entered_sum_m += along_m(hit);
         }
     });
-    each_face(simulation.physics, to, from, [&](const physics::RayHit& hit) {
+    each_face(simulation.physics, to, from, filter, [&](const physics::RayHit& hit) {
         if (Crossing* crossing = crossing_of(hit)) {
             ++crossing->left;
             crossing->left_sum_m += along_m(hit);

@@ -8,6 +8,9 @@
 
 namespace plumbline::effects {
 
+/// For rays from an ear: leaves out the body that stands round it and is no entity's, a person's own.
+physics::QueryFilter rays_from_ear(const scene::Simulation& simulation, const Vec3& ear_world);
+
 /// A body on the way.
 struct SoundObstacle {
     physics::BodyId body{};

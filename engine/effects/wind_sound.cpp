@@ -2,6 +2,7 @@
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/effects/sound_bank.h"
+#include "engine/effects/sound_obstacles.h"
 #include "engine/scene/wind_field.h"
 
 #include <algorithm>
@@ -67,8 +68,9 @@ private:
                                            glm::normalize(upwind + side * 0.6_r),
                                            glm::normalize(upwind - side * 0.6_r),
                                            glm::normalize(upwind + Vec3{0, 1, 0})};
+            const physics::QueryFilter filter = rays_from_ear(simulation, ear);
             const auto open = std::ranges::count_if(ways, [&](const Vec3& way) {
-                return !simulation.physics.cast_ray(ear, ear + way * kShelterReach_m);
+                return !simulation.physics.cast_ray(ear, ear + way * kShelterReach_m, filter);
             });
             const float free = static_cast<float>(open) / static_cast<float>(ways.size());
             wanted_ = kShelteredShare + (1.0F - kShelteredShare) * free;

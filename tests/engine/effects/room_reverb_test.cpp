@@ -1,4 +1,6 @@
 #include "engine/effects/room_probe.h"
+#include "engine/effects/sound_obstacles.h"
+#include "engine/physics/character.h"
 #include "tests/engine/effects/drawn.h"
 
 #include <gtest/gtest.h>
@@ -65,6 +67,22 @@ TEST(RoomProbe, FindsVolumeSurfaceAndSabinesTime) {
             EXPECT_NEAR(room_of(estimate).decay_s / expected_s, 1.0F, 0.1F);
         }
     }
+}
+
+// The eye is high in the person's body, which is no entity's.
+TEST(RoomProbe, IsNotTheBodyOfWhoListens) {
+    Running run(with_reverb(room({6, 3, 4})), absorbing(0.1F));
+    const physics::Character person(run->physics, {.feet_position_m = {0.5_r, -1.5_r, 0.3_r}});
+    const Vec3 eye{0.5_r, 0.12_r, 0.3_r};
+    RoomProbe probe;
+    probe.cast(*run, eye, RoomProbe::kDirections);
+    const RoomEstimate estimate = probe.estimate(eye);
+    EXPECT_NEAR(estimate.volume_m3, 72.0F, 3.6F);
+    EXPECT_EQ(estimate.openness, 0.0F);
+    // And what is heard through a wall has only that in its way.
+    const auto obstacles = obstacles_between(*run, {6, -1.4_r, 0}, eye, {});
+    ASSERT_EQ(obstacles.size(), 1U);
+    EXPECT_NEAR(obstacles[0].thickness_m, 0.2 * std::hypot(5.5, 1.52, 0.3) / 5.5, 0.005);
 }
 
 TEST(RoomProbe, AnOpenSideLetsTheSoundOut) {
