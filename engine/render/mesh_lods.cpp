@@ -145,7 +145,7 @@ public:
             const bool thins_out = part.thins_out && detail.kept_cards < 1.0F;
             // Bent cards become flat; coarser than that they would vanish.
             const std::size_t before = part.indices.size();
-            if (!thins_out)
+            if (!thins_out && !part.stays)
                 part.indices = assets::simplified(mesh_.vertices, part.indices, error_m);
             if (thins_out || part.indices.size() < before) {
                 part.drawn.first_index = static_cast<std::uint32_t>(mesh_.indices.size());
