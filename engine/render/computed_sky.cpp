@@ -26,6 +26,8 @@ constexpr Vec3f kNightGlow{0.00028F, 0.0004F, 0.00075F};
 constexpr float kMoonAhead_rad = 0.87F;
 
 constexpr Vec3f kGround{0.1F, 0.115F, 0.06F};
+constexpr float kFlatLit = 0.3F;       // of clouds, by light that comes in level
+constexpr float kSteepEnough = 0.25F;  // as a sine: from there on all of them
 constexpr float kCloudAltitude_m = 2e3F;
 
 float sine_from_degrees(float degrees) {
@@ -168,8 +170,11 @@ ComputedSky::CloudLight ComputedSky::cloud_light(const Vec3f& direction) const {
     // Thin edges shine towards the light behind them.
     const float ahead = std::max(glm::dot(direction, cloud_key_.to_light_world), 0.0F);
     const float silver = 1.0F + 1.4F * std::pow(ahead, 10.0F);
+    // The flatter light comes in, the more clouds stand in each other's.
+    const float met =
+        glm::mix(kFlatLit, 1.0F, glm::smoothstep(0.0F, kSteepEnough, cloud_key_.to_light_world.y));
     return {.ambient = 0.75F * overhead_ + 0.5F * ground_,
-            .light = cloud_key_.irradiance * (silver * glm::one_over_pi<float>())};
+            .light = cloud_key_.irradiance * (silver * met * glm::one_over_pi<float>())};
 }
 
 Vec2f ComputedSky::light_way() const {

@@ -1,8 +1,6 @@
 // Local lights of a frame: which of them cast shadows, and the order in which the shaders read them.
 #include "engine/render/renderer_impl.h"
 
-#include <glad/gl.h>
-
 #include <algorithm>
 
 namespace plumbline::render {
@@ -38,26 +36,6 @@ void Renderer::Impl::choose_light_shadows() {
     for (std::size_t i = 0; i < frame->lights.size(); ++i) {
         if (!is_chosen[i]) lights_in_order.push_back(frame->lights[i]);
     }
-}
-
-void Renderer::Impl::bind_sun_depth() {
-    if ((features & feature::kContactHardening) == 0) {
-        if (depth_sampler) glBindSampler(kSunDepthUnit, 0);
-        depth_sampler = {};
-        return;
-    }
-    if (!depth_sampler) {
-        GLuint name = 0;
-        glGenSamplers(1, &name);
-        depth_sampler = gl::SamplerObject{name};
-        glSamplerParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-        glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        glSamplerParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-        glSamplerParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    }
-    glBindSampler(kSunDepthUnit, depth_sampler.name());
-    gl::bind_texture(kSunDepthUnit, gl::TextureKind::Flat, sun_shadow.map());
 }
 
 }  // namespace plumbline::render

@@ -223,7 +223,9 @@ void Renderer::opaque() {
     if (r.scene.sky.ready()) {
         gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, r.scene.sky.reflection());
     }
+    r.bind_base_sampler();
     r.opaque_pass.render(r.opaque_draws, r.opaque_kind(), r.mesh_view(), r.scene, r.stats);
+    glBindSampler(kBaseColorUnit, 0);
     glEnable(GL_DEPTH_TEST);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
@@ -252,8 +254,10 @@ void Renderer::translucent() {
             gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, r.scene.sky.reflection());
         }
         glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(r.frame->fill_mode));
+        r.bind_base_sampler();
         r.translucent_pass.render(
             r.translucent_draws, DrawKind::Translucent, r.mesh_view(), r.scene, r.stats);
+        glBindSampler(kBaseColorUnit, 0);
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     }
     if (has_drops) {

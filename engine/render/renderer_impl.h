@@ -78,6 +78,8 @@ struct Renderer::Impl {
     ShadowPass flashlight_shadow;
     LightShadowPass light_shadow;
     gl::SamplerObject depth_sampler;  ///< reads depths that textures compare; made when asked for
+    gl::SamplerObject
+        base_sampler;  ///< of base colour maps in pictures that are scaled up; made when needed
     MeshPass opaque_pass;
     MeshPass translucent_pass;
     PostPass post;
@@ -120,6 +122,8 @@ struct Renderer::Impl {
     void adapt_exposure();
     /// The sun's map as depths, where the frame's shaders ask for those.
     void bind_sun_depth();
+    /// For meshes in a picture that is scaled up: base colours as fine as in the picture shown.
+    void bind_base_sampler();
     void bind_present_target() const;
     unsigned int present_framebuffer() const;
 

@@ -226,6 +226,47 @@ TEST_F(EdgeGl, RenderScaleDrawsFewerPixelsAndLinesInFull) {
     EXPECT_NEAR(least_green, 204, 2);  // a fifth of the line
 }
 
+// White noise halves its spread with each level of detail. Four texels to a pixel that is shown: the third
+// level. Drawn at half the size it would be the fourth; scaled up it is as rough as at full size, but for
+// what scaling smooths.
+TEST_F(PictureGl, ScaledUpPicturesHaveTexturesAsFineAsTheSizeShown) {
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / "plumbline_noise_image.png";
+    assets::ImageData noise{
+        .width = 512, .height = 512, .format = assets::PixelFormat::Rgb8, .bytes = {}};
+    std::uint32_t state = 1;
+    while (noise.bytes.size() < std::size_t{512} * 512 * 3) {
+        state = state * 1664525U + 1013904223U;
+        const std::uint8_t code = (state >> 24U) < 128U ? 96 : 160;
+        noise.bytes.insert(noise.bytes.end(), 3, code);
+    }
+    ASSERT_TRUE(assets::write_png(file, noise).ok());
+    const auto material = library_.add_material(
+        {.name = "noise", .shading = assets::Shading::Unlit, .base_color_map = file});
+    RenderFrame frame = empty_frame(128, 128);
+    frame.camera = camera_at({0.0F, 10.0F, 0.0F}, Vec3f{0.0F});
+    // A metre of the plane is once the picture: 128 px show 512 texels.
+    frame.camera.fov_y_rad = 2.0F * std::atan(0.05F);
+    add_item(
+        frame, library_.add_mesh("plane", assets::plane_mesh(Vec2f{4.0F})), material, Mat4f{1.0F});
+    const auto spread = [&](float render_scale) {
+        frame.quality.render_scale = render_scale;
+        const auto image = draw(frame);
+        double sum = 0.0;
+        double square = 0.0;
+        for (std::uint32_t i = 0; i < 128 * 128; ++i) {
+            const double code = pixel_at(image, i % 128, i / 128).g;
+            sum += code / (128 * 128);
+            square += code * code / (128 * 128);
+        }
+        return std::sqrt(square - sum * sum);
+    };
+    const double whole = spread(1.0F);
+    EXPECT_GT(whole, 4.0);
+    EXPECT_GT(spread(0.5F), 0.65 * whole);
+    std::filesystem::remove(file);
+}
+
 // EXPERIENCE G21
 TEST_F(PictureGl, ImagesLargerThanTheDriverTakesAreHalvedUntilTheyFit) {
     const std::filesystem::path file =
