@@ -216,7 +216,7 @@ for i, (a, b) in enumerate(STRINGS):
     stretch = length / fair.STRING
     entity(f"string_{i + 1}", a, model='"models/light_string.glb"', rotation_deg=turned(yaw, roll), scale=vec(stretch, 1, 1), casts_shadow="false")
     middle = [p + 0.5 * w - (fair.STRING_SAG + 0.25 if j == 1 else 0) for j, (p, w) in enumerate(zip(a, run))]
-    lamp(middle, {3: ROSE, 8: BLUE, 9: ROSE}.get(i, WARM), 17, 6.5, shadow=i in (2, 3, 5, 11))
+    lamp(middle, {3: ROSE, 8: BLUE, 9: ROSE}.get(i, WARM), 17, 6.5, shadow=True)
 
 heading("fence, benches, and things lying about")
 prefab("fence_board", ["primitive = { box = [2.4, 0.12, 0.04] }", 'material = "cream"', "casts_shadow = false"])

@@ -229,7 +229,8 @@ entity("bedside_lamp", in_house(2.08, plan.FLOOR + stool_top, -2.3), model='"mod
 
 heading("lamps of the garden: they come on when the sun is low")
 prefab("garden_lamp", ["primitive = { sphere = 0.1 }", 'material = "lamp_bulb"', "casts_shadow = false",
-                       f'light = {{ kind = "point", {GLOW}, intensity = 3, radius_m = 6.5, on = "dark" }}'], "garden lamp")
+                       # Above its globe, or its post would hide the ground.
+                       f'light = {{ kind = "point", {GLOW}, intensity = 3, radius_m = 6.5, offset_m = [0, 0.3, 0], shadow = true, on = "dark" }}'], "garden lamp")
 prefab("garden_lamp_post", ["primitive = { cylinder = [0.035, 2.1] }", 'material = "iron"', "[prefab.body]", 'kind = "static"'], "lamp post")
 for i, (x, z) in enumerate([(1.35, 15.6), (-3.0, 6.6), (3.9, 1.2), (-6.4, -1.4)]):
     entity(f"garden_lamp_post_{i + 1}", (x, 1.05, z), prefab='"garden_lamp_post"')
