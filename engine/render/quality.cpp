@@ -25,7 +25,7 @@ Quality quality_of(PictureLevel level) {
         case PictureLevel::Medium:
             return {.render_scale = 0.8F,
                     .anti_aliasing = AntiAliasing::Fxaa,
-                    .shadowed_lights = 3,
+                    .shadowed_lights = 2,
                     .contact_hardening = ContactHardening::Never,
                     .parallax = false,
                     .ambient_occlusion = false,
