@@ -70,7 +70,7 @@ GLint min_filter(Filter filter) {
 }
 
 // No shader reads from this unit: filling a new image takes none away from those that are drawn with.
-constexpr GLenum kFillUnit = GL_TEXTURE15;
+constexpr GLenum kFillUnit = GL_TEXTURE31;
 
 TextureObject new_texture() {
     glActiveTexture(kFillUnit);
