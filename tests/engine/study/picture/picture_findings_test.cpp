@@ -86,6 +86,7 @@ render::RenderFrame sunny() {
     frame.sun = render::DirectionalLight{};
     frame.sun_shadow = render::SunShadow{.cascades = 2, .angular_size_rad = 0.009F};
     frame.light_shadows = render::LightShadows{};
+    frame.occlusion = render::AmbientOcclusion{};
     return frame;
 }
 
@@ -125,6 +126,7 @@ TEST(PictureWays, EachDoesWhatItSays) {
               render::ContactHardening::Always);
     EXPECT_EQ(applied("4 cascades").sun_shadow->cascades, 4U);
     EXPECT_EQ(applied("shadow maps a quarter as wide").quality.shadow_detail, 0.25F);
+    EXPECT_FALSE(applied("no ambient occlusion").quality.ambient_occlusion);
     EXPECT_EQ(applied("render scale 50 %").quality.render_scale, 0.5F);
     EXPECT_EQ(applied("4 samples a pixel").quality.anti_aliasing, render::AntiAliasing::Ssaa4);
     EXPECT_EQ(applied("edges of 4 samples").quality.anti_aliasing, render::AntiAliasing::Msaa4);
