@@ -84,7 +84,7 @@ std::string what_gave_way(const Quality& quality) {
     if (quality.lod_error_px > 1.0F) add("detail far off");
     if (quality.ground_cover < 1.0F)
         add(fmt::format("grass {:.0f} %", std::round(quality.ground_cover * 100.0F)));
-    if (quality.smallest_px > 0.0F) add(fmt::format("things below {:.0f} px", quality.smallest_px));
+    if (quality.smallest_px > 1.0F) add(fmt::format("things below {:.0f} px", quality.smallest_px));
     return list;
 }
 
