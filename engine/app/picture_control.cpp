@@ -88,6 +88,7 @@ bool PictureControl::go_to(std::size_t rung) {
     const bool another_level = rungs_[rung].level != rungs_[at_].level;
     at_ = rung;
     quality_ = render::quality_of(rungs_[at_].level);
+    if (draws_on_cpu_) quality_ = render::without_gpu(quality_);
     quality_.render_scale = rungs_[at_].render_scale;
     if (anti_aliasing_) {
         quality_.anti_aliasing = *anti_aliasing_;

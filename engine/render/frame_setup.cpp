@@ -145,7 +145,7 @@ void Renderer::Impl::size_targets() {
         given_up_ = 0;
     }
     for (;; ++given_up_) {
-        quality = frame->quality;
+        quality = is_software_gl ? without_gpu(frame->quality) : frame->quality;
         if (given_up_ >= 1 && quality.anti_aliasing != AntiAliasing::Fxaa)
             quality.anti_aliasing = AntiAliasing::Off;
         if (given_up_ == 1) quality.render_scale *= 0.5F;
@@ -279,9 +279,7 @@ void Renderer::Impl::set_up_light() {
     for (std::uint32_t i = count - 1; i < kMaxCascades; ++i) {
         block.cascade_ends[static_cast<int>(i)] = 1e9F;
     }
-    const bool hardens = quality.contact_hardening == ContactHardening::Always ||
-                         (quality.contact_hardening == ContactHardening::OnGpu && !is_software_gl);
-    if (hardens && shadow.angular_size_rad > 0.0F) {
+    if (quality.contact_hardening != Drawn::Never && shadow.angular_size_rad > 0.0F) {
         features |= feature::kContactHardening;
         block.cascade_ends.w = std::tan(0.5F * shadow.angular_size_rad);
     }

@@ -15,10 +15,10 @@ Quality quality_of(PictureLevel level) {
                     .shadow_filter = false,
                     .shadow_detail = 0.5F,
                     .shadowed_lights = 0,
-                    .contact_hardening = ContactHardening::Never,
+                    .contact_hardening = Drawn::Never,
                     .parallax = false,
-                    .ambient_occlusion = false,
-                    .sun_shafts = false,
+                    .ambient_occlusion = Drawn::Never,
+                    .sun_shafts = Drawn::Never,
                     .lod_error_px = 2.0F,
                     .ground_cover = 0.5F,
                     .smallest_px = 4.0F};
@@ -26,9 +26,10 @@ Quality quality_of(PictureLevel level) {
             return {.render_scale = 0.8F,
                     .anti_aliasing = AntiAliasing::Fxaa,
                     .shadowed_lights = 2,
-                    .contact_hardening = ContactHardening::Never,
+                    .contact_hardening = Drawn::Never,
                     .parallax = false,
-                    .ambient_occlusion = false,
+                    .ambient_occlusion = Drawn::Never,
+                    .sun_shafts = Drawn::OnGpu,
                     .lod_error_px = 1.2F,
                     .ground_cover = 0.75F,
                     .smallest_px = 2.0F};
@@ -36,11 +37,21 @@ Quality quality_of(PictureLevel level) {
             return {.anti_aliasing = AntiAliasing::Fxaa,
                     .far_shadows = true,
                     .shadowed_lights = 6,
-                    .contact_hardening = ContactHardening::OnGpu,
+                    .contact_hardening = Drawn::OnGpu,
+                    .ambient_occlusion = Drawn::OnGpu,
+                    .sun_shafts = Drawn::OnGpu,
                     .lod_error_px = 1.0F,
                     .smallest_px = 1.0F};
     }
     return {};
+}
+
+Quality without_gpu(Quality quality) {
+    for (Drawn* drawn :
+         {&quality.contact_hardening, &quality.ambient_occlusion, &quality.sun_shafts}) {
+        if (*drawn == Drawn::OnGpu) *drawn = Drawn::Never;
+    }
+    return quality;
 }
 
 std::uint32_t samples_of(AntiAliasing way) {
@@ -79,8 +90,8 @@ std::string what_gave_way(const Quality& quality) {
     if (!quality.shadow_filter) add("smooth shadows");
     if (quality.shadow_detail < 1.0F) add("fine shadows");
     if (quality.shadowed_lights == 0) add("shadows of lamps");
-    if (!quality.ambient_occlusion) add("ambient occlusion");
-    if (!quality.sun_shafts) add("sun shafts");
+    if (quality.ambient_occlusion == Drawn::Never) add("ambient occlusion");
+    if (quality.sun_shafts == Drawn::Never) add("sun shafts");
     if (quality.lod_error_px > 1.0F) add("detail far off");
     if (quality.ground_cover < 1.0F)
         add(fmt::format("grass {:.0f} %", std::round(quality.ground_cover * 100.0F)));

@@ -26,8 +26,8 @@ std::uint32_t samples_of(AntiAliasing way);
 
 inline constexpr float kSmallestRenderScale = 0.4F;
 
-/// 26 lookups a pixel, which a CPU takes half as long again for.
-enum class ContactHardening : std::uint8_t { Never, OnGpu, Always };
+/// When what the scene asks for is drawn. OnGpu is for what a CPU would take half of the frame for.
+enum class Drawn : std::uint8_t { Never, OnGpu, Always };
 
 /// The defaults leave nothing out and smooth nothing.
 struct Quality {
@@ -44,17 +44,20 @@ struct Quality {
     /// So many local lights cast shadows at most, 0…PL_MAX_SHADOWED_LIGHTS: those that light most.
     std::uint32_t shadowed_lights{PL_MAX_SHADOWED_LIGHTS};
     /// Edges of the sun's shadows as wide as its disc makes them, where the scene asks.
-    ContactHardening contact_hardening{ContactHardening::Always};
-    bool parallax{true};           ///< height maps near the eye
-    bool ambient_occlusion{true};  ///< where the frame asks for it
-    bool sun_shafts{true};         ///< likewise
-    float lod_error_px{0.0F};      ///< a mesh may be coarser by so much; 0: always the full mesh
-    float ground_cover{1.0F};      ///< of the grass, and of how far it goes; 0: none
-    float smallest_px{0.0F};  ///< things that look smaller than this are left out; 0: nothing is
+    Drawn contact_hardening{Drawn::Always};
+    bool parallax{true};  ///< height maps near the eye
+    Drawn ambient_occlusion{Drawn::Always};
+    Drawn sun_shafts{Drawn::Always};
+    float lod_error_px{0.0F};  ///< a mesh may be coarser by so much; 0: always the full mesh
+    float ground_cover{1.0F};  ///< of the grass, and of how far it goes; 0: none
+    float smallest_px{0.0F};   ///< things that look smaller than this are left out; 0: nothing is
 };
 
 /// Low is for drawing on the CPU; High leaves out nothing that can be seen at 1280x720.
 Quality quality_of(PictureLevel level);
+
+/// Where a CPU draws: OnGpu is Never.
+Quality without_gpu(Quality quality);
 
 /// "low", "medium", "high"; nothing for other words.
 std::optional<PictureLevel> picture_level_named(std::string_view name);

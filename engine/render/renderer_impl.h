@@ -130,10 +130,12 @@ struct Renderer::Impl {
 private:
     // Light that passes after the scene add needs half floats.
     bool has_occlusion() const {
-        return limits.half_float_targets && frame->occlusion && quality.ambient_occlusion;
+        return limits.half_float_targets && frame->occlusion &&
+               quality.ambient_occlusion != Drawn::Never;
     }
     bool has_shafts() const {
-        return limits.half_float_targets && frame->sun && frame->shafts && quality.sun_shafts;
+        return limits.half_float_targets && frame->sun && frame->shafts &&
+               quality.sun_shafts != Drawn::Never;
     }
     bool has_focus() const { return limits.half_float_targets && frame->depth_of_field; }
     bool has_motion_blur() const { return limits.half_float_targets && frame->motion_blur; }

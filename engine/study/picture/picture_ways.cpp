@@ -37,10 +37,10 @@ void add_shadow_ways(std::vector<PictureWay>& ways, const RenderFrame& frame) {
                                [](Quality& quality) { quality.shadow_filter = false; }));
     if (frame.sun_shadow->angular_size_rad > 0.0F) {
         ways.push_back(quality_way("edges of shadows of one width", [](Quality& quality) {
-            quality.contact_hardening = render::ContactHardening::Never;
+            quality.contact_hardening = render::Drawn::Never;
         }));
         ways.push_back(quality_way("edges as wide as the sun's disc", [](Quality& quality) {
-            quality.contact_hardening = render::ContactHardening::Always;
+            quality.contact_hardening = render::Drawn::Always;
         }));
     }
     ways.push_back(quality_way("shadows to the scene's distance only",
@@ -69,8 +69,9 @@ std::vector<PictureWay> picture_ways(const RenderFrame& frame) {
         ways.push_back({"no shadows of lamps", [](RenderFrame& f) { f.light_shadows.reset(); }});
     }
     if (frame.occlusion) {
-        ways.push_back(quality_way("no ambient occlusion",
-                                   [](Quality& quality) { quality.ambient_occlusion = false; }));
+        ways.push_back(quality_way("no ambient occlusion", [](Quality& quality) {
+            quality.ambient_occlusion = render::Drawn::Never;
+        }));
     }
     ways.push_back(
         quality_way("no surface maps", [](Quality& quality) { quality.surface_maps = false; }));

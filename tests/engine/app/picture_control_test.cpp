@@ -59,7 +59,7 @@ TEST(PictureControl, GivesAllItCanWhereItIsCheap) {
     draw(control, {2.0, 10.0}, 1000);
     EXPECT_EQ(control.level(), Level::High);
     EXPECT_EQ(control.quality().render_scale, 1.0F);
-    EXPECT_EQ(render::what_gave_way(control.quality()), "");
+    EXPECT_EQ(render::what_gave_way(control.quality()), "ambient occlusion, sun shafts");
 }
 
 TEST(PictureControl, StaysWithinItsBoundsWhateverItCosts) {
@@ -147,7 +147,9 @@ TEST(PictureControl, SaysWhatGaveWay) {
               "render scale 60 %, surface maps, smooth shadows, fine shadows, shadows of lamps, "
               "ambient occlusion, sun shafts, detail far off, grass 50 %, things below 4 px");
     const PictureControl high({.level = Level::High}, true);
-    EXPECT_EQ(render::what_gave_way(high.quality()), "");
+    EXPECT_EQ(render::what_gave_way(high.quality()), "ambient occlusion, sun shafts");
+    const PictureControl on_gpu({.level = Level::High}, false);
+    EXPECT_EQ(render::what_gave_way(on_gpu.quality()), "");
 }
 
 TEST(PictureControl, EdgesAreSmoothedAsWishedOrAsTheGpuAffords) {

@@ -106,7 +106,7 @@ TEST_F(OcclusionGl, NobodyPaysUnaskedOrWhereItGaveWay) {
     draw(asked);
     // Two images of half the width and height, two half floats a pixel.
     EXPECT_EQ(bytes_of("ambient_occlusion"), 2U * 480U * 360U * 4U);
-    asked.quality.ambient_occlusion = false;
+    asked.quality.ambient_occlusion = Drawn::Never;
     EXPECT_EQ(draw(asked).bytes, plain.bytes);
     EXPECT_EQ(bytes_of("ambient_occlusion"), 0U);
     for (const PassTiming& pass : renderer_->stats().passes) EXPECT_NE(pass.name, "occlusion");

@@ -58,11 +58,11 @@ TEST_F(ShaftsGl, NobodyPaysUnaskedOrWithoutASun) {
     draw(frame);
     // Two images of a quarter of the width and height, two half floats a pixel.
     EXPECT_EQ(bytes_of("sun_shafts"), 2U * 64U * 64U * 4U);
-    frame.quality.sun_shafts = false;
+    frame.quality.sun_shafts = Drawn::Never;
     const auto plain = draw(frame);
     EXPECT_EQ(bytes_of("sun_shafts"), 0U);
     EXPECT_EQ(light_at(plain, 128, 128), 0.0F);
-    frame.quality.sun_shafts = true;
+    frame.quality.sun_shafts = Drawn::Always;
     frame.sun.reset();
     EXPECT_EQ(draw(frame).bytes, plain.bytes);
     EXPECT_EQ(bytes_of("sun_shafts"), 0U);

@@ -36,9 +36,7 @@ protected:
 
     /// The width of the shade's edge, m: that of the disc whose edge has the same spread. The sun stands
     /// 45 degrees high towards +x.
-    float edge_m(const Caster& caster,
-                 float disc_rad,
-                 ContactHardening hardening = ContactHardening::Always) {
+    float edge_m(const Caster& caster, float disc_rad, Drawn hardening = Drawn::Always) {
         RenderFrame frame = empty_frame(kSide_px, kSide_px);
         frame.camera = camera_at({0.0F, kEye_m, 0.0F}, Vec3f{0.0F});
         frame.camera.fov_y_rad = 2.0F * std::atan(kHalf_m / kEye_m);
@@ -107,9 +105,9 @@ TEST_F(SoftSunGl, WhereThingsTouchItIsSharp) {
 TEST_F(SoftSunGl, UnaskedTheWidthIsThatOfTheMapsFilter) {
     EXPECT_LT(edge_m(plate(3.0F), 0.0F), 3.0F * kTexel_m);
     const float wide_rad = radians_from_degrees(4.0F);
-    EXPECT_LT(edge_m(plate(3.0F), wide_rad, ContactHardening::Never), 3.0F * kTexel_m);
+    EXPECT_LT(edge_m(plate(3.0F), wide_rad, Drawn::Never), 3.0F * kTexel_m);
     // Here the CPU draws.
-    EXPECT_LT(edge_m(plate(3.0F), wide_rad, ContactHardening::OnGpu), 3.0F * kTexel_m);
+    EXPECT_LT(edge_m(plate(3.0F), wide_rad, Drawn::OnGpu), 3.0F * kTexel_m);
 }
 
 }  // namespace

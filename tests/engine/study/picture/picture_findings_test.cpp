@@ -121,12 +121,12 @@ TEST(PictureWays, EachDoesWhatItSays) {
     EXPECT_FALSE(applied("no shadow of the sun").sun_shadow.has_value());
     EXPECT_FALSE(applied("no shadows of lamps").light_shadows.has_value());
     EXPECT_EQ(applied("edges of shadows of one width").quality.contact_hardening,
-              render::ContactHardening::Never);
+              render::Drawn::Never);
     EXPECT_EQ(applied("edges as wide as the sun's disc").quality.contact_hardening,
-              render::ContactHardening::Always);
+              render::Drawn::Always);
     EXPECT_EQ(applied("4 cascades").sun_shadow->cascades, 4U);
     EXPECT_EQ(applied("shadow maps a quarter as wide").quality.shadow_detail, 0.25F);
-    EXPECT_FALSE(applied("no ambient occlusion").quality.ambient_occlusion);
+    EXPECT_EQ(applied("no ambient occlusion").quality.ambient_occlusion, render::Drawn::Never);
     EXPECT_EQ(applied("render scale 50 %").quality.render_scale, 0.5F);
     EXPECT_EQ(applied("4 samples a pixel").quality.anti_aliasing, render::AntiAliasing::Ssaa4);
     EXPECT_EQ(applied("edges of 4 samples").quality.anti_aliasing, render::AntiAliasing::Msaa4);
