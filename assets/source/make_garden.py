@@ -41,6 +41,10 @@ fov_deg = 55
 color = [1, 1, 1]
 intensity = 4.6
 shadow = { cascades = 2, size_px = 2048, distance_m = 150, angular_size_deg = 0.53 }
+shafts = { density_per_m = 0.0025 }
+
+[ambient]
+occlusion = true
 
 # South of the equator, the house looking north-west: the afternoon's sun and the evening's shine on
 # its front.
