@@ -44,7 +44,7 @@ shadow = { cascades = 2, size_px = 2048, distance_m = 150, angular_size_deg = 0.
 shafts = { density_per_m = 0.0025 }
 
 [ambient]
-occlusion = true
+occlusion = { radius_m = 0.45 }
 
 # South of the equator, the house looking north-west: the afternoon's sun and the evening's shine on
 # its front.

@@ -4,7 +4,7 @@
 namespace plumbline::render {
 namespace {
 
-constexpr float kHalf_m = 16.0F;
+constexpr float kFloorHalf_m = 16.0F;
 constexpr float kLampHeight_m = 0.5F;
 /// What the floor sends out straight below a lamp, of that lamp's light.
 constexpr float kBelow = 0.7F;
@@ -31,13 +31,13 @@ protected:
     RenderFrame floor_under(const Rows& rows, const Vec3f& eye, const Vec3f& target) {
         RenderFrame frame = empty_frame(kSide_px, kSide_px);
         frame.camera = camera_at(eye, target);
-        frame.camera.fov_y_rad = 2.0F * std::atan(kHalf_m / glm::distance(eye, target));
+        frame.camera.fov_y_rad = 2.0F * std::atan(kFloorHalf_m / glm::distance(eye, target));
         add_box(frame, {200.0F, 1.0F, 200.0F}, {0.0F, -0.5F, 0.0F}, chalk());
         for (int z = 0; z < rows.deep; ++z) {
             for (int x = 0; x < rows.across; ++x) {
                 const Vec2f share{(static_cast<float>(x) + 0.5F) / static_cast<float>(rows.across),
                                   (static_cast<float>(z) + 0.5F) / static_cast<float>(rows.deep)};
-                const Vec2f at = (share * 2.0F - 1.0F) * kHalf_m;
+                const Vec2f at = (share * 2.0F - 1.0F) * kFloorHalf_m;
                 LocalLight lamp{.position_world = {at.x, kLampHeight_m, at.y},
                                 .radius_m = rows.reach_m};
                 lamp.intensity = Vec3f{kBelow / from_lamp(lamp, {at.x, 0.0F, at.y})};
@@ -98,7 +98,8 @@ protected:
         const auto image = draw(frame);
         for (const LocalLight& lamp : frame.lights) {
             const auto pixel = [](float at_m) {
-                return static_cast<std::uint32_t>((at_m + kHalf_m) / (2.0F * kHalf_m) * kSide_px);
+                return static_cast<std::uint32_t>((at_m + kFloorHalf_m) / (2.0F * kFloorHalf_m) *
+                                                  kSide_px);
             };
             const std::uint32_t x = pixel(lamp.position_world.x);
             const std::uint32_t y = pixel(lamp.position_world.z);

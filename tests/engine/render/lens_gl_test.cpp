@@ -8,13 +8,13 @@
 namespace plumbline::render {
 namespace {
 
-constexpr std::uint32_t kSide_px = 480;
+constexpr std::uint32_t kLensSide_px = 480;
 
 class LensGl : public PictureGl {
 protected:
     /// Black; a white board right of the middle, `distance_m` ahead.
     RenderFrame edge(float distance_m) {
-        RenderFrame frame = empty_frame(kSide_px, kSide_px);
+        RenderFrame frame = empty_frame(kLensSide_px, kLensSide_px);
         frame.camera = camera_at(Vec3f{0.0F}, {0.0F, 0.0F, -1.0F});
         const float size_m = 4.0F * distance_m;
         const auto black = unlit(Vec3f{0.0F});
@@ -24,7 +24,7 @@ protected:
         return frame;
     }
     static float pixels_at_1m() {
-        return 0.5F * static_cast<float>(kSide_px) / std::tan(radians_from_degrees(30.0F));
+        return 0.5F * static_cast<float>(kLensSide_px) / std::tan(radians_from_degrees(30.0F));
     }
     static std::vector<float> middle_row(const assets::ImageData& image) {
         std::vector<float> row;
@@ -78,7 +78,7 @@ TEST_F(LensGl, WhatIsInFocusStaysSharp) {
 }
 
 TEST_F(LensGl, AThingInFocusDoesNotSmearIntoWhatIsBehindIt) {
-    RenderFrame frame = empty_frame(kSide_px, kSide_px);
+    RenderFrame frame = empty_frame(kLensSide_px, kLensSide_px);
     frame.camera = camera_at(Vec3f{0.0F}, {0.0F, 0.0F, -1.0F});
     add_box(frame, {200.0F, 200.0F, 0.1F}, {0.0F, 0.0F, -40.0F}, unlit(Vec3f{0.1F}));
     add_box(frame, {0.4F, 0.4F, 0.02F}, {0.0F, 0.0F, -2.0F}, unlit(Vec3f{1.0F}));
@@ -86,13 +86,13 @@ TEST_F(LensGl, AThingInFocusDoesNotSmearIntoWhatIsBehindIt) {
     const auto row = middle_row(draw(frame));
     // From black to white within three pixels, and no light beyond.
     const auto half_px = static_cast<std::size_t>(0.1F * pixels_at_1m());
-    const std::size_t left = kSide_px / 2 - half_px;
+    const std::size_t left = kLensSide_px / 2 - half_px;
     EXPECT_NEAR(row[left - 4], 0.1F, 0.02F);
     EXPECT_NEAR(row[left + 3], 1.0F, 0.01F);
 }
 
 TEST_F(LensGl, APanSpreadsABarOverItsWay) {
-    RenderFrame frame = empty_frame(kSide_px, kSide_px);
+    RenderFrame frame = empty_frame(kLensSide_px, kLensSide_px);
     frame.camera = camera_at(Vec3f{0.0F}, {0.0F, 0.0F, -1.0F});
     // Black wall, white bar 0.02 m wide 1 m ahead: 8 pixels.
     add_box(frame, {20.0F, 20.0F, 0.1F}, {0.0F, 0.0F, -3.0F}, unlit(Vec3f{0.0F}));
@@ -123,7 +123,7 @@ TEST_F(LensGl, NobodyPaysUnasked) {
     frame.depth_of_field = DepthOfField{};
     frame.motion_blur = MotionBlur{.position_before_world = {0.1F, 0.0F, 0.0F}};
     draw(frame);
-    constexpr std::uint64_t kFull = std::uint64_t{kSide_px} * kSide_px * 8;
+    constexpr std::uint64_t kFull = std::uint64_t{kLensSide_px} * kLensSide_px * 8;
     EXPECT_EQ(bytes_of("depth_of_field"), kFull + kFull / 2);
     EXPECT_EQ(bytes_of("motion_blur"), kFull);
     frame.depth_of_field.reset();

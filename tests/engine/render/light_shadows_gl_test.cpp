@@ -8,10 +8,10 @@
 namespace plumbline::render {
 namespace {
 
-constexpr std::uint32_t kSide_px = 240;
-constexpr float kHalf_m = 6.0F;
-constexpr float kEye_m = 60.0F;
-constexpr float kPixel_m = 2.0F * kHalf_m / kSide_px;
+constexpr std::uint32_t kLampSide_px = 240;
+constexpr float kLampHalf_m = 6.0F;
+constexpr float kLampEye_m = 60.0F;
+constexpr float kLampPixel_m = 2.0F * kLampHalf_m / kLampSide_px;
 constexpr Vec3f kBoxMin{-1.0F, 0.0F, -1.0F};
 constexpr Vec3f kBoxMax{1.0F, 2.0F, 1.0F};
 
@@ -50,9 +50,9 @@ protected:
     }
 
     RenderFrame floor_from_above() {
-        RenderFrame frame = empty_frame(kSide_px, kSide_px);
-        frame.camera = camera_at({0.0F, kEye_m, 0.0F}, Vec3f{0.0F});
-        frame.camera.fov_y_rad = 2.0F * std::atan(kHalf_m / kEye_m);
+        RenderFrame frame = empty_frame(kLampSide_px, kLampSide_px);
+        frame.camera = camera_at({0.0F, kLampEye_m, 0.0F}, Vec3f{0.0F});
+        frame.camera.fov_y_rad = 2.0F * std::atan(kLampHalf_m / kLampEye_m);
         add_box(frame, {60.0F, 1.0F, 60.0F}, {0.0F, -0.5F, 0.0F}, chalk());
         frame.light_shadows = LightShadows{};
         return frame;
@@ -67,7 +67,7 @@ protected:
 
     static Vec3f place(std::uint32_t x, std::uint32_t y) {
         const auto at = [](std::uint32_t pixel) {
-            return (static_cast<float>(pixel) + 0.5F) * kPixel_m - kHalf_m;
+            return (static_cast<float>(pixel) + 0.5F) * kLampPixel_m - kLampHalf_m;
         };
         return {at(x), 0.0F, at(y)};
     }
@@ -94,16 +94,16 @@ protected:
         const auto image = draw(frame);
         const float texel = shadow_numbers(light, 0, frame.light_shadows->size_px).w;
         Off off;
-        for (std::uint32_t y = 0; y < kSide_px; ++y) {
-            for (std::uint32_t x = 0; x < kSide_px; ++x) {
+        for (std::uint32_t y = 0; y < kLampSide_px; ++y) {
+            for (std::uint32_t x = 0; x < kLampSide_px; ++x) {
                 const Vec3f at = place(x, y);
-                const Vec3f eye{0.0F, kEye_m, 0.0F};
-                if (hits_box(at * (1.0F - 1.5F * kPixel_m / kHalf_m), eye)) continue;
+                const Vec3f eye{0.0F, kLampEye_m, 0.0F};
+                if (hits_box(at * (1.0F - 1.5F * kLampPixel_m / kLampHalf_m), eye)) continue;
                 const float expected = std::min(light_at(light, at), 1.0F);
                 if (expected < 0.02F) continue;
                 const Vec3f way = light.position_world - at;
                 const float margin_m =
-                    edge_texels * texel * glm::dot(way, way) / way.y + 0.5F * kPixel_m;
+                    edge_texels * texel * glm::dot(way, way) / way.y + 0.5F * kLampPixel_m;
                 const bool shaded = hits_box(at, light.position_world);
                 bool is_edge = false;
                 for (int i = 0; i < 8; ++i) {
@@ -172,8 +172,8 @@ TEST_F(LightShadowsGl, LightInARoomStaysInTheRoom) {
     const auto brightest = [&] {
         const auto image = draw(frame);
         int most = 0;
-        for (std::uint32_t y = 0; y < kSide_px; ++y)
-            for (std::uint32_t x = 0; x < kSide_px; ++x)
+        for (std::uint32_t y = 0; y < kLampSide_px; ++y)
+            for (std::uint32_t x = 0; x < kLampSide_px; ++x)
                 most = std::max(most, pixel_at(image, x, y).g);
         return most;
     };

@@ -5,7 +5,7 @@
 namespace plumbline::render {
 namespace {
 
-constexpr ShaderPair kMesh{"mesh.vert", "mesh.frag"};
+constexpr ShaderPair kMeshPair{"mesh.vert", "mesh.frag"};
 constexpr FeatureSet kPlain = feature::kVertexColor | feature::kSun | feature::kSkyLight;
 constexpr Substitutes kAny{
     .kept = feature::kAlphaMask, .harmless = feature::kFog, .dear = feature::kSunShadow};
@@ -13,7 +13,7 @@ constexpr Substitutes kAny{
 class ShaderLibraryGl : public GlTest {
 protected:
     const gl::Program* find(FeatureSet features) {
-        return shaders_.find_or_similar(kMesh, features, kAny);
+        return shaders_.find_or_similar(kMeshPair, features, kAny);
     }
 
     ShaderLibrary shaders_{PL_SOURCE_DIR "/shaders"};
@@ -64,7 +64,7 @@ TEST_F(ShaderLibraryGl, ALaterFrameHasTheProgramItself) {
     EXPECT_EQ(find(kPlain | feature::kFlashlight | feature::kFog), lit);
     EXPECT_EQ(shaders_.new_count(), 1U);
     // Linked before does not help: it is the first draw that takes its time.
-    ASSERT_NE(shaders_.find(kMesh, kPlain | feature::kSunShadow), nullptr);
+    ASSERT_NE(shaders_.find(kMeshPair, kPlain | feature::kSunShadow), nullptr);
     shaders_.allow_new(0.0);
     EXPECT_EQ(find(kPlain | feature::kSunShadow), plain);
 }
@@ -72,7 +72,7 @@ TEST_F(ShaderLibraryGl, ALaterFrameHasTheProgramItself) {
 TEST_F(ShaderLibraryGl, WhatIsNotUsedForALongTimeIsDropped) {
     find(kPlain);
     find(kPlain | feature::kFlashlight);
-    shaders_.find(kMesh, kPlain | feature::kFog);  // of passes that ask each time: it stays
+    shaders_.find(kMeshPair, kPlain | feature::kFog);  // of passes that ask each time: it stays
     for (std::uint64_t frame = 0; frame < 2 * ShaderLibrary::kKeptUnused; ++frame) {
         shaders_.allow_new(1.0);
         find(kPlain);

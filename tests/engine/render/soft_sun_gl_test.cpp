@@ -7,12 +7,12 @@
 namespace plumbline::render {
 namespace {
 
-constexpr std::uint32_t kSide_px = 400;
-constexpr float kHalf_m = 2.0F;
-constexpr float kEye_m = 10.0F;
-constexpr float kPixel_m = 2.0F * kHalf_m / kSide_px;
-constexpr float kReach_m = 0.35F;    // either side of an edge
-constexpr float kTexel_m = 0.0075F;  // about, of a map of 2048 over 12 m from the eye
+constexpr std::uint32_t kSunSide_px = 400;
+constexpr float kSunHalf_m = 2.0F;
+constexpr float kSunEye_m = 10.0F;
+constexpr float kSunPixel_m = 2.0F * kSunHalf_m / kSunSide_px;
+constexpr float kSunReach_m = 0.35F;    // either side of an edge
+constexpr float kSunTexel_m = 0.0075F;  // about, of a map of 2048 over 12 m from the eye
 
 class SoftSunGl : public PictureGl {
 protected:
@@ -37,9 +37,9 @@ protected:
     /// The width of the shade's edge, m: that of the disc whose edge has the same spread. The sun stands
     /// 45 degrees high towards +x.
     float edge_m(const Caster& caster, float disc_rad, Drawn hardening = Drawn::Always) {
-        RenderFrame frame = empty_frame(kSide_px, kSide_px);
-        frame.camera = camera_at({0.0F, kEye_m, 0.0F}, Vec3f{0.0F});
-        frame.camera.fov_y_rad = 2.0F * std::atan(kHalf_m / kEye_m);
+        RenderFrame frame = empty_frame(kSunSide_px, kSunSide_px);
+        frame.camera = camera_at({0.0F, kSunEye_m, 0.0F}, Vec3f{0.0F});
+        frame.camera.fov_y_rad = 2.0F * std::atan(kSunHalf_m / kSunEye_m);
         add_box(frame, {30.0F, 1.0F, 30.0F}, {0.0F, -0.5F, 0.0F}, matt(Vec3f{0.7F}));
         add_box(frame,
                 {3.0F, caster.top_m - caster.bottom_m, 6.0F},
@@ -54,11 +54,13 @@ protected:
         const auto image = draw(frame);
         // Shaded where z > 0; the mean over a stretch along x that the plate does not hide.
         std::vector<double> lit;
-        const auto first = static_cast<std::uint32_t>((kHalf_m - kReach_m) / kPixel_m);
-        for (std::uint32_t y = first; y < kSide_px - first; ++y) {
+        const auto first = static_cast<std::uint32_t>((kSunHalf_m - kSunReach_m) / kSunPixel_m);
+        for (std::uint32_t y = first; y < kSunSide_px - first; ++y) {
             double sum = 0.0;
-            const auto from = static_cast<std::uint32_t>((kHalf_m + caster.seen_from_m) / kPixel_m);
-            const auto to = static_cast<std::uint32_t>((kHalf_m + caster.seen_to_m) / kPixel_m);
+            const auto from =
+                static_cast<std::uint32_t>((kSunHalf_m + caster.seen_from_m) / kSunPixel_m);
+            const auto to =
+                static_cast<std::uint32_t>((kSunHalf_m + caster.seen_to_m) / kSunPixel_m);
             for (std::uint32_t x = from; x < to; ++x) {
                 const float c = static_cast<float>(pixel_at(image, x, y).g) / 255.0F;
                 sum += std::pow((static_cast<double>(c) + 0.055) / 1.055, 2.4);
@@ -72,11 +74,11 @@ protected:
         double square = 0.0;
         for (std::size_t i = 1; i < lit.size(); ++i) {
             const double falls = (lit[i - 1] - lit[i]) / (lit.front() - lit.back());
-            const double at = static_cast<double>(i) * static_cast<double>(kPixel_m);
+            const double at = static_cast<double>(i) * static_cast<double>(kSunPixel_m);
             mean += falls * at;
             square += falls * at * at;
         }
-        EXPECT_NEAR(mean, kReach_m, 2.0F * kTexel_m);
+        EXPECT_NEAR(mean, kSunReach_m, 2.0F * kSunTexel_m);
         return 4.0F * static_cast<float>(std::sqrt(std::max(square - mean * mean, 0.0)));
     }
 };
@@ -86,7 +88,7 @@ TEST_F(SoftSunGl, AnEdgeIsAsWideAsTheDiscAtItsDistance) {
         const float disc_rad = radians_from_degrees(4.0F);
         const float expected_m = height_m * std::sqrt(2.0F) * 2.0F * std::tan(0.5F * disc_rad);
         EXPECT_NEAR(
-            edge_m(plate(height_m), disc_rad), expected_m, 2.0F * kTexel_m + 0.05F * expected_m)
+            edge_m(plate(height_m), disc_rad), expected_m, 2.0F * kSunTexel_m + 0.05F * expected_m)
             << height_m;
     }
 }
@@ -94,20 +96,20 @@ TEST_F(SoftSunGl, AnEdgeIsAsWideAsTheDiscAtItsDistance) {
 TEST_F(SoftSunGl, TheSunsOwnDiscIsHalfADegree) {
     const float disc_rad = radians_from_degrees(0.53F);
     const float expected_m = 3.0F * std::sqrt(2.0F) * std::tan(disc_rad);
-    EXPECT_NEAR(edge_m(plate(3.0F), disc_rad), expected_m, 2.0F * kTexel_m);
+    EXPECT_NEAR(edge_m(plate(3.0F), disc_rad), expected_m, 2.0F * kSunTexel_m);
 }
 
 TEST_F(SoftSunGl, WhereThingsTouchItIsSharp) {
     const Caster wall{.left_m = 0.0F, .top_m = 1.0F, .seen_from_m = -0.1F, .seen_to_m = -0.02F};
-    EXPECT_LT(edge_m(wall, radians_from_degrees(0.53F)), 3.0F * kTexel_m);
+    EXPECT_LT(edge_m(wall, radians_from_degrees(0.53F)), 3.0F * kSunTexel_m);
 }
 
 TEST_F(SoftSunGl, UnaskedTheWidthIsThatOfTheMapsFilter) {
-    EXPECT_LT(edge_m(plate(3.0F), 0.0F), 3.0F * kTexel_m);
+    EXPECT_LT(edge_m(plate(3.0F), 0.0F), 3.0F * kSunTexel_m);
     const float wide_rad = radians_from_degrees(4.0F);
-    EXPECT_LT(edge_m(plate(3.0F), wide_rad, Drawn::Never), 3.0F * kTexel_m);
+    EXPECT_LT(edge_m(plate(3.0F), wide_rad, Drawn::Never), 3.0F * kSunTexel_m);
     // Here the CPU draws.
-    EXPECT_LT(edge_m(plate(3.0F), wide_rad, Drawn::OnGpu), 3.0F * kTexel_m);
+    EXPECT_LT(edge_m(plate(3.0F), wide_rad, Drawn::OnGpu), 3.0F * kSunTexel_m);
 }
 
 }  // namespace
