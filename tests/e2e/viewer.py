@@ -152,8 +152,8 @@ def one_that_cannot_be_read_leaves_what_was_there(viewer):
 
 def a_saved_model_shows_anew(viewer):
     file = viewer.folder / "skinned.glb"
-    file.write_bytes(model_files.colored_glb((0.1, 1.5, 0.1)))
     thick, _ = viewer.lit()
+    file.write_bytes(model_files.colored_glb((0.1, 1.5, 0.1)))
     for _ in range(100):
         thin, _ = viewer.lit()
         if thin < thick / 2:
