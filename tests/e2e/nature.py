@@ -85,9 +85,9 @@ def turned(way):
 
 
 def fastest(way):
-    """The highest speed over half a second, m/s."""
-    speeds = [math.dist(a[1], b[1]) / (b[0] - a[0]) for a in way for b in way if 0.4 < b[0] - a[0] < 0.6]
-    return max(speeds)
+    """The highest speed over the ground in half a second, m/s: who begins to walk in the air falls first."""
+    level = [(time_s, (place[0], place[2])) for time_s, place, _ in way]
+    return max(math.dist(a[1], b[1]) / (b[0] - a[0]) for a in level for b in level if 0.4 < b[0] - a[0] < 0.6)
 
 
 def starts_as_the_report(scene):
