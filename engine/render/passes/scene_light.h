@@ -1,6 +1,7 @@
 // The light of the scene on its way to the screen.
 #pragma once
 
+#include "engine/core/math.h"
 #include "engine/render/gl/program.h"
 #include "engine/render/gl/texture.h"
 #include "engine/render/shader_features.h"

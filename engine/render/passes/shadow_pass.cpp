@@ -117,10 +117,12 @@ void ShadowPass::draw_on_statics(const ShadowView& view,
                                  std::vector<VisibleItem> casters,
                                  SceneResources& resources,
                                  FrameStats& stats) {
-    const auto first_moving = std::ranges::stable_partition(
-        casters, [](const VisibleItem& caster) { return caster.item->is_static; });
-    std::vector<VisibleItem> moving{first_moving.begin(), first_moving.end()};
-    casters.erase(first_moving.begin(), casters.end());
+    const auto first_moving =
+        std::stable_partition(casters.begin(), casters.end(), [](const VisibleItem& caster) {
+            return caster.item->is_static;
+        });
+    std::vector<VisibleItem> moving{first_moving, casters.end()};
+    casters.erase(first_moving, casters.end());
     Part& drawn = drawn_[part];
     if (drawn.in_statics_map != drawn.statics) {
         drawn.in_statics_map = drawn.statics;
