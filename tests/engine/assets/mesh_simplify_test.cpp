@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 
 namespace plumbline::assets {
 namespace {
@@ -59,6 +61,27 @@ TEST(MeshSimplify, ABallStaysWithinTheError) {
              ball.vertices[fewer[i + 2]].position_body) /
             3.0F;
         EXPECT_GT(glm::length(middle), 1.0F - 1.5F * 0.05F);
+    }
+}
+
+TEST(MeshSimplify, ABallStaysClosed) {
+    const MeshData ball = sphere_mesh(1.0F);
+    auto fewer = ball.indices;
+    for (const float error_m : {0.0015F, 0.003F, 0.006F, 0.0125F, 0.025F, 0.05F, 0.1F}) {
+        fewer = simplified(ball.vertices, fewer, error_m);
+        const auto place_of = [&](std::uint32_t vertex) {
+            const glm::ivec3 cell{glm::round(ball.vertices[vertex].position_body * 1e4F)};
+            return std::array<int, 3>{cell.x, cell.y, cell.z};
+        };
+        std::map<std::array<std::array<int, 3>, 2>, int> there_and_back;
+        for (std::size_t i = 0; i + 2 < fewer.size(); i += 3) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto a = place_of(fewer[i + k]);
+                const auto b = place_of(fewer[i + (k + 1) % 3]);
+                if (a != b) there_and_back[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+            }
+        }
+        for (const auto& [edge, sum] : there_and_back) EXPECT_EQ(sum, 0) << error_m;
     }
 }
 
