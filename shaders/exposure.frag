@@ -1,5 +1,6 @@
 // How bright the scene is: the mean of the logarithm of the luminance over one cell of the picture.
 // Passes: post. Reads the scene's image.
+#include "include/color.glsl"
 #include "shared/limits.h"
 
 uniform sampler2D source_image;
@@ -13,7 +14,7 @@ void main() {
     for (int i = 0; i < kSide * kSide; ++i) {
         vec2 at = floor(gl_FragCoord.xy) + (vec2(i % kSide, i / kSide) + 0.5) / float(kSide);
         vec3 light = texelFetch(source_image, ivec2(at * cell_px), 0).rgb;
-        sum += log2(clamp(dot(light, vec3(0.2126, 0.7152, 0.0722)), 0.0005, 8.0));
+        sum += log2(clamp(dot(light, kLuminance), 0.0005, 8.0));
     }
     out_color = vec4(sum / float(kSide * kSide));
 }

@@ -1,5 +1,8 @@
 // Transfer curves, fitted to the standard's for speed: each says how far off it is.
 
+// How bright linear light looks, by channel (ITU-R BT.709).
+const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
+
 // sRGB code values to light; within 0.002 of the standard's curve.
 vec3 linear_from_srgb(vec3 c) {
     return c * (0.0160 + c * (0.6670 + c * 0.3170));
@@ -23,7 +26,7 @@ vec3 tone_curve(vec3 x) {
 // What the screen shows of a radiance. Very bright colours lose some colour, as on film.
 vec3 tone_mapped(vec3 radiance, float exposure) {
     vec3 c = max(radiance, 0.0) * exposure;
-    float luminance = dot(c, vec3(0.2126, 0.7152, 0.0722));
+    float luminance = dot(c, kLuminance);
     c = mix(c, vec3(luminance), 0.35 * luminance / (luminance + 4.0));
     return tone_curve(c);
 }
