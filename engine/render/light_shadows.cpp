@@ -1,5 +1,7 @@
 #include "engine/render/light_shadows.h"
 
+#include "engine/core/color.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,8 +35,7 @@ Vec3f forward_of_face(std::uint32_t face) {
 
 float brightness_at(const LocalLight& light, const Vec3f& eye_world) {
     const Vec3f way = light.position_world - eye_world;
-    return glm::dot(light.intensity, Vec3f{0.2126F, 0.7152F, 0.0722F}) /
-           std::max(glm::dot(way, way), 1.0F);
+    return luminance(light.intensity) / std::max(glm::dot(way, way), 1.0F);
 }
 
 }  // namespace

@@ -80,8 +80,7 @@ void PostPass::render_bloom(const SceneLight& light,
     down->use();
     const gl::Texture* source = light.image;
     for (const PassImage& level : bloom_levels_) {
-        glBindFramebuffer(GL_FRAMEBUFFER, level.framebuffer.name());
-        set_viewport(level.size_px());
+        level.bind();
         gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, *source);
         triangle.draw();
         ++stats.draw_calls;
@@ -92,8 +91,7 @@ void PostPass::render_bloom(const SceneLight& light,
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     for (std::size_t i = bloom_levels_.size() - 1; i > 0; --i) {
         const PassImage& target = bloom_levels_[i - 1];
-        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
-        set_viewport(target.size_px());
+        target.bind();
         gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, bloom_levels_[i].image);
         triangle.draw();
         ++stats.draw_calls;
