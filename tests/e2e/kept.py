@@ -99,7 +99,8 @@ def a_model_is_saved_while_it_is_shown(folder):
         finally:
             game.stop()
     triangles = read_json(report)["triangles"]
-    expect(40 <= triangles < 80, f"{triangles} triangles drawn: not the 40 that were saved, with the ground")
+    # The report is of the last frame, which may have drawn shadow maps too: each pass draws the 40 and the ground's 2.
+    expect(triangles > 0 and triangles % 42 == 0, f"{triangles} triangles drawn: not the 40 that were saved, with the ground")
 
 
 def a_study_without_its_worker(folder):
