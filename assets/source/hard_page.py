@@ -54,7 +54,7 @@ Long cases (nightly tier): {nightly}.
 | H88 | a scene steps at one rate; `tests/scenarios/families/life_test.cpp` steps unevenly |
 | H89 | it compares several runs; the same file does, bit for bit |
 | H90 | there are no vehicles |
-| C01 to C14 | the walking character is tested in `tests/engine/physics/character_test.cpp` |
+| C01 to C14 | the walking character is tested in `tests/engine/physics/character/character_test.cpp` |
 
 Smaller than the row asks, so that they load without a warning or end in minutes: H12 is 99 wide, not 100; H31b is 40
 by 40, not 100 by 100, and 10 s, not 10 000 steps; H34 has 9 ragdolls, not 32. In H73 the tower beside the faulty bodies is

@@ -32,6 +32,9 @@ MAY_INCLUDE = {
     "game": WORLD | {"effects", "study", "app", "platform", "input"},
 }
 
+# Modules whose folders are private: only the headers beside their CMakeLists.txt are for others.
+PRIVATE_FOLDERS = {"physics"}
+
 # Start of a third-party header -> modules that own it. GLM and fmt are everybody's.
 ANY = set(MAY_INCLUDE)
 THIRD_PARTY = {
@@ -92,8 +95,14 @@ def owners_of(header):
     return prefix, THIRD_PARTY[prefix]
 
 
+def is_private(path):
+    """Whether a header is its module's own: by its folder or, where a module has no such, its name."""
+    parts = pathlib.PurePosixPath(path).parts
+    return path.endswith("_impl.h") or (module_of(path) in PRIVATE_FOLDERS and len(parts) > 3)
+
+
 def is_public_header(path):
-    return path.endswith(".h") and not path.endswith("_impl.h")
+    return path.endswith(".h") and not is_private(path)
 
 
 def problem_with_own(path, included):
@@ -105,6 +114,8 @@ def problem_with_own(path, included):
         return "includes in quotes begin at the repository's root: engine/... or game/..."
     source, target = module_of(path), module_of(included)
     if target == source:
+        if is_public_header(path) and is_private(included):
+            return "a public header must not include a private one"
         return None
     if target == "game":
         return "the engine never includes the game"
@@ -112,9 +123,7 @@ def problem_with_own(path, included):
         return f"module {source} is not in the table"
     if target not in MAY_INCLUDE[source]:
         return f"{source} must not include {target}"
-    if is_public_header(path) and included.endswith("_impl.h"):
-        return "a public header must not include a private one"
-    if included.endswith("_impl.h"):
+    if is_private(included):
         return f"{included} is private to {target}"
     return None
 
@@ -128,7 +137,7 @@ def problem_with_foreign(path, included):
     if module not in owners:
         return f"{module} must not include {included}; it belongs to {', '.join(sorted(owners))}"
     if is_public_header(path) and prefix not in EVERYWHERE:
-        return f"{included} must stay in .cpp files or *_impl.h"
+        return f"{included} must stay in .cpp files and private headers"
     return None
 
 

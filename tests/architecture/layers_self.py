@@ -46,7 +46,8 @@ class Layers(unittest.TestCase):
     def test_own_library_in_a_public_header_fails(self):
         text = "#include <GLFW/glfw3.h>\n"
         self.assertEqual(problems_of("engine/platform/a.h", text),
-                         ["engine/platform/a.h:1: GLFW/glfw3.h must stay in .cpp files or *_impl.h"])
+                         ["engine/platform/a.h:1: GLFW/glfw3.h must stay in .cpp files "
+                          "and private headers"])
         self.assertEqual(problems_of("engine/platform/a_impl.h", text), [])
         self.assertEqual(problems_of("engine/platform/a.cpp", text), [])
 
@@ -56,8 +57,8 @@ class Layers(unittest.TestCase):
 
     def test_private_headers_stay_private(self):
         self.assertEqual(
-            problems_of("game/a.cpp", '#include "engine/physics/physics_world_impl.h"\n'),
-            ["game/a.cpp:1: engine/physics/physics_world_impl.h is private to physics"])
+            problems_of("game/a.cpp", '#include "engine/physics/world/world_state.h"\n'),
+            ["game/a.cpp:1: engine/physics/world/world_state.h is private to physics"])
 
     def test_path_not_from_the_root_fails(self):
         self.assertEqual(

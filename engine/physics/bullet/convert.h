@@ -1,0 +1,40 @@
+// GLM and Pose to Bullet's types and back.
+#pragma once
+
+#include "engine/core/pose.h"
+
+#include <LinearMath/btTransform.h>
+
+namespace plumbline::physics {
+
+inline btVector3 to_bullet(const Vec3& v) {
+    return {v.x, v.y, v.z};
+}
+inline Vec3 from_bullet(const btVector3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+inline btQuaternion to_bullet(const Quat& q) {
+    return {q.x, q.y, q.z, q.w};
+}
+inline btTransform to_bullet(const Pose& pose) {
+    return btTransform(to_bullet(pose.orientation), to_bullet(pose.position));
+}
+
+inline Quat quat_from_bullet(const btMatrix3x3& basis) {
+    btQuaternion q;
+    basis.getRotation(q);
+    return Quat{q.w(), q.x(), q.y(), q.z()};
+}
+inline Pose from_bullet(const btTransform& transform) {
+    return {.position = from_bullet(transform.getOrigin()),
+            .orientation = quat_from_bullet(transform.getBasis())};
+}
+
+inline Vec3d double_from_bullet(const btVector3& v) {
+    return {static_cast<double>(v.x()), static_cast<double>(v.y()), static_cast<double>(v.z())};
+}
+inline btVector3 bullet_from_double(const Vec3d& v) {
+    return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,354 @@
+#include "engine/physics/bullet/pair_dispatch.h"
+
+#include "engine/physics/dynamics/island.h"
+#include "engine/physics/world/world_state.h"
+
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+
+#include <algorithm>
+#include <array>
+
+namespace plumbline::physics {
+namespace {
+
+/// A flag of ours beside Bullet's on a manifold point: found in an earlier step.
+constexpr int kOld = 1 << 30;
+
+/// Bullet needs room to keep points from step to step; those of boxes are all found anew, and count
+/// when nearer than this share of the distance at which others do.
+constexpr btScalar kNearBoxes = btScalar(0.1);
+
+btScalar near_m(const Pair& pair) {
+    return pair.boxes ? kNearBoxes * pair.base_m : pair.base_m;
+}
+
+bool moves(const BodyRecord& record) {
+    return record.kind != BodyKind::Static && !record.frozen;
+}
+
+/// How far continuous collision lets a body go unswept in a step; a swept one stops at what it hits.
+btScalar unswept_m(const BodyRecord& record) {
+    if (!moves(record)) return 0;
+    return record.smallest_core_m > 0 ? record.smallest_core_m : record.radius_m / 2;
+}
+
+btScalar spin_mps(const BodyRecord& record) {
+    return moves(record) ? record.rigid->getAngularVelocity().length() * record.radius_m : 0;
+}
+
+/// How much of a blow's change of speed `record` takes. What is backed gives way to nothing.
+btScalar share_of(const BodyRecord& record, const BodyRecord& other) {
+    const btScalar own = record.rigid->getInvMass();
+    const btScalar others = other.jolt.backed ? btScalar(0) : other.rigid->getInvMass();
+    return own > 0 ? own / (own + others) : btScalar(0);
+}
+
+bool is_backing(const BodyRecord& record) {
+    return record.jolt.backed || record.rigid->getInvMass() <= 0;
+}
+
+btScalar jolt_mps(const Pair& pair) {
+    return pair.a->jolt.change_mps.length() + pair.b->jolt.change_mps.length();
+}
+
+/// How fast the bodies come together at a point, after whatever blows either may get.
+btScalar closing_mps(const btPersistentManifold& manifold, const btManifoldPoint& point) {
+    const auto& a = static_cast<const btRigidBody&>(*manifold.getBody0());
+    const auto& b = static_cast<const btRigidBody&>(*manifold.getBody1());
+    const btVector3 va =
+        a.getVelocityInLocalPoint(point.getPositionWorldOnA() - a.getWorldTransform().getOrigin());
+    const btVector3 vb =
+        b.getVelocityInLocalPoint(point.getPositionWorldOnB() - b.getWorldTransform().getOrigin());
+    const btVector3& normal = point.m_normalWorldOnB;
+    return (vb - va).dot(normal) +
+           std::max(btScalar(0), -record_of(a).jolt.change_mps.dot(normal)) +
+           std::max(btScalar(0), record_of(b).jolt.change_mps.dot(normal));
+}
+
+/// Radius of a body that is round all over or about an axis, 0 of others.
+btScalar roundness_m(const btCollisionObject& object) {
+    const btCollisionShape* shape = object.getCollisionShape();
+    if (shape->getShapeType() == SPHERE_SHAPE_PROXYTYPE)
+        return static_cast<const btSphereShape*>(shape)->getRadius();
+    if (shape->getShapeType() == CAPSULE_SHAPE_PROXYTYPE)
+        return static_cast<const btCapsuleShape*>(shape)->getRadius();
+    return 0;
+}
+
+bool is_face_of_box(const btCollisionObject& box, const btVector3& normal) {
+    constexpr btScalar kAlong = btScalar(0.9999);
+    for (int k = 0; k < 3; ++k) {
+        if (std::abs(box.getWorldTransform().getBasis().getColumn(k).dot(normal)) > kAlong)
+            return true;
+    }
+    return false;
+}
+
+/// Whether a ball or capsule that is near a box's edge goes by: one that slides over the seam
+/// between two boxes must not bump into the edge of the next, which it only looks at from below.
+bool passes_edge(const btPersistentManifold& manifold,
+                 const btManifoldPoint& point,
+                 btScalar step_s) {
+    constexpr btScalar kTouch = btScalar(0.005);  // of the radius, as is the next
+    constexpr btScalar kFar = btScalar(0.1);
+    const btCollisionObject* round = manifold.getBody0();
+    const btCollisionObject* box = manifold.getBody1();
+    btVector3 out = point.m_normalWorldOnB;
+    btVector3 edge = point.getPositionWorldOnB();
+    if (box->getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE) {
+        std::swap(round, box);
+        out = -out;
+        edge = point.getPositionWorldOnA();
+    }
+    const btScalar radius = roundness_m(*round);
+    if (radius <= 0 || box->getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE ||
+        point.getDistance() < -kTouch * radius || is_face_of_box(*box, out))
+        return false;
+    const btVector3 center = edge + out * (radius + point.getDistance());
+    const auto& a = static_cast<const btRigidBody&>(*round);
+    const auto& b = static_cast<const btRigidBody&>(*box);
+    const btVector3 way = (a.getVelocityInLocalPoint(center - a.getWorldTransform().getOrigin()) -
+                           b.getVelocityInLocalPoint(edge - b.getWorldTransform().getOrigin())) *
+                          step_s;
+    const btScalar length2 = way.length2();
+    if (length2 < kFar * kFar * radius * radius) return false;
+    const btVector3 apart = center - edge;
+    const btScalar nearest = std::clamp(-apart.dot(way) / length2, btScalar(0), btScalar(1));
+    return (apart + way * nearest).length() > radius * (1 - kTouch);
+}
+
+void keep_larger(Jolt& jolt, const btVector3& change, bool backed) {
+    if (change.length2() > jolt.change_mps.length2()) jolt = {change, backed, false};
+}
+
+/// A ball has one point on anything convex; those that it rolled away from are no contact. The new
+/// one takes over what pressed the old.
+void keep_new_points(btPersistentManifold& manifold) {
+    for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
+        const btManifoldPoint old = manifold.getContactPoint(i);
+        if ((old.m_contactPointFlags & kOld) == 0) continue;
+        manifold.removeContactPoint(i);
+        for (int k = 0; k < manifold.getNumContacts(); ++k) {
+            btManifoldPoint& point = manifold.getContactPoint(k);
+            if ((point.m_contactPointFlags & kOld) != 0 || point.m_appliedImpulse != 0) continue;
+            point.m_appliedImpulse = old.m_appliedImpulse;
+            point.m_appliedImpulseLateral1 = old.m_appliedImpulseLateral1;
+            point.m_appliedImpulseLateral2 = old.m_appliedImpulseLateral2;
+        }
+    }
+}
+
+void mark_old(btPersistentManifold& manifold) {
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        manifold.getContactPoint(i).m_contactPointFlags |= kOld;
+    }
+}
+
+/// Puts points into manifolds as Bullet does, but takes two for one only when they are as near as
+/// those of slow pairs: a long reach must not melt the corners of a box into one.
+class GrownResult final : public btManifoldResult {
+public:
+    GrownResult(const btCollisionObjectWrapper* a,
+                const btCollisionObjectWrapper* b,
+                btScalar merge_m)
+        : btManifoldResult(a, b), merge_m_(merge_m) {}
+
+    void addContactPoint(const btVector3& normal,
+                         const btVector3& on_b,
+                         btScalar distance) override {
+        btPersistentManifold& manifold = *m_manifoldPtr;
+        if (distance > manifold.getContactBreakingThreshold()) return;
+        const btVector3 on_a = on_b + normal * distance;
+        btManifoldPoint point(manifold.getBody0()->getWorldTransform().invXform(on_a),
+                              manifold.getBody1()->getWorldTransform().invXform(on_b),
+                              normal,
+                              distance);
+        point.m_positionWorldOnA = on_a;
+        point.m_positionWorldOnB = on_b;
+        const bool swapped = manifold.getBody0() != m_body0Wrap->getCollisionObject();
+        point.m_partId0 = swapped ? m_partId1 : m_partId0;
+        point.m_partId1 = swapped ? m_partId0 : m_partId1;
+        point.m_index0 = swapped ? m_index1 : m_index0;
+        point.m_index1 = swapped ? m_index0 : m_index1;
+        combine_materials(manifold, point);
+        const int same = same_point(manifold, point);
+        if (same >= 0)
+            manifold.replaceContactPoint(point, same);
+        else
+            manifold.addManifoldPoint(point);
+    }
+
+private:
+    int same_point(const btPersistentManifold& manifold, const btManifoldPoint& point) const {
+        int nearest = -1;
+        btScalar least = merge_m_ * merge_m_;
+        for (int i = 0; i < manifold.getNumContacts(); ++i) {
+            const btScalar away =
+                manifold.getContactPoint(i).m_localPointA.distance2(point.m_localPointA);
+            if (away >= least) continue;
+            least = away;
+            nearest = i;
+        }
+        return nearest;
+    }
+
+    btScalar merge_m_;
+};
+
+}  // namespace
+
+void combine_materials(const btPersistentManifold& manifold, btManifoldPoint& point) {
+    const btCollisionObject* a = manifold.getBody0();
+    const btCollisionObject* b = manifold.getBody1();
+    point.m_combinedFriction = gCalculateCombinedFrictionCallback(a, b);
+    point.m_combinedRestitution = gCalculateCombinedRestitutionCallback(a, b);
+    point.m_combinedRollingFriction = gCalculateCombinedRollingFrictionCallback(a, b);
+    point.m_combinedSpinningFriction = gCalculateCombinedSpinningFrictionCallback(a, b);
+}
+
+btPersistentManifold* PairDispatcher::getNewManifold(const btCollisionObject* a,
+                                                     const btCollisionObject* b) {
+    btPersistentManifold* manifold = btCollisionDispatcher::getNewManifold(a, b);
+    manifold->setContactBreakingThreshold(reach_m);
+    manifold->m_companionIdA = kUnknownToSolver;  // memory may be that of one it knew
+    return manifold;
+}
+
+btScalar PairMeeting::reach_of(const Pair& pair) const {
+    const BodyRecord& a = *pair.a;
+    const BodyRecord& b = *pair.b;
+    const btVector3 apart = a.rigid->getLinearVelocity() - b.rigid->getLinearVelocity();
+    const btScalar speed = apart.length() + spin_mps(a) + spin_mps(b) + jolt_mps(pair);
+    const btScalar way = speed * step_.step_s + step_.fall_m;
+    const btScalar unswept = unswept_m(a) + unswept_m(b);
+    if (pair.boxes) return near_m(pair) + std::min(way, unswept);
+    // Resting bodies keep the distances at which Bullet merges and keeps points.
+    if (2 * way <= pair.base_m) return pair.base_m;
+    // Points of round shapes are found at any distance; what others reach no further for is swept.
+    return pair.base_m + (pair.round ? way : std::min(way, unswept));
+}
+
+void PairMeeting::meet(Pair& pair) {
+    const btScalar reach_m = reach_of(pair);
+    dispatcher_.reach_m = reach_m;
+    manifolds_.resize(0);
+    if (pair.algorithm != nullptr && (pair.round || reach_m != pair.reach_m)) {
+        pair.algorithm->getAllContactManifolds(manifolds_);
+        for (int i = 0; i < manifolds_.size(); ++i) {
+            manifolds_[i]->setContactBreakingThreshold(reach_m);
+            if (pair.round) mark_old(*manifolds_[i]);
+        }
+    }
+    pair.reach_m = reach_m;
+    pair.jolt_mps = jolt_mps(pair);
+    collide(pair);
+
+    manifolds_.resize(0);
+    pair.algorithm->getAllContactManifolds(manifolds_);
+    pair.touches = false;
+    for (int i = 0; i < manifolds_.size(); ++i) {
+        btPersistentManifold& manifold = *manifolds_[i];
+        if (pair.round) keep_new_points(manifold);
+        if (reach_m > near_m(pair)) drop_unreachable(manifold, near_m(pair));
+        pair.touches = pair.touches || manifold.getNumContacts() > 0;
+    }
+}
+
+void PairMeeting::collide(Pair& pair) {
+    const btCollisionObject& a = *pair.a->rigid;
+    const btCollisionObject& b = *pair.b->rigid;
+    const btCollisionObjectWrapper first(
+        nullptr, a.getCollisionShape(), &a, a.getWorldTransform(), -1, -1);
+    const btCollisionObjectWrapper second(
+        nullptr, b.getCollisionShape(), &b, b.getWorldTransform(), -1, -1);
+    if (pair.algorithm == nullptr) {
+        pair.algorithm =
+            dispatcher_.findAlgorithm(&first, &second, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+    }
+    GrownResult result(&first, &second, pair.base_m);
+    // Two balls are the only shapes that look at nothing else. Compounds must not see it: they
+    // would throw the points of their children away.
+    const bool balls = a.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE &&
+                       b.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+    result.m_closestPointDistanceThreshold = balls ? pair.reach_m : btScalar(0);
+    pair.algorithm->processCollision(&first, &second, info_, &result);
+}
+
+void PairMeeting::drop_unreachable(btPersistentManifold& manifold, btScalar base_m) const {
+    for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
+        const btManifoldPoint& point = manifold.getContactPoint(i);
+        if (passes_edge(manifold, point, step_.step_s)) {
+            manifold.removeContactPoint(i);
+            continue;
+        }
+        const btScalar closing = std::max(btScalar(0), closing_mps(manifold, point));
+        const btScalar drift2 =
+            (point.getPositionWorldOnA() - point.getPositionWorldOnB()).length2() -
+            point.getDistance() * point.getDistance();
+        if (point.getDistance() > base_m + closing * step_.step_s + step_.fall_m ||
+            drift2 > base_m * base_m) {
+            manifold.removeContactPoint(i);
+        }
+    }
+}
+
+bool PairMeeting::knows_less(const Pair& pair) const {
+    // Boxes that only a blow brings together meet in the next step, at most their cores apart.
+    return !pair.boxes && 2 * (jolt_mps(pair) - pair.jolt_mps) * step_.step_s > pair.base_m;
+}
+
+void PairMeeting::part(Pair& pair) {
+    pair.touches = false;
+    if (pair.algorithm == nullptr) return;
+    manifolds_.resize(0);
+    pair.algorithm->getAllContactManifolds(manifolds_);
+    for (int i = 0; i < manifolds_.size(); ++i) {
+        if (manifolds_[i]->getNumContacts() > 0) manifolds_[i]->clearManifold();
+    }
+}
+
+Blow PairMeeting::blow_of(const Pair& pair) const {
+    Blow blow;
+    if (!pair.touches || pair.reach_m <= pair.base_m) return blow;
+    manifolds_.resize(0);
+    pair.algorithm->getAllContactManifolds(manifolds_);
+    for (int m = 0; m < manifolds_.size(); ++m) {
+        const btPersistentManifold& manifold = *manifolds_[m];
+        const BodyRecord& a = record_of(*manifold.getBody0());
+        const BodyRecord& b = record_of(*manifold.getBody1());
+        for (int i = 0; i < manifold.getNumContacts(); ++i) {
+            const btManifoldPoint& point = manifold.getContactPoint(i);
+            const btScalar closing = closing_mps(manifold, point);
+            const btScalar change = closing * (1 + point.m_combinedRestitution);
+            if (closing * step_.step_s <= std::max(point.getDistance(), btScalar(0)) ||
+                2 * change * step_.step_s <= pair.base_m) {
+                continue;
+            }
+            const btVector3 push = point.m_normalWorldOnB * change;
+            keep_larger(&a == pair.a ? blow.on_a : blow.on_b, push * share_of(a, b), is_backing(b));
+            keep_larger(
+                &a == pair.a ? blow.on_b : blow.on_a, -push * share_of(b, a), is_backing(a));
+        }
+    }
+    return blow;
+}
+
+void PairMeeting::list_manifolds(const Pair& pair, std::vector<btPersistentManifold*>& list) const {
+    manifolds_.resize(0);
+    pair.algorithm->getAllContactManifolds(manifolds_);
+    for (int i = 0; i < manifolds_.size(); ++i) {
+        if (manifolds_[i]->getNumContacts() > 0) list.push_back(manifolds_[i]);
+    }
+}
+
+bool boxes_overlap(const Pair& pair) {
+    const btBroadphaseProxy& a = *pair.box_a;
+    const btBroadphaseProxy& b = *pair.box_b;
+    return TestAabbAgainstAabb2(a.m_aabbMin, a.m_aabbMax, b.m_aabbMin, b.m_aabbMax);
+}
+
+bool boxes_are_far(const Pair& pair) {
+    return !Intersect(pair.box_a->leaf->volume, pair.box_b->leaf->volume);
+}
+
+}  // namespace plumbline::physics

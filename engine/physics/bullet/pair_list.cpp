@@ -1,0 +1,110 @@
+#include "engine/physics/bullet/pair_list.h"
+
+#include "engine/physics/world/world_state.h"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+namespace {
+
+using Links = std::vector<PairLink>;
+
+/// Where the pair with `other` is or would be among the record's.
+Links::iterator place_of(BodyRecord& record, BodyId other) {
+    return std::lower_bound(
+        record.pairs.begin(), record.pairs.end(), other, [](const PairLink& link, BodyId id) {
+            return link.other < id;
+        });
+}
+
+bool is_pair_with(const BodyRecord& record, Links::iterator place, BodyId other) {
+    return place != record.pairs.end() && place->other == other;
+}
+
+BodyRecord& record_behind(const btBroadphaseProxy& proxy) {
+    return physics::record_of(*static_cast<const btCollisionObject*>(proxy.m_clientObject));
+}
+
+bool is_box(const BodyRecord& record) {
+    return record.rigid->getCollisionShape()->getShapeType() == BOX_SHAPE_PROXYTYPE;
+}
+
+bool is_ball(const BodyRecord& record) {
+    return record.rigid->getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+}
+
+bool is_single(const BodyRecord& record) {
+    return !record.rigid->getCollisionShape()->isCompound();
+}
+
+}  // namespace
+
+PairList::PairList(btDispatcher& dispatcher) : dispatcher_(dispatcher) {}
+
+PairList::~PairList() {
+    for (Pair& pair : pool_) forget_algorithm(pair);
+}
+
+btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
+                                               btBroadphaseProxy* second) {
+    if (!needsBroadphaseCollision(first, second)) return nullptr;
+    if (record_behind(*second).id < record_behind(*first).id) std::swap(first, second);
+    BodyRecord& a = record_behind(*first);
+    BodyRecord& b = record_behind(*second);
+    // Searching the shorter list: the ground has a pair with everybody.
+    BodyRecord& few = a.pairs.size() < b.pairs.size() ? a : b;
+    BodyRecord& many = &few == &a ? b : a;
+    const auto place = place_of(few, many.id);
+    if (is_pair_with(few, place, many.id)) return nullptr;
+
+    Pair* pair = nullptr;
+    if (free_.empty()) {
+        pair = &pool_.emplace_back();
+    } else {
+        pair = free_.back();
+        free_.pop_back();
+    }
+    *pair = {.a = &a,
+             .b = &b,
+             .box_a = static_cast<const btDbvtProxy*>(first),
+             .box_b = static_cast<const btDbvtProxy*>(second),
+             .base_m = std::min(a.touch_m, b.touch_m),
+             .round = (is_ball(a) && is_single(b)) || (is_ball(b) && is_single(a)),
+             .boxes = is_box(a) && is_box(b)};
+    few.pairs.insert(place, {many.id, pair});
+    many.pairs.insert(place_of(many, few.id), {few.id, pair});
+    ++size_;
+    return nullptr;
+}
+
+void PairList::forget_algorithm(Pair& pair) {
+    if (pair.algorithm == nullptr) return;
+    pair.algorithm->~btCollisionAlgorithm();
+    dispatcher_.freeCollisionAlgorithm(pair.algorithm);
+    pair.algorithm = nullptr;
+}
+
+void PairList::remove(Pair& pair) {
+    forget_algorithm(pair);
+    pair.a->pairs.erase(place_of(*pair.a, pair.b->id));
+    pair.b->pairs.erase(place_of(*pair.b, pair.a->id));
+    free_.push_back(&pair);
+    --size_;
+}
+
+void* PairList::removeOverlappingPair(btBroadphaseProxy* first,
+                                      btBroadphaseProxy* second,
+                                      btDispatcher*) {
+    BodyRecord& a = record_behind(*first);
+    const BodyId b = record_behind(*second).id;
+    const auto place = place_of(a, b);
+    if (is_pair_with(a, place, b)) remove(*place->pair);
+    return nullptr;
+}
+
+void PairList::removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy, btDispatcher*) {
+    BodyRecord& record = record_behind(*proxy);
+    while (!record.pairs.empty()) remove(*record.pairs.back().pair);
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,35 @@
+// ShapeDef cut into convex pieces.
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/physics/dynamics/mass.h"
+#include "engine/physics/shape.h"
+
+#include <btBulletCollisionCommon.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace plumbline::physics {
+
+/// One convex piece. Its own frame is Bullet's for the shape: the middle of a box, cylinder or
+/// cone, the mass frame of a hull.
+struct ShapePart {
+    std::unique_ptr<btConvexShape> shape;
+    Pose body_from_part{};
+    SolidMass mass;  ///< in the part's frame
+    Real core_m{0};  ///< radius of the largest ball round the mass centre that stays inside
+};
+
+struct ShapeParts {
+    std::vector<ShapePart> parts;
+    bool static_only{false};
+};
+
+Error refused_shape(std::string why);
+
+/// Everything but meshes. Refuses what ShapeDef's comments forbid; notes say what was changed.
+Result<ShapeParts> build_parts(const ShapeDef& def, std::vector<std::string>* notes);
+
+}  // namespace plumbline::physics

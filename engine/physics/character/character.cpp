@@ -1,0 +1,201 @@
+#include "engine/physics/character.h"
+
+#include "engine/physics/character/character_state.h"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+
+namespace {
+
+// The felt capsule ends above the feet: what a person stands on carries a weight, not a ram.
+constexpr Real kBodyAboveFeet_m = 0.1_r;
+constexpr Real kPinnedPace = 0.2_r;
+constexpr Real kCrouchTime_s = 0.18_r;
+constexpr Real kEyeStiffness_radps = 14;  // how fast stairs are smoothed away
+
+}  // namespace
+
+Character::Impl::Impl(PhysicsWorld& physics_world, const CharacterDef& definition)
+    : world(physics_world),
+      def(definition),
+      probe(physics_world, definition),
+      dt(static_cast<Real>(physics_world.def().step_s)),
+      gravity_mps2(-physics_world.def().gravity_mps2.y),
+      cos_limit(std::cos(definition.max_slope_rad)),
+      eye_height_m(definition.height_m - definition.eye_below_top_m) {
+    PL_ASSERT(is_finite(definition.feet_position_m), "feet at a finite place");
+    const std::array<Real, 2> heights{def.height_m, def.crouched_height_m};
+    for (std::size_t i = 0; i < body_shapes.size(); ++i) {
+        const Real between = heights[i] - kBodyAboveFeet_m - 2 * def.radius_m;
+        const auto shape = world.create_shape(
+            CapsuleShape{.radius_m = def.radius_m, .height_m = std::max(between, 0.01_r)});
+        PL_ASSERT(shape.ok(), "a capsule within the limits");
+        body_shapes[i] = shape.value();
+    }
+    teleport(definition.feet_position_m);
+}
+
+Character::Impl::~Impl() {
+    if (world.contains(body)) world.destroy_body(body);
+}
+
+void Character::Impl::make_body() {
+    if (world.contains(body)) world.destroy_body(body);
+    const Real middle = (kBodyAboveFeet_m + probe.height_m()) / 2;
+    body = world.create_body({.kind = BodyKind::Kinematic,
+                              .shape = body_shapes[crouched ? 1 : 0],
+                              .world_from_body = {.position = Vec3(feet) + kUp * middle},
+                              .friction = 0.5_r,
+                              .group = def.group,
+                              .collides_with = def.collides_with,
+                              .user = kCharacterMark});
+    probe.set_own_body(body);
+}
+
+void Character::Impl::find_free_place(const Vec3& wanted) {
+    feet = Vec3d(wanted);
+    const auto has_floor = [&](const Vec3& from) {
+        return probe.ray(from + kUp * 0.1_r, from - kUp * 1000.0_r).has_value();
+    };
+    if (!has_floor(wanted)) {
+        // Below everything: the ground, if there is any, is above.
+        const auto above = probe.ray(wanted + kUp * 500.0_r, wanted);
+        if (above) feet = Vec3d(above->point_world);
+    }
+    for (int i = 0; i < 200 && !probe.is_free(feet); ++i) feet.y += 0.1;
+}
+
+void Character::Impl::teleport(const Vec3& place) {
+    const Vec3 wanted = is_finite(place) ? place : Vec3(feet);
+    probe.set_crouched(crouched);
+    find_free_place(wanted);
+    velocity = {0, 0, 0};
+    footing = Footing::Air;
+    ground = {};
+    ride.reset();
+    since_ground_s = 1;
+    eye_offset_m = 0;
+    eye_offset_mps = 0;
+    landing_speed_mps = 0;
+    make_body();
+    publish();
+}
+
+Vec3 Character::Impl::wish_velocity(const CharacterInput& input) const {
+    Vec3 direction = is_finite(input.direction_world) ? level(input.direction_world) : Vec3{0};
+    const Real length = glm::length(direction);
+    if (length > 1) direction /= length;
+    direction *= input.pace;
+    if (crouched) return direction * def.crouch_speed_mps;
+    return direction * (input.run ? def.run_speed_mps : def.walk_speed_mps);
+}
+
+void Character::Impl::change_posture(bool crouch) {
+    if (crouch == crouched) return;
+    if (!crouch) {
+        const Real grow = def.height_m - def.crouched_height_m;
+        if (probe.sweep(feet, kUp * grow)) return;  // no headroom
+    }
+    crouched = crouch;
+    probe.set_crouched(crouch);
+    make_body();
+}
+
+void Character::Impl::update(const CharacterInput& input) {
+    landing_speed_mps = 0;
+    probe.set_unseen({});
+    const Vec3d start = feet;
+    follow_ride();
+    give_way();
+    change_posture(input.crouch);
+    Vec3 wish = wish_velocity(input);
+    if (pinned) wish *= kPinnedPace;  // slower than the way out
+    if (input.jump) jump();
+    if (footing == Footing::Ground) {
+        walk(wish);
+    } else {
+        since_ground_s += dt;
+        fly(wish);
+    }
+    restore_gaps();
+    begin_ride();
+    press_down();
+    carry();
+    if (!is_finite(Vec3(feet)) || !is_finite(velocity)) {
+        feet = start;
+        velocity = {0, 0, 0};
+    }
+    settle_eye();
+    move_body();
+    publish();
+}
+
+void Character::Impl::move_body() {
+    // The felt capsule climbs stairs as smoothly as the eye, so that it kicks nothing upwards.
+    const Real middle = (kBodyAboveFeet_m + probe.height_m()) / 2;
+    const Real smooth = std::clamp(eye_offset_m, -def.step_up_m, Real{0});
+    world.move_kinematic(body, {.position = Vec3(feet) + kUp * (middle + smooth)});
+}
+
+void Character::Impl::settle_eye() {
+    const Real wanted = probe.height_m() - def.eye_below_top_m;
+    const Real rate = (def.height_m - def.crouched_height_m) / kCrouchTime_s * dt;
+    eye_height_m += std::clamp(wanted - eye_height_m, -rate, rate);
+    // Critically damped, solved exactly, so that it is the same at every step length.
+    eye_offset_m = std::clamp(eye_offset_m, -def.step_up_m, def.step_up_m);
+    const Real decay = std::exp(-kEyeStiffness_radps * dt);
+    const Real slope = eye_offset_mps + kEyeStiffness_radps * eye_offset_m;
+    const Real offset = (eye_offset_m + slope * dt) * decay;
+    eye_offset_mps = (eye_offset_mps - kEyeStiffness_radps * slope * dt) * decay;
+    eye_offset_m = offset;
+}
+
+void Character::Impl::publish() {
+    const Vec3 here = Vec3(feet);
+    state.feet_position_m = here;
+    Real eye = eye_height_m + eye_offset_m;
+    if (eye_offset_m > 0.05_r) {
+        // On the way down a stair the eye may be above the head: not into the lintel.
+        const auto lintel = probe.ray(here + kUp * eye_height_m, here + kUp * (eye + 0.1_r));
+        if (lintel) eye = std::max(eye_height_m, lintel->point_world.y - here.y - 0.1_r);
+    }
+    state.eye_position_m = here + kUp * eye;
+    state.velocity_mps = velocity;
+    state.walking_mps = footing == Footing::Ground ? velocity : Vec3{0, 0, 0};
+    if (footing == Footing::Ground && ride) state.velocity_mps += ride->velocity;
+    state.footing = footing;
+    state.ground_body = footing == Footing::Ground ? ground.body : BodyId{};
+    state.ground_normal_world = footing == Footing::Ground ? ground.face_normal : kUp;
+    state.crouched = crouched;
+    state.landing_speed_mps = landing_speed_mps;
+    state.ridden_yaw_rad = ridden_yaw_rad;
+    state.squeezed = squeezed;
+}
+
+Character::Character(PhysicsWorld& world, const CharacterDef& def)
+    : impl_(std::make_unique<Impl>(world, def)) {}
+
+Character::~Character() = default;
+
+void Character::update(const CharacterInput& input) {
+    impl_->update(input);
+}
+
+const CharacterState& Character::state() const {
+    return impl_->state;
+}
+
+const CharacterDef& Character::def() const {
+    return impl_->def;
+}
+
+BodyId Character::body() const {
+    return impl_->body;
+}
+
+void Character::teleport(const Vec3& feet_position_m) {
+    impl_->teleport(feet_position_m);
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,206 @@
+// Pushing and being pushed.
+#include "engine/physics/character/character_state.h"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+
+namespace {
+
+constexpr Real kPushOut_mps = 2.5_r;         // how fast a person comes out of a wall
+constexpr Real kSlop_m = 0.0005_r;           // deeper than this is worth a correction
+constexpr Real kSteppable_kg = 25;           // lighter things are pushed, not climbed …
+constexpr Real kSteppableHeight_m = 0.12_r;  // … unless they lie as flat as this
+constexpr int kPasses = 8;
+
+}  // namespace
+
+Vec3 Character::Impl::point_velocity(BodyId other, const Vec3& point) const {
+    if (!world.contains(other) || world.kind(other) == BodyKind::Static || world.frozen(other)) {
+        return {0, 0, 0};
+    }
+    const BodyState body_state = world.state(other);
+    return body_state.velocity_mps + glm::cross(body_state.angular_velocity_radps,
+                                                point - body_state.world_from_body.position);
+}
+
+bool Character::Impl::gives_way_to_us(BodyId other) const {
+    return world.kind(other) == BodyKind::Dynamic && !world.frozen(other) &&
+           world.mass_properties(other).mass_kg < def.mass_kg;
+}
+
+bool Character::Impl::may_step_on(BodyId other, Real height_m) const {
+    if (world.kind(other) != BodyKind::Dynamic || world.frozen(other)) return true;
+    return height_m <= kSteppableHeight_m || world.mass_properties(other).mass_kg >= kSteppable_kg;
+}
+
+Real Character::Impl::push(const CapsuleContact& hit, const Vec3& wanted_velocity) {
+    if (world.kind(hit.body) != BodyKind::Dynamic || world.frozen(hit.body)) return 0;
+    const Vec3 into = normalize_or(-level(hit.normal), Vec3{0, 0, 0});
+    const Real wanted = glm::dot(wanted_velocity, into);
+    if (wanted <= 0 || std::abs(hit.normal.y) > 0.8_r) return 0;
+    const Real away = glm::dot(world.state(hit.body).velocity_mps, into);
+    const Real mass = world.mass_properties(hit.body).mass_kg;
+    const Real impulse = std::min(mass * (wanted - away), def.max_push_N * dt);
+    if (impulse > 0) {
+        // Hands push at the height of the body's middle, so that crates slide and slabs topple.
+        Vec3 low{};
+        Vec3 high{};
+        world.bounds(hit.body, low, high);
+        const Real foot = static_cast<Real>(feet.y);
+        Vec3 point = hit.point;
+        point.y = std::clamp((low.y + high.y) / 2, foot, foot + 0.8_r * probe.height_m());
+        world.wake(hit.body);
+        push(hit.body, into * impulse, point);
+    }
+    return std::clamp(away, Real{0}, wanted);
+}
+
+Real Character::Impl::move_swept(const Vec3& way, BodyId ignored) {
+    const Real length = glm::length(way);
+    if (length < 1e-7_r) return 0;
+    const auto hit = probe.sweep(feet, way, ignored);
+    const Real travel = hit ? hit->travel_m : length;
+    feet += Vec3d(way * (travel / length));
+    return travel;
+}
+
+Vec3 Character::Impl::slide_freely(const Vec3& way, BodyId ignored) {
+    const Vec3d start = feet;
+    PlaneSet planes;
+    Vec3 rest = way;
+    for (int i = 0; i < kPasses && glm::length(rest) > 1e-7_r; ++i) {
+        const auto hit = probe.sweep(feet, rest, ignored);
+        const Real share = hit ? hit->travel_m / glm::length(rest) : Real{1};
+        feet += Vec3d(rest * share);
+        if (!hit) break;
+        planes.add({hit->normal, 0});
+        rest = planes.limited(rest * (1 - share));
+    }
+    return Vec3(feet - start);
+}
+
+void Character::Impl::give_way() {
+    squeezed = false;
+    const Vec3d start = feet;
+    Real budget = kPushOut_mps * dt;
+    std::array<BodyId, kPasses> blocked{};
+    std::size_t blocked_count = 0;
+    Real worst_left = 0;
+    for (int pass = 0; pass < kPasses; ++pass) {
+        const CapsuleContact* worst = nullptr;
+        Real worst_need = kSlop_m;
+        Real worst_approach = 0;
+        // Far enough to see what arrives within this step at up to 15 m/s.
+        const auto touches = probe.touches(feet, 15 * dt);
+        for (const CapsuleContact& touch : touches) {
+            const bool underfoot =
+                footing == Footing::Ground && touch.body == ground.body && touch.normal.y > 0.3_r;
+            const auto end = blocked.begin() + static_cast<std::ptrdiff_t>(blocked_count);
+            if (underfoot || std::find(blocked.begin(), end, touch.body) != end) continue;
+            Real need = -touch.gap_m;
+            Real approach = 0;
+            if (gives_way_to_us(touch.body)) {
+                need -= kSkin_m;  // it is pushed instead, until it really overlaps
+            } else if (touch.user != kCharacterMark) {
+                const Vec3 moving = point_velocity(touch.body, touch.point);
+                approach = std::max(glm::dot(moving, touch.normal), Real{0}) * dt;
+            }
+            need += approach;
+            if (need > worst_need) {
+                worst = &touch;
+                worst_need = need;
+                worst_approach = approach;
+            }
+        }
+        if (worst == nullptr) break;
+        Vec3 out = worst->normal;
+        if (out.y < 0 && footing == Footing::Ground) {
+            // Something that comes down on the head presses into a crouch, not into the floor.
+            if (out.y < -0.5_r && !crouched) change_posture(true);
+            out = normalize_or(level(out), Vec3{0, 0, 0});
+        }
+        const Real step = std::min(worst_need, budget + worst_approach);
+        const Real done = move_swept(out * step, worst->body);
+        budget = std::max(budget - std::max(done - worst_approach, Real{0}), Real{0});
+        const bool stopped = done < 0.1_r * step;
+        if (stopped) worst_left = std::max(worst_left, worst_need);
+        if (stopped || budget <= 0) {
+            if (blocked_count < blocked.size()) blocked[blocked_count++] = worst->body;
+        }
+    }
+    if (!is_finite(Vec3(feet))) feet = start;
+    if (worst_left > 0.05_r) {
+        squeezed = true;
+        escape();
+    }
+    note_pin();
+}
+
+void Character::Impl::note_pin() {
+    // What the person still is deep in would answer every question with nonsense; the floor must
+    // go on carrying meanwhile.
+    pinned = false;
+    for (const CapsuleContact& touch : probe.touches(feet, -2 * kSkin_m)) {
+        if (gives_way_to_us(touch.body)) continue;
+        pinned = true;
+        probe.set_unseen(touch.body);
+        return;
+    }
+}
+
+void Character::Impl::restore_gaps() {
+    // Sweeps know the first thing in the way; what is passed at a flat angle may come too close.
+    std::array<LimitPlane, kPasses> walls{};
+    std::size_t count = 0;
+    Real worst = 0;
+    for (const CapsuleContact& touch : probe.touches(feet, kTouch_m)) {
+        const bool underfoot =
+            footing == Footing::Ground &&
+            (touch.normal.y >= cos_limit ||
+             (touch.body == ground.body && glm::dot(touch.normal, ground.contact_normal) > 0.98_r));
+        const bool deep = touch.gap_m < -2 * kSkin_m;  // give_way() brings it out gently
+        if (underfoot || deep || gives_way_to_us(touch.body) || count == walls.size()) continue;
+        const Vec3 out = footing == Footing::Ground
+                             ? normalize_or(level(touch.normal), Vec3{0, 0, 0})
+                             : touch.normal;
+        walls[count++] = {.normal = out, .room_m = -touch.gap_m};
+        worst = std::max(worst, -touch.gap_m);
+    }
+    if (worst < 1e-4_r) return;
+    // The least way out of all of them together; one after the other they would only take turns.
+    Vec3 out{0, 0, 0};
+    for (int pass = 0; pass < 2 * kPasses; ++pass) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const Real missing = walls[i].room_m - glm::dot(out, walls[i].normal);
+            if (missing > 0) out += walls[i].normal * missing;
+        }
+    }
+    const Real length = glm::length(out);
+    move_swept(length > 4 * kSkin_m ? out * (4 * kSkin_m / length) : out, {});
+}
+
+bool Character::Impl::escape() {
+    // Sideways first, then up: the nearest place with room that can be reached past the mover.
+    constexpr int kDirections = 16;
+    for (int ring = 1; ring <= 12; ++ring) {
+        const Real distance = 0.1_r * static_cast<Real>(ring);
+        for (int i = 0; i <= kDirections; ++i) {
+            const Real angle = 2 * kPi * static_cast<Real>(i) / kDirections;
+            const Vec3 way = i == kDirections
+                                 ? kUp * distance
+                                 : Vec3{std::cos(angle), 0, std::sin(angle)} * distance;
+            const Vec3d place = feet + Vec3d(way);
+            if (!probe.is_free(place)) continue;
+            const auto pinching = probe.touches(feet, 0);
+            const BodyId mover = pinching.empty() ? BodyId{} : pinching.front().body;
+            if (probe.sweep(feet, way, mover)) continue;
+            const Real step = std::min(distance, 4 * dt);
+            feet += Vec3d(way * (step / distance));
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,58 @@
+#include "engine/physics/collision/narrow_phase/ball_box.h"
+
+#include <cmath>
+
+namespace plumbline::physics {
+
+BallContact collide_ball_box(const Vec3& center, Real radius_m, const OrientedBox& box) {
+    const Vec3 local = glm::transpose(box.axes) * (center - box.center);
+    Vec3 nearest = glm::clamp(local, -box.half_m, box.half_m);
+    const Vec3 away = local - nearest;
+    const Real away_m = glm::length(away);
+    if (away_m > 0) {
+        return {.normal = box.axes * (away / away_m),
+                .on_box = box.center + box.axes * nearest,
+                .distance_m = away_m - radius_m};
+    }
+    const Vec3 depth = box.half_m - glm::abs(local);
+    int k = 0;
+    if (depth.y < depth[k]) k = 1;
+    if (depth.z < depth[k]) k = 2;
+    const Real side = local[k] < 0 ? -1 : 1;
+    nearest[k] = side * box.half_m[k];
+    return {.normal = box.axes[k] * side,
+            .on_box = box.center + box.axes * nearest,
+            .distance_m = -depth[k] - radius_m};
+}
+
+Real nearest_on_segment(const Vec3& from, const Vec3& to, const OrientedBox& box) {
+    constexpr Real kGolden = 0.618034_r;
+    constexpr int kCuts = 24;  // to 1e-5 of the length
+    const auto distance_m = [&](Real at) {
+        return collide_ball_box(from + (to - from) * at, 0, box).distance_m;
+    };
+    Real low = 0;
+    Real high = 1;
+    Real left = 1 - kGolden;
+    Real right = kGolden;
+    Real left_m = distance_m(left);
+    Real right_m = distance_m(right);
+    for (int i = 0; i < kCuts; ++i) {
+        if (left_m < right_m) {
+            high = right;
+            right = left;
+            right_m = left_m;
+            left = high - kGolden * (high - low);
+            left_m = distance_m(left);
+        } else {
+            low = left;
+            left = right;
+            left_m = right_m;
+            right = low + kGolden * (high - low);
+            right_m = distance_m(right);
+        }
+    }
+    return (low + high) / 2;
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,56 @@
+#include "engine/physics/collision/sweep/joint_sweep.h"
+
+#include "engine/physics/dynamics/body_motion.h"
+#include "engine/physics/world/world_state.h"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+namespace {
+
+/// Whether the joint holds its bodies so that one cannot stop without the other.
+bool holds(const JointRecord& joint) {
+    return !joint.state.broken && joint.def.kind != JointKind::Spring && joint.b != nullptr &&
+           pushable(*joint.a) && pushable(*joint.b);
+}
+
+}  // namespace
+
+void JointSweep::begin_step() {
+    first_of_step_ = groups_made_ + 1;
+    groups_.clear();
+}
+
+std::vector<BodyRecord*>& JointSweep::group_of(BodyRecord& record) {
+    if (record.sweep_group >= first_of_step_) return groups_[record.sweep_group - first_of_step_];
+    std::vector<BodyRecord*>& group = groups_.emplace_back();
+    const std::uint32_t number = ++groups_made_;
+    record.sweep_group = number;
+    group.push_back(&record);
+    for (std::size_t next = 0; next < group.size(); ++next) {
+        for (const JointId id : group[next]->joints) {
+            const JointRecord& joint = *joints_.get(id);
+            if (!holds(joint)) continue;
+            BodyRecord& other = joint.a == group[next] ? *joint.b : *joint.a;
+            if (other.sweep_group == number) continue;
+            other.sweep_group = number;
+            group.push_back(&other);
+        }
+    }
+    return group;
+}
+
+void JointSweep::stop_at_hit(const btCollisionWorld& world,
+                             BodyRecord& record,
+                             btScalar duration_s) {
+    if (record.joints.empty()) {
+        record.sweep_group = 0;
+        return physics::stop_at_hit(world, record, duration_s);
+    }
+    const std::vector<BodyRecord*>& group = group_of(record);
+    const btScalar share = way_to_hit(world, record, record.sweep_group).share;
+    if (share >= 1) return;
+    for (BodyRecord* member : group) stop_part_way(*member, share);
+}
+
+}  // namespace plumbline::physics

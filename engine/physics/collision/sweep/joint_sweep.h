@@ -1,0 +1,35 @@
+// Continuous collision of jointed bodies: they stop together.
+//
+// A body stopped by itself in mid-step would be torn from its partners, by 2.5 m within a few steps of
+// a train of boxes at 40 m/s. So all that joints hold together stops at the same moment, and members
+// of such a group do not stop each other: where they meet is for their contacts to tell.
+#pragma once
+
+#include "engine/core/slot_map.h"
+#include "engine/physics/world/joint_record.h"
+
+#include <memory>
+#include <vector>
+
+namespace plumbline::physics {
+
+class JointSweep {
+public:
+    using Joints = SlotMap<JointId, std::unique_ptr<JointRecord>>;
+
+    explicit JointSweep(const Joints& joints) : joints_(joints) {}
+
+    void begin_step();
+    /// As stop_at_hit() of body_motion.h; a body without joints stops alone.
+    void stop_at_hit(const btCollisionWorld& world, BodyRecord& record, btScalar duration_s);
+
+private:
+    std::vector<BodyRecord*>& group_of(BodyRecord& record);
+
+    const Joints& joints_;
+    std::uint32_t groups_made_{0};                  ///< ever; numbers them
+    std::uint32_t first_of_step_{1};                ///< number of this step's first
+    std::vector<std::vector<BodyRecord*>> groups_;  ///< of this step, in order of their numbers
+};
+
+}  // namespace plumbline::physics

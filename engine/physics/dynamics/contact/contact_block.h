@@ -1,0 +1,141 @@
+// The touching points of one pair of bodies that share a normal, as the solver's rows.
+//
+// Up to four points, one to a lane: what the sweeps do four times stands in arrays of four, which
+// compilers turn into vector instructions. The points' normal impulses are solved together; their
+// friction is one force and one twist at the centre of the load.
+#pragma once
+
+#include "engine/physics/dynamics/softness.h"
+#include "engine/physics/dynamics/solver_body.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace plumbline::physics {
+
+inline constexpr int kLanes = 4;
+using Lanes = std::array<Real, kLanes>;
+using LaneVec3 = std::array<Lanes, 3>;  ///< x of all lanes, y of all lanes, z of all lanes
+
+inline Vec3 lane(const LaneVec3& vectors, int i) {
+    const auto at = static_cast<std::size_t>(i);
+    return {vectors[0][at], vectors[1][at], vectors[2][at]};
+}
+inline void set_lane(LaneVec3& vectors, int i, const Vec3& value) {
+    const auto at = static_cast<std::size_t>(i);
+    for (std::size_t axis = 0; axis < 3; ++axis) vectors[axis][at] = value[static_cast<int>(axis)];
+}
+inline Real sum_of(const Lanes& values) {
+    return (values[0] + values[1]) + (values[2] + values[3]);
+}
+
+using LaneMatrix = std::array<Lanes, kLanes>;
+
+/// sum over axes of direction[axis] * lanes[axis]
+inline Lanes dot_lanes(const Vec3& direction, const LaneVec3& vectors) {
+    Lanes result;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        result[i] =
+            direction.x * vectors[0][i] + direction.y * vectors[1][i] + direction.z * vectors[2][i];
+    }
+    return result;
+}
+
+inline Vec3 weighted_sum(const LaneVec3& vectors, const Lanes& weights) {
+    Vec3 result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Lanes& values = vectors[static_cast<std::size_t>(axis)];
+        result[axis] = (values[0] * weights[0] + values[1] * weights[1]) +
+                       (values[2] * weights[2] + values[3] * weights[3]);
+    }
+    return result;
+}
+
+/// 1/(kg m2): of both bodies about an axis.
+inline Real inverse_moment_along(const SolverBody& a, const SolverBody& b, const Vec3& axis) {
+    return glm::dot(axis, a.inverse_inertia * axis) + glm::dot(axis, b.inverse_inertia * axis);
+}
+
+/// A separation no lane without a point can ever close.
+inline constexpr Real kNoPoint_m = 1e6_r;
+
+struct alignas(16) ContactBlock {
+    std::uint32_t a{kWorldBody};
+    std::uint32_t b{kWorldBody};
+    std::int32_t count{0};  ///< lanes in use
+    bool against_immovable{false};
+    bool carried{false};   ///< b turns and gives way to nothing
+    bool bounced{false};   ///< off in this sub-step: on its way out, at the speed it should have
+    Vec3 normal{0, 1, 0};  ///< from b to a
+    Vec3 start_normal{0, 1, 0};  ///< at the step's start
+    /// A rounded side (ball, capsule, side of a cylinder) is the ball that touches: `offset` is its
+    /// centre and its surface is `radius` nearer to the other body. Other sides have radius 0.
+    Real radius_a{0};
+    Real radius_b{0};
+
+    // Filled by prepare().
+    LaneVec3 angular_a{};  ///< arm x normal
+    LaneVec3 angular_b{};
+    Lanes separation_m{};
+    Lanes compliance{};       ///< of soft rows, 1/kg
+    LaneMatrix soft_mass{};   ///< all points overlapping, with bias
+    LaneMatrix rigid_mass{};  ///< all points pressing, without
+
+    // Geometry at the step's start, world axes.
+    LaneVec3 offset_a{};  ///< centre of mass to the point or the centre of the ball
+    LaneVec3 offset_b{};
+    Lanes start_separation_m{kNoPoint_m, kNoPoint_m, kNoPoint_m, kNoPoint_m};
+
+    Lanes normal_Ns{};  ///< of the present sub-step
+    Lanes total_Ns{};   ///< summed over the step
+
+    // Friction: at the centre of the load, limited together by an ellipsoid.
+    Vec3 tangent[2]{};
+    Vec3 center_a{0, 0, 0};  ///< arms of the centre
+    Vec3 center_b{0, 0, 0};
+    Real tangent_mass[2]{0, 0};
+    Real twist_mass{0};
+    Real twist_arm_m{0};  ///< mean distance of the load from its centre
+    Real tangent_Ns[2]{0, 0};
+    Real twist_Nms{0};
+    Vec3 rolling_Nms{0, 0, 0};
+    Real friction{0};
+    Real restitution{0};
+    Real rolling_m{0};   ///< torque against rolling per newton pressed
+    Real spinning_m{0};  ///< ... against spinning about the normal
+
+    LaneMatrix response{};  ///< A: change of closing speed per impulse, 1/kg
+
+    /// Whether friction or rolling resistance still holds an impulse.
+    bool rubs() const {
+        return tangent_Ns[0] != 0 || tangent_Ns[1] != 0 || twist_Nms != 0 ||
+               rolling_Nms != Vec3{0, 0, 0};
+    }
+    bool balls() const { return radius_a > 0 && radius_b > 0 && count == 1; }
+    bool rounded() const { return radius_a > 0 || radius_b > 0; }
+    /// Nothing but whole balls against what is flat or a ball: turning does not move the surface.
+    bool whole_balls() const {
+        const auto whole = [](Real radius, const LaneVec3& offset) {
+            const Vec3 center = lane(offset, 0);
+            return radius == 0 || glm::dot(center, center) < radius * radius * 1e-4_r;
+        };
+        return rounded() && count == 1 && whole(radius_a, offset_a) && whole(radius_b, offset_b);
+    }
+    /// How far the place of contact moved over the side that is not round, by how a moved against b
+    /// since the start. The masses are those of the start: a ball shot past by more than twice its
+    /// size is not weighed there.
+    Vec3 shift_of(const Vec3& moved) const {
+        const Real most = 2 * (radius_a + radius_b);
+        const Real length2 = glm::dot(moved, moved);
+        return length2 > most * most ? moved * (most / std::sqrt(length2)) : moved;
+    }
+    Vec3 arm_a(int i) const { return lane(offset_a, i) - normal * radius_a; }
+    Vec3 arm_b(int i) const { return lane(offset_b, i) + normal * radius_b; }
+};
+
+/// Arms, masses and the centre of friction from the block's geometry and impulses. `a` and `b` are
+/// its bodies, `soft` how overlap gives way.
+void prepare(ContactBlock& block, const SolverBody& a, const SolverBody& b, const Softness& soft);
+
+}  // namespace plumbline::physics

@@ -1,0 +1,121 @@
+#include "engine/physics/dynamics/energy_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+/// What a step of contacts may err by, and one of joints, whose energy swings and comes back.
+constexpr double kContactShare = 1e-3;
+constexpr double kJointShare = 0.05;
+/// Speeds that resting contacts show anyway, m/s, beside one sub-step's fall.
+constexpr double kRestless_mps = 2e-3;
+
+bool moves_by_itself(const SolverBody& body) {
+    return !body.movable() && (glm::dot(body.velocity_mps, body.velocity_mps) > 0 ||
+                               glm::dot(body.spin_radps, body.spin_radps) > 0);
+}
+
+double mass_kg(const SolverBody& body) {
+    return 1 / static_cast<double>(body.inverse_mass);
+}
+
+Vec3d center_velocity_mps(std::span<const SolverBody> bodies) {
+    Vec3d momentum{0, 0, 0};
+    double mass = 0;
+    for (const SolverBody& body : bodies) {
+        if (!body.movable()) continue;
+        mass += mass_kg(body);
+        momentum += mass_kg(body) * Vec3d(body.velocity_mps);
+    }
+    return mass > 0 ? momentum / mass : momentum;
+}
+
+double kinetic_J(std::span<const SolverBody> bodies, const Vec3d& center_mps) {
+    double sum = 0;
+    for (const SolverBody& body : bodies) {
+        if (!body.movable()) continue;
+        const Vec3d v = Vec3d(body.velocity_mps) - center_mps;
+        const Vec3d spin =
+            glm::conjugate(Quatd(body.turned) * body.start_orientation) * Vec3d(body.spin_radps);
+        sum += 0.5 * (mass_kg(body) * glm::dot(v, v) + glm::dot(body.inertia_kgm2 * spin, spin));
+    }
+    return sum;
+}
+
+/// Of gravity and the callers' forces on the way made, relative to the centre's.
+double work_J(std::span<const SolverBody> bodies, double step_s) {
+    double sum = 0;
+    for (const SolverBody& body : bodies) {
+        if (!body.movable()) continue;
+        sum += mass_kg(body) * glm::dot(Vec3d(body.acceleration_mps2), Vec3d(body.moved_m));
+        if (body.angular_acceleration_radps2 == Vec3{0, 0, 0}) continue;
+        // At most: the torque all along the fastest turn.
+        const double most =
+            std::max({body.inertia_kgm2.x, body.inertia_kgm2.y, body.inertia_kgm2.z});
+        sum += most *
+               static_cast<double>(glm::length(body.angular_acceleration_radps2) *
+                                   glm::length(body.spin_radps)) *
+               step_s;
+    }
+    return sum;
+}
+
+}  // namespace
+
+void EnergyGuard::begin(std::span<const SolverBody> bodies,
+                        std::span<const ContactBlock> contacts,
+                        std::span<const SolverJoint> joints,
+                        Real h) {
+    watches_ = false;
+    grounded_ = false;
+    if (contacts.empty() && joints.empty()) return;
+    for (const ContactBlock& block : contacts) {
+        if (moves_by_itself(bodies[block.b])) return;
+        grounded_ = grounded_ || !bodies[block.b].movable();
+    }
+    for (const SolverJoint& joint : joints) {
+        if (joint.motor || joint.kind == JointKind::Spring) return;
+        if (moves_by_itself(bodies[joint.a]) || moves_by_itself(bodies[joint.b])) return;
+        grounded_ = grounded_ || !bodies[joint.a].movable() || !bodies[joint.b].movable();
+    }
+    watches_ = true;
+    joined_ = !joints.empty();
+    share_ = joints.empty() ? kContactShare : kJointShare;
+    start_J_ = kinetic_J(bodies, grounded_ ? Vec3d{0, 0, 0} : center_velocity_mps(bodies));
+    slack_J_ = 0;
+    for (const SolverBody& body : bodies) {
+        if (!body.movable()) continue;
+        const double speed =
+            kRestless_mps + static_cast<double>(glm::length(body.acceleration_mps2) * h);
+        slack_J_ += 0.5 * mass_kg(body) * speed * speed;
+    }
+}
+
+bool EnergyGuard::end(std::span<SolverBody> bodies, double step_s) const {
+    if (!watches_) return false;
+    const Vec3d center_mps = grounded_ ? Vec3d{0, 0, 0} : center_velocity_mps(bodies);
+    const double now_J = kinetic_J(bodies, center_mps);
+    const double work = grounded_ ? work_J(bodies, step_s) : std::abs(work_J(bodies, step_s));
+    const double allowed_J = start_J_ * (1 + share_) + std::max(work, 0.0) + slack_J_;
+    // Not finite: whoever looks at single bodies takes them out.
+    if (!(now_J > allowed_J) || !std::isfinite(now_J)) return false;
+    const auto kept = static_cast<Real>(std::sqrt(allowed_J / now_J));
+    for (SolverBody& body : bodies) {
+        if (!body.movable()) continue;
+        const Vec3 center(center_mps);
+        body.velocity_mps = center + (body.velocity_mps - center) * kept;
+        body.spin_radps *= kept;
+        if (joined_) continue;  // joints bring back what was torn away, however far
+        // Nor has it come farther than at the speeds that it may have had.
+        const double most_mps = static_cast<double>(body.start_speed_mps) +
+                                std::sqrt(2 * allowed_J / mass_kg(body)) + glm::length(center_mps);
+        const auto most_m = static_cast<Real>(most_mps * step_s);
+        const Real way_m = glm::length(body.moved_m);
+        if (way_m > most_m) body.moved_m *= most_m / way_m;
+    }
+    return true;
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,36 @@
+// No contact gives more motion than gravity, forces and what was there can have given.
+#pragma once
+
+#include "engine/physics/dynamics/contact/contact_block.h"
+#include "engine/physics/dynamics/joint/joint_system.h"
+
+#include <span>
+
+namespace plumbline::physics {
+
+/// Contacts are found once a step. A body that turns far within it (a whirling rod, a coin on its
+/// edge) carries its points along to where it touches nothing, and what acts there may do work from
+/// nothing. Islands that no machine drives are held to their budget: kinetic energy at the start,
+/// plus the work of gravity and the callers' forces, plus a share for honest errors of the step;
+/// what is above is taken out of all their motion about the common centre, or about the ground
+/// where they touch what never moves.
+class EnergyGuard {
+public:
+    /// Before the step's first sub-step. `h`: the sub-step, s.
+    void begin(std::span<const SolverBody> bodies,
+               std::span<const ContactBlock> contacts,
+               std::span<const SolverJoint> joints,
+               Real h);
+    /// After the last: whether there was too much, and it was taken out.
+    bool end(std::span<SolverBody> bodies, double step_s) const;
+
+private:
+    bool watches_{false};
+    bool grounded_{false};
+    bool joined_{false};
+    double start_J_{0};
+    double share_{0};  ///< of the start's energy that a step may err by
+    double slack_J_{0};
+};
+
+}  // namespace plumbline::physics

@@ -1,0 +1,62 @@
+// Bouncing, before the forces of a sub-step act. Knows nothing of Bullet.
+//
+// Pairs about to touch with more than the threshold speed get the speed that restitution asks for,
+// all points of a pair at once and with friction on the blow; pair after pair until none approaches
+// (the order is Guendelman, Bridson and Fedkiw's, Nonconvex Rigid Bodies with Stacking, 2003). A
+// blow is met a little above or below the surface; the speeds are those that would have been had at
+// the surface, so a bounce with restitution 1 keeps the energy to rounding at any step.
+#pragma once
+
+#include "engine/physics/dynamics/contact/contact_set.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace plumbline::physics {
+
+class ImpactPass {
+public:
+    /// Finds the pairs that may bounce. `threshold_mps`: slower blows do not bounce.
+    void begin_step(ContactSet& contacts, std::span<SolverBody> bodies, Real threshold_mps);
+    bool needed() const { return !pairs_.empty(); }
+    /// Returns the number of blows solved.
+    std::uint32_t run();
+
+private:
+    struct Pair {
+        std::uint32_t first_block{0};
+        std::uint32_t block_count{0};
+    };
+    /// A point of the pair at hand.
+    struct Blow {
+        std::uint32_t block{0};
+        int lane{0};
+        Vec3 arm_a{0, 0, 0};
+        Vec3 arm_b{0, 0, 0};
+        Real normal_mass{0};
+        Real tangent_mass[2]{0, 0};
+        Real target_mps{0};  ///< along the normal, after
+        Real shift_m{0};     ///< along the normal: where a bounce at the surface would have begun
+        Real normal_Ns{0};
+        Real tangent_Ns[2]{0, 0};
+    };
+
+    void turn_to_meeting(ContactBlock& block) const;
+    bool gather(const Pair& pair);
+    void aim(const ContactBlock& block,
+             Real separation_m,
+             Real speed_mps,
+             Real opening_mps2,
+             Blow& blow) const;
+    void weigh_blows();
+    void solve_blows();
+    void solve_friction(Blow& blow);
+
+    ContactSet* contacts_{nullptr};
+    std::span<SolverBody> bodies_;
+    Real threshold_mps_{0};
+    std::vector<Pair> pairs_;
+    std::vector<Blow> blows_;
+};
+
+}  // namespace plumbline::physics

@@ -1,0 +1,136 @@
+#include "engine/physics/dynamics/island_loop.h"
+
+#include "engine/physics/dynamics/rotation.h"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+namespace {
+
+/// Slower turns than this gain nothing that shows from the gyroscopic torque.
+constexpr Real kGyroSpin_radps = 1e-2_r;
+/// Without gravity slower blows do not bounce.
+constexpr Real kSlowestBounce_mps = 1e-3_r;
+
+}  // namespace
+
+void IslandLoop::clear() {
+    bodies.assign(1, SolverBody{});
+    contacts.blocks.clear();
+    joints.clear();
+    held.clear();
+}
+
+LoopReport IslandLoop::run(const LoopSettings& settings) {
+    settings_ = settings;
+    report_ = {};
+    const double h = settings.step_s / settings.substeps;
+    h_ = static_cast<Real>(h);
+    const Real bounce_mps = 2 * settings.gravity_mps2 * h_ + kSlowestBounce_mps;
+    contacts.begin_step(bodies, h_, settings.push_mps, bounce_mps);
+    impacts_.begin_step(contacts, bodies, bounce_mps);
+    if (!joints.empty()) joint_system_.start(bodies, joints, h, settings.joint_method);
+    for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
+    guard_.begin(bodies, contacts.blocks, joints, h_);
+    for (int i = 0; i < settings.substeps; ++i) substep();
+    for (SolverBody& body : bodies) calm(body);
+    report_.braked = guard_.end(bodies, settings.step_s);
+    if (!joints.empty()) {
+        joint_system_.finish();
+        report_.max_joint_error_m = joint_system_.work().max_error_m;
+        report_.row_solves += joint_system_.work().row_solves;
+    }
+    report_.row_solves += contacts.row_solves;
+    return report_;
+}
+
+/// Many bodies in one place push each other in rows, and what each pair may give adds up: none
+/// leaves faster than one pair may push, or than it came.
+void IslandLoop::calm(SolverBody& body) const {
+    if (!body.shoved || !body.movable()) return;
+    const Real most = std::max(settings_.push_mps, body.start_speed_mps);
+    const Real speed = glm::length(body.velocity_mps);
+    if (speed > most) body.velocity_mps *= most / speed;
+}
+
+void IslandLoop::substep() {
+    if (impacts_.needed()) report_.blows += impacts_.run();
+    apply_steady_forces();
+    if (!joints.empty()) joint_system_.push_springs(static_cast<double>(h_) / 2);
+    solve_velocities();
+    move();
+    if (!joints.empty()) {
+        joint_system_.correct_positions();
+        joint_system_.push_springs(static_cast<double>(h_) / 2);
+        joint_system_.refresh();
+    }
+    relax();
+    contacts.end_substep();
+}
+
+/// What pushed a body off its axes is taken back: the sweeps see its whole mass along all of them
+/// and reach the others' share of a push in the sweeps that follow.
+void IslandLoop::hold() {
+    for (const HeldBody& each : held) {
+        bodies[each.body].velocity_mps *= each.linear_factor;
+        bodies[each.body].moved_m *= each.linear_factor;
+    }
+}
+
+void IslandLoop::apply_steady_forces() {
+    for (SolverBody& body : bodies) {
+        body.steady_mps = body.acceleration_mps2 * h_;
+        body.steady_radps = body.angular_acceleration_radps2 * h_;
+    }
+    contacts.warm_start();
+    for (SolverBody& body : bodies) {
+        if (!body.movable()) continue;
+        body.velocity_mps = body.velocity_mps * body.linear_keep + body.steady_mps;
+        body.spin_radps = body.spin_radps * body.angular_keep + body.steady_radps;
+    }
+}
+
+void IslandLoop::solve_velocities() {
+    if (contacts.blocks.empty() && !joint_system_.solves_before_motion()) return;
+    for (int i = 0; i < settings_.iterations; ++i) {
+        contacts.solve_with_bias();
+        if (!joints.empty()) joint_system_.solve_velocities();
+        hold();
+    }
+}
+
+void IslandLoop::relax() {
+    for (int i = 0; i < settings_.iterations; ++i) {
+        contacts.relax();
+        if (!joints.empty()) joint_system_.solve_velocities();
+        hold();
+    }
+}
+
+/// Forces that act all through the sub-step move a body by half of what their speed would: flight
+/// is exact, sliding and rolling are second order.
+void IslandLoop::move() {
+    const Real half = h_ / 2;
+    for (SolverBody& body : bodies) {
+        body.moved_m += body.velocity_mps * h_ - body.steady_mps * half;
+        turn(body);
+    }
+    hold();
+}
+
+void IslandLoop::turn(SolverBody& body) const {
+    const bool gyroscopic =
+        settings_.gyroscopic_torque && body.movable() && !body.round_inertia &&
+        glm::dot(body.spin_radps, body.spin_radps) > kGyroSpin_radps * kGyroSpin_radps;
+    if (!gyroscopic) {
+        const Vec3 mean = body.spin_radps - body.steady_radps * Real{0.5};
+        body.turned = glm::normalize(turn_by(mean, h_) * body.turned);
+        return;
+    }
+    const FreeTurn start{Quatd(body.turned) * body.start_orientation, Vec3d(body.spin_radps)};
+    const FreeTurn end = turned_freely(start, body.inertia_kgm2, static_cast<double>(h_));
+    body.turned = Quat(end.orientation * glm::conjugate(body.start_orientation));
+    body.spin_radps = Vec3(end.spin_radps);
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,71 @@
+// The sub-steps of one island. Knows nothing of Bullet.
+//
+// Every sub-step: bounce; forces and the impulses of the sub-step before; sweep with bias; move;
+// put joints right; relax. docs/PHYSICS.md says why in this order.
+#pragma once
+
+#include "engine/physics/dynamics/contact/contact_set.h"
+#include "engine/physics/dynamics/energy_guard.h"
+#include "engine/physics/dynamics/impact/impact_pass.h"
+#include "engine/physics/dynamics/joint/joint_system.h"
+
+#include <vector>
+
+namespace plumbline::physics {
+
+struct LoopSettings {
+    double step_s{1.0 / 60.0};
+    int substeps{4};
+    int iterations{1};     ///< sweeps of each kind per sub-step
+    Real gravity_mps2{0};  ///< its magnitude: what is slower than a fall of two sub-steps rests
+    Real push_mps{3};      ///< the fastest that overlap pushes bodies apart
+    bool gyroscopic_torque{true};
+    JointMethod joint_method{JointMethod::Direct};
+};
+
+/// What the step showed of how hard the island is.
+struct LoopReport {
+    std::uint64_t row_solves{0};
+    std::uint32_t blows{0};
+    double max_joint_error_m{0};
+    bool braked{false};  ///< there was more energy than can have been
+};
+
+/// A body that moves along some of the world's axes only.
+struct HeldBody {
+    std::uint32_t body{0};        ///< index in IslandLoop::bodies
+    Vec3 linear_factor{1, 1, 1};  ///< 0 along the others
+};
+
+class IslandLoop {
+public:
+    std::vector<SolverBody> bodies;  ///< the first is the world
+    std::vector<HeldBody> held;
+    ContactSet contacts;
+    std::vector<SolverJoint> joints;
+
+    /// Empties the island; keeps the memory.
+    void clear();
+    /// Moves bodies for one step. Velocities, `moved_m`, `turned`, impulses and joints are left as
+    /// the step ends.
+    LoopReport run(const LoopSettings& settings);
+
+private:
+    void calm(SolverBody& body) const;
+    void substep();
+    void apply_steady_forces();
+    void move();
+    void turn(SolverBody& body) const;
+    void solve_velocities();
+    void relax();
+    void hold();
+
+    LoopSettings settings_{};
+    Real h_{0};
+    EnergyGuard guard_;
+    ImpactPass impacts_;
+    JointSystem joint_system_;
+    LoopReport report_{};
+};
+
+}  // namespace plumbline::physics

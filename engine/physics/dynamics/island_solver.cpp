@@ -1,0 +1,276 @@
+// From Bullet's manifolds and our records to the small-step loop, and back.
+#include "engine/physics/bullet/convert.h"
+#include "engine/physics/dynamics/contact/contact_bridge.h"
+#include "engine/physics/dynamics/island.h"
+#include "engine/physics/dynamics/island_loop.h"
+#include "engine/physics/dynamics/substep_choice.h"
+#include "engine/physics/world/world_state.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+constexpr Real kContactPush_mps = 3;
+constexpr int kHoldSteps = 30;  ///< after the last step that asked for as many sub-steps
+constexpr double kFarFewer = 0.75;
+constexpr int kMostSubsteps = 64;
+
+Quatd double_orientation(const btMatrix3x3& basis) {
+    btQuaternion q;
+    basis.getRotation(q);
+    return glm::normalize(Quatd{static_cast<double>(q.w()),
+                                static_cast<double>(q.x()),
+                                static_cast<double>(q.y()),
+                                static_cast<double>(q.z())});
+}
+
+SymmetricMat3 symmetric(const btMatrix3x3& m) {
+    return {
+        .xx = m[0][0], .xy = m[0][1], .xz = m[0][2], .yy = m[1][1], .yz = m[1][2], .zz = m[2][2]};
+}
+
+SolverBody immovable_body(const BodyRecord& record) {
+    SolverBody body;
+    body.velocity_mps = from_bullet(record.rigid->getLinearVelocity());
+    body.spin_radps = from_bullet(record.rigid->getAngularVelocity());
+    body.start_position_m = double_from_bullet(record.rigid->getWorldTransform().getOrigin());
+    body.start_orientation = double_orientation(record.rigid->getWorldTransform().getBasis());
+    return body;
+}
+
+SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double h) {
+    const btRigidBody& rigid = *record.rigid;
+    SolverBody body = immovable_body(record);
+    body.inverse_mass = rigid.getInvMass();
+    body.inverse_inertia = symmetric(rigid.getInvInertiaTensorWorld());
+    body.inertia_kgm2 = record.inertia_kgm2;
+    body.round_inertia = record.round_inertia;
+    body.acceleration_mps2 = Vec3(step.gravity_mps2) * record.linear_factor;
+    if (record.forced) {
+        body.acceleration_mps2 +=
+            from_bullet((rigid.getTotalForce() - record.weight_N) * rigid.getInvMass());
+        body.angular_acceleration_radps2 =
+            from_bullet(rigid.getInvInertiaTensorWorld() * rigid.getTotalTorque());
+    }
+    if (record.linear_damping_per_s > 0)
+        body.linear_keep = static_cast<Real>(std::exp(-record.linear_damping_per_s * h));
+    if (record.angular_damping_per_s > 0)
+        body.angular_keep = static_cast<Real>(std::exp(-record.angular_damping_per_s * h));
+    if (record.flight.going) {
+        body.start_position_m = record.flight.position_m;
+        body.start_orientation = record.flight.orientation;
+    }
+    return body;
+}
+
+}  // namespace
+
+struct IslandSolver::Impl {
+    IslandLoop loop;
+    ContactBridge bridge;
+    SubstepChooser chooser;
+    std::vector<BodyRecord*> records;  ///< of loop.bodies; null: the world
+
+    SubstepChoice choose(const Island& island, const IslandStep& step);
+    void hold(const Island& island, const IslandStep& step, SubstepChoice& choice) const;
+    void gather(Island& island, const IslandStep& step, double h);
+
+    std::uint32_t index_of(const btCollisionObject& object);
+    std::uint32_t posed_index_of(const btCollisionObject& object);
+    void add_body(BodyRecord& record, const SolverBody& body);
+    void add_joint(const JointRecord& joint);
+    void write_bodies();
+    void write_joints(Island& island, double step_s);
+};
+
+IslandSolver::IslandSolver() : impl_(std::make_unique<Impl>()) {}
+IslandSolver::~IslandSolver() = default;
+
+void IslandSolver::Impl::add_body(BodyRecord& record, const SolverBody& body) {
+    record.rigid->setCompanionId(static_cast<int>(loop.bodies.size()));
+    records.push_back(&record);
+    loop.bodies.push_back(body);
+}
+
+/// Kinematic bodies that move join the island when something of it touches them.
+std::uint32_t IslandSolver::Impl::index_of(const btCollisionObject& object) {
+    if (object.getCompanionId() >= 0) return static_cast<std::uint32_t>(object.getCompanionId());
+    const btRigidBody& rigid = *record_of(object).rigid;
+    if (record_of(object).kind != BodyKind::Kinematic ||
+        (rigid.getLinearVelocity().isZero() && rigid.getAngularVelocity().isZero())) {
+        return kWorldBody;
+    }
+    return posed_index_of(object);
+}
+
+/// A joint's anchor is in its body's frame: bodies that stand still have a place of their own too.
+std::uint32_t IslandSolver::Impl::posed_index_of(const btCollisionObject& object) {
+    BodyRecord& record = record_of(object);
+    if (object.getCompanionId() < 0) add_body(record, immovable_body(record));
+    return static_cast<std::uint32_t>(object.getCompanionId());
+}
+
+void IslandSolver::Impl::add_joint(const JointRecord& joint) {
+    SolverJoint entry = joint.solver;
+    entry.a = posed_index_of(*joint.a->rigid);
+    entry.b = joint.b != nullptr ? posed_index_of(*joint.b->rigid) : kWorldBody;
+    loop.joints.push_back(entry);
+}
+
+void IslandSolver::Impl::write_bodies() {
+    for (std::size_t i = 1; i < loop.bodies.size(); ++i) {
+        BodyRecord& record = *records[i];
+        const SolverBody& body = loop.bodies[i];
+        btRigidBody& rigid = *record.rigid;
+        rigid.setCompanionId(-1);
+        if (!body.movable()) continue;
+        Flight& flight = record.flight;
+        flight.position_m = body.start_position_m + Vec3d(body.moved_m);
+        flight.orientation = glm::normalize(Quatd(body.turned) * body.start_orientation);
+        flight.velocity_mps = Vec3d(body.velocity_mps);
+        flight.spin_radps = Vec3d(body.spin_radps);
+        flight.going = true;
+        rigid.setLinearVelocity(to_bullet(body.velocity_mps));
+        rigid.setAngularVelocity(to_bullet(body.spin_radps));
+        rigid.setCenterOfMassTransform(
+            to_bullet(Pose{Vec3(flight.position_m), Quat(flight.orientation)}));
+    }
+}
+
+void IslandSolver::Impl::write_joints(Island& island, double step_s) {
+    for (std::size_t i = 0; i < island.joints.size(); ++i) {
+        JointRecord& joint = *island.joints[i];
+        joint.solver = loop.joints[i];
+        joint.state.error_m = joint.solver.error_m;
+        joint.state.force_N =
+            static_cast<Real>(glm::length(joint.solver.total_impulse_Ns) / step_s);
+        joint.state.torque_Nm =
+            static_cast<Real>(glm::length(joint.solver.total_angular_impulse_Nms) / step_s);
+        joint.state.position = static_cast<Real>(joint.solver.position);
+    }
+}
+
+void IslandSolver::begin_step() {
+    impl_->bridge.begin_step();
+}
+
+/// What the contacts carried lately; a new one is taken to carry the heavier body.
+SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep& step) {
+    chooser.begin(island.bodies.size(), step.step_s);
+    if (step.substeps_most <= step.substeps_least)
+        return chooser.choose(step.substeps_least, step.substeps_most);
+    for (std::size_t i = 0; i < island.bodies.size(); ++i)
+        island.bodies[i]->rigid->setCompanionId(static_cast<int>(i));
+    const auto gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2));
+    for (const btPersistentManifold* manifold : island.manifolds) {
+        const btCollisionObject& a = *manifold->getBody0();
+        const btCollisionObject& b = *manifold->getBody1();
+        Real load_N = bridge.lasting_load_N(*manifold);
+        Real size_m = 1e6_r;
+        Real inverse_mass = 0;
+        Real heaviest_kg = 0;
+        for (const btCollisionObject* object : {&a, &b}) {
+            const BodyRecord& record = record_of(*object);
+            if (object->getCompanionId() < 0) continue;
+            inverse_mass += record.rigid->getInvMass();
+            heaviest_kg = std::max(heaviest_kg, 1 / record.rigid->getInvMass());
+            if (record.smallest_core_m > 0) size_m = std::min(size_m, 2 * record.smallest_core_m);
+        }
+        if (load_N == 0) load_N = heaviest_kg * gravity_mps2;
+        chooser.add_contact(
+            a.getCompanionId(), b.getCompanionId(), load_N, 1 / inverse_mass, size_m);
+    }
+    for (const JointRecord* joint : island.joints) {
+        Real spin_radps = joint->a->rigid->getAngularVelocity().length();
+        Real size_m = std::max(2 * joint->a->smallest_core_m, 1e-3_r);
+        if (joint->b != nullptr) {
+            spin_radps = std::max(spin_radps, joint->b->rigid->getAngularVelocity().length());
+            size_m = std::max(size_m, 2 * joint->b->smallest_core_m);
+        }
+        chooser.add_joint(spin_radps, static_cast<Real>(joint->state.error_m) / size_m);
+    }
+    SubstepChoice choice = chooser.choose(step.substeps_least, step.substeps_most);
+    hold(island, step, choice);
+    return choice;
+}
+
+/// Fewer sub-steps only after a while of asking for far fewer: contacts give way a little when the
+/// number changes, and that must not make them ask for more again.
+void IslandSolver::Impl::hold(const Island& island,
+                              const IslandStep& step,
+                              SubstepChoice& choice) const {
+    // What most of the bodies had: a few that join from a harder island do not decide.
+    std::array<int, kMostSubsteps + 1> bodies_with{};
+    for (const BodyRecord* record : island.bodies)
+        ++bodies_with[static_cast<std::size_t>(std::min(record->substeps, kMostSubsteps))];
+    int had = kMostSubsteps;
+    for (auto more = static_cast<std::size_t>(bodies_with.back());
+         had > 0 && 2 * more < island.bodies.size();) {
+        --had;
+        more += static_cast<std::size_t>(bodies_with[static_cast<std::size_t>(had)]);
+    }
+    int for_steps = kHoldSteps;
+    for (const BodyRecord* record : island.bodies) {
+        if (record->substeps == had) for_steps = std::min(for_steps, record->substeps_held);
+    }
+    had = std::min(had, step.substeps_most);
+    const bool far_fewer = kFarFewer * static_cast<double>(had) >= choice.substeps;
+    const bool held = choice.substeps < had && (!far_fewer || for_steps < kHoldSteps);
+    if (held) choice = {had, SubstepReason::Held};
+    for (BodyRecord* record : island.bodies) {
+        record->substeps = choice.substeps;
+        record->substeps_held = held ? for_steps + 1 : 0;
+    }
+}
+
+void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h) {
+    loop.clear();
+    records.assign(1, nullptr);
+    bridge.begin_island();
+    for (BodyRecord* record : island.bodies) {
+        if (record->held_along_axes()) {
+            loop.held.push_back({.body = static_cast<std::uint32_t>(loop.bodies.size()),
+                                 .linear_factor = record->linear_factor});
+        }
+        add_body(*record, dynamic_body(*record, step, h));
+    }
+    for (btPersistentManifold* manifold : island.manifolds) {
+        bridge.add(*manifold,
+                   index_of(*manifold->getBody0()),
+                   index_of(*manifold->getBody1()),
+                   static_cast<Real>(h),
+                   loop.contacts);
+    }
+    for (const JointRecord* joint : island.joints) add_joint(*joint);
+}
+
+IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
+    Impl& impl = *impl_;
+    const SubstepChoice choice = impl.choose(island, step);
+    const double h = step.step_s / choice.substeps;
+    impl.gather(island, step, h);
+    const LoopReport report =
+        impl.loop.run({.step_s = step.step_s,
+                       .substeps = choice.substeps,
+                       .iterations = step.iterations,
+                       .gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2)),
+                       .push_mps = kContactPush_mps,
+                       .gyroscopic_torque = step.features.gyroscopic_torque,
+                       .joint_method = step.joints});
+    impl.write_bodies();
+    impl.bridge.write_back(impl.loop.contacts, static_cast<Real>(h));
+    impl.write_joints(island, step.step_s);
+    step.cost->row_solves += report.row_solves;
+    step.cost->contacts += impl.bridge.point_count();
+    return {.user = island.bodies.empty() ? 0 : island.bodies.front()->user,
+            .bodies = static_cast<std::uint32_t>(island.bodies.size()),
+            .contacts = impl.bridge.point_count(),
+            .joints = static_cast<std::uint32_t>(island.joints.size()),
+            .substeps = choice.substeps,
+            .reason = reason_name(choice.reason)};
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,147 @@
+#include "engine/physics/dynamics/islands.h"
+
+#include "engine/physics/world/world_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plumbline::physics {
+namespace {
+
+constexpr std::uint32_t kNoIsland = std::numeric_limits<std::uint32_t>::max();
+
+const BodyRecord& first_of(const btPersistentManifold& manifold) {
+    return record_of(*manifold.getBody0());
+}
+const BodyRecord& second_of(const btPersistentManifold& manifold) {
+    return record_of(*manifold.getBody1());
+}
+
+bool is_member(const BodyRecord* record) {
+    return record != nullptr && pushable(*record);
+}
+
+/// What bounds an island and moves by itself.
+bool is_carrier(const BodyRecord& record) {
+    return record.kind == BodyKind::Kinematic && record.awake;
+}
+
+/// Nothing that callers may do makes bodies faster than this; comparisons with NaN are false.
+bool is_sane(const btRigidBody& rigid) {
+    constexpr btScalar kSpeed = 4 * kMaxSpeed_mps;
+    constexpr btScalar kSpin = 4 * kMaxSpin_radps;
+    return rigid.getLinearVelocity().length2() <= kSpeed * kSpeed &&
+           rigid.getAngularVelocity().length2() <= kSpin * kSpin &&
+           std::isfinite(rigid.getWorldTransform().getOrigin().length2() +
+                         rigid.getWorldTransform().getBasis()[0].length2());
+}
+
+btScalar speed_before(const BodyRecord& record) {
+    return record.velocity_before.length() + record.spin_before.length() * record.radius_m;
+}
+
+void stand_as_before(BodyRecord& record) {
+    record.flight.going = false;
+    record.rigid->setCenterOfMassTransform(record.before);
+    record.rigid->setLinearVelocity(record.velocity_before);
+    record.rigid->setAngularVelocity(record.spin_before);
+}
+
+void forget_impulses(btPersistentManifold& manifold) {
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        btManifoldPoint& point = manifold.getContactPoint(i);
+        point.m_appliedImpulse = 0;
+        point.m_appliedImpulseLateral1 = 0;
+        point.m_appliedImpulseLateral2 = 0;
+        point.m_prevRHS = 0;
+        set_frame_impulse(point, 0);
+    }
+    manifold.m_companionIdA = kUnknownToSolver;
+}
+
+}  // namespace
+
+bool take_back_if_insane(const Island& island) {
+    const bool sound = std::all_of(island.bodies.begin(), island.bodies.end(), [](auto* record) {
+        return is_sane(*record->rigid);
+    });
+    if (sound) return false;
+    BodyRecord* fastest = island.bodies.front();
+    for (BodyRecord* record : island.bodies) {
+        stand_as_before(*record);
+        if (speed_before(*record) > speed_before(*fastest)) fastest = record;
+    }
+    for (btPersistentManifold* manifold : island.manifolds) forget_impulses(*manifold);
+    for (JointRecord* joint : island.joints) {
+        SolverJoint& solver = joint->solver;
+        solver.bounded_impulse = {};
+        solver.impulse = {};
+        solver.error_m = 0;
+        solver.position = 0;
+        joint->state = {};
+    }
+    constexpr btScalar kNone = std::numeric_limits<btScalar>::quiet_NaN();
+    fastest->rigid->setLinearVelocity({kNone, kNone, kNone});
+    return true;
+}
+
+Island& IslandBuilder::island_of(std::uint32_t body) {
+    return islands_[number_[sets_.find(body)]];
+}
+
+/// What holds an island from outside. `partner` is a dynamic member of it or none of its own.
+void IslandBuilder::note_partner(std::uint32_t body, const BodyRecord* partner) {
+    if (is_member(partner)) return;
+    Island& island = island_of(body);
+    island.supported = true;
+    if (partner != nullptr && is_carrier(*partner)) island.carried = true;
+}
+
+void IslandBuilder::build(std::span<BodyRecord* const> bodies,
+                          std::span<btPersistentManifold* const> manifolds,
+                          std::span<JointRecord* const> joints) {
+    sets_.reset(bodies.size());
+    held_.assign(bodies.size(), 0);
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) bodies[i]->row = i;
+    const auto tie = [this](const BodyRecord* a, const BodyRecord* b) {
+        if (is_member(a)) held_[a->row] = 1;
+        if (is_member(b)) held_[b->row] = 1;
+        if (is_member(a) && is_member(b)) sets_.join(a->row, b->row);
+    };
+    for (const btPersistentManifold* manifold : manifolds) {
+        tie(&first_of(*manifold), &second_of(*manifold));
+    }
+    for (const JointRecord* joint : joints) tie(joint->a, joint->b);
+
+    number_.assign(bodies.size(), kNoIsland);
+    free_.clear();
+    count_ = 0;
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        if (held_[i] == 0) {
+            free_.push_back(bodies[i]);
+            continue;
+        }
+        std::uint32_t& number = number_[sets_.find(i)];
+        if (number == kNoIsland) {
+            number = static_cast<std::uint32_t>(count_++);
+            if (islands_.size() < count_) islands_.emplace_back();
+            islands_[number].clear();
+        }
+        islands_[number].bodies.push_back(bodies[i]);
+    }
+    for (btPersistentManifold* manifold : manifolds) {
+        const BodyRecord* a = &first_of(*manifold);
+        const BodyRecord* b = &second_of(*manifold);
+        const BodyRecord* member = is_member(a) ? a : b;
+        island_of(member->row).manifolds.push_back(manifold);
+        note_partner(member->row, member == a ? b : a);
+    }
+    for (JointRecord* joint : joints) {
+        const BodyRecord* member = is_member(joint->a) ? joint->a : joint->b;
+        island_of(member->row).joints.push_back(joint);
+        note_partner(member->row, member == joint->a ? joint->b : joint->a);
+    }
+}
+
+}  // namespace plumbline::physics

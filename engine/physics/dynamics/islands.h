@@ -1,0 +1,44 @@
+// Which bodies push each other: islands by union-find.
+#pragma once
+
+#include "engine/physics/dynamics/disjoint_sets.h"
+#include "engine/physics/dynamics/island.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace plumbline::physics {
+
+/// Builds a step's islands and keeps their memory for the next step.
+class IslandBuilder {
+public:
+    /// `bodies` are the awake dynamic ones in the order of their ids; `manifolds` touch at least
+    /// one of them; `joints` hold at least one of them. Orders are kept within each island;
+    /// islands come by their first body.
+    void build(std::span<BodyRecord* const> bodies,
+               std::span<btPersistentManifold* const> manifolds,
+               std::span<JointRecord* const> joints);
+
+    std::span<Island> islands() { return {islands_.data(), count_}; }
+    /// Bodies that nothing touches or holds, in the order of their ids.
+    std::span<BodyRecord* const> free_bodies() const { return free_; }
+
+private:
+    Island& island_of(std::uint32_t body);
+    void note_partner(std::uint32_t body, const BodyRecord* partner);
+
+    DisjointSets sets_;
+    std::vector<std::uint8_t> held_;     ///< by body: touched or joined
+    std::vector<std::uint32_t> number_;  ///< by body that stands for a set: of its island
+    std::vector<Island> islands_;        ///< more than count_ of them, to keep their memory
+    std::size_t count_{0};
+    std::vector<BodyRecord*> free_;
+};
+
+/// When a step left an island with numbers that are not finite, or faster than anything may be: all
+/// its bodies stand as they did, nothing presses any more, and the one that was fastest is left for
+/// quarantine. Returns whether that was so.
+bool take_back_if_insane(const Island& island);
+
+}  // namespace plumbline::physics

@@ -1,0 +1,199 @@
+#include "engine/physics/dynamics/joint/joint_bounds.h"
+
+#include "engine/physics/dynamics/joint/joint_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+/// Limits nearer to each other than this, m or rad, are one.
+constexpr double kNoRoom = 1e-9;
+/// Speeds nearer to each other than this, m/s or rad/s, are the same.
+constexpr double kSameSpeed = 1e-7;
+/// More than any machine gives: stands for "unlimited" without spoiling the digits of sums.
+constexpr double kMostImpulse = 1e12;
+
+void set_limits(JointBound& bound, const std::array<Real, 2>& limits) {
+    bound.lower = static_cast<double>(std::min(limits[0], limits[1]));
+    bound.upper = static_cast<double>(std::max(limits[0], limits[1]));
+    if (bound.upper - bound.lower < kNoRoom) bound.step = BoundStep::Locked;
+}
+
+void set_motor(JointBound& bound, const JointMotor& motor, double substep_s) {
+    if (!(motor.max > 0)) return;
+    bound.motor_speed = static_cast<double>(motor.target);
+    bound.motor_impulse = std::min(static_cast<double>(motor.max) * substep_s, kMostImpulse);
+}
+
+/// The step that the impulses of the step before speak for.
+void recall(JointBound& bound, const SolverJoint& joint) {
+    if (bound.step == BoundStep::Locked) return;
+    const auto kept = [&](std::uint8_t slot) {
+        return static_cast<double>(joint.bounded_impulse[slot]);
+    };
+    const bool has_lower = std::isfinite(bound.lower);
+    const bool has_upper = std::isfinite(bound.upper);
+    if (std::isfinite(bound.motor_speed)) bound.step = BoundStep::Driven;
+    if (has_lower && kept(bound.lower_slot) > 0) bound.step = BoundStep::Lower;
+    if (has_upper && kept(bound.upper_slot) < 0) bound.step = BoundStep::Upper;
+}
+
+}  // namespace
+
+double JointBound::wanted_speed() const {
+    switch (step) {
+        case BoundStep::Lower:
+            return slowest;
+        case BoundStep::Upper:
+            return fastest;
+        case BoundStep::Locked:
+            return std::clamp(0.0, slowest, std::max(slowest, fastest));
+        default:
+            return motor_speed;
+    }
+}
+
+double JointBound::constant_impulse() const {
+    return step == BoundStep::Forward ? motor_impulse : -motor_impulse;
+}
+
+double JointBound::wanted_position(double substep_s) const {
+    return position + wanted_speed() * substep_s;
+}
+
+double JointBound::bounded_way(double deviation, double substep_s) {
+    return std::clamp(deviation, -kPush_mps * substep_s, kPush_mps * substep_s);
+}
+
+void JointBound::let_go() {
+    position = std::clamp(0.0, lower, upper);
+    if (step == BoundStep::Lower || step == BoundStep::Upper) step = BoundStep::Forward;
+}
+
+void JointBound::before_motion(double substep_s) {
+    impulse = 0;
+    slowest = std::min((lower - position) / substep_s, kPush_mps);
+    fastest = std::max((upper - position) / substep_s, -kPush_mps);
+}
+
+void JointBound::after_motion(double substep_s) {
+    slowest = std::min((lower - position) / substep_s, 0.0);
+    fastest = std::max((upper - position) / substep_s, 0.0);
+}
+
+bool JointBound::settle(double speed) {
+    const double slack = mass * kSameSpeed;
+    const BoundStep before = step;
+    const bool has_motor = motor_impulse > 0;
+    switch (step) {
+        case BoundStep::Locked:
+            break;
+        case BoundStep::Lower:
+            // The motor pushes on with all it has where the limit is slower than it wants to be.
+            if (impulse < (motor_speed > slowest ? motor_impulse : -motor_impulse) - slack) {
+                step = !has_motor || motor_speed <= slowest ? BoundStep::Backward
+                       : motor_speed <= fastest             ? BoundStep::Driven
+                                                            : BoundStep::Upper;
+            }
+            break;
+        case BoundStep::Upper:
+            if (impulse > (motor_speed < fastest ? -motor_impulse : motor_impulse) + slack) {
+                step = !has_motor || motor_speed >= fastest ? BoundStep::Forward
+                       : motor_speed >= slowest             ? BoundStep::Driven
+                                                            : BoundStep::Lower;
+            }
+            break;
+        case BoundStep::Driven:
+            if (motor_speed < slowest) {
+                step = BoundStep::Lower;
+            } else if (motor_speed > fastest) {
+                step = BoundStep::Upper;
+            } else if (impulse > motor_impulse + slack) {
+                step = BoundStep::Forward;
+            } else if (impulse < -motor_impulse - slack) {
+                step = BoundStep::Backward;
+            }
+            break;
+        case BoundStep::Forward:
+        case BoundStep::Backward:
+            if (speed < slowest - kSameSpeed) {
+                step = BoundStep::Lower;
+            } else if (speed > fastest + kSameSpeed) {
+                step = BoundStep::Upper;
+            } else if (has_motor &&
+                       (step == BoundStep::Forward ? speed > motor_speed + kSameSpeed
+                                                   : speed < motor_speed - kSameSpeed)) {
+                step = BoundStep::Driven;
+            }
+            break;
+    }
+    return step != before;
+}
+
+void JointBound::keep(SolverJoint& joint, double substep_s) const {
+    const auto per_second = static_cast<Real>(impulse / substep_s);
+    joint.bounded_impulse[lower_slot] =
+        step == BoundStep::Lower ? std::max(per_second, Real{0}) : 0;
+    joint.bounded_impulse[upper_slot] =
+        step == BoundStep::Upper ? std::min(per_second, Real{0}) : 0;
+    if (std::isfinite(motor_speed)) joint.bounded_impulse[2] = per_second;
+}
+
+void add_bounds(std::uint32_t node_index,
+                const JointNode& node,
+                const SolverJoint& joint,
+                double substep_s,
+                JointRows& rows,
+                std::vector<JointBound>& bounds) {
+    const auto add = [&](JointBound bound, std::uint8_t row) {
+        bound.joint_index = node.joint;
+        bound.node = node_index;
+        bound.row = row;
+        recall(bound, joint);
+        rows.bounded = static_cast<std::uint8_t>(rows.bounded | (1U << row));
+        rows.active = static_cast<std::uint8_t>(rows.active & ~(1U << row));
+        bounds.push_back(bound);
+    };
+    switch (node.kind) {
+        case NodeKind::Align:
+        case NodeKind::Across: {
+            if (!joint.limits && !joint.motor) return;
+            JointBound bound;
+            if (joint.limits) set_limits(bound, *joint.limits);
+            if (joint.motor) set_motor(bound, *joint.motor, substep_s);
+            add(bound, 2);
+            return;
+        }
+        case NodeKind::Length: {
+            if (joint.kind != JointKind::Distance || !joint.limits) return;
+            JointBound bound;
+            set_limits(bound, *joint.limits);
+            add(bound, 0);
+            return;
+        }
+        case NodeKind::Swing: {
+            if (joint.limits && !rows.fixed_swing) {
+                const auto [low, high] = *joint.limits;
+                JointBound swing;
+                swing.upper = static_cast<double>(std::max(std::abs(low), std::abs(high)));
+                swing.lower_slot = 0;
+                swing.upper_slot = 0;
+                add(swing, 0);
+            }
+            if (joint.twist_limits) {
+                JointBound twist;
+                set_limits(twist, *joint.twist_limits);
+                twist.lower_slot = 1;
+                twist.upper_slot = 2;
+                add(twist, 2);
+            }
+            return;
+        }
+        default:
+            return;
+    }
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,76 @@
+// Limits and motors: rows that only count while they are at a bound.
+//
+// A row's impulse as a function of its speed rises in steps: at the lower limit as much as it
+// takes, below the motor's speed all the motor has, at that speed as much as it takes, above it
+// all against it, at the upper limit as much as it takes. A row is on one of those steps.
+#pragma once
+
+#include "engine/physics/dynamics/joint/joint_topology.h"
+
+#include <limits>
+
+namespace plumbline::physics {
+
+struct JointRows;
+
+/// The fastest that a position error is pushed back, m/s or rad/s.
+inline constexpr double kPush_mps = 3.0;
+
+enum class BoundStep : std::uint8_t {
+    Lower,    ///< held at the lower limit, or coming to it within the sub-step
+    Forward,  ///< slower than the motor's speed: its whole impulse; without a motor none
+    Driven,   ///< at the motor's speed
+    Backward,
+    Upper,
+    Locked,  ///< both limits are the same
+};
+
+struct JointBound {
+    std::uint32_t joint_index{0};
+    std::uint32_t node{0};
+    std::uint8_t row{0};         ///< of the node
+    std::uint8_t lower_slot{0};  ///< in SolverJoint::bounded_impulse
+    std::uint8_t upper_slot{1};
+    BoundStep step{BoundStep::Forward};
+    double lower{-std::numeric_limits<double>::infinity()};  ///< m or rad
+    double upper{std::numeric_limits<double>::infinity()};
+    double motor_speed{std::numeric_limits<double>::infinity()};  ///< infinite: no motor
+    double motor_impulse{0};                                      ///< at most, in a sub-step
+
+    double mass{0};      ///< impulse by speed, of the row by itself
+    double position{0};  ///< at the latest refresh
+    double slowest{0};   ///< speed that keeps it above the lower limit
+    double fastest{0};
+    double impulse{0};  ///< so far in this sub-step
+
+    bool at_bound() const { return step != BoundStep::Forward && step != BoundStep::Backward; }
+    /// The speed to solve for when at_bound().
+    double wanted_speed() const;
+    /// The impulse when not.
+    double constant_impulse() const;
+    /// Where the row is to be after the sub-step's motion, when at_bound().
+    double wanted_position(double substep_s) const;
+    /// What is to be put right of a deviation from it at once: a bounded way.
+    static double bounded_way(double deviation, double substep_s);
+
+    /// As if it were between its limits: the position means nothing now.
+    void let_go();
+    /// The bodies are about to move: passed limits are come back to, at a bounded speed.
+    void before_motion(double substep_s);
+    /// They have moved: what is past a limit only has to stop.
+    void after_motion(double substep_s);
+    /// Goes to the step that this speed and `impulse` belong to; false if it is on it.
+    bool settle(double speed);
+    /// Warm-start numbers of the next step, per second.
+    void keep(SolverJoint& joint, double substep_s) const;
+};
+
+/// The bounds of a joint's node, one or two or none, appended. `rows` learns which of its are.
+void add_bounds(std::uint32_t node_index,
+                const JointNode& node,
+                const SolverJoint& joint,
+                double substep_s,
+                JointRows& rows,
+                std::vector<JointBound>& bounds);
+
+}  // namespace plumbline::physics

@@ -1,0 +1,381 @@
+#include "engine/physics/dynamics/joint/joint_direct.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+/// Added to the diagonal, of its mean: redundant rows and closed loops still factor.
+constexpr double kRegularisation = 1e-9;
+/// Rounds of trying steps of the bounds: all wrong ones at once, then one by one.
+constexpr int kRoundsOfAll = 4;
+constexpr int kMostRounds = 16;
+constexpr int kPositionIterations = 2;
+constexpr int kMostPositionIterations = 8;
+/// More than two iterations are made for errors above it.
+constexpr double kGoodError = 1e-7;
+/// ... and rows are made anew when an iteration leaves more than this of the error before it.
+constexpr double kConverging = 0.2;
+/// Errors above it, m or rad, that all iterations leave are not put right within the sub-step.
+constexpr double kBadError = 1e-4;
+/// A step leads away that leaves so many times the error before it: the next may mend less.
+constexpr double kMostGrowth = 3;
+/// A step that leads away is halved so often, then given up.
+constexpr int kMostCuts = 5;
+/// Errors below it, m or rad, are rounding.
+constexpr double kNoError = 1e-10;
+
+Vec3d masked(const Vec3d& v, std::uint8_t active) {
+    if (active == 0b111) return v;
+    return {(active & 1) != 0 ? v.x : 0, (active & 2) != 0 ? v.y : 0, (active & 4) != 0 ? v.z : 0};
+}
+
+void mask(Block3& block, std::uint8_t rows, std::uint8_t columns) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        block.row[i] = ((rows >> i) & 1) != 0 ? masked(block.row[i], columns) : Vec3d{0, 0, 0};
+    }
+}
+
+void bound_ways(std::uint8_t rows, double substep_s, Vec3d& deviation) {
+    for (int i = 0; i < 3; ++i) {
+        if (((rows >> i) & 1) != 0) {
+            deviation[i] = JointBound::bounded_way(deviation[i], substep_s);
+        }
+    }
+}
+
+/// Rows that are not active, or that move nothing, get a one of their own.
+void mask(Symmetric3& s, std::uint8_t active) {
+    if ((active & 1) == 0 || !(s.xx > 0)) s.xx = 1, s.xy = 0, s.xz = 0;
+    if ((active & 2) == 0 || !(s.yy > 0)) s.yy = 1, s.xy = 0, s.yz = 0;
+    if ((active & 4) == 0 || !(s.zz > 0)) s.zz = 1, s.xz = 0, s.yz = 0;
+}
+
+void take_half_of_steady(JointGroup& group, double sign) {
+    for (JointBody& body : group.bodies) {
+        if (!body.movable) continue;
+        body.velocity_mps -= sign * 0.5 * Vec3d(body.body->steady_mps);
+        body.spin_radps -= sign * 0.5 * Vec3d(body.body->steady_radps);
+    }
+}
+
+/// Rows that have all of a constant impulse or none of it get what they lack.
+void push_constant_bounds(JointGroup& group, std::span<JointBound> bounds) {
+    for (JointBound& bound : bounds) {
+        if (bound.at_bound() || bound.impulse == bound.constant_impulse()) continue;
+        Vec3d change{0, 0, 0};
+        change[bound.row] = bound.constant_impulse() - bound.impulse;
+        bound.impulse = bound.constant_impulse();
+        group.rows[bound.node].push(group.bodies, change);
+        group.impulses[bound.node] += change;
+    }
+}
+
+/// Whether a bound was on a wrong step. In late rounds only the first wrong one changes, so that
+/// none chase each other.
+bool settle(JointGroup& group, std::span<JointBound> bounds, int round) {
+    bool changed = false;
+    for (JointBound& bound : bounds) {
+        const double speed = bound.at_bound()
+                                 ? bound.wanted_speed()
+                                 : group.rows[bound.node].speeds(group.bodies)[bound.row];
+        if (!bound.settle(speed)) continue;
+        group.set_active(bound);
+        changed = true;
+        if (round >= kRoundsOfAll) break;
+    }
+    return changed;
+}
+
+}  // namespace
+
+void DirectJoints::start(JointGroup& group) {
+    matrix_.fit(group.topology->pattern);
+    stiffness_.start(group);
+    const std::size_t count = group.rows.size();
+    floor_.resize(count);
+    x_.resize(count);
+    wanted_.assign(count, Vec3d{0, 0, 0});
+    held_.assign(count, Vec3d{0, 0, 0});
+    factor(group);
+}
+
+void DirectJoints::factor(const JointGroup& group) {
+    for (const JointComponent& component : group.topology->components) {
+        assemble(group, component, matrix_);
+        matrix_.factor(component.first_node, component.last_node, floor_);
+    }
+}
+
+void DirectJoints::assemble(const JointGroup& group,
+                            const JointComponent& component,
+                            BlockLdlt& matrix) {
+    const JointTopology& topology = *group.topology;
+    for (std::uint32_t i = component.first_node; i < component.last_node; ++i) {
+        const JointRows& rows = group.rows[i];
+        Symmetric3& own = matrix.diagonal[i];
+        own = own_coupling(rows, group.bodies);
+        const double more = kRegularisation / 3 * (own.xx + own.yy + own.zz);
+        floor_[i] = more > 0 ? more / 2 : 1;
+        own.xx += more;
+        own.yy += more;
+        own.zz += more;
+        if (&matrix == &spring_matrix_) own.xx += compliance_[i];
+        if (rows.kind != NodeKind::Point) mask(own, rows.active);
+    }
+    matrix.clear_below(component.first_node, component.last_node);
+    for (std::uint32_t t = component.first_term; t < component.last_term; ++t) {
+        const JointTerm& term = topology.terms[t];
+        const JointRows& row = group.rows[term.row];
+        const JointRows& column = group.rows[term.column];
+        const JointBody& body = group.bodies[term.row_is_b ? row.b : row.a];
+        Block3 block = coupling(row, term.row_is_b, column, term.column_is_b, body.inverse_mass);
+        if ((row.active & column.active) != 0b111) mask(block, row.active, column.active);
+        add(matrix.below[term.block], block);
+    }
+}
+
+void DirectJoints::solve_velocities(JointGroup& group) {
+    for (const JointComponent& component : group.topology->components) {
+        solve_component(group, component);
+    }
+}
+
+void DirectJoints::solve_component(JointGroup& group, const JointComponent& component) {
+    const std::span<JointBound> bounds = group.bounds_of(component);
+    for (int round = 0; round < kMostRounds; ++round) {
+        push_constant_bounds(group, bounds);
+        for (const JointBound& bound : bounds) {
+            wanted_[bound.node][bound.row] = bound.at_bound() ? bound.wanted_speed() : 0;
+        }
+        for (std::uint32_t i = component.first_node; i < component.last_node; ++i) {
+            const JointRows& rows = group.rows[i];
+            x_[i] = masked(wanted_[i] - rows.speeds(group.bodies), rows.active);
+        }
+        matrix_.solve(component.first_node, component.last_node, x_);
+        push_solution(group, component);
+        if (bounds.empty()) return;
+        for (JointBound& bound : bounds) bound.impulse += x_[bound.node][bound.row];
+        if (!settle(group, bounds, round)) return;
+        assemble(group, component, matrix_);
+        matrix_.factor(component.first_node, component.last_node, floor_);
+    }
+}
+
+void DirectJoints::push_solution(JointGroup& group, const JointComponent& component) {
+    for (std::uint32_t i = component.first_node; i < component.last_node; ++i) {
+        group.rows[i].push(group.bodies, x_[i]);
+        group.impulses[i] += x_[i];
+    }
+    group.row_solves += 3 * (component.last_node - component.first_node);
+}
+
+void DirectJoints::correct_positions(JointGroup& group) {
+    for (JointBody& body : group.bodies) body.note_momentum();
+    hold_positions(group);
+    converge(group);
+    if (group.anything_left_over) {
+        // No speed comes of this: it would be given back at another pose, as energy.
+        for (std::size_t i = 0; i < group.rows.size(); ++i) {
+            const Vec3d left_over = JointGroup::come_back(group.left_over[i], group.substep_s);
+            held_[i] += left_over - group.left_over[i];
+            group.left_over[i] = left_over;
+        }
+        gather_errors(group);
+        solve_all(group, matrix_);
+        displace(group, 1, false);
+    }
+    for (JointBody& body : group.bodies) {
+        body.update_inertia();
+        body.set_spin(group.substep_s);
+    }
+    stiffness_.lower(group);
+}
+
+/// Two iterations with rows and factor of before the motion, further ones where errors are large;
+/// where that does not help, with rows at the poses reached.
+void DirectJoints::converge(JointGroup& group) {
+    double before = 0;
+    double error = gather_errors(group);
+    for (int i = 0; i < kMostPositionIterations; ++i) {
+        if (error < kNoError || (i >= kPositionIterations && error < kGoodError)) return;
+        if (i >= kPositionIterations && error > kConverging * before) {
+            group.collect_totals();
+            for (JointRows& rows : group.rows) rows.refresh(group.bodies);
+            factor(group);
+        }
+        solve_all(group, matrix_);
+        if (i == 0 && stiffness_.raise(group, x_)) {
+            factor(group);
+            gather_errors(group);
+            solve_all(group, matrix_);
+        }
+        before = error;
+        error = step_towards(group, before);
+    }
+    if (error > kBadError) keep_as_left_over(group);
+}
+
+/// Makes the step in x_, or as much of it as does not lead away: rows in closed loops that are
+/// nearly redundant ask for far more than they stay straight for. Leaves what is still to be put
+/// right in x_; the largest of it.
+double DirectJoints::step_towards(JointGroup& group, double error) {
+    step_.assign(x_.begin(), x_.begin() + static_cast<std::ptrdiff_t>(group.rows.size()));
+    displace(group, 1, true);
+    double next = gather_errors(group);
+    double made = 1;
+    for (int cut = 0; cut <= kMostCuts && !(next < kMostGrowth * std::max(error, kGoodError));
+         ++cut) {
+        const double back = cut < kMostCuts ? made / 2 : made;
+        x_ = step_;
+        displace(group, -back, true);
+        made -= back;
+        next = gather_errors(group);
+    }
+    return next;
+}
+
+/// What no iteration puts right is come back from slowly, without speed.
+void DirectJoints::keep_as_left_over(JointGroup& group) {
+    for (std::size_t i = 0; i < group.rows.size(); ++i) {
+        const JointRows& rows = group.rows[i];
+        Vec3d error = masked(rows.errors(group.bodies), rows.active);
+        for (int k = 0; k < 3; ++k) {
+            if (((rows.bounded >> k) & 1) != 0) error[k] = 0;
+        }
+        held_[i] += error - group.left_over[i];
+        group.left_over[i] = error;
+    }
+    group.anything_left_over = true;
+}
+
+void DirectJoints::hold_positions(JointGroup& group) {
+    if (group.anything_left_over) held_ = group.left_over;
+    for (const JointBound& bound : group.bounds) {
+        held_[bound.node][bound.row] =
+            bound.at_bound() ? bound.wanted_position(group.substep_s) : 0;
+    }
+}
+
+/// Leaves what is to be put right in x_; the largest of it.
+double DirectJoints::gather_errors(const JointGroup& group) {
+    double largest = 0;
+    for (std::size_t i = 0; i < group.rows.size(); ++i) {
+        const JointRows& rows = group.rows[i];
+        x_[i] = masked(held_[i] - rows.errors(group.bodies), rows.active);
+        if (rows.bounded != 0) bound_ways(rows.bounded, group.substep_s, x_[i]);
+        largest =
+            std::max(largest, std::max({std::abs(x_[i].x), std::abs(x_[i].y), std::abs(x_[i].z)}));
+    }
+    return largest;
+}
+
+void DirectJoints::solve_all(JointGroup& group, const BlockLdlt& matrix) {
+    matrix.solve(0, static_cast<std::uint32_t>(group.rows.size()), x_);
+    group.row_solves += 3 * group.rows.size();
+}
+
+/// Moves the bodies by `share` of the step in x_.
+void DirectJoints::displace(JointGroup& group, double share, bool with_velocities) {
+    const double per_substep = 1 / group.substep_s;
+    for (std::size_t i = 0; i < group.rows.size(); ++i) {
+        x_[i] *= share;
+        group.rows[i].displace(group.bodies, x_[i]);
+        if (with_velocities) group.impulses[i] += x_[i] * per_substep;
+    }
+    for (JointBody& body : group.bodies) {
+        if (body.movable) {
+            body.displace();
+            if (with_velocities) {
+                body.velocity_mps += body.pushed_kgm * (body.inverse_mass * per_substep);
+                body.twisted_in_all_kgm2 += body.twisted_kgm2;
+            }
+        }
+        body.pushed_kgm = {0, 0, 0};
+        body.twisted_kgm2 = {0, 0, 0};
+    }
+    if (!with_velocities) return;
+    for (JointBound& bound : group.bounds) {
+        bound.impulse += x_[bound.node][bound.row] * per_substep;
+    }
+}
+
+/// Leaves the springs' impulses, in view of what the joints will make of them, in x_.
+void DirectJoints::solve_springs(JointGroup& group) {
+    spring_matrix_.fit(group.topology->pattern);
+    for (const JointComponent& component : group.topology->components) {
+        assemble(group, component, spring_matrix_);
+        spring_matrix_.factor(component.first_node, component.last_node, floor_);
+    }
+    for (const JointBound& bound : group.bounds) {
+        wanted_[bound.node][bound.row] = bound.at_bound() ? bound.wanted_speed() : 0;
+    }
+    for (std::size_t i = 0; i < group.rows.size(); ++i) {
+        const JointRows& rows = group.rows[i];
+        x_[i] = masked(wanted_[i] - bias_[i] - rows.speeds(group.bodies), rows.active);
+    }
+    solve_all(group, spring_matrix_);
+}
+
+/// Only what the springs themselves give: the joints' part is found once all forces are in.
+void DirectJoints::push_springs_only(JointGroup& group, std::span<const JointSpring> springs) {
+    for (const JointSpring& spring : springs) {
+        const Vec3d impulse{group.rows[spring.node].is_active(0) ? x_[spring.node].x : 0.0, 0, 0};
+        group.rows[spring.node].push(group.bodies, impulse);
+        group.impulses[spring.node] += impulse;
+        group.rows[spring.node].active = 0;
+    }
+}
+
+void DirectJoints::damp_springs(JointGroup& group, std::span<const JointSpring> springs) {
+    bool any = false;
+    for (const JointSpring& spring : springs) {
+        const double inverse_mass = SpringLine(spring).inverse_mass;
+        if (!(spring.damping_Nspm > 0) || !(inverse_mass > 0)) continue;
+        any = true;
+        bias_[spring.node].x = 0;
+        compliance_[spring.node] = damping_row(spring, inverse_mass, group.substep_s).compliance;
+        group.rows[spring.node].active = 0b001;
+    }
+    if (!any) return;
+    const std::vector<JointBody>& bodies = group.bodies;
+    now_.assign(bodies.size(), StartOfSubstep{});
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        now_[i] = {bodies[i].velocity_mps, bodies[i].spin_radps};
+        const StartOfSubstep start = start_of_substep(bodies[i], group.substep_s);
+        group.bodies[i].velocity_mps = start.velocity_mps;
+        group.bodies[i].spin_radps = start.spin_radps;
+    }
+    solve_springs(group);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        group.bodies[i].velocity_mps = now_[i].velocity_mps;
+        group.bodies[i].spin_radps = now_[i].spin_radps;
+    }
+    push_springs_only(group, springs);
+}
+
+void DirectJoints::push_springs(JointGroup& group,
+                                std::span<JointSpring> springs,
+                                double duration_s) {
+    if (springs.empty()) return;
+    compliance_.assign(group.rows.size(), 0.0);
+    bias_.assign(group.rows.size(), Vec3d{0, 0, 0});
+    damp_springs(group, springs);
+    for (const JointSpring& spring : springs) {
+        if (!(spring.stiffness_Npm > 0)) continue;
+        const StiffRow row = push_row(spring, SpringLine(spring), duration_s);
+        bias_[spring.node].x = row.bias_mps;
+        compliance_[spring.node] = row.compliance;
+        group.rows[spring.node].active = 0b001;
+    }
+    take_half_of_steady(group, 1);
+    solve_springs(group);
+    take_half_of_steady(group, -1);
+    for (JointSpring& spring : springs) {
+        spring.kept_Ns = group.rows[spring.node].is_active(0) ? x_[spring.node].x : 0;
+    }
+    push_springs_only(group, springs);
+}
+
+}  // namespace plumbline::physics

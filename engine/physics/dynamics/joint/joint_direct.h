@@ -1,0 +1,54 @@
+// Joints solved exactly: one sparse factorisation a sub-step (docs/PHYSICS.md).
+#pragma once
+
+#include "engine/physics/dynamics/joint/block_ldlt.h"
+#include "engine/physics/dynamics/joint/geometric_stiffness.h"
+#include "engine/physics/dynamics/joint/joint_spring.h"
+
+namespace plumbline::physics {
+
+class DirectJoints {
+public:
+    /// Room for the group's topology, and the factor at its start.
+    void start(JointGroup& group);
+    /// The factor at the rows' latest refresh.
+    void factor(const JointGroup& group);
+    /// Velocities that all rows allow. Rows with bounds find their step by trying.
+    void solve_velocities(JointGroup& group);
+    /// Bodies that moved are put back on the joints; velocities get what that took.
+    void correct_positions(JointGroup& group);
+    /// The damping of stiff springs and their push before the motion, in view of what the joints
+    /// will make of it.
+    void push_springs(JointGroup& group, std::span<JointSpring> springs, double duration_s);
+    /// As JointWork.
+    double unresolved() const { return stiffness_.unresolved(); }
+
+private:
+    void assemble(const JointGroup& group, const JointComponent& component, BlockLdlt& matrix);
+    void solve_component(JointGroup& group, const JointComponent& component);
+    void push_solution(JointGroup& group, const JointComponent& component);
+    void hold_positions(JointGroup& group);
+    double gather_errors(const JointGroup& group);
+    void solve_all(JointGroup& group, const BlockLdlt& matrix);
+    void converge(JointGroup& group);
+    double step_towards(JointGroup& group, double error);
+    void keep_as_left_over(JointGroup& group);
+    void displace(JointGroup& group, double share, bool with_velocities);
+    void solve_springs(JointGroup& group);
+    void damp_springs(JointGroup& group, std::span<const JointSpring> springs);
+    void push_springs_only(JointGroup& group, std::span<const JointSpring> springs);
+
+    GeometricStiffness stiffness_;
+    BlockLdlt matrix_;
+    BlockLdlt spring_matrix_;
+    std::vector<double> floor_;       // of pivots
+    std::vector<Vec3d> x_;            // right-hand sides, then impulses along the rows
+    std::vector<Vec3d> step_;         // towards smaller errors, as x_
+    std::vector<Vec3d> wanted_;       // speeds of the rows that are at a bound
+    std::vector<Vec3d> held_;         // errors that positions are corrected to
+    std::vector<double> compliance_;  // of stiff springs, by node; 0: none
+    std::vector<Vec3d> bias_;         // of stiff springs, by node
+    std::vector<StartOfSubstep> now_;
+};
+
+}  // namespace plumbline::physics

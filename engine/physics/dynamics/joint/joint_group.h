@@ -1,0 +1,51 @@
+// The joints of one island during one step: what both ways of solving them work on.
+#pragma once
+
+#include "engine/physics/dynamics/joint/joint_bounds.h"
+#include "engine/physics/dynamics/joint/joint_rows.h"
+
+namespace plumbline::physics {
+
+/// What a joint gave to a so far, without the rows' impulses since the latest refresh.
+struct JointTotal {
+    Vec3d impulse_Ns{0, 0, 0};
+    Vec3d angular_impulse_Nms{0, 0, 0};
+};
+
+struct JointGroup {
+    double substep_s{0};
+    std::span<SolverJoint> joints;
+    const JointTopology* topology{nullptr};
+    std::vector<JointBody> bodies;  ///< as topology->bodies
+    std::vector<JointRows> rows;    ///< as topology->nodes
+    std::vector<Vec3d> impulses;    ///< along the rows, since the latest refresh
+    /// Errors that the step began with and comes back from slowly: what bodies are held at.
+    std::vector<Vec3d> left_over;
+    bool anything_left_over{false};
+    std::vector<JointBound> bounds;  ///< in the order of the rows
+    std::vector<JointTotal> totals;  ///< by joint
+    std::uint64_t row_solves{0};
+
+    /// Bodies, rows and bounds of the topology at the start of a step.
+    void start(std::span<SolverBody> island_bodies);
+    void read_velocities() {
+        for (JointBody& body : bodies) body.read_velocities();
+    }
+    void write_velocities() const {
+        for (const JointBody& body : bodies) body.write_velocities();
+    }
+    /// Rows and bounds at the bodies' poses; what the old rows carried goes to the totals.
+    void refresh();
+    void collect_totals();
+    /// Takes into the solve, or out of it, what the bound's step says.
+    void set_active(const JointBound& bound);
+    std::span<JointBound> bounds_of(const JointComponent& component);
+    /// What is left over after a sub-step of coming back: a bounded way nearer to nothing.
+    static Vec3d come_back(const Vec3d& left_over, double substep_s);
+
+private:
+    void read_bounds();
+    void find_left_over();
+};
+
+}  // namespace plumbline::physics

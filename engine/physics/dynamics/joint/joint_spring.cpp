@@ -1,0 +1,205 @@
+#include "engine/physics/dynamics/joint/joint_spring.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+/// Springs on one body may together have this much of (angular frequency * sub-step)^2, and of
+/// damping rate * sub-step, to be followed explicitly; 4 would be unstable.
+constexpr double kMostExplicit = 0.25;
+/// Decays over a sub-step up to this are followed exactly.
+constexpr double kExactDecay = 0.5;
+
+/// At most what an impulse at the anchor changes the anchor's velocity by, whatever its direction.
+double most_inverse_mass(const SolverBody& body, const Vec3d& anchor) {
+    if (!body.movable()) return 0;
+    double largest = 0;
+    for (const double moment : {body.inertia_kgm2.x, body.inertia_kgm2.y, body.inertia_kgm2.z}) {
+        if (moment > 0) largest = std::max(largest, 1 / moment);
+    }
+    return static_cast<double>(body.inverse_mass) + glm::dot(anchor, anchor) * largest;
+}
+
+/// 1 - (sin(x)/x)^2.
+double lost_by_steps(double x) {
+    if (x < 1e-3) return x * x / 3;
+    const double quotient = std::sin(x) / x;
+    return 1 - quotient * quotient;
+}
+
+void add_to_totals(const JointSpring& spring,
+                   const SpringLine& line,
+                   double impulse_Ns,
+                   JointGroup& group) {
+    group.totals[spring.joint].impulse_Ns -= line.direction * impulse_Ns;
+}
+
+double force_N(const JointSpring& spring, const SpringLine& line) {
+    return spring.stiffness_Npm * (spring.rest_m - line.length_m);
+}
+
+/// The relative acceleration along the line by what is known to act, times the mass.
+double steady_force_N(const JointSpring& spring, const SpringLine& line) {
+    const auto of = [&](const JointBody& body, const Vec3d& arm) {
+        if (!body.movable) return 0.0;
+        return glm::dot(line.direction,
+                        Vec3d(body.body->acceleration_mps2) +
+                            glm::cross(Vec3d(body.body->angular_acceleration_radps2), arm));
+    };
+    return (of(*spring.b, line.arm_b) - of(*spring.a, line.arm_a)) / line.inverse_mass;
+}
+
+}  // namespace
+
+SpringLine::SpringLine(const JointSpring& spring) {
+    const JointBody& a = *spring.a;
+    const JointBody& b = *spring.b;
+    arm_a = a.axes * spring.anchor_in_a;
+    arm_b = b.axes * spring.anchor_in_b;
+    const Vec3d gap = (b.position_m - a.position_m) + (arm_b - arm_a);
+    length_m = glm::length(gap);
+    if (length_m > kNoLength_m) direction = gap / length_m;
+    const Vec3d lever_a = glm::cross(arm_a, direction);
+    const Vec3d lever_b = glm::cross(arm_b, direction);
+    response_a = a.inverse_inertia * -lever_a;
+    response_b = b.inverse_inertia * lever_b;
+    inverse_mass = a.inverse_mass + b.inverse_mass - glm::dot(response_a, lever_a) +
+                   glm::dot(response_b, lever_b);
+}
+
+double SpringLine::speed(const JointSpring& spring) const {
+    return glm::dot(direction, spring.b->velocity_at(arm_b) - spring.a->velocity_at(arm_a));
+}
+
+double SpringLine::mean_speed(const JointSpring& spring) const {
+    const auto steady = [](const JointBody& body, const Vec3d& arm) {
+        return Vec3d(body.body->steady_mps) + glm::cross(Vec3d(body.body->steady_radps), arm);
+    };
+    return speed(spring) -
+           0.5 * glm::dot(direction, steady(*spring.b, arm_b) - steady(*spring.a, arm_a));
+}
+
+void SpringLine::push(const JointSpring& spring, double impulse_Ns) const {
+    spring.a->velocity_mps -= direction * (impulse_Ns * spring.a->inverse_mass);
+    spring.b->velocity_mps += direction * (impulse_Ns * spring.b->inverse_mass);
+    spring.a->spin_radps += response_a * impulse_Ns;
+    spring.b->spin_radps += response_b * impulse_Ns;
+}
+
+void find_stiff_springs(std::span<const SolverBody> bodies,
+                        std::span<const SolverJoint> joints,
+                        double substep_s,
+                        std::vector<double>& by_body,
+                        std::vector<bool>& stiff) {
+    by_body.assign(bodies.size(), 0.0);
+    stiff.assign(joints.size(), false);
+    const auto each_side = [&](const SolverJoint& joint, const auto& visit) {
+        if (joint.kind != JointKind::Spring) return;
+        const double rate = (static_cast<double>(joint.stiffness_Npm) * substep_s +
+                             static_cast<double>(joint.damping_Nspm)) *
+                            substep_s;
+        visit(joint.a, rate * most_inverse_mass(bodies[joint.a], joint.anchor_in_a));
+        visit(joint.b, rate * most_inverse_mass(bodies[joint.b], joint.anchor_in_b));
+    };
+    for (const SolverJoint& joint : joints) {
+        each_side(joint, [&](std::uint32_t body, double share) { by_body[body] += share; });
+    }
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        each_side(joints[i], [&](std::uint32_t body, double share) {
+            if (share > 0 && by_body[body] > kMostExplicit) stiff[i] = true;
+        });
+    }
+}
+
+void push_soft_spring(const JointSpring& spring,
+                      double substep_s,
+                      double duration_s,
+                      bool after_motion,
+                      JointGroup& group) {
+    const SpringLine line(spring);
+    if (!(line.inverse_mass > 0)) return;
+    const auto damp = [&] {
+        if (!(spring.damping_Nspm > 0)) return;
+        const double lost =
+            -std::expm1(-spring.damping_Nspm * line.inverse_mass * duration_s) / line.inverse_mass;
+        const double impulse = -line.mean_speed(spring) * lost;
+        line.push(spring, impulse);
+        add_to_totals(spring, line, impulse, group);
+    };
+    if (after_motion) damp();
+    // Explicit pushes make a period too short by the factor whose square this is. What is at rest
+    // under its own weight is not changed: there the sum of the forces is zero.
+    const double lost =
+        lost_by_steps(0.5 * substep_s * std::sqrt(spring.stiffness_Npm * line.inverse_mass));
+    const double force = force_N(spring, line);
+    const double impulse = duration_s * (force - lost * (force + steady_force_N(spring, line)));
+    line.push(spring, impulse);
+    add_to_totals(spring, line, impulse, group);
+    if (!after_motion) damp();
+}
+
+StiffRow push_row(const JointSpring& spring, const SpringLine& line, double duration_s) {
+    // The force is that of the middle of the motion, stiffness * (extension + duration * speed).
+    const double extension_m = line.length_m - spring.rest_m;
+    double per_speed = spring.stiffness_Npm * duration_s;
+    // Where damping wins, bodies creep: the speed at which both are equal is what moves them.
+    const double damping = spring.damping_Nspm;
+    if (damping * damping * line.inverse_mass > 4 * spring.stiffness_Npm) per_speed += damping;
+    return {.bias_mps = spring.stiffness_Npm * extension_m / per_speed,
+            .compliance = 1 / (duration_s * per_speed)};
+}
+
+StiffRow damping_row(const JointSpring& spring, double inverse_mass, double substep_s) {
+    const double decay = spring.damping_Nspm * inverse_mass * substep_s;
+    // The exact decay of two free bodies; implicit Euler where it is nearly all in one sub-step:
+    // bodies that joints make heavier must not be stopped as if they were light.
+    const double compliance = decay < kExactDecay ? inverse_mass / std::expm1(decay)
+                                                  : 1 / (spring.damping_Nspm * substep_s);
+    return {.bias_mps = 0, .compliance = compliance};
+}
+
+StartOfSubstep start_of_substep(const JointBody& body, double substep_s) {
+    StartOfSubstep start{body.velocity_mps, body.spin_radps};
+    if (!body.movable) return start;
+    const SolverBody& of = *body.body;
+    const bool steady = of.steady_mps != Vec3{0, 0, 0} || of.steady_radps != Vec3{0, 0, 0};
+    const auto half = static_cast<Real>(substep_s / 2);
+    start.velocity_mps -= Vec3d(steady ? of.steady_mps : of.acceleration_mps2 * half);
+    start.spin_radps -= Vec3d(steady ? of.steady_radps : of.angular_acceleration_radps2 * half);
+    return start;
+}
+
+void damp_stiff_spring(const JointSpring& spring, JointGroup& group) {
+    const SpringLine line(spring);
+    if (!(line.inverse_mass > 0) || !(spring.damping_Nspm > 0)) return;
+    const auto at = [&](const JointBody& body, const Vec3d& arm) {
+        const StartOfSubstep start = start_of_substep(body, group.substep_s);
+        return start.velocity_mps + glm::cross(start.spin_radps, arm);
+    };
+    const double speed =
+        glm::dot(line.direction, at(*spring.b, line.arm_b) - at(*spring.a, line.arm_a));
+    const StiffRow row = damping_row(spring, line.inverse_mass, group.substep_s);
+    const double impulse = -speed / (line.inverse_mass + row.compliance);
+    line.push(spring, impulse);
+    add_to_totals(spring, line, impulse, group);
+}
+
+void push_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group) {
+    const SpringLine line(spring);
+    if (!(line.inverse_mass > 0) || !(spring.stiffness_Npm > 0)) return;
+    const StiffRow row = push_row(spring, line, duration_s);
+    spring.kept_Ns =
+        -(line.mean_speed(spring) + row.bias_mps) / (line.inverse_mass + row.compliance);
+    line.push(spring, spring.kept_Ns);
+    add_to_totals(spring, line, spring.kept_Ns, group);
+}
+
+void repeat_stiff_spring(const JointSpring& spring, JointGroup& group) {
+    const SpringLine line(spring);
+    line.push(spring, spring.kept_Ns);
+    add_to_totals(spring, line, spring.kept_Ns, group);
+}
+
+}  // namespace plumbline::physics

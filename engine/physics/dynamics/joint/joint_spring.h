@@ -1,0 +1,83 @@
+// Springs with damping between two anchors.
+//
+// Soft ones (a sub-step is a small part of their period) push explicitly, half before the bodies
+// move and half after, with a force that makes the period of two free bodies right; their damping
+// is the exact decay between those pushes. Stiff ones follow the implicit midpoint rule, solved
+// together with the joints: it keeps the energy at any stiffness. Their damping comes before it and
+// only ever takes energy.
+#pragma once
+
+#include "engine/physics/dynamics/joint/joint_group.h"
+
+namespace plumbline::physics {
+
+struct JointSpring {
+    std::uint32_t joint{0};
+    std::uint32_t node{0};  ///< its row, if it is stiff
+    JointBody* a{nullptr};
+    JointBody* b{nullptr};
+    Vec3d anchor_in_a{0, 0, 0};
+    Vec3d anchor_in_b{0, 0, 0};
+    double stiffness_Npm{0};
+    double damping_Nspm{0};
+    double rest_m{0};
+    double kept_Ns{0};  ///< stiff: the push before the motion, which the one after repeats
+};
+
+/// A spring at its bodies' poses: its direction and what the bodies are along it.
+struct SpringLine {
+    Vec3d direction{1, 0, 0};  ///< from a's anchor to b's
+    Vec3d arm_a{0, 0, 0};
+    Vec3d arm_b{0, 0, 0};
+    Vec3d response_a{0, 0, 0};  ///< spin of a by an impulse along the line
+    Vec3d response_b{0, 0, 0};
+    double length_m{0};
+    double inverse_mass{0};
+
+    explicit SpringLine(const JointSpring& spring);
+    double speed(const JointSpring& spring) const;
+    /// The speed without half of what steady forces change in the sub-step: that of the motion.
+    double mean_speed(const JointSpring& spring) const;
+    void push(const JointSpring& spring, double impulse_Ns) const;
+};
+
+/// Which joints are springs that a sub-step of this length can't follow explicitly. By masses and
+/// anchors alone, so that it does not change while they move. `by_body` is room to work in.
+void find_stiff_springs(std::span<const SolverBody> bodies,
+                        std::span<const SolverJoint> joints,
+                        double substep_s,
+                        std::vector<double>& by_body,
+                        std::vector<bool>& stiff);
+
+/// The explicit half push of a soft spring, with its damping for the same time: the push first
+/// before the bodies move, the damping first after.
+void push_soft_spring(const JointSpring& spring,
+                      double substep_s,
+                      double duration_s,
+                      bool after_motion,
+                      JointGroup& group);
+/// A stiff spring as a row: an impulse along it with A impulse + compliance * impulse =
+/// -(speed + bias).
+struct StiffRow {
+    double bias_mps{0};
+    double compliance{0};  ///< 1/kg
+};
+/// Its push before the motion; `speed` is the mean one, of the motion.
+StiffRow push_row(const JointSpring& spring, const SpringLine& line, double duration_s);
+/// Its damping over a whole sub-step, of the speed the sub-step began with. Not to be asked for
+/// without damping.
+StiffRow damping_row(const JointSpring& spring, double inverse_mass, double substep_s);
+/// The velocity that the sub-step began with: without what the caller's accelerations did since.
+struct StartOfSubstep {
+    Vec3d velocity_mps{0, 0, 0};
+    Vec3d spin_radps{0, 0, 0};
+};
+StartOfSubstep start_of_substep(const JointBody& body, double substep_s);
+
+/// A stiff spring by itself: its damping, its half push before the motion.
+void damp_stiff_spring(const JointSpring& spring, JointGroup& group);
+void push_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group);
+/// The half push after the motion.
+void repeat_stiff_spring(const JointSpring& spring, JointGroup& group);
+
+}  // namespace plumbline::physics

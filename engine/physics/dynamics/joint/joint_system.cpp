@@ -1,0 +1,248 @@
+#include "engine/physics/dynamics/joint/joint_system.h"
+
+#include "engine/core/assert.h"
+#include "engine/physics/dynamics/joint/joint_direct.h"
+#include "engine/physics/dynamics/joint/joint_geometry.h"
+#include "engine/physics/dynamics/joint/joint_iterative.h"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+
+struct JointSystem::Impl {
+    /// Where the present sub-step is.
+    enum class Phase : std::uint8_t {
+        Ready,   ///< rows are those of the poses; the next push of springs begins a sub-step
+        Pushed,  ///< forces are in the velocities, nothing has moved
+        Moved,   ///< positions are corrected, rows are still those of before
+    };
+
+    TopologyCache topologies;
+    JointGroup group;
+    DirectJoints direct;
+    IterativeJoints iterative;
+    std::vector<JointSpring> soft_springs;
+    std::vector<JointSpring> stiff_springs;
+    std::vector<JointForm> forms;
+    std::vector<double> spring_load;
+    std::vector<bool> stiff;
+    JointMethod method{JointMethod::Direct};
+    Phase phase{Phase::Ready};
+    int substeps{0};
+    JointWork work;
+
+    bool is_direct() const { return method == JointMethod::Direct; }
+    void find_forms(std::span<const SolverBody> bodies);
+    void list_springs();
+    void begin_substep();
+    void push_springs(double duration_s);
+    void finish_joint(std::size_t index);
+    void keep_forces();
+};
+
+void JointSystem::Impl::find_forms(std::span<const SolverBody> bodies) {
+    const auto is_spring = [](const SolverJoint& joint) { return joint.kind == JointKind::Spring; };
+    const bool any_spring = std::ranges::any_of(group.joints, is_spring);
+    if (any_spring) {
+        find_stiff_springs(bodies, group.joints, group.substep_s, spring_load, stiff);
+    }
+    forms.clear();
+    for (std::size_t i = 0; i < group.joints.size(); ++i) {
+        forms.push_back(form_of(group.joints[i], any_spring && stiff[i]));
+    }
+}
+
+void JointSystem::Impl::list_springs() {
+    soft_springs.clear();
+    stiff_springs.clear();
+    const auto add = [&](std::size_t index, std::vector<JointSpring>& list) -> JointSpring& {
+        const SolverJoint& joint = group.joints[index];
+        const auto [a, b] = group.topology->sides[index];
+        return list.emplace_back(
+            JointSpring{.joint = static_cast<std::uint32_t>(index),
+                        .a = &group.bodies[a],
+                        .b = &group.bodies[b],
+                        .anchor_in_a = joint.anchor_in_a,
+                        .anchor_in_b = joint.anchor_in_b,
+                        .stiffness_Npm = static_cast<double>(joint.stiffness_Npm),
+                        .damping_Nspm = static_cast<double>(joint.damping_Nspm),
+                        .rest_m = static_cast<double>(joint.rest_length_m)});
+    };
+    for (std::size_t i = 0; i < group.joints.size(); ++i) {
+        if (group.joints[i].kind != JointKind::Spring) continue;
+        if (forms[i].places == NodeKind::None) add(i, soft_springs);
+    }
+    for (std::uint32_t node = 0; node < group.topology->nodes.size(); ++node) {
+        const std::uint32_t joint = group.topology->nodes[node].joint;
+        if (group.joints[joint].kind == JointKind::Spring) add(joint, stiff_springs).node = node;
+    }
+}
+
+void JointSystem::Impl::begin_substep() {
+    ++substeps;
+    for (JointBound& bound : group.bounds) {
+        if (is_direct()) bound.before_motion(group.substep_s);
+    }
+    if (!is_direct()) iterative.warm_start(group);
+}
+
+void JointSystem::Impl::push_springs(double duration_s) {
+    const bool after_motion = phase == Phase::Moved;
+    for (std::size_t i = 0; i < soft_springs.size(); ++i) {
+        // Backwards after the motion: a sub-step looks the same from its end.
+        const std::size_t index = after_motion ? soft_springs.size() - 1 - i : i;
+        push_soft_spring(soft_springs[index], group.substep_s, duration_s, after_motion, group);
+    }
+    if (after_motion) {
+        for (const JointSpring& spring : stiff_springs) repeat_stiff_spring(spring, group);
+    } else if (is_direct()) {
+        direct.push_springs(group, stiff_springs, duration_s);
+    } else {
+        for (JointSpring& spring : stiff_springs) {
+            damp_stiff_spring(spring, group);
+            push_stiff_spring(spring, duration_s, group);
+        }
+    }
+}
+
+/// The mean force on b and torque, where the iterative method and the next step's geometric
+/// stiffness look for them.
+void JointSystem::Impl::keep_forces() {
+    if (substeps == 0) return;
+    const double per_second = -1 / (substeps * group.substep_s);
+    for (std::size_t i = 0; i < group.joints.size(); ++i) {
+        const Vec3d force = group.totals[i].impulse_Ns * per_second;
+        const Vec3d torque = group.totals[i].angular_impulse_Nms * per_second;
+        group.joints[i].impulse = {static_cast<Real>(force.x),
+                                   static_cast<Real>(force.y),
+                                   static_cast<Real>(force.z),
+                                   static_cast<Real>(torque.x),
+                                   static_cast<Real>(torque.y),
+                                   static_cast<Real>(torque.z)};
+    }
+}
+
+void JointSystem::Impl::finish_joint(std::size_t index) {
+    SolverJoint& joint = group.joints[index];
+    joint.total_impulse_Ns = group.totals[index].impulse_Ns;
+    joint.total_angular_impulse_Nms = group.totals[index].angular_impulse_Nms;
+    const JointBody& a = group.bodies[group.topology->sides[index][0]];
+    const JointBody& b = group.bodies[group.topology->sides[index][1]];
+    if (joint.kind == JointKind::Ball) {
+        joint.error_m = glm::length((b.position_m - a.position_m) +
+                                    (b.axes * joint.anchor_in_b - a.axes * joint.anchor_in_a));
+    } else {
+        const JointFit fit =
+            joint_error(joint, {a.position_m, a.orientation}, {b.position_m, b.orientation});
+        joint.error_m = fit.error_m;
+        joint.position = fit.position;
+    }
+    work.max_error_m = std::max(work.max_error_m, joint.error_m);
+}
+
+JointSystem::JointSystem() : impl_(std::make_unique<Impl>()) {}
+JointSystem::~JointSystem() = default;
+JointSystem::JointSystem(JointSystem&&) noexcept = default;
+JointSystem& JointSystem::operator=(JointSystem&&) noexcept = default;
+
+void JointSystem::start(std::span<SolverBody> bodies,
+                        std::span<SolverJoint> joints,
+                        double substep_s,
+                        JointMethod method) {
+    Impl& impl = *impl_;
+    JointGroup& group = impl.group;
+    impl.work = {};
+    impl.phase = Impl::Phase::Ready;
+    impl.substeps = 0;
+    group.row_solves = 0;
+    group.substep_s = substep_s;
+    group.joints = joints;
+    impl.find_forms(bodies);
+    group.topology = &impl.topologies.of(bodies, joints, impl.forms);
+    impl.method = group.topology->too_dear ? JointMethod::Iterative : method;
+    group.start(bodies);
+    impl.list_springs();
+    if (impl.is_direct()) {
+        impl.direct.start(group);
+    } else {
+        impl.iterative.start(group);
+    }
+}
+
+void JointSystem::push_springs(double duration_s) {
+    Impl& impl = *impl_;
+    impl.group.read_velocities();
+    if (impl.phase == Impl::Phase::Ready) {
+        impl.begin_substep();
+        impl.phase = Impl::Phase::Pushed;
+    }
+    impl.push_springs(duration_s);
+    impl.group.write_velocities();
+}
+
+void JointSystem::solve_velocities() {
+    Impl& impl = *impl_;
+    impl.group.read_velocities();
+    if (impl.is_direct()) {
+        impl.direct.solve_velocities(impl.group);
+    } else {
+        impl.iterative.sweep(impl.group, impl.phase == Impl::Phase::Pushed);
+    }
+    impl.group.write_velocities();
+}
+
+void JointSystem::correct_positions() {
+    Impl& impl = *impl_;
+    for (JointBody& body : impl.group.bodies) body.read_pose();
+    impl.phase = Impl::Phase::Moved;
+    if (!impl.is_direct()) {
+        for (JointBody& body : impl.group.bodies) body.update_inertia();
+        return;
+    }
+    impl.group.read_velocities();
+    impl.direct.correct_positions(impl.group);
+    impl.group.write_velocities();
+    for (const JointBody& body : impl.group.bodies) body.write_pose();
+}
+
+void JointSystem::refresh() {
+    Impl& impl = *impl_;
+    PL_ASSERT(impl.phase == Impl::Phase::Moved, "correct_positions() before refresh()");
+    impl.phase = Impl::Phase::Ready;
+    impl.group.refresh();
+    if (impl.is_direct()) {
+        impl.direct.factor(impl.group);
+    } else {
+        impl.iterative.refresh(impl.group);
+    }
+}
+
+void JointSystem::finish() {
+    Impl& impl = *impl_;
+    impl.group.collect_totals();
+    for (std::size_t i = 0; i < impl.group.joints.size(); ++i) impl.finish_joint(i);
+    for (const JointBound& bound : impl.group.bounds) {
+        bound.keep(impl.group.joints[bound.joint_index], impl.group.substep_s);
+    }
+    if (impl.is_direct()) {
+        impl.keep_forces();
+        impl.work.unresolved = impl.direct.unresolved();
+    } else {
+        impl.iterative.finish(impl.group);
+    }
+    impl.work.row_solves = impl.group.row_solves;
+}
+
+bool JointSystem::solves_before_motion() const {
+    return !impl_->is_direct() || !impl_->group.bounds.empty();
+}
+
+JointMethod JointSystem::method_used() const {
+    return impl_->method;
+}
+
+const JointWork& JointSystem::work() const {
+    return impl_->work;
+}
+
+}  // namespace plumbline::physics

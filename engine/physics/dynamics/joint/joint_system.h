@@ -1,0 +1,107 @@
+// The joints of one island, solved directly. Knows nothing of Bullet.
+//
+// J is the joints' Jacobian, A = J M^-1 J^T. A is block-sparse along the joint graph; it is factored
+// once per sub-step (L D L^T) and integrated by RATTLE (docs/PHYSICS.md), so chains neither stretch
+// nor lose energy. Limits and motors are rows with bounds, swept beside it.
+#pragma once
+
+#include "engine/physics/dynamics/solver_body.h"
+#include "engine/physics/joint.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace plumbline::physics {
+
+/// A joint during one step: bodies by their index in the island's array.
+///
+/// The frames' x axis is the joint's axis; both frames coincide at creation. Frame and anchor are
+/// in mass frames (at the centre of mass, along the principal axes) and in double precision.
+struct SolverJoint {
+    JointKind kind{JointKind::Ball};
+    std::uint32_t a{kWorldBody};
+    std::uint32_t b{kWorldBody};
+    std::uint64_t key{0};  ///< the same joint has the same key in every step
+    Vec3d anchor_in_a{0, 0, 0};
+    Vec3d anchor_in_b{0, 0, 0};
+    Quatd frame_in_a{1, 0, 0, 0};
+    Quatd frame_in_b{1, 0, 0, 0};
+    std::optional<std::array<Real, 2>> limits{};
+    std::optional<std::array<Real, 2>> twist_limits{};
+    std::optional<JointMotor> motor{};
+    Real stiffness_Npm{0};
+    Real damping_Nspm{0};
+    Real rest_length_m{0};
+
+    // Kept by the caller from step to step.
+    std::array<Real, 3> bounded_impulse{0, 0, 0};  ///< warm start of limits and motor, per second
+    /// Per second: warm start of the iterative method; with the direct one the mean force on b and
+    /// torque, by which the next step knows how hard bodies are pulled.
+    std::array<Real, 6> impulse{0, 0, 0, 0, 0, 0};
+
+    // Left by finish().
+    Vec3d total_impulse_Ns{0, 0, 0};  ///< on a, over the step
+    Vec3d total_angular_impulse_Nms{0, 0, 0};
+    double error_m{0};   ///< as JointState
+    double position{0};  ///< as JointState
+};
+
+/// Work and condition of the latest step.
+struct JointWork {
+    std::uint64_t row_solves{0};
+    double max_error_m{0};
+    /// How many times too long a sub-step was for the fastest swinging of light bodies that joints
+    /// pull hard: such bodies were slowed down and lost energy. 0: nothing was too fast.
+    double unresolved{0};
+};
+
+/// One island's joints through the sub-steps of one step. Reused from step to step: what depends
+/// only on which joint holds which bodies is kept while it does not change.
+///
+/// Order of a sub-step of h seconds, all of it even without a single spring or limit:
+///     the bodies' accelerations change the velocities for h, by the caller, who notes the change in
+///     steady_mps and steady_radps
+///     push_springs(h/2); solve_velocities(), which contact sweeps may alternate with
+///     bodies move by their velocity less half of the steady change, by the caller
+///     correct_positions(); push_springs(h/2); refresh()
+///     solve_velocities(), which relax sweeps may alternate with
+/// The same without steady changes: accelerations for h/2 at the start, and for h/2 again before
+/// the last solve. Both are second order.
+class JointSystem {
+public:
+    JointSystem();
+    ~JointSystem();
+    JointSystem(JointSystem&&) noexcept;
+    JointSystem& operator=(JointSystem&&) noexcept;
+
+    /// The spans must stay where they are until finish(). `substep_s` is h.
+    void start(std::span<SolverBody> bodies,
+               std::span<SolverJoint> joints,
+               double substep_s,
+               JointMethod method);
+    /// Springs and their damping, as velocity changes over `duration_s`, half a sub-step. The first
+    /// of the two begins the sub-step.
+    void push_springs(double duration_s);
+    /// Velocities that the joints allow: limits and motors swept, then all rows exactly.
+    void solve_velocities();
+    /// Puts the bodies back on the joints after they moved; the velocities get what that took.
+    void correct_positions();
+    /// Jacobians, world inertias and factor at the present poses.
+    void refresh();
+    /// Impulse totals, errors and warm-start numbers into the joints.
+    void finish();
+    /// Whether velocities must be solved before the bodies move in an island that touches nothing.
+    /// If not, correct_positions() finds the same impulses, and the solve may be left out.
+    bool solves_before_motion() const;
+
+    /// Direct becomes Iterative where the factor would fill in too much: nets of thousands.
+    JointMethod method_used() const;
+    const JointWork& work() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace plumbline::physics

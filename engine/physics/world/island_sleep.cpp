@@ -1,0 +1,110 @@
+#include "engine/physics/world/island_sleep.h"
+
+#include "engine/physics/bullet/convert.h"
+#include "engine/physics/world/world_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+/// Stretches of time that must be calm, one after the other.
+constexpr int kStretches = 2;
+/// Slow: below this share of the speed of a fall by the radius, sqrt(2 g r).
+constexpr double kSlowShare = 0.0141;
+/// ... and without gravity below this many radii per second.
+constexpr double kSlowRadii_per_s = 1e-3;
+/// A calm body's mean speed over a stretch, as a share of what is slow.
+constexpr double kDriftShare = 0.08;
+/// A body that goes farther in each stretch is tipping over or has been let go.
+constexpr double kGrowth = 1.5;
+/// Ways shorter than this share of the radius are rounding and say nothing about growth.
+constexpr double kNoiseShare = 1e-4;
+
+double slow_mps(double radius_m, double gravity_mps2) {
+    return std::max(kSlowShare * std::sqrt(2 * gravity_mps2 * radius_m),
+                    kSlowRadii_per_s * radius_m);
+}
+
+/// Speed of a point mass with the body's kinetic energy.
+double speed_of_energy(const BodyRecord& record) {
+    const Vec3d v = double_from_bullet(record.rigid->getLinearVelocity());
+    const btMatrix3x3& basis = record.rigid->getWorldTransform().getBasis();
+    const Vec3d spin = double_from_bullet(record.rigid->getAngularVelocity() * basis);
+    return std::sqrt(glm::dot(v, v) + glm::dot(record.inertia_kgm2, spin * spin) / record.mass_kg);
+}
+
+Vec3d position_of(const BodyRecord& record) {
+    if (record.flight.going) return record.flight.position_m;
+    return double_from_bullet(record.rigid->getWorldTransform().getOrigin());
+}
+
+Quatd orientation_of(const BodyRecord& record) {
+    if (record.flight.going) return record.flight.orientation;
+    return glm::normalize(Quatd(quat_from_bullet(record.rigid->getWorldTransform().getBasis())));
+}
+
+void start_stretch(BodyRecord& record) {
+    record.rest.position_m = position_of(record);
+    record.rest.orientation = orientation_of(record);
+    record.rest.stretch_s = 0;
+}
+
+/// How far the body's farthest point went in this stretch.
+double way_m(const BodyRecord& record) {
+    const Quatd turn = orientation_of(record) * glm::conjugate(record.rest.orientation);
+    const double angle_rad = 2 * glm::length(Vec3d{turn.x, turn.y, turn.z});
+    return glm::distance(position_of(record), record.rest.position_m) +
+           static_cast<double>(record.radius_m) * angle_rad;
+}
+
+}  // namespace
+
+void break_rest(BodyRecord& record) {
+    record.rest.calm = 0;
+    record.rest.went_m = -1;
+    record.rest.stretch_s = -1;  // the next slow step starts a stretch
+}
+
+void watch_rest(BodyRecord& record, double gravity_mps2, double step_s) {
+    const auto radius_m = static_cast<double>(record.radius_m);
+    const double slow = slow_mps(radius_m, gravity_mps2);
+    if (record.forced || speed_of_energy(record) > slow) return break_rest(record);
+    Rest& rest = record.rest;
+    if (rest.stretch_s < 0) return start_stretch(record);
+    rest.stretch_s += step_s;
+    constexpr double kStretch_s = kSleepAfter_s / kStretches;
+    if (rest.stretch_s < kStretch_s) return;
+    const double way = way_m(record);
+    const bool grows =
+        rest.went_m >= 0 && way > kGrowth * rest.went_m && way > kNoiseShare * radius_m;
+    rest.calm = way <= kDriftShare * slow * rest.stretch_s && !grows ? rest.calm + 1 : 0;
+    rest.went_m = way;
+    start_stretch(record);
+}
+
+bool is_at_rest(const Island& island) {
+    if (!island.supported || island.carried) return false;
+    return std::all_of(island.bodies.begin(), island.bodies.end(), [](const BodyRecord* record) {
+        return record->can_sleep && record->rest.calm >= kStretches;
+    });
+}
+
+std::uint32_t Slumbers::add(std::span<BodyRecord* const> bodies) {
+    if (free_.empty()) {
+        bodies_.emplace_back();
+        free_.push_back(static_cast<std::uint32_t>(bodies_.size()));
+    }
+    const std::uint32_t slumber = free_.back();
+    free_.pop_back();
+    bodies_[slumber - 1].assign(bodies.begin(), bodies.end());
+    return slumber;
+}
+
+std::vector<BodyRecord*> Slumbers::end(std::uint32_t slumber) {
+    free_.push_back(slumber);
+    return std::exchange(bodies_[slumber - 1], {});
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,278 @@
+// Joints: made, driven, broken and taken away; what a step left of them.
+#include "engine/physics/bullet/joints.h"
+
+#include "engine/physics/bullet/convert.h"
+#include "engine/physics/world/world_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+/// Closer anchors give a distance joint no direction to push in.
+constexpr double kShortest_m = 1e-3;
+
+bool has_axis(JointKind kind) {
+    return kind == JointKind::Hinge || kind == JointKind::Slider || kind == JointKind::Cone;
+}
+bool has_motor(JointKind kind) {
+    return kind == JointKind::Hinge || kind == JointKind::Slider;
+}
+
+bool is_positive_or_zero(Real number) {
+    return std::isfinite(number) && number >= 0;
+}
+bool is_good(const JointMotor& motor) {
+    return std::isfinite(motor.target) && is_positive_or_zero(motor.max);
+}
+
+std::string fault_of_limits(const std::optional<std::array<Real, 2>>& limits,
+                            std::string_view name) {
+    if (!limits) return {};
+    const auto [low, high] = *limits;
+    if (!std::isfinite(low) || !std::isfinite(high))
+        return fmt::format("{} must be finite numbers", name);
+    if (low > high) return fmt::format("{} cross: {} is above {}", name, low, high);
+    return {};
+}
+
+/// What is wrong with the numbers alone; empty: nothing.
+std::string fault_of_numbers(const JointDef& joint) {
+    if (!is_finite(joint.anchor_a_world) || !is_finite(joint.anchor_b_world))
+        return "anchors must be finite";
+    if (has_axis(joint.kind)) {
+        if (!is_finite(joint.axis_world)) return "the axis must be finite";
+        if (glm::length(Vec3d{joint.axis_world}) < 1e-6) return "the axis has no direction";
+    }
+    if (std::string fault = fault_of_limits(joint.limits, "limits"); !fault.empty()) return fault;
+    if (std::string fault = fault_of_limits(joint.twist_limits, "twist limits"); !fault.empty())
+        return fault;
+    if (joint.motor && !is_good(*joint.motor))
+        return "a motor needs a finite target and a maximum of 0 or more";
+    if (!is_positive_or_zero(joint.stiffness_Npm) || !is_positive_or_zero(joint.damping_Nspm))
+        return "stiffness and damping must be 0 or more";
+    if (joint.rest_length_m && !is_positive_or_zero(*joint.rest_length_m))
+        return "the rest length must be 0 or more";
+    if (!is_positive_or_zero(joint.break_N)) return "the breaking force must be 0 or more";
+    if (joint.kind != JointKind::Distance) return {};
+    if (joint.limits) {
+        if ((*joint.limits)[0] < 0) return "a distance cannot be below 0";
+        return {};
+    }
+    const double length_m = joint.rest_length_m ? static_cast<double>(*joint.rest_length_m)
+                                                : glm::distance(Vec3d{joint.anchor_a_world},
+                                                                Vec3d{joint.anchor_b_world});
+    if (length_m < kShortest_m) return "the anchors are on one spot; use a ball joint";
+    return {};
+}
+
+/// Rigid transforms as the joints want them: what flies keeps double precision.
+MassPose mass_pose(const BodyRecord& record) {
+    if (record.flight.going)
+        return {.position_m = record.flight.position_m, .orientation = record.flight.orientation};
+    const btTransform& at = record.rigid->getWorldTransform();
+    const Quat q = quat_from_bullet(at.getBasis());
+    return {.position_m = double_from_bullet(at.getOrigin()),
+            .orientation = glm::normalize(Quatd{q})};
+}
+
+MassPose mass_pose_of_b(const JointRecord& joint) {
+    return joint.b != nullptr ? mass_pose(*joint.b) : MassPose{};
+}
+
+/// Error and position at the bodies' present poses.
+void measure(JointRecord& joint) {
+    const JointFit fit = joint_error(joint.solver, mass_pose(*joint.a), mass_pose_of_b(joint));
+    joint.solver.error_m = fit.error_m;
+    joint.solver.position = fit.position;
+    joint.state.error_m = fit.error_m;
+    joint.state.position = static_cast<Real>(fit.position);
+}
+
+void forget_one(std::vector<const BodyRecord*>& list, const BodyRecord* body) {
+    const auto found = std::find(list.begin(), list.end(), body);
+    if (found != list.end()) list.erase(found);
+}
+
+bool is_moving_kinematic(const BodyRecord* record) {
+    return record != nullptr && record->kind == BodyKind::Kinematic && record->in_world &&
+           record->rigid->isActive();
+}
+
+}  // namespace
+
+std::string PhysicsWorld::Impl::fault_of(const JointDef& joint) const {
+    const auto* a = bodies.find(joint.a);
+    if (a == nullptr) return "a is no body";
+    if (joint.a == joint.b) return "a body cannot be joined to itself";
+    const auto* b = bodies.find(joint.b);
+    if (b == nullptr && joint.b) return "b is no body";
+    if (!(*a)->in_world || (b != nullptr && !(*b)->in_world))
+        return "a body was taken out of the simulation";
+    if ((*a)->kind != BodyKind::Dynamic && (b == nullptr || (*b)->kind != BodyKind::Dynamic))
+        return "neither body can move; at least one must be dynamic";
+    return fault_of_numbers(joint);
+}
+
+JointId PhysicsWorld::Impl::add_joint(const JointDef& joint_def) {
+    const JointId id = joints.insert(std::make_unique<JointRecord>());
+    JointRecord& joint = *joints.get(id);
+    joint.id = id;
+    joint.def = joint_def;
+    joint.a = &body(joint_def.a);
+    joint.b = joint_def.b ? &body(joint_def.b) : nullptr;
+    joint.solver = placed_joint(joint_def, mass_pose(*joint.a), mass_pose_of_b(joint));
+    joint.solver.key = (std::uint64_t{id.index} << 32U) | id.generation;
+    measure(joint);
+    joint.a->joints.push_back(id);
+    if (joint.b != nullptr) joint.b->joints.push_back(id);
+    if (joint.b != nullptr && !joint.def.collide) {
+        joint.a->apart.push_back(joint.b);
+        joint.b->apart.push_back(joint.a);
+        // With the pair goes its manifold: old contact points would press on.
+        pairs->removeOverlappingPair(joint.a->rigid->getBroadphaseProxy(),
+                                     joint.b->rigid->getBroadphaseProxy(),
+                                     dispatcher.get());
+    }
+    if (bullet_joints) {
+        joint.bullet = make_bullet_joint(joint);
+        world->addConstraint(joint.bullet.get());
+    }
+    wake_ends(joint);
+    return id;
+}
+
+void PhysicsWorld::Impl::detach_joint(JointRecord& joint) {
+    if (joint.bullet) {
+        world->removeConstraint(joint.bullet.get());
+        joint.bullet.reset();
+    }
+    if (joint.b == nullptr || joint.def.collide) return;
+    forget_one(joint.a->apart, joint.b);
+    forget_one(joint.b->apart, joint.a);
+    // The broad phase looks for pairs only where boxes moved: what is near already must be told. It
+    // drops the pair again if the two are apart.
+    pairs->addOverlappingPair(joint.a->rigid->getBroadphaseProxy(),
+                              joint.b->rigid->getBroadphaseProxy());
+}
+
+void PhysicsWorld::Impl::remove_joint(JointId id) {
+    JointRecord& joint = *joints.get(id);
+    wake_ends(joint);
+    if (!joint.state.broken) detach_joint(joint);
+    std::erase(joint.a->joints, id);
+    if (joint.b != nullptr) std::erase(joint.b->joints, id);
+    joints.erase(id);
+}
+
+void PhysicsWorld::Impl::remove_joints_of(const BodyRecord& record) {
+    const std::vector<JointId> ids = record.joints;
+    for (const JointId id : ids) remove_joint(id);
+}
+
+void PhysicsWorld::Impl::wake_ends(const JointRecord& joint) {
+    if (joint.state.broken) return;
+    wake(*joint.a);
+    if (joint.b != nullptr) wake(*joint.b);
+}
+
+void PhysicsWorld::Impl::prepare_joints() {
+    broken_joints.clear();
+    joints.each([this](JointId, std::unique_ptr<JointRecord>& record) {
+        JointRecord& joint = *record;
+        if (joint.state.broken) return;
+        if (is_moving_kinematic(joint.a) || is_moving_kinematic(joint.b)) wake_ends(joint);
+        if (joint.bullet) prepare_bullet_joint(joint);
+    });
+}
+
+void PhysicsWorld::Impl::gather_joint_loads(double substep_s) {
+    if (!bullet_joints) return;
+    joints.each([substep_s](JointId, std::unique_ptr<JointRecord>& record) {
+        if (record->bullet) gather_bullet_joint(*record, substep_s);
+    });
+}
+
+void PhysicsWorld::Impl::settle_joints() {
+    joints.each([this](JointId id, std::unique_ptr<JointRecord>& record) {
+        JointRecord& joint = *record;
+        if (joint.state.broken) return;
+        if (joint.bullet && joint.solved_s > 0) {
+            const double time_s = joint.solved_s;
+            joint.state.force_N = static_cast<Real>(glm::length(joint.carried_Ns) / time_s);
+            joint.state.torque_Nm = static_cast<Real>(glm::length(joint.carried_Nms) / time_s);
+            measure(joint);
+        }
+        if (joint.def.break_N > 0 && joint.state.force_N > joint.def.break_N)
+            broken_joints.push_back(id);
+    });
+    for (const JointId id : broken_joints) {
+        JointRecord& joint = *joints.get(id);
+        wake_ends(joint);
+        detach_joint(joint);
+        joint.state.broken = true;
+    }
+}
+
+double PhysicsWorld::Impl::elastic_energy_J() const {
+    double sum_J = 0;
+    joints.each([&sum_J](JointId, const std::unique_ptr<JointRecord>& record) {
+        const JointRecord& joint = *record;
+        if (joint.def.kind != JointKind::Spring || joint.state.broken) return;
+        const JointSides sides =
+            joint_sides(joint.solver, mass_pose(*joint.a), mass_pose_of_b(joint));
+        const double stretch_m =
+            glm::length(sides.gap_m) - static_cast<double>(joint.solver.rest_length_m);
+        sum_J += 0.5 * static_cast<double>(joint.solver.stiffness_Npm) * stretch_m * stretch_m;
+    });
+    return sum_J;
+}
+
+Result<JointId> PhysicsWorld::create_joint(const JointDef& joint) {
+    const std::string fault = impl_->fault_of(joint);
+    if (!fault.empty()) return Error{fault, ExitCode::Refused};
+    return impl_->add_joint(joint);
+}
+
+void PhysicsWorld::destroy_joint(JointId id) {
+    if (impl_->joints.contains(id)) impl_->remove_joint(id);
+}
+
+bool PhysicsWorld::contains(JointId id) const {
+    return impl_->joints.contains(id);
+}
+std::size_t PhysicsWorld::joint_count() const {
+    return impl_->joints.size();
+}
+const JointDef& PhysicsWorld::joint_def(JointId id) const {
+    return impl_->joints.get(id)->def;
+}
+const JointState& PhysicsWorld::joint_state(JointId id) const {
+    return impl_->joints.get(id)->state;
+}
+
+void PhysicsWorld::set_joint_motor(JointId id, const std::optional<JointMotor>& motor) {
+    JointRecord& joint = *impl_->joints.get(id);
+    if (!has_motor(joint.def.kind) || (motor && !is_good(*motor))) return;
+    joint.def.motor = motor;
+    joint.solver.motor = motor;
+    if (joint.bullet) drive_bullet_joint(joint);
+    impl_->wake_ends(joint);
+}
+
+std::span<const JointId> PhysicsWorld::broken_joints() const {
+    return impl_->broken_joints;
+}
+
+double PhysicsWorld::max_joint_error_m() const {
+    double most_m = 0;
+    impl_->joints.each([&most_m](JointId, const std::unique_ptr<JointRecord>& record) {
+        if (!record->state.broken) most_m = std::max(most_m, record->state.error_m);
+    });
+    return most_m;
+}
+
+}  // namespace plumbline::physics

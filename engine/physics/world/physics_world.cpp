@@ -1,0 +1,144 @@
+#include "engine/physics/physics_world.h"
+
+#include "engine/physics/bullet/convert.h"
+#include "engine/physics/world/small_step_world.h"
+#include "engine/physics/world/world_state.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+struct SolverName {
+    Solver solver;
+    std::string_view name;
+};
+constexpr std::array<SolverName, 5> kSolverNames{{{Solver::SmallStep, "small_step"},
+                                                  {Solver::BulletSi, "bullet_si"},
+                                                  {Solver::BulletNncg, "bullet_nncg"},
+                                                  {Solver::BulletDantzig, "bullet_dantzig"},
+                                                  {Solver::BulletPgs, "bullet_pgs"}}};
+
+}  // namespace
+
+std::string_view solver_name(Solver solver) {
+    for (const SolverName& entry : kSolverNames) {
+        if (entry.solver == solver) return entry.name;
+    }
+    return "";
+}
+
+std::optional<Solver> solver_from_name(std::string_view name) {
+    for (const SolverName& entry : kSolverNames) {
+        if (entry.name == name) return entry.solver;
+    }
+    return std::nullopt;
+}
+
+BodyRecord& PhysicsWorld::Impl::body(BodyId id) {
+    return *bodies.get(id);
+}
+const BodyRecord& PhysicsWorld::Impl::body(BodyId id) const {
+    return *bodies.get(id);
+}
+
+PhysicsWorld::PhysicsWorld(const WorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
+PhysicsWorld::~PhysicsWorld() = default;
+
+Result<ShapeId> PhysicsWorld::create_shape(const ShapeDef& def, std::vector<std::string>* notes) {
+    auto built = build_shape(def, notes);
+    if (!built) return built.error();
+    return impl_->shapes.insert(std::move(built.value()));
+}
+
+void PhysicsWorld::set_features(const WorldFeatures& features) {
+    impl_->features = features;
+}
+const WorldDef& PhysicsWorld::def() const {
+    return impl_->def;
+}
+std::size_t PhysicsWorld::body_count() const {
+    return impl_->bodies.size();
+}
+std::span<const ContactEvent> PhysicsWorld::contacts() const {
+    return impl_->events;
+}
+const StepCost& PhysicsWorld::cost() const {
+    return impl_->cost;
+}
+const FeatureUse& PhysicsWorld::feature_use() const {
+    return impl_->use;
+}
+std::span<const IslandReport> PhysicsWorld::islands() const {
+    if (!impl_->small) return {};
+    return impl_->small->reports;
+}
+std::span<const BodyId> PhysicsWorld::quarantined() const {
+    return impl_->quarantined;
+}
+
+// --- totals
+
+Energy PhysicsWorld::energy() const {
+    const Vec3d gravity{impl_->def.gravity_mps2};
+    Energy sum;
+    impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+        if (record->kind != BodyKind::Dynamic || !record->in_world || record->frozen) return;
+        const btRigidBody& rigid = *record->rigid;
+        const Vec3d v = double_from_bullet(rigid.getLinearVelocity());
+        const Vec3d spin =
+            double_from_bullet(rigid.getAngularVelocity() * rigid.getWorldTransform().getBasis());
+        const Vec3d x = double_from_bullet(rigid.getWorldTransform().getOrigin());
+        sum.kinetic_J += 0.5 * record->mass_kg * glm::dot(v, v) +
+                         0.5 * glm::dot(record->inertia_kgm2, spin * spin);
+        sum.potential_J -= record->mass_kg * glm::dot(gravity, x);
+    });
+    sum.potential_J += impl_->elastic_energy_J();
+    return sum;
+}
+
+Vec3d PhysicsWorld::momentum_kgmps() const {
+    Vec3d sum{0, 0, 0};
+    impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+        if (record->kind != BodyKind::Dynamic || !record->in_world || record->frozen) return;
+        sum += record->mass_kg * double_from_bullet(record->rigid->getLinearVelocity());
+    });
+    return sum;
+}
+
+Vec3d PhysicsWorld::angular_momentum_kgm2ps() const {
+    Vec3d sum{0, 0, 0};
+    impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+        if (record->kind != BodyKind::Dynamic || !record->in_world || record->frozen) return;
+        const btTransform& at = record->rigid->getWorldTransform();
+        const Vec3d x = double_from_bullet(at.getOrigin());
+        const Vec3d v = double_from_bullet(record->rigid->getLinearVelocity());
+        const Vec3d body_spin =
+            double_from_bullet(record->rigid->getAngularVelocity() * at.getBasis());
+        const btVector3 own = at.getBasis() * bullet_from_double(record->inertia_kgm2 * body_spin);
+        sum += record->mass_kg * glm::cross(x, v) + double_from_bullet(own);
+    });
+    return sum;
+}
+
+double PhysicsWorld::max_penetration_m() const {
+    double deepest = 0;
+    for (int i = 0; i < impl_->dispatcher->getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold = *impl_->dispatcher->getManifoldByIndexInternal(i);
+        for (int p = 0; p < manifold.getNumContacts(); ++p) {
+            deepest =
+                std::max(deepest, -static_cast<double>(manifold.getContactPoint(p).getDistance()));
+        }
+    }
+    return deepest;
+}
+
+int most_substeps(const PhysicsWorld& world) {
+    int most = world.def().substeps;
+    for (const IslandReport& island : world.islands()) most = std::max(most, island.substeps);
+    return most;
+}
+
+}  // namespace plumbline::physics

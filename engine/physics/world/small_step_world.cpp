@@ -1,0 +1,303 @@
+#include "engine/physics/world/small_step_world.h"
+
+#include "engine/physics/bullet/convert.h"
+#include "engine/physics/dynamics/body_motion.h"
+#include "engine/physics/world/world_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+int wakeful_state(const BodyRecord& record) {
+    return record.can_sleep ? ACTIVE_TAG : DISABLE_DEACTIVATION;
+}
+
+void stand_still(BodyRecord& record) {
+    record.rigid->setLinearVelocity({0, 0, 0});
+    record.rigid->setAngularVelocity({0, 0, 0});
+    record.flight.velocity_mps = {0, 0, 0};
+    record.flight.spin_radps = {0, 0, 0};
+}
+
+void note_before(BodyRecord& record) {
+    record.before = record.rigid->getWorldTransform();
+    record.velocity_before = record.rigid->getLinearVelocity();
+    record.spin_before = record.rigid->getAngularVelocity();
+    record.jolt = {};
+}
+
+}  // namespace
+
+SmallStepWorld::SmallStepWorld(const SmallStepParts& parts)
+    : parts_(parts),
+      sweep_(parts.joints),
+      meeting_(parts.dispatcher, parts.world.getDispatchInfo()),
+      gravity_mps2_(static_cast<double>(glm::length(parts.def.gravity_mps2))),
+      step_s_(static_cast<btScalar>(parts.def.step_s)) {
+    const auto fall_m = static_cast<btScalar>(gravity_mps2_) * step_s_ * step_s_;
+    meeting_.begin_step({.step_s = step_s_, .fall_m = fall_m});
+}
+
+// --- bookkeeping
+
+void SmallStepWorld::enter(BodyRecord& record) {
+    record.awake = false;
+    record.slumber = 0;
+    record.sweep_group = 0;
+    if (pushable(record)) {
+        rouse(record);
+        return;
+    }
+    record.rigid->forceActivationState(ISLAND_SLEEPING);
+    wake_overlapping(record);
+}
+
+void SmallStepWorld::leave(BodyRecord& record) {
+    if (record.slumber != 0) wake(record);
+    record.awake = false;
+    std::erase(awake_, &record);
+    std::erase(fresh_, &record);
+    std::erase(carriers_, &record);
+}
+
+void SmallStepWorld::wake(BodyRecord& record) {
+    if (!pushable(record)) return;
+    record.box_stale = true;
+    break_rest(record);
+    if (record.awake) return;
+    if (record.slumber == 0) return rouse(record);
+    for (BodyRecord* sleeper : slumbers_.end(record.slumber)) rouse(*sleeper);
+}
+
+void SmallStepWorld::rouse(BodyRecord& record) {
+    record.awake = true;
+    record.slumber = 0;
+    record.box_stale = true;
+    break_rest(record);
+    note_before(record);
+    record.rigid->forceActivationState(wakeful_state(record));
+    fresh_.push_back(&record);
+}
+
+void SmallStepWorld::wake_touching(const BodyRecord& record) {
+    for (const PairLink& link : record.pairs) {
+        if (link.pair->touches) wake(partner(*link.pair, record));
+    }
+}
+
+void SmallStepWorld::wake_overlapping(const BodyRecord& record) {
+    for (const PairLink& link : record.pairs) {
+        BodyRecord& other = partner(*link.pair, record);
+        if (sleeps(other) && boxes_overlap(*link.pair)) wake(other);
+    }
+}
+
+void SmallStepWorld::stir(BodyRecord& record) {
+    if (record.awake) return;
+    record.awake = true;
+    carriers_.insert(std::upper_bound(carriers_.begin(), carriers_.end(), &record, by_id), &record);
+}
+
+// --- the step
+
+void SmallStepWorld::begin_step() {
+    admit_fresh();
+    touching_.clear();
+    reports.clear();
+}
+
+void SmallStepWorld::admit_fresh() {
+    if (fresh_.empty()) return;
+    std::sort(fresh_.begin(), fresh_.end(), by_id);
+    const auto old_count = static_cast<std::ptrdiff_t>(awake_.size());
+    awake_.insert(awake_.end(), fresh_.begin(), fresh_.end());
+    std::inplace_merge(awake_.begin(), awake_.begin() + old_count, awake_.end(), by_id);
+    fresh_.clear();
+}
+
+void SmallStepWorld::step(const WorldFeatures& features, bool want_contacts) {
+    features_ = features;
+    laps_.start();
+    drop_still_carriers();
+    wake_joined();
+    admit_fresh();
+    if (idle()) return;
+    remember();
+    cost.integrate_ms += laps_.lap_ms();
+
+    refresh_stale_boxes();
+    parts_.world.computeOverlappingPairs();
+    cost.broad_ms += laps_.lap_ms();
+    meet_pairs();
+    cost.narrow_ms += laps_.lap_ms();
+
+    list_joints();
+    builder_.build(awake_, touching_, joined_);
+    solve_islands();
+    cost.solve_ms += laps_.lap_ms();
+    if (want_contacts) {
+        after_solve();
+        use.events_ms += laps_.lap_ms();
+    }
+
+    move_free_bodies();
+    move_carriers();
+    stop_swept_bodies();
+    put_to_sleep();
+    cost.integrate_ms += laps_.lap_ms();
+    for (BodyRecord* record : awake_) refresh_box(*record);
+    for (BodyRecord* record : carriers_) refresh_box(*record);
+    cost.broad_ms += laps_.lap_ms();
+}
+
+void SmallStepWorld::drop_still_carriers() {
+    std::erase_if(carriers_, [](BodyRecord* record) {
+        record->awake = record->rigid->isActive();
+        if (!record->awake) note_before(*record);
+        return !record->awake;
+    });
+}
+
+/// A joint holds what sleeps and what does not only if it is new or its body was put back.
+void SmallStepWorld::wake_joined() {
+    for (BodyRecord* record : awake_) {
+        for (const JointId id : record->joints) {
+            const JointRecord& joint = *parts_.joints.get(id);
+            if (joint.state.broken || joint.b == nullptr) continue;
+            BodyRecord& other = joint.a == record ? *joint.b : *joint.a;
+            if (sleeps(other)) wake(other);
+        }
+    }
+}
+
+void SmallStepWorld::remember() {
+    for (BodyRecord* record : awake_) note_before(*record);
+    for (BodyRecord* record : carriers_) note_before(*record);
+}
+
+// --- boxes
+
+void SmallStepWorld::refresh_stale_boxes() {
+    for (BodyRecord* record : awake_) {
+        if (record->box_stale) refresh_box(*record);
+    }
+    for (BodyRecord* record : carriers_) refresh_box(*record);
+}
+
+/// A box round the body now and wherever it can be at the end of a step that nothing disturbs.
+void SmallStepWorld::refresh_box(BodyRecord& record) {
+    btRigidBody& rigid = *record.rigid;
+    record.box_stale = false;
+    btVector3 low;
+    btVector3 high;
+    rigid.getCollisionShape()->getAabb(rigid.getWorldTransform(), low, high);
+    btVector3 way = rigid.getLinearVelocity() * step_s_;
+    if (record.forced) way += rigid.getTotalForce() * (rigid.getInvMass() * step_s_ * step_s_);
+    const btScalar turn_rad = rigid.getAngularVelocity().length() * step_s_;
+    const auto fall_m = static_cast<btScalar>(gravity_mps2_) * step_s_ * step_s_;
+    const btScalar rim =
+        record.touch_m + fall_m + std::min(turn_rad, btScalar(2)) * record.radius_m;
+    for (int axis = 0; axis < 3; ++axis) {
+        low[axis] += std::min(way[axis], btScalar(0)) - rim;
+        high[axis] += std::max(way[axis], btScalar(0)) + rim;
+    }
+    // As Bullet does: what is out of all bounds, or not a number, is taken out after the step.
+    if (!((high - low).length2() < btScalar(1e12))) return;
+    parts_.world.getBroadphase()->setAabb(
+        rigid.getBroadphaseProxy(), low, high, &parts_.dispatcher);
+}
+
+// --- motion
+
+void SmallStepWorld::solve_islands() {
+    const IslandStep step{.step_s = parts_.def.step_s,
+                          .gravity_mps2 = Vec3d{parts_.def.gravity_mps2},
+                          .substeps_least = parts_.def.substeps,
+                          .substeps_most = std::max(parts_.def.substeps, parts_.def.substeps_max),
+                          .iterations = parts_.def.iterations,
+                          .joints = parts_.def.joints,
+                          .features = features_,
+                          .cost = &cost,
+                          .use = &use};
+    solver_.begin_step();
+    for (Island& island : builder_.islands()) {
+        reports.push_back(solver_.solve(island, step));
+        take_back_if_insane(island);
+    }
+}
+
+void SmallStepWorld::move_free_bodies() {
+    const Vec3d gravity{parts_.def.gravity_mps2};
+    turning_.clear();
+    for (BodyRecord* record : builder_.free_bodies()) {
+        btRigidBody& rigid = *record->rigid;
+        if (record->angular_keep != 1) {
+            rigid.setAngularVelocity(rigid.getAngularVelocity() * record->angular_keep);
+        }
+        if (record->forced && !rigid.getTotalTorque().isZero()) {
+            const btVector3 gained =
+                rigid.getInvInertiaTensorWorld() * rigid.getTotalTorque() * step_s_;
+            rigid.setAngularVelocity(rigid.getAngularVelocity() + gained);
+        }
+        fly(*record, gravity, features_, parts_.def.step_s);
+        if (feels_gyro(*record, features_)) turning_.push_back(record);
+    }
+    if (turning_.empty()) return;
+    cost.integrate_ms += laps_.lap_ms();
+    for (BodyRecord* record : turning_) turn_freely(*record, parts_.def.step_s);
+    use.gyro_bodies += static_cast<std::uint32_t>(turning_.size());
+    use.gyro_ms += laps_.lap_ms();
+}
+
+void SmallStepWorld::move_carriers() {
+    for (BodyRecord* record : carriers_) carry(*record, record->has_target, step_s_);
+}
+
+void SmallStepWorld::stop_swept_bodies() {
+    if (!features_.continuous_collision) return;
+    sweep_.begin_step();
+    std::uint32_t swept = 0;
+    for (BodyRecord* record : awake_) {
+        if (!moves_past_itself(*record)) continue;
+        if (swept++ == 0) cost.integrate_ms += laps_.lap_ms();
+        sweep_.stop_at_hit(parts_.world, *record, step_s_);
+    }
+    if (swept == 0) return;
+    use.swept_bodies += swept;
+    use.sweep_ms += laps_.lap_ms();
+}
+
+// --- sleep
+
+void SmallStepWorld::put_to_sleep() {
+    for (BodyRecord* record : builder_.free_bodies()) break_rest(*record);
+    bool slept = false;
+    for (const Island& island : builder_.islands()) {
+        for (BodyRecord* record : island.bodies) {
+            watch_rest(*record, gravity_mps2_, parts_.def.step_s);
+        }
+        if (!is_at_rest(island)) continue;
+        lay_down(island);
+        slept = true;
+    }
+    if (slept) std::erase_if(awake_, [](const BodyRecord* record) { return !record->awake; });
+}
+
+/// Contact points keep their impulses: the pile wakes as it fell asleep.
+void SmallStepWorld::lay_down(const Island& island) {
+    const std::uint32_t slumber = slumbers_.add(island.bodies);
+    for (BodyRecord* record : island.bodies) {
+        stand_still(*record);
+        record->rigid->clearForces();
+        record->forced = false;
+        note_before(*record);
+        record->awake = false;
+        record->slumber = slumber;
+        record->rigid->forceActivationState(ISLAND_SLEEPING);
+        refresh_box(*record);
+    }
+}
+
+}  // namespace plumbline::physics

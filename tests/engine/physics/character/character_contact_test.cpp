@@ -1,0 +1,407 @@
+// PHYSICS.md C06, C08, C09, C11, C13, C14: a person among moving things, in corners, far away.
+#include "tests/engine/physics/character/character_stage.h"
+
+namespace plumbline::physics {
+namespace {
+
+class CharacterAmongAtRate : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Rates, CharacterAmongAtRate, ::testing::Values(30, 60, 120, 240));
+
+// --- C06
+
+struct Platform {
+    Stage& stage;
+    BodyId body;
+    Pose pose;
+
+    Platform(Stage& on, const Vec3& size, const Vec3& position)
+        : stage(on),
+          body(on.add(BoxShape{size}, position, {.kind = BodyKind::Kinematic})),
+          pose{.position = position} {}
+    const CharacterState& step(const Pose& next, const CharacterInput& input = {}) {
+        pose = next;
+        stage.person->update(input);
+        stage.world.move_kinematic(body, pose);
+        stage.world.step();
+        return stage.person->state();
+    }
+};
+
+TEST_P(CharacterAmongAtRate, TurnsWithARotatingPlatform) {
+    Stage stage(GetParam());
+    Platform platform(stage, {6, 0.5_r, 6}, {10, 3, 0});
+    stage.enter({12, 3.25_r, 0});
+    stage.rest(0.2_r);
+    const double rate_radps = 1;
+    const int count = stage.steps_in(10);
+    Real yaw = 0;
+    Vec3 anchor{};
+    for (int i = 1; i <= count; ++i) {
+        const double angle = rate_radps * i * static_cast<double>(stage.dt);
+        Pose next = platform.pose;
+        next.orientation = glm::angleAxis(static_cast<Real>(angle), Vec3{0, 1, 0});
+        const CharacterState& state = platform.step(next);
+        yaw += state.ridden_yaw_rad;
+        ASSERT_EQ(state.footing, Footing::Ground);
+        const Vec3 local = transform_point(invert(next), state.feet_position_m);
+        // It starts at once: one step of surprise, then exact.
+        if (i == 2) anchor = local;
+        if (i > 2) {
+            ASSERT_LT(glm::distance(local, anchor), 1e-4) << "after " << angle << " rad";
+        }
+    }
+    EXPECT_NEAR(yaw, rate_radps * 10, 2e-3);
+}
+
+TEST_P(CharacterAmongAtRate, RidesALiftThatRises) {
+    Stage stage(GetParam());
+    Platform lift(stage, {4, 0.5_r, 4}, {0, -0.25_r, 0});
+    stage.enter({0.5_r, 0, 0.5_r});
+    stage.rest(0.2_r);
+    double t = 0;
+    double speed = 0;
+    double height = -0.25;
+    while (t < 4) {
+        // Up to 3 m/s within a second.
+        const double dt = static_cast<double>(stage.dt);
+        speed = std::min(3.0, speed + 3.0 * dt);
+        height += speed * dt;
+        t += dt;
+        Pose next = lift.pose;
+        next.position.y = static_cast<Real>(height);
+        const CharacterState& state = lift.step(next);
+        ASSERT_EQ(state.footing, Footing::Ground) << "at " << t;
+        ASSERT_NEAR(state.feet_position_m.y, height + 0.25, 0.01) << "at " << t;
+        ASSERT_NEAR(state.feet_position_m.x, 0.5, 1e-4);
+    }
+    EXPECT_GT(stage.feet().y, 10);
+    EXPECT_NEAR(stage.person->state().velocity_mps.y, 3, 0.01);
+}
+
+TEST_P(CharacterAmongAtRate, WalksOnAMovingPlatformAsOnTheGroundAndTakesItsSpeedAlong) {
+    Stage stage(GetParam());
+    Platform tram(stage, {40, 0.5_r, 4}, {0, -0.25_r, 0});
+    stage.enter({0, 0, 0});
+    stage.rest(0.2_r);
+    const auto roll = [&](const CharacterInput& input) {
+        Pose next = tram.pose;
+        next.position.x += 2 * stage.dt;
+        return tram.step(next, input);
+    };
+    for (int i = 0; i < stage.steps_in(1); ++i) roll({});
+    const Real start = stage.feet().x - tram.pose.position.x;
+    for (int i = 0; i < stage.steps_in(2); ++i) roll({.direction_world = kRight});
+    EXPECT_NEAR(stage.feet().x - tram.pose.position.x - start, 1.8 * 2 - 0.04, 0.01);
+    for (int i = 0; i < stage.steps_in(0.5_r); ++i) roll({});
+    const CharacterState left = roll({.jump = true});
+    EXPECT_EQ(left.footing, Footing::Air);
+    EXPECT_NEAR(left.velocity_mps.x, 2, 1e-2);
+}
+
+// --- C08
+
+class CharacterInCorner : public ::testing::TestWithParam<std::tuple<int, int>> {};
+INSTANTIATE_TEST_SUITE_P(Angles,
+                         CharacterInCorner,
+                         ::testing::Combine(::testing::Values(30, 60, 90, 120, 150),
+                                            ::testing::Values(30, 60, 240)));
+
+/// Two walls that meet at the origin and leave `angle_deg` of room around the way to +z.
+void build_corner(Stage& stage, Real angle_deg) {
+    for (const Real side : {-1.0_r, 1.0_r}) {
+        const Quat turn = tilt(side * angle_deg / 2, {0, 1, 0});
+        // The wall's inner face runs along the turned +z axis.
+        const Vec3 middle = turn * Vec3{side * 0.5_r, 1.5_r, 5};
+        stage.wall({1, 3, 12}, middle, turn);
+    }
+}
+
+TEST_P(CharacterInCorner, StaysQuietInAnInnerCorner) {
+    const auto [angle_deg, hz] = GetParam();
+    Stage stage(hz);
+    stage.ground();
+    build_corner(stage, static_cast<Real>(angle_deg));
+    stage.enter({0.1_r, 0, 4});
+    for (const Vec3& way : {kForward, Vec3{0.2_r, 0, -0.98_r}, Vec3{-0.2_r, 0, -0.98_r}}) {
+        for (int i = 0; i < stage.steps_in(4); ++i) {
+            stage.step({.direction_world = way, .run = true});
+            ASSERT_LT(stage.depth(), 1e-3);
+        }
+        const Vec3 there = stage.feet();
+        for (int i = 0; i < stage.steps_in(6); ++i) {
+            stage.step({.direction_world = way, .run = true});
+            ASSERT_LT(stage.depth(), 1e-3);
+            ASSERT_LT(glm::distance(stage.feet(), there), 1e-3);
+        }
+    }
+}
+
+TEST_P(CharacterInCorner, PassesAnOuterCorner) {
+    const auto [angle_deg, hz] = GetParam();
+    Stage stage(hz);
+    stage.ground();
+    // A wedge with its edge towards the walker.
+    const Real half = radians_from_degrees(static_cast<Real>(angle_deg)) / 2;
+    const Real depth = 2;
+    const Real wide = depth * std::tan(half);
+    HullShape wedge;
+    for (const Real y : {0.0_r, 3.0_r}) {
+        wedge.points_m.insert(wedge.points_m.end(),
+                              {{0, y, 0}, {wide, y, -depth}, {-wide, y, -depth}});
+    }
+    stage.world.create_body({.shape = stage.shape(wedge)});
+    stage.enter({0.05_r, 0, 2});
+    Real largest_step = 0;
+    for (int i = 0; i < stage.steps_in(4); ++i) {
+        const Vec3 before = stage.feet();
+        stage.step({.direction_world = kForward, .run = true});
+        largest_step = std::max(largest_step, glm::distance(stage.feet(), before));
+        ASSERT_LT(stage.depth(), 1e-3);
+    }
+    EXPECT_LE(largest_step, 4.5_r * stage.dt * 1.02_r) << "nothing throws it about";
+    // Slid along the right side: the farther, the sharper the wedge.
+    EXPECT_GT(stage.feet().x, 0.3);
+}
+
+// --- C09, H13
+
+TEST_P(CharacterAmongAtRate, ComesOutOfAWallItStartsIn) {
+    Stage stage(GetParam());
+    stage.ground();
+    const BodyId slab =
+        stage.add(BoxShape{{2, 3, 2}}, {5, 1.5_r, 0}, {.kind = BodyKind::Kinematic});
+    stage.enter({0, 0, 0});
+    stage.rest(0.2_r);
+    // The wall is put where the person stands: 10 cm deep.
+    stage.world.set_pose(slab, {.position = {1 + kRadius - 0.1_r, 1.5_r, 0}});
+    int steps = 0;
+    Real fastest = 0;
+    while (stage.depth() > 1e-3_r && steps < 1000) {
+        const Vec3 before = stage.feet();
+        stage.step();
+        fastest = std::max(fastest, glm::distance(stage.feet(), before) / stage.dt);
+        ++steps;
+    }
+    EXPECT_LT(stage.seconds(steps), 0.5);
+    EXPECT_LT(fastest, 5);
+    stage.rest(0.5_r);
+    EXPECT_NEAR(stage.feet().x, -0.1, 2e-3);
+    EXPECT_NEAR(stage.feet().y, 0, 1e-3);
+    EXPECT_EQ(stage.person->state().velocity_mps, Vec3(0));
+}
+
+TEST_P(CharacterAmongAtRate, IsPushedAlongByAMovingWall) {
+    Stage stage(GetParam());
+    stage.ground();
+    Platform wall(stage, {1, 3, 4}, {-2, 1.5_r, 0});
+    stage.enter({0, 0, 0});
+    for (int i = 0; i < stage.steps_in(3); ++i) {
+        Pose next = wall.pose;
+        next.position.x += 2 * stage.dt;
+        wall.step(next);
+        if (i > 2) {
+            ASSERT_LT(stage.depth(), 5e-3);
+        }
+    }
+    EXPECT_NEAR(stage.feet().x, wall.pose.position.x + 0.5_r + kRadius, 5e-3);
+    EXPECT_NEAR(stage.feet().y, 0, 1e-3);
+}
+
+TEST_P(CharacterAmongAtRate, GetsFreeFromAVice) {
+    Stage stage(GetParam());
+    stage.ground();
+    stage.wall({1, 3, 4}, {1.5_r, 1.5_r, 0});
+    Platform jaw(stage, {1, 3, 4}, {-2.5_r, 1.5_r, 0});
+    stage.enter({0, 0, 0.5_r});
+    for (int i = 0; i < stage.steps_in(6); ++i) {
+        // Closes to 20 cm within 3 s, waits, opens again.
+        const Real t = static_cast<Real>(i) * stage.dt;
+        Pose next = jaw.pose;
+        next.position.x = -2.5_r + std::min({t, 2.8_r, 7 - t}) * 1.0_r;
+        const CharacterState& state = jaw.step(next);
+        ASSERT_TRUE(is_finite(state.feet_position_m));
+        ASSERT_TRUE(is_finite(state.eye_position_m));
+        ASSERT_GT(state.feet_position_m.y, -1e-3);
+        ASSERT_LT(glm::length(state.feet_position_m), 10);
+    }
+    stage.rest(1);
+    EXPECT_LT(stage.depth(), 2e-3);
+    EXPECT_NEAR(stage.feet().y, 0, 1e-3);
+}
+
+TEST_P(CharacterAmongAtRate, SurvivesAPressFromAbove) {
+    Stage stage(GetParam());
+    stage.ground();
+    Platform press(stage, {1, 1, 1}, {0, 3, 0});
+    stage.enter({0, 0, 0});
+    for (int i = 0; i < stage.steps_in(6); ++i) {
+        const Real t = static_cast<Real>(i) * stage.dt;
+        Pose next = press.pose;
+        next.position.y = std::max({3 - t, 1.3_r, 3 - (6 - t)});
+        const CharacterState& state = press.step(next);
+        ASSERT_TRUE(is_finite(state.feet_position_m));
+        ASSERT_GT(state.feet_position_m.y, -1e-3);
+    }
+    EXPECT_NEAR(stage.rest(1).feet_position_m.y, 0, 1e-3);
+    EXPECT_FALSE(stage.person->state().crouched);
+}
+
+TEST(CharacterStart, MovesUpOutOfTheGroundAndWalls) {
+    Stage stage;
+    stage.ground();
+    stage.wall({2, 2, 2}, {0, 1, 0});
+    stage.enter({0, 0, 0});
+    EXPECT_NEAR(stage.feet().y, 2, 0.2) << "on top of the block it was put into";
+    stage.person->teleport({8, -0.6_r, 0});
+    EXPECT_GE(stage.feet().y, -1e-3);
+    stage.person->teleport({8, -50, 0});
+    EXPECT_GE(stage.feet().y, -1e-3);
+    EXPECT_NEAR(stage.rest(1).feet_position_m.y, 0, 1e-3);
+}
+
+// --- C11
+
+TEST_P(CharacterAmongAtRate, PushesTenKilogramsAndNotTenTonnes) {
+    for (const Real mass : {10.0_r, 10000.0_r}) {
+        Stage stage(GetParam());
+        stage.ground();
+        const BodyId box = stage.add(BoxShape{{0.8_r, 0.8_r, 0.8_r}},
+                                     {0, 0.4_r, -1.5_r},
+                                     {.kind = BodyKind::Dynamic, .mass_kg = mass});
+        stage.enter({0, 0, 0});
+        for (int i = 0; i < stage.steps_in(4); ++i) {
+            stage.step({.direction_world = kForward});
+            ASSERT_LT(stage.depth(), 0.02);
+            ASSERT_LT(glm::length(stage.world.state(box).velocity_mps), 3) << "no kick";
+        }
+        if (mass < 100) {
+            EXPECT_LT(stage.at(box).z, -4.5) << "pushed along at nearly walking pace";
+            EXPECT_LT(stage.feet().z, -4);
+        } else {
+            EXPECT_NEAR(stage.at(box).z, -1.5, 2e-3);
+            EXPECT_NEAR(stage.feet().z, -1.5_r + 0.4_r + kRadius, 0.01);
+        }
+        EXPECT_NEAR(stage.at(box).y, 0.4, 0.02);
+    }
+}
+
+TEST_P(CharacterAmongAtRate, IsWeighedByWhatItStandsOn) {
+    // A plank on a pivot: 80 kg on one end against 60 kg on the other.
+    for (const Real counter_kg : {60.0_r, 120.0_r}) {
+        Stage stage(GetParam());
+        stage.ground();
+        stage.wall({0.1_r, 0.3_r, 1}, {0, 0.15_r, 0});
+        stage.add(BoxShape{{4, 0.06_r, 0.8_r}},
+                  {0, 0.33_r, 0},
+                  {.kind = BodyKind::Dynamic, .mass_kg = 20, .can_sleep = false});
+        stage.add(BoxShape{{0.4_r, 0.4_r, 0.4_r}},
+                  {1.6_r, 0.56_r, 0},
+                  {.kind = BodyKind::Dynamic, .mass_kg = counter_kg, .can_sleep = false});
+        stage.enter({-1.6_r, 0.4_r, 0});
+        stage.rest(2);
+        const bool down = stage.feet().y < 0.3_r;
+        EXPECT_EQ(down, counter_kg < 80) << "counterweight " << counter_kg;
+    }
+}
+
+TEST_P(CharacterAmongAtRate, StandsAndWalksOnACrateWithoutShakingIt) {
+    Stage stage(GetParam());
+    stage.ground();
+    const BodyId crate = stage.add(
+        BoxShape{{2, 0.8_r, 2}}, {0, 0.4_r, 0}, {.kind = BodyKind::Dynamic, .mass_kg = 60});
+    stage.enter({-0.6_r, 0.8_r, 0});
+    stage.rest(1);
+    const Vec3d before = stage.at(crate);
+    for (int i = 0; i < stage.steps_in(0.6_r); ++i) {
+        ASSERT_EQ(stage.step({.direction_world = kRight}).footing, Footing::Ground);
+    }
+    stage.rest(1);
+    EXPECT_LT(glm::distance(stage.at(crate), before), 0.01);
+    EXPECT_NEAR(stage.feet().y, stage.at(crate).y + 0.4, 0.01);
+}
+
+TEST_P(CharacterAmongAtRate, CarriesABoxOnTheHeadWithoutKickingIt) {
+    Stage stage(GetParam());
+    stage.ground();
+    stage.enter({0, 0, 0});
+    stage.rest(0.2_r);
+    const BodyId box = stage.add(
+        BoxShape{{1, 0.2_r, 1}}, {0, 1.91_r, 0}, {.kind = BodyKind::Dynamic, .mass_kg = 5});
+    for (int i = 0; i < stage.steps_in(3); ++i) {
+        stage.step({.crouch = i > stage.steps_in(1)});
+        ASSERT_LT(glm::length(stage.world.state(box).velocity_mps), 6);
+        ASSERT_TRUE(is_finite(stage.feet()));
+    }
+    EXPECT_NEAR(stage.feet().y, 0, 1e-3);
+}
+
+// --- C13
+
+TEST_P(CharacterAmongAtRate, TwoPeopleHeadOnDoNotOverlap) {
+    Stage stage(GetParam());
+    stage.ground();
+    stage.enter({0, 0, 2});
+    CharacterDef def;
+    def.feet_position_m = {0, 0, -2};
+    Character other(stage.world, def);
+    for (int i = 0; i < stage.steps_in(4); ++i) {
+        stage.person->update({.direction_world = kForward, .run = true});
+        other.update({.direction_world = -kForward, .run = true});
+        stage.world.step();
+        const Real apart = glm::distance(stage.feet(), other.state().feet_position_m);
+        ASSERT_GT(apart, 2 * kRadius - 1e-3_r);
+    }
+    EXPECT_NEAR(glm::distance(stage.feet(), other.state().feet_position_m), 2 * kRadius, 0.01);
+    EXPECT_NEAR(stage.feet().z, 0.3, 0.05);
+}
+
+// --- C14
+
+std::vector<Vec3> tour(Real offset, int hz) {
+    Stage stage(hz);
+    const Vec3 away{offset, 0, -offset};
+    stage.wall({40, 1, 40}, away - Vec3{0, 0.5_r, 0});
+    stage.wall({4, 0.25_r, 4}, away + Vec3{0, 0.125_r, -4});
+    stage.wall({1, 3, 10}, away + Vec3{3, 1.5_r, 0});
+    stage.add(BoxShape{{0.6_r, 0.6_r, 0.6_r}},
+              away + Vec3{-2, 0.3_r, 0},
+              {.kind = BodyKind::Dynamic, .mass_kg = 10});
+    stage.enter(away);
+    std::vector<Vec3> path;
+    for (int i = 0; i < stage.steps_in(6); ++i) {
+        const Real angle = static_cast<Real>(i) * stage.dt * 1.1_r;
+        const CharacterState& state =
+            stage.step({.direction_world = {-std::sin(angle), 0, -std::cos(angle)},
+                        .run = i % 100 > 50,
+                        .crouch = i % 150 > 120,
+                        .jump = i % 90 == 40});
+        path.push_back(state.feet_position_m - away);
+        path.push_back(state.eye_position_m - away);
+    }
+    return path;
+}
+
+TEST_P(CharacterAmongAtRate, RepeatsToTheLastBit) {
+    const auto first = tour(0, GetParam());
+    EXPECT_EQ(first, tour(0, GetParam()));
+    const auto far_away = tour(1e5_r, GetParam());
+    EXPECT_EQ(far_away, tour(1e5_r, GetParam()));
+    EXPECT_NE(first, far_away);
+}
+
+TEST_P(CharacterAmongAtRate, WalksFarFromTheOriginToo) {
+    Stage stage(GetParam());
+    const Vec3 away{1e5_r, 0, -1e5_r};
+    stage.wall({40, 1, 40}, away - Vec3{0, 0.5_r, 0});
+    stage.enter(away);
+    stage.rest(0.5_r);
+    for (int i = 0; i < stage.steps_in(3); ++i) {
+        ASSERT_EQ(stage.step({.direction_world = kForward}).footing, Footing::Ground);
+        ASSERT_NEAR(stage.feet().y, 0, 0.01);
+    }
+    // A float is 8 mm wide out there.
+    EXPECT_NEAR(away.z - stage.feet().z, 5.36, sizeof(Real) == sizeof(float) ? 0.05 : 1e-3);
+}
+
+}  // namespace
+}  // namespace plumbline::physics

@@ -1,0 +1,178 @@
+#include "engine/physics/dynamics/substep_choice.h"
+
+#include "tests/engine/physics/dynamics/contact/contact_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace plumbline::physics {
+namespace {
+
+SubstepChoice for_load(double load_N, double mass_kg, int least = 1, int most = 64) {
+    SubstepChooser chooser;
+    chooser.begin(1, kStep_s);
+    chooser.add_contact(0, -1, real(load_N), real(mass_kg), 1);
+    return chooser.choose(least, most);
+}
+
+SubstepChoice for_tower(int height, int least = 1, int most = 64) {
+    SubstepChooser chooser;
+    chooser.begin(static_cast<std::size_t>(height), kStep_s);
+    for (int i = 0; i < height; ++i) chooser.add_contact(i, i - 1, 1e-3_r, 1, 1);
+    return chooser.choose(least, most);
+}
+
+TEST(SubstepChoice, LeastWhereNothingAsks) {
+    SubstepChooser chooser;
+    chooser.begin(3, kStep_s);
+    const SubstepChoice choice = chooser.choose(2, 16);
+    EXPECT_EQ(choice.substeps, 2);
+    EXPECT_EQ(choice.reason, SubstepReason::Least);
+}
+
+TEST(SubstepChoice, FixedWhereThereIsNoChoice) {
+    for (int least : {1, 4, 9}) {
+        const SubstepChoice choice = for_load(1e9, 1, least, least);
+        EXPECT_EQ(choice.substeps, least);
+        EXPECT_EQ(choice.reason, SubstepReason::Fixed);
+        EXPECT_EQ(for_load(1e9, 1, least, least - 1).substeps, least);
+    }
+}
+
+TEST(SubstepChoice, StaysBetweenLeastAndMost) {
+    for (int least : {1, 3, 9}) {
+        for (int most : {10, 11, 37, 64}) {
+            for (double load_N = 1e-3; load_N < 1e12; load_N *= 7) {
+                const int substeps = for_load(load_N, 1, least, most).substeps;
+                EXPECT_GE(substeps, least);
+                EXPECT_LE(substeps, most);
+            }
+        }
+    }
+}
+
+TEST(SubstepChoice, GrowsWithTheLoadAndSaysSo) {
+    int before = 1;
+    std::set<int> seen;
+    for (double load_N = 1; load_N < 1e6; load_N *= 1.05) {
+        const SubstepChoice choice = for_load(load_N, 1);
+        EXPECT_GE(choice.substeps, before) << load_N;
+        before = choice.substeps;
+        seen.insert(choice.substeps);
+        EXPECT_EQ(choice.reason, choice.substeps == 1 ? SubstepReason::Least : SubstepReason::Load);
+    }
+    EXPECT_EQ(before, 64);
+    EXPECT_GT(seen.size(), 10U);
+}
+
+TEST(SubstepChoice, FourTimesTheLoadAsksForTwiceAsMany) {
+    // Sag falls with the square of the sub-steps.
+    for (int substeps : {2, 4, 8, 16, 32}) {
+        double load_N = 1;
+        while (for_load(load_N, 1).substeps < substeps) load_N *= 1.001;
+        EXPECT_LE(for_load(3.9 * load_N, 1).substeps, 2 * substeps);
+        EXPECT_GT(for_load(4.1 * load_N, 1).substeps, for_load(3.9 / 2.25 * load_N, 1).substeps);
+    }
+}
+
+TEST(SubstepChoice, GrowsWithTheHeightOfAStackAndSaysSo) {
+    int before = 1;
+    for (int height = 1; height <= 100; ++height) {
+        const SubstepChoice choice = for_tower(height);
+        EXPECT_GE(choice.substeps, before) << height;
+        before = choice.substeps;
+        if (choice.substeps > 1) {
+            EXPECT_EQ(choice.reason, SubstepReason::Height);
+        }
+    }
+    EXPECT_GT(for_tower(100).substeps, 2 * for_tower(20).substeps);
+}
+
+TEST(SubstepChoice, AFloorFullOfBodiesIsNotHigh) {
+    SubstepChooser chooser;
+    chooser.begin(1000, kStep_s);
+    for (int i = 0; i < 1000; ++i) {
+        chooser.add_contact(-1, i, 1e-3_r, 1, 1);
+        if (i > 0) chooser.add_contact(i - 1, i, 1e-3_r, 1, 1);
+    }
+    EXPECT_EQ(chooser.choose(1, 64).substeps, 1);
+}
+
+TEST(SubstepChoice, TheOrderOfTheContactsDoesNotMatter) {
+    constexpr int kHeight = 40;
+    std::vector<int> order(kHeight);
+    for (int i = 0; i < kHeight; ++i) order[static_cast<std::size_t>(i)] = i * 17 % kHeight;
+    SubstepChooser chooser;
+    chooser.begin(kHeight, kStep_s);
+    for (int i : order) chooser.add_contact(i - 1, i, 1e-3_r, 1, 1);
+    EXPECT_EQ(chooser.choose(1, 64).substeps, for_tower(kHeight).substeps);
+}
+
+TEST(SubstepChoice, JointsAskByTheirSpinAndTheirError) {
+    const auto of_joint = [](Real spin_radps, Real error) {
+        SubstepChooser chooser;
+        chooser.begin(2, kStep_s);
+        chooser.add_joint(spin_radps, error);
+        return chooser.choose(2, 64);
+    };
+    EXPECT_EQ(of_joint(0, 0).reason, SubstepReason::Least);
+    EXPECT_EQ(of_joint(60, 0).reason, SubstepReason::Turning);
+    EXPECT_EQ(of_joint(0, 0.1_r).reason, SubstepReason::Error);
+    int before = 2;
+    for (Real spin = 1; spin < 300; spin *= 1.2_r) {
+        EXPECT_GE(of_joint(spin, 0).substeps, before);
+        before = of_joint(spin, 0).substeps;
+    }
+    before = 2;
+    for (Real error = 1e-4_r; error < 0.1_r; error *= 1.2_r) {
+        EXPECT_GE(of_joint(0, error).substeps, before);
+        before = of_joint(0, error).substeps;
+    }
+}
+
+TEST(SubstepChoice, BeginForgetsTheIslandBefore) {
+    SubstepChooser chooser;
+    chooser.begin(1, kStep_s);
+    chooser.add_contact(0, -1, 1e6_r, 1, 1);
+    chooser.add_joint(100, 1);
+    EXPECT_GT(chooser.choose(1, 64).substeps, 1);
+    chooser.begin(1, kStep_s);
+    EXPECT_EQ(chooser.choose(1, 64).substeps, 1);
+}
+
+TEST(SubstepChoice, ReasonsHaveNamesOfTheirOwn) {
+    std::set<std::string_view> names;
+    for (int i = 0; i <= static_cast<int>(SubstepReason::Held); ++i)
+        names.insert(reason_name(static_cast<SubstepReason>(i)));
+    EXPECT_EQ(names.size(), 7U);
+    EXPECT_EQ(names.count(""), 0U);
+    EXPECT_EQ(reason_name(SubstepReason::Least), "least");
+    EXPECT_EQ(reason_name(SubstepReason::Held), "held");
+}
+
+TEST(SubstepChoice, BodiesSagAsLittleAsWasForetold) {
+    // A metre cube pressed by many times its weight: not deeper than 1.5 mm with what is chosen, and
+    // deeper with half as many.
+    for (double accel_mps2 : {100.0, 400.0, 1500.0, 5000.0}) {
+        const int chosen = for_load(accel_mps2, 1).substeps;
+        const auto sag_with = [&](int substeps) {
+            ContactRig rig;
+            rig.settings.substeps = substeps;
+            rig.gravity_mps2 = Vec3d(0, -accel_mps2, 0);
+            const std::uint32_t box =
+                rig.add_box(1, Vec3d(0.5), Vec3d(0, 0.5 - sag_of(accel_mps2, kStep_s, true), 0));
+            rig.put_on_floor(box, {});
+            rig.steps(120);
+            return 0.5 - rig.position(box).y;
+        };
+        EXPECT_LE(sag_with(chosen), 1.5e-3 * 1.01) << accel_mps2;
+        EXPECT_GT(sag_with(std::max(chosen / 2, 1)), 1.5e-3) << accel_mps2;
+        EXPECT_NEAR(sag_with(chosen) / sag_of(accel_mps2, kStep_s / chosen, true), 1, 0.01);
+    }
+}
+
+}  // namespace
+}  // namespace plumbline::physics
