@@ -54,7 +54,7 @@ uniform sampler2DShadow sun_shadow_map;
 uniform sampler2D sun_depth_map;
 #endif
 #endif
-#ifdef PL_FLASHLIGHT
+#if defined(PL_FLASHLIGHT) && !defined(PL_FLASHLIGHT_AT_EYE)
 in vec4 surface_flashlight_shadow;
 uniform sampler2DShadow flashlight_shadow_map;
 #endif
@@ -193,10 +193,18 @@ vec3 sun_light(Surface s, float eye_distance_m) {
 #endif
 
 #ifdef PL_FLASHLIGHT
-vec3 flashlight_light(Surface s) {
+vec3 flashlight_light(Surface s, float eye_distance_m) {
+#ifdef PL_FLASHLIGHT_AT_EYE
+    vec3 to_light = s.to_eye;
+    float distance2 = max(eye_distance_m * eye_distance_m, 1e-4);
+    float lit = 1.0;  // what the eye sees, such a light sees too
+#else
     vec3 to_light = frame.flashlight_position.xyz - surface_position_world();
     float distance2 = max(dot(to_light, to_light), 1e-4);
     to_light *= inversesqrt(distance2);
+    vec3 at = surface_flashlight_shadow.xyz / max(surface_flashlight_shadow.w, 1e-4);
+    float lit = flashlight_shadow(flashlight_shadow_map, vec3(at.xy, min(at.z, 1.0)), frame.ambient.w);
+#endif
     float cosine = -dot(to_light, frame.flashlight_direction.xyz);
     // 0 at the rim, 1 inside the inner cone; squared, so that the rim is soft.
     float cone = clamp((cosine - frame.flashlight_direction.w) * frame.flashlight_intensity.w, 0.0, 1.0);
@@ -205,8 +213,6 @@ vec3 flashlight_light(Surface s) {
     float turn = abs(fract(cone * 2.8648) * 2.0 - 1.0);
     float ring = turn * turn * (6.0 - 4.0 * turn) - 1.0;
     float cookie = cone * cone * (0.85 + 0.15 * ring * (1.0 - cone));
-    vec3 at = surface_flashlight_shadow.xyz / max(surface_flashlight_shadow.w, 1e-4);
-    float lit = flashlight_shadow(flashlight_shadow_map, vec3(at.xy, min(at.z, 1.0)), frame.ambient.w);
     float falloff = windowed_falloff(distance2, frame.flashlight_position.w);
     return reflected(s, to_light, frame.flashlight_intensity.rgb * (cookie * lit * falloff));
 }
@@ -378,7 +384,7 @@ vec3 lit_color(vec3 base_color, float alpha, float eye_distance_m, vec3 to_eye) 
     color += sun_light(s, eye_distance_m);
 #endif
 #ifdef PL_FLASHLIGHT
-    color += flashlight_light(s);
+    color += flashlight_light(s, eye_distance_m);
 #endif
 #ifdef PL_LOCAL_LIGHTS
     color += local_lights_light(s);

@@ -53,7 +53,7 @@ out vec3 surface_sky_slope_to_eye;
 #ifdef PL_SUN_SHADOW
 out vec3 surface_sun_shadow;
 #endif
-#ifdef PL_FLASHLIGHT
+#if defined(PL_FLASHLIGHT) && !defined(PL_FLASHLIGHT_AT_EYE)
 out vec4 surface_flashlight_shadow;
 #endif
 
@@ -104,7 +104,7 @@ void main() {
     vec3 off_surface = position_world + normal_world * (frame.camera_world.w * (0.3 + slope));
     surface_sun_shadow = (frame.sun_shadow_from_world * vec4(off_surface, 1.0)).xyz;
 #endif
-#ifdef PL_FLASHLIGHT
+#if defined(PL_FLASHLIGHT) && !defined(PL_FLASHLIGHT_AT_EYE)
     surface_flashlight_shadow =
         frame.flashlight_shadow_from_world * vec4(position_world + 0.01 * normal_world, 1.0);
 #endif

@@ -37,8 +37,9 @@ skybox = "skies/garden"
 [ambient]
 color = [0.25, 0.27, 0.3]
 
-[flashlight]                        # at the camera; half angle 22 degrees
+[flashlight]                        # half angle 22 degrees
 on = true
+at = "eye"
 intensity = 200
 radius_m = 60
 inner_deg = 18

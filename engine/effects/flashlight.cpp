@@ -11,8 +11,9 @@ public:
                  render::RenderFrame& frame) override {
         const scene::FlashlightDescription& light = *simulation.description().flashlight;
         const Quatf orientation(view.world_from_hand.orientation);
+        const Pose& place = light.at_eye ? view.world_from_camera : view.world_from_hand;
         frame.flashlight =
-            render::Flashlight{.position_world = Vec3f(view.world_from_hand.position),
+            render::Flashlight{.position_world = Vec3f(place.position),
                                .direction_world = orientation * Vec3f{0.0F, 0.0F, -1.0F},
                                .intensity = light.color * light.intensity,
                                .radius_m = light.radius_m,

@@ -120,6 +120,7 @@ DrawRun append_instances(const std::vector<VisibleItem>& visible,
     run.first_instance = static_cast<std::uint32_t>(list.instances.size());
     run.instance_count = static_cast<std::uint32_t>(entries.size());
     run.in_beam = visible[entries.front().index].in_beam;
+    if (entries.size() == 1) run.only_item = visible[entries.front().index].item;
     for (const SortEntry& entry : entries) {
         const VisibleItem& member = visible[entry.index];
         list.instances.push_back(instance_of(*member.item));

@@ -3,8 +3,8 @@
 
 #include "engine/assets/asset_library.h"
 #include "engine/core/bounds.h"
+#include "engine/render/convex_volume.h"
 #include "engine/render/frustum.h"
-#include "engine/render/light_beam.h"
 #include "engine/render/mesh_lods.h"
 #include "engine/render/render_frame.h"
 
@@ -34,6 +34,7 @@ struct DrawRun {
     bool two_sided{false};
     bool in_beam{false};  ///< the flashlight may reach it
     Aabb bounds_world;
+    const DrawItem* only_item{nullptr};  ///< where there is one instance
 };
 
 struct DrawList {
@@ -60,12 +61,12 @@ struct VisibleItem {
 struct CullView {
     Frustum frustum;
     Vec3f eye_world{0.0F};
-    const LodTable* lods{nullptr};   ///< null: full meshes only
-    float error_m{0.0F};             ///< a mesh may be off by so much anywhere,
-    float error_rad{0.0F};           ///< or by so much as seen from the eye
-    float smallest_rad{0.0F};        ///< what looks smaller is left out
-    bool sorts_foliage{false};       ///< where the table has it near to far
-    const LightBeam* beam{nullptr};  ///< of the flashlight; null: there is none
+    const LodTable* lods{nullptr};      ///< null: full meshes only
+    float error_m{0.0F};                ///< a mesh may be off by so much anywhere,
+    float error_rad{0.0F};              ///< or by so much as seen from the eye
+    float smallest_rad{0.0F};           ///< what looks smaller is left out
+    bool sorts_foliage{false};          ///< where the table has it near to far
+    const ConvexVolume* beam{nullptr};  ///< of the flashlight; null: there is none
 };
 
 /// Items whose bounds touch the frustum, in the frame's order.

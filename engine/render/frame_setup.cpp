@@ -23,6 +23,9 @@ const Mat4f kTextureFromClip{Vec4f{0.5F, 0.0F, 0.0F, 0.0F},
 // Lights are given in physical units; shaders want what a matt white surface sends out.
 constexpr float kPerPi = glm::one_over_pi<float>();
 
+/// A light this near to the eye lights all that the eye sees: its shadows are narrower than any pixel.
+constexpr float kAtEye_m = 1e-5F;
+
 Vec3f forward_of(const Camera& camera) {
     return camera.orientation * Vec3f{0.0F, 0.0F, -1.0F};
 }
@@ -70,7 +73,7 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     scene.materials.update({.shading = new_frame.shading,
                             .textures = new_frame.textures,
                             .surface_maps = quality.surface_maps,
-                            .parallax = quality.parallax});
+                            .parallax = quality.parallax != Drawn::Never});
     features = frame_features_of(new_frame);
     if (has_occlusion()) features |= feature::kOcclusion;
     if (scene_target.samples() > 1) features |= feature::kCoverage;
@@ -112,6 +115,7 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
         }
     }
     beam.reset();
+    flashlight_view.reset();
     if (new_frame.flashlight) set_up_flashlight(*new_frame.flashlight);
     frame_buffer.upload(&block, sizeof(block));
     if (new_frame.lights.empty()) {
@@ -241,6 +245,7 @@ void Renderer::Impl::set_up_sky() {
 }
 
 void Renderer::Impl::set_up_light() {
+    sun_shadow_margin_m = 0.0F;
     if (!sun) return;
     const Vec3f direction = normalize_or(sun->direction_world, Vec3f{0.0F, -1.0F, 0.0F});
     block.to_sun_world = Vec4f{-direction, 0.0F};
@@ -261,11 +266,13 @@ void Renderer::Impl::set_up_light() {
     const std::uint32_t size_px =
         scaled_px(shadow.size_px, quality.shadow_detail, limits.texture_px / count);
     SunShadowFit first{};
+    float coarsest_m = 0.0F;
     sun_views.clear();
     for (std::uint32_t i = 0; i < count; ++i) {
         const float end_m = i < by_scene ? cascade_end_m(i, by_scene, by_scene_m) : distance_m;
         const SunShadowFit fit = fit_sun_shadow(view, direction, end_m, size_px);
         if (i == 0) first = fit;
+        coarsest_m = fit.texel_m;
         if (i + 1 < count) block.cascade_ends[static_cast<int>(i)] = end_m;
         block.cascades[i] = cascade_from_first(first, fit);
         // Half a texel of the map cannot be seen in it.
@@ -283,6 +290,9 @@ void Renderer::Impl::set_up_light() {
         features |= feature::kContactHardening;
         block.cascade_ends.w = std::tan(0.5F * shadow.angular_size_rad);
     }
+    // Filters and the way off the surface are a few texels; what the wind bends leaves its bounds.
+    const bool is_sharp = (features & feature::kContactHardening) == 0;
+    if (is_sharp) sun_shadow_margin_m = 4.0F * coarsest_m + (frame->wind ? 1.0F : 0.0F);
     block.sun_shadow_from_world = kTextureFromClip * first.clip_from_world;
     block.camera_world.w = first.texel_m;
     block.to_sun_world.w = 1.0F / distance_m;
@@ -295,7 +305,8 @@ void Renderer::Impl::set_up_flashlight(const Flashlight& flashlight) {
     const Vec3f direction = normalize_or(flashlight.direction_world, Vec3f{0.0F, 0.0F, -1.0F});
     const float outer_cos = std::cos(flashlight.outer_rad);
     const float width = std::max(std::cos(flashlight.inner_rad) - outer_cos, 1e-3F);
-    beam.emplace(flashlight.position_world, direction, flashlight.outer_rad, flashlight.radius_m);
+    beam = ConvexVolume::cone(
+        flashlight.position_world, direction, flashlight.outer_rad, flashlight.radius_m);
     const Mat4f clip_from_world = fit_spot_shadow(
         flashlight.position_world, direction, flashlight.outer_rad, flashlight.radius_m);
     block.flashlight_shadow_from_world = kTextureFromClip * clip_from_world;
@@ -304,6 +315,10 @@ void Renderer::Impl::set_up_flashlight(const Flashlight& flashlight) {
     block.flashlight_direction = Vec4f{direction, outer_cos};
     block.flashlight_intensity = Vec4f{flashlight.intensity * kPerPi, 1.0F / width};
     block.ambient.w = 1.0F / static_cast<float>(flashlight.shadow_size_px);
+    if (glm::distance(flashlight.position_world, frame->camera.position_world) < kAtEye_m) {
+        features |= feature::kFlashlightAtEye;
+        return;
+    }
     flashlight_view = {.clip_from_world = clip_from_world,
                        .eye_world = flashlight.position_world,
                        .size_px = flashlight.shadow_size_px};

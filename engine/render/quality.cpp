@@ -16,7 +16,7 @@ Quality quality_of(PictureLevel level) {
                     .shadow_detail = 0.5F,
                     .shadowed_lights = 0,
                     .contact_hardening = Drawn::Never,
-                    .parallax = false,
+                    .parallax = Drawn::Never,
                     .ambient_occlusion = Drawn::Never,
                     .sun_shafts = Drawn::Never,
                     .lod_error_px = 2.0F,
@@ -27,7 +27,7 @@ Quality quality_of(PictureLevel level) {
                     .anti_aliasing = AntiAliasing::Fxaa,
                     .shadowed_lights = 2,
                     .contact_hardening = Drawn::Never,
-                    .parallax = false,
+                    .parallax = Drawn::Never,
                     .ambient_occlusion = Drawn::Never,
                     .sun_shafts = Drawn::OnGpu,
                     .lod_error_px = 1.2F,
@@ -38,6 +38,7 @@ Quality quality_of(PictureLevel level) {
                     .far_shadows = true,
                     .shadowed_lights = 6,
                     .contact_hardening = Drawn::OnGpu,
+                    .parallax = Drawn::OnGpu,
                     .ambient_occlusion = Drawn::OnGpu,
                     .sun_shafts = Drawn::OnGpu,
                     .lod_error_px = 1.0F,
@@ -47,8 +48,10 @@ Quality quality_of(PictureLevel level) {
 }
 
 Quality without_gpu(Quality quality) {
-    for (Drawn* drawn :
-         {&quality.contact_hardening, &quality.ambient_occlusion, &quality.sun_shafts}) {
+    for (Drawn* drawn : {&quality.contact_hardening,
+                         &quality.parallax,
+                         &quality.ambient_occlusion,
+                         &quality.sun_shafts}) {
         if (*drawn == Drawn::OnGpu) *drawn = Drawn::Never;
     }
     return quality;

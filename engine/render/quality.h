@@ -45,7 +45,7 @@ struct Quality {
     std::uint32_t shadowed_lights{PL_MAX_SHADOWED_LIGHTS};
     /// Edges of the sun's shadows as wide as its disc makes them, where the scene asks.
     Drawn contact_hardening{Drawn::Always};
-    bool parallax{true};  ///< height maps near the eye
+    Drawn parallax{Drawn::Always};  ///< height maps near the eye
     Drawn ambient_occlusion{Drawn::Always};
     Drawn sun_shafts{Drawn::Always};
     float lod_error_px{0.0F};  ///< a mesh may be coarser by so much; 0: always the full mesh

@@ -174,9 +174,9 @@ void Renderer::shadows() {
     } else {
         r.sun_shadow.free();
     }
-    if ((r.features & feature::kFlashlight) != 0) {
+    if (r.flashlight_view) {
         const gl::PassTimers::Scope timed(r.timers, "shadow.flashlight");
-        r.flashlight_shadow.render({&r.flashlight_view, 1}, *r.frame, r.scene, r.stats);
+        r.flashlight_shadow.render({&*r.flashlight_view, 1}, *r.frame, r.scene, r.stats);
     } else {
         r.flashlight_shadow.free();
     }
@@ -217,7 +217,7 @@ void Renderer::opaque() {
     if ((r.features & feature::kLightShadows) != 0) {
         gl::bind_texture(kLightShadowUnit, gl::TextureKind::Flat, r.light_shadow.map());
     }
-    if ((r.features & feature::kFlashlight) != 0) {
+    if (r.flashlight_view) {
         gl::bind_texture(kFlashlightShadowUnit, gl::TextureKind::Flat, r.flashlight_shadow.map());
     }
     if (r.scene.sky.ready()) {

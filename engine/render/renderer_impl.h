@@ -1,6 +1,7 @@
 // Private: what a Renderer owns.
 #pragma once
 
+#include "engine/render/convex_volume.h"
 #include "engine/render/exposure_meter.h"
 #include "engine/render/gl/buffer.h"
 #include "engine/render/gl/framebuffer.h"
@@ -8,7 +9,6 @@
 #include "engine/render/gl/pass_timer.h"
 #include "engine/render/gpu_lights.h"
 #include "engine/render/gpu_limits.h"
-#include "engine/render/light_beam.h"
 #include "engine/render/passes/drop_pass.h"
 #include "engine/render/passes/focus_pass.h"
 #include "engine/render/passes/light_shadow_pass.h"
@@ -58,9 +58,10 @@ struct Renderer::Impl {
     bool draws_codes{
         false};  ///< the scene is drawn into the present target, which encodes its light
     FrameBlock block;
-    std::vector<ShadowView> sun_views;  ///< one a cascade
-    ShadowView flashlight_view{};
-    std::optional<LightBeam> beam;  ///< the flashlight's
+    std::vector<ShadowView> sun_views;          ///< one a cascade
+    float sun_shadow_margin_m{0.0F};            ///< as MeshView's
+    std::optional<ShadowView> flashlight_view;  ///< none: its shadows cannot be seen
+    std::optional<ConvexVolume> beam;           ///< the flashlight's
     LightShadowChoice light_choice;
     std::vector<LocalLight> lights_in_order;  ///< those that cast shadows first
     std::vector<Vec4f> light_shadow_numbers;  ///< of those
@@ -110,6 +111,9 @@ struct Renderer::Impl {
                 .lights = lights_in_order,
                 .shadowed_lights = light_shadow_numbers.size(),
                 .beam = beam ? &*beam : nullptr,
+                .frame = frame,
+                .light_direction_world = sun ? sun->direction_world : Vec3f{0.0F},
+                .shadow_margin_m = sun_shadow_margin_m,
                 .clip_from_world = block.clip_from_world,
                 .eye_world = frame->camera.position_world,
                 .size_px = post_view.scene_px};

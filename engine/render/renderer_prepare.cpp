@@ -38,7 +38,7 @@ void Renderer::prepare(const RenderFrame& frame, const std::function<void(float 
         const bool sways = r.scene.meshes.get(mesh).sways;
         const FeatureSet features = sways ? r.features : r.features & ~feature::kWind;
         variants.insert(variant_of(look, features));
-        variants.insert(variant_of(look, features & ~feature::kFlashlight));
+        variants.insert(variant_of(look, features & ~kFlashlightFeatures));
         if ((features & feature::kLightShadows) != 0)
             variants.insert(variant_of(look, features & ~feature::kLightShadows));
     }

@@ -37,6 +37,8 @@ inline constexpr FeatureSet kGlass = 1ULL
 inline constexpr FeatureSet kSun = 1ULL << 16U;
 inline constexpr FeatureSet kSunShadow = 1ULL << 17U;
 inline constexpr FeatureSet kFlashlight = 1ULL << 18U;
+/// With kFlashlight: its shadows fall where the eye does not see them, so there are none.
+inline constexpr FeatureSet kFlashlightAtEye = 1ULL << 56U;
 inline constexpr FeatureSet kLocalLights = 1ULL << 19U;
 inline constexpr FeatureSet kFog = 1ULL << 20U;
 inline constexpr FeatureSet kSkyLight = 1ULL << 21U;
@@ -62,7 +64,10 @@ inline constexpr FeatureSet kCoverage = 1ULL << 42U;   ///< masks cover samples,
 inline constexpr FeatureSet kShafts = 1ULL << 41U;     ///< light from air in the sun
 }  // namespace feature
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 44> kFeatureNames{{
+/// What a thing is drawn without where the flashlight cannot reach it.
+inline constexpr FeatureSet kFlashlightFeatures = feature::kFlashlight | feature::kFlashlightAtEye;
+
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 45> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -82,6 +87,7 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 44> kFeatur
     {feature::kSun, "PL_SUN"},
     {feature::kSunShadow, "PL_SUN_SHADOW"},
     {feature::kFlashlight, "PL_FLASHLIGHT"},
+    {feature::kFlashlightAtEye, "PL_FLASHLIGHT_AT_EYE"},
     {feature::kLocalLights, "PL_LOCAL_LIGHTS"},
     {feature::kFog, "PL_FOG"},
     {feature::kSkyLight, "PL_SKY_LIGHT"},

@@ -127,7 +127,9 @@ struct FlashlightDescription {
     float radius_m{30.0F};
     float inner_deg{12.0F};
     float outer_deg{22.0F};
-    bool on{false};      ///< at the start
+    bool on{false};  ///< at the start
+    bool at_eye{
+        false};  ///< instead of in the hand: its shadows fall where the eye does not see them
     float cube_m{0.0F};  ///< edge of the cube that shows where the light is; 0: none
     Origin origin{};
 };

@@ -165,6 +165,8 @@ void read_fog(TableReader& root, SceneDescription& scene) {
     scene.fog = fog;
 }
 
+constexpr std::array<std::string_view, 2> kFlashlightPlaces{"hand", "eye"};
+
 void read_flashlight(TableReader& root, SceneDescription& scene) {
     auto table = root.table("flashlight");
     if (!table) return;
@@ -175,6 +177,7 @@ void read_flashlight(TableReader& root, SceneDescription& scene) {
     light.radius_m = table->single("radius_m", light.radius_m, kReach_m);
     read_cone(*table, light.inner_deg, light.outer_deg);
     light.on = table->flag("on", light.on);
+    light.at_eye = table->choice("at", 0, kFlashlightPlaces) == 1;
     light.cube_m = table->single("cube_m", light.cube_m, kCubeEdge_m);
     table->finish();
     scene.flashlight = light;

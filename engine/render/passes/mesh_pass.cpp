@@ -1,5 +1,6 @@
 #include "engine/render/passes/mesh_pass.h"
 
+#include "engine/render/shadow_reach.h"
 #include "shaders/shared/limits.h"
 
 #include <glad/gl.h>
@@ -10,7 +11,7 @@ namespace plumbline::render {
 namespace {
 
 constexpr FeatureSet kLightFeatures =
-    feature::kSun | feature::kSunShadow | feature::kFlashlight | feature::kLocalLights |
+    feature::kSun | feature::kSunShadow | kFlashlightFeatures | feature::kLocalLights |
     feature::kSkyLight | feature::kSoftShadows | feature::kHardShadows | feature::kCascades |
     feature::kLightShadows | feature::kContactHardening;
 
@@ -38,10 +39,12 @@ bool is_reached(const Aabb& box, std::span<const LocalLight> lights) {
     });
 }
 
-// The flashlight's code is dear. A large thing of few triangles, as the ground is, is drawn in two
-// parts: first where its beam can reach, then all of it without.
+// Lights and shadows are dear. A large thing of few triangles, as the ground is, is drawn in parts:
+// first where the flashlight's beam and the sun's shadows can reach, then the rest without.
 constexpr std::uint64_t kFewTriangles = 1000;
-constexpr float kMostLit = 0.7F;
+constexpr float kMostLit = 0.7F;     // of the picture: more is not worth two draws
+constexpr float kLeastSplit = 0.1F;  // of the picture: less is not worth a look at all that casts
+constexpr FeatureSet kSunShadowFeatures = feature::kSunShadow | feature::kCascades;
 
 std::uint64_t triangles(const DrawRun& run) {
     return std::uint64_t{run.index_count} / 3 * run.instance_count;
@@ -89,20 +92,63 @@ void MeshPass::render(const DrawList& draws,
         if (!is_reached(run.bounds_world, view.lights.first(view.shadowed_lights)))
             features &= ~feature::kLightShadows;
         if (!is_in_far_air(run, view.eye_world)) features &= ~feature::kAerial;
-        const FeatureSet without_beam = features & ~feature::kFlashlight;
-        if (!run.in_beam) features = without_beam;
-        if (run.in_beam && kind == DrawKind::Opaque && triangles(run) <= kFewTriangles) {
-            const ClipRect lit = view.beam->lit_part(run.bounds_world, view.clip_from_world);
-            if (lit.share() < kMostLit) {
-                scissor(lit, view.size_px);
-                draw(run, features, resources, stats);
-                glDisable(GL_SCISSOR_TEST);
-                // Where that drew, this is no nearer.
-                features = without_beam;
-            }
+        if (!run.in_beam) features &= ~kFlashlightFeatures;
+        std::vector<Local> locals;
+        if (kind == DrawKind::Opaque && triangles(run) <= kFewTriangles)
+            locals = locals_of(run, features, view, resources);
+        if (locals.empty()) {
+            draw(run, features, resources, stats);
+            continue;
         }
-        draw(run, features, resources, stats);
+        constexpr ClipRect kAll{.min = Vec2f{-1.0F}, .max = Vec2f{1.0F}};
+        draw_in_parts(run, features, locals, kAll, view, resources, stats);
+        glDisable(GL_SCISSOR_TEST);
     }
+}
+
+std::vector<MeshPass::Local> MeshPass::locals_of(const DrawRun& run,
+                                                 FeatureSet features,
+                                                 const MeshView& view,
+                                                 const SceneResources& resources) {
+    std::vector<Local> locals;
+    const auto add = [&](const ClipRect& part, FeatureSet needed) {
+        if (part.share() < kMostLit) locals.push_back({part, needed});
+    };
+    if ((features & kFlashlightFeatures) != 0)
+        add(view.beam->part_seen(run.bounds_world, view.clip_from_world), kFlashlightFeatures);
+    const bool may_be_shadowed = (features & kSunShadowFeatures) != 0 && run.only_item != nullptr &&
+                                 view.shadow_margin_m > 0.0F;
+    if (may_be_shadowed &&
+        part_seen(run.bounds_world, view.clip_from_world).share() > kLeastSplit &&
+        is_convex(resources.library.mesh(run.mesh))) {
+        const std::optional<ConvexVolume> dark = shadows_of_others(*view.frame,
+                                                                   resources.library,
+                                                                   *run.only_item,
+                                                                   view.light_direction_world,
+                                                                   view.shadow_margin_m);
+        add(dark ? dark->part_seen(run.bounds_world, view.clip_from_world) : ClipRect{},
+            kSunShadowFeatures);
+    }
+    return locals;
+}
+
+void MeshPass::draw_in_parts(const DrawRun& run,
+                             FeatureSet features,
+                             std::span<const Local> locals,
+                             const ClipRect& within,
+                             const MeshView& view,
+                             SceneResources& resources,
+                             FrameStats& stats) const {
+    if (locals.empty()) {
+        scissor(within, view.size_px);
+        draw(run, features, resources, stats);
+        return;
+    }
+    const Local& local = locals.front();
+    const auto others = locals.subspan(1);
+    const ClipRect both = intersection(within, local.part);
+    if (!both.empty()) draw_in_parts(run, features, others, both, view, resources, stats);
+    draw_in_parts(run, features & ~local.features, others, within, view, resources, stats);
 }
 
 void MeshPass::draw(const DrawRun& run,

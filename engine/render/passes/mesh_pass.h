@@ -13,8 +13,12 @@ namespace plumbline::render {
 struct MeshView {
     FeatureSet features{0};  ///< the shader code that this frame's lights and air need
     std::span<const LocalLight> lights;
-    std::size_t shadowed_lights{0};  ///< so many of the first cast shadows
-    const LightBeam* beam{nullptr};  ///< the flashlight's
+    std::size_t shadowed_lights{0};     ///< so many of the first cast shadows
+    const ConvexVolume* beam{nullptr};  ///< the flashlight's
+    const RenderFrame* frame{nullptr};
+    Vec3f light_direction_world{0.0F};  ///< of the sun
+    float shadow_margin_m{
+        0.0F};  ///< the sun's shadows end so near beside what casts them; 0: unknown
     Mat4f clip_from_world{1.0F};
     Vec3f eye_world{0.0F};
     PixelSize size_px;  ///< of what is drawn into
@@ -29,7 +33,24 @@ public:
                 FrameStats& stats);
 
 private:
-    /// All of a run, or what of it the flashlight cannot reach.
+    /// Shader code that only a part of the picture needs.
+    struct Local {
+        ClipRect part;
+        FeatureSet features{0};
+    };
+    /// What of a large plain thing needs less than all features.
+    static std::vector<Local> locals_of(const DrawRun& run,
+                                        FeatureSet features,
+                                        const MeshView& view,
+                                        const SceneResources& resources);
+    /// First where all locals are needed, last where none is: where one drew, the next is no nearer.
+    void draw_in_parts(const DrawRun& run,
+                       FeatureSet features,
+                       std::span<const Local> locals,
+                       const ClipRect& within,
+                       const MeshView& view,
+                       SceneResources& resources,
+                       FrameStats& stats) const;
     void draw(const DrawRun& run,
               FeatureSet features,
               SceneResources& resources,

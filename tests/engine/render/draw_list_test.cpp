@@ -142,7 +142,7 @@ TEST_F(DrawListTest, TakesFoliageInTheOrderOfTheSideThatIsSeen) {
 
 TEST_F(DrawListTest, DrawsWhatTheFlashlightReachesApart) {
     // Straight ahead, 0.6 m far: it reaches only the box whose near side is at 0.5 m.
-    const LightBeam beam{Vec3f{0.0F}, Vec3f{0.0F, 0.0F, -1.0F}, 0.2F, 0.6F};
+    const ConvexVolume beam = ConvexVolume::cone(Vec3f{0.0F}, Vec3f{0.0F, 0.0F, -1.0F}, 0.2F, 0.6F);
     const Mat4f everything = glm::ortho(-1e4F, 1e4F, -1e4F, 1e4F, -1e4F, 1e4F);
     CullView view{.frustum = Frustum{everything}};
     const RenderFrame& frame = frame_of({{box_, red_, -1.0F}, {box_, red_, -1.3F}});

@@ -97,7 +97,7 @@ TEST_F(ReliefGl, AMarkOnLowGroundIsSeenWhereItLies) {
             const Vec3f eye = along_z ? Vec3f{side, 1.2F, 0.0F} : Vec3f{0.0F, 1.2F, side};
             RenderFrame frame = seen_from(eye, ground(along_z, kHeight));
             const auto sunken = draw(frame);
-            frame.quality.parallax = false;
+            frame.quality.parallax = Drawn::Never;
             const auto flat = draw(frame);
             EXPECT_NEAR(line_px(flat, false), 0.5F * kSide_px, 1.0F);
             // The eye's ray to the line's middle, 6 cm below the origin.
@@ -116,13 +116,13 @@ TEST_F(ReliefGl, AMarkOnLowGroundIsSeenWhereItLies) {
 TEST_F(ReliefGl, WhiteIsTheMeshItselfAndFarOffAllIsFlat) {
     RenderFrame frame = seen_from({1.2F, 1.2F, 0.0F}, ground(true, 1.0F));
     const auto high = draw(frame);
-    frame.quality.parallax = false;
+    frame.quality.parallax = Drawn::Never;
     EXPECT_NEAR(line_px(draw(frame), false), line_px(high, false), 0.2F);
 
     frame = seen_from({8.0F, 8.0F, 0.0F}, ground(true, 0.0F));
     frame.camera.fov_y_rad = radians_from_degrees(4.0F);
     const auto far = draw(frame);
-    frame.quality.parallax = false;
+    frame.quality.parallax = Drawn::Never;
     EXPECT_EQ(draw(frame).bytes, far.bytes);
 }
 

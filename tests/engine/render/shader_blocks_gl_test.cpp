@@ -138,6 +138,8 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
                                          kSun,
                                          kSun | kSunShadow,
                                          kFlashlight,
+                                         kFlashlight | kFlashlightAtEye,
+                                         kSun | kSunShadow | kFlashlight | kFlashlightAtEye,
                                          kLocalLights,
                                          kSun | kSunShadow | kFlashlight | kLocalLights,
                                          kSun | kSunShadow | kFlashlight | kSoftShadows,

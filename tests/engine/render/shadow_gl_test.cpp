@@ -48,6 +48,28 @@ protected:
     RenderFrame frame_;
 };
 
+TEST_F(ShadowGl, AFloorDrawnInPartsLooksAsDrawnAtOnce) {
+    frame_.flashlight = Flashlight{.position_world = frame_.camera.position_world,
+                                   .direction_world = {0.05F, -1.0F, 0.0F},
+                                   .intensity = Vec3f{4000.0F},
+                                   .radius_m = 80.0F,
+                                   .inner_rad = 0.02F,
+                                   .outer_rad = 0.05F};
+    const auto in_parts = draw(frame_);
+    const auto draws = renderer_->stats().draw_calls;
+    // Casters out of sight to both sides: now a shadow may fall anywhere.
+    add_box(frame_, Vec3f{0.1F}, {-30.0F, 0.1F, -30.0F}, matt(Vec3f{0.8F}));
+    add_box(frame_, Vec3f{0.1F}, {30.0F, 0.1F, 30.0F}, matt(Vec3f{0.8F}));
+    const auto at_once = draw(frame_);
+    EXPECT_GT(draws, renderer_->stats().draw_calls);
+    for (std::uint32_t y = 0; y < kSide_px; ++y) {
+        for (std::uint32_t x = 0; x < kSide_px; ++x) {
+            ASSERT_NEAR(pixel_at(in_parts, x, y).g, pixel_at(at_once, x, y).g, 1) << x << ' ' << y;
+            ASSERT_NEAR(pixel_at(in_parts, x, y).r, pixel_at(at_once, x, y).r, 1) << x << ' ' << y;
+        }
+    }
+}
+
 TEST_F(ShadowGl, LiesWhereGeometryPutsIt) {
     // 45 degrees: the box from x = -1 to 1, 2 m high, shades the ground from its foot at x = 1
     // to x = 3. The map's texel is under 7 cm here.

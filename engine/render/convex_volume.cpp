@@ -1,10 +1,11 @@
-#include "engine/render/light_beam.h"
+#include "engine/render/convex_volume.h"
 
 #include "engine/render/frustum.h"
 
 #include <glm/gtc/matrix_access.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -13,6 +14,7 @@ namespace {
 
 using Polygon = std::vector<Vec3f>;
 
+constexpr std::size_t kConeSides = 8;
 constexpr float kWidest_rad = radians_from_degrees(80.0F);
 
 float height_over(const Vec4f& plane, const Vec3f& point) {
@@ -79,43 +81,72 @@ void include_part(ClipRect& rect,
 
 }  // namespace
 
-LightBeam::LightBeam(const Vec3f& position_world,
-                     const Vec3f& direction_world,
-                     float half_angle_rad,
-                     float radius_m)
-    : is_everywhere_(half_angle_rad > kWidest_rad) {
+Mat3f axes_along(const Vec3f& direction_world) {
     const Vec3f aside =
         std::abs(direction_world.y) < 0.9F ? Vec3f{0.0F, 1.0F, 0.0F} : Vec3f{1.0F, 0.0F, 0.0F};
     const Vec3f right = glm::normalize(glm::cross(direction_world, aside));
-    const Vec3f up = glm::cross(right, direction_world);
+    return glm::transpose(Mat3f{right, glm::cross(right, direction_world), direction_world});
+}
+
+ClipRect intersection(const ClipRect& a, const ClipRect& b) {
+    return {.min = glm::max(a.min, b.min), .max = glm::min(a.max, b.max)};
+}
+
+ClipRect part_seen(const Aabb& box_world, const Mat4f& clip_from_world) {
+    ClipRect rect;
+    if (box_world.empty()) return rect;
+    for (const Polygon& face : faces_of(box_world)) include_part(rect, face, {}, clip_from_world);
+    return rect;
+}
+
+ConvexVolume ConvexVolume::cone(const Vec3f& position_world,
+                                const Vec3f& direction_world,
+                                float half_angle_rad,
+                                float radius_m) {
+    ConvexVolume volume;
+    volume.is_everywhere_ = half_angle_rad > kWidest_rad;
+    const Mat3f axes = glm::transpose(axes_along(direction_world));
     // The pyramid's sides touch the cone, so its edges stand out of it.
-    const float half_side_rad = glm::pi<float>() / static_cast<float>(kSides);
+    const float half_side_rad = glm::pi<float>() / static_cast<float>(kConeSides);
     const float reach_m =
         radius_m * std::tan(std::min(half_angle_rad, kWidest_rad)) / std::cos(half_side_rad);
     const Vec3f end_world = position_world + direction_world * radius_m;
     Polygon end;
-    for (std::size_t i = 0; i < kSides; ++i) {
+    for (std::size_t i = 0; i < kConeSides; ++i) {
         const float turn = 2.0F * half_side_rad * static_cast<float>(i);
-        end.push_back(end_world + reach_m * (std::cos(turn) * right + std::sin(turn) * up));
+        end.push_back(end_world + reach_m * (std::cos(turn) * axes[0] + std::sin(turn) * axes[1]));
     }
-    for (std::size_t i = 0; i < kSides; ++i) {
+    for (std::size_t i = 0; i < kConeSides; ++i) {
         const Vec3f& a = end[i];
-        const Vec3f& b = end[(i + 1) % kSides];
+        const Vec3f& b = end[(i + 1) % kConeSides];
         Vec3f normal = glm::normalize(glm::cross(a - position_world, b - position_world));
         if (glm::dot(normal, direction_world) < 0.0F) normal = -normal;
-        planes_world_[i] = Vec4f{normal, -glm::dot(normal, position_world)};
-        faces_world_[i] = {position_world, a, b};
+        volume.planes_world_.emplace_back(normal, -glm::dot(normal, position_world));
+        volume.faces_world_.push_back({position_world, a, b});
     }
-    planes_world_[kSides] = Vec4f{-direction_world, glm::dot(direction_world, end_world)};
-    faces_world_[kSides] = std::move(end);
+    volume.planes_world_.emplace_back(-direction_world, glm::dot(direction_world, end_world));
+    volume.faces_world_.push_back(std::move(end));
+    return volume;
 }
 
-bool LightBeam::reaches(const Aabb& box_world) const {
+ConvexVolume ConvexVolume::prism(const Vec3f& direction_world, const Aabb& along) {
+    ConvexVolume volume;
+    const Mat3f along_from_world = axes_along(direction_world);
+    for (const Vec4f& plane : planes_of(along))
+        volume.planes_world_.emplace_back(Vec3f{plane} * along_from_world, plane.w);
+    for (Polygon& face : faces_of(along)) {
+        for (Vec3f& corner : face) corner = corner * along_from_world;
+        volume.faces_world_.push_back(std::move(face));
+    }
+    return volume;
+}
+
+bool ConvexVolume::reaches(const Aabb& box_world) const {
     if (is_everywhere_) return !box_world.empty();
     return may_touch(planes_world_, box_world);
 }
 
-ClipRect LightBeam::lit_part(const Aabb& box_world, const Mat4f& clip_from_world) const {
+ClipRect ConvexVolume::part_seen(const Aabb& box_world, const Mat4f& clip_from_world) const {
     if (box_world.empty()) return {};
     if (is_everywhere_) return {.min = Vec2f{-1.0F}, .max = Vec2f{1.0F}};
     ClipRect rect;
