@@ -26,6 +26,8 @@ public:
     /// In [0, count); count > 0.
     std::uint32_t below(std::uint32_t count) { return next() % count; }
 
+    void serialize(auto& archive) { archive(state_); }
+
 private:
     static constexpr std::uint64_t kIncrement = 1442695040888963407ULL;
     std::uint64_t state_;

@@ -3,6 +3,7 @@
 
 #include "engine/core/assert.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -56,6 +57,45 @@ public:
     const T* find(IdType id) const { return contains(id) ? &*slots_[id.index].value : nullptr; }
 
     std::size_t size() const { return size_; }
+
+    /// The next insert() returns this id, the first of those that are not alive. False where one of
+    /// its index is, and for indices that no history gives.
+    bool reserve(IdType id) {
+        constexpr std::uint32_t kMost = 1U << 22U;
+        if (id.generation == 0 || id.index >= kMost) return false;
+        while (slots_.size() <= id.index) {
+            free_.push_back(static_cast<std::uint32_t>(slots_.size()));
+            slots_.push_back({});
+        }
+        if (slots_[id.index].value) return false;
+        std::erase(free_, id.index);
+        free_.push_back(id.index);
+        slots_[id.index].generation = id.generation - 1;
+        return true;
+    }
+
+    /// Which ids come next, as fields of an archive. Those alive must be the same on both sides.
+    template <class Archive>
+    void serialize_slots(Archive& archive) {
+        std::vector<std::uint32_t> generations;
+        for (const Slot& slot : slots_) generations.push_back(slot.generation);
+        archive(generations, free_);
+        if (!archive.reads() || archive.failed()) return;
+        while (slots_.size() > generations.size() && !slots_.back().value) slots_.pop_back();
+        slots_.resize(std::max(generations.size(), slots_.size()));
+        std::size_t empty = 0;
+        for (std::size_t i = 0; i < slots_.size(); ++i) {
+            const bool same = i < generations.size() &&
+                              (!slots_[i].value || slots_[i].generation == generations[i]);
+            if (!archive.expect(same, "its ids are others")) return;
+            slots_[i].generation = generations[i];
+            if (!slots_[i].value) ++empty;
+        }
+        const bool sound = free_.size() == empty && std::ranges::all_of(free_, [&](auto index) {
+                               return index < slots_.size() && !slots_[index].value;
+                           });
+        if (!archive.expect(sound, "its ids are others")) free_.clear();
+    }
 
     /// Calls fn(id, value) in index order.
     template <class Fn>

@@ -13,11 +13,10 @@
 #pragma once
 
 #include "engine/core/assert.h"
+#include "engine/ecs/component_pool.h"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <compare>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -30,125 +29,6 @@
 #include <vector>
 
 namespace plumbline::ecs {
-
-/// Names an entity while it lives. Entity{} names none; a destroyed entity's name stays stale.
-struct Entity {
-    std::uint32_t index{0};
-    std::uint32_t generation{0};  ///< 0 is never alive
-
-    explicit operator bool() const { return generation != 0; }
-    friend auto operator<=>(const Entity&, const Entity&) = default;
-};
-
-/// An object type that moves without throwing. `const T` says: read only.
-template <class T>
-concept Component = std::is_object_v<T> && !std::is_array_v<T> &&
-                    std::is_nothrow_move_constructible_v<std::remove_const_t<T>> &&
-                    std::is_nothrow_move_assignable_v<std::remove_const_t<T>>;
-
-namespace detail {
-
-/// What the registry knows of a pool without knowing its type.
-class AnyPool {
-public:
-    AnyPool() = default;
-    virtual ~AnyPool() = default;
-    AnyPool(const AnyPool&) = delete;
-    AnyPool& operator=(const AnyPool&) = delete;
-
-    /// Calls the listener, then removes. Ignores entities that are not in.
-    virtual void remove(Entity entity) = 0;
-
-    bool contains(Entity entity) const {
-        return entity.index < dense_from_sparse_.size() &&
-               dense_from_sparse_[entity.index] != kAbsent &&
-               owners_[dense_from_sparse_[entity.index]] == entity;
-    }
-    const std::vector<Entity>& owners() const { return owners_; }
-
-    void lock() const { ++locks_; }
-    void unlock() const { --locks_; }
-
-protected:
-    static constexpr std::uint32_t kAbsent = std::numeric_limits<std::uint32_t>::max();
-
-    void assert_unlocked() const {
-        PL_ASSERT(locks_ == 0, "no add or remove of a type while a view or its listener uses it");
-    }
-
-    std::vector<Entity> owners_;
-    std::vector<std::uint32_t> dense_from_sparse_;
-
-private:
-    mutable std::uint32_t locks_{0};
-};
-
-template <Component T>
-class Pool final : public AnyPool {
-public:
-    std::function<void(Entity, T&)> on_remove;
-
-    template <class... Args>
-    T& add(Entity entity, Args&&... args) {
-        assert_unlocked();
-        PL_ASSERT(!contains(entity), "a component that the entity does not have yet");
-        values_.push_back(T{std::forward<Args>(args)...});
-        if (entity.index >= dense_from_sparse_.size()) {
-            dense_from_sparse_.resize(entity.index + 1, kAbsent);
-        }
-        dense_from_sparse_[entity.index] = static_cast<std::uint32_t>(owners_.size());
-        owners_.push_back(entity);
-        return values_.back();
-    }
-
-    void remove(Entity entity) override {
-        if (!contains(entity)) return;
-        assert_unlocked();
-        const std::uint32_t hole = dense_from_sparse_[entity.index];
-        if (on_remove) {
-            lock();
-            on_remove(entity, values_[hole]);
-            unlock();
-        }
-        const Entity last = owners_.back();
-        if (last != entity) {
-            values_[hole] = std::move(values_.back());
-            owners_[hole] = last;
-            dense_from_sparse_[last.index] = hole;
-        }
-        dense_from_sparse_[entity.index] = kAbsent;
-        values_.pop_back();
-        owners_.pop_back();
-    }
-
-    T& get(Entity entity) {
-        PL_ASSERT(contains(entity), "a component that the entity has");
-        return values_[dense_from_sparse_[entity.index]];
-    }
-    const T& get(Entity entity) const {
-        PL_ASSERT(contains(entity), "a component that the entity has");
-        return values_[dense_from_sparse_[entity.index]];
-    }
-    T* find(Entity entity) { return contains(entity) ? &get(entity) : nullptr; }
-    const T* find(Entity entity) const { return contains(entity) ? &get(entity) : nullptr; }
-
-private:
-    std::vector<T> values_;
-};
-
-/// A const component is read through a const pool, so that the compiler keeps the promise.
-template <Component T>
-using PoolOf = std::conditional_t<std::is_const_v<T>, const Pool<std::remove_const_t<T>>, Pool<T>>;
-
-inline std::atomic<std::size_t> next_type_index{0};
-
-template <class T>
-std::size_t type_index() {
-    static const std::size_t index = next_type_index++;
-    return index;
-}
-
-}  // namespace detail
 
 /// The entities that have all of Ts, with those components:
 /// `for (auto [entity, pose, body] : registry.view<Pose, const BodyRef>())`.
@@ -299,6 +179,54 @@ public:
                slots_[entity.index].generation == entity.generation;
     }
     std::size_t alive_count() const { return alive_count_; }
+
+    /// The next create() gives this name, the first of those that nobody has. False where somebody has
+    /// its place, and for places that no history gives.
+    bool reserve(Entity entity) {
+        constexpr std::uint32_t kMost = 1U << 22U;
+        if (!entity || entity.index >= kMost) return false;
+        while (slots_.size() <= entity.index) {
+            free_.push_back(static_cast<std::uint32_t>(slots_.size()));
+            slots_.push_back({});
+        }
+        if (slots_[entity.index].alive) return false;
+        std::erase(free_, entity.index);
+        free_.push_back(entity.index);
+        slots_[entity.index].generation = entity.generation;
+        return true;
+    }
+
+    /// Which names come next, as fields of an archive. Those alive must be the same on both sides.
+    template <class Archive>
+    void serialize_slots(Archive& archive) {
+        std::vector<std::uint32_t> generations;
+        for (const Slot& slot : slots_) generations.push_back(slot.generation);
+        archive(generations, free_);
+        if (!archive.reads() || archive.failed()) return;
+        while (slots_.size() > generations.size() && !slots_.back().alive) slots_.pop_back();
+        slots_.resize(std::max(generations.size(), slots_.size()));
+        for (std::size_t i = 0; i < slots_.size(); ++i) {
+            const bool same = i < generations.size() &&
+                              (!slots_[i].alive || slots_[i].generation == generations[i]);
+            if (!archive.expect(same, "its entities are others")) return;
+            slots_[i].generation = generations[i];
+        }
+        const bool sound = std::ranges::all_of(free_, [&](std::uint32_t index) {
+            return index < slots_.size() && !slots_[index].alive;
+        });
+        if (!archive.expect(sound, "its entities are others")) free_.clear();
+    }
+
+    /// The order in which views meet those that have a T. They must be the same on both sides.
+    template <Component T, class Archive>
+    void serialize_order(Archive& archive) {
+        auto* pool = pool_of<T>();
+        std::vector<Entity> owners = pool != nullptr ? pool->owners() : std::vector<Entity>();
+        archive(owners);
+        if (!archive.reads() || archive.failed() || (pool == nullptr && owners.empty())) return;
+        const bool same = pool != nullptr && pool->put_in_order(owners);
+        archive.expect(same, "its entities are others");
+    }
 
     /// T{args...}. Asserts that the entity lives and has no T.
     template <Component T, class... Args>

@@ -1,0 +1,173 @@
+// Fields to bytes and back by one list of them: what saved games are written and read with.
+//
+//     void serialize(Archive& archive, Rest& rest) { archive(rest.position_m, rest.calm); }
+//
+// A type says its fields once, in such a function beside it or in a member `serialize(Archive&)`;
+// the archive then writes them or reads them. Integers keep their size, lowest byte first; every
+// floating-point number takes eight bytes, so that both precisions read the same file.
+#pragma once
+
+#include "engine/core/id.h"
+
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace plumbline {
+
+class Archive {
+public:
+    /// Writes.
+    Archive() = default;
+    /// Reads; the bytes must outlive it.
+    explicit Archive(std::string_view bytes) : source_(bytes), reads_(true) {}
+
+    bool reads() const { return reads_; }
+    /// A number was read beyond the end (it is 0 then), or somebody found what cannot be.
+    bool failed() const { return !fault_.empty(); }
+    const std::string& fault() const { return fault_; }
+    /// Keeps the first fault.
+    void fail(std::string_view what) {
+        if (fault_.empty()) fault_ = what;
+    }
+    /// Fails unless it holds; returns whether it did.
+    bool expect(bool holds, std::string_view what) {
+        if (!holds) fail(what);
+        return holds;
+    }
+    std::size_t left() const { return source_.size(); }
+    const std::string& written() const { return written_; }
+    std::string take() { return std::move(written_); }
+
+    /// The fields, in this order.
+    template <class... Fields>
+    void operator()(Fields&... fields) {
+        (serialize(*this, fields), ...);
+    }
+
+    template <std::unsigned_integral T>
+    void number(T& value) {
+        if (!reads_) {
+            for (std::size_t i = 0; i < sizeof(T); ++i)
+                written_ += static_cast<char>(static_cast<std::uint8_t>(value >> (8 * i)));
+            return;
+        }
+        const std::string_view raw = bytes(sizeof(T));
+        value = 0;
+        for (std::size_t i = raw.size(); i-- > 0;)
+            value = static_cast<T>(static_cast<std::uint64_t>(value) << 8U |
+                                   static_cast<std::uint8_t>(raw[i]));
+    }
+    void text(std::string& value);
+    /// How many follow; each takes a byte at least, so a count that cannot be is refused here.
+    std::size_t count(std::size_t size);
+
+private:
+    std::string_view bytes(std::size_t size);
+
+    std::string written_;
+    std::string_view source_;
+    std::string fault_;
+    bool reads_{false};
+};
+
+template <class T>
+requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+void serialize(Archive& archive, T& value) {
+    if constexpr (std::is_floating_point_v<T>) {
+        // By value: a cast to the same type would be warned of.
+        const auto wide = [](auto number) -> double { return number; };
+        auto bits = std::bit_cast<std::uint64_t>(wide(value));
+        archive.number(bits);
+        if (archive.reads()) value = static_cast<T>(std::bit_cast<double>(bits));
+    } else if constexpr (std::is_same_v<T, bool>) {
+        auto raw = static_cast<std::uint8_t>(value);
+        archive.number(raw);
+        if (archive.reads()) value = raw != 0;
+    } else {
+        using Integer = typename std::
+            conditional_t<std::is_enum_v<T>, std::underlying_type<T>, std::type_identity<T>>::type;
+        auto raw = static_cast<std::make_unsigned_t<Integer>>(value);
+        archive.number(raw);
+        if (archive.reads()) value = static_cast<T>(raw);
+    }
+}
+
+template <class T>
+requires requires(T& value, Archive& archive) {
+    value.serialize(archive);
+}
+void serialize(Archive& archive, T& value) {
+    value.serialize(archive);
+}
+
+inline void serialize(Archive& archive, std::string& value) {
+    archive.text(value);
+}
+
+template <class Tag>
+void serialize(Archive& archive, Id<Tag>& id) {
+    archive(id.index, id.generation);
+}
+
+template <class T, std::size_t kSize>
+void serialize(Archive& archive, std::array<T, kSize>& values) {
+    for (T& value : values) archive(value);
+}
+
+/// Of values that can be made from nothing.
+template <class T>
+void serialize(Archive& archive, std::optional<T>& value) {
+    bool is_there = value.has_value();
+    archive(is_there);
+    if (archive.reads()) value = is_there ? std::optional<T>(T{}) : std::nullopt;
+    if (value) archive(*value);
+}
+
+template <class A, class B>
+void serialize(Archive& archive, std::pair<A, B>& pair) {
+    archive(pair.first, pair.second);
+}
+
+template <class T>
+void serialize(Archive& archive, std::vector<T>& values) {
+    const std::size_t size = archive.count(values.size());
+    if (archive.reads()) values.assign(size, T{});
+    for (T& value : values) archive(value);
+}
+
+template <class Key>
+void serialize(Archive& archive, std::set<Key>& keys) {
+    std::vector<Key> list(keys.begin(), keys.end());
+    archive(list);
+    if (archive.reads()) keys = std::set<Key>(list.begin(), list.end());
+}
+
+template <class Key, class Value, class Order>
+void serialize(Archive& archive, std::map<Key, Value, Order>& values) {
+    const std::size_t size = archive.count(values.size());
+    if (!archive.reads()) {
+        for (auto& [key, value] : values) {
+            Key copy = key;
+            archive(copy, value);
+        }
+        return;
+    }
+    values.clear();
+    for (std::size_t i = 0; i < size; ++i) {
+        Key key{};
+        archive(key);
+        archive(values[key]);
+    }
+}
+
+}  // namespace plumbline
