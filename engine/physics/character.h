@@ -49,6 +49,11 @@ struct CharacterState {
     Real landing_speed_mps{0};  ///< > 0 in the step in which it touched down
     Real ridden_yaw_rad{0};     ///< how far what it stands on turned it in this step, about +Y
     bool squeezed{false};       ///< something moving leaves it no room at the moment
+
+    void serialize(auto& archive) {
+        archive(feet_position_m, eye_position_m, velocity_mps, walking_mps, footing, ground_body);
+        archive(ground_normal_world, crouched, landing_speed_mps, ridden_yaw_rad, squeezed);
+    }
 };
 
 /// The user mark of every character's capsule, so that hits tell a person from a thing.
@@ -71,6 +76,9 @@ public:
 
     /// Puts it elsewhere at once, at rest; moves up to the nearest free spot when that is blocked.
     void teleport(const Vec3& feet_position_m);
+
+    /// For saved games. When read, its capsule gets its old id; PhysicsWorld::serialize() comes later.
+    void serialize(Archive& archive);
 
 private:
     struct Impl;

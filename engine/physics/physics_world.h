@@ -16,11 +16,16 @@
 #include "engine/physics/query.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
+
+namespace plumbline {
+class Archive;
+}
 
 namespace plumbline::physics {
 
@@ -165,9 +170,20 @@ public:
     void set_features(const WorldFeatures& features);
     const WorldDef& def() const;
     /// Another solver, rate or gravity from the next step on. Ids, bodies, shapes, joints and what is
-    /// frozen or taken out stay; contact points are found anew, and everything wakes: what follows
-    /// is, bit for bit, what a new world made from the present states would do.
+    /// frozen or taken out stay. From small_step to small_step contacts and joints go on carrying what
+    /// they did, and what sleeps sleeps on unless gravity changed. With another solver, and with any
+    /// bullet_*, contact points are found anew and everything wakes: what follows is, bit for bit, what
+    /// a new world made from the present states would do.
     void reconfigure(const WorldDef& def);
+
+    /// Everything that decides how it goes on, to the bit. When read: into a world that holds bodies of
+    /// the same ids and shapes; its joints are replaced, and what fails leaves it fit only to be thrown
+    /// away.
+    /// When written with `keeps`: only the bodies that it keeps and what is between them, for a world
+    /// that has just these.
+    void serialize(Archive& archive, const std::function<bool(BodyId)>& keeps = {});
+    /// The next body made gets this id. False where another body has its place.
+    bool reserve_body(BodyId id);
 
     // --- what the latest step left; spans are overwritten by the next
     /// Touching pairs, in a reproducible order. Those that sleep are listed as they fell asleep.

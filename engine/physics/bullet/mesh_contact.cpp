@@ -172,7 +172,7 @@ void forget_others(btPersistentManifold& manifold,
 /// Which of the two objects of a pair is the mesh.
 enum class MeshPlace { First, Second };
 
-class MeshAlgorithm final : public btCollisionAlgorithm {
+class MeshAlgorithm final : public btCollisionAlgorithm, public ManifoldByFace {
 public:
     MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info, MeshPlace place)
         : btCollisionAlgorithm(info), place_(place) {}
@@ -204,7 +204,27 @@ public:
         }
     }
 
+    std::uint32_t used_faces() const override {
+        std::uint32_t used = 0;
+        for (std::size_t i = 0; i < kMaxFaces; ++i) {
+            if (manifolds_[i] != nullptr) used |= 1U << i;
+        }
+        return used;
+    }
+    void use_faces(std::uint32_t used,
+                   const btCollisionObjectWrapper& first,
+                   const btCollisionObjectWrapper& second) override {
+        const bool mesh_first = place_ == MeshPlace::First;
+        for (std::size_t i = 0; i < kMaxFaces; ++i) {
+            if ((used >> i & 1U) != 0)
+                make(i, mesh_first ? second : first, mesh_first ? first : second);
+        }
+    }
+
 private:
+    void make(std::size_t face,
+              const btCollisionObjectWrapper& convex,
+              const btCollisionObjectWrapper& mesh);
     btPersistentManifold* manifold_for(const btVector3& normal,
                                        std::array<bool, kMaxFaces>& taken,
                                        const btCollisionObjectWrapper& convex,
@@ -279,6 +299,15 @@ private:
     Collector collector_;
 };
 
+void MeshAlgorithm::make(std::size_t face,
+                         const btCollisionObjectWrapper& convex,
+                         const btCollisionObjectWrapper& mesh) {
+    if (manifolds_[face] != nullptr) return;
+    // The convex body first, whatever the pair's order.
+    manifolds_[face] =
+        m_dispatcher->getNewManifold(convex.getCollisionObject(), mesh.getCollisionObject());
+}
+
 /// The manifold that pressed along this normal in the step before, else a free one: points found
 /// again there keep their impulses.
 btPersistentManifold* MeshAlgorithm::manifold_for(const btVector3& normal,
@@ -301,11 +330,7 @@ btPersistentManifold* MeshAlgorithm::manifold_for(const btVector3& normal,
             static_cast<std::size_t>(std::find(taken.begin(), taken.end(), false) - taken.begin());
     }
     taken[chosen] = true;
-    if (manifolds_[chosen] == nullptr) {
-        // The convex body first, whatever the pair's order.
-        manifolds_[chosen] =
-            m_dispatcher->getNewManifold(convex.getCollisionObject(), mesh.getCollisionObject());
-    }
+    make(chosen, convex, mesh);
     return manifolds_[chosen];
 }
 
@@ -315,10 +340,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* first,
                                      btManifoldResult* result) {
     const btCollisionObjectWrapper& convex = place_ == MeshPlace::First ? *second : *first;
     const btCollisionObjectWrapper& mesh = place_ == MeshPlace::First ? *first : *second;
-    if (manifolds_[0] == nullptr) {
-        manifolds_[0] =
-            m_dispatcher->getNewManifold(convex.getCollisionObject(), mesh.getCollisionObject());
-    }
+    make(0, convex, mesh);
     // Fast pairs look farther than the distance within which points are the same.
     const btScalar reach = manifolds_[0]->getContactBreakingThreshold();
     const btScalar near =

@@ -8,10 +8,24 @@
 
 #include <btBulletCollisionCommon.h>
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
+struct btCollisionObjectWrapper;
+
 namespace plumbline::physics {
+
+/// An algorithm that keeps a manifold for each face that is pressed on: which of them there are.
+class ManifoldByFace {
+public:
+    virtual ~ManifoldByFace() = default;
+    virtual std::uint32_t used_faces() const = 0;  ///< by bits
+    /// Makes those that are not there yet, as the algorithm would.
+    virtual void use_faces(std::uint32_t used,
+                           const btCollisionObjectWrapper& first,
+                           const btCollisionObjectWrapper& second) = 0;
+};
 
 /// Makes the algorithms; the dispatcher keeps pointers to these, so they must outlive it.
 class MeshContacts {

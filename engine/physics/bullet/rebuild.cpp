@@ -180,8 +180,21 @@ void PhysicsWorld::Impl::suit_to_world(BodyRecord& record) const {
     }
 }
 
+/// What contacts and joints carry is kept as mean forces, which fit steps of any length.
+void PhysicsWorld::Impl::change_rate(const WorldDef& changed) {
+    const bool other_gravity = changed.gravity_mps2 != def.gravity_mps2;
+    def = changed;
+    check_def();
+    small->take_rate();
+    bodies.each([&](BodyId, std::unique_ptr<BodyRecord>& record) {
+        suit_to_world(*record);
+        if (other_gravity && record->in_world) wake(*record);
+    });
+}
+
 void PhysicsWorld::reconfigure(const WorldDef& def) {
     Impl& impl = *impl_;
+    if (impl.small && def.solver == Solver::SmallStep) return impl.change_rate(def);
     // Bodies go through the state that callers see, as if they were made from it: no digit of
     // Bullet's own numbers may survive.
     std::vector<BodyState> states;

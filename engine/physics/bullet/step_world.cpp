@@ -22,6 +22,11 @@ StepWorld::StepWorld(btDispatcher* dispatcher,
     setForceUpdateAllAabbs(false);
 }
 
+void StepWorld::list_moving(const std::vector<BodyRecord*>& records) {
+    m_nonStaticRigidBodies.resize(0);
+    for (const BodyRecord* record : records) m_nonStaticRigidBodies.push_back(record->rigid.get());
+}
+
 void StepWorld::advance(btScalar step_s) {
     laps_.start();
     internalSingleStepSimulation(step_s);

@@ -28,6 +28,8 @@ public:
               btCollisionConfiguration* configuration,
               const Vec3& gravity_mps2);
 
+    /// In this order from now on; all that are listed, each once.
+    void list_moving(const std::vector<BodyRecord*>& records);
     /// One substep. `cost` and `use` are added to.
     void advance(btScalar step_s);
 

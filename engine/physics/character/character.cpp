@@ -53,6 +53,33 @@ void Character::Impl::make_body() {
     probe.set_own_body(body);
 }
 
+void Character::Impl::serialize(Archive& archive) {
+    BodyId own = body;
+    archive(own,
+            dt,
+            feet,
+            velocity,
+            footing,
+            ground,
+            ride,
+            crouched,
+            squeezed,
+            pinned,
+            since_ground_s,
+            wedged_s,
+            landing_speed_mps,
+            ridden_yaw_rad,
+            eye_height_m,
+            eye_offset_m,
+            eye_offset_mps);
+    if (!archive.reads() || archive.failed()) return;
+    world.destroy_body(body);
+    body = {};
+    probe.set_crouched(crouched);
+    if (!archive.expect(world.reserve_body(own), "the person's body has another's place")) return;
+    make_body();
+}
+
 void Character::Impl::find_free_place(const Vec3& wanted) {
     feet = Vec3d(wanted);
     const auto has_floor = [&](const Vec3& from) {
@@ -192,6 +219,10 @@ const CharacterDef& Character::def() const {
 
 BodyId Character::body() const {
     return impl_->body;
+}
+
+void Character::serialize(Archive& archive) {
+    archive(*impl_, impl_->state);
 }
 
 void Character::teleport(const Vec3& feet_position_m) {

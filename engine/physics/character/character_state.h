@@ -5,6 +5,7 @@
 // exactly where the skin does. A *gap* is always measured from the person's own surface.
 #pragma once
 
+#include "engine/core/pose_archive.h"
 #include "engine/physics/character.h"
 
 #include <array>
@@ -67,6 +68,10 @@ struct Support {
     Vec3 contact_normal{0, 1, 0};
     Vec3 point{0, 0, 0};
     BodyId body{};
+
+    void serialize(Archive& archive) {
+        archive(walkable, edge, face_normal, contact_normal, point, body);
+    }
 };
 
 /// Questions to the world about the person's capsule. Positions are of the feet, in double, so that
@@ -112,6 +117,8 @@ struct Ride {
     Pose next{};             ///< expected after the coming step
     Vec3 anchor_body{0};     ///< where the feet are on it
     Vec3 velocity{0, 0, 0};  ///< of the body's point at the feet
+
+    void serialize(Archive& archive) { archive(body, now, next, anchor_body, velocity); }
 };
 
 struct Character::Impl {
@@ -158,6 +165,7 @@ struct Character::Impl {
     // --- character.cpp
     void change_posture(bool crouch);
     void make_body();
+    void serialize(Archive& archive);
     void move_body();
     void settle_eye();
     void publish();

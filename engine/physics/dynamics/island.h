@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -65,6 +66,8 @@ public:
     ~IslandSolver();
     void begin_step();  ///< before the islands of a step
     IslandReport solve(Island& island, const IslandStep& step);
+    /// What contacts carried in the latest step. `manifolds`: of all pairs.
+    void serialize(Archive& archive, std::span<btPersistentManifold* const> manifolds);
 
 private:
     struct Impl;

@@ -153,6 +153,10 @@ void IslandSolver::Impl::write_joints(Island& island, double step_s) {
     }
 }
 
+void IslandSolver::serialize(Archive& archive, std::span<btPersistentManifold* const> manifolds) {
+    impl_->bridge.serialize(archive, manifolds);
+}
+
 void IslandSolver::begin_step() {
     impl_->bridge.begin_step();
 }

@@ -179,6 +179,10 @@ BodyId PhysicsWorld::create_body(const BodyDef& def) {
     return id;
 }
 
+bool PhysicsWorld::reserve_body(BodyId id) {
+    return impl_->bodies.reserve(id);
+}
+
 void PhysicsWorld::destroy_body(BodyId id) {
     if (!impl_->bodies.contains(id)) return;
     BodyRecord& record = impl_->body(id);
@@ -319,14 +323,20 @@ void PhysicsWorld::set_frozen(BodyId id, bool frozen) {
     impl_->leave_world(record);
     record.frozen = frozen;
     record.flight.going = false;
+    impl_->weigh(record);
     btRigidBody& rigid = *record.rigid;
-    rigid.setMassProps(frozen ? btScalar(0) : static_cast<btScalar>(record.mass_kg),
-                       frozen ? btVector3(0, 0, 0) : bullet_from_double(record.inertia_kgm2));
-    rigid.updateInertiaTensor();
     rigid.clearForces();
     rigid.setLinearVelocity({0, 0, 0});
     rigid.setAngularVelocity({0, 0, 0});
     impl_->enter_world(record);
+}
+
+void PhysicsWorld::Impl::weigh(BodyRecord& record) {
+    const bool frozen = record.frozen;
+    record.rigid->setMassProps(
+        frozen ? btScalar(0) : static_cast<btScalar>(record.mass_kg),
+        frozen ? btVector3(0, 0, 0) : bullet_from_double(record.inertia_kgm2));
+    record.rigid->updateInertiaTensor();
 }
 
 bool PhysicsWorld::frozen(BodyId id) const {

@@ -1,5 +1,6 @@
 #include "engine/physics/world/island_sleep.h"
 
+#include "engine/physics/bullet/archive.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/world/world_state.h"
 
@@ -105,6 +106,12 @@ std::uint32_t Slumbers::add(std::span<BodyRecord* const> bodies) {
 std::vector<BodyRecord*> Slumbers::end(std::uint32_t slumber) {
     free_.push_back(slumber);
     return std::exchange(bodies_[slumber - 1], {});
+}
+
+void Slumbers::serialize(Archive& archive, const BodyScope& scope) {
+    bodies_.resize(archive.count(bodies_.size()));
+    for (std::vector<BodyRecord*>& together : bodies_) physics::serialize(archive, together, scope);
+    archive(free_);
 }
 
 }  // namespace plumbline::physics

@@ -14,6 +14,7 @@
 namespace plumbline::physics {
 
 struct BodyRecord;
+struct BodyScope;
 
 inline constexpr double kSleepAfter_s = 0.5;
 
@@ -39,6 +40,7 @@ public:
     std::uint32_t add(std::span<BodyRecord* const> bodies);
     /// The bodies of a slumber, by their ids; it ends.
     std::vector<BodyRecord*> end(std::uint32_t slumber);
+    void serialize(Archive& archive, const BodyScope& scope);
 
 private:
     std::vector<std::vector<BodyRecord*>> bodies_;

@@ -130,8 +130,7 @@ JointId PhysicsWorld::Impl::add_joint(const JointDef& joint_def) {
     joint.a->joints.push_back(id);
     if (joint.b != nullptr) joint.b->joints.push_back(id);
     if (joint.b != nullptr && !joint.def.collide) {
-        joint.a->apart.push_back(joint.b);
-        joint.b->apart.push_back(joint.a);
+        keep_apart(joint);
         // With the pair goes its manifold: old contact points would press on.
         pairs->removeOverlappingPair(joint.a->rigid->getBroadphaseProxy(),
                                      joint.b->rigid->getBroadphaseProxy(),
@@ -143,6 +142,12 @@ JointId PhysicsWorld::Impl::add_joint(const JointDef& joint_def) {
     }
     wake_ends(joint);
     return id;
+}
+
+void PhysicsWorld::Impl::keep_apart(JointRecord& joint) {
+    if (joint.b == nullptr || joint.def.collide) return;
+    joint.a->apart.push_back(joint.b);
+    joint.b->apart.push_back(joint.a);
 }
 
 void PhysicsWorld::Impl::detach_joint(JointRecord& joint) {

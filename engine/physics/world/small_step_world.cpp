@@ -1,5 +1,6 @@
 #include "engine/physics/world/small_step_world.h"
 
+#include "engine/physics/bullet/archive.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/dynamics/body_motion.h"
 #include "engine/physics/world/world_state.h"
@@ -33,9 +34,17 @@ void note_before(BodyRecord& record) {
 SmallStepWorld::SmallStepWorld(const SmallStepParts& parts)
     : parts_(parts),
       sweep_(parts.joints),
-      meeting_(parts.dispatcher, parts.world.getDispatchInfo()),
-      gravity_mps2_(static_cast<double>(glm::length(parts.def.gravity_mps2))),
-      step_s_(static_cast<btScalar>(parts.def.step_s)) {
+      meeting_(parts.dispatcher, parts.world.getDispatchInfo()) {
+    take_rate();
+}
+
+void SmallStepWorld::take_rate() {
+    gravity_mps2_ = static_cast<double>(glm::length(parts_.def.gravity_mps2));
+    step_s_ = static_cast<btScalar>(parts_.def.step_s);
+    // Boxes reach as far as a step takes a body.
+    for (const auto* list : {&awake_, &fresh_}) {
+        for (BodyRecord* record : *list) record->box_stale = true;
+    }
     const auto fall_m = static_cast<btScalar>(gravity_mps2_) * step_s_ * step_s_;
     meeting_.begin_step({.step_s = step_s_, .fall_m = fall_m});
 }
@@ -98,6 +107,15 @@ void SmallStepWorld::stir(BodyRecord& record) {
     if (record.awake) return;
     record.awake = true;
     carriers_.insert(std::upper_bound(carriers_.begin(), carriers_.end(), &record, by_id), &record);
+}
+
+void SmallStepWorld::serialize(Archive& archive,
+                               const BodyScope& scope,
+                               std::span<btPersistentManifold* const> manifolds) {
+    for (std::vector<BodyRecord*>* list : {&awake_, &fresh_, &carriers_})
+        physics::serialize(archive, *list, scope);
+    slumbers_.serialize(archive, scope);
+    solver_.serialize(archive, manifolds);
 }
 
 // --- the step

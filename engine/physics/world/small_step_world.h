@@ -46,6 +46,8 @@ public:
     void wake_overlapping(const BodyRecord& record);
     /// A kinematic body may move in the next step.
     void stir(BodyRecord& record);
+    /// The definition's rate and gravity have changed.
+    void take_rate();
     std::size_t awake_count() const { return awake_.size() + fresh_.size(); }
 
     // --- the step
@@ -56,6 +58,10 @@ public:
     /// Nothing moves.
     bool idle() const { return awake_.empty() && carriers_.empty(); }
     void step(const WorldFeatures& features, bool want_contacts);
+    /// Who is awake, who sleeps with whom, what contacts carried. `manifolds`: of all pairs.
+    void serialize(Archive& archive,
+                   const BodyScope& scope,
+                   std::span<btPersistentManifold* const> manifolds);
     /// Manifolds that had points in the latest step.
     std::span<btPersistentManifold* const> touching() const { return touching_; }
 

@@ -126,6 +126,8 @@ struct BodyRecord {
 };
 
 class SmallStepWorld;
+class ContactArchive;
+struct BodyScope;
 
 struct PhysicsWorld::Impl {
     explicit Impl(const WorldDef& world_def);
@@ -149,6 +151,8 @@ struct PhysicsWorld::Impl {
     void quarantine(BodyRecord& record);
     void poison(BodyRecord& record);
     void place(BodyRecord& record, const btTransform& world_from_mass);
+    /// Bullet's mass and inertia: none while frozen.
+    static void weigh(BodyRecord& record);
     btTransform world_from_mass(const BodyRecord& record, const Pose& world_from_body) const;
 
     WorldDef def;
@@ -187,6 +191,8 @@ struct PhysicsWorld::Impl {
     void build_solver();
     /// Takes bodies and joints out of Bullet's world, and that down.
     void take_engine_down();
+    /// small_step: another rate, gravity or number of sub-steps; contacts go on.
+    void change_rate(const WorldDef& changed);
     /// What the world's rate and gravity make of a body's numbers.
     void suit_to_world(BodyRecord& record) const;
 
@@ -216,6 +222,17 @@ struct PhysicsWorld::Impl {
     /// After the step: forces and errors of Bullet's joints; any joint that carried too much breaks.
     void settle_joints();
     double elastic_energy_J() const;
+    /// The two do not touch while the joint holds.
+    static void keep_apart(JointRecord& joint);
+
+    // --- world_archive.cpp
+    void abandon();
+    void serialize_bodies(Archive& archive, const BodyScope& scope);
+    void serialize_joints(Archive& archive, const BodyScope& scope);
+    void serialize_engine(Archive& archive, const BodyScope& scope);
+    void serialize_constraints(Archive& archive, const BodyScope& scope);
+    void serialize_small_pairs(Archive& archive, const BodyScope& scope, ContactArchive& contacts);
+    void serialize_bullet_pairs(Archive& archive, const BodyScope& scope, ContactArchive& contacts);
 };
 
 /// Whether forces can move the body now.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace plumbline::physics {
 namespace {
@@ -226,6 +227,21 @@ void ContactBridge::write_back(const ContactSet& contacts, Real h) {
         const bool first = load.age == 1;
         const Real share = first ? 1 : load.normal_N < load.lasting_N ? kFallShare : kRiseShare;
         load.lasting_N += share * (load.normal_N - load.lasting_N);
+    }
+}
+
+void ContactBridge::serialize(Archive& archive, std::span<btPersistentManifold* const> manifolds) {
+    constexpr std::uint32_t kGone = ~0U;  // its pair has parted since
+    std::map<const btPersistentManifold*, std::uint32_t> number;
+    for (std::uint32_t i = 0; i < manifolds.size(); ++i) number[manifolds[i]] = i;
+    loads_.resize(archive.count(loads_.size()));
+    for (PairLoad& load : loads_) {
+        const auto found = number.find(load.manifold);
+        std::uint32_t of = found != number.end() ? found->second : kGone;
+        archive(of, load);
+        if (!archive.reads()) continue;
+        archive.expect(of == kGone || of < manifolds.size(), "a load has no contact");
+        load.manifold = of < manifolds.size() ? manifolds[of] : nullptr;
     }
 }
 

@@ -1,11 +1,13 @@
 // Bullet's contact manifolds as blocks of the small-step solver, and the impulses back.
 #pragma once
 
+#include "engine/core/pose_archive.h"
 #include "engine/physics/dynamics/contact/contact_set.h"
 
 #include <btBulletDynamicsCommon.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace plumbline::physics {
@@ -28,6 +30,9 @@ public:
     /// Impulses and totals back to the points.
     void write_back(const ContactSet& contacts, Real h);
 
+    /// What the pairs carried in the latest step. `manifolds`: of all pairs.
+    void serialize(Archive& archive, std::span<btPersistentManifold* const> manifolds);
+
     /// What the pair goes on carrying between blows; 0 while it is new.
     Real lasting_load_N(const btPersistentManifold& manifold) const;
 
@@ -49,6 +54,10 @@ private:
         Vec3 friction_N{0, 0, 0};
         Vec3 rolling_Nm{0, 0, 0};  ///< on the first block's a
         std::uint32_t age{0};      ///< steps
+
+        void serialize(Archive& archive) {
+            archive(normal_N, lasting_N, friction_N, rolling_Nm, age);
+        }
     };
 
     const PairLoad* last_load(const btPersistentManifold& manifold) const;

@@ -66,6 +66,9 @@ TEST(Reconfigure, GoesOnAsANewWorldWouldFromTheSameStates) {
     for (std::size_t from = 0; from < defs.size(); ++from) {
         for (std::size_t to = 0; to < defs.size(); ++to) {
             SCOPED_TRACE(from * 10 + to);
+            // Those go on with their contacts: the next test.
+            if (defs[from].solver == Solver::SmallStep && defs[to].solver == Solver::SmallStep)
+                continue;
             MixedHeap changed(defs[from]);
             changed.drop();
             changed.hash_after(70);
@@ -77,6 +80,50 @@ TEST(Reconfigure, GoesOnAsANewWorldWouldFromTheSameStates) {
             ASSERT_EQ(changed.hash_after(60), fresh.hash_after(60));
         }
     }
+}
+
+/// H88: a pile at rest goes on pressing as hard as its weight does, and nothing moves. Sub-steps of
+/// another length would let its contacts give way less or more.
+TEST(Reconfigure, APileGoesOnPressingAtAnotherRate) {
+    TestWorld test(in_small_steps());
+    const BodyId ground = test.ground();
+    test.world.set_contact_events(ground, true);
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 4; ++i)
+        boxes.push_back(test.add(BoxShape{},
+                                 {0, 0.5_r + static_cast<Real>(i), 0},
+                                 {.kind = BodyKind::Dynamic, .mass_kg = 2, .can_sleep = false}));
+    test.run(2);
+    for (const int substeps : {1, 8, 2, 4}) {
+        const double hz = 240.0 / substeps;
+        WorldDef def = in_small_steps(substeps);
+        def.step_s = 1 / hz;
+        test.world.reconfigure(def);
+        for (int i = 0; i < 3; ++i) {
+            test.world.step();
+            ASSERT_EQ(test.world.contacts().size(), 1U);
+            EXPECT_NEAR(static_cast<double>(test.world.contacts()[0].impulse_Ns) * hz,
+                        4 * 2 * kG,
+                        1e-3 * 4 * 2 * kG)
+                << hz << " Hz, step " << i;
+        }
+        for (const BodyId box : boxes) EXPECT_LT(glm::length(test.velocity(box)), 1e-4) << hz;
+    }
+}
+
+TEST(Reconfigure, SleepersSleepOnAtAnotherRate) {
+    TestWorld test(in_small_steps());
+    test.ground();
+    const BodyId box = test.add(BoxShape{}, {0, 0.5_r, 0});
+    test.run(2.0);
+    ASSERT_FALSE(test.world.state(box).awake);
+    const Vec3d there = test.at(box);
+    WorldDef fine = in_small_steps();
+    fine.step_s = 1.0 / 240;
+    test.world.reconfigure(fine);
+    test.run(0.5);
+    EXPECT_FALSE(test.world.state(box).awake);
+    EXPECT_EQ(test.at(box), there);
 }
 
 TEST(Reconfigure, FlightStaysOnItsParabola) {
