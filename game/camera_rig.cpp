@@ -277,6 +277,11 @@ void OrbitCamera::stay_above(const GroundBelow& ground, Look& look) {
     distance_m_ = previous_distance_m_ + zoom * share;
 }
 
+void OrbitCamera::serialize(Archive& archive) {
+    archive(target_m_, distance_m_, previous_distance_m_, steady_pitch_rad_);
+    if (steps_) archive(steps_->yaw, steps_->pitch, steps_->way);
+}
+
 Vec3 OrbitCamera::position_m(const Quat& orientation, Real blend) const {
     const Real distance = glm::mix(previous_distance_m_, distance_m_, blend);
     return target_m_ + orientation * Vec3{0, 0, distance};

@@ -6,6 +6,7 @@
 
 #include "engine/core/actions.h"
 #include "engine/core/pose.h"
+#include "engine/core/pose_archive.h"
 #include "engine/physics/physics_world.h"
 
 #include <optional>
@@ -26,6 +27,7 @@ public:
     /// How often it acts in this step. Of two keys against each other `presses` is the difference and
     /// `direction`, -1, 0 or 1, that of those which are down.
     int acts(int presses, int direction, Real step_s);
+    void serialize(Archive& archive) { archive(wait_s_); }
 
 private:
     Real every_s_;
@@ -54,6 +56,9 @@ public:
     Quat orientation_at(Real yaw_rad, Real pitch_rad) const;
     /// Between the last two steps, with look added that no step has seen yet.
     Quat orientation(Real blend, Real pending_yaw_rad, Real pending_pitch_rad) const;
+    void serialize(Archive& archive) {
+        archive(start_, yaw_rad_, pitch_rad_, smooth_yaw_rad_, smooth_pitch_rad_);
+    }
 
 private:
     Quat start_{kNoRotation};
@@ -89,6 +94,9 @@ public:
     Vec3 position_m(Real blend) const;
     const Vec3& velocity_mps() const { return velocity_mps_; }
     Real speed_mps() const { return speed_mps_; }
+    void serialize(Archive& archive) {
+        archive(position_m_, previous_m_, velocity_mps_, speed_mps_);
+    }
 
 private:
     Vec3 position_m_{0, 0, 0};
@@ -120,6 +128,7 @@ public:
     Vec3 position_m(const Quat& orientation, Real blend) const;
     Real distance_m() const { return distance_m_; }
     const Vec3& target_m() const { return target_m_; }
+    void serialize(Archive& archive);
 
 private:
     struct Steps {

@@ -28,6 +28,10 @@ public:
     /// After a step. A message for the person when it was won or lost in it.
     std::optional<std::string> judge(const scene::Simulation& simulation);
     scene::GoalState state(const scene::Simulation& simulation) const;
+    void serialize(Archive& archive) {
+        archive(things_, wanted_, counted_, thrown_, start_s_, last_throw_s_);
+        archive(reached_s_, end_, ended_s_);
+    }
 
 private:
     bool counts(const scene::Simulation& simulation, ecs::Entity thing) const;

@@ -186,6 +186,22 @@ void Grab::pull_round(scene::Simulation& simulation, const Aim& aim) {
     world.apply_torque(body_, shortened(now * (inertia * change), kMostTorque_Nm));
 }
 
+void Grab::serialize(Archive& archive, scene::Simulation& simulation) {
+    archive(entity_,
+            body_,
+            mass_kg_,
+            radius_m_,
+            distance_m_,
+            middle_from_point_,
+            by_pointer_,
+            view_from_body_,
+            last_target_,
+            stuck_s_);
+    if (!archive.reads() || !holding()) return;
+    if (archive.expect(simulation.registry.alive(entity_), "what is in the hand is not there"))
+        simulation.registry.add<Held>(entity_, mass_kg_);
+}
+
 bool Grab::throw_it(scene::Simulation& simulation, const Aim& aim, const Vec3& velocity_mps) {
     if (!holding()) return false;
     physics::PhysicsWorld& world = simulation.physics;

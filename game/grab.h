@@ -32,6 +32,8 @@ public:
 
     /// Lets go with a velocity. False, and still in the hand, when it sticks behind or in a wall.
     bool throw_it(scene::Simulation& simulation, const Aim& aim, const Vec3& velocity_mps);
+    /// For saved games; when read, with the simulation's entities already there.
+    void serialize(Archive& archive, scene::Simulation& simulation);
 
 private:
     Vec3 target_of(const scene::Simulation& simulation, const Aim& aim) const;

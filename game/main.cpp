@@ -66,6 +66,8 @@ CLI::App* add_play(CLI::App& app, PlayOptions& options) {
         ->check(between(0, 24));
     play->add_option("--seconds", options.seconds, "Ends after so much time")
         ->check(positive_up_to(kLongestRun_s));
+    play->add_option(
+        "--load", options.load, "Goes on from a saved game; without a scene, from that of its own");
     play->add_option("--record", options.record, "Writes every action to this file");
     play->add_option("--replay", options.replay, "Plays such a file instead of you")
         ->excludes("--record");

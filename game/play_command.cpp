@@ -7,6 +7,7 @@
 #include "engine/core/files.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/output.h"
+#include "engine/effects/saved_game.h"
 #include "engine/scene/camera_path.h"
 #include "engine/scene/scene_file.h"
 #include "game/hour_option.h"
@@ -110,7 +111,7 @@ app::PlayDef play_def(const PlayOptions& options,
     return {.shader_folder = folders.shaders,
             .user_data_folder = user_data_folder(),
             .thumbnails = folders.assets / "thumbnails",
-            .start_page = options.scene.empty() && !unattended,
+            .start_page = options.scene.empty() && options.load.empty() && !unattended,
             .unattended = unattended,
             .camera_path = options.camera_path,
             .sound = !common.no_sound,
@@ -120,6 +121,14 @@ app::PlayDef play_def(const PlayOptions& options,
             .report = options.report,
             .expect_hash = options.expect_hash,
             .steps = {.replay = options.replay, .random_seed = options.random_input}};
+}
+
+/// A saved game knows its scene.
+Result<std::string> scene_of(const PlayOptions& options) {
+    if (!options.scene.empty() || options.load.empty()) return options.scene;
+    const Result<effects::SavedGame> saved = effects::read_saved_game(options.load);
+    if (!saved) return saved.error();
+    return saved->scene.string();
 }
 
 /// Until the scene is read.
@@ -144,6 +153,7 @@ void tidy_up() {
     if (!data.empty()) {
         remove_stale_saves(data / "shots");
         remove_stale_saves(data / "recordings");
+        remove_stale_saves(data / "saves");
     }
     const std::filesystem::path report = take_crash_report(user_state_folder());
     if (report.empty()) return;
@@ -173,19 +183,26 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
                                               options.size),
                        .exit_code = ExitCode::BadUsage});
     }
+    const Result<std::string> scene = scene_of(options);
+    if (!scene) return refuse(scene.error());
     const Sessions sessions{*folders, !common.no_sound};
     // The driver takes as long as the scene: each on a thread of its own. What is refused meanwhile
     // needs no window, and none is seen.
     std::future<Result<std::unique_ptr<app::Session>>> reading =
-        std::async(std::launch::async | std::launch::deferred, [&] {
-            return options.scene.empty() ? sessions.open_last() : sessions.open(options.scene);
-        });
+        std::async(std::launch::async | std::launch::deferred,
+                   [&] { return scene->empty() ? sessions.open_last() : sessions.open(*scene); });
     Result<std::unique_ptr<platform::Window>> window = platform::Window::open(
         {.width = width, .height = height, .vsync = config.current().vsync, .visible = false});
     if (window) show_bar(**window, reading, width, height);
     Result<std::unique_ptr<app::Session>> session = reading.get();
     if (!session) return refuse(session.error());
     if (!window) return refuse(window.error());
+    app::PlayDef play = play_def(options, common, *folders);
+    if (!options.load.empty()) {
+        const Result<std::uint64_t> loaded = (*session)->load(options.load);
+        if (!loaded) return refuse(loaded.error());
+        play.steps.first_step = *loaded;
+    }
     if (const Result<Done> set = set_hour(options.hour, *(*session)->simulation); !set)
         return refuse(set.error());
     if (const auto& viewer = (*session)->description().viewer; viewer && options.size.empty()) {
@@ -195,7 +212,6 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     (*window)->show(title_of(**session), width, height);
     catch_interrupts();
     app::LiveBindings bindings(bindings_def(common, *folders));
-    app::PlayDef play = play_def(options, common, *folders);
     play.open_scene = [&](const std::filesystem::path& file) {
         return sessions.open(file.string());
     };

@@ -11,6 +11,7 @@ namespace plumbline::game {
 struct PlayOptions {
     std::string scene;  ///< empty: the one that was played last, and the start page
     std::string size;
+    std::filesystem::path load;  ///< a saved game to go on from
     std::filesystem::path record;
     std::filesystem::path replay;
     std::filesystem::path report;

@@ -28,6 +28,7 @@ public:
     const physics::CharacterState& state() const { return character_->state(); }
     const physics::CharacterDef& def() const { return character_->def(); }
     physics::BodyId body() const { return character_->body(); }
+    void serialize(Archive& archive) { archive(*character_, previous_eye_m_, pace_, stride_m_); }
     /// Of the latest step.
     std::span<const scene::FootstepEvent> footsteps() const { return footsteps_; }
 

@@ -14,6 +14,7 @@ add_library(plumbline_rules STATIC
     "${CMAKE_CURRENT_LIST_DIR}/player.h"
     "${CMAKE_CURRENT_LIST_DIR}/rules.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/rules.h"
+    "${CMAKE_CURRENT_LIST_DIR}/rules_archive.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/rules_forces.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/rules_light.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/rules_viewer.cpp"

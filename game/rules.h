@@ -35,6 +35,8 @@ public:
 
     bool holds() const override { return grab_.holding(); }
     bool frees_pointer() const override { return views_model(); }
+    std::string_view kind() const override { return "the playground"; }
+    void serialize(Archive& archive, scene::Simulation& simulation) override;
 
     MoveMode mode() const { return mode_; }
     const Player* player() const { return player_ ? &*player_ : nullptr; }

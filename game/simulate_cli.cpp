@@ -56,6 +56,10 @@ CLI::App* add_simulate(CLI::App& app, SimulateOptions& options) {
     simulate->add_option("--iterations", options.iterations, "Solver sweeps")
         ->check(CLI::Range(1, 10'000));
     simulate->add_option("--seed", options.seed, "Of everything random");
+    simulate
+        ->add_option("--load", options.load_file, "Goes on from a saved game, for --seconds more")
+        ->excludes("--solver", "--hz", "--substeps", "--iterations", "--seed");
+    simulate->add_option("--save", options.save_file, "Saves the game at the end");
     simulate->add_option("--state",
                          options.state_file,
                          "Writes the state at the end (JSON); - is the standard output");

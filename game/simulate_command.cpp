@@ -7,6 +7,7 @@
 #include "engine/core/log.h"
 #include "engine/core/output.h"
 #include "engine/effects/advance.h"
+#include "engine/effects/saved_game.h"
 #include "engine/scene/open_scene.h"
 #include "engine/scene/scene_file.h"
 #include "engine/scene/state_report.h"
@@ -27,6 +28,7 @@ namespace {
 /// What is loaded for one run. The library outlives the simulation.
 struct World {
     assets::AssetLibrary library;
+    std::optional<scene::OpenedScene> opened;
     std::unique_ptr<scene::Simulation> simulation;
 };
 
@@ -37,7 +39,7 @@ Result<Done> load(const SimulateOptions& options, World& world) {
         scene::find_scene(options.scene, scene::scene_folders(folders->assets));
     if (!file) return file.error();
     Diagnostics faults;
-    const Result<scene::OpenedScene> opened =
+    Result<scene::OpenedScene> opened =
         scene::open_scene(*file,
                           {.folders = *folders,
                            .overrides = {.solver = options.solver,
@@ -51,7 +53,8 @@ Result<Done> load(const SimulateOptions& options, World& world) {
         for (const Diagnostic& fault : faults.list()) log_error("{}", to_string(fault));
         return opened.error();
     }
-    Result<std::unique_ptr<scene::Simulation>> built = opened->build(world.library);
+    world.opened = std::move(*opened);
+    Result<std::unique_ptr<scene::Simulation>> built = world.opened->build(world.library);
     if (!built) return built.error();
     world.simulation = std::move(*built);
     for (const std::string& warning : world.simulation->warnings()) log_warning("{}", warning);
@@ -61,19 +64,28 @@ Result<Done> load(const SimulateOptions& options, World& world) {
 /// Runs the steps and collects what the files want to know.
 class Run {
 public:
-    Run(const SimulateOptions& options, scene::Simulation& simulation)
+    Run(const SimulateOptions& options, World& world)
         : options_(options),
-          simulation_(simulation),
-          game_(simulation.description().camera),
-          effects_(simulation, {.picture = false, .sound = false}),
-          steps_wanted_(
-              static_cast<std::uint64_t>(std::llround(options.seconds / simulation.step_s()))),
-          steps_between_traces_(std::max<std::uint64_t>(
-              1,
-              static_cast<std::uint64_t>(
-                  std::llround(options.trace_every_s / simulation.step_s())))) {}
+          opened_(*world.opened),
+          simulation_(*world.simulation),
+          game_(simulation_.description().camera),
+          effects_(simulation_, {.picture = false, .sound = false}) {}
+
+    Result<Done> go_on_from(const fs::path& file) {
+        const Result<effects::SavedGame> saved = effects::read_saved_game(file);
+        if (!saved) return saved.error();
+        return effects::put_back(*saved, file, running());
+    }
+    Result<Done> save(const fs::path& file) {
+        return effects::save_game(file, running(), simulation_.steps());
+    }
 
     void all_steps() {
+        const auto steps_in = [this](double duration_s) {
+            return static_cast<std::uint64_t>(std::llround(duration_s / simulation_.step_s()));
+        };
+        steps_wanted_ = simulation_.steps() + steps_in(options_.seconds);
+        steps_between_traces_ = std::max<std::uint64_t>(1, steps_in(options_.trace_every_s));
         trace();
         if (!options_.drive_fps) {
             while (!done()) step();
@@ -96,6 +108,9 @@ public:
     const scene::CostHistory& costs() const { return costs_; }
 
 private:
+    effects::RunningGame running() {
+        return {.opened = opened_, .simulation = simulation_, .effects = effects_, .game = game_};
+    }
     bool done() const { return simulation_.steps() >= steps_wanted_ || interrupted(); }
 
     void step() {
@@ -111,11 +126,12 @@ private:
     }
 
     const SimulateOptions& options_;
+    const scene::OpenedScene& opened_;
     scene::Simulation& simulation_;
     scene::NoGame game_;
     effects::EffectRuntime effects_;
-    std::uint64_t steps_wanted_;
-    std::uint64_t steps_between_traces_;
+    std::uint64_t steps_wanted_{0};
+    std::uint64_t steps_between_traces_{1};
     scene::CostHistory costs_;
     std::string trace_;
     double lost_s_{0.0};
@@ -163,13 +179,17 @@ void print_summary(std::ostream& out,
 
 ExitCode run_simulate(const SimulateOptions& options) {
     catch_interrupts();
-    for (const fs::path& file : {options.state_file, options.trace_file}) {
+    for (const fs::path& file : {options.state_file, options.trace_file, options.save_file}) {
         if (const Result<Done> open = check_output(file); !open) return refuse(open.error());
     }
     World world;
     if (const Result<Done> loaded = load(options, world); !loaded) return refuse(loaded.error());
     scene::Simulation& simulation = *world.simulation;
-    Run run(options, simulation);
+    Run run(options, world);
+    if (!options.load_file.empty()) {
+        const Result<Done> there = run.go_on_from(options.load_file);
+        if (!there) return refuse(there.error());
+    }
     run.all_steps();
     print_summary(summary_stream(options), simulation, run.costs());
 
@@ -180,6 +200,10 @@ ExitCode run_simulate(const SimulateOptions& options) {
     };
     if (!options.state_file.empty()) write(options.state_file, run.state(false) + "\n");
     if (!options.trace_file.empty()) write(options.trace_file, run.trace_lines());
+    if (!options.save_file.empty()) {
+        if (const Result<Done> saved = run.save(options.save_file); !saved)
+            code = refuse(saved.error());
+    }
     const std::string hash = hex_of(simulation.state_hash());
     if (code == ExitCode::Good && options.expect_hash && *options.expect_hash != hash) {
         log_error("the state at the end is {}, expected {}", hash, *options.expect_hash);

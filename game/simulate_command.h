@@ -14,12 +14,14 @@ namespace plumbline::game {
 
 struct SimulateOptions {
     std::string scene;
-    double seconds{1.0};  ///< rounded to whole steps
+    double seconds{1.0};  ///< rounded to whole steps; with load_file so many more
     std::optional<physics::Solver> solver{};
     std::optional<int> step_hz{};
     std::optional<int> substeps{};
     std::optional<int> iterations{};
     std::uint64_t seed{1};
+    std::filesystem::path load_file;  ///< a saved game to go on from
+    std::filesystem::path save_file;
     std::filesystem::path state_file;
     std::filesystem::path trace_file;
     double trace_every_s{0.0};  ///< 0: every step

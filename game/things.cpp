@@ -224,6 +224,17 @@ Result<ecs::Entity> Things::put(scene::Simulation& simulation,
     return entity;
 }
 
+ecs::Entity Things::make_again(scene::Simulation& simulation,
+                               const std::string& kind,
+                               const std::string& name) {
+    const auto known = std::ranges::find_if(
+        things_, [&](const Thing& thing) { return thing.description.name == kind; });
+    if (known == things_.end()) return {};
+    const ecs::Entity entity = simulation.respawn(known->description, name);
+    if (simulation.registry.alive(entity)) dress(simulation, entity, *known);
+    return entity;
+}
+
 bool Things::undo(scene::Simulation& simulation) {
     forget_gone(simulation);
     if (dropped_.empty()) return false;

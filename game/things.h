@@ -59,6 +59,12 @@ public:
     bool keep_limit(scene::Simulation& simulation);
     std::size_t count(const scene::Simulation& simulation);
 
+    /// Makes again what a saved game had. Null where there is no such thing.
+    ecs::Entity make_again(scene::Simulation& simulation,
+                           const std::string& kind,
+                           const std::string& name);
+    void serialize(Archive& archive) { archive(chosen_, serial_, limit_told_, dropped_); }
+
 private:
     static constexpr std::size_t kShot = kThingCount;
     static constexpr std::size_t kKinds = kThingCount + 1;

@@ -77,6 +77,7 @@ void go_on(PlayDef& def, const PlayEnd& end) {
     }
     if (def.seconds) *def.seconds -= end.seconds;
     def.steps.replay.clear();
+    def.steps.first_step = 0;
     def.camera_path.clear();
     def.chosen_s = end.chosen_s;
     def.report_before = end.report;

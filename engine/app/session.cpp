@@ -42,7 +42,7 @@ void Session::watch(const std::filesystem::path& file, scene::FileUse use) {
         files_.push_back(scene::stamp_of(file, use));
 }
 
-Result<Done> Session::build(const scene::OpenedScene& opened) {
+Result<Done> Session::build(const scene::OpenedScene& opened, const Prepare& prepare) {
     Result<std::unique_ptr<scene::Simulation>> built = opened.build(library);
     if (!built) return built.error();
     std::unique_ptr<study::HardCaseJudge> judge_made;
@@ -53,6 +53,13 @@ Result<Done> Session::build(const scene::OpenedScene& opened) {
     }
     std::unique_ptr<scene::Game> game_made = def_.make_game(**built);
     auto effects_made = std::make_unique<effects::EffectRuntime>(**built, def_.served);
+    if (prepare) {
+        const Result<Done> prepared = prepare({.opened = opened,
+                                               .simulation = **built,
+                                               .effects = *effects_made,
+                                               .game = *game_made});
+        if (!prepared) return prepared;
+    }
     // Nothing fails from here on, not even for want of memory: the running world goes when the new
     // one is whole.
     effects = std::move(effects_made);
@@ -70,6 +77,23 @@ void Session::prefetch_images() {
 
 Result<Done> Session::reset() {
     return build(scene_);
+}
+
+Result<Done> Session::save(const std::filesystem::path& file, std::uint64_t steps) {
+    return effects::save_game(
+        file,
+        {.opened = scene_, .simulation = *simulation, .effects = *effects, .game = *game},
+        steps);
+}
+
+Result<std::uint64_t> Session::load(const std::filesystem::path& file) {
+    const Result<effects::SavedGame> saved = effects::read_saved_game(file);
+    if (!saved) return saved.error();
+    const Result<Done> built = build(scene_, [&](const effects::RunningGame& made) {
+        return effects::put_back(*saved, file, made);
+    });
+    if (!built) return built.error();
+    return saved->steps;
 }
 
 Result<Done> Session::reload() {

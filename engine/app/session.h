@@ -4,6 +4,7 @@
 #include "engine/core/diagnostics.h"
 #include "engine/core/files.h"
 #include "engine/effects/advance.h"
+#include "engine/effects/saved_game.h"
 #include "engine/scene/game.h"
 #include "engine/scene/open_scene.h"
 #include "engine/study/gallery/hard_case_judge.h"
@@ -38,6 +39,10 @@ public:
     Result<Done> reset();
     /// Reads all files again. As reset().
     Result<Done> reload();
+    /// Written atomically; `steps`: of the sitting, for read_saved_game().
+    Result<Done> save(const std::filesystem::path& file, std::uint64_t steps);
+    /// Builds the scene anew and goes on from a saved game; the steps of its sitting. As reset().
+    Result<std::uint64_t> load(const std::filesystem::path& file);
     /// Starts decoding what the first picture needs, on worker threads.
     void prefetch_images();
     const scene::SceneDescription& description() const { return scene_.description; }
@@ -53,8 +58,10 @@ public:
 
 private:
     explicit Session(SessionDef def) : def_(std::move(def)) {}
+    /// What is done to a new world before it replaces the running one.
+    using Prepare = std::function<Result<Done>(const effects::RunningGame&)>;
     /// Replaces the running world, unless the new one is refused.
-    Result<Done> build(const scene::OpenedScene& opened);
+    Result<Done> build(const scene::OpenedScene& opened, const Prepare& prepare = {});
     Result<scene::OpenedScene> open_scene();
     void watch(const std::filesystem::path& file, scene::FileUse use);
 

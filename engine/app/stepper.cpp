@@ -76,6 +76,7 @@ std::string bodies_apart(const TapeState& there,
 
 Stepper::Stepper(Session& session, const StepperDef& def)
     : session_(&session), seed_(def.seed), recorder_(header_of(session, def.seed)) {
+    steps_ = def.first_step;
     if (def.random_seed) monkey_.emplace(*def.random_seed);
 }
 
@@ -85,6 +86,8 @@ Result<Stepper> Stepper::create(Session& session, const StepperDef& def) {
         Result<TapePlayer> player = TapePlayer::open(def.replay, header_of(session, def.seed));
         if (!player) return player.error();
         stepper.player_ = std::move(*player);
+        // Each line tells what changed since the one before.
+        for (std::uint64_t step = 0; step < def.first_step; ++step) stepper.player_->step(step);
     }
     return stepper;
 }
@@ -160,9 +163,9 @@ void Stepper::reset() {
     if (!player_) rebuild();
 }
 
-void Stepper::begin_anew() {
+void Stepper::begin_anew(std::uint64_t first_step) {
     recorder_ = TapeRecorder(header_of(*session_, seed_));
-    steps_ = 0;
+    steps_ = first_step;
     prints_.clear();
 }
 

@@ -18,6 +18,7 @@ struct StepperDef {
     std::filesystem::path replay;                ///< empty: none
     std::optional<std::uint64_t> random_seed{};  ///< --random-input
     std::uint64_t seed{1};                       ///< of the simulation, noted in recordings
+    std::uint64_t first_step{0};  ///< where the session's saved game stood; 0: at the start
 };
 
 class Stepper {
@@ -33,8 +34,9 @@ public:
     int run(int count, double budget_s, input::ActionLatch& latch, FrameReport& report);
     /// Builds the scene anew and notes it. In a replay the recording alone resets.
     void reset();
-    /// The session has read another scene: steps count from here, and so does the recording.
-    void begin_anew();
+    /// The session has read another scene, or a saved game: steps count on from here, and so does the
+    /// recording.
+    void begin_anew(std::uint64_t first_step = 0);
 
     bool replaying() const { return player_.has_value(); }
     bool ended() const { return player_ && player_->ended(steps_); }

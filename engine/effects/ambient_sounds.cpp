@@ -52,6 +52,7 @@ public:
         ++work_.calls;
     }
 
+    void serialize(Archive& archive) override { archive(played_once_); }
     std::uint64_t bytes_cpu() const override { return sizeof(*this) + bank_.bytes(); }
 
 private:

@@ -198,6 +198,11 @@ void Drops::step(float step_s, const Obstacles& obstacles, const Vec3f& wind_mps
     std::erase_if(rings_, [](const WaterRing& ring) { return ring.age_s >= kRingLife_s; });
 }
 
+void Drops::serialize(Archive& archive) {
+    for (Nozzle& nozzle : nozzles_) archive(nozzle.due);
+    archive(random_, drops_, rings_, in_l_, out_l_);
+}
+
 WaterFlow Drops::flow() const {
     WaterFlow flow{.in_l = in_l_, .out_l = out_l_};
     for (const Drop& drop : drops_) flow.held_l += static_cast<double>(drop.held_l);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "engine/core/math.h"
+#include "engine/core/pose_archive.h"
 #include "engine/core/random.h"
 #include "engine/scene/nature_description.h"
 
@@ -24,6 +25,11 @@ struct Drop {
     float looks_at_s{0.0F};  ///< the age at which it looks for bodies next
     float held_l{0.0F};      ///< water of the jet that it stands for; splashes hold none
     float rank{0.0F};        ///< 0…1, even: where fewer are drawn, the low ones stay
+
+    void serialize(Archive& archive) {
+        archive(position_world, velocity_mps, radius_m, drag_per_m, age_s);
+        archive(ends_at_s, looks_at_s, held_l, rank);
+    }
 };
 
 /// A ring on a pool, from the place where a drop fell in.
@@ -32,6 +38,8 @@ struct WaterRing {
     float age_s{0.0F};
     float strength{1.0F};  ///< 0…1
     float reach_m{0.3F};   ///< to the pool's edge
+
+    void serialize(Archive& archive) { archive(center_world, age_s, strength, reach_m); }
 };
 
 /// Litres since the start: in_l = held_l + out_l to rounding.
@@ -57,6 +65,7 @@ public:
     const std::vector<Drop>& drops() const { return drops_; }
     const std::vector<WaterRing>& rings() const { return rings_; }
     WaterFlow flow() const;
+    void serialize(Archive& archive);
     std::size_t bytes() const;
 
     static constexpr float kMostPerSecond = 4000.0F;  ///< of all nozzles together

@@ -34,7 +34,8 @@ public:
     virtual void extract(const scene::Simulation&, const scene::ViewPoint&, render::RenderFrame&) {
     }  ///< may add to the picture
     virtual void sound(const scene::Simulation&, const scene::ViewPoint&, SoundFrame&) {
-    }  ///< may add to the sound
+    }                                    ///< may add to the sound
+    virtual void serialize(Archive&) {}  ///< what a saved game must keep of it
     virtual std::uint64_t bytes_cpu() const { return 0; }
 
     const EffectWork& work() const { return work_; }

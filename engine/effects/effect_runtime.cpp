@@ -1,6 +1,9 @@
 #include "engine/effects/effect_runtime.h"
 
+#include "engine/core/archive.h"
 #include "engine/core/stopwatch.h"
+
+#include <map>
 
 namespace plumbline::effects {
 
@@ -123,6 +126,27 @@ SoundFrame EffectRuntime::sound(const scene::Simulation& simulation, const scene
     SoundFrame frame;
     impl_->each([&](Effect& effect) { effect.sound(simulation, view, frame); });
     return frame;
+}
+
+void EffectRuntime::serialize(Archive& archive) {
+    std::map<std::string, std::string> kept;
+    if (!archive.reads()) {
+        for (std::size_t row = 0; row < impl_->slots.size(); ++row) {
+            if (!impl_->slots[row].effect) continue;
+            Archive own;
+            impl_->slots[row].effect->serialize(own);
+            if (!own.written().empty()) kept[std::string(impl_->table[row].name)] = own.take();
+        }
+    }
+    archive(kept);
+    if (!archive.reads()) return;
+    for (std::size_t row = 0; row < impl_->slots.size(); ++row) {
+        const auto found = kept.find(std::string(impl_->table[row].name));
+        if (found == kept.end() || !impl_->slots[row].effect) continue;
+        Archive own(found->second);
+        impl_->slots[row].effect->serialize(own);
+        archive.expect(!own.failed() && own.left() == 0, "an effect's state is another's");
+    }
 }
 
 void EffectRuntime::add_render_stats(const render::FrameStats& stats,

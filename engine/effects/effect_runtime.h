@@ -54,6 +54,10 @@ public:
                  render::RenderFrame& frame);
     SoundFrame sound(const scene::Simulation& simulation, const scene::ViewPoint& view);
 
+    /// What saved games keep of the effects there are. When read: each takes up its own; those that
+    /// this run does not serve are passed over.
+    void serialize(Archive& archive);
+
     /// Adds what the renderer measured for the effects' passes and memory.
     void add_render_stats(const render::FrameStats& stats, std::span<const render::GpuBytes> bytes);
 

@@ -32,6 +32,7 @@ public:
         cues_.clear();
     }
 
+    void serialize(Archive& archive) override { archive(random_); }
     std::uint64_t bytes_cpu() const override { return sizeof(*this) + bank_.bytes(); }
 
 private:

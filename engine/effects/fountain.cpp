@@ -70,6 +70,7 @@ public:
         ++work_.calls;
     }
 
+    void serialize(Archive& archive) override { archive(drops_); }
     std::uint64_t bytes_cpu() const override { return sizeof(*this) + drops_.bytes(); }
 
 private:

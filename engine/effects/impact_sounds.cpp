@@ -56,6 +56,7 @@ public:
         cues_.clear();
     }
 
+    void serialize(Archive& archive) override { archive(random_, sounded_at_s_); }
     std::uint64_t bytes_cpu() const override {
         return sizeof(*this) + bank_.bytes() + cues_.capacity() * sizeof(audio::SoundCue) +
                sounded_at_s_.size() * sizeof(std::pair<Pair, double>);

@@ -129,6 +129,11 @@ struct MotionPath {
     Pose start{};
 };
 
+/// Made in play from the description of this name: saved games make it anew from there.
+struct Spawned {
+    std::string description;
+};
+
 /// Made in play: what undo_drop takes away and what the drop limit counts.
 struct Dropped {
     std::uint64_t serial{0};

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plumbline::scene {
@@ -72,6 +73,14 @@ public:
     /// The pointer stays the person's: the view follows it while a button is down.
     virtual bool frees_pointer() const { return false; }
     virtual HudContent hud(const Simulation&) { return {}; }
+
+    /// Only a game of the same kind goes on from a saved one: "playground".
+    virtual std::string_view kind() const { return "no game"; }
+    /// The simulation's entities and all that the game decides by, for saved games. When read: the
+    /// simulation is freshly built, and so is this.
+    virtual void serialize(Archive& archive, Simulation& simulation) {
+        simulation.serialize_entities(archive, {});
+    }
 };
 
 /// No player, nobody acts: what `simulate` and `render` run.

@@ -207,10 +207,17 @@ ecs::Entity Simulation::spawn(const EntityDescription& description) {
     do {
         name = fmt::format("{}#{}", description.name, ++spawned_by_name_[description.name]);
     } while (entities_by_name_.contains(name));
+    return respawn(description, name);
+}
+
+ecs::Entity Simulation::respawn(const EntityDescription& description, const std::string& name) {
     Result<ecs::Entity> made = builder_->build(description, name);
-    if (made) return *made;
-    add_warning(made.error().message);
-    return {};
+    if (!made) {
+        add_warning(made.error().message);
+        return {};
+    }
+    registry.add<Spawned>(*made, Spawned{.description = description.name});
+    return *made;
 }
 
 ecs::Entity Simulation::entity_of(physics::BodyId body) const {

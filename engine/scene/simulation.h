@@ -4,6 +4,7 @@
 
 #include "engine/assets/asset_library.h"
 #include "engine/audio/sound_cue.h"
+#include "engine/core/pose_archive.h"
 #include "engine/core/random.h"
 #include "engine/core/result.h"
 #include "engine/ecs/registry.h"
@@ -14,6 +15,7 @@
 #include "engine/scene/surfaces.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -52,6 +54,11 @@ struct LiveSwitches {
     float sun_rotation_radps{
         0.0F};                ///< about +Y; with [time] about the earth's axis; by every step
     float light_scale{1.0F};  ///< of sun and sky: below 1 is dusk
+
+    void serialize(Archive& archive) {
+        archive(grid, axes, normals, turntable, ground, background, shading, textures, effects);
+        archive(fog_density_scale, fog_color, sun_direction, sun_rotation_radps, light_scale);
+    }
 };
 
 /// A dynamic or kinematic body as the simulation keeps track of it.
@@ -85,6 +92,10 @@ struct MotionDemand {
 
     friend bool operator==(const MotionDemand&, const MotionDemand&) = default;
 };
+
+/// A thing of the game's that a saved game had: made again under this name. Null where there is no
+/// such description.
+using Remake = std::function<ecs::Entity(const std::string& description, const std::string& name)>;
 
 class Simulation {
 public:
@@ -153,6 +164,8 @@ public:
     /// Makes an entity as a scene file would; dropped things come this way. Its name is numbered:
     /// "crate#1". Null on refusal, with a warning in warnings().
     ecs::Entity spawn(const EntityDescription& description);
+    /// Makes again what a saved game says was spawned, under its old name.
+    ecs::Entity respawn(const EntityDescription& description, const std::string& name);
     /// Entity of a body, or null.
     ecs::Entity entity_of(physics::BodyId body) const;
     /// As entity_of, from the mark that hits and contact events carry.
@@ -165,6 +178,18 @@ public:
 
     /// Over every dynamic and kinematic body's pose and velocity bits, in file order.
     std::uint64_t state_hash() const;
+
+    // --- for saved games (saved_game.h), in this order
+    /// Which entities there are. When read: those of the scene that were gone go, and what play had made
+    /// of the scene's prefabs, or `remake` of others, is made again, all under their old ids.
+    void serialize_entities(Archive& archive, const Remake& remake);
+    /// Everything else that decides how the world goes on. When read: into a world with the same
+    /// entities; what fails leaves it fit only to be thrown away.
+    void serialize_state(Archive& archive);
+
+    /// Where the scene's own bodies are and what they carry, without what play made: for a ghost. When
+    /// read: into a freshly built world; its definition becomes that of the archive.
+    void serialize_bodies_of_scene(Archive& archive);
 
     // --- for effects
     /// Whether things of that surface sound when they hit. The default surface does not: a scene
@@ -192,6 +217,12 @@ public:
 private:
     friend class EntityBuilder;
 
+    std::vector<ecs::Entity> entities_of_scene() const;
+    void serialize_entities_of_scene(Archive& archive);
+    void serialize_components(Archive& archive);
+    void serialize_moving(Archive& archive);
+    void serialize_joints(Archive& archive);
+    ecs::Entity remake_one(Archive& archive, const Remake& remake);
     void run_events();
     void do_event(const HardCaseEvent& event);
     void move_along_paths();

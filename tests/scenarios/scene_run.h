@@ -2,11 +2,13 @@
 #pragma once
 
 #include "engine/effects/advance.h"
+#include "engine/effects/saved_game.h"
 #include "engine/scene/open_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace plumbline::test {
@@ -17,6 +19,7 @@ inline std::filesystem::path repository() {
 
 struct SceneRun {
     assets::AssetLibrary library;
+    std::optional<scene::OpenedScene> opened;
     std::unique_ptr<scene::Simulation> simulation;
     std::unique_ptr<effects::EffectRuntime> effects;
     scene::NoGame game{scene::CameraDescription{}};
@@ -26,7 +29,7 @@ struct SceneRun {
                       const effects::ServedDomains& served = {}) {
         Diagnostics faults;
         const std::filesystem::path assets = repository() / "assets";
-        const Result<scene::OpenedScene> opened =
+        Result<scene::OpenedScene> read =
             scene::open_scene(assets / "scenes" / name,
                               {.folders = {.assets = assets,
                                            .shaders = repository() / "shaders",
@@ -34,7 +37,8 @@ struct SceneRun {
                                .overrides = overrides},
                               faults);
         for (const Diagnostic& fault : faults.list()) ADD_FAILURE() << to_string(fault);
-        if (!opened) return;
+        if (!read) return;
+        opened = std::move(*read);
         auto built = opened->build(library);
         EXPECT_TRUE(built.ok()) << (built.ok() ? "" : built.error().message);
         if (!built) return;
@@ -46,6 +50,9 @@ struct SceneRun {
         for (std::uint64_t i = 0; i < count; ++i) {
             effects::advance(*simulation, *effects, game, {});
         }
+    }
+    effects::RunningGame running() {
+        return {.opened = *opened, .simulation = *simulation, .effects = *effects, .game = game};
     }
     physics::BodyState state(const std::string& name) const {
         const ecs::Entity entity = simulation->find(name);

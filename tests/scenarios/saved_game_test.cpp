@@ -1,0 +1,77 @@
+// Saved in the middle and put into a fresh world, a scene goes on to the same bits as the one that
+// never stopped: every scene that ships, every solver, in both precisions.
+#include "engine/effects/saved_game.h"
+
+#include "engine/core/hash.h"
+#include "engine/scene/scene_list.h"
+#include "tests/scenarios/scene_run.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+namespace plumbline {
+namespace {
+
+using test::SceneRun;
+using test::TemporaryFolder;
+
+constexpr std::array kSolvers{physics::Solver::SmallStep,
+                              physics::Solver::BulletSi,
+                              physics::Solver::BulletNncg,
+                              physics::Solver::BulletDantzig,
+                              physics::Solver::BulletPgs};
+
+/// Names below assets/scenes, without their endings.
+std::vector<std::string> every_scene() {
+    std::vector<std::string> names;
+    for (const scene::ListedScene& scene :
+         scene::list_scenes({.assets = test::repository() / "assets", .user_scenes = {}}))
+        names.push_back(scene.name);
+    return names;
+}
+
+class SavedScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(SavedScene, GoesOnToTheSameBitsWithEverySolver) {
+    constexpr std::uint64_t kBefore = 45;
+    constexpr std::uint64_t kAfter = 45;
+    const TemporaryFolder folder;
+    for (const physics::Solver solver : kSolvers) {
+        SCOPED_TRACE(physics::solver_name(solver));
+        SceneRun first(GetParam() + ".toml", {.solver = solver});
+        ASSERT_TRUE(first.simulation);
+        first.step(kBefore);
+        const Result<Done> saved =
+            effects::save_game(folder / "one.save", first.running(), kBefore);
+        ASSERT_TRUE(saved.ok()) << saved.error().message;
+
+        SceneRun second(GetParam() + ".toml", {.solver = solver});
+        const Result<effects::SavedGame> read = effects::read_saved_game(folder / "one.save");
+        ASSERT_TRUE(read.ok()) << read.error().message;
+        EXPECT_EQ(read->steps, kBefore);
+        const Result<Done> there = effects::put_back(*read, folder / "one.save", second.running());
+        ASSERT_TRUE(there.ok()) << there.error().message;
+        EXPECT_EQ(second.simulation->steps(), kBefore);
+        EXPECT_EQ(hex_of(second.simulation->state_hash()), hex_of(first.simulation->state_hash()));
+
+        // Nothing of it was forgotten: saved again it is the same file.
+        ASSERT_TRUE(effects::save_game(folder / "two.save", second.running(), kBefore).ok());
+        EXPECT_TRUE(folder.read("two.save") == folder.read("one.save"));
+
+        first.step(kAfter);
+        second.step(kAfter);
+        EXPECT_EQ(hex_of(second.simulation->state_hash()), hex_of(first.simulation->state_hash()));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped,
+                         SavedScene,
+                         testing::ValuesIn(every_scene()),
+                         [](const testing::TestParamInfo<std::string>& scene) {
+                             std::string name = scene.param;
+                             std::ranges::replace(name, '/', '_');
+                             return name;
+                         });
+
+}  // namespace
+}  // namespace plumbline
