@@ -104,6 +104,13 @@ void AccuracyControl::after_rebuild(FrameClock& clock) {
         clock.set_step(session_.simulation->step_s());
 }
 
+void AccuracyControl::after_load(const study::Setting& before, FrameClock& clock) {
+    ghost_.reset();
+    samples_.clear();
+    if (const study::Setting loaded = setting(); loaded != before) chosen_ = loaded;
+    clock.set_step(session_.simulation->step_s());
+}
+
 void AccuracyControl::take_answers() {
     if (ghost_) ghost_->take_answers();
 }

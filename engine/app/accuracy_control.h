@@ -50,6 +50,8 @@ public:
     std::string apply(const AccuracyRequest& request, FrameClock& clock);
     /// After the session built its simulation anew: the chosen setting stays, the ghost goes.
     void after_rebuild(FrameClock& clock);
+    /// After a saved game was loaded, which ran at its own setting; `before`: that of the world before.
+    void after_load(const study::Setting& before, FrameClock& clock);
     /// Once a frame.
     void take_answers();
     /// Outlines of the ghost's bodies that are more than a millimetre off the visible ones, as of the

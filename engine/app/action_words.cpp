@@ -89,8 +89,8 @@ constexpr auto kWords = [] {
     say(Action::Slower, "slower");
     say(Action::Faster, "faster");
     say(Action::Reset, "the scene from its start");
-    say(Action::QuickSave, "save the state");
-    say(Action::QuickLoad, "go back to the saved state");
+    say(Action::QuickSave, "save the game");
+    say(Action::QuickLoad, "go back to the saved game");
     say(Action::Reload, "read the scene's file again");
     say(Action::Menu, "menu");
     say(Action::Accept, "choose");
@@ -126,8 +126,6 @@ std::string_view group_words(ActionGroup group) {
 
 bool in_this_version(Action action) {
     switch (action) {
-        case Action::QuickSave:
-        case Action::QuickLoad:
         case Action::Select8:
         case Action::Select9:
             return false;

@@ -22,6 +22,8 @@ void apply_time_actions(input::ActionLatch& latch,
     for (int i = 0; i < faster; ++i) clock.set_speed(clock.speed() * 2.0);
     if (slower + faster > 0) say(fmt::format("speed x{:g}", clock.speed()));
     if (latch.take_frame_presses(Action::Reset) > 0) controls.reset = true;
+    if (latch.take_frame_presses(Action::QuickSave) > 0) controls.save_slot = 0;
+    if (latch.take_frame_presses(Action::QuickLoad) > 0) controls.load_slot = 0;
     if (latch.take_frame_presses(Action::Reload) > 0) controls.reload = true;
 }
 

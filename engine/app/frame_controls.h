@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace plumbline::app {
@@ -29,10 +30,14 @@ struct FrameControls {
     bool screenshot{false};
     bool save_recording{false};
     bool film{false};
+    std::optional<int> save_slot;  ///< 0: the one used last
+    std::optional<int> load_slot;
     std::filesystem::path open_scene;  ///< chosen in the menu, or dropped
 
     void clear_requests() {
         quit = reset = reload = screenshot = save_recording = film = false;
+        save_slot.reset();
+        load_slot.reset();
         open_scene.clear();
     }
 };

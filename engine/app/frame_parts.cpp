@@ -160,6 +160,9 @@ ui::MenuWorld FrameParts::menu_world() {
         .hour = [this] { return session_.simulation->hour(); },
         .set_hour = [this](double hour) { session_.simulation->set_hour(hour); },
         .start_again = [this] { controls_.reset = true; },
+        .save_slots = [this] { return save_slots(); },
+        .save_game = [this](int slot) { controls_.save_slot = slot; },
+        .load_game = [this](int slot) { controls_.load_slot = slot; },
         .quit = [this] { controls_.quit = true; },
         .forget_first_minute =
             [this] {
@@ -256,6 +259,8 @@ void FrameParts::capture_pointer_if_playing(const InputSnapshot& input) {
 }
 
 void FrameParts::run_steps(const FrameTime& time) {
+    if (time.steps > 0 && std::exchange(hand_was_full_, false) && session_.game->holds())
+        latch.engage(Action::Grab);
     const int run = stepper.run(time.steps, time.budget_s, latch, report);
     if (!stepper.ended()) clock.drop(time.steps - run);
     say_slow_motion();

@@ -15,11 +15,13 @@
 #include "engine/app/video_file.h"
 #include "engine/audio/mixer.h"
 #include "engine/core/frame_clock.h"
+#include "engine/core/log.h"
 #include "engine/render/renderer.h"
 #include "engine/scene/scene_list.h"
 
 #include <future>
 #include <memory>
+#include <new>
 
 namespace plumbline::app {
 
@@ -77,6 +79,9 @@ private:
     void reload_what_was_saved(double now_s);
     void say_slow_motion();
     void save_picture();
+    void save_game(int slot);
+    void load_game(int slot);
+    std::vector<ui::SaveSlot> save_slots() const;
     void save_recording_so_far();
     void start_or_end_film();
     void end_film();
@@ -130,6 +135,8 @@ private:
     std::string report_text_;
     std::unique_ptr<VideoFile> film_;  ///< null: none is taken
     double film_next_s_{0};            ///< then the next picture is due
+    int save_slot_{1};                 ///< used last
+    bool hand_was_full_{true};  ///< the next step begins with what a saved game had in the hand
     bool closing_{false};
     ExitCode code_{ExitCode::Good};  ///< not good: why it cannot go on
     bool menu_was_open_{false};
@@ -139,6 +146,18 @@ private:
     bool said_not_stored_{false};
     bool said_software_{false};
 };
+
+/// A scene that needs more memory than there is costs a line, not the one that runs.
+template <class Build>
+Result<Done> within_memory(const Build& build) {
+    try {
+        return build();
+    } catch (const std::bad_alloc&) {
+        const char* message = "there is not enough memory for this scene: the one before stays";
+        log_error("{}", message);
+        return Error{.message = message};
+    }
+}
 
 /// While it lives, the parts' files are written also when the program ends by exit(): Xlib does that
 /// when its display goes, from within whatever called it.

@@ -6,30 +6,15 @@
 #include "engine/core/stopwatch.h"
 
 #include <chrono>
-#include <new>
 
 namespace plumbline::app {
-namespace {
-
-/// A scene that needs more memory than there is costs a line, not the one that runs.
-template <class Build>
-Result<Done> within_memory(const Build& build) {
-    try {
-        return build();
-    } catch (const std::bad_alloc&) {
-        const char* message = "there is not enough memory for this scene: the one before stays";
-        log_error("{}", message);
-        return Error{.message = message};
-    }
-}
-
-}  // namespace
-
 void FrameParts::do_requests() {
     accuracy_.watch(controls_.parts.accuracy);
     reload_what_was_saved(window_.now_s());
     if (controls_.reset) reset_scene();
     if (controls_.reload) reload_files();
+    if (controls_.save_slot) save_game(*controls_.save_slot);
+    if (controls_.load_slot) load_game(*controls_.load_slot);
     if (controls_.screenshot) save_picture();
     if (controls_.save_recording) save_recording_so_far();
     if (controls_.film) start_or_end_film();

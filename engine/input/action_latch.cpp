@@ -250,6 +250,11 @@ void ActionLatch::release(Action action) {
     std::erase_if(impl_->holders, [&](const Holder& h) { return h.action == action; });
 }
 
+void ActionLatch::engage(Action action) {
+    if (impl_->bindings.hold_mode[index_of(action)] == HoldMode::Toggle)
+        impl_->toggled.set(index_of(action));
+}
+
 void ActionLatch::set_bindings(Bindings bindings) {
     impl_->release_everything();
     impl_->bindings = std::move(bindings);

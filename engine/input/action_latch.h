@@ -53,6 +53,10 @@ public:
     /// counts no more until it is pressed again.
     void release(Action action);
 
+    /// As if it had been pressed, in toggle mode: a saved game goes on with a thing in the hand. Other
+    /// modes follow their keys.
+    void engage(Action action);
+
     void set_bindings(Bindings bindings);  ///< releases everything held
     /// For `label:x` bindings; without it keys print what they do in the US layout.
     void set_label_lookup(LabelLookup lookup);

@@ -73,7 +73,7 @@ def play_with_it(folder, environment):
     try:
         game.press("k", 2)
         game.press("w")
-        press(game, "Escape", "Up", "Down", "Down", "Down", "Down", "Down", "Down", "Return")  # Quit
+        press(game, "Escape", "Up", *7 * ["Down"], "Return")  # Quit
         expect(game.wait(20) == 0, game.log())
     finally:
         game.stop()
@@ -81,7 +81,7 @@ def play_with_it(folder, environment):
     expect(seen.get("forward") == 2, f"forward: {seen.get('forward')}, K was pressed twice")
 
 
-QUIT = ("Escape", "Down", "Down", "Down", "Down", "Down", "Down", "Return")
+QUIT = ("Escape", *7 * ["Down"], "Return")
 OTHER_SCENES = ("Escape", "Down", "Down", "Return")
 
 

@@ -147,7 +147,33 @@ Page MenuPages::in_play() {
                    to_page("Settings", Icon::Settings, &MenuPages::settings),
                    to_page("Controls", Icon::Keys, &MenuPages::controls),
                    to_page("Help", Icon::Help, &MenuPages::help),
+                   to_page("Saved games", Icon::Back, &MenuPages::saved_games),
                    {.text = "Quit", .icon = Icon::Quit, .activate = [this] { world_.quit(); }}}});
+    return page;
+}
+
+Page MenuPages::saved_games() {
+    Page page{.title = fmt::format("Saved games of {}", world_.scene_title), .most_width = 32.0F};
+    page.lines.push_back({.kind = LineKind::Cells, .cells = {back_cell()}});
+    for (const SaveSlot& slot : world_.save_slots()) {
+        Line line{
+            .kind = LineKind::Cells,
+            .label = fmt::format("{}  {}", slot.number, slot.saved.empty() ? "empty" : slot.saved)};
+        line.cells.push_back({.text = "Save",
+                              .activate =
+                                  [this, number = slot.number] {
+                                      world_.save_game(number);
+                                      menu_.close();
+                                  },
+                              .marked = slot.is_latest});
+        if (!slot.saved.empty()) {
+            line.cells.push_back({.text = "Load", .activate = [this, number = slot.number] {
+                                      world_.load_game(number);
+                                      menu_.close();
+                                  }});
+        }
+        page.lines.push_back(std::move(line));
+    }
     return page;
 }
 

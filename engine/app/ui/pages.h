@@ -17,6 +17,13 @@
 
 namespace plumbline::app::ui {
 
+/// A place for a saved game of the running scene.
+struct SaveSlot {
+    int number{1};
+    std::string saved{};    ///< when, for people; empty: nothing is there
+    bool is_latest{false};  ///< what the keys save to and load from
+};
+
 /// What the pages read and do. All of it must outlive them.
 struct MenuWorld {
     const LiveConfig& config;
@@ -38,6 +45,9 @@ struct MenuWorld {
         hour;  ///< of the scene's day; none: its sun stands still
     std::function<void(double)> set_hour;
     std::function<void()> start_again;
+    std::function<std::vector<SaveSlot>()> save_slots;
+    std::function<void(int)> save_game;  ///< to the slot of this number
+    std::function<void(int)> load_game;
     std::function<void()> quit;
     std::function<void()> forget_first_minute;
 };
@@ -67,6 +77,7 @@ private:
 
     // pages.cpp
     Page all_scenes();
+    Page saved_games();
     Page folder(const std::string& name);
     std::vector<Cell> cards(const std::string& folder, bool are_users_own);
     void add_scenes(Page& page);
