@@ -83,8 +83,7 @@ void Ghost::Impl::take(GhostState state) {
 Ghost::Ghost() : impl_(std::make_unique<Impl>()) {}
 Ghost::~Ghost() = default;
 
-Result<std::unique_ptr<Ghost>> Ghost::start(const scene::Simulation& simulation,
-                                            const Setting& setting) {
+Result<std::unique_ptr<Ghost>> Ghost::start(scene::Simulation& simulation, const Setting& setting) {
     const WorkerPrograms programs = sibling_programs();
     if (const Result<Done> there = check_programs(programs, std::array{setting.precision}); !there)
         return there.error();
@@ -102,10 +101,11 @@ Result<std::unique_ptr<Ghost>> Ghost::start(const scene::Simulation& simulation,
         impl.bodies.push_back(moving.body);
         start.bodies.push_back({.name = simulation.name_of_mark(scene::mark_of(moving.entity)),
                                 .position_m = Vec3d(state.world_from_body.position),
-                                .orientation = Quatd(state.world_from_body.orientation),
-                                .velocity_mps = Vec3d(state.velocity_mps),
-                                .angular_velocity_radps = Vec3d(state.angular_velocity_radps)});
+                                .orientation = Quatd(state.world_from_body.orientation)});
     }
+    Archive archive;
+    simulation.serialize_bodies_of_scene(archive);
+    start.state = archive.take();
     impl.latest = {.time_s = start.time_s, .bodies = start.bodies};
     impl.looked_s = impl.asked_s = start.time_s;
     impl.ask(start_body(start));

@@ -22,7 +22,7 @@ class Ghost {
 public:
     /// Goes on from the simulation's present state at `setting`. Returns before the ghost's scene is
     /// loaded. Refused: the program is not beside this one.
-    static Result<std::unique_ptr<Ghost>> start(const scene::Simulation& simulation,
+    static Result<std::unique_ptr<Ghost>> start(scene::Simulation& simulation,
                                                 const Setting& setting);
     ~Ghost();
 

@@ -7,10 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 
 namespace plumbline::study {
 namespace {
@@ -30,8 +32,9 @@ public:
         auto built = opened->build(library_);
         if (!built) throw std::runtime_error(built.error().message);
         simulation_ = std::move(*built);
+        take_up(start.state);
         simulation_->set_time(start.time_s);
-        place_bodies(start.bodies);
+        find_bodies(start.bodies);
         game_.emplace(simulation_->description().camera);
         effects_.emplace(*simulation_, effects::ServedDomains{.picture = false, .sound = false});
     }
@@ -56,29 +59,24 @@ public:
     }
 
 private:
-    void place_bodies(const std::vector<GhostBody>& bodies) {
-        std::vector<ecs::Entity> kept;
+    /// What the visible world carries goes on at the ghost's own accuracy.
+    void take_up(const std::string& state) {
+        physics::WorldDef own = simulation_->physics.def();
+        Archive archive(state);
+        simulation_->serialize_bodies_of_scene(archive);
+        if (archive.failed()) throw std::runtime_error("its state: " + archive.fault());
+        own.gravity_mps2 = simulation_->physics.def().gravity_mps2;
+        simulation_->set_accuracy(own);
+    }
+
+    void find_bodies(const std::vector<GhostBody>& bodies) {
         for (const GhostBody& body : bodies) {
             last_.push_back(body);
             last_.back().name.clear();
             const ecs::Entity entity = simulation_->find(body.name);
-            if (!simulation_->registry.alive(entity) ||
-                !simulation_->registry.has<scene::BodyRef>(entity)) {
-                bodies_.emplace_back();
-                continue;
-            }
-            kept.push_back(entity);
-            const physics::BodyId id = simulation_->registry.get<scene::BodyRef>(entity).body;
-            bodies_.emplace_back(id);
-            simulation_->physics.set_pose(id, {Vec3(body.position_m), Quat(body.orientation)});
-            simulation_->physics.set_velocity(
-                id, Vec3(body.velocity_mps), Vec3(body.angular_velocity_radps));
+            const auto* ref = simulation_->registry.find<scene::BodyRef>(entity);
+            bodies_.push_back(ref != nullptr ? std::optional(ref->body) : std::nullopt);
         }
-        for (const scene::MovingBody& moving : simulation_->moving_bodies()) {
-            if (std::ranges::find(kept, moving.entity) == kept.end())
-                simulation_->registry.mark_for_destruction(moving.entity);
-        }
-        simulation_->destroy_marked();
     }
 
     assets::AssetLibrary library_;
@@ -106,6 +104,28 @@ Quatd read_turn(const json& list, std::size_t at) {
             list.at(at + 3).get<double>()};
 }
 
+/// JSON holds text only.
+std::string hex_of_bytes(std::string_view bytes) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string hex;
+    hex.reserve(2 * bytes.size());
+    for (const char byte : bytes) {
+        hex += kDigits[static_cast<std::uint8_t>(byte) >> 4U];
+        hex += kDigits[static_cast<std::uint8_t>(byte) & 15U];
+    }
+    return hex;
+}
+std::string bytes_of_hex(std::string_view hex) {
+    std::string bytes;
+    for (; hex.size() >= 2; hex.remove_prefix(2)) {
+        unsigned value = 0;
+        if (std::from_chars(hex.data(), hex.data() + 2, value, 16).ptr != hex.data() + 2)
+            throw std::runtime_error("its state is no hexadecimal number");
+        bytes += static_cast<char>(value);
+    }
+    return bytes;
+}
+
 json setting_json(const Setting& setting) {
     return {{"solver", physics::solver_name(setting.solver)},
             {"step_hz", setting.step_hz},
@@ -124,14 +144,13 @@ GhostStart parse_start(const json& from) {
                                  .substeps = setting.at("substeps").get<int>(),
                                  .substeps_max = setting.at("substeps_max").get<int>(),
                                  .iterations = setting.at("iterations").get<int>()},
-                     .time_s = from.at("time_s").get<double>()};
+                     .time_s = from.at("time_s").get<double>(),
+                     .state = bytes_of_hex(from.at("world").get<std::string>())};
     for (const json& body : from.at("bodies")) {
         const json& numbers = body.at("state");
         start.bodies.push_back({.name = body.at("name").get<std::string>(),
                                 .position_m = read_vector(numbers, 0),
-                                .orientation = read_turn(numbers, 3),
-                                .velocity_mps = read_vector(numbers, 7),
-                                .angular_velocity_radps = read_vector(numbers, 10)});
+                                .orientation = read_turn(numbers, 3)});
     }
     return start;
 }
@@ -154,15 +173,14 @@ std::string start_body(const GhostStart& start) {
         json numbers = json::array();
         write(numbers, body.position_m);
         write(numbers, body.orientation);
-        write(numbers, body.velocity_mps);
-        write(numbers, body.angular_velocity_radps);
         bodies.push_back({{"name", body.name}, {"state", std::move(numbers)}});
     }
     return json{{"start",
                  {{"scene", start.scene.string()},
                   {"setting", setting_json(start.setting)},
                   {"time_s", start.time_s},
-                  {"bodies", std::move(bodies)}}}}
+                  {"bodies", std::move(bodies)},
+                  {"world", hex_of_bytes(start.state)}}}}
         .dump(-1, ' ', false, json::error_handler_t::replace);
 }
 

@@ -12,28 +12,27 @@
 
 namespace plumbline::study {
 
-/// A moving body of the scene, by its entity's name; world axes.
+/// A moving body, by its entity's name; world axes.
 struct GhostBody {
     std::string name;
     Vec3d position_m{0, 0, 0};
     Quatd orientation{1, 0, 0, 0};
-    Vec3d velocity_mps{0, 0, 0};
-    Vec3d angular_velocity_radps{0, 0, 0};
 };
 
-/// The state that a ghost goes on from. Bodies of the scene that are not listed are gone.
+/// The state that a ghost goes on from. `bodies` are those that it is compared in.
 struct GhostStart {
     std::filesystem::path scene{};
     Setting setting{};
     double time_s{0};
     std::vector<GhostBody> bodies{};
+    std::string state{};  ///< Simulation::serialize_bodies_of_scene()
 };
 
 /// Where the ghost's bodies are, in the order of GhostStart::bodies; what the scene does not have
 /// (things dropped in play) stays where it was.
 struct GhostState {
     double time_s{0};
-    std::vector<GhostBody> bodies{};  ///< names empty, at rest: poses only
+    std::vector<GhostBody> bodies{};  ///< names empty
     double cpu_ms{0};                 ///< of the steps since the answer before
 };
 
