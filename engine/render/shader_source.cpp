@@ -24,6 +24,14 @@ std::string_view included_name(std::string_view line) {
     return line.substr(open + 1, close - open - 1);
 }
 
+/// Ends text that the preprocessor may have skipped, with the `#line` in it.
+bool ends_a_branch(std::string_view line) {
+    const std::size_t start = line.find_first_not_of(" \t");
+    if (start == std::string_view::npos) return false;
+    line.remove_prefix(start);
+    return line.starts_with("#endif") || line.starts_with("#el");
+}
+
 class Expander {
 public:
     Expander(const std::filesystem::path& folder, std::size_t first_number, ShaderSource& source)
@@ -47,6 +55,10 @@ private:
                               std::size_t file_index,
                               int depth) {
         int line_number = 0;
+        bool has_include = false;
+        const auto tell_next_line = [&] {
+            source_.text += fmt::format("#line {} {}\n", line_number + 1, file_index);
+        };
         while (!content.empty()) {
             ++line_number;
             const std::size_t end = content.find('\n');
@@ -56,6 +68,7 @@ private:
             if (name.empty()) {
                 source_.text.append(line);
                 source_.text += '\n';
+                if (has_include && ends_a_branch(line)) tell_next_line();
                 continue;
             }
             if (std::ranges::find(source_.files, name) == source_.files.end()) {
@@ -66,7 +79,8 @@ private:
                         ExitCode::NoDisplay};
                 }
             }
-            source_.text += fmt::format("#line {} {}\n", line_number + 1, file_index);
+            has_include = true;
+            tell_next_line();
         }
         return Done{};
     }

@@ -38,6 +38,17 @@ TEST_F(ShaderSourceTest, ExpandsEachIncludeOnceAndSaysWhereLinesComeFrom) {
     EXPECT_EQ(source->files, (std::vector<std::string>{"main.frag", "a.glsl", "b.glsl"}));
 }
 
+TEST_F(ShaderSourceTest, CountsLinesAfterAnIncludeThatWasSkipped) {
+    write("a.glsl", "A\n");
+    write("main.frag", "#if 0\n#include \"a.glsl\"\n  #else\nX\n#endif\nM\n");
+    const auto source = load_shader(folder_, "main.frag", 0);
+    ASSERT_TRUE(source.ok()) << source.error().message;
+    EXPECT_EQ(
+        source->text,
+        "#version 330 core\n#line 1 0\n#if 0\n#line 1 1\nA\n#line 3 0\n  #else\n#line 4 0\nX\n"
+        "#endif\n#line 6 0\nM\n");
+}
+
 TEST_F(ShaderSourceTest, NamesTheLineOfAMissingInclude) {
     write("main.frag", "x\n#include \"gone.glsl\"\n");
     const auto source = load_shader(folder_, "main.frag", 0);
