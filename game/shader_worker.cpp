@@ -82,6 +82,7 @@ render::RenderFrame picture_of(const render::RenderFrame& scene,
     frame.sky = scene.sky;
     frame.wind = scene.wind;
     frame.post = scene.post;
+    frame.refraction = scene.refraction;
     frame.drops = scene.drops;
     frame.water_rings = scene.water_rings;
     const Vec3f& place = light.far ? kFar : kNear;

@@ -155,11 +155,10 @@ vec3 in_cascade(vec3 at, float eye_distance_m) {
 }
 #endif
 
-#ifdef PL_SUN
-vec3 sun_light(Surface s, float eye_distance_m) {
-    float lit = 1.0;
 #ifdef PL_SUN_SHADOW
-    vec3 at = surface_sun_shadow;
+// `at`: in the first cascade.
+float sun_lit(vec3 at, float eye_distance_m) {
+    float lit = 1.0;
 #ifdef PL_CASCADES
     at = in_cascade(at, eye_distance_m);
 #endif
@@ -174,7 +173,15 @@ vec3 sun_light(Surface s, float eye_distance_m) {
     lit = filtered_shadow(sun_shadow_map, vec3(at.xy, min(at.z, 1.0)), texel);
 #endif
     // The last tenth of the distance fades the shadow out.
-    lit = mix(lit, 1.0, clamp(eye_distance_m * frame.to_sun_world.w * 10.0 - 9.0, 0.0, 1.0));
+    return mix(lit, 1.0, clamp(eye_distance_m * frame.to_sun_world.w * 10.0 - 9.0, 0.0, 1.0));
+}
+#endif
+
+#ifdef PL_SUN
+vec3 sun_light(Surface s, float eye_distance_m) {
+    float lit = 1.0;
+#ifdef PL_SUN_SHADOW
+    lit = sun_lit(surface_sun_shadow, eye_distance_m);
 #endif
     vec3 light = frame.sun_radiance.rgb * lit;
     vec3 color = reflected(s, frame.to_sun_world.xyz, light);
@@ -265,9 +272,37 @@ vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
 #endif
 }
 
+#ifdef PL_REFRACTION
+BelowWater below;
+#endif
+
+#ifdef PL_CAUSTICS
+// Of the light below, that of the sun gathers.
+float caustic_light(float eye_distance_m) {
+    float lit = 1.0;
+#ifdef PL_SUN_SHADOW
+    lit = sun_lit((frame.sun_shadow_from_world * vec4(below.place, 1.0)).xyz, eye_distance_m);
+#endif
+    float sun = dot(frame.sun_radiance.rgb, kLuminance) * max(frame.to_sun_world.y, 0.0) * lit;
+#ifdef PL_SKY_LIGHT
+    float sky = dot(sky_middle(), kLuminance);
+#else
+    float sky = dot(frame.ambient.rgb, kLuminance);
+#endif
+    float share = sun / max(sun + sky, 1e-5);
+    return mix(1.0, gathered_light(below.place, below.depth_m), share);
+}
+#endif
+
 #ifdef PL_CLEAR
 // What gets through to the eye from behind.
-float clear_shows(float alpha) { return (1.0 - alpha) * (1.0 - clear_mirrors); }
+vec3 clear_shows(float alpha) {
+#ifdef PL_REFRACTION
+    return through_water(below) * (1.0 - clear_mirrors);
+#else
+    return vec3((1.0 - alpha) * (1.0 - clear_mirrors));
+#endif
+}
 #endif
 
 vec3 lit_color(vec3 base_color, float alpha, float eye_distance_m, vec3 to_eye) {
@@ -283,7 +318,10 @@ vec3 lit_color(vec3 base_color, float alpha, float eye_distance_m, vec3 to_eye) 
 #ifdef PL_GLASS
     clear_mirrors = pane_fresnel(material.relief.y, dot(s.normal, to_eye));
 #endif
-#ifdef PL_CLEAR
+#ifdef PL_REFRACTION
+    below = below_water(surface_position_world(), s.normal, to_eye, eye_distance_m);
+    s.base_color *= (1.0 - through_water(below)) * (1.0 - clear_mirrors);
+#elif defined(PL_CLEAR)
     s.base_color *= alpha * (1.0 - clear_mirrors);
 #endif
     float occlusion = 1.0;
@@ -354,6 +392,12 @@ void main() {
 #else
     vec3 color = lit_color(base.rgb, base.a, eye_distance_m, to_eye / max(eye_distance_m, 1e-4));
 #endif
+#ifdef PL_CLEAR
+    // Blending takes the share that hides what is behind: what is mirrored came with its own.
+    vec3 shows = clear_shows(base.a);
+    float hides = max(1.0 - dot(shows, kLuminance), 1e-3);
+    color /= hides;
+#endif
 #ifdef PL_AERIAL
     color = color * surface_aerial.a + surface_aerial.rgb;
 #endif
@@ -361,10 +405,14 @@ void main() {
     color = mix(frame.fog.rgb, color, fog_transmittance(eye_distance_m));
 #endif
 #ifdef PL_BLEND
-#ifdef PL_CLEAR
-    // Blending takes the share that hides what is behind: what is mirrored came with its own.
-    float hides = max(1.0 - clear_shows(base.a), 1e-3);
-    out_color = vec4(color / hides, hides);
+#ifdef PL_REFRACTION
+    shows *= below.light;
+#ifdef PL_CAUSTICS
+    shows *= caustic_light(eye_distance_m);
+#endif
+    out_color = vec4(color * hides + shows, 1.0);
+#elif defined(PL_CLEAR)
+    out_color = vec4(color, hides);
 #else
     out_color = vec4(color, base.a);
 #endif

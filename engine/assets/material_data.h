@@ -44,6 +44,12 @@ struct MaterialData {
     bool two_sided{false};
     /// Above 0: water, whose ripples run with this mean slope; it mirrors more the flatter it is seen.
     float ripple_slope{0.0F};
+    /// Of water, above 0: what lies below is bent, and light that went so far through it has taken the
+    /// base colour. 0: the surface hides its alpha.
+    float attenuation_m{0.0F};
+    /// Of water with attenuation_m: the sun's light below gathers as ripples this many times as steep
+    /// would gather it; 0: it is even.
+    float caustics{0.0F};
     /// How much the base colour map varies over metres, so that its tile is not seen: 0…1.
     float variation{0.0F};
     std::string surface;  ///< name in config/surfaces.toml; empty: default

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace plumbline::effects {
 namespace {
 
@@ -23,6 +25,18 @@ Callers EntityCallers::take() {
     if (count_ > kCallersNamed)
         callers_.push_back(fmt::format("and {} more", count_ - kCallersNamed));
     return std::move(callers_);
+}
+
+Callers wearers_of(const scene::Simulation& simulation,
+                   bool (*is_of_kind)(const assets::MaterialData&)) {
+    EntityCallers callers(simulation);
+    for (auto [entity, visual] : simulation.registry.view<const scene::Visual>()) {
+        const bool wears = std::ranges::any_of(visual.materials, [&](assets::MaterialId id) {
+            return id.value != 0 && is_of_kind(simulation.library().material(id));
+        });
+        if (wears) callers.add(entity);
+    }
+    return callers.take();
 }
 
 }  // namespace plumbline::effects

@@ -25,4 +25,8 @@ private:
     std::size_t count_{0};
 };
 
+/// Entities that show a material of that kind.
+Callers wearers_of(const scene::Simulation& simulation,
+                   bool (*is_of_kind)(const assets::MaterialData&));
+
 }  // namespace plumbline::effects

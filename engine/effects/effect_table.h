@@ -40,6 +40,8 @@ struct EffectRow {
     ROW(flashlight)           \
     ROW(fog)                  \
     ROW(skybox)               \
+    ROW(refraction)           \
+    ROW(caustics)             \
     ROW(ambient_occlusion)    \
     ROW(sun_shafts)           \
     ROW(depth_of_field)       \

@@ -76,8 +76,12 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
                             .parallax = quality.parallax != Drawn::Never});
     features = frame_features_of(new_frame);
     if (has_occlusion()) features |= feature::kOcclusion;
+    if (has_refraction()) {
+        features |= feature::kRefraction;
+        if (new_frame.refraction->caustics) features |= feature::kCaustics;
+    }
     if (scene_target.samples() > 1) features |= feature::kCoverage;
-    if (!sun) features &= ~(feature::kSun | feature::kSunShadow);
+    if (!sun) features &= ~(feature::kSun | feature::kSunShadow | feature::kCaustics);
     if (sun) features |= feature::kSun;
     const Camera& camera = new_frame.camera;
     const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
@@ -190,7 +194,8 @@ Result<Done> Renderer::Impl::try_scene_targets() {
                  .fxaa = quality.anti_aliasing == AntiAliasing::Fxaa,
                  .samples = samples_of(quality.anti_aliasing),
                  .keeps_depth = !frame->lines.vertices.empty(),
-                 .adds_light = has_occlusion() || has_shafts() || has_focus() || has_motion_blur()};
+                 .adds_light = has_occlusion() || has_shafts() || has_focus() ||
+                               has_motion_blur() || has_refraction()};
     stats.scene_width_px = post_view.scene_px.width;
     stats.scene_height_px = post_view.scene_px.height;
     draws_codes = target == PresentTarget::Offscreen && post_view.has_no_steps();

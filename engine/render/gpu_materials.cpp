@@ -27,6 +27,10 @@ float head_on_of(float ior) {
     return share * share;
 }
 
+bool sees_into(const assets::MaterialData& water) {
+    return water.attenuation_m > 0.0F;
+}
+
 MaterialBlock block_of(const assets::MaterialData& material) {
     const FeatureSet features = features_of(material);
     const bool is_leaf = (features & feature::kLeaf) != 0;
@@ -41,7 +45,10 @@ MaterialBlock block_of(const assets::MaterialData& material) {
                         : is_water ? material.ripple_slope
                                    : material.variation,
                         is_phong ? material.diffuse : material.occlusion},
-            .relief = {material.height_depth, head_on_of(material.ior), 0.0F, 0.0F}};
+            .relief = {material.height_depth,
+                       head_on_of(material.ior),
+                       sees_into(material) ? 1.0F / material.attenuation_m : 0.0F,
+                       material.caustics}};
 }
 
 }  // namespace
@@ -81,6 +88,8 @@ FeatureSet features_of(const assets::MaterialData& material) {
     if (material.shading == assets::Shading::Pbr && material.ripple_slope > 0.0F &&
         material.alpha_mode == assets::AlphaMode::Blend && material.normal_map.empty()) {
         features |= feature::kRipples;
+        if (sees_into(material)) features |= feature::kRefraction;
+        if (sees_into(material) && material.caustics > 0.0F) features |= feature::kCaustics;
     }
     if (material.ior > 0.0F && material.shading == assets::Shading::Pbr &&
         material.alpha_mode == assets::AlphaMode::Blend && (features & feature::kRipples) == 0) {

@@ -51,7 +51,8 @@ Quality without_gpu(Quality quality) {
     for (Drawn* drawn : {&quality.contact_hardening,
                          &quality.parallax,
                          &quality.ambient_occlusion,
-                         &quality.sun_shafts}) {
+                         &quality.sun_shafts,
+                         &quality.refraction}) {
         if (*drawn == Drawn::OnGpu) *drawn = Drawn::Never;
     }
     return quality;
@@ -95,6 +96,7 @@ std::string what_gave_way(const Quality& quality) {
     if (quality.shadowed_lights == 0) add("shadows of lamps");
     if (quality.ambient_occlusion == Drawn::Never) add("ambient occlusion");
     if (quality.sun_shafts == Drawn::Never) add("sun shafts");
+    if (quality.refraction == Drawn::Never) add("sight into water");
     if (quality.lod_error_px > 1.0F) add("detail far off");
     if (quality.ground_cover < 1.0F)
         add(fmt::format("grass {:.0f} %", std::round(quality.ground_cover * 100.0F)));

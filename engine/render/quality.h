@@ -48,6 +48,7 @@ struct Quality {
     Drawn parallax{Drawn::Always};  ///< height maps near the eye
     Drawn ambient_occlusion{Drawn::Always};
     Drawn sun_shafts{Drawn::Always};
+    Drawn refraction{Drawn::Always};
     float lod_error_px{0.0F};  ///< a mesh may be coarser by so much; 0: always the full mesh
     float ground_cover{1.0F};  ///< of the grass, and of how far it goes; 0: none
     float smallest_px{0.0F};   ///< things that look smaller than this are left out; 0: nothing is

@@ -137,6 +137,11 @@ struct SunShafts {
     std::uint32_t steps{16};  ///< along each line of sight
 };
 
+/// Water with an attenuation_m shows what lies below it bent, and dimmer by the way through it.
+struct Refraction {
+    bool caustics{false};  ///< the sun's light below gathers where the water's material has it so
+};
+
 /// A thin lens: a point at distance z is seen as a disc, aperture_m * |1/focus_m - 1/z| wide as an
 /// angle.
 struct DepthOfField {
@@ -209,6 +214,7 @@ struct RenderFrame {
     DepthTest depth_test{DepthTest::Less};
     bool textures{true};                     ///< false: base colours without their maps
     std::optional<assets::Shading> shading;  ///< over every material's own (`render --shading`)
+    std::optional<Refraction> refraction;
     std::vector<DropStreak> drops;           ///< over all else that is translucent
     std::vector<WaterRingMark> water_rings;  ///< below the drops
     LineList lines;                          ///< collision shapes, contacts

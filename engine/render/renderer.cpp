@@ -242,7 +242,9 @@ void Renderer::translucent() {
     if (r.nothing_to_draw) return;
     const bool has_drops = DropPass::has_work(*r.frame);
     if (!has_drops) r.drop_pass.free();
+    if (!r.frame->refraction) r.refraction_pass.free();
     if (r.translucent_draws.runs.empty() && !has_drops) return;
+    r.copy_behind_water();
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
@@ -372,6 +374,7 @@ std::vector<GpuBytes> Renderer::gpu_bytes() const {
             {"sky", r.scene.sky.bytes()},
             {"post", r.post.bloom_bytes() + r.exposure_meter.bytes()},
             {"drops", r.drop_pass.bytes()},
+            {"refraction", r.refraction_pass.bytes()},
             {"ambient_occlusion", r.occlusion_pass.bytes()},
             {"sun_shafts", r.shaft_pass.bytes()},
             {"depth_of_field", r.focus_pass.bytes()},

@@ -26,7 +26,7 @@ struct GlInfo {
 /// One pass of the latest frame. Passes that did not run are not listed.
 struct PassTiming {
     std::string_view
-        name;  ///< "shadow.sun", "shadow.flashlight", "shadow.lights", "opaque", "sky", "translucent", "drops", "resolve", "occlusion", "shafts", "focus", "motion_blur", "post.bloom", "picture", "lines", "ui"
+        name;  ///< "shadow.sun", "shadow.flashlight", "shadow.lights", "opaque", "sky", "refraction", "translucent", "drops", "resolve", "occlusion", "shafts", "focus", "motion_blur", "post.bloom", "picture", "lines", "ui"
     double cpu_ms{0};   ///< of the calling thread
     double gpu_ms{-1};  ///< timer query of an earlier frame; -1 where the driver has none
 };
@@ -45,7 +45,7 @@ struct FrameStats {
     std::uint32_t new_programs{0};  ///< compiled in this frame: its time tells nothing of the next
 };
 
-/// GPU memory by what called for it: "sun_shadow", "flashlight", "light_shadows", "sky", "post", "drops", "ambient_occlusion", "sun_shafts", "depth_of_field", "motion_blur", "meshes", "textures", "targets".
+/// GPU memory by what called for it: "sun_shadow", "flashlight", "light_shadows", "sky", "post", "drops", "refraction", "ambient_occlusion", "sun_shafts", "depth_of_field", "motion_blur", "meshes", "textures", "targets".
 struct GpuBytes {
     std::string_view owner;
     std::uint64_t bytes{0};

@@ -17,6 +17,7 @@
 #include "engine/render/passes/motion_blur_pass.h"
 #include "engine/render/passes/occlusion_pass.h"
 #include "engine/render/passes/post_pass.h"
+#include "engine/render/passes/refraction_pass.h"
 #include "engine/render/passes/scene_resources.h"
 #include "engine/render/passes/scene_target.h"
 #include "engine/render/passes/shadow_pass.h"
@@ -84,6 +85,7 @@ struct Renderer::Impl {
     MeshPass opaque_pass;
     MeshPass translucent_pass;
     PostPass post;
+    RefractionPass refraction_pass;
     DropPass drop_pass;
     OcclusionPass occlusion_pass;
     ShaftPass shaft_pass;
@@ -116,10 +118,14 @@ struct Renderer::Impl {
                 .shadow_margin_m = sun_shadow_margin_m,
                 .clip_from_world = block.clip_from_world,
                 .eye_world = frame->camera.position_world,
-                .size_px = post_view.scene_px};
+                .size_px = post_view.scene_px,
+                .depth_line = screen_view.depth_line,
+                .behind = refraction_pass.part()};
     }
     /// Side of one of the maps round a light.
     std::uint32_t light_shadow_px() const;
+    /// Copies what lies behind water that shows it; without memory for that the water does not.
+    void copy_behind_water();
     /// Runs the passes between the scene and bloom; frees those that the frame does not ask for.
     SceneLight finish_light();
     /// Sets the exposure by how bright the scene has become.
@@ -140,6 +146,9 @@ private:
     bool has_shafts() const {
         return limits.half_float_targets && frame->sun && frame->shafts &&
                quality.sun_shafts != Drawn::Never;
+    }
+    bool has_refraction() const {
+        return limits.half_float_targets && frame->refraction && quality.refraction != Drawn::Never;
     }
     bool has_focus() const { return limits.half_float_targets && frame->depth_of_field; }
     bool has_motion_blur() const { return limits.half_float_targets && frame->motion_blur; }

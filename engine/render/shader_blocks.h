@@ -63,7 +63,8 @@ struct MaterialBlock {
                   0.0F,
                   0.0F};  ///< x: roughness; y: metallic; z: light through a leaf; w: occlusion;
                           ///< of kPhong: exponent, highlight, how white that is, matt light
-    /// x: depth of the height map, in uv; y: what glass mirrors head on
+    /// x: depth of the height map, in uv; y: what glass mirrors head on; z: water's light is lost over,
+    /// 1/m; w: its caustics
     Vec4f relief{0.0F};
 };
 static_assert(sizeof(MaterialBlock) == 64);

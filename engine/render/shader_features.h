@@ -33,6 +33,8 @@ inline constexpr FeatureSet kVariation = 1ULL << 33U;  ///< of the base colour o
 inline constexpr FeatureSet kParallax = 1ULL << 48U;   ///< with kNormalMap: a height map
 inline constexpr FeatureSet kGlass = 1ULL
                                      << 49U;  ///< with kBlend: mirrors, and shows what is behind
+inline constexpr FeatureSet kRefraction = 1ULL
+                                          << 50U;  ///< with kRipples: shows what is below, bent
 // of the frame
 inline constexpr FeatureSet kSun = 1ULL << 16U;
 inline constexpr FeatureSet kSunShadow = 1ULL << 17U;
@@ -50,6 +52,7 @@ inline constexpr FeatureSet kAerial = 1ULL << 35U;        ///< far things go ove
 inline constexpr FeatureSet kClouds = 1ULL << 36U;        ///< before a computed sky
 inline constexpr FeatureSet kLightShadows = 1ULL << 46U;  ///< with kLocalLights
 inline constexpr FeatureSet kContactHardening = 1ULL << 47U;  ///< with kSunShadow
+inline constexpr FeatureSet kCaustics = 1ULL << 51U;          ///< with kRefraction and kSun
 // of the passes after the scene
 inline constexpr FeatureSet kToneMap = 1ULL << 24U;  ///< exposure and tone curve
 inline constexpr FeatureSet kBloom = 1ULL << 25U;
@@ -67,7 +70,7 @@ inline constexpr FeatureSet kShafts = 1ULL << 41U;     ///< light from air in th
 /// What a thing is drawn without where the flashlight cannot reach it.
 inline constexpr FeatureSet kFlashlightFeatures = feature::kFlashlight | feature::kFlashlightAtEye;
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 45> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 47> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -111,6 +114,8 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 45> kFeatur
     {feature::kParallax, "PL_PARALLAX"},
     {feature::kGlass, "PL_GLASS"},
     {feature::kOcclusion, "PL_OCCLUSION"},
+    {feature::kRefraction, "PL_REFRACTION"},
+    {feature::kCaustics, "PL_CAUSTICS"},
     {feature::kShafts, "PL_SHAFTS"},
     {feature::kCoverage, "PL_COVERAGE"},
 }};

@@ -69,6 +69,14 @@ assets::MaterialData read_material(TableReader& table, const LoadContext& contex
     material.base_color = table.color("base_color", material.base_color, kFraction);
     material.alpha = table.single("alpha", 1.0F, kFraction);
     material.ripple_slope = table.single("ripple_slope", 0.0F, kFraction);
+    constexpr Range kAttenuation_m{0, 1000, "a length from 0 to 1000 m"};
+    constexpr Range kCaustics{0, 20, "a number from 0 to 20"};
+    material.attenuation_m = table.single("attenuation_m", 0.0F, kAttenuation_m);
+    material.caustics = table.single("caustics", 0.0F, kCaustics);
+    if (material.attenuation_m > 0.0F && material.ripple_slope <= 0.0F)
+        table.warning("attenuation_m", "needs a ripple_slope above 0; ignored");
+    if (material.caustics > 0.0F && material.attenuation_m <= 0.0F)
+        table.warning("caustics", "needs an attenuation_m above 0; ignored");
     material.variation = table.single("variation", 0.0F, kFraction);
     material.emissive = table.color("emissive", material.emissive);
     material.base_color_map =

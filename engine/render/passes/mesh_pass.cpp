@@ -70,12 +70,27 @@ void scissor(const ClipRect& part, const PixelSize& size_px) {
     glEnable(GL_SCISSOR_TEST);
 }
 
+void bind_behind(const MeshView& view, const gl::Program& program) {
+    const auto& [first, last] = view.behind;
+    glUniform2f(program.location("depth_line"), view.depth_line.x, view.depth_line.y);
+    glUniform4f(program.location("behind_px"),
+                first.x + 0.5F,
+                first.y + 0.5F,
+                last.x + 0.5F,
+                last.y + 0.5F);
+}
+
 }  // namespace
 
 FeatureSet variant_of(FeatureSet material_features, FeatureSet frame_features) {
     if ((material_features & feature::kUnlit) != 0) frame_features &= ~kLightFeatures;
     if ((frame_features & feature::kSkyLight) == 0) material_features &= ~feature::kSkyReflection;
     if ((material_features & feature::kAlphaMask) == 0) frame_features &= ~feature::kCoverage;
+    // What both must ask for.
+    constexpr FeatureSet kOfBoth = feature::kRefraction | feature::kCaustics;
+    const FeatureSet shared = material_features & frame_features & kOfBoth;
+    material_features = (material_features & ~kOfBoth) | shared;
+    frame_features &= ~kOfBoth;
     return material_features | frame_features;
 }
 
@@ -97,7 +112,7 @@ void MeshPass::render(const DrawList& draws,
         if (kind == DrawKind::Opaque && triangles(run) <= kFewTriangles)
             locals = locals_of(run, features, view, resources);
         if (locals.empty()) {
-            draw(run, features, resources, stats);
+            draw(run, features, view, resources, stats);
             continue;
         }
         constexpr ClipRect kAll{.min = Vec2f{-1.0F}, .max = Vec2f{1.0F}};
@@ -141,7 +156,7 @@ void MeshPass::draw_in_parts(const DrawRun& run,
                              FrameStats& stats) const {
     if (locals.empty()) {
         scissor(within, view.size_px);
-        draw(run, features, resources, stats);
+        draw(run, features, view, resources, stats);
         return;
     }
     const Local& local = locals.front();
@@ -153,6 +168,7 @@ void MeshPass::draw_in_parts(const DrawRun& run,
 
 void MeshPass::draw(const DrawRun& run,
                     FeatureSet features,
+                    const MeshView& view,
                     SceneResources& resources,
                     FrameStats& stats) const {
     const GpuMesh& mesh = resources.meshes.get(run.mesh);
@@ -163,6 +179,7 @@ void MeshPass::draw(const DrawRun& run,
     if (program == nullptr) return;
     program->use();
     resources.materials.bind(run.material);
+    if ((variant & feature::kRefraction) != 0) bind_behind(view, *program);
     if (run.two_sided) {
         glDisable(GL_CULL_FACE);
     } else {

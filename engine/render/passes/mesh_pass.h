@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/render/gl/buffer.h"
+#include "engine/render/passes/refraction_pass.h"
 #include "engine/render/passes/scene_resources.h"
 #include "engine/render/passes/scene_target.h"
 
@@ -21,7 +22,9 @@ struct MeshView {
         0.0F};  ///< the sun's shadows end so near beside what casts them; 0: unknown
     Mat4f clip_from_world{1.0F};
     Vec3f eye_world{0.0F};
-    PixelSize size_px;  ///< of what is drawn into
+    PixelSize size_px;       ///< of what is drawn into
+    Vec2f depth_line{0.0F};  ///< 1 / metres = x + y * depth
+    PixelPart behind;        ///< what was copied for water to show; with kRefraction
 };
 
 class MeshPass {
@@ -53,6 +56,7 @@ private:
                        FrameStats& stats) const;
     void draw(const DrawRun& run,
               FeatureSet features,
+              const MeshView& view,
               SceneResources& resources,
               FrameStats& stats) const;
 

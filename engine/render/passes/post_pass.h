@@ -24,7 +24,7 @@ struct PostView {
     bool fxaa{false};
     std::uint32_t samples{1};  ///< of a pixel of the scene's image
     bool keeps_depth{false};   ///< lines will be drawn over the picture
-    bool adds_light{false};    ///< passes after the scene change its light
+    bool adds_light{false};    ///< passes read the scene's light before it is encoded
 
     bool is_scaled() const { return picture_px != present_px; }
     bool has_samples() const { return scene_px != picture_px; }

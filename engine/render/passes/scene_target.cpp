@@ -45,6 +45,25 @@ void SceneTarget::bind() const {
     glViewport(0, 0, static_cast<GLsizei>(color_.width()), static_cast<GLsizei>(color_.height()));
 }
 
+void SceneTarget::copy(const SceneTarget& from, const Vec2f& first_px, const Vec2f& last_px) const {
+    const gl::Framebuffer& drawn =
+        from.samples_framebuffer_ ? from.samples_framebuffer_ : from.framebuffer_;
+    const glm::ivec2 low{first_px};
+    const glm::ivec2 high = glm::ivec2{last_px} + 1;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
+    glBlitFramebuffer(low.x,
+                      low.y,
+                      high.x,
+                      high.y,
+                      low.x,
+                      low.y,
+                      high.x,
+                      high.y,
+                      GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT,
+                      GL_NEAREST);
+}
+
 void SceneTarget::resolve() const {
     if (!samples_framebuffer_) return;
     const auto width = static_cast<GLint>(color_.width());

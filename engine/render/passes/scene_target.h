@@ -1,6 +1,7 @@
 // What the passes of the scene draw into: one image of linear light with depth, of any size.
 #pragma once
 
+#include "engine/core/math.h"
 #include "engine/core/result.h"
 #include "engine/render/gl/framebuffer.h"
 #include "engine/render/gl/texture.h"
@@ -29,6 +30,9 @@ public:
     void bind() const;
     /// What was drawn becomes color() and depth(), where a pixel has several samples.
     void resolve() const;
+    /// Light and depth of what was drawn into another one of the same size, from the first to the
+    /// last pixel; this one has one sample a pixel. Afterwards neither is what is drawn into.
+    void copy(const SceneTarget& from, const Vec2f& first_px, const Vec2f& last_px) const;
     /// Of a pixel; fewer than asked for where the driver has no more.
     std::uint32_t samples() const { return samples_framebuffer_ ? color_samples_.samples() : 1; }
     const gl::Texture& color() const { return color_; }

@@ -73,6 +73,15 @@ std::vector<PictureWay> picture_ways(const RenderFrame& frame) {
             quality.ambient_occlusion = render::Drawn::Never;
         }));
     }
+    if (frame.refraction) {
+        ways.push_back(quality_way("no sight into water", [](Quality& quality) {
+            quality.refraction = render::Drawn::Never;
+        }));
+    }
+    if (frame.refraction && frame.refraction->caustics) {
+        ways.push_back(
+            {"even light in water", [](RenderFrame& f) { f.refraction->caustics = false; }});
+    }
     ways.push_back(
         quality_way("no surface maps", [](Quality& quality) { quality.surface_maps = false; }));
     add_edge_ways(ways);

@@ -41,6 +41,8 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "flashlight",
                                                  "fog",
                                                  "skybox",
+                                                 "refraction",
+                                                 "caustics",
                                                  "ambient_occlusion",
                                                  "sun_shafts",
                                                  "depth_of_field",

@@ -17,7 +17,13 @@ TEST(ScreenEffects, NobodyWhoDoesNotCallForThemPays) {
     EXPECT_FALSE(frame.shafts);
     EXPECT_FALSE(frame.depth_of_field);
     EXPECT_FALSE(frame.motion_blur);
-    for (const char* name : {"ambient_occlusion", "sun_shafts", "depth_of_field", "motion_blur"}) {
+    EXPECT_FALSE(frame.refraction);
+    for (const char* name : {"refraction",
+                             "caustics",
+                             "ambient_occlusion",
+                             "sun_shafts",
+                             "depth_of_field",
+                             "motion_blur"}) {
         const LedgerLine line = line_of(effects, name);
         EXPECT_EQ(line.constructions, 0U) << name;
         EXPECT_EQ(line.calls, 0U) << name;
@@ -63,6 +69,31 @@ TEST(ScreenEffects, ShaftsAndLensHaveTheScenesNumbers) {
               Callers{"[sun] shafts (garden.toml:4)"});
     EXPECT_EQ(line_of(effects, "depth_of_field").called_for_by,
               Callers{"[camera] focus (garden.toml:9)"});
+}
+
+TEST(ScreenEffects, WaterThatIsSeenIntoCallsForRefractionAndItsCaustics) {
+    SceneDescription scene = test::scene_of({test::ground(), test::cube("pool", {0, 2, 0})});
+    scene.entities[1].material = "water";
+    const auto row_of = [&](float attenuation_m, float caustics) {
+        scene.materials["water"] = {.alpha_mode = assets::AlphaMode::Blend,
+                                    .ripple_slope = 0.1F,
+                                    .attenuation_m = attenuation_m,
+                                    .caustics = caustics};
+        Running run(scene);
+        EffectRuntime effects(*run, kPicture);
+        const render::RenderFrame frame = draw(run, effects);
+        const bool seen = attenuation_m > 0.0F;
+        EXPECT_EQ(frame.refraction.has_value(), seen);
+        EXPECT_EQ(frame.refraction && frame.refraction->caustics, seen && caustics > 0.0F);
+        const Callers pool = seen ? Callers{"entity pool (test.toml:10)"} : Callers{};
+        EXPECT_EQ(line_of(effects, "refraction").called_for_by, pool);
+        EXPECT_EQ(line_of(effects, "caustics").calls, seen && caustics > 0.0F ? 1U : 0U);
+        run->switches.turn("refraction", false);
+        EXPECT_FALSE(draw(run, effects).refraction);
+    };
+    row_of(0.0F, 3.0F);
+    row_of(2.0F, 0.0F);
+    row_of(2.0F, 3.0F);
 }
 
 /// Pictures of a camera that goes its way, one a step of 1/60 s; the shutter is open for half of it.

@@ -87,6 +87,7 @@ render::RenderFrame sunny() {
     frame.sun_shadow = render::SunShadow{.cascades = 2, .angular_size_rad = 0.009F};
     frame.light_shadows = render::LightShadows{};
     frame.occlusion = render::AmbientOcclusion{};
+    frame.refraction = render::Refraction{.caustics = true};
     return frame;
 }
 
@@ -127,6 +128,8 @@ TEST(PictureWays, EachDoesWhatItSays) {
     EXPECT_EQ(applied("4 cascades").sun_shadow->cascades, 4U);
     EXPECT_EQ(applied("shadow maps a quarter as wide").quality.shadow_detail, 0.25F);
     EXPECT_EQ(applied("no ambient occlusion").quality.ambient_occlusion, render::Drawn::Never);
+    EXPECT_EQ(applied("no sight into water").quality.refraction, render::Drawn::Never);
+    EXPECT_FALSE(applied("even light in water").refraction->caustics);
     EXPECT_EQ(applied("render scale 50 %").quality.render_scale, 0.5F);
     EXPECT_EQ(applied("4 samples a pixel").quality.anti_aliasing, render::AntiAliasing::Ssaa4);
     EXPECT_EQ(applied("edges of 4 samples").quality.anti_aliasing, render::AntiAliasing::Msaa4);
