@@ -1,9 +1,26 @@
-// The passes between the scene and its tone curve.
+// What of the scene's light passes read: for water, and between the scene and its tone curve.
 #include "engine/render/renderer_impl.h"
 
 #include <glad/gl.h>
 
 namespace plumbline::render {
+
+void Renderer::Impl::copy_behind_water() {
+    if ((features & feature::kRefraction) == 0) return;
+    Aabb seen;
+    for (const DrawRun& run : translucent_draws.runs) {
+        if ((scene.materials.features(run.material) & feature::kRefraction) == 0) continue;
+        seen.include(run.bounds_world);
+    }
+    if (seen.empty()) return;
+    const gl::PassTimers::Scope timed(timers, "refraction");
+    if (refraction_pass.copy(scene_target, seen, block.clip_from_world)) {
+        refraction_pass.bind();
+    } else {
+        features &= ~feature::kRefraction;
+    }
+    scene_target.bind();
+}
 
 SceneLight Renderer::Impl::finish_light() {
     if (scene_target.samples() > 1) {
@@ -59,8 +76,14 @@ void Renderer::Impl::add_focus(SceneLight& light) {
 void Renderer::Impl::add_motion_blur(SceneLight& light) {
     if (!has_motion_blur()) return motion_blur_pass.free();
     const gl::PassTimers::Scope timed(timers, "motion_blur");
-    const gl::Texture* seen = motion_blur_pass.render(
-        *frame->motion_blur, clip_before_from_world(), light, triangle, scene, stats);
+    const gl::Texture* seen =
+        motion_blur_pass.render(*frame->motion_blur,
+                                {.clip_from_world = block.clip_from_world,
+                                 .clip_before_from_world = clip_before_from_world()},
+                                light,
+                                triangle,
+                                scene,
+                                stats);
     if (seen == nullptr) return;
     light.image = seen;
     light.features = 0;

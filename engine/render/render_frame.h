@@ -150,12 +150,20 @@ struct DepthOfField {
     std::uint32_t samples{24};  ///< of a disc
 };
 
+/// A thing of the frame that moved while the shutter was open.
+struct MovedMesh {
+    assets::MeshId mesh{};
+    Mat4f world_from_body{1.0F};         ///< as it is drawn
+    Mat4f world_from_body_before{1.0F};  ///< as the shutter opened
+};
+
 /// Where the camera was when the shutter opened; what its way since then takes across the picture
-/// is drawn as a streak. The camera of the frame is where it closes.
+/// is drawn as a streak, and so are things that moved. The camera of the frame is where it closes.
 struct MotionBlur {
     Vec3f position_before_world{0.0F};
     Quatf orientation_before{1.0F, 0.0F, 0.0F, 0.0F};
     std::uint32_t samples{12};  ///< of a streak
+    std::vector<MovedMesh> moved;
 };
 
 /// Water in the air, drawn as a soft streak.
@@ -206,6 +214,7 @@ struct RenderFrame {
     float time_s{0.0F};        ///< of what runs by itself: ripples, swaying
     std::optional<AmbientOcclusion> occlusion;
     std::optional<SunShafts> shafts;  ///< needs sun
+    std::optional<Refraction> refraction;
     std::optional<DepthOfField> depth_of_field;
     std::optional<MotionBlur> motion_blur;
     std::optional<Post> post;  ///< absent: plain clamp and sRGB
@@ -214,7 +223,6 @@ struct RenderFrame {
     DepthTest depth_test{DepthTest::Less};
     bool textures{true};                     ///< false: base colours without their maps
     std::optional<assets::Shading> shading;  ///< over every material's own (`render --shading`)
-    std::optional<Refraction> refraction;
     std::vector<DropStreak> drops;           ///< over all else that is translucent
     std::vector<WaterRingMark> water_rings;  ///< below the drops
     LineList lines;                          ///< collision shapes, contacts

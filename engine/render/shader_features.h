@@ -64,6 +64,7 @@ inline constexpr FeatureSet kSkyCodes = 1ULL << 29U;     ///< the sky's faces ho
 // light that is added after the scene
 inline constexpr FeatureSet kOcclusion = 1ULL << 40U;  ///< less ambient light in corners
 inline constexpr FeatureSet kCoverage = 1ULL << 42U;   ///< masks cover samples, not whole pixels
+inline constexpr FeatureSet kMoved = 1ULL << 52U;      ///< things moved while the shutter was open
 inline constexpr FeatureSet kShafts = 1ULL << 41U;     ///< light from air in the sun
 }  // namespace feature
 
@@ -113,10 +114,11 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 47> kFeatur
     {feature::kContactHardening, "PL_CONTACT_HARDENING"},
     {feature::kParallax, "PL_PARALLAX"},
     {feature::kGlass, "PL_GLASS"},
-    {feature::kOcclusion, "PL_OCCLUSION"},
     {feature::kRefraction, "PL_REFRACTION"},
     {feature::kCaustics, "PL_CAUSTICS"},
+    {feature::kOcclusion, "PL_OCCLUSION"},
     {feature::kShafts, "PL_SHAFTS"},
+    {feature::kMoved, "PL_MOVED"},
     {feature::kCoverage, "PL_COVERAGE"},
 }};
 

@@ -1,6 +1,7 @@
 // The scene as a shutter sees it that stays open while the camera moves.
 #pragma once
 
+#include "engine/render/passes/moved_ways.h"
 #include "engine/render/passes/pass_image.h"
 #include "engine/render/passes/scene_light.h"
 #include "engine/render/passes/scene_resources.h"
@@ -12,19 +13,19 @@ namespace plumbline::render {
 
 class MotionBlurPass {
 public:
-    /// As large as the scene's image. `clip_before_from_world`: as the shutter opened. Null: the
-    /// driver has no memory for it.
+    /// As large as the scene's image. Null: the driver has no memory for it.
     const gl::Texture* render(const MotionBlur& blur,
-                              const Mat4f& clip_before_from_world,
+                              const ShutterView& view,
                               const SceneLight& light,
                               const FullscreenTriangle& triangle,
                               SceneResources& resources,
                               FrameStats& stats);
-    std::size_t bytes() const { return blurred_.image.bytes(); }
+    std::size_t bytes() const { return blurred_.image.bytes() + moved_ways_.bytes(); }
     void free() { *this = {}; }
 
 private:
     PassImage blurred_;
+    MovedWays moved_ways_;
 };
 
 }  // namespace plumbline::render

@@ -44,6 +44,7 @@ inline constexpr ShaderPair kFocusDownShader{"fullscreen.vert", "focus_down.frag
 inline constexpr ShaderPair kFocusGatherShader{"fullscreen.vert", "focus_gather.frag"};
 inline constexpr ShaderPair kFocusJoinShader{"fullscreen.vert", "focus_join.frag"};
 inline constexpr ShaderPair kMotionBlurShader{"fullscreen.vert", "motion_blur.frag"};
+inline constexpr ShaderPair kVelocityShader{"velocity.vert", "velocity.frag"};
 inline constexpr ShaderPair kToneMapShader{"fullscreen.vert", "tone_map.frag"};
 inline constexpr ShaderPair kBloomDownShader{"fullscreen.vert", "bloom_down.frag"};
 inline constexpr ShaderPair kBloomUpShader{"fullscreen.vert", "bloom_up.frag"};
@@ -53,10 +54,11 @@ inline constexpr ShaderPair kLineShader{"line.vert", "line.frag"};
 inline constexpr ShaderPair kDropShader{"drop.vert", "drop.frag"};
 /// All there are: a missing file is found at the start, not when its effect first runs.
 inline constexpr std::array kShaderPairs{
-    kMeshShader,        kDepthShader,       kSkyShader,        kSkyDomeShader, kSkyPointShader,
-    kExposureShader,    kOcclusionShader,   kPairBlurShader,   kShaftsShader,  kFocusDownShader,
-    kFocusGatherShader, kFocusJoinShader,   kMotionBlurShader, kToneMapShader, kBloomDownShader,
-    kBloomUpShader,     kSmoothEdgesShader, kScaleUpShader,    kLineShader,    kDropShader};
+    kMeshShader,        kDepthShader,     kSkyShader,         kSkyDomeShader,  kSkyPointShader,
+    kExposureShader,    kOcclusionShader, kPairBlurShader,    kShaftsShader,   kFocusDownShader,
+    kFocusGatherShader, kFocusJoinShader, kMotionBlurShader,  kVelocityShader, kToneMapShader,
+    kBloomDownShader,   kBloomUpShader,   kSmoothEdgesShader, kScaleUpShader,  kLineShader,
+    kDropShader};
 
 /// Adds a draw to the statistics.
 inline void count_draw(FrameStats& stats, const DrawRun& run) {

@@ -137,6 +137,27 @@ TEST_F(Shutter, ACameraThatStandsStillCostsNothing) {
     EXPECT_EQ(line_of(effects_, "motion_blur").calls, 0U);
 }
 
+TEST(ScreenEffects, TheShutterSeesWhatMoves) {
+    SceneDescription scene = test::scene_of(
+        {test::ground(), test::cube("rests", {0, 0.5_r, 0}), test::cube("falls", {9, 30, 0})});
+    scene.entities[1].body->kind = physics::BodyKind::Static;
+    scene.post = scene::PostDescription{};
+    scene.post->shutter = scene::ShutterDescription{.open_s = 1.0F / 120.0F};
+    Running run(scene);
+    EffectRuntime effects(*run, kPicture);
+    run.step(20, effects);
+    EXPECT_FALSE(draw(run, effects).motion_blur) << "nothing was seen before";
+    run.step(1, effects);
+    const auto blur = draw(run, effects, 0.5_r).motion_blur;
+    ASSERT_TRUE(blur);
+    ASSERT_EQ(blur->moved.size(), 1U);
+    const render::MovedMesh& falls = blur->moved[0];
+    const auto fallen_m = falls.world_from_body_before[3].y - falls.world_from_body[3].y;
+    // Half a step at the speed of the latest one: g times 21 steps, to a step.
+    EXPECT_NEAR(fallen_m, 9.81F * 21.0F / 60.0F / 120.0F, 9.81F / 60.0F / 120.0F);
+    EXPECT_NEAR(falls.world_from_body[3].x, 9.0F, 1e-5F);
+}
+
 TEST_F(Shutter, AWorldThatStandsStillAndACutToAnotherPlaceAreSharp) {
     seen_from({.position = {0, 0, 0}});
     EXPECT_FALSE(seen_now({.position = {0.1_r, 0, 0}})) << "paused";
