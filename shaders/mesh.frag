@@ -159,6 +159,15 @@ vec3 in_cascade(vec3 at, float eye_distance_m) {
 // `at`: in the first cascade.
 float sun_lit(vec3 at, float eye_distance_m) {
     float lit = 1.0;
+#ifdef PL_HARD_SHADOWS
+    // Half a pixel apart: what is thinner than a pixel is not lost in every other one.
+    vec3 aside = 0.25 * dFdy(at);
+    vec3 other = at - aside;
+    at += aside;
+#ifdef PL_CASCADES
+    other = in_cascade(other, eye_distance_m);
+#endif
+#endif
 #ifdef PL_CASCADES
     at = in_cascade(at, eye_distance_m);
 #endif
@@ -171,6 +180,9 @@ float sun_lit(vec3 at, float eye_distance_m) {
     texel.x *= frame.clusters.z;  // they lie side by side
 #endif
     lit = filtered_shadow(sun_shadow_map, vec3(at.xy, min(at.z, 1.0)), texel);
+#ifdef PL_HARD_SHADOWS
+    lit = 0.5 * (lit + filtered_shadow(sun_shadow_map, vec3(other.xy, min(other.z, 1.0)), texel));
+#endif
 #endif
     // The last tenth of the distance fades the shadow out.
     return mix(lit, 1.0, clamp(eye_distance_m * frame.to_sun_world.w * 10.0 - 9.0, 0.0, 1.0));

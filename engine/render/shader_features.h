@@ -71,7 +71,7 @@ inline constexpr FeatureSet kShafts = 1ULL << 41U;     ///< light from air in th
 /// What a thing is drawn without where the flashlight cannot reach it.
 inline constexpr FeatureSet kFlashlightFeatures = feature::kFlashlight | feature::kFlashlightAtEye;
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 47> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 48> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},

@@ -11,11 +11,12 @@
 namespace plumbline::render {
 namespace {
 
-/// The light's volume made as deep again towards the light: what stands there casts too.
+/// The light's volume, on and on towards the light: what stands there casts too.
 Frustum caster_volume(const Mat4f& clip_from_world) {
+    constexpr float kDepth = 1e-4F;  // of the volume, over that of all casters
     Mat4f open = clip_from_world;
     for (int column = 0; column < 4; ++column) {
-        open[column][2] = 0.5F * (clip_from_world[column][2] + clip_from_world[column][3]);
+        open[column][2] = glm::mix(clip_from_world[column][3], clip_from_world[column][2], kDepth);
     }
     return Frustum{open};
 }

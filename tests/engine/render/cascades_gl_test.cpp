@@ -100,6 +100,18 @@ TEST_F(CascadesGl, AWallsShadowRunsOnOverTheBorders) {
     }
 }
 
+TEST_F(CascadesGl, ARoofHighAboveEveryCascadeCasts) {
+    // Its shadow lies as far to the right of it as it is high: 14 m from the eye.
+    constexpr float kUp_m = 60.0F;
+    add_box(frame_, {4.0F, 1.0F, 6.0F}, {-kUp_m, kUp_m, 18.0F}, matt(Vec3f{0.8F}));
+    for (const std::uint32_t cascades : {1U, 4U}) {
+        frame_.sun_shadow->cascades = cascades;
+        const auto image = draw(frame_);
+        EXPECT_LT(ground(image, 0.0F, 18.0F).value_or(255), 20) << cascades;
+        EXPECT_GT(ground(image, 4.0F, 18.0F).value_or(0), 180) << cascades;
+    }
+}
+
 TEST_F(CascadesGl, FarShadowsReachAsFarAsOneSees) {
     add_box(frame_, {1.0F, 30.0F, 120.0F}, {-0.5F, 15.0F, -260.0F}, matt({0.8F, 0.1F, 0.1F}));
     frame_.sun_shadow = SunShadow{.size_px = 1024, .distance_m = 60.0F, .cascades = 1};
