@@ -21,6 +21,7 @@
 #include <chrono>
 #include <future>
 #include <new>
+#include <optional>
 #include <utility>
 
 namespace plumbline::game {
@@ -40,9 +41,10 @@ public:
     Sessions(const DataFolders& folders, bool sound) : folders_(folders), sound_(sound) {}
 
     /// Where memory is refused, what ran before goes on.
-    Result<std::unique_ptr<app::Session>> open(const std::string& name) const {
+    Result<std::unique_ptr<app::Session>> open(const std::string& name,
+                                               std::optional<double> hour = {}) const {
         try {
-            return open_scene(name);
+            return open_scene(name, hour);
         } catch (const std::bad_alloc&) {
             return Error{.message = fmt::format("there is not enough memory for {}", name),
                          .exit_code = ExitCode::OutOfMemory};
@@ -50,17 +52,17 @@ public:
     }
 
     /// The scene of the last sitting; the first one where there is none, or none any more.
-    Result<std::unique_ptr<app::Session>> open_last() const {
+    Result<std::unique_ptr<app::Session>> open_last(std::optional<double> hour) const {
         constexpr std::size_t kLongestPath = 4096;
         const std::filesystem::path file = memory();
         if (!file.empty()) {
             const Result<std::string> last = read_file(file, kLongestPath);
             if (last && std::filesystem::path(*last).is_absolute()) {
-                Result<std::unique_ptr<app::Session>> opened = open(*last);
+                Result<std::unique_ptr<app::Session>> opened = open(*last, hour);
                 if (opened) return opened;
             }
         }
-        return open(std::string(scene::kFirstScene));
+        return open(std::string(scene::kFirstScene), hour);
     }
 
     void remember(const app::Session& session) const {
@@ -74,19 +76,22 @@ public:
     }
 
 private:
-    Result<std::unique_ptr<app::Session>> open_scene(const std::string& name) const {
+    Result<std::unique_ptr<app::Session>> open_scene(const std::string& name,
+                                                     std::optional<double> hour) const {
         const Result<std::filesystem::path> scene =
             scene::find_scene(name, scene::scene_folders(folders_.assets));
         if (!scene) return scene.error();
         Result<std::unique_ptr<app::Session>> session = app::Session::open(
             {.scene = *scene,
              .folders = folders_,
+             .hour = hour,
              .served = {.picture = true, .sound = sound_},
              .make_game = [assets = folders_.assets](
                               scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
                  return std::make_unique<PlaygroundGame>(simulation, assets);
              }});
         if (session) (*session)->prefetch_images();
+        if (session && sound_) (*session)->prefetch_sounds();
         return session;
     }
 
@@ -142,7 +147,7 @@ void show_bar(platform::Window& window,
     while (reading.wait_for(is_shown ? kLook : 0 * kLook) == std::future_status::timeout) {
         if (!is_shown) window.show("Plumbline", width, height);
         is_shown = true;
-        screen.show(0.0F);
+        screen.show_waiting();
     }
 }
 
@@ -189,8 +194,10 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     // The driver takes as long as the scene: each on a thread of its own. What is refused meanwhile
     // needs no window, and none is seen.
     std::future<Result<std::unique_ptr<app::Session>>> reading =
-        std::async(std::launch::async | std::launch::deferred,
-                   [&] { return scene->empty() ? sessions.open_last() : sessions.open(*scene); });
+        std::async(std::launch::async | std::launch::deferred, [&] {
+            return scene->empty() ? sessions.open_last(options.hour)
+                                  : sessions.open(*scene, options.hour);
+        });
     Result<std::unique_ptr<platform::Window>> window = platform::Window::open(
         {.width = width, .height = height, .vsync = config.current().vsync, .visible = false});
     if (window) show_bar(**window, reading, width, height);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 namespace plumbline::app {
 namespace {
@@ -45,6 +46,7 @@ void Session::watch(const std::filesystem::path& file, scene::FileUse use) {
 Result<Done> Session::build(const scene::OpenedScene& opened, const Prepare& prepare) {
     Result<std::unique_ptr<scene::Simulation>> built = opened.build(library);
     if (!built) return built.error();
+    if (def_.hour) (*built)->set_hour(*def_.hour);
     std::unique_ptr<study::HardCaseJudge> judge_made;
     if ((*built)->description().hard_case) {
         Result<study::HardCaseJudge> made = study::HardCaseJudge::create(**built);
@@ -73,6 +75,17 @@ Result<Done> Session::build(const scene::OpenedScene& opened, const Prepare& pre
 void Session::prefetch_images() {
     const std::optional<scene::SkyDescription>& sky = description().sky;
     library.prefetch_images(sky ? sky->folder : std::filesystem::path());
+}
+
+void Session::prefetch_sounds() {
+    std::set<std::filesystem::path> files;
+    for (const scene::Surface& surface : simulation->surfaces().surfaces) {
+        files.insert(surface.impact_sounds.begin(), surface.impact_sounds.end());
+        files.insert(surface.step_sounds.begin(), surface.step_sounds.end());
+        files.insert({surface.roll_sound, surface.scrape_sound});
+    }
+    files.erase(std::filesystem::path());
+    library.prefetch_sounds({files.begin(), files.end()});
 }
 
 Result<Done> Session::reset() {

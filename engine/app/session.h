@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace plumbline::app {
@@ -23,6 +24,7 @@ struct SessionDef {
     std::filesystem::path scene;
     DataFolders folders;
     scene::SimulationOverrides overrides{};
+    std::optional<double> hour{};  ///< with [time]: at every start, instead of the scene's own
     effects::ServedDomains served{};
     GameFactory make_game;
 };
@@ -45,6 +47,8 @@ public:
     Result<std::uint64_t> load(const std::filesystem::path& file);
     /// Starts decoding what the first picture needs, on worker threads.
     void prefetch_images();
+    /// Starts decoding what bodies may sound like when they touch, on a thread.
+    void prefetch_sounds();
     const scene::SceneDescription& description() const { return scene_.description; }
     const DataFolders& folders() const { return def_.folders; }
     /// What the running scene was read from; after a failed reload also what that one stumbled over.

@@ -8,6 +8,7 @@
 #include "engine/core/log.h"
 
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <iterator>
 #include <mutex>
@@ -176,6 +177,39 @@ struct AssetLibrary::ModelEntry {
     }
 };
 
+/// Sounds that a thread has decoded before anybody asked. A file that cannot be read is none of them:
+/// who asks for it hears why.
+struct AssetLibrary::SoundsAhead {
+    std::mutex mutex;
+    std::map<fs::path, SoundData> ready;
+    std::atomic<bool> closing{false};
+    std::thread worker;
+
+    ~SoundsAhead() {
+        closing = true;
+        if (worker.joinable()) worker.join();
+    }
+    void decode(const std::vector<fs::path>& files) {
+        for (const fs::path& file : files) {
+            if (closing) return;
+            const fs::path key = file.lexically_normal();
+            try {
+                Result<SoundData> sound = import_sound(file);
+                const std::lock_guard lock(mutex);
+                if (sound) ready.emplace(key, std::move(*sound));
+            } catch (const std::bad_alloc&) {
+                return;
+            }
+        }
+    }
+    std::optional<SoundData> take(const fs::path& key) {
+        const std::lock_guard lock(mutex);
+        const auto found = ready.find(key);
+        if (found == ready.end()) return {};
+        return std::move(ready.extract(found).mapped());
+    }
+};
+
 AssetLibrary::AssetLibrary() : images_(std::make_unique<Images>()) {}
 AssetLibrary::~AssetLibrary() = default;
 
@@ -266,6 +300,9 @@ Result<SoundId> AssetLibrary::sound(const fs::path& file) {
     const auto known = sounds_by_file_.find(key);
     if (known != sounds_by_file_.end()) return known->second;
     Result<SoundData> imported = [&]() -> Result<SoundData> {
+        if (sounds_ahead_) {
+            if (std::optional<SoundData> sound = sounds_ahead_->take(key)) return std::move(*sound);
+        }
         try {
             return import_sound(file);
         } catch (const std::bad_alloc&) {
@@ -277,6 +314,17 @@ Result<SoundId> AssetLibrary::sound(const fs::path& file) {
     const SoundId id{id_after(sounds_.size() - 1)};
     sounds_by_file_.emplace(key, id);
     return id;
+}
+
+void AssetLibrary::prefetch_sounds(std::vector<fs::path> files) {
+    if (sounds_ahead_) return;
+    sounds_ahead_ = std::make_unique<SoundsAhead>();
+    try {
+        sounds_ahead_->worker = std::thread(
+            [ahead = sounds_ahead_.get(), files = std::move(files)] { ahead->decode(files); });
+    } catch (const std::system_error& fault) {
+        log_note("sounds are decoded when they are first heard: {}", fault.what());
+    }
 }
 
 MeshId AssetLibrary::add_mesh(const std::string& name, MeshData mesh) {

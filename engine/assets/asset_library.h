@@ -65,7 +65,7 @@ public:
     void doubt_models();
     /// What the models were read from: to be watched.
     std::vector<std::filesystem::path> model_files() const;
-    /// Decodes on first use.
+    /// Decodes on first use what prefetch_sounds() has not decoded by then.
     Result<SoundId> sound(const std::filesystem::path& file);
     /// Adds a generated mesh under a name; the same name gives the same mesh.
     MeshId add_mesh(const std::string& name, MeshData mesh);
@@ -86,6 +86,8 @@ public:
     /// the renderer finds them ready. Height maps wait until somebody takes them. Calling again adds
     /// what is new.
     void prefetch_images(const std::filesystem::path& sky = {});
+    /// Starts decoding the files one after the other, on a thread. At most once.
+    void prefetch_sounds(std::vector<std::filesystem::path> files);
     /// The decoded image, waiting for it if need be; decoded now if nobody prefetched it. A broken
     /// file gives a checkerboard and one warning. Hands the pixels over: the library forgets them.
     std::shared_ptr<const ImageData> take_image(const std::filesystem::path& file);
@@ -97,6 +99,7 @@ public:
 
 private:
     struct Images;
+    struct SoundsAhead;
     struct ModelEntry;
     Result<Done> import(ModelEntry& entry,
                         const std::filesystem::path& file,
@@ -111,6 +114,7 @@ private:
     std::map<std::filesystem::path, SoundId> sounds_by_file_;
     std::map<std::string, MeshId> meshes_by_name_;
     std::unique_ptr<Images> images_;
+    std::unique_ptr<SoundsAhead> sounds_ahead_;
 };
 
 }  // namespace plumbline::assets

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -53,12 +54,13 @@ protected:
         folder_.write("config/surfaces.toml", "[wood]\nfriction = 0.5\n");
         folder_.write("scene.toml", kTwoCubes);
     }
-    std::unique_ptr<Session> open() {
+    std::unique_ptr<Session> open(std::optional<double> hour = {}) {
         Result<std::unique_ptr<Session>> session = Session::open(
             {.scene = folder_.path() / "scene.toml",
              .folders = {.assets = folder_.path() / "assets",
                          .shaders = {},
                          .config = folder_.path() / "config"},
+             .hour = hour,
              .make_game = [](scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
                  return std::make_unique<HoldingGame>(simulation, "two");
              }});

@@ -30,6 +30,22 @@ TEST_F(SessionTest, ReloadReadsWhatWasSaved) {
     EXPECT_EQ(session->simulation->moving_bodies().size(), 1U) << "reset keeps what was read";
 }
 
+TEST_F(SessionTest, TheHourThatWasAskedForIsThatOfEveryStart) {
+    folder_.write("scene.toml", "[sun]\n[time]\nhour = 9\n" + kTwoCubes);
+    for (const std::optional<double> hour :
+         {std::optional<double>{}, std::optional<double>{21.5}}) {
+        const auto session = open(hour);
+        ASSERT_TRUE(session);
+        const double expected = hour.value_or(9.0);
+        EXPECT_NEAR(session->simulation->hour().value_or(-1.0), expected, 0.01);
+        session->simulation->set_hour(3.0);
+        ASSERT_TRUE(session->reset().ok());
+        EXPECT_NEAR(session->simulation->hour().value_or(-1.0), expected, 0.01);
+        ASSERT_TRUE(session->reload().ok());
+        EXPECT_NEAR(session->simulation->hour().value_or(-1.0), expected, 0.01);
+    }
+}
+
 // EXPERIENCE F20
 TEST_F(SessionTest, TheHandIsOpenWhenWhatItHeldIsGone) {
     const auto session = open();

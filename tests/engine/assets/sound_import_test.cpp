@@ -2,6 +2,7 @@
 
 #include "engine/assets/sound_import.h"
 
+#include "engine/assets/asset_library.h"
 #include "engine/core/limits.h"
 #include "tests/engine/assets/fixture.h"
 
@@ -50,6 +51,24 @@ struct SoundImport {
     }
     std::string error() const { return sound.ok() ? "" : sound.error().message; }
 };
+
+TEST(SoundsAhead, change_nothing_of_what_is_heard) {
+    const TempFolder folder;
+    const auto file = folder.write("s.wav", wav({.data_bytes = 6}, pcm16({1, -2, 3})));
+    const auto broken = folder.write("t.wav", "RIFF");
+    for (int i = 0; i < 20; ++i) {
+        AssetLibrary library;
+        if (i > 0) library.prefetch_sounds({broken, file, folder.path() / "absent.wav"});
+        // Before, while or after the thread decodes it.
+        if (i > 10) std::this_thread::sleep_for(std::chrono::milliseconds(i - 10));
+        const Result<SoundId> sound = library.sound(file);
+        ASSERT_TRUE(sound.ok());
+        EXPECT_EQ(library.sound(*sound).samples, (std::vector<std::int16_t>{1, -2, 3}));
+        EXPECT_EQ(library.sound(file)->value, sound->value);
+        EXPECT_FALSE(library.sound(broken).ok());
+        EXPECT_FALSE(library.sound(folder.path() / "absent.wav").ok());
+    }
+}
 
 TEST(SoundImport, gives_back_every_16_bit_sample_exactly) {
     const std::initializer_list<std::int16_t> samples{0, 1, -1, 255, 12'345, -32'768, 32'767, -7};
