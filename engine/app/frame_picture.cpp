@@ -128,7 +128,7 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
 
 void FrameParts::draw_opening() {
     if (!opening_.valid()) return;
-    render::LoadingBar bar = loading_bar_of(window_, 0.0F);
+    render::LoadingBar bar = waiting_bar_of(window_, window_.now_s());
     bar.background = render::LoadingBackground::AsItIs;
     render::draw_loading_bar(window_.gl_loader(), bar);
 }

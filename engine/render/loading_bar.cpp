@@ -30,8 +30,11 @@ void draw_loading_bar(GlLoader loader, const LoadingBar& bar) {
     const GLint thick = std::max(height / 90, 3);
     const GLint edge = std::max(thick / 4, 1);
     const GLint most = std::max(width / 3, 1);
-    const float share = std::clamp(bar.share, 0.0F, 1.0F);
-    const auto filled = static_cast<GLint>(static_cast<float>(most) * share);
+    const auto along = [&](float share) {
+        return static_cast<GLint>(static_cast<float>(most) * std::clamp(share, 0.0F, 1.0F));
+    };
+    const GLint from = along(bar.from);
+    const GLint filled = along(bar.share) - from;
     const GLint left = (width - most) / 2;
     const GLint bottom = height / 8;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -41,7 +44,7 @@ void draw_loading_bar(GlLoader loader, const LoadingBar& bar) {
         fill({0, 0, width, height}, {0.09F, 0.11F, 0.13F});
     fill({left - edge, bottom - edge, most + 2 * edge, thick + 2 * edge}, {0.55F, 0.6F, 0.62F});
     fill({left, bottom, most, thick}, {0.16F, 0.19F, 0.21F});
-    if (filled > 0) fill({left, bottom, filled, thick}, {0.91F, 0.76F, 0.42F});
+    if (filled > 0) fill({left + from, bottom, filled, thick}, {0.91F, 0.76F, 0.42F});
     glDisable(GL_SCISSOR_TEST);
 }
 

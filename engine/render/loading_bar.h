@@ -12,7 +12,8 @@ enum class LoadingBackground { Dark, AsItIs };
 struct LoadingBar {
     std::uint32_t width_px{0};  ///< of the window
     std::uint32_t height_px{0};
-    float share{0.0F};  ///< 0 to 1: so far it is filled
+    float from{0.0F};   ///< 0 to 1: it is filled from here
+    float share{0.0F};  ///< 0 to 1: to here
     LoadingBackground background{LoadingBackground::Dark};
 };
 

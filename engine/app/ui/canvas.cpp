@@ -205,16 +205,17 @@ void Canvas::begin(const InputSnapshot& input) {
     ImGui::NewFrame();
 }
 
-void Canvas::Impl::text(ImDrawList& list, const Box& box, ImU32 color, const std::string& words) {
+void Canvas::Impl::text(
+    ImDrawList& list, const Box& box, ImU32 color, const std::string& words, float scale) {
     if (words.empty()) return;
     constexpr float kSlack_px = 1.5F;
-    const float width = text_size.width_px(words);
-    const float height = text_size.height_px(words, box.width);
+    const float width = scale * text_size.width_px(words);
+    const float height = scale * text_size.height_px(words, box.width / scale);
     const bool breaks = words.find(' ') != std::string::npos;
     if (height > box.height + kSlack_px || (!breaks && width > box.width + kSlack_px))
         cut.push_back(words);
     list.AddText(ImGui::GetIO().Fonts->Fonts[0],
-                 font_px,
+                 font_px * scale,
                  {std::floor(box.x), std::floor(box.y)},
                  color,
                  words.data(),
@@ -233,7 +234,8 @@ void Canvas::draw(const HudPanel& panel, float opacity, Layer layer) {
                        IM_COL32(12, 12, 16, static_cast<int>(opacity * strongest * 255.0F)),
                        impl_->font_px * 0.3F);
     for (const PlacedText& text : panel.texts)
-        impl_->text(list, text.box, color_of(text.line.tone, text.line.alpha), text.line.text);
+        impl_->text(
+            list, text.box, color_of(text.line.tone, text.line.alpha), text.line.text, panel.scale);
 }
 
 void Canvas::end() {

@@ -34,7 +34,12 @@ struct Canvas::Impl {
     void build_atlas();
     std::optional<PictureUv> picture(const std::string& name) const;
     /// Wrapped into the box; notes it when it does not fit.
-    void text(ImDrawList& list, const Box& box, ImU32 color, const std::string& words);
+    /// `scale`: of the font.
+    void text(ImDrawList& list,
+              const Box& box,
+              ImU32 color,
+              const std::string& words,
+              float scale = 1.0F);
 };
 
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size_px, ImU32 color);

@@ -16,19 +16,21 @@ public:
     Placer(float font_px, const TextSize& text) : em_(font_px), text_(text) {}
 
     /// Lines below each other, no wider than `most_px` with the panel's padding; at the origin.
-    HudPanel stack(const std::vector<HudLine>& lines, float most_px) const {
-        HudPanel panel;
+    /// `scale`: of the font.
+    HudPanel stack(const std::vector<HudLine>& lines, float most_px, float scale = 1.0F) const {
+        HudPanel panel{.scale = scale};
         if (lines.empty()) return panel;
-        const float pad = kPad * em_;
-        const float wrap = std::max(em_, most_px - 2 * pad);
+        const float em = scale * em_;
+        const float pad = kPad * em;
+        const float wrap = std::max(em, most_px - 2 * pad);
         float widest = 0.0F;
         float y = pad;
         for (const HudLine& line : lines) {
-            const float width = std::min(wrap, std::ceil(text_.width_px(line.text)) + 1.0F);
-            const float height = text_.height_px(line.text, width);
+            const float width = std::min(wrap, std::ceil(scale * text_.width_px(line.text)) + 1.0F);
+            const float height = scale * text_.height_px(line.text, width / scale);
             panel.texts.push_back({line, {pad, y, width, height}});
             widest = std::max(widest, width);
-            y += height + em_ * 0.1F;
+            y += height + em * 0.1F;
         }
         panel.box = {0.0F, 0.0F, widest + 2 * pad, y + pad};
         return panel;
@@ -103,7 +105,9 @@ HudLayout layout_of(const HudTexts& texts,
 
     const float above_hint =
         texts.hint.empty() ? height_px - margin - font_px : out.hint.box.y - gap;
-    out.captions = place.stack(texts.captions, std::min(free_width, font_px * 40.0F));
+    out.captions = place.stack(texts.captions,
+                               std::min(free_width, font_px * 40.0F),
+                               std::max(1.0F, kLeastCaption_px / font_px));
     Placer::move(out.captions,
                  middle_x - out.captions.box.width * 0.5F,
                  above_hint - out.captions.box.height);

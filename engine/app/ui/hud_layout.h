@@ -33,8 +33,12 @@ struct PlacedText {
     Box box;  ///< wraps at its width
 };
 
+/// Who reads captions does not hear: in small windows they are larger than the rest.
+inline constexpr float kLeastCaption_px = 14.0F;
+
 struct HudPanel {
     Box box;
+    float scale{1.0F};  ///< of the font
     std::vector<PlacedText> texts;
 };
 

@@ -1,4 +1,6 @@
 // The bar in a window, as its framebuffer holds it. Needs an X server: CTest runs it under xvfb-run.
+#include "engine/app/loading_screen.h"
+
 #include "engine/platform/window.h"
 #include "engine/render/loading_bar.h"
 
@@ -17,7 +19,7 @@ constexpr Code kDark{23, 28, 33};
 constexpr Code kEmpty{41, 48, 54};
 constexpr Code kFilled{232, 194, 107};
 
-class LoadingScreen : public testing::Test {
+class LoadingBarGl : public testing::Test {
 protected:
     void SetUp() override {
         Result<std::unique_ptr<platform::Window>> opened = platform::Window::open(
@@ -41,7 +43,7 @@ protected:
     std::unique_ptr<platform::Window> window_;
 };
 
-TEST_F(LoadingScreen, TheBarIsFilledSoFarBeforeThereIsARenderer) {
+TEST_F(LoadingBarGl, TheBarIsFilledSoFarBeforeThereIsARenderer) {
     for (const float share : {0.0F, 0.25F, 1.0F}) {
         draw(share, render::LoadingBackground::Dark);
         EXPECT_EQ(at(5, 5), kDark);
@@ -51,7 +53,23 @@ TEST_F(LoadingScreen, TheBarIsFilledSoFarBeforeThereIsARenderer) {
     }
 }
 
-TEST_F(LoadingScreen, OverAFrameItLeavesTheFrame) {
+TEST_F(LoadingBarGl, WhileNobodyKnowsHowFarAPieceGoesToAndFro) {
+    struct Place {
+        double now_s;
+        float filled;
+        float empty;
+    };
+    for (const Place& place :
+         {Place{4.0, 0.1F, 0.5F}, Place{4.5, 0.5F, 0.1F}, Place{5.0, 0.9F, 0.5F}}) {
+        render::LoadingBar bar = waiting_bar_of(*window_, place.now_s);
+        EXPECT_NEAR(bar.share - bar.from, 0.25F, 1e-6F);
+        render::draw_loading_bar(window_->gl_loader(), bar);
+        EXPECT_EQ(at_bar(place.filled), kFilled) << place.now_s;
+        EXPECT_EQ(at_bar(place.empty), kEmpty) << place.now_s;
+    }
+}
+
+TEST_F(LoadingBarGl, OverAFrameItLeavesTheFrame) {
     draw(0.0F, render::LoadingBackground::Dark);
     glClearColor(0.0F, 1.0F, 0.0F, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -62,7 +80,7 @@ TEST_F(LoadingScreen, OverAFrameItLeavesTheFrame) {
     EXPECT_EQ(glIsEnabled(GL_SCISSOR_TEST), GL_FALSE);
 }
 
-TEST_F(LoadingScreen, AWindowWithoutPixelsIsLeftAlone) {
+TEST_F(LoadingBarGl, AWindowWithoutPixelsIsLeftAlone) {
     render::draw_loading_bar(window_->gl_loader(), {});
     draw(0.0F, render::LoadingBackground::Dark);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));

@@ -36,6 +36,22 @@ TEST(FontSize, FollowsTheWindowTheMonitorAndTheSetting) {
     EXPECT_EQ(font_size_px(0, 0, 1, 0), 8);
 }
 
+TEST(HudLayoutOf, CaptionsAreNeverSmallerThanCanBeRead) {
+    for (const auto& [width, height] : {std::pair{640.0F, 360.0F}, std::pair{1280.0F, 720.0F}}) {
+        const float font_px = font_size_px(width, height, 1, 0);
+        const HudLayout layout =
+            layout_of({.captions = {{.text = "wood"}}, .hint = {{.text = "walk"}}},
+                      width,
+                      height,
+                      font_px,
+                      0.0F,
+                      plain_text(font_px));
+        EXPECT_FLOAT_EQ(layout.captions.scale * font_px, std::max(font_px, 14.0F));
+        EXPECT_FLOAT_EQ(layout.captions.texts.front().box.height, 1.2F * std::max(font_px, 14.0F));
+        EXPECT_EQ(layout.hint.scale, 1.0F);
+    }
+}
+
 class HudAtSize : public testing::TestWithParam<std::pair<int, int>> {};
 
 TEST_P(HudAtSize, NothingLeavesTheWindowAndNothingOverlaps) {
