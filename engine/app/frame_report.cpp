@@ -15,6 +15,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kRecentFrames = 120;
+constexpr std::size_t kLongFrames = 5;
 
 json to_json(const scene::Percentiles& values) {
     return {
@@ -34,6 +35,7 @@ void FrameReport::add_frame(double wall_ms, const render::FrameStats& stats) {
     if (std::exchange(opens_menu_, false) && frames_ > 0)
         menu_frames_.push_back({.frame_ms = static_cast<float>(wall_ms),
                                 .median_before_ms = static_cast<float>(recent_frame_ms().median)});
+    if (frames_ > 0) keep_if_long(static_cast<float>(wall_ms), stats);
     ++frames_;
     frame_ms_.push_back(static_cast<float>(wall_ms));
     for (const render::PassTiming& pass : stats.passes) {
@@ -47,6 +49,18 @@ void FrameReport::add_frame(double wall_ms, const render::FrameStats& stats) {
     shadow_rendered_ += stats.shadow_passes_rendered;
     shadow_cached_ += stats.shadow_passes_cached;
     last_ = stats;
+}
+
+void FrameReport::keep_if_long(float frame_ms, const render::FrameStats& stats) {
+    const auto place = std::ranges::find_if(
+        long_frames_, [&](const LongFrame& f) { return f.frame_ms < frame_ms; });
+    if (place == long_frames_.end() && long_frames_.size() >= kLongFrames) return;
+    long_frames_.insert(place,
+                        {.at_s = last_wall_s_ - first_frame_wall_s_,
+                         .frame_ms = frame_ms,
+                         .new_programs = stats.new_programs,
+                         .passes = stats.passes});
+    if (long_frames_.size() > kLongFrames) long_frames_.pop_back();
 }
 
 scene::Percentiles FrameReport::recent_frame_ms() const {
@@ -75,6 +89,16 @@ std::string FrameReport::json(const ReportContext& context) const {
     for (const MenuFrame& opened : menu_frames_)
         menus.push_back(
             {{"frame_ms", opened.frame_ms}, {"median_before_ms", opened.median_before_ms}});
+    json longest = json::array();
+    for (const LongFrame& frame : long_frames_) {
+        json passes = json::object();
+        for (const render::PassTiming& pass : frame.passes)
+            passes[std::string(pass.name)] = pass.cpu_ms;
+        longest.push_back({{"at_s", frame.at_s},
+                           {"frame_ms", frame.frame_ms},
+                           {"new_programs", frame.new_programs},
+                           {"cpu_ms", passes}});
+    }
     const double between_frames = std::max(1.0, frames - 1.0);
     json report = {
         {"scene", context.simulation.description().file.filename().string()},
@@ -82,6 +106,7 @@ std::string FrameReport::json(const ReportContext& context) const {
         {"seconds", last_wall_s_ - first_frame_wall_s_},
         {"startup_ms", startup_ms_},
         {"frame_ms", to_json(scene::percentiles_of(frame_ms_))},
+        {"longest_frames", longest},
         {"menu_opened", menus},
         {"cpu_ms", cpu},
         {"gpu_ms", gpu},

@@ -71,12 +71,22 @@ private:
         float median_before_ms{0};
     };
 
+    /// One that took long, and where its time went.
+    struct LongFrame {
+        double at_s{0};  ///< since the first frame
+        float frame_ms{0};
+        std::uint32_t new_programs{0};
+        std::vector<render::PassTiming> passes;
+    };
+    void keep_if_long(float frame_ms, const render::FrameStats& stats);
+
     std::optional<double> chosen_s_;
     PictureInForce picture_;
     bool opens_menu_{false};
     std::vector<MenuFrame> menu_frames_;
     scene::CostHistory physics_;
     std::vector<float> frame_ms_;
+    std::vector<LongFrame> long_frames_;  ///< longest first
     std::map<std::string, PassTotal> passes_;
     render::FrameStats last_;
     std::uint64_t frames_{0};

@@ -88,6 +88,9 @@ def judge(report):
               "wireframe": 1, "filled": 1, "stats": 1, "menu": 1, "select_2": 1}
     for action, presses in wanted.items():
         expect(seen.get(action) == presses, f"{action}: {seen.get(action)} presses seen, {presses} made; all: {seen}")
+    longest = [frame["frame_ms"] for frame in report["longest_frames"]]
+    expect(len(longest) == 5 and longest == sorted(longest, reverse=True) and longest[0] <= report["frame_ms"]["max"],
+           f"the longest frames: {longest}")
     expect(report["frames"] > 20, f"only {report['frames']} frames")
     expect(report["bodies"] >= 7, "the dropped bodies are not there")
     effects = {line["name"]: line for line in report["effects"]}
