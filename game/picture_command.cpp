@@ -53,7 +53,7 @@ Result<study::LightImage> make_reference(PictureStudio& studio) {
     }
     const Result<assets::ImageData> in_sun = drawn(studio, frame);
     if (!in_sun) return in_sun.error();
-    frame.sun.reset();
+    frame.sun_reaches_ground = false;
     const Result<assets::ImageData> without_sun = drawn(studio, frame);
     if (!without_sun) return without_sun.error();
     return study::reference_picture(*in_sun, *without_sun, kSamplesPerSide, is_shaded);

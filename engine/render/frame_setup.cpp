@@ -69,7 +69,8 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     if (nothing_to_draw) return;
     if (quality.lod_error_px > 0.0F) scene.meshes.make_lods();
     scene.sky.want(new_frame.sky ? &*new_frame.sky : nullptr, new_frame.sun);
-    sun = sun_of(new_frame, scene.sky.computed());
+    sun.reset();
+    if (new_frame.sun_reaches_ground) sun = sun_of(new_frame, scene.sky.computed());
     scene.materials.update({.shading = new_frame.shading,
                             .textures = new_frame.textures,
                             .surface_maps = quality.surface_maps,

@@ -204,6 +204,7 @@ struct RenderFrame {
     std::vector<DrawItem> items;
     std::vector<assets::MaterialId> material_ids;  ///< of all items, one after the other
     std::optional<DirectionalLight> sun;
+    bool sun_reaches_ground{true};        ///< false: it, or the moon, lights nothing but the sky
     std::optional<SunShadow> sun_shadow;  ///< needs sun
     std::optional<Flashlight> flashlight;
     std::vector<LocalLight> lights;

@@ -72,6 +72,9 @@ std::vector<PictureWay> picture_ways(const RenderFrame& frame) {
         ways.push_back(quality_way("no ambient occlusion", [](Quality& quality) {
             quality.ambient_occlusion = render::Drawn::Never;
         }));
+        ways.push_back(quality_way("ambient occlusion", [](Quality& quality) {
+            quality.ambient_occlusion = render::Drawn::Always;
+        }));
     }
     if (frame.refraction) {
         ways.push_back(quality_way("no sight into water", [](Quality& quality) {

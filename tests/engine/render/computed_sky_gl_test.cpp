@@ -88,6 +88,20 @@ TEST_F(ComputedSkyGl, LightsTheGroundAsItsIrradianceSays) {
     }
 }
 
+TEST_F(ComputedSkyGl, ASunThatDoesNotReachTheGroundStillMakesTheSky) {
+    RenderFrame frame = under(60.0F, 1.5F);
+    add_box(frame, {40.0F, 1.0F, 40.0F}, {0.0F, -0.5F, 0.0F}, matt(Vec3f{1.0F}));
+    const Vec3f down{0.0F, -1.0F, 0.01F};
+    const Vec3f up = at_height(30.0F, 170.0F);
+    const Pixel sky = seen(frame, up);
+    const Pixel lit = seen(frame, down);
+    frame.sun_reaches_ground = false;
+    EXPECT_EQ(seen(frame, up).b, sky.b);
+    const Pixel shaded = seen(frame, down);
+    EXPECT_LT(shaded.g, lit.g / 2);
+    EXPECT_GT(shaded.b, shaded.r) << "the sky's light is left";
+}
+
 TEST_F(ComputedSkyGl, HidesBehindThingsAndGoesWithTheFrameThatAsked) {
     RenderFrame frame = under(40.0F);
     add_box(frame, Vec3f{1.0F}, {0.0F, 0.0F, -2.0F}, unlit({1.0F, 0.0F, 0.0F}));

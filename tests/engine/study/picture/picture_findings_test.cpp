@@ -128,6 +128,7 @@ TEST(PictureWays, EachDoesWhatItSays) {
     EXPECT_EQ(applied("4 cascades").sun_shadow->cascades, 4U);
     EXPECT_EQ(applied("shadow maps a quarter as wide").quality.shadow_detail, 0.25F);
     EXPECT_EQ(applied("no ambient occlusion").quality.ambient_occlusion, render::Drawn::Never);
+    EXPECT_EQ(applied("ambient occlusion").quality.ambient_occlusion, render::Drawn::Always);
     EXPECT_EQ(applied("no sight into water").quality.refraction, render::Drawn::Never);
     EXPECT_FALSE(applied("even light in water").refraction->caustics);
     EXPECT_EQ(applied("render scale 50 %").quality.render_scale, 0.5F);
