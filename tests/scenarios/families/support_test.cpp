@@ -74,8 +74,12 @@ double overhang_moves_m(const WorldDef& def, int blocks, double reach) {
 
 TEST(Support, A36BlocksLeanOutAsFarAsTheSeriesSays) {
     for (const int blocks : {1, 2, 4, 6}) {
-        expect_at_most(fmt::format("A36 {} blocks at 99 % move m", blocks),
-                       overhang_moves_m(balanced(), blocks, 0.99),
+        const auto falls = [&](double reach) {
+            return overhang_moves_m(balanced(), blocks, reach) > 0.01;
+        };
+        // Asked for are 99 %: to a ten-thousandth.
+        expect_at_most(fmt::format("A36 {} blocks, share of the reach that falls", blocks),
+                       1 - threshold_of(0.9, 1.01, 10, falls),
                        0.01);
         EXPECT_GT(overhang_moves_m(balanced(), blocks, 1.01), 1) << blocks << " blocks";
     }
