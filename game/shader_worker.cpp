@@ -7,12 +7,9 @@
 #include "game/picture_studio.h"
 #include "game/refuse.h"
 
-#include <sys/prctl.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <csignal>
 #include <set>
 #include <span>
 #include <utility>
@@ -147,7 +144,7 @@ std::filesystem::path done_file(const app::Session& session,
 }  // namespace
 
 ExitCode run_shader_worker(const std::filesystem::path& scene, const std::filesystem::path& done) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody would draw with them
+    end_with_parent();  // nobody would draw with them
     Result<PictureStudio> studio = PictureStudio::open_undrawn(scene);
     if (!studio) return refuse(studio.error());
     if (const Result<Done> drawn = draw_all(*studio); !drawn) return refuse(drawn.error());

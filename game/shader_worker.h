@@ -4,7 +4,7 @@
 #pragma once
 
 #include "engine/app/session.h"
-#include "engine/core/child_process.h"
+#include "engine/core/process.h"
 #include "engine/render/renderer.h"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/assets/image_data.h"
-#include "engine/core/child_process.h"
+#include "engine/core/process.h"
 #include "engine/core/result.h"
 
 #include <condition_variable>

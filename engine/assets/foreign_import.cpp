@@ -5,22 +5,20 @@
 #include "engine/assets/model_convert_impl.h"
 #include "engine/assets/model_readers_impl.h"
 #include "engine/assets/model_wire.h"
-#include "engine/core/child_process.h"
 #include "engine/core/files.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 #include "engine/core/output.h"
+#include "engine/core/process.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <csignal>
 #include <exception>
 #include <memory>
 #include <new>
@@ -67,8 +65,8 @@ void limit_this_process() {
         const rlimit both{.rlim_cur = most, .rlim_max = most + grace};
         setrlimit(resource, &both);  // where it is refused the parent's clock still counts
     };
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody would hear the answer
-    limit(RLIMIT_CPU, kCpu_s, 5);      // so that its end tells the reason
+    end_with_parent();             // nobody would hear the answer
+    limit(RLIMIT_CPU, kCpu_s, 5);  // so that its end tells the reason
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, 0);
 #ifndef __SANITIZE_ADDRESS__

@@ -1,4 +1,4 @@
-#include "engine/core/child_process.h"
+#include "engine/core/process.h"
 
 #include "engine/core/stopwatch.h"
 
@@ -7,6 +7,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -26,6 +27,7 @@ namespace {
 constexpr std::size_t kReadEnd = 0;
 constexpr std::size_t kWriteEnd = 1;
 constexpr int kLowPriority = 10;
+constexpr double kLongestWait_s = 1000;
 
 /// Both ends of a pipe; what is still held is closed. No child gets them but by dup.
 struct Pipe {
@@ -62,6 +64,22 @@ bool has_ended(pid_t pid) {
     siginfo_t left{};
     return waitid(P_PID, static_cast<id_t>(pid), &left, WEXITED | WNOHANG | WNOWAIT) == 0 &&
            left.si_pid == pid;
+}
+
+/// Waits until all is written, whatever signals come. False where nobody reads any more.
+bool send_all(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = write(file, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+/// poll() takes whole milliseconds: rounded up, so that nobody spins.
+int wait_ms(double seconds) {
+    return static_cast<int>(std::clamp(seconds, 0.0, kLongestWait_s) * 1e3) + 1;
 }
 
 /// Writes what fits in the pipe without waiting. False where the child reads no more.
@@ -126,16 +144,6 @@ ChildProcess::~ChildProcess() {
     if (pid_ > 0) end();
 }
 
-bool send_all(int file, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = write(file, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return false;
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return true;
-}
-
 bool ChildProcess::send(std::string_view bytes) const {
     return send_all(input_, bytes);
 }
@@ -159,6 +167,20 @@ bool ChildProcess::receive(std::string& text) const {
     return true;
 }
 
+bool ChildProcess::has_output() const {
+    pollfd file{output_, POLLIN, 0};
+    return poll(&file, 1, 0) > 0;
+}
+
+std::vector<bool> wait_for_output(std::span<const ChildProcess* const> children, double limit_s) {
+    std::vector<pollfd> files;
+    for (const ChildProcess* child : children) files.push_back({child->output_, POLLIN, 0});
+    std::vector<bool> ready(children.size());
+    if (poll(files.data(), files.size(), wait_ms(limit_s)) <= 0) return ready;
+    for (std::size_t i = 0; i < files.size(); ++i) ready[i] = files[i].revents != 0;
+    return ready;
+}
+
 ChildEnd ChildProcess::end(double grace_s) {
     constexpr useconds_t kBetweenLooks_us = 1000;
     const double deadline_s = wall_s() + grace_s;
@@ -172,8 +194,7 @@ ChildEnd ChildProcess::end(double grace_s) {
     close_input();
     std::string said;
     // Whoever it has left behind may hold the other end: that is not waited for.
-    pollfd rest{output_, POLLIN, 0};
-    if (poll(&rest, 1, 0) > 0) receive(said);
+    if (has_output()) receive(said);
     close(std::exchange(output_, -1));
     pid_ = -1;
     if (WIFSIGNALED(how)) {
@@ -203,17 +224,32 @@ Result<ChildOutput> output_of(const ChildDef& def,
         const double left_s = deadline_s - wall_s();
         if (left_s <= 0.0) return refused(fmt::format("did not end within {:g} s", limit_s));
         // poll() passes over what is closed.
-        std::array<pollfd, 2> files{pollfd{child->output(), POLLIN, 0},
-                                    pollfd{child->input(), POLLOUT, 0}};
-        const int wait_ms = static_cast<int>(std::min(left_s, 1.0) * 1e3) + 1;
-        if (poll(files.data(), files.size(), wait_ms) <= 0) continue;
-        if (files[1].revents != 0 && !feed(child->input(), input)) child->close_input();
+        std::array<pollfd, 2> files{pollfd{child->output_, POLLIN, 0},
+                                    pollfd{child->input_, POLLOUT, 0}};
+        if (poll(files.data(), files.size(), wait_ms(std::min(left_s, 1.0))) <= 0) continue;
+        if (files[1].revents != 0 && !feed(child->input_, input)) child->close_input();
         if (files[0].revents != 0 && !child->receive(output.bytes)) break;
         if (output.bytes.size() > max_bytes)
             return refused(fmt::format("answered more than {} bytes", max_bytes));
     }
     output.end = child->end(deadline_s - wall_s());
     return output;
+}
+
+void end_with_parent() {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+}
+
+AnswerPipe::AnswerPipe() : file_(dup(STDOUT_FILENO)) {
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+}
+
+AnswerPipe::~AnswerPipe() {
+    if (file_ >= 0) close(file_);
+}
+
+bool AnswerPipe::send_line(std::string line) const {
+    return send_all(file_, line += '\n');
 }
 
 }  // namespace plumbline

@@ -1,4 +1,5 @@
-// Another program that runs beside ours, with a pipe to it and one from it.
+// Programs that run beside ours, with a pipe to each and one from it. Nothing else starts, waits for
+// or ends processes.
 #pragma once
 
 #include "engine/core/result.h"
@@ -6,6 +7,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,8 +29,10 @@ struct ChildEnd {
     std::string said;   ///< what was still in the pipe from it, 64 KiB at most
 };
 
-/// Waits until all is written, whatever signals come. False where nobody reads any more.
-bool send_all(int file, std::string_view bytes);
+struct ChildOutput {
+    std::string bytes;
+    ChildEnd end;
+};
 
 /// Killed and waited for on destruction, so that no child outlives its owner.
 class ChildProcess {
@@ -39,18 +43,25 @@ public:
     ChildProcess& operator=(ChildProcess&& other) noexcept;
     ~ChildProcess();
 
-    int input() const { return input_; }    ///< to poll() for writing; -1 once it is closed
-    int output() const { return output_; }  ///< to poll() for reading
     /// Waits until all is in the pipe. False where the child reads no more.
     bool send(std::string_view bytes) const;
     bool send_line(std::string line) const;
     void close_input();
     /// Takes what has come, or waits for something; false at the end of the pipe.
     bool receive(std::string& text) const;
+    /// Whether receive() would not wait.
+    bool has_output() const;
     /// Waits so long for its end, then kills it.
     ChildEnd end(double grace_s = 0);
 
 private:
+    friend std::vector<bool> wait_for_output(std::span<const ChildProcess* const> children,
+                                             double limit_s);
+    friend Result<ChildOutput> output_of(const ChildDef& def,
+                                         std::string_view input,
+                                         std::size_t max_bytes,
+                                         double limit_s);
+
     ChildProcess(pid_t pid, int input, int output) : pid_(pid), input_(input), output_(output) {}
 
     pid_t pid_{-1};
@@ -58,10 +69,8 @@ private:
     int output_{-1};
 };
 
-struct ChildOutput {
-    std::string bytes;
-    ChildEnd end;
-};
+/// Waits `limit_s` at most until receive() of one of them would not wait: of which it would not.
+std::vector<bool> wait_for_output(std::span<const ChildProcess* const> children, double limit_s);
 
 /// Runs a program with `input` on its standard input, whether it reads that or not, and waits for
 /// its end. The error is for one that cannot be started, prints more than `max_bytes` or takes more
@@ -70,5 +79,23 @@ Result<ChildOutput> output_of(const ChildDef& def,
                               std::string_view input,
                               std::size_t max_bytes,
                               double limit_s);
+
+/// From now on this process is killed when the one that started it ends.
+void end_with_parent();
+
+/// Of a process that answers the one that started it: takes the standard output over, and what else
+/// is printed there goes to the standard error output.
+class AnswerPipe {
+public:
+    AnswerPipe();
+    AnswerPipe(const AnswerPipe&) = delete;
+    AnswerPipe& operator=(const AnswerPipe&) = delete;
+    ~AnswerPipe();
+    /// Waits until all is in the pipe. False where nobody reads any more.
+    bool send_line(std::string line) const;
+
+private:
+    int file_{-1};
+};
 
 }  // namespace plumbline

@@ -1,6 +1,6 @@
 #include "engine/study/worker.h"
 
-#include "engine/core/child_process.h"
+#include "engine/core/process.h"
 #include "engine/scene/json_read.h"
 #include "engine/study/any_scene/effects_cost.h"
 #include "engine/study/any_scene/scene_run.h"
@@ -10,12 +10,9 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <sys/prctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <iostream>
 #include <vector>
 
@@ -92,13 +89,12 @@ void serve_jobs(std::istream& in, std::ostream& out) {
 }
 
 void run_study_worker() {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const int answers = dup(STDOUT_FILENO);
-    dup2(STDERR_FILENO, STDOUT_FILENO);
+    end_with_parent();
+    const AnswerPipe answers;
     JobServer server(kJobKinds);
     std::string line;
     while (std::getline(std::cin, line)) {
-        if (!send_all(answers, fmt::format("{}\n", server.answer_to(line)))) break;
+        if (!answers.send_line(server.answer_to(line))) break;
     }
 }
 

@@ -1,12 +1,11 @@
 #include "engine/study/worker_pool.h"
 
-#include "engine/core/child_process.h"
 #include "engine/core/interrupt.h"
+#include "engine/core/process.h"
 #include "engine/core/stopwatch.h"
 #include "engine/study/worker.h"
 
 #include <fmt/format.h>
-#include <poll.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +24,7 @@ public:
 
     bool busy() const { return job_.has_value(); }
     std::size_t job() const { return *job_; }
-    int answers() const { return worker()->output(); }
+    const ChildProcess& process() const { return *worker(); }
     double left_s() const { return deadline_s_ - wall_s(); }
 
     Result<Done> give(std::size_t index, const Job& job) {
@@ -43,7 +42,7 @@ public:
         return Done{};
     }
 
-    /// After poll() found something to read: the answer, if it is whole or there will be none.
+    /// Once there is something to read: the answer, if it is whole or there will be none.
     std::optional<Answer> receive() {
         const bool open = worker()->receive(received_);
         const std::size_t line_end = received_.find('\n');
@@ -83,18 +82,17 @@ private:
     double deadline_s_{0};
 };
 
-/// Waits until a busy slot has something to say, a limit is near, or a moment has passed.
-void wait_for_answers(std::vector<Slot>& slots, std::vector<pollfd>& waiting) {
-    waiting.clear();
+/// Waits until a busy slot has something to say, a limit is near, or a moment has passed: which of
+/// the busy ones have.
+std::vector<bool> wait_for_answers(const std::vector<Slot>& slots) {
+    std::vector<const ChildProcess*> busy;
     double wait_s = kLongestWait_s;
     for (const Slot& slot : slots) {
         if (!slot.busy()) continue;
-        waiting.push_back({.fd = slot.answers(), .events = POLLIN, .revents = 0});
+        busy.push_back(&slot.process());
         wait_s = std::clamp(slot.left_s(), 0.0, wait_s);
     }
-    if (poll(waiting.data(), waiting.size(), static_cast<int>(wait_s * 1e3) + 1) < 0) {
-        for (pollfd& each : waiting) each.revents = 0;
-    }
+    return wait_for_output(busy, wait_s);
 }
 
 }  // namespace
@@ -145,7 +143,6 @@ Result<bool> run_jobs(const WorkerPrograms& programs,
     for (std::size_t i = 0; i < std::min(slot_count, jobs.size()); ++i)
         slots.emplace_back(programs);
 
-    std::vector<pollfd> waiting;
     std::size_t next = 0;
     std::size_t ended = 0;
     while (ended < jobs.size()) {
@@ -154,14 +151,14 @@ Result<bool> run_jobs(const WorkerPrograms& programs,
             if (Result<Done> given = slot.give(next, jobs[next]); !given) return given.error();
             ++next;
         }
-        wait_for_answers(slots, waiting);
+        const std::vector<bool> ready = wait_for_answers(slots);
         if (interrupted()) return false;
         std::size_t place = 0;
         for (Slot& slot : slots) {
             if (!slot.busy()) continue;
             const std::size_t job = slot.job();
             std::optional<Answer> answer;
-            if (waiting[place++].revents != 0) answer = slot.receive();
+            if (ready[place++]) answer = slot.receive();
             if (!answer && slot.left_s() <= 0) answer = slot.give_up(jobs[job].limit_s);
             if (!answer) continue;
             ++ended;

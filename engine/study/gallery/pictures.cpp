@@ -1,13 +1,12 @@
 // Small pictures of end states, by `plumbline render` in child processes: a machine without OpenGL, or
 // a driver that crashes, costs the pictures and nothing else.
-#include "engine/core/child_process.h"
 #include "engine/core/files.h"
 #include "engine/core/interrupt.h"
+#include "engine/core/process.h"
 #include "engine/study/gallery/stability.h"
 #include "engine/study/worker_pool.h"
 
 #include <fmt/format.h>
-#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kPictureBytes = 4 * 1024 * 1024;
-constexpr int kPoll_ms = 200;
+constexpr double kLongestWait_s = 0.2;  // until the interrupt flag is looked at again
 
 /// A child that draws one case.
 struct Drawing {
@@ -52,13 +51,12 @@ Result<Drawing> start_drawing(const StabilityTable& table,
 /// Waits until one of them has closed its pipe; false when interrupted.
 bool wait_for_any(std::vector<Drawing>& drawings, std::size_t& which) {
     while (!interrupted()) {
-        std::vector<pollfd> files;
-        for (const Drawing& drawing : drawings)
-            files.push_back({.fd = drawing.process.output(), .events = POLLIN, .revents = 0});
-        if (poll(files.data(), files.size(), kPoll_ms) <= 0) continue;
-        for (which = 0; which < files.size(); ++which) {
+        std::vector<const ChildProcess*> children;
+        for (const Drawing& drawing : drawings) children.push_back(&drawing.process);
+        const std::vector<bool> ready = wait_for_output(children, kLongestWait_s);
+        for (which = 0; which < ready.size(); ++which) {
             std::string ignored;
-            if (files[which].revents != 0 && !drawings[which].process.receive(ignored)) return true;
+            if (ready[which] && !drawings[which].process.receive(ignored)) return true;
         }
     }
     return false;

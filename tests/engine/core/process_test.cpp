@@ -1,4 +1,4 @@
-#include "engine/core/child_process.h"
+#include "engine/core/process.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace plumbline {
 namespace {
@@ -97,6 +99,39 @@ TEST(ChildProcess, AnswersLineByLine) {
     ASSERT_TRUE(child->send_line("two"));
     EXPECT_EQ(all_of(*child), "two\n");
     EXPECT_TRUE(child->end(20).good);
+}
+
+TEST(ChildProcess, ThoseThatHaveSpokenAreFoundAmongOthers) {
+    const Result<ChildProcess> silent = ChildProcess::start(shell("cat"));
+    const Result<ChildProcess> speaks = ChildProcess::start(shell("read line; echo $line"));
+    ASSERT_TRUE(silent && speaks);
+    const std::array<const ChildProcess*, 2> both{&*silent, &*speaks};
+    EXPECT_EQ(wait_for_output(both, 0), (std::vector<bool>{false, false}));
+    EXPECT_FALSE(speaks->has_output());
+    ASSERT_TRUE(speaks->send_line("word"));
+    EXPECT_EQ(wait_for_output(both, 20), (std::vector<bool>{false, true}));
+    EXPECT_TRUE(speaks->has_output());
+    std::string said;
+    EXPECT_TRUE(speaks->receive(said));
+    EXPECT_EQ(said, "word\n");
+    // The end of its pipe is news too.
+    EXPECT_EQ(wait_for_output(both, 20), (std::vector<bool>{false, true}));
+    EXPECT_FALSE(speaks->receive(said));
+}
+
+TEST(AnswerPipe, KeepsAnswersApartFromWhatIsPrinted) {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int before = dup(STDOUT_FILENO);
+    {
+        const AnswerPipe answers;
+        ASSERT_EQ(write(STDOUT_FILENO, "noise\n", 6), 6);
+        EXPECT_TRUE(answers.send_line("answer"));
+    }
+    dup2(before, STDOUT_FILENO);
+    close(before);
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "answer\n");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "noise\n");
 }
 
 TEST(ChildProcess, IsOfAGroupOfItsOwnWhereThatIsAskedFor) {
