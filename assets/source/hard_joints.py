@@ -8,7 +8,7 @@ def chain(name, title, links, length, known):
     top = links * length + 2
     scene = Scene(name, title,
                   f"{links} links of 1 kg hang straight down and hold 100 kg at their end.", known, 10,
-                  (0.45 * top + 2, 0.6 * top, 0.9 * top + 3), (0, 0.5 * top, 0), settled=5)
+                  (0.45 * top + 2, 0.6 * top, 0.9 * top + 3), (0, 0.5 * top, 0))
     scene.ground()
     scene.scenery("beam", box(3, 0.3, 0.3), (0, top + 0.15, 0), "iron")
     above = "world"
@@ -29,7 +29,7 @@ def bridge():
     centre = radius + 4
     scene = Scene("H30", "a bridge of 160 planks catches 500 kg",
                   "Planks of 5 kg hinged between two cliffs; half a tonne falls 2 m onto the middle.",
-                  "Box2D keeps it as Bridge", 10, (8, 30, 105), (0, 14, 0), shadow=200, settled=10,
+                  "Box2D keeps it as Bridge", 10, (8, 30, 105), (0, 14, 0), shadow=200,
                   penetration=0.05)
     scene.ground()
 
@@ -63,7 +63,7 @@ def net(name, side, seconds, tier):
                   f"{side * side} balls joined to their neighbours, held along one edge, swing down.",
                   "Rapier, PEEL and Box3D keep it as a test of joint grids", seconds,
                   (1.4 * high, 1.1 * high, 1.6 * high), (0.25 * high, 0.5 * high, 0.4 * high), tier=tier,
-                  settled=seconds, penetration=0.02, energy_scale=9.81 * side * side * link * side)
+                  penetration=0.02, energy_scale=9.81 * side * side * link * side)
     scene.ground()
     scene.prefab("knot", ball(0.1), material="paint_orange")
     for x in range(side):
@@ -118,8 +118,8 @@ def ragdolls():
     scene = Scene("H34", "ragdolls crammed into a pit, and one hit at 30 m/s",
                   "Eight ragdolls fall into a pit too small for them; a ninth is struck by a ball of "
                   "20 kg at 30 m/s. Joints hold and limits are kept.",
-                  "Box2D and Box3D keep RagdollStress; JoltPhysics #170", 8, (3.6, 3, 5.4), (0.8, 0.8, 0),
-                  settled=7, shadow=20, penetration=0.01)
+                  "Box2D and Box3D keep RagdollStress; JoltPhysics #170", 8, (3.6, 3, 5.4), (0.8, 0.8, 0), shadow=20,
+                  penetration=0.01)
     scene.ground()
     for name, size, at in (("left", (0.2, 1.2, 2.4), (-1.2, 0.6, 0)),
                            ("right", (0.2, 1.2, 2.4), (1.2, 0.6, 0)),
@@ -142,7 +142,7 @@ def contraption():
                   "Ten crossed pairs of bars, hinged at the middle and at their ends, carry 50 kg. Every "
                   "hinge holds the plane again: most rows say the same twice.",
                   "JoltPhysics #170: Bullet too soft, PhysX explodes, Jolt erratic", 20, (6, 6, 13),
-                  (0, 4.2, 0), settled=10, energy_scale=2000.0)
+                  (0, 4.2, 0), energy_scale=2000.0)
     scene.ground()
     angle = math.atan2(rise, 2 * half)
     length = math.hypot(rise, 2 * half)
@@ -173,7 +173,7 @@ def door():
     scene = Scene("H36", "a door on two hinges that do not line up",
                   "The lower hinge stands 1 mm aside and 0.5 degrees askew: the rows contradict each "
                   "other, and the door must hang still all the same.",
-                  "expected: redundant rows; Lemke", 5, (2.2, 1.8, 3.6), (0.4, 1.1, 0), settled=3,
+                  "expected: redundant rows; Lemke", 5, (2.2, 1.8, 3.6), (0.4, 1.1, 0),
                   shadow=12, energy_scale=20 * 9.81)
     scene.ground()
     scene.scenery("post", box(0.12, 2.3, 0.12), (-0.08, 1.15, 0), "bark")
@@ -209,7 +209,7 @@ def singular():
 def at_limit():
     scene = Scene("H38b", "a rod that leans on the limit of its cone",
                   "A heavy rod falls to the edge of its cone and stays there.",
-                  "Bullet's cone-twist at its limit", 6, (2.2, 2.4, 4), (0.4, 1.6, 0), settled=4,
+                  "Bullet's cone-twist at its limit", 6, (2.2, 2.4, 4), (0.4, 1.6, 0),
                   shadow=12, energy_scale=9.81)
     scene.ground()
     scene.scenery("post", box(0.12, 2, 0.12), (-0.07, 1, 0), "iron")
@@ -258,7 +258,7 @@ def torn():
                   "Afloat, joined bodies are put 5 m from where their joints hold them: they come together "
                   "within 2 s and never faster than 10 m/s.",
                   "Bullet's error reduction asks for 0.2 x 5 m in a step: 60 m/s [from its code]", 4,
-                  (5, 5, 13), (0.5, 4, 0), gravity=(0, 0, 0), shadow=25, settled=3,
+                  (5, 5, 13), (0.5, 4, 0), gravity=(0, 0, 0), shadow=25,
                   energy_from="the joints, which pull 5 m together")
     scene.ground()
     scene.body("alone", box(1, 1, 1), (-4, 1.5, 0), material="paint_orange")
@@ -301,7 +301,7 @@ def dragged():
     scene = Scene("H43", "1e5 N drag a light body at a wall",
                   "A body of 0.1 kg with two more on joints is pressed against a wall by 1e5 N for a "
                   "second: nothing gets through, the chain holds together.",
-                  "bullet3 #471", 4, (-3.5, 3, 6), (0, 1, 0), settled=3, shadow=15,
+                  "bullet3 #471", 4, (-3.5, 3, 6), (0, 1, 0), shadow=15,
                   energy_from="the force")
     scene.ground()
     scene.fixed("wall", box(0.4, 3, 6), (1, 1.5, 0), material="brick")
@@ -320,7 +320,7 @@ def snapped():
     scene = Scene("H44", "one link of a chain put 100 m away",
                   "The middle link of a hanging chain is put 100 m aside for one frame; the chain "
                   "recovers and nothing goes faster than 30 m/s. A fall of 100 m would give 44.",
-                  "expected: a kick from the warm start", 8, (5, 8, 16), (1, 6, 0), settled=7,
+                  "expected: a kick from the warm start", 8, (5, 8, 16), (1, 6, 0),
                   energy_from="the joints, which pull 100 m together")
     scene.ground()
     scene.scenery("beam", box(3, 0.3, 0.3), (0, 12.15, 0), "iron")
@@ -341,7 +341,7 @@ def slender():
     scene = Scene("H45", "a slender rod carries a weight",
                   "A rod whose moments are as 1 to 10 000 swings with 1 kg hinged to its end.",
                   "Bullet's row-wise ball joints weakly [measured, 3.24]; Nu #656", 10, (1.5, 4, 6.5),
-                  (0.3, 3, 0), settled=9, shadow=15, energy_scale=3.1 * 9.81)
+                  (0.3, 3, 0), shadow=15, energy_scale=3.1 * 9.81)
     scene.ground()
     scene.scenery("pin", ball(0.06), (0, 4, 0), "iron")
     scene.body("rod", box(2, thin, thin), (1, 4, 0), material="paint_cream")
@@ -358,7 +358,7 @@ def wheel():
                   "A motor spins a wheel up to 300 rad/s, 286 degrees a step; it stays on its axle and the "
                   "block that carries it does not walk.",
                   "Bullet clamps at a quarter turn a step: 47 rad/s at 60 Hz [from its code]", 25,
-                  (2, 2, 3.6), (0, 0.6, 0.2), settled=20, shadow=12, energy_from="the motor")
+                  (2, 2, 3.6), (0, 0.6, 0.2), shadow=12, energy_from="the motor")
     scene.ground()
     scene.body("block", box(1, 1, 1), (0, 0.5, 0), 10.0, material="stone")
     scene.body("wheel", cylinder(0.4, 0.1), (0, 0.7, 0.6), 2.0, turn=about_x(math.pi / 2),
@@ -375,7 +375,7 @@ def cantilever():
     scene = Scene("H47", "a beam of twenty fixed joints",
                   "Twenty boxes glued end to end stick out of a wall; the last may come down by 2 % of "
                   "the length.",
-                  "Jolt keeps ConstraintPriority", 10, (10, 7, 15), (5, 4, 0), settled=5)
+                  "Jolt keeps ConstraintPriority", 10, (10, 7, 15), (5, 4, 0))
     scene.ground()
     scene.fixed("wall", box(1, 8, 3), (-1, 4, 0), material="brick")
     before = "world"

@@ -70,6 +70,10 @@ def number(value):
     return text if any(c in text for c in ".einf") else text + ".0"
 
 
+def reached_text(reached):
+    return "a body of it is gone" if reached is None else f"it reaches {number(reached)}"
+
+
 def numbers(values):
     return "[" + ", ".join(number(value) for value in values) + "]"
 
@@ -106,11 +110,11 @@ class Scene:
     """Parts are added in the order in which the file lists them."""
 
     def __init__(self, name, title, shows, known, seconds, camera, target, *, tier="ci",
-                 gravity=(0, -9.81, 0), player=None, kill=None, shadow=40, settled=None,
+                 gravity=(0, -9.81, 0), player=None, kill=None, shadow=40, settled=0, unsettled="",
                  penetration=0.02, energy_gain=None, energy_scale=None, energy_from="",
                  non_finite=0, removed=0):
         self.id, self.title, self.shows, self.known = name, title, shows, known
-        self.seconds, self.tier, self.known_red = seconds, tier, ""
+        self.seconds, self.tier, self.known_red = seconds, tier, ()
         self.camera, self.target, self.gravity = camera, target, gravity
         away = 1.15
         self.player = player or (target[0] + away * (camera[0] - target[0]), 0,
@@ -120,10 +124,9 @@ class Scene:
         eyes = self.player[1] + 1.7
         self.pitch_deg = math.degrees(math.atan2(target[1] - eyes, math.hypot(to_x, to_z)))
         self.kill, self.shadow = kill, shadow
-        self.general = {"settled_s": seconds / 2 if settled is None else settled,
-                        "penetration_m": penetration}
-        for key, value in (("energy_gain", energy_gain), ("energy_scale_J", energy_scale),
-                           ("non_finite", non_finite), ("removed", removed)):
+        self.general, self.unsettled = {"penetration_m": penetration}, unsettled
+        for key, value in (("settled_s", settled), ("energy_gain", energy_gain),
+                           ("energy_scale_J", energy_scale), ("non_finite", non_finite), ("removed", removed)):
             if value:
                 self.general[key] = value
         self.energy_from = energy_from
@@ -246,15 +249,17 @@ class Scene:
     def _comment(self):
         general = self.general
         rules = self.rules_in_words()
+        since = (f" from {number(general['settled_s'])} s (before, {self.unsettled})"
+                 if self.unsettled else "")
         rules.append(f"and as every case: all finite, penetration at most "
-                     f"{number(general['penetration_m'])} m from {number(general['settled_s'])} s")
+                     f"{number(general['penetration_m'])} m{since}")
         gain = number(100 * general.get("energy_gain", 0.01))
         rules.append(f"energy never {gain} % above its start" if not self.energy_from
                      else f"energy not judged: {self.energy_from}")
         text = [("Shows: ", self.shows), ("Passes: ", "; ".join(rules) + f"; {number(self.seconds)} s."),
                 ("Known to fail: ", self.known)]
-        if self.known_red:
-            text.append(("small_step fails it: ", self.known_red))
+        text += [("small_step fails: ", f"{rule}; {reached_text(reached)}: {why}")
+                 for rule, reached, why in self.known_red]
         lines = []
         for label, words in text:
             lines += textwrap.wrap(label + words, 98, initial_indent="# ", subsequent_indent="#   ")
@@ -265,10 +270,10 @@ class Scene:
                  f'known_to_fail = "{self.known}"', f"seconds = {number(self.seconds)}",
                  f'tier = "{self.tier}"']
         lines += [f"{key} = {number(value)}" for key, value in self.general.items()]
+        if self.unsettled:
+            lines.append(f'unsettled = "{self.unsettled}"')
         if self.energy_from:
             lines.append(f'energy_from = "{self.energy_from}"')
-        if self.known_red:
-            lines.append(f'known_red = "{self.known_red}"')
         for rule in self.rules:
             lines += ["", "[[hard_case.pass]]", f'measure = "{rule["measure"]}"']
             if rule["of"]:
@@ -278,6 +283,9 @@ class Scene:
             lines += [f"{key} = {number(rule[key])}" for key in ("from_s", "to_s", "below", "above",
                                                                  "near", "within")
                       if rule[key] is not None]
+        for rule, reached, why in self.known_red:
+            lines += ["", "[[hard_case.known_red]]", f'rule = "{rule}"',
+                      "gone = true" if reached is None else f"reached = {number(reached)}", f'why = "{why}"']
         for do, of, at_s, values in self.events:
             lines += ["", "[[hard_case.event]]", f'do = "{do}"']
             if of:

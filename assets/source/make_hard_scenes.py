@@ -24,7 +24,7 @@ def main():
     scenes = [scene for part in (hard_stacks, hard_joints, hard_contacts, hard_motion)
               for scene in part.scenes()]
     for scene in scenes:
-        scene.known_red = hard_page.KNOWN_RED.get(scene.id, "")
+        scene.known_red = hard_page.KNOWN_RED.get(scene.id, ())
         scene.write(folder)
     scenes.sort(key=lambda scene: scene.id)
     (docs / "GALLERY.md").write_text(hard_page.page(scenes), encoding="utf-8")

@@ -62,6 +62,22 @@ HardCaseRule read_rule(TableReader& table, const Known& known) {
     return rule;
 }
 
+HardCaseRed read_red(TableReader& table) {
+    HardCaseRed red;
+    red.origin = origin_of(table.place());
+    for (const std::string_view key : {"rule", "why"}) {
+        if (!table.has(key)) table.error(key, "missing; expected text");
+    }
+    red.rule = table.text("rule", {});
+    red.gone = table.flag("gone", false);
+    if (table.has("reached") == red.gone)
+        table.error("reached", "expected either the worst value or gone = true");
+    red.reached = static_cast<double>(table.number("reached", Real{0}, kLimit));
+    red.why = table.text("why", {});
+    table.finish();
+    return red;
+}
+
 bool has_value(CaseEventKind kind) {
     return kind != CaseEventKind::Remove && kind != CaseEventKind::MotorOff &&
            kind != CaseEventKind::NotFinite;
@@ -102,7 +118,10 @@ void read_general_limits(TableReader& table, HardCase& hard) {
     const auto number = [&](std::string_view key, double fallback, const Range& range) {
         return static_cast<double>(table.number(key, static_cast<Real>(fallback), range));
     };
-    hard.settled_s = number("settled_s", hard.seconds / 2, kTime_s);
+    hard.settled_s = number("settled_s", 0, kTime_s);
+    hard.unsettled = table.text("unsettled", {});
+    if (hard.settled_s > 0 && hard.unsettled.empty())
+        table.error("settled_s", "expected `unsettled`, which says why not from the start");
     hard.penetration_m = number("penetration_m", hard.penetration_m, kLength_m);
     hard.energy_gain = number("energy_gain", hard.energy_gain, kShare);
     hard.energy_scale_J = number("energy_scale_J", hard.energy_scale_J, kNotNegative);
@@ -124,7 +143,6 @@ void read_hard_case(TableReader& root, SceneDescription& scene, LoadContext& con
     hard.id = table->text("id", {});
     hard.shows = table->text("shows", {});
     hard.known_to_fail = table->text("known_to_fail", {});
-    hard.known_red = table->text("known_red", {});
     hard.seconds = static_cast<double>(
         table->number("seconds", Real{10}, Range{0.1, 3600, "seconds from 0.1 to 3600"}));
     hard.nightly = table->choice("tier", 0, kTiers) == 1;
@@ -137,6 +155,11 @@ void read_hard_case(TableReader& root, SceneDescription& scene, LoadContext& con
     for (std::size_t i = 0; i < rules.size(); ++i) {
         TableReader rule(rules[i], fmt::format("hard_case.pass[{}]", i), context.faults);
         hard.rules.push_back(read_rule(rule, known));
+    }
+    const auto reds = table->tables("known_red");
+    for (std::size_t i = 0; i < reds.size(); ++i) {
+        TableReader red(reds[i], fmt::format("hard_case.known_red[{}]", i), context.faults);
+        hard.known_red.push_back(read_red(red));
     }
     const auto events = table->tables("event");
     for (std::size_t i = 0; i < events.size(); ++i) {

@@ -23,6 +23,7 @@ struct CaseRun {
 /// One rule of a run that ended, as the table shows it.
 struct RuleResult {
     std::string text;
+    Allowed allowed{};
     double value{0};  ///< the worst; no number where the body was gone
     double margin{0};
     bool passed{false};

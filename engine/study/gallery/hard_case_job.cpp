@@ -10,7 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace plumbline::study {
 namespace {
@@ -22,11 +24,20 @@ double number_or_nan(const nlohmann::json& value) {
     return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
+constexpr std::array<std::string_view, 3> kAllowedNames{"below", "above", "near"};
+
+Allowed::Kind kind_called(const std::string& name) {
+    const auto found = std::ranges::find(kAllowedNames, name);
+    if (found == kAllowedNames.end()) throw std::invalid_argument(name + " is no kind of limit");
+    return static_cast<Allowed::Kind>(found - kAllowedNames.begin());
+}
+
 std::vector<RuleResult> results_of(const HardCaseJudge& judge) {
     std::vector<RuleResult> results;
     for (const RuleState& state : judge.rules()) {
         if (!state.seen && !judge.over()) continue;  // given up before its time came
         results.push_back({.text = state.text,
+                           .allowed = state.allowed,
                            .value = state.seen ? state.value : std::nan(""),
                            .margin = state.margin(),
                            .passed = state.verdict == Verdict::Pass,
@@ -103,6 +114,8 @@ std::string case_result_json(const CaseResult& result) {
     json.key("rules").begin_array();
     for (const RuleResult& rule : result.rules) {
         json.begin_object().key("text").text(rule.text);
+        json.key("allowed").text(kAllowedNames[static_cast<std::size_t>(rule.allowed.kind)]);
+        json.key("limit").number(rule.allowed.limit).key("within").number(rule.allowed.within);
         json.key("value").number(rule.value).key("margin").number(rule.margin);
         json.key("passed").boolean(rule.passed);
         json.key("worst_of").text(rule.worst_of).key("worst_at_s").number(rule.worst_at_s);
@@ -154,6 +167,9 @@ Result<CaseResult> parse_case_result(const std::string& text) {
             const double margin = number_or_nan(rule.at("margin"));
             result.rules.push_back(
                 {.text = rule.at("text"),
+                 .allowed = {.kind = kind_called(rule.at("allowed")),
+                             .limit = rule.at("limit"),
+                             .within = rule.at("within")},
                  .value = number_or_nan(rule.at("value")),
                  .margin = std::isnan(margin) ? -std::numeric_limits<double>::infinity() : margin,
                  .passed = rule.at("passed"),

@@ -35,6 +35,14 @@ Error unknown_measure(const scene::HardCaseRule& rule) {
                                                 : fmt::format("did you mean \"{}\"?", nearest)));
 }
 
+Error unknown_rule(const scene::HardCaseRed& red, std::span<const RuleState> rules) {
+    std::vector<std::string_view> texts;
+    for (const RuleState& rule : rules) texts.push_back(rule.text);
+    return fault_at(
+        red.origin,
+        fmt::format("no rule is called \"{}\"; there are: {}", red.rule, fmt::join(texts, " | ")));
+}
+
 std::string rule_text(const scene::HardCaseRule& rule, double seconds) {
     std::string text = rule.measure;
     if (!rule.of.empty()) text += fmt::format(" of {}", fmt::join(rule.of, ", "));
@@ -119,6 +127,10 @@ Result<HardCaseJudge> HardCaseJudge::create(const scene::Simulation& simulation)
     }
     if (const Result<Done> added = judge.add_general_rules(simulation); !added)
         return added.error();
+    for (const scene::HardCaseRed& red : hard->known_red) {
+        if (std::ranges::find(judge.states_, red.rule, &RuleState::text) == judge.states_.end())
+            return unknown_rule(red, judge.states_);
+    }
     return judge;
 }
 

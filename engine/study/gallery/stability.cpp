@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace plumbline::study {
 namespace {
@@ -41,6 +42,36 @@ std::string plain_id(const std::string& asked) {
     std::string id = fs::path(asked).stem().string();
     if (!id.empty()) id[0] = to_upper(id[0]);
     return id;
+}
+
+/// What is wrong with one rule against what is known of it, or empty.
+std::string red_fault(const RuleResult& rule, std::span<const scene::HardCaseRed> known) {
+    const auto red = std::ranges::find(known, rule.text, &scene::HardCaseRed::rule);
+    if (red == known.end())
+        return rule.passed ? ""
+                           : fmt::format("\"{}\" is broken ({:.4g}), and no known_red says why",
+                                         rule.text,
+                                         rule.value);
+    if (rule.passed)
+        return fmt::format(
+            "\"{}\" holds now ({:.4g}): strike its known_red off", rule.text, rule.value);
+    if (red->gone)
+        return std::isnan(rule.value) ? ""
+                                      : fmt::format(
+                                            "\"{}\" reaches {:.4g}, and its known_red "
+                                            "says that a body of it is gone",
+                                            rule.text,
+                                            rule.value);
+    const double reached = rule.allowed.margin(red->reached);
+    if (!(rule.margin >= reached))
+        return fmt::format(
+            "\"{}\" got worse: {:.4g}, known to reach {:.4g}", rule.text, rule.value, red->reached);
+    if (reached < kRedRoom * rule.margin)
+        return fmt::format("\"{}\" reaches {:.4g}: write that down instead of {:.4g}",
+                           rule.text,
+                           rule.value,
+                           red->reached);
+    return "";
 }
 
 CaseResult result_of(const Answer& answer) {
@@ -119,27 +150,20 @@ const StabilityRun* StabilityTable::find(std::size_t entry,
     return found != runs.end() ? &*found : nullptr;
 }
 
-std::vector<std::string> StabilityTable::unexpected_reds() const {
-    std::vector<std::string> reds;
+std::vector<std::string> StabilityTable::known_red_faults() const {
+    std::vector<std::string> faults;
     for (const StabilityRun& run : runs) {
         const bool counts = run.solver == physics::Solver::SmallStep &&
-                            run.step_hz == kGameRate_hz && run.result && !run.result->passed &&
-                            !run.result->gave_up;
+                            run.step_hz == kGameRate_hz && run.result && !run.result->gave_up;
+        if (!counts) continue;
         const scene::HardCase& hard = cases[run.entry].hard;
-        if (counts && hard.known_red.empty()) reds.push_back(hard.id);
+        if (!run.result->ran) faults.push_back(fmt::format("{}: {}", hard.id, run.result->why));
+        for (const RuleResult& rule : run.result->rules) {
+            const std::string fault = red_fault(rule, hard.known_red);
+            if (!fault.empty()) faults.push_back(fmt::format("{}: {}", hard.id, fault));
+        }
     }
-    return reds;
-}
-
-std::vector<std::string> StabilityTable::unneeded_reds() const {
-    std::vector<std::string> greens;
-    for (const StabilityRun& run : runs) {
-        const bool counts =
-            run.solver == physics::Solver::SmallStep && run.step_hz == kGameRate_hz && run.green();
-        const scene::HardCase& hard = cases[run.entry].hard;
-        if (counts && !hard.known_red.empty()) greens.push_back(hard.id);
-    }
-    return greens;
+    return faults;
 }
 
 StabilityTable plan_table(std::vector<CaseEntry> cases,
@@ -234,6 +258,20 @@ std::string stability_text(const StabilityTable& table) {
     return text;
 }
 
+namespace {
+
+void add_known_reds(scene::JsonText& json, const scene::HardCase& hard) {
+    json.key("known_red").begin_array();
+    for (const scene::HardCaseRed& red : hard.known_red) {
+        json.begin_object().key("rule").text(red.rule);
+        json.key("reached").number(red.gone ? std::nan("") : red.reached);
+        json.key("why").text(red.why).end_object();
+    }
+    json.end_array();
+}
+
+}  // namespace
+
 std::string stability_json(const StabilityTable& table) {
     scene::JsonText json(scene::JsonLayout::Readable);
     json.begin_object();
@@ -247,7 +285,8 @@ std::string stability_json(const StabilityTable& table) {
         json.key("solver").text(physics::solver_name(run.solver));
         json.key("step_hz").number(run.step_hz);
         json.key("tier").text(hard.nightly ? "nightly" : "ci");
-        if (run.solver == physics::Solver::SmallStep) json.key("known_red").text(hard.known_red);
+        if (run.solver == physics::Solver::SmallStep && run.step_hz == kGameRate_hz)
+            add_known_reds(json, hard);
         json.key("result");
         if (run.result)
             json.raw(case_result_json(*run.result));

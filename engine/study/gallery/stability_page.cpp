@@ -141,9 +141,11 @@ std::string row(const StabilityTable& table, std::size_t entry) {
     if (!shown.hard.known_to_fail.empty())
         text += fmt::format("<p class=\"who\">Known to fail: {}.</p>",
                             escape_html(shown.hard.known_to_fail));
-    if (!shown.hard.known_red.empty())
-        text += fmt::format("<p class=\"known\">small_step fails it: {}</p>",
-                            escape_html(shown.hard.known_red));
+    for (const scene::HardCaseRed& red : shown.hard.known_red)
+        text += fmt::format("<p class=\"known\">small_step fails \"{}\", it reaches {}: {}</p>",
+                            escape_html(red.rule),
+                            red.gone ? "nothing: a body is gone" : number_text(red.reached),
+                            escape_html(red.why));
     text += rules_of(table, entry) + "</td>";
     for (const physics::Solver solver : table.solvers) {
         for (const int rate_hz : table.rates_hz) text += cell(table.find(entry, solver, rate_hz));

@@ -37,10 +37,10 @@ TEST_F(HardCaseTest, SaysWhatPassesAndWhatHappens) {
 id = "H05"
 shows = "A box stands."
 known_to_fail = "one"
-known_red = "two"
 seconds = 60
 tier = "nightly"
 settled_s = 7
+unsettled = "they overlap"
 penetration_m = 0.25
 energy_gain = 0.5
 energy_scale_J = 8
@@ -59,6 +59,10 @@ of = ["pin"]
 relative_to = "box_1"
 near = 4
 within = 0.5
+[[hard_case.known_red]]
+rule = "sag_m of box_* at most 0.125"
+reached = 0.25
+why = "two"
 [[hard_case.event]]
 do = "force"
 of = "box_1"
@@ -77,10 +81,14 @@ value = [0, 1, 0]
     EXPECT_EQ(hard.id, "H05");
     EXPECT_EQ(hard.shows, "A box stands.");
     EXPECT_EQ(hard.known_to_fail, "one");
-    EXPECT_EQ(hard.known_red, "two");
+    ASSERT_EQ(hard.known_red.size(), 1U);
+    EXPECT_EQ(hard.known_red[0].rule, "sag_m of box_* at most 0.125");
+    EXPECT_EQ(hard.known_red[0].reached, 0.25);
+    EXPECT_EQ(hard.known_red[0].why, "two");
     EXPECT_EQ(hard.seconds, 60);
     EXPECT_TRUE(hard.nightly);
     EXPECT_EQ(hard.settled_s, 7);
+    EXPECT_EQ(hard.unsettled, "they overlap");
     EXPECT_EQ(hard.penetration_m, 0.25);
     EXPECT_EQ(hard.energy_gain, 0.5);
     EXPECT_EQ(hard.energy_scale_J, 8);
@@ -109,7 +117,7 @@ TEST_F(HardCaseTest, DefaultsAreThoseOfThePage) {
     ASSERT_TRUE(outcome.scene.ok());
     const HardCase& hard = *outcome.scene->hard_case;
     EXPECT_FALSE(hard.nightly);
-    EXPECT_EQ(hard.settled_s, 4) << "half of it";
+    EXPECT_EQ(hard.settled_s, 0) << "the whole time";
     EXPECT_NEAR(hard.penetration_m, 0.02, 1e-8);
     EXPECT_NEAR(hard.energy_gain, 0.01, 1e-8);
     EXPECT_TRUE(hard.energy_from.empty());
@@ -126,6 +134,11 @@ TEST_F(HardCaseTest, RefusalsNameKeyAndNearest) {
         {"secnds = 3\n", "did you mean \"seconds\"?"},
         {"seconds = 0\n", "seconds from 0.1 to 3600"},
         {"tier = \"nighty\"\n", "nightly"},
+        {"settled_s = 2\n", "settled_s: expected `unsettled`, which says why"},
+        {"[[hard_case.known_red]]\nrule = \"x\"\nreached = 1\n", "why: missing"},
+        {"[[hard_case.known_red]]\nrule = \"x\"\nwhy = \"y\"\n", "reached: expected either"},
+        {"[[hard_case.known_red]]\nrule = \"x\"\nwhy = \"y\"\ngone = true\nreached = 1\n",
+         "reached: expected either the worst value or gone = true"},
         {pass + "below = 1\nabove = 0\n", "expected one of below, above, and near with within"},
         {pass, "expected one of below, above, and near with within"},
         {pass + "near = 1\n", "within: missing"},

@@ -156,6 +156,13 @@ TEST(HardCaseJudge, RefusesWhatIsNotThere) {
               std::string::npos);
     EXPECT_NE(refusal(falling({{.measure = "joint_gap_m", .below = 1}})).find("no joint"),
               std::string::npos);
+    scene::SceneDescription struck = falling({{.measure = "sag_m", .below = 1}});
+    struck.hard_case->known_red = {{.rule = "sag_m at most 1", .reached = 2, .why = "a reason"}};
+    EXPECT_TRUE(HardCaseJudge::create(*Running(struck).simulation).ok());
+    struck.hard_case->known_red[0].rule = "sag_m at most";
+    EXPECT_NE(
+        refusal(struck).find("no rule is called \"sag_m at most\"; there are: sag_m at most 1 |"),
+        std::string::npos);
     scene::SceneDescription plain = falling({});
     plain.hard_case.reset();
     EXPECT_NE(refusal(plain).find("no [hard_case]"), std::string::npos);

@@ -37,7 +37,8 @@ CaseResult result(bool passed, double margin) {
             .cpu_ms_per_s = 1.5,
             .step_ms_max = 0.25,
             .work_per_s = 1000,
-            .rules = {{.text = "sag_m below 1",
+            .rules = {{.text = "sag_m at most 1",
+                       .allowed = {Allowed::Kind::Below, 1, 0},
                        .value = 1 - margin,
                        .margin = margin,
                        .passed = passed,
@@ -129,6 +130,7 @@ TEST(Stability, ResultsSurviveTheirJson) {
     CaseResult before = result(false, -0.5);
     before.why = "a \"reason\"";
     before.rules.push_back({.text = "height_m above 0",
+                            .allowed = {Allowed::Kind::Near, 2, 0.5},
                             .value = std::nan(""),
                             .margin = -std::numeric_limits<double>::infinity()});
     const Result<CaseResult> after = parse_case_result(case_result_json(before));
@@ -138,6 +140,10 @@ TEST(Stability, ResultsSurviveTheirJson) {
     EXPECT_EQ(after->work_per_s, before.work_per_s);
     ASSERT_EQ(after->rules.size(), 2U);
     EXPECT_EQ(after->rules[0].margin, -0.5);
+    EXPECT_EQ(after->rules[0].allowed.kind, Allowed::Kind::Below);
+    EXPECT_EQ(after->rules[1].allowed.kind, Allowed::Kind::Near);
+    EXPECT_EQ(after->rules[1].allowed.limit, 2);
+    EXPECT_EQ(after->rules[1].allowed.within, 0.5);
     EXPECT_TRUE(std::isnan(after->rules[1].value));
     EXPECT_EQ(after->rules[1].margin, before.rules[1].margin);
     EXPECT_EQ(after->worst()->text, "height_m above 0");
@@ -177,19 +183,80 @@ TEST_F(StabilityTableTest, HasACellForEveryCaseAndSolver) {
     EXPECT_EQ(table.find(1, physics::Solver::BulletSi, 30), nullptr);
 }
 
-TEST_F(StabilityTableTest, OnlyOurOwnUnexplainedRedsAreUnexpected) {
-    EXPECT_EQ(table.unexpected_reds(), std::vector<std::string>{"H02"});
-    table.cases[1].hard.known_red = "a reason";
-    EXPECT_TRUE(table.unexpected_reds().empty());
-    EXPECT_TRUE(table.unneeded_reds().empty());
-    table.cases[0].hard.known_red = "an old reason";
-    EXPECT_EQ(table.unneeded_reds(), std::vector<std::string>{"H01"});
+using Faults = std::vector<std::string>;
+
+TEST_F(StabilityTableTest, KnownRedSaysExactlyWhatIsBroken) {
+    // Another solver's red cell says nothing.
+    EXPECT_EQ(table.known_red_faults(),
+              Faults{"H02: \"sag_m at most 1\" is broken (1.25), and no known_red says why"});
+    auto& reds = table.cases[1].hard.known_red;
+    reds = {{.rule = "sag_m at most 1", .reached = 1.3, .why = "a reason"}};
+    EXPECT_TRUE(table.known_red_faults().empty());
+    reds[0].reached = 1.2;
+    EXPECT_EQ(table.known_red_faults(),
+              Faults{"H02: \"sag_m at most 1\" got worse: 1.25, known to reach 1.2"});
+    reds[0].reached = 1.4;
+    EXPECT_EQ(table.known_red_faults(),
+              Faults{"H02: \"sag_m at most 1\" reaches 1.25: write that down instead of 1.4"});
+    reds[0] = {.rule = "sag_m at most 10", .reached = 1.3, .why = "a reason"};
+    EXPECT_EQ(table.known_red_faults().size(), 1U) << "no prefix covers a rule";
+}
+
+TEST_F(StabilityTableTest, ABodyThatIsGoneMayBeKnown) {
+    table.cases[1].hard.known_red = {{.rule = "sag_m at most 1", .gone = true, .why = "a reason"}};
+    EXPECT_EQ(table.known_red_faults(),
+              Faults{"H02: \"sag_m at most 1\" reaches 1.25, and its known_red says that a body of "
+                     "it is gone"});
+    table.runs[2].result->rules[0].value = std::nan("");
+    table.runs[2].result->rules[0].margin = -std::numeric_limits<double>::infinity();
+    EXPECT_TRUE(table.known_red_faults().empty());
+    table.cases[1].hard.known_red[0] = {.rule = "sag_m at most 1", .reached = 2, .why = "a reason"};
+    EXPECT_EQ(table.known_red_faults().size(), 1U) << "no number stands for it";
+}
+
+TEST_F(StabilityTableTest, ARedThatHoldsMustBeStruckOff) {
+    table.runs[2].result->passed = table.runs[2].result->rules[0].passed = true;
+    EXPECT_TRUE(table.known_red_faults().empty());
+    table.cases[0].hard.known_red = {
+        {.rule = "sag_m at most 1", .reached = 1.2, .why = "an old reason"}};
+    EXPECT_EQ(table.known_red_faults(),
+              Faults{"H01: \"sag_m at most 1\" holds now (0.37): strike its known_red off"});
+}
+
+TEST_F(StabilityTableTest, ARunThatDidNotComeToAnEndIsAFault) {
+    table.runs[2].result = CaseResult{.why = "its worker crashed: signal 11"};
+    table.cases[1].hard.known_red = {
+        {.rule = "sag_m at most 1", .reached = 1.3, .why = "a reason"}};
+    EXPECT_EQ(table.known_red_faults(), Faults{"H02: its worker crashed: signal 11"});
+}
+
+/// Each line of the shipped lists, struck off by hand: the gallery fails.
+TEST(KnownRed, IsMissedWhenStruckOff) {
+    for (const CaseEntry& each : shipped()) {
+        for (const scene::HardCaseRed& red : each.hard.known_red) {
+            StabilityTable table = plan_table({each}, {physics::Solver::SmallStep}, {60});
+            CaseResult broken{.ran = true};
+            for (const scene::HardCaseRed& other : each.hard.known_red) {
+                const double value = other.gone ? std::nan("") : other.reached;
+                broken.rules.push_back({.text = other.rule,
+                                        .allowed = {Allowed::Kind::Below, other.reached / 2, 0},
+                                        .value = value,
+                                        .margin = -1});
+            }
+            table.runs[0].result = broken;
+            EXPECT_TRUE(table.known_red_faults().empty()) << each.hard.id;
+            std::erase_if(table.cases[0].hard.known_red,
+                          [&](const scene::HardCaseRed& one) { return one.rule == red.rule; });
+            ASSERT_EQ(table.known_red_faults().size(), 1U) << each.hard.id << ": " << red.rule;
+            EXPECT_NE(table.known_red_faults()[0].find(red.rule), std::string::npos);
+        }
+    }
 }
 
 // A slow machine must not turn a case red.
 TEST_F(StabilityTableTest, WhatWasGivenUpIsNeitherGreenNorRed) {
     table.runs[2].result->gave_up = true;
-    EXPECT_TRUE(table.unexpected_reds().empty());
+    EXPECT_TRUE(table.known_red_faults().empty());
     const std::string text = stability_text(table);
     EXPECT_NE(text.find("  slow  "), std::string::npos) << text;
     EXPECT_NE(text.find("1 of 2 pass, 1 given up"), std::string::npos) << text;
@@ -210,7 +277,7 @@ TEST_F(StabilityTableTest, TheTextCountsWhatPasses) {
 
 TEST_F(StabilityTableTest, ThePageShowsEveryCellAndEscapes) {
     table.pictures[0] = "Man";  // "TWFu" in base 64
-    table.cases[1].hard.known_red = "not <yet>";
+    table.cases[1].hard.known_red = {{.rule = "sag_m", .reached = 2, .why = "not <yet>"}};
     const std::string page = stability_page(table);
     for (const char* wanted : {"<tr id=\"H01\">",
                                "<tr id=\"H02\">",
