@@ -10,6 +10,7 @@
 #include "engine/study/machine.h"
 #include "game/program_words.h"
 #include "game/refuse.h"
+#include "game/shard_option.h"
 #include "game/simulate_cli.h"
 
 #include <CLI/CLI.hpp>
@@ -36,11 +37,32 @@ std::vector<Solver> solvers_of(const StabilityOptions& options) {
             Solver::BulletPgs};
 }
 
+/// The command of the whole that a shard is of.
+std::string whole_command(const StabilityOptions& options) {
+    std::string text = "plumbline stability";
+    for (const std::string& id : options.cases) text += " " + id;
+    text += " --tier " + options.tier;
+    if (options.solver) text += fmt::format(" --solver {}", physics::solver_name(*options.solver));
+    return options.rates ? text + " --rates" : text;
+}
+
+constexpr const char* kTable = "stability.json";
+constexpr const char* kStabilityPage = "stability.html";
+
+/// What the shards have run, as one table.
+Result<study::StabilityTable> merged_of(const StabilityOptions& options,
+                                        const std::vector<study::CaseEntry>& all) {
+    const Result<std::vector<std::string>> shards = read_shards(options.merge, kTable);
+    if (!shards) return shards.error();
+    return study::merged_tables(*shards, all);
+}
+
 Result<study::StabilityTable> planned(const StabilityOptions& options) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
     const Result<std::vector<study::CaseEntry>> all = study::find_cases(folders->assets);
     if (!all) return all.error();
+    if (!options.merge.empty()) return merged_of(options, *all);
     Result<std::vector<study::CaseEntry>> chosen =
         study::select_cases(*all, options.cases, options.tier == "all");
     if (!chosen) return chosen.error();
@@ -52,11 +74,12 @@ Result<study::StabilityTable> planned(const StabilityOptions& options) {
     table.machine = study::machine_text();
     table.build = version_text() + ", " + study::build_text();
     table.made_on = study::today_text();
+    if (options.shard) {
+        table.shard = options.shard;
+        table.shard->what = whole_command(options);
+    }
     return table;
 }
-
-constexpr const char* kTable = "stability.json";
-constexpr const char* kStabilityPage = "stability.html";
 
 Result<Done> write_files(const study::StabilityTable& table, const fs::path& folder) {
     const Result<Done> json = write_output(folder / kTable, study::stability_json(table));
@@ -89,7 +112,9 @@ CLI::App* add_stability(CLI::App& app, StabilityOptions& options) {
         "One solver only; all if not given");
     stability->add_option("--tier", options.tier, "ci, or all with the long ones")
         ->check(CLI::IsMember({"ci", "all"}));
-    stability->add_option("--out", options.out, "Folder for stability.json and stability.html");
+    CLI::Option* out =
+        stability->add_option("--out", options.out, "Folder for stability.json and stability.html");
+    add_shard_options(*stability, *out, options.shard, options.merge);
     stability->add_option("--jobs", options.jobs, "Runs at once; as many as cores if not given")
         ->check(CLI::Range(1, 256));
     stability->add_flag("--rates", options.rates, "At 30 and 240 Hz as well");
@@ -119,7 +144,7 @@ ExitCode run_stability(const StabilityOptions& options) {
     if (!finished) return refuse(finished.error());
     std::cout << study::stability_text(*table);
     if (!options.out.empty()) {
-        if (options.pictures && table->complete) {
+        if (options.pictures && table->complete && !table->shard) {
             study::take_pictures(*table, workers, kPictureWidth_px, kPictureHeight_px);
             if (!table->no_pictures.empty()) log_note("{}", table->no_pictures);
         }

@@ -3,6 +3,7 @@
 
 #include "engine/core/exit_code.h"
 #include "engine/physics/physics_world.h"
+#include "engine/study/findings.h"
 
 #include <filesystem>
 #include <optional>
@@ -21,7 +22,9 @@ struct StabilityOptions {
     std::string tier{"ci"};
     std::filesystem::path out;  ///< folder of stability.json and stability.html; empty: none
     int jobs{0};                ///< 0: as many as there are cores
-    bool rates{false};          ///< at 30 and 240 Hz too
+    std::optional<study::Shard> shard{};       ///< its runs only
+    std::vector<std::filesystem::path> merge;  ///< folders of shards: nothing is run
+    bool rates{false};                         ///< at 30 and 240 Hz too
     bool pictures{true};
     bool expect_green{false};
     std::string command;  ///< the command line, for the page

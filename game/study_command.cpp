@@ -15,6 +15,7 @@
 #include "engine/study/report/report.h"
 #include "engine/study/scenarios/scenario_study.h"
 #include "engine/study/scenarios/scenario_text.h"
+#include "engine/study/shard.h"
 #include "game/command_line.h"
 #include "game/effects_command.h"
 #include "game/option_ranges.h"
@@ -22,6 +23,7 @@
 #include "game/program_words.h"
 #include "game/refuse.h"
 #include "game/scene_study_command.h"
+#include "game/shard_option.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -113,10 +115,11 @@ Result<Done> write_files(const study::Findings& findings, const fs::path& folder
     return study::write_report(findings, folder);
 }
 
-/// The scenarios' part of the findings, printed.
-Result<Done> add_scenarios(const StudyOptions& options,
-                           const Chosen& chosen,
-                           study::Findings& findings) {
+/// The scenarios' part of the findings, printed: how many runs the whole has.
+Result<std::size_t> add_scenarios(const StudyOptions& options,
+                                  const Chosen& chosen,
+                                  study::Findings& findings) {
+    if (chosen.scenarios.empty()) return std::size_t{0};
     using Shown = study::ProgressBar::Shown;
     const auto effort = options.quick ? study::Effort::Quick : study::Effort::Full;
     Result<study::ScenarioStudy> made = [&] {
@@ -124,6 +127,7 @@ Result<Done> add_scenarios(const StudyOptions& options,
         return study::study_scenarios(
             {.scenarios = chosen.scenarios,
              .effort = effort,
+             .shard = findings.shard,
              .workers = options.jobs > 0 ? options.jobs : study::default_workers(),
              .progress = [&](double share, double left_s) { bar.show(share, left_s); }});
     }();
@@ -134,14 +138,18 @@ Result<Done> add_scenarios(const StudyOptions& options,
     }
     findings.clock_spread = made->clock_spread;
     findings.complete = made->complete;
-    return Done{};
+    return made->runs;
 }
 
+/// A scene's runs follow from each other: of a shard's runs, which come after `runs_before`, they
+/// count as one.
 Result<Done> add_scenes(const StudyOptions& options,
                         const Chosen& chosen,
+                        std::size_t runs_before,
                         study::Findings& findings) {
     for (const fs::path& scene : chosen.scenes) {
         if (!findings.complete) break;
+        if (findings.shard && !findings.shard->has(runs_before++)) continue;
         Result<study::SceneStudy> made = run_scene_study(
             {.scene = scene,
              .seconds = options.seconds,
@@ -208,11 +216,23 @@ Result<Done> add_pictures(const StudyOptions& options,
     return Done{};
 }
 
+/// The command of the whole that a shard is of.
+std::string whole_command(const StudyOptions& options) {
+    std::string text = "plumbline study";
+    for (const std::string& word : options.cases)
+        text += word.find(' ') == std::string::npos ? " " + word : fmt::format(" \"{}\"", word);
+    if (options.seconds) text += fmt::format(" --seconds {}", *options.seconds);
+    return options.quick ? text + " --quick" : text;
+}
+
 study::Findings empty_findings(const StudyOptions& options) {
-    return {.command = options.command,
-            .machine = study::machine_text(),
-            .build = fmt::format("{}, {}", version_text(), study::build_text()),
-            .made_on = study::today_text()};
+    study::Findings findings{.command = options.command,
+                             .machine = study::machine_text(),
+                             .build = fmt::format("{}, {}", version_text(), study::build_text()),
+                             .made_on = study::today_text(),
+                             .shard = options.shard};
+    if (findings.shard) findings.shard->what = whole_command(options);
+    return findings;
 }
 
 /// Writes the files, and says how it went. An empty folder: nothing is written.
@@ -226,6 +246,28 @@ ExitCode finish_study(const study::Findings& findings, const fs::path& folder) {
     log_warning("interrupted: what was done by then is {}",
                 folder.empty() ? "above" : "above and written");
     return ExitCode::Interrupted;
+}
+
+/// Puts the shards' findings together and writes them as one run would.
+ExitCode merge_study(const StudyOptions& options) {
+    const Result<std::vector<std::string>> texts = read_shards(options.merge, kJson);
+    if (!texts) return refuse(texts.error());
+    std::vector<study::Findings> shards;
+    for (std::size_t i = 0; i < texts->size(); ++i) {
+        Result<study::Findings> findings = study::findings_from_json((*texts)[i]);
+        if (!findings)
+            return refuse(
+                {.message = fmt::format(
+                     "{}: {}", (options.merge[i] / kJson).string(), findings.error().message),
+                 .exit_code = ExitCode::Refused});
+        shards.push_back(std::move(*findings));
+    }
+    const Result<study::Findings> whole = study::merged(shards);
+    if (!whole) return refuse(whole.error());
+    const Result<fs::path> folder = output_folder(options);
+    if (!folder) return refuse(folder.error());
+    for (const study::Subject& subject : whole->subjects) std::cout << study::subject_text(subject);
+    return finish_study(*whole, *folder);
 }
 
 ExitCode run_picture_study(const StudyOptions& options) {
@@ -245,18 +287,21 @@ CLI::App* add_study(CLI::App& app, StudyOptions& options) {
     CLI::App* study = app.add_subcommand("study", "What accuracy costs: error against CPU time");
     study->add_option(
         "cases", options.cases, "Scenarios (A20, or A for all that begin so) or scenes; none: all");
-    study->add_option("--out",
-                      options.out,
-                      "Folder for report.html, findings.json and findings.csv; one in "
-                      "~/.local/share/plumbline/studies if not given");
+    CLI::Option* out =
+        study->add_option("--out",
+                          options.out,
+                          "Folder for report.html, findings.json and findings.csv; one in "
+                          "~/.local/share/plumbline/studies if not given");
+    add_shard_options(*study, *out, options.shard, options.merge);
     study->add_flag("--quick", options.quick, "Two solvers, four step rates");
     study->add_flag("--list", options.list, "Names all scenarios");
-    study->add_flag("--effects", options.effects, "What each effect of a scene costs");
+    study->add_flag("--effects", options.effects, "What each effect of a scene costs")
+        ->excludes("--shard", "--merge");
     study
         ->add_flag("--picture",
                    options.picture,
                    "What a scene's picture costs and how near it comes to one with exact shadows")
-        ->excludes("--effects");
+        ->excludes("--effects", "--shard", "--merge");
     study->add_option("--jobs", options.jobs, "Runs at once; as many as cores if not given")
         ->check(CLI::Range(1, 256));
     study->add_option("--seconds", options.seconds, "Of a scene: simulated time")
@@ -279,6 +324,7 @@ ExitCode run_study(const StudyOptions& options) {
         list_scenarios();
         return ExitCode::Good;
     }
+    if (!options.merge.empty()) return merge_study(options);
     catch_interrupts();
     if (options.effects) return study_effects(options);
     if (options.picture) return run_picture_study(options);
@@ -289,11 +335,9 @@ ExitCode run_study(const StudyOptions& options) {
     const Result<fs::path> folder = output_folder(options);
     if (!folder) return refuse(folder.error());
     study::Findings findings = empty_findings(options);
-    if (!chosen->scenarios.empty()) {
-        if (const Result<Done> added = add_scenarios(options, *chosen, findings); !added)
-            return refuse(added.error());
-    }
-    if (const Result<Done> added = add_scenes(options, *chosen, findings); !added)
+    const Result<std::size_t> runs = add_scenarios(options, *chosen, findings);
+    if (!runs) return refuse(runs.error());
+    if (const Result<Done> added = add_scenes(options, *chosen, *runs, findings); !added)
         return refuse(added.error());
     return finish_study(findings, *folder);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/exit_code.h"
+#include "engine/study/findings.h"
 
 #include <filesystem>
 #include <optional>
@@ -17,6 +18,8 @@ namespace plumbline::game {
 struct StudyOptions {
     std::vector<std::string> cases;  ///< ids of scenarios or their beginnings, or scenes; none: all
     std::filesystem::path out;       ///< folder of findings.json, findings.csv and report.html
+    std::optional<study::Shard> shard{};       ///< its runs only
+    std::vector<std::filesystem::path> merge;  ///< folders of shards: nothing is run
     bool quick{false};
     bool quiet{false};
     bool list{false};

@@ -93,14 +93,28 @@ struct Subject {
         notes;  ///< "chaotic: 16 perturbed copies", "reference converged to 1e-6"
 };
 
+/// The part of a whole that one machine does: of all runs in order those in turn.
+struct Shard {
+    int index{1};      ///< from 1
+    int of{1};         ///< how many there are
+    std::string what;  ///< which whole: what was asked for, without the shard
+
+    /// Whether it does the whole's `run`-th run, from 0.
+    bool has(std::size_t run) const {
+        return static_cast<int>(run % static_cast<std::size_t>(of)) == index - 1;
+    }
+};
+std::string shard_text(const Shard& shard);  ///< "2/4"
+
 /// One study: what the JSON file and the page hold.
 struct Findings {
-    std::string command;     ///< to repeat it
-    std::string machine;     ///< processor, cores
-    std::string build;       ///< version, compiler, type
-    std::string made_on;     ///< "2026-11-21"
-    bool complete{true};     ///< false: interrupted, what was done by then
-    double clock_spread{0};  ///< (median-min)/min over all points' repeats, median of them
+    std::string command;           ///< to repeat it
+    std::string machine;           ///< processor, cores
+    std::string build;             ///< version, compiler, type
+    std::string made_on;           ///< "2026-11-21"
+    bool complete{true};           ///< false: interrupted, what was done by then
+    std::optional<Shard> shard{};  ///< none: it is whole
+    double clock_spread{0};        ///< (median-min)/min over all points' repeats, median of them
     std::vector<Subject> subjects;
     std::vector<PictureFindings> pictures;
 };

@@ -180,12 +180,19 @@ Result<T> parsed(const std::string& text, T (*convert)(const Json&)) {
     }
 }
 
+std::optional<Shard> shard_of(const Json& findings) {
+    if (!findings.contains("shard")) return std::nullopt;
+    const Json& json = findings.at("shard");
+    return Shard{.index = json.at("index"), .of = json.at("of"), .what = json.at("what")};
+}
+
 Findings findings_from(const Json& json) {
     return {.command = json.at("command"),
             .machine = json.at("machine"),
             .build = json.at("build"),
             .made_on = json.at("made_on"),
             .complete = json.at("complete"),
+            .shard = shard_of(json),
             .clock_spread = json.at("clock_spread"),
             .subjects = list_from(json.at("subjects"), subject_from),
             .pictures = list_from(json.at("pictures"), picture_from)};
@@ -288,14 +295,16 @@ std::string subject_to_json(const Subject& subject) {
 }
 
 std::string findings_to_json(const Findings& findings) {
-    const Json json{{"command", findings.command},
-                    {"machine", findings.machine},
-                    {"build", findings.build},
-                    {"made_on", findings.made_on},
-                    {"complete", findings.complete},
-                    {"clock_spread", json_of(findings.clock_spread)},
-                    {"subjects", array_of(findings.subjects)},
-                    {"pictures", array_of(findings.pictures)}};
+    Json json{{"command", findings.command},
+              {"machine", findings.machine},
+              {"build", findings.build},
+              {"made_on", findings.made_on},
+              {"complete", findings.complete},
+              {"clock_spread", json_of(findings.clock_spread)},
+              {"subjects", array_of(findings.subjects)},
+              {"pictures", array_of(findings.pictures)}};
+    if (const auto& shard = findings.shard)
+        json["shard"] = {{"index", shard->index}, {"of", shard->of}, {"what", shard->what}};
     return fmt::format("{}\n", text_of(json, 1));
 }
 

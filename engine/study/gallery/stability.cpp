@@ -190,7 +190,7 @@ Result<bool> run_table(StabilityTable& table,
     std::vector<std::size_t> run_of_job;
     for (std::size_t i = 0; i < table.runs.size(); ++i) {
         const StabilityRun& run = table.runs[i];
-        if (run.result) continue;
+        if (run.result || (table.shard && !table.shard->has(i))) continue;
         const CaseEntry& entry = table.cases[run.entry];
         const double more_steps = std::max(1.0, static_cast<double>(run.step_hz) / kGameRate_hz);
         const double cpu_limit_s = more_steps * (entry.hard.nightly ? kNightlyLimit_s : kCiLimit_s);
@@ -278,6 +278,10 @@ std::string stability_json(const StabilityTable& table) {
     json.key("command").text(table.command).key("machine").text(table.machine);
     json.key("build").text(table.build).key("made_on").text(table.made_on);
     json.key("complete").boolean(table.complete);
+    if (table.shard) {
+        json.key("shard").begin_object().key("index").number(table.shard->index);
+        json.key("of").number(table.shard->of).key("what").text(table.shard->what).end_object();
+    }
     json.key("runs").begin_array();
     for (const StabilityRun& run : table.runs) {
         const scene::HardCase& hard = table.cases[run.entry].hard;

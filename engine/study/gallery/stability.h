@@ -50,7 +50,8 @@ struct StabilityTable {
     std::string machine;
     std::string build;
     std::string made_on;
-    bool complete{true};  ///< false: interrupted
+    bool complete{true};           ///< false: interrupted
+    std::optional<Shard> shard{};  ///< its runs only; none: all
     std::vector<CaseEntry> cases;
     std::vector<physics::Solver> solvers;
     std::vector<int> rates_hz;
@@ -75,6 +76,12 @@ StabilityTable plan_table(std::vector<CaseEntry> cases,
 Result<bool> run_table(StabilityTable& table,
                        int workers,
                        const std::function<void(const StabilityRun& run, std::size_t done)>& ended);
+
+/// The tables of all shards, as stability_json() wrote them, as one. `all`: every case there is.
+/// Refused: what order_of_shards() refuses, text that is no table, a case that is not in `all`, a
+/// run that no shard has made.
+Result<StabilityTable> merged_tables(std::span<const std::string> jsons,
+                                     const std::vector<CaseEntry>& all);
 
 /// A picture of small_step's end state of each case, `width_px` x `height_px`, by `plumbline render`
 /// in child processes. Where the first fails, none is made and no_pictures says why.

@@ -48,6 +48,14 @@ std::vector<Planned> plan(const ScenarioStudyOptions& options) {
     return planned;
 }
 
+std::vector<Planned> those_of(const Shard& shard, std::vector<Planned> all) {
+    std::vector<Planned> own;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (shard.has(i)) own.push_back(std::move(all[i]));
+    }
+    return own;
+}
+
 Point point_of(const Setting& setting, const Answer& answer) {
     const auto without = [&](RunStatus status) {
         return Point{.setting = setting, .status = status, .why = answer.body};
@@ -88,6 +96,8 @@ Subject subject_of(const Scenario& scenario, std::vector<Point> points) {
     return subject;
 }
 
+}  // namespace
+
 double clock_spread_of(std::span<const Subject> subjects) {
     std::vector<double> spreads;
     for (const Subject& subject : subjects) {
@@ -102,10 +112,10 @@ double clock_spread_of(std::span<const Subject> subjects) {
     return *middle;
 }
 
-}  // namespace
-
 Result<ScenarioStudy> study_scenarios(const ScenarioStudyOptions& options) {
-    const std::vector<Planned> planned = plan(options);
+    std::vector<Planned> planned = plan(options);
+    const std::size_t runs = planned.size();
+    if (options.shard) planned = those_of(*options.shard, std::move(planned));
     std::vector<Job> jobs;
     double all = 0;
     for (const Planned& each : planned) {
@@ -124,7 +134,7 @@ Result<ScenarioStudy> study_scenarios(const ScenarioStudyOptions& options) {
         });
     if (!ended) return ended.error();
 
-    ScenarioStudy study{.complete = *ended};
+    ScenarioStudy study{.runs = runs, .complete = *ended};
     for (std::size_t i = 0; i < options.scenarios.size(); ++i) {
         std::vector<Point> own;
         for (std::size_t k = 0; k < planned.size(); ++k) {
