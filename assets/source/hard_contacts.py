@@ -358,6 +358,7 @@ def overlapped():
                   "Bullet's split impulses and Baumgarte speeds [from its code]; Box3D keeps it", 6,
                   (4, 4, 9), (0.8, 2.5, 0), gravity=(0, 0, 0), penetration=0.01,
                   settled=5, unsettled="they start inside each other and have 5 s to part",
+                  energy_scale=102 * 18.0,  # all of them at 6 m/s
                   energy_from="the overlap at the start")
     scene.ground()
     for i in range(100):

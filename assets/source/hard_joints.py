@@ -259,6 +259,7 @@ def torn():
                   "within 2 s and never faster than 10 m/s.",
                   "Bullet's error reduction asks for 0.2 x 5 m in a step: 60 m/s [from its code]", 4,
                   (5, 5, 13), (0.5, 4, 0), gravity=(0, 0, 0), shadow=25,
+                  energy_scale=150.0,  # three boxes at 10 m/s
                   energy_from="the joints, which pull 5 m together")
     scene.ground()
     scene.body("alone", box(1, 1, 1), (-4, 1.5, 0), material="paint_orange")

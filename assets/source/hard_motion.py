@@ -129,6 +129,7 @@ def confined():
                   "within 10 s they lie still.",
                   "Box2D keeps Confined, Rush", 12, (5, 5, 9), (0, 2, 0), gravity=(0, 0, 0),
                   settled=10, unsettled="they start a tenth inside each other and have 10 s to part",
+                  energy_scale=64 * 4.5,  # all of them at 3 m/s
                   energy_from="the overlap at the start")
     scene.ground(top=-0.21)
     room = 4.2

@@ -68,12 +68,12 @@ public:
 
 private:
     struct Sample {
-        double time_s;
-        physics::StepCost cost;
-        double energy_J;
-        double max_penetration_m;
-        double max_joint_error_m;
-        int most_substeps;
+        double time_s{0};
+        physics::StepCost cost{};
+        double energy_J{0};
+        double max_penetration_m{0};
+        double max_joint_error_m{0};
+        int most_substeps{0};
     };
 
     void use(const study::Setting& setting, FrameClock& clock);

@@ -104,6 +104,8 @@ void draw_gauges(const AccuracyGauges& gauges) {
     text(fmt::format("deepest overlap {:.3f} mm, widest joint gap {:.3f} mm",
                      gauges.max_penetration_m * 1e3,
                      gauges.max_joint_error_m * 1e3));
+    const std::string done = scene::interventions_text(gauges.cost.interventions);
+    text(fmt::format("beside solving: {}", done.empty() ? "nothing" : done));
 }
 
 void plot(const char* label,

@@ -54,6 +54,7 @@ public:
     /// Of the last 120 frames, for the HUD.
     scene::Percentiles recent_frame_ms() const;
     const render::FrameStats& last_stats() const { return last_; }
+    const physics::Interventions& interventions() const { return physics_.interventions; }
     double startup_ms() const { return startup_ms_; }
 
     /// The object of docs/SCENE-FORMAT.md, "Play and render report".

@@ -145,6 +145,9 @@ std::vector<HudLine> stats_lines(const OverlayInput& input) {
                     input.clock.lost_s()));
     add(fmt::format("deepest contact {:.2f} mm",
                     input.simulation.physics.max_penetration_m() * 1e3));
+    if (const std::string done = scene::interventions_text(input.report.interventions());
+        !done.empty())
+        add(fmt::format("beside solving: {}", done));
     const PictureInForce& picture = input.report.picture();
     const std::string without = render::what_gave_way(picture.quality);
     add(fmt::format("picture {}{}  {} x {}{}",

@@ -19,8 +19,6 @@
 #include <csignal>
 #include <utility>
 
-extern char** environ;
-
 namespace plumbline {
 namespace {
 
@@ -157,7 +155,7 @@ void ChildProcess::close_input() {
 }
 
 bool ChildProcess::receive(std::string& text) const {
-    std::array<char, 65536> buffer;
+    std::array<char, 65536> buffer{};
     ssize_t count = -1;
     do {
         count = read(output_, buffer.data(), buffer.size());

@@ -61,6 +61,20 @@ struct WorldFeatures {
     bool contact_events{true};
 };
 
+/// What the latest step did to motion beside solving for it. small_step only, but for the speed
+/// limit.
+struct Interventions {
+    double braked_J{0};                   ///< that the energy guard took out
+    std::uint32_t braked_islands{0};      ///< from so many islands
+    std::uint32_t clamped_bodies{0};      ///< that overlap pushed too fast, and that were slowed
+    std::uint32_t unresolved_islands{0};  ///< whose joints swung too fast for a sub-step: damped
+    std::uint32_t restored_islands{0};    ///< without a sane state: stand as before the step
+    std::uint32_t limited_bodies{0};      ///< at the speed limit of the world
+    std::uint32_t impacts{0};             ///< contacts that bounced
+
+    void add(const Interventions& more);
+};
+
 /// CPU time and work of the latest step, by phase.
 struct StepCost {
     double broad_ms{0};
@@ -71,6 +85,7 @@ struct StepCost {
     std::uint64_t row_solves{0};  ///< constraint rows times sweeps: work without a clock
     std::uint32_t contacts{0};    ///< contact points
     std::uint32_t pairs{0};       ///< small_step: pairs of bodies looked at for contact points
+    Interventions interventions{};
 };
 
 /// How often the optional parts of the latest step really ran.

@@ -3,6 +3,8 @@
 #include "engine/core/hash.h"
 #include "engine/scene/json_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace plumbline::scene {
@@ -106,6 +108,7 @@ void add_cost(JsonText& json, const CostHistory& costs) {
     json.end_object();
     json.key("row_solves").number(costs.row_solves);
     json.key("contacts_max").number(costs.contacts_max);
+    json.key("interventions").raw(interventions_json(costs.interventions));
     json.end_object();
 }
 
@@ -120,6 +123,22 @@ void CostHistory::add(const physics::StepCost& cost) {
     integrate_ms += cost.integrate_ms;
     row_solves += cost.row_solves;
     contacts_max = std::max(contacts_max, cost.contacts);
+    interventions.add(cost.interventions);
+}
+
+std::string interventions_text(const physics::Interventions& done) {
+    std::vector<std::string> parts;
+    if (done.braked_islands > 0)
+        parts.push_back(
+            fmt::format("{:.3g} J braked in {} islands", done.braked_J, done.braked_islands));
+    const auto add = [&](std::uint32_t count, const char* what) {
+        if (count > 0) parts.push_back(fmt::format("{} {}", count, what));
+    };
+    add(done.clamped_bodies, "bodies clamped");
+    add(done.limited_bodies, "at the speed limit");
+    add(done.unresolved_islands, "islands with joints too fast");
+    add(done.restored_islands, "islands rolled back");
+    return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 Percentiles percentiles_of(std::vector<float> values) {
@@ -167,6 +186,19 @@ std::string state_json(const Simulation& simulation,
     json.key("effects").raw(effects_json);
     json.end_object();
     return json.str();
+}
+
+std::string interventions_json(const physics::Interventions& done) {
+    JsonText json(JsonLayout::OneLine);
+    json.begin_object();
+    json.key("braked_J").number(done.braked_J);
+    json.key("braked_islands").number(done.braked_islands);
+    json.key("clamped_bodies").number(done.clamped_bodies);
+    json.key("unresolved_islands").number(done.unresolved_islands);
+    json.key("restored_islands").number(done.restored_islands);
+    json.key("limited_bodies").number(done.limited_bodies);
+    json.key("impacts").number(done.impacts);
+    return json.end_object().str();
 }
 
 std::string cost_json(const CostHistory& costs) {

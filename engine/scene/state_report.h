@@ -18,9 +18,14 @@ struct CostHistory {
     double integrate_ms{0};
     std::uint64_t row_solves{0};
     std::uint32_t contacts_max{0};
+    physics::Interventions interventions{};  ///< of all steps
 
     void add(const physics::StepCost& cost);
 };
+
+/// "0.31 J braked in 5 islands, 3 bodies clamped": what was done to motion beside solving for it.
+/// Empty: nothing was.
+std::string interventions_text(const physics::Interventions& done);
 
 struct Percentiles {
     double median{0};
@@ -36,6 +41,7 @@ std::string state_json(const Simulation& simulation,
                        const std::string& effects_json,
                        double lost_time_s,
                        bool one_line);
+std::string interventions_json(const physics::Interventions& done);
 /// The "cost" object alone, as JSON text: play and render reports use it for "physics".
 std::string cost_json(const CostHistory& costs);
 

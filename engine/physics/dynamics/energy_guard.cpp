@@ -93,14 +93,14 @@ void EnergyGuard::begin(std::span<const SolverBody> bodies,
     }
 }
 
-bool EnergyGuard::end(std::span<SolverBody> bodies, double step_s) const {
-    if (!watches_) return false;
+double EnergyGuard::end(std::span<SolverBody> bodies, double step_s) const {
+    if (!watches_) return 0;
     const Vec3d center_mps = grounded_ ? Vec3d{0, 0, 0} : center_velocity_mps(bodies);
     const double now_J = kinetic_J(bodies, center_mps);
     const double work = grounded_ ? work_J(bodies, step_s) : std::abs(work_J(bodies, step_s));
     const double allowed_J = start_J_ * (1 + share_) + std::max(work, 0.0) + slack_J_;
     // Not finite: whoever looks at single bodies takes them out.
-    if (!(now_J > allowed_J) || !std::isfinite(now_J)) return false;
+    if (!(now_J > allowed_J) || !std::isfinite(now_J)) return 0;
     const auto kept = static_cast<Real>(std::sqrt(allowed_J / now_J));
     for (SolverBody& body : bodies) {
         if (!body.movable()) continue;
@@ -115,7 +115,7 @@ bool EnergyGuard::end(std::span<SolverBody> bodies, double step_s) const {
         const Real way_m = glm::length(body.moved_m);
         if (way_m > most_m) body.moved_m *= most_m / way_m;
     }
-    return true;
+    return now_J - allowed_J;
 }
 
 }  // namespace plumbline::physics

@@ -21,8 +21,8 @@ public:
                std::span<const ContactBlock> contacts,
                std::span<const SolverJoint> joints,
                Real h);
-    /// After the last: whether there was too much, and it was taken out.
-    bool end(std::span<SolverBody> bodies, double step_s) const;
+    /// After the last: what was too much and was taken out, J; 0: nothing.
+    double end(std::span<SolverBody> bodies, double step_s) const;
 
 private:
     bool watches_{false};

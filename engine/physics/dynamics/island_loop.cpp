@@ -33,28 +33,30 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
     guard_.begin(bodies, contacts.blocks, joints, h_);
     for (int i = 0; i < settings.substeps; ++i) substep();
-    for (SolverBody& body : bodies) calm(body);
-    report_.braked = guard_.end(bodies, settings.step_s);
+    for (SolverBody& body : bodies) report_.clamped_bodies += calm(body) ? 1U : 0U;
+    report_.braked_J = guard_.end(bodies, settings.step_s);
     if (!joints.empty()) {
         joint_system_.finish();
         report_.max_joint_error_m = joint_system_.work().max_error_m;
         report_.row_solves += joint_system_.work().row_solves;
+        report_.unresolved_joints = joint_system_.work().unresolved > 1;
     }
     report_.row_solves += contacts.row_solves;
     return report_;
 }
 
 /// Many bodies in one place push each other in rows, and what each pair may give adds up: none
-/// leaves faster than one pair may push, or than it came.
-void IslandLoop::calm(SolverBody& body) const {
-    if (!body.shoved || !body.movable()) return;
+/// leaves faster than one pair may push, or than it came. Whether that slowed it.
+bool IslandLoop::calm(SolverBody& body) const {
+    if (!body.shoved || !body.movable()) return false;
     const Real most = std::max(settings_.push_mps, body.start_speed_mps);
     const Real speed = glm::length(body.velocity_mps);
     if (speed > most) body.velocity_mps *= most / speed;
+    return speed > most;
 }
 
 void IslandLoop::substep() {
-    if (impacts_.needed()) report_.blows += impacts_.run();
+    if (impacts_.needed()) report_.impacts += impacts_.run();
     apply_steady_forces();
     if (!joints.empty()) joint_system_.push_springs(static_cast<double>(h_) / 2);
     solve_velocities();

@@ -26,9 +26,11 @@ struct LoopSettings {
 /// What the step showed of how hard the island is.
 struct LoopReport {
     std::uint64_t row_solves{0};
-    std::uint32_t blows{0};
+    std::uint32_t impacts{0};
     double max_joint_error_m{0};
-    bool braked{false};  ///< there was more energy than can have been
+    double braked_J{0};               ///< more energy than can have been, taken out
+    std::uint32_t clamped_bodies{0};  ///< pushed apart too fast, and slowed
+    bool unresolved_joints{false};    ///< swung too fast for a sub-step: light bodies were slowed
 };
 
 /// A body that moves along some of the world's axes only.
@@ -51,7 +53,7 @@ public:
     LoopReport run(const LoopSettings& settings);
 
 private:
-    void calm(SolverBody& body) const;
+    bool calm(SolverBody& body) const;
     void substep();
     void apply_steady_forces();
     void move();

@@ -268,6 +268,12 @@ IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
     impl.bridge.write_back(impl.loop.contacts, static_cast<Real>(h));
     impl.write_joints(island, step.step_s);
     step.cost->row_solves += report.row_solves;
+    Interventions& done = step.cost->interventions;
+    done.braked_J += report.braked_J;
+    done.braked_islands += report.braked_J > 0 ? 1U : 0U;
+    done.clamped_bodies += report.clamped_bodies;
+    done.unresolved_islands += report.unresolved_joints ? 1U : 0U;
+    done.impacts += report.impacts;
     step.cost->contacts += impl.bridge.point_count();
     return {.user = island.bodies.empty() ? 0 : island.bodies.front()->user,
             .bodies = static_cast<std::uint32_t>(island.bodies.size()),

@@ -65,6 +65,15 @@ std::size_t PhysicsWorld::body_count() const {
 std::span<const ContactEvent> PhysicsWorld::contacts() const {
     return impl_->events;
 }
+void Interventions::add(const Interventions& more) {
+    braked_J += more.braked_J;
+    braked_islands += more.braked_islands;
+    clamped_bodies += more.clamped_bodies;
+    unresolved_islands += more.unresolved_islands;
+    restored_islands += more.restored_islands;
+    limited_bodies += more.limited_bodies;
+    impacts += more.impacts;
+}
 const StepCost& PhysicsWorld::cost() const {
     return impl_->cost;
 }

@@ -242,7 +242,7 @@ void SmallStepWorld::solve_islands() {
     solver_.begin_step();
     for (Island& island : builder_.islands()) {
         reports.push_back(solver_.solve(island, step));
-        take_back_if_insane(island);
+        if (take_back_if_insane(island)) ++cost.interventions.restored_islands;
     }
 }
 

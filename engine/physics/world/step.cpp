@@ -62,20 +62,25 @@ void prepare_kinematic(BodyRecord& record, btScalar step_s) {
     rigid.forceActivationState(still ? ISLAND_SLEEPING : ACTIVE_TAG);
 }
 
-void prepare_dynamic(BodyRecord& record, btScalar step_s) {
+/// Whether the speed limit cut its motion.
+bool prepare_dynamic(BodyRecord& record, btScalar step_s) {
     btRigidBody& rigid = *record.rigid;
     rigid.applyCentralForce(record.weight_N);
     if (record.forced) limit_force(record, step_s);
+    bool was_limited = false;
     const btVector3 velocity = limited(rigid.getLinearVelocity(), kMaxSpeed_mps);
     if (velocity != rigid.getLinearVelocity()) {
         rigid.setLinearVelocity(velocity);
         record.flight.going = false;
+        was_limited = true;
     }
     const btVector3 spin = limited(rigid.getAngularVelocity(), kMaxSpin_radps);
     if (spin != rigid.getAngularVelocity()) {
         rigid.setAngularVelocity(spin);
         record.flight.going = false;
+        was_limited = true;
     }
+    return was_limited;
 }
 
 }  // namespace
@@ -140,6 +145,7 @@ void PhysicsWorld::Impl::advance_bullet(bool want_contacts) {
     cost = world->cost;
     cost.row_solves = counted.row_solves;
     cost.contacts = counted.contacts;
+    cost.interventions.limited_bodies = limited_bodies;
     use = world->use;
 }
 
@@ -156,6 +162,7 @@ void PhysicsWorld::Impl::advance_small(bool want_contacts) {
     settle_bodies();
     settle_joints();
     cost = small->cost;
+    cost.interventions.limited_bodies = limited_bodies;
     use = small->use;
 }
 
@@ -172,11 +179,12 @@ void PhysicsWorld::Impl::each_moving(Fn&& fn) {
 
 /// Gravity, the callers' forces and the way of kinematic bodies, before the first substep.
 void PhysicsWorld::Impl::prepare_bodies(Real step_s) {
-    each_moving([step_s](BodyRecord& record) {
+    limited_bodies = 0;
+    each_moving([this, step_s](BodyRecord& record) {
         if (record.kind == BodyKind::Kinematic)
             prepare_kinematic(record, step_s);
-        else if (record.rigid->isActive())
-            prepare_dynamic(record, step_s);
+        else if (record.rigid->isActive() && prepare_dynamic(record, step_s))
+            ++limited_bodies;
     });
 }
 

@@ -181,6 +181,7 @@ struct PhysicsWorld::Impl {
     bool slept_through{false};           ///< small_step: nothing moved in the latest step
 
     StepCost cost{};
+    std::uint32_t limited_bodies{0};  ///< that the speed limit cut before the latest step
     FeatureUse use{};
     std::vector<ContactEvent> events;
     std::vector<ContactEvent> gathered;  ///< of the running step, not yet merged

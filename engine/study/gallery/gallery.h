@@ -41,6 +41,7 @@ struct CaseResult {
     double cpu_ms_per_s{0};  ///< thread CPU time of stepping, per simulated second
     double step_ms_max{0};
     double work_per_s{0};  ///< row solves + contact points, per simulated second; no clock
+    physics::Interventions interventions{};
     std::vector<RuleResult> rules;
 
     /// The rule with the smallest margin; null when nothing ran.

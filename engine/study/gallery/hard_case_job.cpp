@@ -4,6 +4,7 @@
 #include "engine/scene/json_read.h"
 #include "engine/scene/json_text.h"
 #include "engine/scene/open_scene.h"
+#include "engine/scene/state_report.h"
 #include "engine/study/gallery/gallery.h"
 
 #include <fmt/format.h>
@@ -30,6 +31,16 @@ Allowed::Kind kind_called(const std::string& name) {
     const auto found = std::ranges::find(kAllowedNames, name);
     if (found == kAllowedNames.end()) throw std::invalid_argument(name + " is no kind of limit");
     return static_cast<Allowed::Kind>(found - kAllowedNames.begin());
+}
+
+physics::Interventions interventions_from(const nlohmann::json& json) {
+    return {.braked_J = json.at("braked_J"),
+            .braked_islands = json.at("braked_islands"),
+            .clamped_bodies = json.at("clamped_bodies"),
+            .unresolved_islands = json.at("unresolved_islands"),
+            .restored_islands = json.at("restored_islands"),
+            .limited_bodies = json.at("limited_bodies"),
+            .impacts = json.at("impacts")};
 }
 
 std::vector<RuleResult> results_of(const HardCaseJudge& judge) {
@@ -66,6 +77,7 @@ CaseResult run_to_the_end(scene::Simulation& simulation, HardCaseJudge& judge, d
     result.cpu_ms_per_s = cpu_ms / result.simulated_s;
     result.work_per_s = work / result.simulated_s;
     result.passed = judge.over() && judge.verdict() == Verdict::Pass;
+    result.interventions = judge.interventions();
     result.rules = results_of(judge);
     if (!judge.over()) {
         result.gave_up = judge.verdict() != Verdict::Fail;
@@ -111,6 +123,7 @@ std::string case_result_json(const CaseResult& result) {
     json.key("cpu_ms_per_s").number(result.cpu_ms_per_s);
     json.key("step_ms_max").number(result.step_ms_max);
     json.key("work_per_s").number(result.work_per_s);
+    json.key("interventions").raw(scene::interventions_json(result.interventions));
     json.key("rules").begin_array();
     for (const RuleResult& rule : result.rules) {
         json.begin_object().key("text").text(rule.text);
@@ -163,6 +176,7 @@ Result<CaseResult> parse_case_result(const std::string& text) {
                           .cpu_ms_per_s = json.at("cpu_ms_per_s"),
                           .step_ms_max = json.at("step_ms_max"),
                           .work_per_s = json.at("work_per_s")};
+        result.interventions = interventions_from(json.at("interventions"));
         for (const nlohmann::json& rule : json.at("rules")) {
             const double margin = number_or_nan(rule.at("margin"));
             result.rules.push_back(

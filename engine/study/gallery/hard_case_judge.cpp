@@ -11,6 +11,8 @@ namespace plumbline::study {
 namespace {
 
 constexpr double kHalfStep = 0.5;
+/// A case that holds only because the guard took more of its energy does not hold.
+constexpr double kMostBraked = 0.01;
 /// Stands for "none" where a rule looks at the world or at joints.
 const std::string kNobody;
 
@@ -139,7 +141,8 @@ Result<Done> HardCaseJudge::add_general_rules(const scene::Simulation& simulatio
     std::vector<scene::HardCaseRule> rules{
         {.measure = "non_finite", .below = hard.non_finite},
         {.measure = "removed", .below = hard.removed},
-        {.measure = "penetration_m", .from_s = hard.settled_s, .below = hard.penetration_m}};
+        {.measure = "penetration_m", .from_s = hard.settled_s, .below = hard.penetration_m},
+        {.measure = "braked_share", .below = kMostBraked}};
     if (hard.energy_from.empty())
         rules.push_back({.measure = "energy_gain", .below = hard.energy_gain});
     for (const scene::HardCaseRule& rule : rules) {
@@ -265,6 +268,7 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
         take((*of_world)({.world = simulation.physics,
                           .start = start_,
                           .event_energy_J = simulation.event_energy_J(),
+                          .braked_J = interventions_.braked_J,
                           .removed = simulation.removed_count()}),
              kNobody);
         return;
@@ -294,6 +298,7 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
 
 void HardCaseJudge::after_step(const scene::Simulation& simulation) {
     if (over_) return;
+    interventions_.add(simulation.physics.cost().interventions);
     const double time_s = simulation.time_s();
     const double half_step_s = kHalfStep * simulation.step_s();
     for (Body& body : bodies_) {

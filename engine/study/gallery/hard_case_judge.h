@@ -65,6 +65,8 @@ public:
     /// With the smallest margin of those whose time has come; null before any has.
     const RuleState* worst() const;
     bool over() const { return over_; }  ///< the case's time has run out
+    /// Of all steps so far.
+    const physics::Interventions& interventions() const { return interventions_; }
 
 private:
     struct Watched {
@@ -101,6 +103,7 @@ private:
     std::vector<Watched> watched_;
     std::vector<RuleState> states_;
     std::vector<physics::ContactEvent> contacts_;
+    physics::Interventions interventions_{};
     bool needs_contacts_{false};
     bool over_{false};
     Verdict verdict_{Verdict::Undecided};

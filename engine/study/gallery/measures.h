@@ -45,6 +45,7 @@ struct WorldLook {
     const physics::PhysicsWorld& world;
     const WorldStart& start;
     double event_energy_J{0};  ///< what the case's events added
+    double braked_J{0};        ///< what the energy guard has taken out so far
     std::uint32_t removed{0};
 };
 

@@ -1,4 +1,5 @@
 // The stability table as one self-contained HTML page.
+#include "engine/scene/state_report.h"
 #include "engine/study/gallery/stability.h"
 #include "engine/study/report/html_text.h"
 
@@ -33,7 +34,8 @@ physics engines fall over, fly apart, tunnel or creep; the text under its name s
 who is known to fail it. Each scene states its own pass rules as numbers. A cell is one solver at the game's setting: <b>pass</b> when every rule held to the end,
 <b>FAIL</b> when one did not. Below the verdict: how far the worst rule stayed inside its limit, or went
 outside, as a share of that limit; then the CPU time that one simulated second cost, so that nobody can
-buy a green cell unseen. Red cells are left in, our own too. The pictures show where small_step
+buy a green cell unseen, and what the solver did beside solving: energy that its guard took out, bodies that it slowed. A
+case from which the guard took more than 1 % of its energy is red. Red cells are left in, our own too. The pictures show where small_step
 ends.</p>)";
 
 std::string base64(std::string_view bytes) {
@@ -68,14 +70,17 @@ std::string cell(const StabilityRun* run) {
                            verdict_word(result),
                            escape_html(result.why));
     const RuleResult* worst = result.worst();
-    return fmt::format("<td class=\"{}\"><b>{}</b> {}<br>{}<br>{:.2f} ms/s</td>",
+    const std::string done = scene::interventions_text(result.interventions);
+    return fmt::format("<td class=\"{}\"><b>{}</b> {}<br>{}<br>{:.2f} ms/s{}{}</td>",
                        cell_class(result),
                        verdict_word(result),
                        worst != nullptr ? margin_text(worst->margin) : "",
                        !result.why.empty() ? escape_html(result.why)
                        : worst != nullptr  ? escape_html(worst->text)
                                            : "",
-                       result.cpu_ms_per_s);
+                       result.cpu_ms_per_s,
+                       done.empty() ? "" : "<br>",
+                       done);
 }
 
 std::string summary(const StabilityTable& table) {

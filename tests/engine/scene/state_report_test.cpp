@@ -104,7 +104,7 @@ TEST_F(StateReport, HasEveryFieldOfTheContract) {
     EXPECT_EQ(state_["effects"][0]["name"], "fog");
     EXPECT_TRUE(state_["joints"].empty());
     for (const char* field :
-         {"cpu_ms_total", "step_ms", "phases_ms", "row_solves", "contacts_max"}) {
+         {"cpu_ms_total", "step_ms", "phases_ms", "row_solves", "contacts_max", "interventions"}) {
         EXPECT_TRUE(state_["cost"].contains(field)) << field;
     }
     for (const char* field : {"broad", "narrow", "solve", "integrate", "other"}) {
@@ -152,6 +152,27 @@ TEST_F(StateReport, TraceIsTheSameOnOneLine) {
     const std::string line = state_json(*run_, costs_, "[{\"name\":\"fog\"}]", 0.25, true);
     EXPECT_EQ(line.find('\n'), std::string::npos);
     EXPECT_EQ(json::parse(line), state_);
+}
+
+TEST(Interventions, AreToldWhereThereAreAny) {
+    EXPECT_EQ(interventions_text({.impacts = 7}), "");
+    EXPECT_EQ(interventions_text({.braked_J = 0.3125, .braked_islands = 5, .clamped_bodies = 3}),
+              "0.312 J braked in 5 islands, 3 bodies clamped");
+    EXPECT_EQ(
+        interventions_text({.unresolved_islands = 1, .restored_islands = 2, .limited_bodies = 4}),
+        "4 at the speed limit, 1 islands with joints too fast, 2 islands rolled back");
+}
+
+TEST(Interventions, AddUpOverSteps) {
+    CostHistory costs;
+    costs.add({.interventions = {.braked_J = 0.5, .braked_islands = 1, .impacts = 2}});
+    costs.add({.interventions = {.braked_J = 0.25, .braked_islands = 3, .limited_bodies = 1}});
+    const json written = json::parse(cost_json(costs))["interventions"];
+    EXPECT_EQ(written["braked_J"], 0.75);
+    EXPECT_EQ(written["braked_islands"], 4);
+    EXPECT_EQ(written["limited_bodies"], 1);
+    EXPECT_EQ(written["impacts"], 2);
+    EXPECT_EQ(written["restored_islands"], 0);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "engine/core/files.h"
 #include "engine/scene/open_scene.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,6 +57,20 @@ TEST(Gallery, HoldsEveryRowThatTheFeaturesAllow) {
         EXPECT_FALSE(each.hard.known_to_fail.empty()) << each.hard.id;
         EXPECT_FALSE(each.hard.rules.empty()) << each.hard.id;
     }
+}
+
+// Who reads the README hears of as many red cases as the gallery has.
+TEST(Gallery, HasTheRedCasesThatTheReadmeTellsOf) {
+    const auto quick = [](const CaseEntry& each) { return !each.hard.nightly; };
+    const auto red = [&](const CaseEntry& each) {
+        return quick(each) && !each.hard.known_red.empty();
+    };
+    const Result<std::string> readme = read_file(PL_SOURCE_DIR "/README.md", 1 << 20);
+    ASSERT_TRUE(readme.ok());
+    const std::string told = fmt::format("Of the gallery's {} cases {} are red",
+                                         std::ranges::count_if(shipped(), quick),
+                                         std::ranges::count_if(shipped(), red));
+    EXPECT_NE(readme->find(told), std::string::npos) << told;
 }
 
 TEST(Gallery, EveryCaseHasAJudge) {
@@ -129,6 +144,7 @@ TEST(Stability, TheLongOnesRunWhenAskedFor) {
 TEST(Stability, ResultsSurviveTheirJson) {
     CaseResult before = result(false, -0.5);
     before.why = "a \"reason\"";
+    before.interventions = {.braked_J = 0.5, .braked_islands = 2, .clamped_bodies = 3};
     before.rules.push_back({.text = "height_m above 0",
                             .allowed = {Allowed::Kind::Near, 2, 0.5},
                             .value = std::nan(""),
@@ -138,6 +154,9 @@ TEST(Stability, ResultsSurviveTheirJson) {
     EXPECT_EQ(after->why, before.why);
     EXPECT_EQ(after->cpu_ms_per_s, before.cpu_ms_per_s);
     EXPECT_EQ(after->work_per_s, before.work_per_s);
+    EXPECT_EQ(after->interventions.braked_J, 0.5);
+    EXPECT_EQ(after->interventions.braked_islands, 2U);
+    EXPECT_EQ(after->interventions.clamped_bodies, 3U);
     ASSERT_EQ(after->rules.size(), 2U);
     EXPECT_EQ(after->rules[0].margin, -0.5);
     EXPECT_EQ(after->rules[0].allowed.kind, Allowed::Kind::Below);
@@ -278,6 +297,7 @@ TEST_F(StabilityTableTest, TheTextCountsWhatPasses) {
 TEST_F(StabilityTableTest, ThePageShowsEveryCellAndEscapes) {
     table.pictures[0] = "Man";  // "TWFu" in base 64
     table.cases[1].hard.known_red = {{.rule = "sag_m", .reached = 2, .why = "not <yet>"}};
+    table.runs[0].result->interventions = {.braked_J = 0.25, .braked_islands = 2};
     const std::string page = stability_page(table);
     for (const char* wanted : {"<tr id=\"H01\">",
                                "<tr id=\"H02\">",
@@ -287,6 +307,7 @@ TEST_F(StabilityTableTest, ThePageShowsEveryCellAndEscapes) {
                                "class=\"pass\"",
                                "class=\"fail\"",
                                "class=\"none\">not run",
+                               "<br>0.25 J braked in 2 islands</td>",
                                "1 of 2 pass"}) {
         EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
     }
