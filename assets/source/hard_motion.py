@@ -101,7 +101,7 @@ def bounce_house():
                   "or friction: none gets faster, none gets out.",
                   "Box3D keeps it; Jolt PR #545; rapier #974, #919; bullet3 #1530, #4341", 20,
                   (14, 12, 26), (0, 9, 0), gravity=(0, 0, 0), energy_gain=0.001, shadow=60,
-                  penetration=0.1)
+                  penetration=0.02)
     scene.ground(top=-0.1)
     for axis in range(3):
         for side in (-1, 1):
