@@ -118,6 +118,7 @@ def bounce_house():
         scene.body(name, shape, (4.0 * (i % 2) - 2, 10, 4.0 * (i // 2) - 2), friction=0.0, restitution=1.0,
                    velocity=velocity, own_shape=own,
                    material=("paint_blue", "paint_orange", "wood", "paint_cream")[i])
+    scene.rule("energy_loss", below=0.05)
     scene.rule("x_m", near=(0, 10))
     scene.rule("height_m", near=(10, 10))
     return scene
