@@ -52,7 +52,7 @@ def turntables():
     scene.ground()
     for name, x, share in (("slow", -4.5, 0.97), ("fast", 4.5, 1.03)):
         rate = share * limit
-        scene.carrier(f"table_{name}", "box = [8, 0.4, 8]", (x, 0.2, 0), material="stone",
+        scene.carrier(f"table_{name}", "cylinder = [4, 0.4]", (x, 0.2, 0), material="stone",
                       motion=f"points_m = [], spin_degps = [0, {math.degrees(rate):.9g}, 0]")
         scene.body(f"box_{name}", box(0.25, 0.25, 0.25), (x + 2, 0.525, 0), velocity=(0, 0, -2 * rate),
                    spin=(0, rate, 0), material="paint_orange")
