@@ -227,7 +227,7 @@ def sleepers():
     scene.rule("sag_m", "stack_0_*", near=(fallen, 0.1 * fallen), from_s=10.25, to_s=10.25)
     scene.rule("awake", "stack_1_*", above=0.5, from_s=12 + woken, to_s=12.2)
     scene.rule("awake", "stack_2_*", above=0.5, from_s=14 + woken, to_s=14.2)
-    scene.rule("height_m", "stack_2_*", above=2, from_s=15.5)
+    scene.rule("height_m", "stack_2_*", above=2.4, from_s=15.5)
     return scene
 
 
