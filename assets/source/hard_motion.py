@@ -36,7 +36,7 @@ def lift():
         scene.body(f"box_{i}", box(1, 1, 1), (0, 6.5 + i, 0))
     for at_s, speed in ((1, 3.0), (3, 0.0), (5.15, -5.0)):
         scene.event("velocity", "lift", at_s, value=(0, speed, 0))
-    scene.rule("displacement_m", to="lift", below=0.02, from_s=2, to_s=2.9)
+    scene.rule("displacement_m", to="lift", below=0.02, to_s=2.9)
     scene.rule("displacement_m", to="lift", below=0.05, from_s=4.5, to_s=5)
     scene.rule("displacement_m", to="lift", below=0.05, from_s=6.8)
     return scene
