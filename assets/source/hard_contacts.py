@@ -336,14 +336,14 @@ def marble():
 
 def balanced():
     scene = Scene("H65", "a cone on its tip and a coin on its edge",
-                  "Both stand three degrees off upright, fall over smoothly and lie down.",
+                  "The cone stands one degree off upright, the coin three; both fall over smoothly and lie down.",
                   "Bullet #2148: wrong moments from the margin", 8, (2.5, 2, 4.5), (0, 0.5, 0),
                   penetration=0.002, shadow=12)
     scene.ground()
-    off = math.radians(3)
+    off, coin_off = math.radians(1), math.radians(3)
     scene.body("cone", "cone = [0.5, 1.0]", (-1.2, 0.5, 0), turn=about_z(math.pi - off), material="paint_orange",
                more="rolling_friction = 0.01\n")
-    scene.body("coin", cylinder(0.5, 0.02), (1, 0.5, 0), turn=about_x(math.pi / 2 - off), material="iron",
+    scene.body("coin", cylinder(0.5, 0.02), (1, 0.5, 0), turn=about_x(math.pi / 2 - coin_off), material="iron",
                more="rolling_friction = 0.005\n")
     scene.rule("up_speed_mps", below=1)
     scene.rule("tilt_deg", "cone", above=45, from_s=8)
