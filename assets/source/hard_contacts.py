@@ -345,7 +345,7 @@ def balanced():
                more="rolling_friction = 0.01\n")
     scene.body("coin", cylinder(0.5, 0.02), (1, 0.5, 0), turn=about_x(math.pi / 2 - coin_off), material="iron",
                more="rolling_friction = 0.005\n")
-    scene.rule("up_speed_mps", below=1)
+    scene.rule("up_speed_mps", below=0.5)
     scene.rule("tilt_deg", "cone", above=45, from_s=8)
     scene.rule("height_m", "coin", below=0.03, from_s=8)
     return scene
