@@ -15,7 +15,7 @@ namespace plumbline::assets {
 /// Resolves references of one model file and counts them against limits::kReferencedFiles.
 class ModelReferences {
 public:
-    ModelReferences(std::filesystem::path model_file, std::filesystem::path root)
+    ModelReferences(const std::filesystem::path& model_file, std::filesystem::path root)
         : folder_(model_file.parent_path()), root_(std::move(root)) {}
 
     /// `reference` is decoded already and has forward slashes. Relative to `folder` (the model's

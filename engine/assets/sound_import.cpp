@@ -208,9 +208,10 @@ Result<SoundData> import_sound(const std::filesystem::path& file) {
     }
     if (sound.samples.empty()) return refuse("nothing in it could be decoded");
     if (sound.samples.size() < wanted || breaks_off(*bytes)) {
+        const std::size_t frames = sound.samples.size() / channels;
         log_warning("sound {} breaks off; the {:.2f} s that decoded are used",
                     file.string(),
-                    static_cast<double>(sound.samples.size() / channels) / header.samplerate);
+                    static_cast<double>(frames) / header.samplerate);
     }
     return sound;
 }

@@ -132,11 +132,11 @@ void FileWatch::Impl::look_around(double now_s) {
         if (!file.changed && !(look_at(file.path) == file.seen)) mark(file, now_s);
 }
 
-FileWatch::FileWatch(std::vector<fs::path> files) : impl_(std::make_unique<Impl>()) {
+FileWatch::FileWatch(const std::vector<fs::path>& files) : impl_(std::make_unique<Impl>()) {
     impl_->inotify = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
     if (impl_->inotify < 0)
         log_note("file changes are looked for once a second ({})", std::strerror(errno));
-    for (fs::path& path : files) {
+    for (const fs::path& path : files) {
         std::error_code error;
         const fs::path absolute = fs::absolute(path, error);
         impl_->files.push_back({.path = path,

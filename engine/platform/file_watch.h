@@ -10,7 +10,7 @@ namespace plumbline::platform {
 
 class FileWatch {
 public:
-    explicit FileWatch(std::vector<std::filesystem::path> files);
+    explicit FileWatch(const std::vector<std::filesystem::path>& files);
     ~FileWatch();
     FileWatch(const FileWatch&) = delete;
     FileWatch& operator=(const FileWatch&) = delete;
