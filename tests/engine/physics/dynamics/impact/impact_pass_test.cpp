@@ -59,13 +59,13 @@ TEST(ImpactPass, SlowBlowsDoNotBounce) {
     rig.settings.substeps = 4;
     const std::uint32_t ball = rig.add_ball(1, 0.5, Vec3d(0, 0.5, 0));
     rig.put_on_floor(ball, {.restitution = 1});
-    EXPECT_EQ(rig.step().blows, 0U);
+    EXPECT_EQ(rig.step().impacts, 0U);
     // Slower than a fall of two sub-steps.
     rig.set_velocity(ball, Vec3d(0, -1.9 * kFall_mps2 * kStep_s / 4, 0));
-    EXPECT_EQ(rig.step().blows, 0U);
+    EXPECT_EQ(rig.step().impacts, 0U);
     EXPECT_LT(rig.velocity(ball).y, 1e-3);
     rig.set_velocity(ball, Vec3d(0, -1, 0));
-    EXPECT_GT(rig.step().blows, 0U);
+    EXPECT_GT(rig.step().impacts, 0U);
 }
 
 TEST(ImpactPass, NothingToDoWithoutRestitution) {
@@ -73,7 +73,7 @@ TEST(ImpactPass, NothingToDoWithoutRestitution) {
     const std::uint32_t ball = rig.add_ball(1, 0.5, Vec3d(0, 0.5, 0));
     rig.put_on_floor(ball, {});
     rig.set_velocity(ball, Vec3d(0, -5, 0));
-    EXPECT_EQ(rig.step().blows, 0U);
+    EXPECT_EQ(rig.step().impacts, 0U);
     EXPECT_NEAR(rig.velocity(ball).y, 0, by_precision(1e-5, 1e-12));
 }
 
