@@ -81,7 +81,7 @@ def a_full_disk_leaves_the_save_before(folder, environment):
     run("simulate", "pile", "--seconds", 1, "--save", file, environment=environment, code=1, says="kept.save",
         limit=full)
     expect(file.read_bytes() == before, "the save before is not what it was")
-    expect([each.name for each in folder.iterdir() if each.name.startswith(".")] == [], "a half file was left")
+    expect([each.name for each in folder.iterdir() if "kept" in each.name] == ["kept.save"], "a half file was left")
 
 
 @contextlib.contextmanager
