@@ -1,6 +1,8 @@
 #include "engine/physics/bullet/archive.h"
 
+#include "engine/physics/bullet/contact_copy.h"
 #include "engine/physics/bullet/mesh_contact.h"
+#include "engine/physics/bullet/pair_list.h"
 #include "engine/physics/world/world_state.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
@@ -94,6 +96,23 @@ void serialize_manifold(Archive& archive, btPersistentManifold& manifold) {
     }
 }
 
+void serialize_loads(Archive& archive, Manifold& manifold) {
+    archive(manifold.features_made,
+            manifold.load.step,
+            manifold.load.age_steps,
+            manifold.load.normal_N,
+            manifold.load.lasting_N,
+            manifold.load.friction_N,
+            manifold.load.rolling_Nm);
+    for (ManifoldPoint& point : manifold.points) {
+        archive(point.feature,
+                point.load.normal_N,
+                point.load.friction_N,
+                point.load.twist_Nm,
+                point.normal_Ns);
+    }
+}
+
 constexpr std::string_view kOtherContacts = "its contacts are not those of these shapes";
 
 }  // namespace
@@ -111,6 +130,27 @@ void ContactArchive::pair(btCollisionAlgorithm*& found, btRigidBody& first, btRi
     algorithm(found, a, b);
     first.forceActivationState(state_of_first);
     second.forceActivationState(state_of_second);
+}
+
+void ContactArchive::small_pair(Pair& pair) {
+    BulletPair& side = bullet_side(pair);
+    this->pair(side.algorithm, *pair.a->rigid, *pair.b->rigid);
+    if (side.algorithm == nullptr || archive_.failed()) return;
+    btManifoldArray list;
+    side.algorithm->getAllContactManifolds(list);
+    if (archive_.reads()) match_manifolds(list, pair);
+    if (!archive_.expect(pair.manifolds.size() == static_cast<std::size_t>(list.size()),
+                         kOtherContacts))
+        return;
+    for (int i = 0; i < list.size(); ++i) {
+        Manifold& manifold = pair.manifolds[static_cast<std::size_t>(i)];
+        if (archive_.reads()) match_points(*list[i], manifold);
+        serialize_loads(archive_, manifold);
+        if (!archive_.reads()) continue;
+        copy_places(*list[i], manifold);
+        for (std::size_t k = 0; k < manifold.points.size(); ++k)
+            set_feature(list[i]->getContactPoint(static_cast<int>(k)), manifold.points[k].feature);
+    }
 }
 
 void ContactArchive::forget(btCollisionAlgorithm*& algorithm) {

@@ -39,6 +39,7 @@ namespace plumbline::physics {
 
 struct BodyRecord;
 struct JointRecord;
+struct Pair;
 using BodyTable = SlotMap<BodyId, std::unique_ptr<BodyRecord>>;
 
 /// Whose state an archive holds.
@@ -64,10 +65,10 @@ public:
 
     /// Made when read, with all that hangs on it, if there was one.
     void pair(btCollisionAlgorithm*& algorithm, btRigidBody& first, btRigidBody& second);
+    /// ... with the manifolds of ours that stand for Bullet's, and what they carried.
+    void small_pair(Pair& pair);
     /// The dispatcher lists its manifolds as it did.
     void order();
-
-    const std::vector<btPersistentManifold*>& manifolds() const { return manifolds_; }
 
 private:
     void algorithm(btCollisionAlgorithm*& algorithm,

@@ -1,5 +1,6 @@
 #include "engine/physics/bullet/box_contacts.h"
 
+#include "engine/physics/bullet/contact_copy.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/collision/narrow_phase/ball_box.h"
 #include "engine/physics/collision/narrow_phase/box_box.h"
@@ -41,12 +42,7 @@ public:
         for (int i = 0; i < manifold.getNumContacts(); ++i) {
             btManifoldPoint& point = manifold.getContactPoint(i);
             const btManifoldPoint* old = nearest(point, near_m);
-            if (old == nullptr) continue;
-            point.m_appliedImpulse = old->m_appliedImpulse;
-            point.m_appliedImpulseLateral1 = old->m_appliedImpulseLateral1;
-            point.m_appliedImpulseLateral2 = old->m_appliedImpulseLateral2;
-            point.m_prevRHS = old->m_prevRHS;
-            point.m_lifeTime = old->m_lifeTime + 1;
+            if (old != nullptr) find_again(point, *old);
         }
     }
 

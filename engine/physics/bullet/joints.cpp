@@ -1,6 +1,9 @@
 #include "engine/physics/bullet/joints.h"
 
 #include "engine/physics/bullet/convert.h"
+#include "engine/physics/bullet/step_world.h"
+#include "engine/physics/dynamics/joint/joint_geometry.h"
+#include "engine/physics/world/world_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -284,49 +287,68 @@ bool was_solved(const JointRecord& joint) {
     return moves(joint.a) || moves(joint.b);
 }
 
-}  // namespace
-
-std::unique_ptr<btTypedConstraint> make_bullet_joint(JointRecord& joint) {
-    std::unique_ptr<btTypedConstraint> made;
+std::unique_ptr<btTypedConstraint> constraint_of(const JointRecord& joint) {
     switch (joint.solver.kind) {
         case JointKind::Ball:
-            made = make_ball(joint);
-            break;
+            return make_ball(joint);
         case JointKind::Cone:
-            made = make_cone(joint);
-            break;
+            return make_cone(joint);
         case JointKind::Hinge:
         case JointKind::Slider:
         case JointKind::Fixed:
-            made = std::make_unique<SixAxes>(joint);
-            break;
+            return std::make_unique<SixAxes>(joint);
         case JointKind::Distance:
         case JointKind::Spring:
-            made = std::make_unique<LineRows>(joint);
             break;
     }
-    made->setJointFeedback(&joint.feedback);
-    return made;
+    return std::make_unique<LineRows>(joint);
 }
 
-void drive_bullet_joint(JointRecord& joint) {
-    if (auto* axes = dynamic_cast<SixAxes*>(joint.bullet.get())) axes->drive();
+}  // namespace
+
+struct BulletJoint::Impl {
+    Impl(JointRecord& of, StepWorld& in) : joint(of), world(in) {}
+
+    JointRecord& joint;
+    StepWorld& world;
+    std::unique_ptr<btTypedConstraint> constraint{};
+    btJointFeedback feedback{};  ///< what the latest substep carried
+    Vec3d carried_Ns{0, 0, 0};   ///< on a, so far in the running step
+    Vec3d carried_Nms{0, 0, 0};  ///< about a's anchor
+    double solved_s{0};  ///< for how much of the running step; less where sleep cut it short
+};
+
+BulletJoint::BulletJoint(JointRecord& joint, StepWorld& world)
+    : impl_(std::make_unique<Impl>(joint, world)) {
+    impl_->constraint = constraint_of(joint);
+    impl_->constraint->setJointFeedback(&impl_->feedback);
+    world.addConstraint(impl_->constraint.get());
 }
 
-void prepare_bullet_joint(JointRecord& joint) {
-    joint.carried_Ns = {0, 0, 0};
-    joint.carried_Nms = {0, 0, 0};
-    joint.solved_s = 0;
-    if (joint.solver.kind == JointKind::Hinge)
-        static_cast<SixAxes&>(*joint.bullet).follow(joint.solver.position);
+BulletJoint::~BulletJoint() {
+    impl_->world.removeConstraint(impl_->constraint.get());
 }
 
-void gather_bullet_joint(JointRecord& joint, double substep_s) {
+void BulletJoint::drive() {
+    if (auto* axes = dynamic_cast<SixAxes*>(impl_->constraint.get())) axes->drive();
+}
+
+void BulletJoint::begin_step() {
+    impl_->carried_Ns = {0, 0, 0};
+    impl_->carried_Nms = {0, 0, 0};
+    impl_->solved_s = 0;
+    const SolverJoint& solver = impl_->joint.solver;
+    if (solver.kind == JointKind::Hinge)
+        static_cast<SixAxes&>(*impl_->constraint).follow(solver.position);
+}
+
+void BulletJoint::gather(double substep_s) {
+    const JointRecord& joint = impl_->joint;
     if (!was_solved(joint)) return;
-    joint.solved_s += substep_s;
+    impl_->solved_s += substep_s;
     const btRigidBody& a = *joint.a->rigid;
-    const bool first = &joint.bullet->getRigidBodyA() == &a;
-    const btJointFeedback& load = joint.feedback;
+    const bool first = &impl_->constraint->getRigidBodyA() == &a;
+    const btJointFeedback& load = impl_->feedback;
     const Vec3d force =
         double_from_bullet(first ? load.m_appliedForceBodyA : load.m_appliedForceBodyB);
     const Vec3d torque =
@@ -334,8 +356,23 @@ void gather_bullet_joint(JointRecord& joint, double substep_s) {
     // Where a was when the rows were made; Bullet's torque is about its centre of mass.
     const btMatrix3x3& basis = joint.a->before.getBasis();
     const Vec3d arm = double_from_bullet(basis * bullet_from_double(joint.solver.anchor_in_a));
-    joint.carried_Ns += force * substep_s;
-    joint.carried_Nms += (torque - glm::cross(arm, force)) * substep_s;
+    impl_->carried_Ns += force * substep_s;
+    impl_->carried_Nms += (torque - glm::cross(arm, force)) * substep_s;
+}
+
+const btTypedConstraint& BulletJoint::constraint() const {
+    return *impl_->constraint;
+}
+
+btJointFeedback& BulletJoint::feedback() {
+    return impl_->feedback;
+}
+
+std::optional<JointMeanLoad> BulletJoint::mean_load() const {
+    const double time_s = impl_->solved_s;
+    if (!(time_s > 0)) return std::nullopt;
+    return JointMeanLoad{.force_N = glm::length(impl_->carried_Ns) / time_s,
+                         .torque_Nm = glm::length(impl_->carried_Nms) / time_s};
 }
 
 }  // namespace plumbline::physics

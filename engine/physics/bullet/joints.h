@@ -7,20 +7,49 @@
 // Does not hold cones narrower than a thousandth of a radian: they are as good as fixed there.
 #pragma once
 
-#include "engine/physics/dynamics/joint/joint_geometry.h"
-#include "engine/physics/world/world_state.h"
+#include "engine/core/math.h"
 
 #include <memory>
+#include <optional>
+
+struct btJointFeedback;
+class btTypedConstraint;
 
 namespace plumbline::physics {
 
-/// The joint's constraint, in no world yet; it looks at joint.solver and writes joint.feedback.
-std::unique_ptr<btTypedConstraint> make_bullet_joint(JointRecord& joint);
-/// After the motor of a hinge or slider changed.
-void drive_bullet_joint(JointRecord& joint);
-/// Before the first substep of a step.
-void prepare_bullet_joint(JointRecord& joint);
-/// After a substep: adds what the joint carried in it.
-void gather_bullet_joint(JointRecord& joint, double substep_s);
+class StepWorld;
+struct JointRecord;
+
+/// What a joint carried, as means over the time in which Bullet solved it.
+struct JointMeanLoad {
+    double force_N{0};
+    double torque_Nm{0};
+};
+
+/// The constraint of a joint, in Bullet's world for as long as this lives. Both outlive it.
+class BulletJoint {
+public:
+    BulletJoint(JointRecord& joint, StepWorld& world);
+    ~BulletJoint();
+    BulletJoint(const BulletJoint&) = delete;
+    BulletJoint& operator=(const BulletJoint&) = delete;
+
+    /// After the motor of a hinge or slider changed.
+    void drive();
+    /// Before the first substep of a step.
+    void begin_step();
+    /// After a substep: adds what the joint carried in it.
+    void gather(double substep_s);
+    /// Of the step; none where its bodies slept all along.
+    std::optional<JointMeanLoad> mean_load() const;
+
+    const btTypedConstraint& constraint() const;
+    /// What the latest substep carried.
+    btJointFeedback& feedback();
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace plumbline::physics

@@ -1,6 +1,7 @@
 // Outlines of collision shapes and contact normals, from Bullet's debug drawing.
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/character.h"
+#include "engine/physics/world/small_step_world.h"
 #include "engine/physics/world/world_state.h"
 
 #include <LinearMath/btIDebugDraw.h>
@@ -74,13 +75,22 @@ void PhysicsWorld::add_debug_lines(LineList& lines, const std::optional<Vec3>& e
                               color_of(*record));
     });
     world.setDebugDrawer(nullptr);
+    const auto add_normal = [&lines](const Vec3& foot, const Vec3& normal) {
+        lines.add(Vec3f{foot}, Vec3f{foot + kNormalLength_m * normal}, Vec3f{1, 0.9F, 0.1F});
+    };
+    if (impl_->small) {
+        impl_->small->pairs().each_manifold([&add_normal](const Manifold& manifold) {
+            for (const ManifoldPoint& point : manifold.points)
+                add_normal(point.b.surface_m, point.normal_world);
+        });
+        return;
+    }
     for (int i = 0; i < impl_->dispatcher->getNumManifolds(); ++i) {
         const btPersistentManifold& manifold = *impl_->dispatcher->getManifoldByIndexInternal(i);
         for (int p = 0; p < manifold.getNumContacts(); ++p) {
             const btManifoldPoint& point = manifold.getContactPoint(p);
-            const Vec3 foot = from_bullet(point.getPositionWorldOnB());
-            const Vec3 tip = foot + kNormalLength_m * from_bullet(point.m_normalWorldOnB);
-            lines.add(Vec3f{foot}, Vec3f{tip}, Vec3f{1, 0.9F, 0.1F});
+            add_normal(from_bullet(point.getPositionWorldOnB()),
+                       from_bullet(point.m_normalWorldOnB));
         }
     }
 }

@@ -1,6 +1,7 @@
 #include "engine/physics/bullet/pair_dispatch.h"
 
-#include "engine/physics/dynamics/island.h"
+#include "engine/physics/bullet/contact_copy.h"
+#include "engine/physics/bullet/convert.h"
 #include "engine/physics/world/world_state.h"
 
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
@@ -48,21 +49,23 @@ bool is_backing(const BodyRecord& record) {
 }
 
 btScalar jolt_mps(const Pair& pair) {
-    return pair.a->jolt.change_mps.length() + pair.b->jolt.change_mps.length();
+    return glm::length(pair.a->jolt.change_mps) + glm::length(pair.b->jolt.change_mps);
+}
+
+Vec3 velocity_at(const BodyRecord& record, const Vec3& place_world) {
+    const btRigidBody& rigid = *record.rigid;
+    return from_bullet(rigid.getVelocityInLocalPoint(to_bullet(place_world) -
+                                                     rigid.getWorldTransform().getOrigin()));
 }
 
 /// How fast the bodies come together at a point, after whatever blows either may get.
-btScalar closing_mps(const btPersistentManifold& manifold, const btManifoldPoint& point) {
-    const auto& a = static_cast<const btRigidBody&>(*manifold.getBody0());
-    const auto& b = static_cast<const btRigidBody&>(*manifold.getBody1());
-    const btVector3 va =
-        a.getVelocityInLocalPoint(point.getPositionWorldOnA() - a.getWorldTransform().getOrigin());
-    const btVector3 vb =
-        b.getVelocityInLocalPoint(point.getPositionWorldOnB() - b.getWorldTransform().getOrigin());
-    const btVector3& normal = point.m_normalWorldOnB;
-    return (vb - va).dot(normal) +
-           std::max(btScalar(0), -record_of(a).jolt.change_mps.dot(normal)) +
-           std::max(btScalar(0), record_of(b).jolt.change_mps.dot(normal));
+Real closing_mps(const Manifold& manifold, const ManifoldPoint& point) {
+    const Vec3 apart =
+        velocity_at(*manifold.b, point.b.surface_m) - velocity_at(*manifold.a, point.a.surface_m);
+    const Vec3& normal = point.normal_world;
+    return glm::dot(apart, normal) +
+           std::max(Real{0}, -glm::dot(manifold.a->jolt.change_mps, normal)) +
+           std::max(Real{0}, glm::dot(manifold.b->jolt.change_mps, normal));
 }
 
 /// Radius of a body that is round all over or about an axis, 0 of others.
@@ -117,23 +120,26 @@ bool passes_edge(const btPersistentManifold& manifold,
     return (apart + way * nearest).length() > radius * (1 - kTouch);
 }
 
-void keep_larger(Jolt& jolt, const btVector3& change, bool backed) {
-    if (change.length2() > jolt.change_mps.length2()) jolt = {change, backed, false};
+void keep_larger(Jolt& jolt, const Vec3& change, bool backed) {
+    if (glm::dot(change, change) > glm::dot(jolt.change_mps, jolt.change_mps))
+        jolt = {change, backed, false};
 }
 
 /// A ball has one point on anything convex; those that it rolled away from are no contact. The new
 /// one takes over what pressed the old.
-void keep_new_points(btPersistentManifold& manifold) {
-    for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
-        const btManifoldPoint old = manifold.getContactPoint(i);
-        if ((old.m_contactPointFlags & kOld) == 0) continue;
-        manifold.removeContactPoint(i);
-        for (int k = 0; k < manifold.getNumContacts(); ++k) {
-            btManifoldPoint& point = manifold.getContactPoint(k);
-            if ((point.m_contactPointFlags & kOld) != 0 || point.m_appliedImpulse != 0) continue;
-            point.m_appliedImpulse = old.m_appliedImpulse;
-            point.m_appliedImpulseLateral1 = old.m_appliedImpulseLateral1;
-            point.m_appliedImpulseLateral2 = old.m_appliedImpulseLateral2;
+void keep_new_points(btPersistentManifold& from, Manifold& manifold) {
+    const auto is_old = [&from](int i) {
+        return (from.getContactPoint(i).m_contactPointFlags & kOld) != 0;
+    };
+    for (int i = from.getNumContacts() - 1; i >= 0; --i) {
+        if (!is_old(i)) continue;
+        const PointLoad old = manifold.points[static_cast<std::size_t>(i)].load;
+        remove_point(from, manifold, i);
+        for (int k = 0; k < from.getNumContacts(); ++k) {
+            PointLoad& load = manifold.points[static_cast<std::size_t>(k)].load;
+            if (is_old(k) || load.normal_N != 0) continue;
+            load.normal_N = old.normal_N;
+            load.friction_N = old.friction_N;
         }
     }
 }
@@ -170,7 +176,6 @@ public:
         point.m_partId1 = swapped ? m_partId0 : m_partId1;
         point.m_index0 = swapped ? m_index1 : m_index0;
         point.m_index1 = swapped ? m_index0 : m_index1;
-        combine_materials(manifold, point);
         const int same = same_point(manifold, point);
         if (same >= 0)
             manifold.replaceContactPoint(point, same);
@@ -197,20 +202,11 @@ private:
 
 }  // namespace
 
-void combine_materials(const btPersistentManifold& manifold, btManifoldPoint& point) {
-    const btCollisionObject* a = manifold.getBody0();
-    const btCollisionObject* b = manifold.getBody1();
-    point.m_combinedFriction = gCalculateCombinedFrictionCallback(a, b);
-    point.m_combinedRestitution = gCalculateCombinedRestitutionCallback(a, b);
-    point.m_combinedRollingFriction = gCalculateCombinedRollingFrictionCallback(a, b);
-    point.m_combinedSpinningFriction = gCalculateCombinedSpinningFrictionCallback(a, b);
-}
-
 btPersistentManifold* PairDispatcher::getNewManifold(const btCollisionObject* a,
                                                      const btCollisionObject* b) {
     btPersistentManifold* manifold = btCollisionDispatcher::getNewManifold(a, b);
     manifold->setContactBreakingThreshold(reach_m);
-    manifold->m_companionIdA = kUnknownToSolver;  // memory may be that of one it knew
+    manifold->m_companionIdA = ++manifolds_made;
     return manifold;
 }
 
@@ -229,11 +225,12 @@ btScalar PairMeeting::reach_of(const Pair& pair) const {
 }
 
 void PairMeeting::meet(Pair& pair) {
+    BulletPair& side = bullet_side(pair);
     const btScalar reach_m = reach_of(pair);
     dispatcher_.reach_m = reach_m;
     manifolds_.resize(0);
-    if (pair.algorithm != nullptr && (pair.round || reach_m != pair.reach_m)) {
-        pair.algorithm->getAllContactManifolds(manifolds_);
+    if (side.algorithm != nullptr && (pair.round || reach_m != pair.reach_m)) {
+        side.algorithm->getAllContactManifolds(manifolds_);
         for (int i = 0; i < manifolds_.size(); ++i) {
             manifolds_[i]->setContactBreakingThreshold(reach_m);
             if (pair.round) mark_old(*manifolds_[i]);
@@ -241,20 +238,24 @@ void PairMeeting::meet(Pair& pair) {
     }
     pair.reach_m = reach_m;
     pair.jolt_mps = jolt_mps(pair);
-    collide(pair);
+    collide(side);
 
     manifolds_.resize(0);
-    pair.algorithm->getAllContactManifolds(manifolds_);
+    side.algorithm->getAllContactManifolds(manifolds_);
+    match_manifolds(manifolds_, pair);
     pair.touches = false;
     for (int i = 0; i < manifolds_.size(); ++i) {
-        btPersistentManifold& manifold = *manifolds_[i];
-        if (pair.round) keep_new_points(manifold);
-        if (reach_m > near_m(pair)) drop_unreachable(manifold, near_m(pair));
-        pair.touches = pair.touches || manifold.getNumContacts() > 0;
+        btPersistentManifold& from = *manifolds_[i];
+        Manifold& manifold = pair.manifolds[static_cast<std::size_t>(i)];
+        match_points(from, manifold);
+        if (pair.round) keep_new_points(from, manifold);
+        if (reach_m > near_m(pair)) drop_unreachable(from, manifold, near_m(pair));
+        copy_places(from, manifold);
+        pair.touches = pair.touches || !manifold.points.empty();
     }
 }
 
-void PairMeeting::collide(Pair& pair) {
+void PairMeeting::collide(BulletPair& pair) {
     const btCollisionObject& a = *pair.a->rigid;
     const btCollisionObject& b = *pair.b->rigid;
     const btCollisionObjectWrapper first(
@@ -274,20 +275,21 @@ void PairMeeting::collide(Pair& pair) {
     pair.algorithm->processCollision(&first, &second, info_, &result);
 }
 
-void PairMeeting::drop_unreachable(btPersistentManifold& manifold, btScalar base_m) const {
-    for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
-        const btManifoldPoint& point = manifold.getContactPoint(i);
-        if (passes_edge(manifold, point, step_.step_s)) {
-            manifold.removeContactPoint(i);
+void PairMeeting::drop_unreachable(btPersistentManifold& from,
+                                   Manifold& manifold,
+                                   btScalar base_m) const {
+    for (int i = from.getNumContacts() - 1; i >= 0; --i) {
+        const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
+        if (passes_edge(from, from.getContactPoint(i), step_.step_s)) {
+            remove_point(from, manifold, i);
             continue;
         }
-        const btScalar closing = std::max(btScalar(0), closing_mps(manifold, point));
-        const btScalar drift2 =
-            (point.getPositionWorldOnA() - point.getPositionWorldOnB()).length2() -
-            point.getDistance() * point.getDistance();
-        if (point.getDistance() > base_m + closing * step_.step_s + step_.fall_m ||
+        const Real closing = std::max(Real{0}, closing_mps(manifold, point));
+        const Vec3 gap = point.a.surface_m - point.b.surface_m;
+        const Real drift2 = glm::dot(gap, gap) - point.distance_m * point.distance_m;
+        if (point.distance_m > base_m + closing * step_.step_s + step_.fall_m ||
             drift2 > base_m * base_m) {
-            manifold.removeContactPoint(i);
+            remove_point(from, manifold, i);
         }
     }
 }
@@ -299,32 +301,30 @@ bool PairMeeting::knows_less(const Pair& pair) const {
 
 void PairMeeting::part(Pair& pair) {
     pair.touches = false;
-    if (pair.algorithm == nullptr) return;
+    const BulletPair& side = bullet_side(pair);
+    if (side.algorithm == nullptr) return;
     manifolds_.resize(0);
-    pair.algorithm->getAllContactManifolds(manifolds_);
+    side.algorithm->getAllContactManifolds(manifolds_);
     for (int i = 0; i < manifolds_.size(); ++i) {
         if (manifolds_[i]->getNumContacts() > 0) manifolds_[i]->clearManifold();
     }
+    for (Manifold& manifold : pair.manifolds) manifold.points.clear();
 }
 
 Blow PairMeeting::blow_of(const Pair& pair) const {
     Blow blow;
     if (!pair.touches || pair.reach_m <= pair.base_m) return blow;
-    manifolds_.resize(0);
-    pair.algorithm->getAllContactManifolds(manifolds_);
-    for (int m = 0; m < manifolds_.size(); ++m) {
-        const btPersistentManifold& manifold = *manifolds_[m];
-        const BodyRecord& a = record_of(*manifold.getBody0());
-        const BodyRecord& b = record_of(*manifold.getBody1());
-        for (int i = 0; i < manifold.getNumContacts(); ++i) {
-            const btManifoldPoint& point = manifold.getContactPoint(i);
-            const btScalar closing = closing_mps(manifold, point);
-            const btScalar change = closing * (1 + point.m_combinedRestitution);
-            if (closing * step_.step_s <= std::max(point.getDistance(), btScalar(0)) ||
+    for (const Manifold& manifold : pair.manifolds) {
+        const BodyRecord& a = *manifold.a;
+        const BodyRecord& b = *manifold.b;
+        for (const ManifoldPoint& point : manifold.points) {
+            const Real closing = closing_mps(manifold, point);
+            const Real change = closing * (1 + manifold.material.restitution);
+            if (closing * step_.step_s <= std::max(point.distance_m, Real{0}) ||
                 2 * change * step_.step_s <= pair.base_m) {
                 continue;
             }
-            const btVector3 push = point.m_normalWorldOnB * change;
+            const Vec3 push = point.normal_world * change;
             keep_larger(&a == pair.a ? blow.on_a : blow.on_b, push * share_of(a, b), is_backing(b));
             keep_larger(
                 &a == pair.a ? blow.on_b : blow.on_a, -push * share_of(b, a), is_backing(a));
@@ -333,22 +333,21 @@ Blow PairMeeting::blow_of(const Pair& pair) const {
     return blow;
 }
 
-void PairMeeting::list_manifolds(const Pair& pair, std::vector<btPersistentManifold*>& list) const {
-    manifolds_.resize(0);
-    pair.algorithm->getAllContactManifolds(manifolds_);
-    for (int i = 0; i < manifolds_.size(); ++i) {
-        if (manifolds_[i]->getNumContacts() > 0) list.push_back(manifolds_[i]);
+void PairMeeting::list_manifolds(Pair& pair, std::vector<Manifold*>& list) const {
+    for (Manifold& manifold : pair.manifolds) {
+        if (!manifold.points.empty()) list.push_back(&manifold);
     }
 }
 
 bool boxes_overlap(const Pair& pair) {
-    const btBroadphaseProxy& a = *pair.box_a;
-    const btBroadphaseProxy& b = *pair.box_b;
+    const btBroadphaseProxy& a = *bullet_side(pair).box_a;
+    const btBroadphaseProxy& b = *bullet_side(pair).box_b;
     return TestAabbAgainstAabb2(a.m_aabbMin, a.m_aabbMax, b.m_aabbMin, b.m_aabbMax);
 }
 
 bool boxes_are_far(const Pair& pair) {
-    return !Intersect(pair.box_a->leaf->volume, pair.box_b->leaf->volume);
+    const BulletPair& side = bullet_side(pair);
+    return !Intersect(side.box_a->leaf->volume, side.box_b->leaf->volume);
 }
 
 }  // namespace plumbline::physics

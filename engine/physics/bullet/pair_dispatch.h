@@ -26,6 +26,7 @@ public:
     }
 
     btScalar reach_m{0};
+    int manifolds_made{0};  ///< ever; numbers them
 };
 
 /// What meeting needs to know of the step.
@@ -58,20 +59,17 @@ public:
     /// The blow of a pair that meets within this step faster than it rests.
     Blow blow_of(const Pair& pair) const;
     /// The pair's manifolds that have points, in an order that does not depend on addresses.
-    void list_manifolds(const Pair& pair, std::vector<btPersistentManifold*>& list) const;
+    void list_manifolds(Pair& pair, std::vector<Manifold*>& list) const;
 
 private:
-    void collide(Pair& pair);
-    void drop_unreachable(btPersistentManifold& manifold, btScalar base_m) const;
+    void collide(BulletPair& pair);
+    void drop_unreachable(btPersistentManifold& from, Manifold& manifold, btScalar base_m) const;
 
     PairDispatcher& dispatcher_;
     const btDispatcherInfo& info_;
     MeetStep step_{};
-    mutable btManifoldArray manifolds_;
+    btManifoldArray manifolds_;
 };
-
-/// What the materials of the two bodies make at a point between them.
-void combine_materials(const btPersistentManifold& manifold, btManifoldPoint& point);
 
 /// Whether the boxes that the broad phase holds overlap.
 bool boxes_overlap(const Pair& pair);

@@ -42,7 +42,7 @@ bool is_single(const BodyRecord& record) {
 PairList::PairList(btDispatcher& dispatcher) : dispatcher_(dispatcher) {}
 
 PairList::~PairList() {
-    for (Pair& pair : pool_) forget_algorithm(pair);
+    for (BulletPair& pair : pool_) forget_algorithm(pair);
 }
 
 btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
@@ -57,27 +57,28 @@ btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
     const auto place = place_of(few, many.id);
     if (is_pair_with(few, place, many.id)) return nullptr;
 
-    Pair* pair = nullptr;
+    BulletPair* pair = nullptr;
     if (free_.empty()) {
         pair = &pool_.emplace_back();
     } else {
         pair = free_.back();
         free_.pop_back();
     }
-    *pair = {.a = &a,
-             .b = &b,
-             .box_a = static_cast<const btDbvtProxy*>(first),
-             .box_b = static_cast<const btDbvtProxy*>(second),
-             .base_m = std::min(a.touch_m, b.touch_m),
-             .round = (is_ball(a) && is_single(b)) || (is_ball(b) && is_single(a)),
-             .boxes = is_box(a) && is_box(b)};
+    *pair = {};
+    pair->a = &a;
+    pair->b = &b;
+    pair->box_a = static_cast<const btDbvtProxy*>(first);
+    pair->box_b = static_cast<const btDbvtProxy*>(second);
+    pair->base_m = std::min(a.touch_m, b.touch_m);
+    pair->round = (is_ball(a) && is_single(b)) || (is_ball(b) && is_single(a));
+    pair->boxes = is_box(a) && is_box(b);
     few.pairs.insert(place, {many.id, pair});
     many.pairs.insert(place_of(many, few.id), {few.id, pair});
     ++size_;
     return nullptr;
 }
 
-void PairList::forget_algorithm(Pair& pair) {
+void PairList::forget_algorithm(BulletPair& pair) {
     if (pair.algorithm == nullptr) return;
     pair.algorithm->~btCollisionAlgorithm();
     dispatcher_.freeCollisionAlgorithm(pair.algorithm);
@@ -85,10 +86,11 @@ void PairList::forget_algorithm(Pair& pair) {
 }
 
 void PairList::remove(Pair& pair) {
-    forget_algorithm(pair);
+    forget_algorithm(bullet_side(pair));
+    pair.manifolds.clear();
     pair.a->pairs.erase(place_of(*pair.a, pair.b->id));
     pair.b->pairs.erase(place_of(*pair.b, pair.a->id));
-    free_.push_back(&pair);
+    free_.push_back(&bullet_side(pair));
     --size_;
 }
 

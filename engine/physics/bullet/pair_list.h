@@ -4,7 +4,7 @@
 // bodies that it moves, and finds them in an order that ids decide.
 #pragma once
 
-#include "engine/physics/physics_world.h"
+#include "engine/physics/collision/pair.h"
 
 #include <btBulletDynamicsCommon.h>
 
@@ -14,41 +14,19 @@
 
 namespace plumbline::physics {
 
-struct BodyRecord;
-
-/// What the blows of a step may do to a body's velocity: others that it did not move towards may
-/// then be in its way.
-struct Jolt {
-    btVector3 change_mps{0, 0, 0};  ///< the largest
-    bool backed{false};             ///< ... from what does not give way
-    bool spread{false};             ///< its pairs have been looked at again
-};
-
-/// Two bodies that may touch. `a` has the lower id.
-struct Pair {
-    BodyRecord* a{nullptr};
-    BodyRecord* b{nullptr};
+/// Bullet's side of a pair.
+struct BulletPair : Pair {
     const btDbvtProxy* box_a{nullptr};
     const btDbvtProxy* box_b{nullptr};
-    btCollisionAlgorithm* algorithm{nullptr};  ///< holds the manifolds; none until boxes overlap
-    btScalar base_m{0};                        ///< points of a slow pair count up to this distance
-    btScalar reach_m{0};                       ///< and those of the latest step up to this one
-    btScalar jolt_mps{0};                      ///< of both bodies, as the latest look knew it
-    std::uint32_t seen{0};                     ///< the walk that looked at it last
-    bool touches{false};                       ///< has contact points
-    bool round{false};                         ///< a ball: its points are new in every step
-    bool boxes{false};                         ///< two boxes: likewise, found at any distance
+    btCollisionAlgorithm* algorithm{nullptr};  ///< finds the points; none until boxes overlap
 };
 
-inline BodyRecord& partner(const Pair& pair, const BodyRecord& record) {
-    return pair.a == &record ? *pair.b : *pair.a;
+inline BulletPair& bullet_side(Pair& pair) {
+    return static_cast<BulletPair&>(pair);
 }
-
-/// A pair as one of its bodies lists it.
-struct PairLink {
-    BodyId other{};
-    Pair* pair{nullptr};
-};
+inline const BulletPair& bullet_side(const Pair& pair) {
+    return static_cast<const BulletPair&>(pair);
+}
 
 class PairList final : public btOverlappingPairCache {
 public:
@@ -59,6 +37,13 @@ public:
 
     std::size_t size() const { return size_; }
     void remove(Pair& pair);
+    /// Every manifold, in an order that does not depend on addresses.
+    template <class Fn>
+    void each_manifold(Fn&& fn) const {
+        for (const BulletPair& pair : pool_) {
+            for (const Manifold& manifold : pair.manifolds) fn(manifold);
+        }
+    }
 
     // What the broad phase calls. The array that it would tidy up stays empty: pairs whose boxes
     // have parted are found by whoever walks them.
@@ -88,13 +73,13 @@ public:
     void sortOverlappingPairs(btDispatcher*) override {}
 
 private:
-    void forget_algorithm(Pair& pair);
+    void forget_algorithm(BulletPair& pair);
 
     btDispatcher& dispatcher_;
     btOverlapFilterCallback* filter_{nullptr};
     btBroadphasePairArray none_;
-    std::deque<Pair> pool_;
-    std::vector<Pair*> free_;
+    std::deque<BulletPair> pool_;
+    std::vector<BulletPair*> free_;
     std::size_t size_{0};
 };
 

@@ -1,4 +1,5 @@
 // The Bullet side of a world: built, and built anew when the solver, the rate or gravity changes.
+#include "engine/physics/bullet/contact_copy.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/counting_solver.h"
 #include "engine/physics/bullet/joints.h"
@@ -17,22 +18,6 @@
 namespace plumbline::physics {
 namespace {
 
-// Bullet combines materials and gets its memory through global function pointers, for every world of
-// the process. Setting them again to the same functions is harmless, so each world does it.
-btScalar combined_friction(const btCollisionObject* a, const btCollisionObject* b) {
-    return std::sqrt(a->getFriction() * b->getFriction());
-}
-btScalar combined_restitution(const btCollisionObject* a, const btCollisionObject* b) {
-    return std::max(a->getRestitution(), b->getRestitution());
-}
-// A ball's own resistance holds on any ground, so one side's coefficient is enough.
-btScalar combined_rolling_friction(const btCollisionObject* a, const btCollisionObject* b) {
-    return std::max(a->getRollingFriction(), b->getRollingFriction());
-}
-btScalar combined_spinning_friction(const btCollisionObject* a, const btCollisionObject* b) {
-    return std::max(a->getSpinningFriction(), b->getSpinningFriction());
-}
-
 // Bullet does not look whether it got the memory that it asked for.
 void* allocate_or_throw(std::size_t bytes) {
     void* memory = std::malloc(bytes);
@@ -40,12 +25,23 @@ void* allocate_or_throw(std::size_t bytes) {
     return memory;
 }
 
+/// Its own solvers get materials combined, and all of Bullet its memory, through global function
+/// pointers, for every world of the process. Setting them again to the same functions is harmless.
 void install_global_callbacks() {
     btAlignedAllocSetCustom(allocate_or_throw, std::free);
-    gCalculateCombinedFrictionCallback = combined_friction;
-    gCalculateCombinedRestitutionCallback = combined_restitution;
-    gCalculateCombinedRollingFrictionCallback = combined_rolling_friction;
-    gCalculateCombinedSpinningFrictionCallback = combined_spinning_friction;
+    using Object = btCollisionObject;
+    gCalculateCombinedFrictionCallback = [](const Object* a, const Object* b) -> btScalar {
+        return material_of(*a, *b).friction;
+    };
+    gCalculateCombinedRestitutionCallback = [](const Object* a, const Object* b) -> btScalar {
+        return material_of(*a, *b).restitution;
+    };
+    gCalculateCombinedRollingFrictionCallback = [](const Object* a, const Object* b) -> btScalar {
+        return material_of(*a, *b).rolling_m;
+    };
+    gCalculateCombinedSpinningFrictionCallback = [](const Object* a, const Object* b) -> btScalar {
+        return material_of(*a, *b).spinning_m;
+    };
 }
 
 /// Groups must agree both ways, something must be able to give way, and no joint forbids it.
@@ -146,10 +142,7 @@ void PhysicsWorld::Impl::build_solver() {
 }
 
 void PhysicsWorld::Impl::take_engine_down() {
-    joints.each([this](JointId, std::unique_ptr<JointRecord>& joint) {
-        if (joint->bullet) world->removeConstraint(joint->bullet.get());
-        joint->bullet.reset();
-    });
+    joints.each([](JointId, std::unique_ptr<JointRecord>& joint) { joint->bullet.reset(); });
     bodies.each([this](BodyId, std::unique_ptr<BodyRecord>& record) {
         if (record->in_world) world->removeRigidBody(record->rigid.get());
     });
@@ -226,8 +219,7 @@ void PhysicsWorld::reconfigure(const WorldDef& def) {
         joint->solver.bounded_impulse = {};
         joint->solver.impulse = {};
         if (joint->state.broken || !impl.bullet_joints) return;
-        joint->bullet = make_bullet_joint(*joint);
-        impl.world->addConstraint(joint->bullet.get());
+        joint->bullet = std::make_unique<BulletJoint>(*joint, *impl.world);
     });
 }
 

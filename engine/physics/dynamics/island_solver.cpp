@@ -1,4 +1,4 @@
-// From Bullet's manifolds and our records to the small-step loop, and back.
+// From our records to the small-step loop, and back.
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/dynamics/contact/contact_bridge.h"
 #include "engine/physics/dynamics/island.h"
@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 
 namespace plumbline::physics {
 namespace {
@@ -72,15 +73,17 @@ struct IslandSolver::Impl {
     IslandLoop loop;
     ContactBridge bridge;
     SubstepChooser chooser;
-    std::vector<BodyRecord*> records;  ///< of loop.bodies; null: the world
+    std::vector<BodyRecord*> records;  ///< of loop.bodies; null: what the island does not move
+    /// Where bodies that bound the island stand in loop.bodies; other islands may have them too.
+    std::unordered_map<const BodyRecord*, std::uint32_t> bounds;
 
     SubstepChoice choose(const Island& island, const IslandStep& step);
     void hold(const Island& island, const IslandStep& step, SubstepChoice& choice) const;
     void gather(Island& island, const IslandStep& step, double h);
 
-    std::uint32_t index_of(const btCollisionObject& object);
-    std::uint32_t posed_index_of(const btCollisionObject& object);
-    void add_body(BodyRecord& record, const SolverBody& body);
+    std::uint32_t index_of(const BodyRecord& record);
+    std::uint32_t posed_index_of(const BodyRecord& record);
+    std::uint32_t add_body(BodyRecord* record, const SolverBody& body);
     void add_joint(const JointRecord& joint);
     void write_bodies();
     void write_joints(Island& island, double step_s);
@@ -89,44 +92,46 @@ struct IslandSolver::Impl {
 IslandSolver::IslandSolver() : impl_(std::make_unique<Impl>()) {}
 IslandSolver::~IslandSolver() = default;
 
-void IslandSolver::Impl::add_body(BodyRecord& record, const SolverBody& body) {
-    record.rigid->setCompanionId(static_cast<int>(loop.bodies.size()));
-    records.push_back(&record);
+std::uint32_t IslandSolver::Impl::add_body(BodyRecord* record, const SolverBody& body) {
+    const auto index = static_cast<std::uint32_t>(loop.bodies.size());
+    records.push_back(record);
     loop.bodies.push_back(body);
+    return index;
 }
 
 /// Kinematic bodies that move join the island when something of it touches them.
-std::uint32_t IslandSolver::Impl::index_of(const btCollisionObject& object) {
-    if (object.getCompanionId() >= 0) return static_cast<std::uint32_t>(object.getCompanionId());
-    const btRigidBody& rigid = *record_of(object).rigid;
-    if (record_of(object).kind != BodyKind::Kinematic ||
-        (rigid.getLinearVelocity().isZero() && rigid.getAngularVelocity().isZero())) {
-        return kWorldBody;
-    }
-    return posed_index_of(object);
+std::uint32_t IslandSolver::Impl::index_of(const BodyRecord& record) {
+    if (pushable(record)) return record.row;
+    const btRigidBody& rigid = *record.rigid;
+    const bool moves = record.kind == BodyKind::Kinematic &&
+                       !(rigid.getLinearVelocity().isZero() && rigid.getAngularVelocity().isZero());
+    // One that stands still has a place only where a joint holds it.
+    const auto place = bounds.find(&record);
+    if (place != bounds.end()) return place->second;
+    return moves ? posed_index_of(record) : kWorldBody;
 }
 
 /// A joint's anchor is in its body's frame: bodies that stand still have a place of their own too.
-std::uint32_t IslandSolver::Impl::posed_index_of(const btCollisionObject& object) {
-    BodyRecord& record = record_of(object);
-    if (object.getCompanionId() < 0) add_body(record, immovable_body(record));
-    return static_cast<std::uint32_t>(object.getCompanionId());
+std::uint32_t IslandSolver::Impl::posed_index_of(const BodyRecord& record) {
+    if (pushable(record)) return record.row;
+    const auto [place, added] = bounds.try_emplace(&record, 0);
+    if (added) place->second = add_body(nullptr, immovable_body(record));
+    return place->second;
 }
 
 void IslandSolver::Impl::add_joint(const JointRecord& joint) {
     SolverJoint entry = joint.solver;
-    entry.a = posed_index_of(*joint.a->rigid);
-    entry.b = joint.b != nullptr ? posed_index_of(*joint.b->rigid) : kWorldBody;
+    entry.a = posed_index_of(*joint.a);
+    entry.b = joint.b != nullptr ? posed_index_of(*joint.b) : kWorldBody;
     loop.joints.push_back(entry);
 }
 
 void IslandSolver::Impl::write_bodies() {
     for (std::size_t i = 1; i < loop.bodies.size(); ++i) {
+        if (records[i] == nullptr) continue;
         BodyRecord& record = *records[i];
         const SolverBody& body = loop.bodies[i];
         btRigidBody& rigid = *record.rigid;
-        rigid.setCompanionId(-1);
-        if (!body.movable()) continue;
         Flight& flight = record.flight;
         flight.position_m = body.start_position_m + Vec3d(body.moved_m);
         flight.orientation = glm::normalize(Quatd(body.turned) * body.start_orientation);
@@ -153,8 +158,8 @@ void IslandSolver::Impl::write_joints(Island& island, double step_s) {
     }
 }
 
-void IslandSolver::serialize(Archive& archive, std::span<btPersistentManifold* const> manifolds) {
-    impl_->bridge.serialize(archive, manifolds);
+void IslandSolver::serialize(Archive& archive) {
+    impl_->bridge.serialize(archive);
 }
 
 void IslandSolver::begin_step() {
@@ -166,26 +171,27 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
     chooser.begin(island.bodies.size(), step.step_s);
     if (step.substeps_most <= step.substeps_least)
         return chooser.choose(step.substeps_least, step.substeps_most);
+    const auto number_of = [](const BodyRecord& record) {
+        return pushable(record) ? static_cast<int>(record.row) : -1;
+    };
     for (std::size_t i = 0; i < island.bodies.size(); ++i)
-        island.bodies[i]->rigid->setCompanionId(static_cast<int>(i));
+        island.bodies[i]->row = static_cast<std::uint32_t>(i);
     const auto gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2));
-    for (const btPersistentManifold* manifold : island.manifolds) {
-        const btCollisionObject& a = *manifold->getBody0();
-        const btCollisionObject& b = *manifold->getBody1();
+    for (const Manifold* manifold : island.manifolds) {
         Real load_N = bridge.lasting_load_N(*manifold);
         Real size_m = 1e6_r;
         Real inverse_mass = 0;
         Real heaviest_kg = 0;
-        for (const btCollisionObject* object : {&a, &b}) {
-            const BodyRecord& record = record_of(*object);
-            if (object->getCompanionId() < 0) continue;
+        for (const BodyRecord* end : {manifold->a, manifold->b}) {
+            const BodyRecord& record = *end;
+            if (!pushable(record)) continue;
             inverse_mass += record.rigid->getInvMass();
             heaviest_kg = std::max(heaviest_kg, 1 / record.rigid->getInvMass());
             if (record.smallest_core_m > 0) size_m = std::min(size_m, 2 * record.smallest_core_m);
         }
         if (load_N == 0) load_N = heaviest_kg * gravity_mps2;
         chooser.add_contact(
-            a.getCompanionId(), b.getCompanionId(), load_N, 1 / inverse_mass, size_m);
+            number_of(*manifold->a), number_of(*manifold->b), load_N, 1 / inverse_mass, size_m);
     }
     for (const JointRecord* joint : island.joints) {
         Real spin_radps = joint->a->rigid->getAngularVelocity().length();
@@ -233,18 +239,20 @@ void IslandSolver::Impl::hold(const Island& island,
 void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h) {
     loop.clear();
     records.assign(1, nullptr);
+    bounds.clear();
     bridge.begin_island();
     for (BodyRecord* record : island.bodies) {
         if (record->held_along_axes()) {
             loop.held.push_back({.body = static_cast<std::uint32_t>(loop.bodies.size()),
                                  .linear_factor = record->linear_factor});
         }
-        add_body(*record, dynamic_body(*record, step, h));
+        record->row = add_body(record, dynamic_body(*record, step, h));
     }
-    for (btPersistentManifold* manifold : island.manifolds) {
+    for (Manifold* manifold : island.manifolds) {
         bridge.add(*manifold,
-                   index_of(*manifold->getBody0()),
-                   index_of(*manifold->getBody1()),
+                   {.a = index_of(*manifold->a),
+                    .b = index_of(*manifold->b),
+                    .a_moves = pushable(*manifold->a)},
                    static_cast<Real>(h),
                    loop.contacts);
     }

@@ -11,13 +11,6 @@ namespace {
 
 constexpr std::uint32_t kNoIsland = std::numeric_limits<std::uint32_t>::max();
 
-const BodyRecord& first_of(const btPersistentManifold& manifold) {
-    return record_of(*manifold.getBody0());
-}
-const BodyRecord& second_of(const btPersistentManifold& manifold) {
-    return record_of(*manifold.getBody1());
-}
-
 bool is_member(const BodyRecord* record) {
     return record != nullptr && pushable(*record);
 }
@@ -48,18 +41,6 @@ void stand_as_before(BodyRecord& record) {
     record.rigid->setAngularVelocity(record.spin_before);
 }
 
-void forget_impulses(btPersistentManifold& manifold) {
-    for (int i = 0; i < manifold.getNumContacts(); ++i) {
-        btManifoldPoint& point = manifold.getContactPoint(i);
-        point.m_appliedImpulse = 0;
-        point.m_appliedImpulseLateral1 = 0;
-        point.m_appliedImpulseLateral2 = 0;
-        point.m_prevRHS = 0;
-        set_frame_impulse(point, 0);
-    }
-    manifold.m_companionIdA = kUnknownToSolver;
-}
-
 }  // namespace
 
 bool take_back_if_insane(const Island& island) {
@@ -72,7 +53,7 @@ bool take_back_if_insane(const Island& island) {
         stand_as_before(*record);
         if (speed_before(*record) > speed_before(*fastest)) fastest = record;
     }
-    for (btPersistentManifold* manifold : island.manifolds) forget_impulses(*manifold);
+    for (Manifold* manifold : island.manifolds) forget_loads(*manifold);
     for (JointRecord* joint : island.joints) {
         SolverJoint& solver = joint->solver;
         solver.bounded_impulse = {};
@@ -99,7 +80,7 @@ void IslandBuilder::note_partner(std::uint32_t body, const BodyRecord* partner) 
 }
 
 void IslandBuilder::build(std::span<BodyRecord* const> bodies,
-                          std::span<btPersistentManifold* const> manifolds,
+                          std::span<Manifold* const> manifolds,
                           std::span<JointRecord* const> joints) {
     sets_.reset(bodies.size());
     held_.assign(bodies.size(), 0);
@@ -109,9 +90,7 @@ void IslandBuilder::build(std::span<BodyRecord* const> bodies,
         if (is_member(b)) held_[b->row] = 1;
         if (is_member(a) && is_member(b)) sets_.join(a->row, b->row);
     };
-    for (const btPersistentManifold* manifold : manifolds) {
-        tie(&first_of(*manifold), &second_of(*manifold));
-    }
+    for (const Manifold* manifold : manifolds) tie(manifold->a, manifold->b);
     for (const JointRecord* joint : joints) tie(joint->a, joint->b);
 
     number_.assign(bodies.size(), kNoIsland);
@@ -130,12 +109,10 @@ void IslandBuilder::build(std::span<BodyRecord* const> bodies,
         }
         islands_[number].bodies.push_back(bodies[i]);
     }
-    for (btPersistentManifold* manifold : manifolds) {
-        const BodyRecord* a = &first_of(*manifold);
-        const BodyRecord* b = &second_of(*manifold);
-        const BodyRecord* member = is_member(a) ? a : b;
+    for (Manifold* manifold : manifolds) {
+        const BodyRecord* member = is_member(manifold->a) ? manifold->a : manifold->b;
         island_of(member->row).manifolds.push_back(manifold);
-        note_partner(member->row, member == a ? b : a);
+        note_partner(member->row, member == manifold->a ? manifold->b : manifold->a);
     }
     for (JointRecord* joint : joints) {
         const BodyRecord* member = is_member(joint->a) ? joint->a : joint->b;

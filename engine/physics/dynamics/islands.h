@@ -17,7 +17,7 @@ public:
     /// one of them; `joints` hold at least one of them. Orders are kept within each island;
     /// islands come by their first body.
     void build(std::span<BodyRecord* const> bodies,
-               std::span<btPersistentManifold* const> manifolds,
+               std::span<Manifold* const> manifolds,
                std::span<JointRecord* const> joints);
 
     std::span<Island> islands() { return {islands_.data(), count_}; }

@@ -196,7 +196,7 @@ void PhysicsWorld::Impl::serialize_joints(Archive& archive, const BodyScope& sco
     joints.each([&](JointId id, std::unique_ptr<JointRecord>& record) {
         JointRecord& joint = *record;
         if (!archive.reads() && !scope.holds(joint)) return;
-        archive(joint.def, joint.solver, joint.state, joint.feedback);
+        archive(joint.def, joint.solver, joint.state);
         if (!archive.reads() || archive.failed()) return;
         const auto* a = bodies.find(joint.def.a);
         const auto* b = bodies.find(joint.def.b);
@@ -246,7 +246,7 @@ void PhysicsWorld::Impl::serialize_engine(Archive& archive, const BodyScope& sco
     bool is_whole = !scope.keeps;
     archive(is_whole);
     if (is_whole) contacts.order();
-    if (small && !archive.failed()) small->serialize(archive, scope, contacts.manifolds());
+    if (small && !archive.failed()) small->serialize(archive, scope);
 }
 
 /// Bullet's constraints in the order in which its solvers meet them.
@@ -254,7 +254,7 @@ void PhysicsWorld::Impl::serialize_constraints(Archive& archive, const BodyScope
     if (!bullet_joints) return;
     std::map<const btTypedConstraint*, JointId> id_of;
     joints.each([&](JointId id, const std::unique_ptr<JointRecord>& joint) {
-        if (joint->bullet) id_of[joint->bullet.get()] = id;
+        if (joint->bullet) id_of[&joint->bullet->constraint()] = id;
     });
     std::vector<JointId> order;
     for (int i = 0; i < world->getNumConstraints(); ++i) {
@@ -262,12 +262,11 @@ void PhysicsWorld::Impl::serialize_constraints(Archive& archive, const BodyScope
         if (scope.holds(*joints.get(id))) order.push_back(id);
     }
     archive(order);
-    if (!archive.reads()) return;
     for (const JointId id : order) {
         if (!archive.expect(joints.contains(id), "a constraint has no joint")) return;
         JointRecord& joint = *joints.get(id);
-        joint.bullet = make_bullet_joint(joint);
-        world->addConstraint(joint.bullet.get());
+        if (archive.reads()) joint.bullet = std::make_unique<BulletJoint>(joint, *world);
+        archive(joint.bullet->feedback());
     }
 }
 
@@ -295,9 +294,11 @@ void PhysicsWorld::Impl::serialize_small_pairs(Archive& archive,
             Pair& pair = *link.pair;
             archive(pair.reach_m, pair.touches);
             meetings.reach_m = pair.reach_m;
-            contacts.pair(pair.algorithm, *pair.a->rigid, *pair.b->rigid);
+            contacts.small_pair(pair);
         }
     });
+    // Last: pairs that are made anew have counted too.
+    archive(meetings.manifolds_made);
 }
 
 void PhysicsWorld::Impl::serialize_bullet_pairs(Archive& archive,

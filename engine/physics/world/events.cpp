@@ -1,4 +1,4 @@
-// Contact events: Bullet's manifolds, one line per touching pair.
+// Contact events: one line per touching pair.
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/world/small_step_world.h"
 #include "engine/physics/world/world_state.h"
@@ -8,51 +8,57 @@
 namespace plumbline::physics {
 namespace {
 
-Vec3 velocity_at(const BodyRecord& record, const btVector3& point) {
-    const btVector3 arm = point - record.before.getOrigin();
+Vec3 velocity_before_at(const BodyRecord& record, const Vec3& point) {
+    const btVector3 arm = to_bullet(point) - record.before.getOrigin();
     return from_bullet(record.velocity_before + record.spin_before.cross(arm));
 }
 
-/// Normal impulse of a point over the latest substep (bullet_*) or step (small_step).
-using ImpulseAt = btScalar (*)(const btManifoldPoint&);
+/// What an event needs of a point. The normal impulse is that of the latest substep (bullet_*) or
+/// step (small_step).
+struct Touch {
+    Vec3 point_b_world{0, 0, 0};
+    Vec3 normal_world{0, 1, 0};
+    Real distance_m{0};
+    Real impulse_Ns{0};
+};
 
-btScalar applied_impulse_Ns(const btManifoldPoint& point) {
-    return point.getAppliedImpulse();
-}
+/// A manifold of either kind.
+struct Touching {
+    const BodyRecord* a{nullptr};
+    const BodyRecord* b{nullptr};
+    std::vector<Touch> points;
+};
 
 /// The pair's line from one manifold; false when its points only come near.
-bool describe(const btPersistentManifold& manifold, ImpulseAt impulse_at, ContactEvent& event) {
-    const btManifoldPoint* hardest = nullptr;
-    btScalar most_Ns = 0;
+bool describe(const Touching& manifold, ContactEvent& event) {
+    const Touch* hardest = nullptr;
     bool touches = false;
-    for (int p = 0; p < manifold.getNumContacts(); ++p) {
-        const btManifoldPoint& point = manifold.getContactPoint(p);
-        const btScalar impulse_Ns = impulse_at(point);
-        touches = touches || point.getDistance() <= 0 || impulse_Ns > 0;
-        event.impulse_Ns += impulse_Ns;
-        if (hardest == nullptr || impulse_Ns > most_Ns ||
-            (impulse_Ns == most_Ns && point.getDistance() < hardest->getDistance())) {
+    for (const Touch& point : manifold.points) {
+        touches = touches || point.distance_m <= 0 || point.impulse_Ns > 0;
+        event.impulse_Ns += point.impulse_Ns;
+        const Real most_Ns = hardest != nullptr ? hardest->impulse_Ns : Real{0};
+        if (hardest == nullptr || point.impulse_Ns > most_Ns ||
+            (point.impulse_Ns == most_Ns && point.distance_m < hardest->distance_m)) {
             hardest = &point;
-            most_Ns = impulse_Ns;
         }
     }
     if (!touches) return false;
 
-    const BodyRecord* a = &record_of(*manifold.getBody0());
-    const BodyRecord* b = &record_of(*manifold.getBody1());
-    Vec3 normal = from_bullet(hardest->m_normalWorldOnB);
-    const btVector3& point = hardest->getPositionWorldOnB();
+    const BodyRecord* a = manifold.a;
+    const BodyRecord* b = manifold.b;
+    Vec3 normal = hardest->normal_world;
+    const Vec3& point = hardest->point_b_world;
     if (b->id < a->id) {
         std::swap(a, b);
         normal = -normal;
     }
-    const Vec3 relative = velocity_at(*a, point) - velocity_at(*b, point);
+    const Vec3 relative = velocity_before_at(*a, point) - velocity_before_at(*b, point);
     const Real along = glm::dot(relative, normal);
     event.a = a->id;
     event.b = b->id;
     event.user_a = a->user;
     event.user_b = b->user;
-    event.point_world = from_bullet(point);
+    event.point_world = point;
     event.normal_world = normal;
     event.closing_speed_mps = -along;
     event.sliding_speed_mps = glm::length(relative - along * normal);
@@ -98,22 +104,43 @@ std::vector<ContactEvent> merged(std::vector<ContactEvent> list) {
 }  // namespace
 
 void PhysicsWorld::Impl::gather_events(bool all, std::vector<ContactEvent>& out) const {
-    const ImpulseAt impulse_at = small ? frame_impulse_Ns : applied_impulse_Ns;
-    const auto gather = [&](const btPersistentManifold& manifold) {
-        if (manifold.getNumContacts() == 0) return;
-        if (!all && !record_of(*manifold.getBody0()).contact_events &&
-            !record_of(*manifold.getBody1()).contact_events) {
-            return;
-        }
-        ContactEvent event;
-        if (describe(manifold, impulse_at, event)) out.push_back(event);
+    Touching touching;
+    const auto begin = [&](const BodyRecord& a, const BodyRecord& b) {
+        touching.a = &a;
+        touching.b = &b;
+        touching.points.clear();
+        return all || a.contact_events || b.contact_events;
     };
-    if (small && !all) {
-        for (const btPersistentManifold* manifold : small->touching()) gather(*manifold);
+    const auto finish = [&] {
+        ContactEvent event;
+        if (!touching.points.empty() && describe(touching, event)) out.push_back(event);
+    };
+    const auto gather = [&](const Manifold& manifold) {
+        if (!begin(*manifold.a, *manifold.b)) return;
+        for (const ManifoldPoint& point : manifold.points) {
+            touching.points.push_back({.point_b_world = point.b.surface_m,
+                                       .normal_world = point.normal_world,
+                                       .distance_m = point.distance_m,
+                                       .impulse_Ns = point.normal_Ns});
+        }
+        finish();
+    };
+    if (small && all) return small->pairs().each_manifold(gather);
+    if (small) {
+        for (const Manifold* manifold : small->touching()) gather(*manifold);
         return;
     }
     for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
-        gather(*dispatcher->getManifoldByIndexInternal(i));
+        const btPersistentManifold& manifold = *dispatcher->getManifoldByIndexInternal(i);
+        if (!begin(record_of(*manifold.getBody0()), record_of(*manifold.getBody1()))) continue;
+        for (int p = 0; p < manifold.getNumContacts(); ++p) {
+            const btManifoldPoint& point = manifold.getContactPoint(p);
+            touching.points.push_back({.point_b_world = from_bullet(point.getPositionWorldOnB()),
+                                       .normal_world = from_bullet(point.m_normalWorldOnB),
+                                       .distance_m = point.getDistance(),
+                                       .impulse_Ns = point.getAppliedImpulse()});
+        }
+        finish();
     }
 }
 

@@ -1,7 +1,6 @@
 // Joints: made, driven, broken and taken away; what a step left of them.
-#include "engine/physics/bullet/joints.h"
-
 #include "engine/physics/bullet/convert.h"
+#include "engine/physics/dynamics/joint/joint_geometry.h"
 #include "engine/physics/world/world_state.h"
 
 #include <fmt/format.h>
@@ -137,8 +136,7 @@ JointId PhysicsWorld::Impl::add_joint(const JointDef& joint_def) {
                                      dispatcher.get());
     }
     if (bullet_joints) {
-        joint.bullet = make_bullet_joint(joint);
-        world->addConstraint(joint.bullet.get());
+        joint.bullet = std::make_unique<BulletJoint>(joint, *world);
     }
     wake_ends(joint);
     return id;
@@ -151,10 +149,7 @@ void PhysicsWorld::Impl::keep_apart(JointRecord& joint) {
 }
 
 void PhysicsWorld::Impl::detach_joint(JointRecord& joint) {
-    if (joint.bullet) {
-        world->removeConstraint(joint.bullet.get());
-        joint.bullet.reset();
-    }
+    joint.bullet.reset();
     if (joint.b == nullptr || joint.def.collide) return;
     forget_one(joint.a->apart, joint.b);
     forget_one(joint.b->apart, joint.a);
@@ -190,14 +185,14 @@ void PhysicsWorld::Impl::prepare_joints() {
         JointRecord& joint = *record;
         if (joint.state.broken) return;
         if (is_moving_kinematic(joint.a) || is_moving_kinematic(joint.b)) wake_ends(joint);
-        if (joint.bullet) prepare_bullet_joint(joint);
+        if (joint.bullet) joint.bullet->begin_step();
     });
 }
 
 void PhysicsWorld::Impl::gather_joint_loads(double substep_s) {
     if (!bullet_joints) return;
     joints.each([substep_s](JointId, std::unique_ptr<JointRecord>& record) {
-        if (record->bullet) gather_bullet_joint(*record, substep_s);
+        if (record->bullet) record->bullet->gather(substep_s);
     });
 }
 
@@ -205,10 +200,9 @@ void PhysicsWorld::Impl::settle_joints() {
     joints.each([this](JointId id, std::unique_ptr<JointRecord>& record) {
         JointRecord& joint = *record;
         if (joint.state.broken) return;
-        if (joint.bullet && joint.solved_s > 0) {
-            const double time_s = joint.solved_s;
-            joint.state.force_N = static_cast<Real>(glm::length(joint.carried_Ns) / time_s);
-            joint.state.torque_Nm = static_cast<Real>(glm::length(joint.carried_Nms) / time_s);
+        if (const auto load = joint.bullet ? joint.bullet->mean_load() : std::nullopt) {
+            joint.state.force_N = static_cast<Real>(load->force_N);
+            joint.state.torque_Nm = static_cast<Real>(load->torque_Nm);
             measure(joint);
         }
         if (joint.def.break_N > 0 && joint.state.force_N > joint.def.break_N)
@@ -264,7 +258,7 @@ void PhysicsWorld::set_joint_motor(JointId id, const std::optional<JointMotor>& 
     if (!has_motor(joint.def.kind) || (motor && !is_good(*motor))) return;
     joint.def.motor = motor;
     joint.solver.motor = motor;
-    if (joint.bullet) drive_bullet_joint(joint);
+    if (joint.bullet) joint.bullet->drive();
     impl_->wake_ends(joint);
 }
 

@@ -134,6 +134,13 @@ Vec3d PhysicsWorld::angular_momentum_kgm2ps() const {
 
 double PhysicsWorld::max_penetration_m() const {
     double deepest = 0;
+    if (impl_->small) {
+        impl_->small->pairs().each_manifold([&deepest](const Manifold& manifold) {
+            for (const ManifoldPoint& point : manifold.points)
+                deepest = std::max(deepest, -static_cast<double>(point.distance_m));
+        });
+        return deepest;
+    }
     for (int i = 0; i < impl_->dispatcher->getNumManifolds(); ++i) {
         const btPersistentManifold& manifold = *impl_->dispatcher->getManifoldByIndexInternal(i);
         for (int p = 0; p < manifold.getNumContacts(); ++p) {

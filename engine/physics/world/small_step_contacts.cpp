@@ -62,8 +62,12 @@ void SmallStepWorld::look(Pair& pair) {
 
 /// Every body hands its blow on once.
 void SmallStepWorld::strike(BodyRecord& record, const Jolt& blow) {
-    if (record.jolt.spread || blow.change_mps.length2() <= record.jolt.change_mps.length2()) return;
-    if (record.jolt.change_mps.isZero()) struck_.push_back(&record);
+    const Vec3& known = record.jolt.change_mps;
+    if (record.jolt.spread ||
+        glm::dot(blow.change_mps, blow.change_mps) <= glm::dot(known, known)) {
+        return;
+    }
+    if (known == Vec3{0, 0, 0}) struck_.push_back(&record);
     record.jolt = blow;
 }
 
@@ -99,7 +103,7 @@ void SmallStepWorld::list_touching() {
             }
         }
     }
-    for (const Pair* pair : met_) meeting_.list_manifolds(*pair, touching_);
+    for (Pair* pair : met_) meeting_.list_manifolds(*pair, touching_);
 }
 
 void SmallStepWorld::list_joints() {

@@ -109,13 +109,11 @@ void SmallStepWorld::stir(BodyRecord& record) {
     carriers_.insert(std::upper_bound(carriers_.begin(), carriers_.end(), &record, by_id), &record);
 }
 
-void SmallStepWorld::serialize(Archive& archive,
-                               const BodyScope& scope,
-                               std::span<btPersistentManifold* const> manifolds) {
+void SmallStepWorld::serialize(Archive& archive, const BodyScope& scope) {
     for (std::vector<BodyRecord*>* list : {&awake_, &fresh_, &carriers_})
         physics::serialize(archive, *list, scope);
     slumbers_.serialize(archive, scope);
-    solver_.serialize(archive, manifolds);
+    solver_.serialize(archive);
 }
 
 // --- the step

@@ -58,12 +58,12 @@ public:
     /// Nothing moves.
     bool idle() const { return awake_.empty() && carriers_.empty(); }
     void step(const WorldFeatures& features, bool want_contacts);
-    /// Who is awake, who sleeps with whom, what contacts carried. `manifolds`: of all pairs.
-    void serialize(Archive& archive,
-                   const BodyScope& scope,
-                   std::span<btPersistentManifold* const> manifolds);
+    /// Who is awake, who sleeps with whom.
+    void serialize(Archive& archive, const BodyScope& scope);
     /// Manifolds that had points in the latest step.
-    std::span<btPersistentManifold* const> touching() const { return touching_; }
+    std::span<Manifold* const> touching() const { return touching_; }
+
+    const PairList& pairs() const { return parts_.pairs; }
 
     StepCost cost{};
     FeatureUse use{};
@@ -115,7 +115,7 @@ private:
     std::vector<Pair*> met_;  ///< with points
     std::vector<BodyRecord*> struck_;
     std::vector<BodyRecord*> spreading_;
-    std::vector<btPersistentManifold*> touching_;
+    std::vector<Manifold*> touching_;
     std::vector<JointRecord*> joined_;
     std::vector<BodyRecord*> turning_;
 };

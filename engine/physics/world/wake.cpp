@@ -1,5 +1,5 @@
 // Who is awake, and what wakes whom.
-#include "engine/physics/bullet/pair_dispatch.h"
+#include "engine/physics/bullet/contact_copy.h"
 #include "engine/physics/world/small_step_world.h"
 #include "engine/physics/world/world_state.h"
 
@@ -8,13 +8,13 @@
 namespace plumbline::physics {
 namespace {
 
-/// Points that were found before the material changed hold its numbers, and friction that it bore.
-void combine_anew(btPersistentManifold& manifold) {
-    for (int i = 0; i < manifold.getNumContacts(); ++i) {
-        btManifoldPoint& point = manifold.getContactPoint(i);
-        combine_materials(manifold, point);
-        point.m_appliedImpulseLateral1 = 0;
-        point.m_appliedImpulseLateral2 = 0;
+/// Manifolds hold the numbers of the old material, and friction that it bore.
+void combine_anew(BodyRecord& record) {
+    for (const PairLink& link : record.pairs) {
+        for (Manifold& manifold : link.pair->manifolds) {
+            manifold.material = material_of(*manifold.a->rigid, *manifold.b->rigid);
+            for (ManifoldPoint& point : manifold.points) point.load.friction_N = {};
+        }
     }
 }
 
@@ -76,8 +76,13 @@ void PhysicsWorld::set_restitution(BodyId id, Real restitution) {
 }
 
 void PhysicsWorld::Impl::change_material(BodyRecord& record) {
-    each_manifold_of(record,
-                     [](btPersistentManifold& manifold, BodyRecord&) { combine_anew(manifold); });
+    if (small) {
+        combine_anew(record);
+    } else {
+        each_manifold_of(record, [](btPersistentManifold& manifold, BodyRecord&) {
+            combine_materials(manifold);
+        });
+    }
     wake_neighbours(record);
     wake(record);
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "engine/core/slot_map.h"
+#include "engine/physics/dynamics/body_motion.h"
 #include "engine/physics/world/joint_record.h"
 
 #include <memory>

@@ -1,7 +1,7 @@
 // Shapes as bodies share them: pieces put together, weighed, and meshes made smooth to slide on.
 #include "engine/core/limits.h"
 #include "engine/physics/bullet/convert.h"
-#include "engine/physics/bullet/shape_parts.h"
+#include "engine/physics/bullet/shape/shape_parts.h"
 #include "engine/physics/world/world_state.h"
 
 #include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>

@@ -1,4 +1,4 @@
-#include "engine/physics/bullet/hull.h"
+#include "engine/physics/bullet/shape/hull.h"
 
 #include "engine/core/limits.h"
 

@@ -1,8 +1,8 @@
-#include "engine/physics/bullet/shape_parts.h"
+#include "engine/physics/bullet/shape/shape_parts.h"
 
 #include "engine/core/limits.h"
 #include "engine/physics/bullet/convert.h"
-#include "engine/physics/bullet/hull.h"
+#include "engine/physics/bullet/shape/hull.h"
 
 #include <BulletCollision/CollisionShapes/btConvexPolyhedron.h>
 #include <LinearMath/btConvexHullComputer.h>

@@ -1,0 +1,188 @@
+#include "engine/physics/bullet/contact_copy.h"
+
+#include "engine/physics/bullet/convert.h"
+#include "engine/physics/world/world_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace plumbline::physics {
+namespace {
+
+/// A side of cylinders is round only where it is touched across their axis.
+constexpr btScalar kAcrossAxis = btScalar(0.02);
+
+/// A rounded side: the ball that touches. Radius 0 for all sides that are not.
+struct Rounding {
+    Real radius_m{0};
+    btVector3 center{0, 0, 0};  ///< world
+};
+
+/// Balls, capsules and the sides of cylinders. The centre is put on the shape's own centre or axis:
+/// contact points are known to a few micrometres only, and a ball pressed beside its centre turns.
+Rounding rounding_of(const btCollisionObject& object,
+                     int child,
+                     const btVector3& on_surface,
+                     const btVector3& outward) {
+    const btCollisionShape* shape = object.getCollisionShape();
+    btTransform at = object.getWorldTransform();
+    if (shape->isCompound()) {
+        const auto& compound = static_cast<const btCompoundShape&>(*shape);
+        if (compound.getNumChildShapes() == 1) child = 0;
+        if (child < 0 || child >= compound.getNumChildShapes()) return {};
+        shape = compound.getChildShape(child);
+        at *= compound.getChildTransform(child);
+    }
+    const auto on_axis = [&](int up, Real radius_m) {
+        const btVector3 axis = at.getBasis().getColumn(up);
+        const btVector3 near = on_surface - outward * radius_m;
+        return Rounding{radius_m, at.getOrigin() + axis * axis.dot(near - at.getOrigin())};
+    };
+    switch (shape->getShapeType()) {
+        case SPHERE_SHAPE_PROXYTYPE:
+            return {static_cast<const btSphereShape*>(shape)->getRadius(), at.getOrigin()};
+        case CAPSULE_SHAPE_PROXYTYPE: {
+            const auto& capsule = static_cast<const btCapsuleShape&>(*shape);
+            return on_axis(capsule.getUpAxis(), capsule.getRadius());
+        }
+        case CYLINDER_SHAPE_PROXYTYPE: {
+            const auto& cylinder = static_cast<const btCylinderShape&>(*shape);
+            const btVector3 axis = at.getBasis().getColumn(cylinder.getUpAxis());
+            if (std::abs(axis.dot(outward)) >= kAcrossAxis) return {};
+            return on_axis(cylinder.getUpAxis(), cylinder.getRadius());
+        }
+        default:
+            return {};
+    }
+}
+
+void place_side(ContactSide& side,
+                const btCollisionObject& object,
+                int child,
+                const btVector3& on_surface,
+                const btVector3& outward) {
+    const Rounding ball = rounding_of(object, child, on_surface, outward);
+    const btVector3& place = ball.radius_m > 0 ? ball.center : on_surface;
+    side.radius_m = ball.radius_m;
+    side.offset_m = from_bullet(place - object.getWorldTransform().getOrigin());
+}
+
+/// The points before `i` are matched. Brings the point that the feature names to place `i`; one that
+/// is found again twice is a new point the second time, with the same load.
+void match_point(Manifold& to, std::size_t i, const btManifoldPoint& point) {
+    const std::uint32_t feature = feature_of(point);
+    const auto has_feature = [feature](const ManifoldPoint& known) {
+        return known.feature == feature;
+    };
+    const auto place = to.points.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto found =
+        feature == 0 ? to.points.end() : std::find_if(place, to.points.end(), has_feature);
+    if (found != to.points.end()) {
+        if (found != place) std::iter_swap(found, place);
+        return;
+    }
+    ManifoldPoint fresh{.feature = ++to.features_made};
+    const auto twin = feature == 0 ? place : std::find_if(to.points.begin(), place, has_feature);
+    if (twin != place) fresh.load = twin->load;
+    set_feature(point, fresh.feature);
+    to.points.push_back(fresh);
+    std::swap(to.points[i], to.points.back());
+}
+
+}  // namespace
+
+std::uint32_t feature_of(const btManifoldPoint& point) {
+    return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(point.m_userPersistentData));
+}
+
+// Bullet keeps the number where users may keep a pointer.
+void set_feature(const btManifoldPoint& point, std::uint32_t feature) {
+    point.m_userPersistentData = reinterpret_cast<void*>(static_cast<std::uintptr_t>(feature));
+}
+
+void find_again(btManifoldPoint& point, const btManifoldPoint& old) {
+    set_feature(point, feature_of(old));
+    point.m_lifeTime = old.m_lifeTime + 1;
+}
+
+PairMaterial material_of(const btCollisionObject& a, const btCollisionObject& b) {
+    // A ball's own resistance holds on any ground, so one side's coefficient is enough.
+    return {.friction = std::sqrt(a.getFriction() * b.getFriction()),
+            .restitution = std::max(a.getRestitution(), b.getRestitution()),
+            .rolling_m = std::max(a.getRollingFriction(), b.getRollingFriction()),
+            .spinning_m = std::max(a.getSpinningFriction(), b.getSpinningFriction())};
+}
+
+void combine_materials(btPersistentManifold& manifold) {
+    const PairMaterial material = material_of(*manifold.getBody0(), *manifold.getBody1());
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        btManifoldPoint& point = manifold.getContactPoint(i);
+        point.m_combinedFriction = material.friction;
+        point.m_combinedRestitution = material.restitution;
+        point.m_combinedRollingFriction = material.rolling_m;
+        point.m_combinedSpinningFriction = material.spinning_m;
+        point.m_appliedImpulseLateral1 = 0;
+        point.m_appliedImpulseLateral2 = 0;
+    }
+}
+
+void match_manifolds(const btManifoldArray& from, Pair& pair) {
+    std::vector<Manifold>& to = pair.manifolds;
+    const auto count = static_cast<std::size_t>(from.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        const btPersistentManifold& manifold = *from[static_cast<int>(i)];
+        const auto number = static_cast<std::uint32_t>(manifold.m_companionIdA);
+        const auto place = to.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto found = std::find_if(
+            place, to.end(), [number](const Manifold& known) { return known.number == number; });
+        if (found == to.end()) {
+            to.push_back({.a = &record_of(*manifold.getBody0()),
+                          .b = &record_of(*manifold.getBody1()),
+                          .number = number});
+            to.back().material = material_of(*manifold.getBody0(), *manifold.getBody1());
+            std::swap(to[i], to.back());
+        } else if (found != place) {
+            std::iter_swap(found, place);
+        }
+    }
+    to.resize(count);
+}
+
+void match_points(btPersistentManifold& from, Manifold& to) {
+    const auto count = static_cast<std::size_t>(from.getNumContacts());
+    for (std::size_t i = 0; i < count; ++i) {
+        match_point(to, i, from.getContactPoint(static_cast<int>(i)));
+    }
+    to.points.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const btManifoldPoint& point = from.getContactPoint(static_cast<int>(i));
+        ManifoldPoint& copy = to.points[i];
+        copy.age_steps = point.getLifeTime();
+        copy.normal_world = from_bullet(point.m_normalWorldOnB);
+        copy.a.surface_m = from_bullet(point.getPositionWorldOnA());
+        copy.b.surface_m = from_bullet(point.getPositionWorldOnB());
+        copy.distance_m = point.getDistance();
+        copy.normal_Ns = 0;
+    }
+}
+
+void remove_point(btPersistentManifold& from, Manifold& to, int index) {
+    from.removeContactPoint(index);
+    to.points[static_cast<std::size_t>(index)] = to.points.back();
+    to.points.pop_back();
+}
+
+void copy_places(const btPersistentManifold& from, Manifold& to) {
+    for (std::size_t i = 0; i < to.points.size(); ++i) {
+        const btManifoldPoint& point = from.getContactPoint(static_cast<int>(i));
+        const btVector3& normal = point.m_normalWorldOnB;
+        place_side(
+            to.points[i].a, *from.getBody0(), point.m_index0, point.getPositionWorldOnA(), -normal);
+        place_side(
+            to.points[i].b, *from.getBody1(), point.m_index1, point.getPositionWorldOnB(), normal);
+    }
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,33 @@
+// Bullet's contact points copied into our manifolds: the one place that does so.
+//
+// A Bullet manifold has its number in m_companionIdA, and a point the number of its feature in
+// m_userPersistentData, which Bullet hands on when it finds the point again.
+#pragma once
+
+#include "engine/physics/collision/pair.h"
+
+#include <btBulletCollisionCommon.h>
+
+namespace plumbline::physics {
+
+/// Makes `pair.manifolds` stand for Bullet's, one for one; those that are gone go with their loads.
+void match_manifolds(const btManifoldArray& from, Pair& pair);
+/// Makes `to.points` stand for Bullet's, one for one; points found again keep their loads.
+void match_points(btPersistentManifold& from, Manifold& to);
+/// Takes the same point out of both.
+void remove_point(btPersistentManifold& from, Manifold& to, int index);
+/// Where the points are on the two bodies.
+void copy_places(const btPersistentManifold& from, Manifold& to);
+
+/// The feature of a point that was found before; 0: new.
+std::uint32_t feature_of(const btManifoldPoint& point);
+void set_feature(const btManifoldPoint& point, std::uint32_t feature);
+/// Says that `point` is `old`, found again.
+void find_again(btManifoldPoint& point, const btManifoldPoint& old);
+
+/// What the materials of the two bodies make.
+PairMaterial material_of(const btCollisionObject& a, const btCollisionObject& b);
+/// bullet_*: puts it into points that were found before it changed, and forgets their friction.
+void combine_materials(btPersistentManifold& manifold);
+
+}  // namespace plumbline::physics

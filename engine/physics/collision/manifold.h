@@ -1,0 +1,78 @@
+// Where two bodies touch and what goes through it: the pair's own, from step to step. Plain data.
+#pragma once
+
+#include "engine/core/math.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace plumbline::physics {
+
+struct BodyRecord;
+
+/// A body's side of a contact point: the point or, where the side is round (sphere, capsule, side of
+/// a cylinder), the centre of the sphere that touches there.
+struct ContactSide {
+    Real radius_m{0};         ///< 0: not round
+    Vec3 offset_m{0, 0, 0};   ///< from the centre of mass, world axes
+    Vec3 surface_m{0, 0, 0};  ///< the point on the surface, world
+};
+
+/// What a point carried, as mean forces over the latest sub-step: what the next step starts from,
+/// however long its sub-steps are.
+struct PointLoad {
+    Real normal_N{0};
+    std::array<Real, 2> friction_N{};  ///< along tangents_of(normal_world)
+    Real twist_Nm{0};                  ///< about the normal
+};
+
+struct ManifoldPoint {
+    std::uint32_t feature{
+        0};  ///< of the manifold, the same for as long as the point is found again
+    int age_steps{0};
+    ContactSide a;
+    ContactSide b;
+    Vec3 normal_world{0, 1, 0};  ///< from b to a
+    Real distance_m{0};          ///< negative: penetration
+    PointLoad load;
+    Real normal_Ns{0};  ///< over the whole of the latest step
+};
+
+/// What the materials of two bodies make together.
+struct PairMaterial {
+    Real friction{0};
+    Real restitution{0};
+    Real rolling_m{0};   ///< torque against rolling per newton pressed
+    Real spinning_m{0};  ///< ... against spinning about the normal
+};
+
+/// What all points of a manifold carried together in the latest step that solved it.
+struct ManifoldLoad {
+    std::uint64_t step{0};  ///< number of that step; 0: none
+    std::uint32_t age_steps{0};
+    Real normal_N{0};
+    Real lasting_N{0};  ///< what it goes on carrying between impacts
+    Vec3 friction_N{0, 0, 0};
+    Vec3 rolling_Nm{0, 0, 0};  ///< on the body that gives way
+};
+
+/// Contact points of two bodies, any number. A pair has several where pieces of compounds or faces
+/// of a mesh touch. The bodies may stand the other way round than in the pair.
+struct Manifold {
+    BodyRecord* a{nullptr};
+    BodyRecord* b{nullptr};
+    std::uint32_t number{0};  ///< told apart by, while the world runs
+    std::uint32_t features_made{0};
+    PairMaterial material;
+    std::vector<ManifoldPoint> points;
+    ManifoldLoad load;
+};
+
+/// Nothing is known of what the manifold carried.
+void forget_loads(Manifold& manifold);
+
+/// Two unit vectors that make a right-handed frame with a unit normal.
+std::array<Vec3, 2> tangents_of(const Vec3& normal);
+
+}  // namespace plumbline::physics

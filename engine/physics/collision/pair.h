@@ -1,0 +1,44 @@
+// Two bodies that may touch, as the world keeps them from step to step.
+#pragma once
+
+#include "engine/physics/body.h"
+#include "engine/physics/collision/manifold.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace plumbline::physics {
+
+/// What the blows of a step may do to a body's velocity: others that it did not move towards may
+/// then be in its way.
+struct Jolt {
+    Vec3 change_mps{0, 0, 0};  ///< the largest
+    bool backed{false};        ///< ... from what does not give way
+    bool spread{false};        ///< its pairs have been looked at again
+};
+
+/// `a` has the lower id.
+struct Pair {
+    BodyRecord* a{nullptr};
+    BodyRecord* b{nullptr};
+    std::vector<Manifold> manifolds;  ///< in an order that does not depend on addresses
+    Real base_m{0};                   ///< points of a slow pair count up to this distance
+    Real reach_m{0};                  ///< and those of the latest step up to this one
+    Real jolt_mps{0};                 ///< of both bodies, as the latest look knew it
+    std::uint32_t seen{0};            ///< the walk that looked at it last
+    bool touches{false};              ///< has contact points
+    bool round{false};                ///< a ball: its points are new in every step
+    bool boxes{false};                ///< two boxes: likewise, found at any distance
+};
+
+inline BodyRecord& partner(const Pair& pair, const BodyRecord& record) {
+    return pair.a == &record ? *pair.b : *pair.a;
+}
+
+/// A pair as one of its bodies lists it.
+struct PairLink {
+    BodyId other{};
+    Pair* pair{nullptr};
+};
+
+}  // namespace plumbline::physics
