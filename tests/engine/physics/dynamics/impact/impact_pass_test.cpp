@@ -10,7 +10,7 @@
 namespace plumbline::physics {
 namespace {
 
-ContactRig weightless() {
+ContactRig contacts_afloat() {
     ContactRig rig;
     rig.settings.gravity_mps2 = 0;
     rig.gravity_mps2 = Vec3d{0, 0, 0};
@@ -20,7 +20,7 @@ ContactRig weightless() {
 TEST(ImpactPass, TwoBallsPartAsMomentumAndRestitutionSay) {
     for (double ratio : {1.0, 2.0, 10.0, 100.0, 1000.0}) {
         for (double e : {0.0, 0.5, 1.0}) {
-            ContactRig rig = weightless();
+            ContactRig rig = contacts_afloat();
             const std::uint32_t a = rig.add_ball(ratio, 0.5, Vec3d(0.5, 0, 0));
             const std::uint32_t b = rig.add_ball(1, 0.5, Vec3d(-0.5, 0, 0));
             rig.let_balls_meet(a, b, {.restitution = e});
@@ -38,7 +38,7 @@ TEST(ImpactPass, TwoBallsPartAsMomentumAndRestitutionSay) {
 
 TEST(ImpactPass, ElasticBlowsKeepEnergyAndMomentum) {
     for (double off_line : {0.0, 0.2, 0.4, 0.6}) {
-        ContactRig rig = weightless();
+        ContactRig rig = contacts_afloat();
         const std::uint32_t a =
             rig.add_ball(3, 0.5, Vec3d(std::sqrt(1 - off_line * off_line), off_line, 0));
         const std::uint32_t b = rig.add_ball(1, 0.5, Vec3d(0, 0, 0));
@@ -186,7 +186,7 @@ TEST_P(Bouncing, ASpinningBallObeysCoulombsLaw) {
                 const Vec3d axis = glm::cross(Vec3d(0, 1, 0), ahead);  // rolls ahead
                 for (double spin_radps : {-20.0, 0.0, 10.0}) {
                     const double along_mps = 3;
-                    ContactRig rig = weightless();
+                    ContactRig rig = contacts_afloat();
                     rig.settings.substeps = GetParam();
                     const std::uint32_t ball = rig.add_ball(1.5, radius_m, Vec3d(0, radius_m, 0));
                     rig.put_on_floor(ball, {.friction = mu, .restitution = e});
@@ -211,7 +211,7 @@ TEST_P(Bouncing, ASpinningBallObeysCoulombsLaw) {
 }
 
 TEST_P(Bouncing, ARowOfBallsHandsTheBlowOn) {
-    ContactRig rig = weightless();
+    ContactRig rig = contacts_afloat();
     rig.settings.substeps = GetParam();
     std::vector<std::uint32_t> balls;
     for (int i = 0; i < 5; ++i) balls.push_back(rig.add_ball(1, 0.5, Vec3d(i, 0, 0)));
