@@ -21,12 +21,12 @@ constexpr std::array kSolvers{physics::Solver::SmallStep,
                               physics::Solver::BulletDantzig,
                               physics::Solver::BulletPgs};
 
-/// Names below assets/scenes, without their endings.
+/// Files below assets/scenes.
 std::vector<std::string> every_scene() {
     std::vector<std::string> names;
     for (const scene::ListedScene& scene :
          scene::list_scenes({.assets = test::repository() / "assets", .user_scenes = {}}))
-        names.push_back(scene.name);
+        names.push_back(scene.name + scene.file.extension().string());
     return names;
 }
 
@@ -39,7 +39,7 @@ TEST_P(SavedScene, GoesOnToTheSameBitsWithEverySolver) {
     const TemporaryFolder folder;
     for (const physics::Solver solver : kSolvers) {
         SCOPED_TRACE(physics::solver_name(solver));
-        SceneRun first(GetParam() + ".toml", {.solver = solver});
+        SceneRun first(GetParam(), {.solver = solver});
         ASSERT_TRUE(first.simulation);
         // The others take minutes for hard cases and for piles.
         const bool is_quick =
@@ -52,7 +52,7 @@ TEST_P(SavedScene, GoesOnToTheSameBitsWithEverySolver) {
             effects::save_game(folder / "one.save", first.running(), kBefore);
         ASSERT_TRUE(saved.ok()) << saved.error().message;
 
-        SceneRun second(GetParam() + ".toml", {.solver = solver});
+        SceneRun second(GetParam(), {.solver = solver});
         const Result<effects::SavedGame> read = effects::read_saved_game(folder / "one.save");
         ASSERT_TRUE(read.ok()) << read.error().message;
         EXPECT_EQ(read->steps, kBefore);
@@ -77,6 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped,
                          [](const testing::TestParamInfo<std::string>& scene) {
                              std::string name = scene.param;
                              std::ranges::replace(name, '/', '_');
+                             std::ranges::replace(name, '.', '_');
                              return name;
                          });
 

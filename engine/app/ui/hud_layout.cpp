@@ -105,25 +105,30 @@ HudLayout layout_of(const HudTexts& texts,
 
     const float above_hint =
         texts.hint.empty() ? height_px - margin - font_px : out.hint.box.y - gap;
-    out.captions = place.stack(texts.captions,
-                               std::min(free_width, font_px * 40.0F),
-                               std::max(1.0F, kLeastCaption_px / font_px));
-    Placer::move(out.captions,
-                 middle_x - out.captions.box.width * 0.5F,
-                 above_hint - out.captions.box.height);
-
-    // Messages grow upwards from there and stay clear of what the crosshair names.
-    const float above_captions =
-        texts.captions.empty() ? height_px * 0.86F : out.captions.box.y - gap;
-    const float bottom = texts.hint.empty() || !texts.captions.empty()
-                             ? std::min(above_captions, height_px * 0.86F)
-                             : out.hint.box.y - gap;
-    const float top = texts.side.empty() ? height_px * 0.5F + font_px * 3.4F : height_px * 0.72F;
+    // Messages grow upwards from the captions and stay clear of what the crosshair names. Where there is
+    // no room the oldest go, of the messages first.
+    std::vector<HudLine> captions = texts.captions;
     std::vector<HudLine> messages = texts.messages;
-    do {
+    const float top = texts.side.empty() ? height_px * 0.5F + font_px * 3.4F : height_px * 0.72F;
+    float bottom = 0.0F;
+    for (;;) {
+        out.captions = place.stack(captions,
+                                   std::min(free_width, font_px * 40.0F),
+                                   std::max(1.0F, kLeastCaption_px / font_px));
+        Placer::move(out.captions,
+                     middle_x - out.captions.box.width * 0.5F,
+                     above_hint - out.captions.box.height);
+        const float above_captions =
+            captions.empty() ? height_px * 0.86F : out.captions.box.y - gap;
+        bottom = texts.hint.empty() || !captions.empty()
+                     ? std::min(above_captions, height_px * 0.86F)
+                     : out.hint.box.y - gap;
         out.messages = place.stack(messages, std::min(free_width, font_px * 56.0F));
-        if (!messages.empty()) messages.erase(messages.begin());
-    } while (out.messages.box.height > bottom - top && !messages.empty());
+        if (out.messages.box.height <= bottom - top) break;
+        std::vector<HudLine>& longer = messages.size() > 1 ? messages : captions;
+        if (longer.size() <= 1) break;
+        longer.erase(longer.begin());
+    }
     Placer::move(
         out.messages, middle_x - out.messages.box.width * 0.5F, bottom - out.messages.box.height);
 
