@@ -99,8 +99,9 @@ def a_model_is_saved_while_it_is_shown(folder):
         finally:
             game.stop()
     triangles = read_json(report)["triangles"]
-    # The report is of the last frame, which may have drawn shadow maps too: each pass draws the 40 and the ground's 2.
-    expect(triangles > 0 and triangles % 42 == 0, f"{triangles} triangles drawn: not the 40 that were saved, with the ground")
+    # The report is of the last frame: the ground of 2 in up to three parts, and up to four shadow maps.
+    expect(40 <= triangles <= 40 + 6 + 4 * 42,
+           f"{triangles} triangles drawn: not the 40 that were saved, with the ground; with 3 it is 29 at most")
 
 
 def a_study_without_its_worker(folder):
