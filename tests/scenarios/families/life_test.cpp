@@ -229,11 +229,12 @@ TEST(Life, H89ARebuiltWorldGoesOnAsAFreshOneWould) {
     rig.run(2);
     std::vector<BodyState> states;
     for (const BodyId id : rig.movers) states.push_back(rig.world.state(id));
-    Rig fresh(balanced());
-    build_heap(fresh, false, states);
     // Through another solver: with its own it goes on with what its contacts carried.
-    WorldDef other = rig.world.def();
+    WorldDef other = balanced();
     other.solver = Solver::BulletSi;
+    Rig fresh(other);
+    build_heap(fresh, false, states);
+    fresh.world.reconfigure(balanced());
     rig.world.reconfigure(other);
     rig.world.reconfigure(balanced());
     rig.run(3);
