@@ -76,7 +76,7 @@ def play(game, bindings):
     game.press("Escape")
     time.sleep(2)
     snap(game, "7_menu")
-    game.press("Down", 6, 0.1)  # quicker than the frames: none is lost
+    game.press("Down", 7, 0.1)  # quicker than the frames: none is lost
     time.sleep(1)
     snap(game, "8_quit_is_chosen")
     game.press("Return")
