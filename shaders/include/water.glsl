@@ -96,7 +96,8 @@ BelowWater below_water(vec3 surface, vec3 normal, vec3 to_eye, float eye_distanc
         }
         off_px *= 0.6;
     }
-    below.light = textureLod(source_image, at_px / size, 0.0).rgb;
+    // The light of that very place: between two pixels what stands before the water would shine in.
+    below.light = texelFetch(source_image, ivec2(at_px), 0).rgb;
     below.way_m = -below.depth_m / way.y;
     return below;
 }
