@@ -33,6 +33,15 @@ inline Pose from_bullet(const btTransform& transform) {
 inline Vec3d double_from_bullet(const btVector3& v) {
     return {static_cast<double>(v.x()), static_cast<double>(v.y()), static_cast<double>(v.z())};
 }
+/// Unit, from a basis whose columns are unit to rounding.
+inline Quatd double_quat_from_bullet(const btMatrix3x3& basis) {
+    btQuaternion q;
+    basis.getRotation(q);
+    return glm::normalize(Quatd{static_cast<double>(q.w()),
+                                static_cast<double>(q.x()),
+                                static_cast<double>(q.y()),
+                                static_cast<double>(q.z())});
+}
 inline btVector3 bullet_from_double(const Vec3d& v) {
     return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
 }

@@ -9,36 +9,15 @@
 
 namespace plumbline::physics {
 
-/// Adds rows and sweeps to StepCost as `Base` works. A clock-free measure of work: CI can compare
-/// it on a busy machine.
+/// Adds contacts to StepCost as `Base` ends, and tells its rows. A clock-free measure of work: CI can
+/// compare it on a busy machine.
 template <class Base>
-class CountingSolver final : public Base {
+class CountingBase : public Base {
 public:
     template <class... Args>
-    explicit CountingSolver(StepCost& cost, Args... args) : Base(args...), cost_(cost) {}
+    explicit CountingBase(StepCost& cost, Args... args) : Base(args...), cost_(cost) {}
 
 protected:
-    btScalar solveSingleIteration(int iteration,
-                                  btCollisionObject** bodies,
-                                  int body_count,
-                                  btPersistentManifold** manifolds,
-                                  int manifold_count,
-                                  btTypedConstraint** constraints,
-                                  int constraint_count,
-                                  const btContactSolverInfo& info,
-                                  btIDebugDraw* drawer) override {
-        cost_.row_solves += rows();
-        return Base::solveSingleIteration(iteration,
-                                          bodies,
-                                          body_count,
-                                          manifolds,
-                                          manifold_count,
-                                          constraints,
-                                          constraint_count,
-                                          info,
-                                          drawer);
-    }
-
     btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies,
                                            int body_count,
                                            const btContactSolverInfo& info) override {
@@ -57,11 +36,40 @@ protected:
     StepCost& cost_;
 };
 
+/// Every sweep over the rows counts as it is made.
+template <class Base>
+class CountingSolver final : public CountingBase<Base> {
+public:
+    using CountingBase<Base>::CountingBase;
+
+protected:
+    btScalar solveSingleIteration(int iteration,
+                                  btCollisionObject** bodies,
+                                  int body_count,
+                                  btPersistentManifold** manifolds,
+                                  int manifold_count,
+                                  btTypedConstraint** constraints,
+                                  int constraint_count,
+                                  const btContactSolverInfo& info,
+                                  btIDebugDraw* drawer) override {
+        this->cost_.row_solves += this->rows();
+        return Base::solveSingleIteration(iteration,
+                                          bodies,
+                                          body_count,
+                                          manifolds,
+                                          manifold_count,
+                                          constraints,
+                                          constraint_count,
+                                          info,
+                                          drawer);
+    }
+};
+
 /// The matrix solvers sweep inside their own loops: every row counts once per sweep asked for.
-class CountingMatrixSolver final : public btMLCPSolver {
+class CountingMatrixSolver final : public CountingBase<btMLCPSolver> {
 public:
     CountingMatrixSolver(StepCost& cost, btMLCPSolverInterface* inner, int sweeps)
-        : btMLCPSolver(inner), cost_(cost), sweeps_(static_cast<std::uint64_t>(sweeps)) {}
+        : CountingBase(cost, inner), sweeps_(static_cast<std::uint64_t>(sweeps)) {}
 
 protected:
     btScalar solveGroupCacheFriendlyIterations(btCollisionObject** bodies,
@@ -72,11 +80,7 @@ protected:
                                                int constraint_count,
                                                const btContactSolverInfo& info,
                                                btIDebugDraw* drawer) override {
-        cost_.row_solves += sweeps_ * static_cast<std::uint64_t>(
-                                          m_tmpSolverContactConstraintPool.size() +
-                                          m_tmpSolverContactFrictionConstraintPool.size() +
-                                          m_tmpSolverContactRollingFrictionConstraintPool.size() +
-                                          m_tmpSolverNonContactConstraintPool.size());
+        cost_.row_solves += sweeps_ * rows();
         return btMLCPSolver::solveGroupCacheFriendlyIterations(bodies,
                                                                body_count,
                                                                manifolds,
@@ -87,15 +91,7 @@ protected:
                                                                drawer);
     }
 
-    btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies,
-                                           int body_count,
-                                           const btContactSolverInfo& info) override {
-        cost_.contacts += static_cast<std::uint32_t>(m_tmpSolverContactConstraintPool.size());
-        return btMLCPSolver::solveGroupCacheFriendlyFinish(bodies, body_count, info);
-    }
-
 private:
-    StepCost& cost_;
     std::uint64_t sweeps_;
 };
 

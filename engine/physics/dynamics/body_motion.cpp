@@ -19,15 +19,6 @@ btQuaternion bullet_turn_by(const btVector3& spin, btScalar step_s) {
     return {q.x, q.y, q.z, q.w};
 }
 
-Quatd double_quat(const btMatrix3x3& basis) {
-    btQuaternion q;
-    basis.getRotation(q);
-    return glm::normalize(Quatd{static_cast<double>(q.w()),
-                                static_cast<double>(q.x()),
-                                static_cast<double>(q.y()),
-                                static_cast<double>(q.z())});
-}
-
 btMatrix3x3 basis_of(const Quatd& q) {
     const Mat3d m = glm::mat3_cast(q);
     const auto at = [&m](int row, int column) { return static_cast<btScalar>(m[column][row]); };
@@ -55,7 +46,7 @@ void fly(BodyRecord& record, const Vec3d& gravity_mps2, const WorldFeatures& fea
     if (!flight.going) {
         flight.position_m = double_from_bullet(record.before.getOrigin());
         flight.velocity_mps = double_from_bullet(record.velocity_before);
-        flight.orientation = double_quat(record.before.getBasis());
+        flight.orientation = double_quat_from_bullet(record.before.getBasis());
         flight.spin_radps = double_from_bullet(record.spin_before);
         flight.going = true;
     }
@@ -102,10 +93,10 @@ void fly(BodyRecord& record, const Vec3d& gravity_mps2, const WorldFeatures& fea
 void turn_freely(BodyRecord& record, double h) {
     btRigidBody& rigid = *record.rigid;
     Flight& flight = record.flight;
-    const FreeTurn start = flight.going
-                               ? FreeTurn{flight.orientation, flight.spin_radps}
-                               : FreeTurn{double_quat(rigid.getWorldTransform().getBasis()),
-                                          double_from_bullet(rigid.getAngularVelocity())};
+    const FreeTurn start =
+        flight.going ? FreeTurn{flight.orientation, flight.spin_radps}
+                     : FreeTurn{double_quat_from_bullet(rigid.getWorldTransform().getBasis()),
+                                double_from_bullet(rigid.getAngularVelocity())};
     const FreeTurn end = turned_freely(start, record.inertia_kgm2, h);
     flight.orientation = end.orientation;
     flight.spin_radps = end.spin_radps;

@@ -19,15 +19,6 @@ constexpr int kHoldSteps = 30;  ///< after the last step that asked for as many 
 constexpr double kFarFewer = 0.75;
 constexpr int kMostSubsteps = 64;
 
-Quatd double_orientation(const btMatrix3x3& basis) {
-    btQuaternion q;
-    basis.getRotation(q);
-    return glm::normalize(Quatd{static_cast<double>(q.w()),
-                                static_cast<double>(q.x()),
-                                static_cast<double>(q.y()),
-                                static_cast<double>(q.z())});
-}
-
 SymmetricMat3 symmetric(const btMatrix3x3& m) {
     return {
         .xx = m[0][0], .xy = m[0][1], .xz = m[0][2], .yy = m[1][1], .yz = m[1][2], .zz = m[2][2]};
@@ -38,7 +29,7 @@ SolverBody immovable_body(const BodyRecord& record) {
     body.velocity_mps = from_bullet(record.rigid->getLinearVelocity());
     body.spin_radps = from_bullet(record.rigid->getAngularVelocity());
     body.start_position_m = double_from_bullet(record.rigid->getWorldTransform().getOrigin());
-    body.start_orientation = double_orientation(record.rigid->getWorldTransform().getBasis());
+    body.start_orientation = double_quat_from_bullet(record.rigid->getWorldTransform().getBasis());
     return body;
 }
 
