@@ -35,6 +35,15 @@ MAY_INCLUDE = {
 # Modules whose folders are private: only the headers beside their CMakeLists.txt are for others.
 PRIVATE_FOLDERS = {"physics"}
 
+# Start of a library's headers -> the folder outside of which no file sees them, not even through
+# another header.
+CONFINED = {"bullet/": "engine/physics/bullet/", "bt": "engine/physics/bullet/",
+            "Bullet": "engine/physics/bullet/", "LinearMath/": "engine/physics/bullet/"}
+# Folders may hold this many files; those that hold more are not yet divided.
+MOST_FILES = 25
+CROWDED = {"engine/app", "engine/assets", "engine/core", "engine/effects", "engine/render",
+           "engine/render/passes", "engine/scene", "engine/study", "engine/study/report", "game"}
+
 # Start of a third-party header -> modules that own it. GLM and fmt are everybody's.
 ANY = set(MAY_INCLUDE)
 THIRD_PARTY = {
@@ -141,10 +150,67 @@ def problem_with_foreign(path, included):
     return None
 
 
+def confined_to(header):
+    """The folder that a library's header is confined to, or none."""
+    matching = [prefix for prefix in CONFINED if header.startswith(prefix)]
+    return CONFINED[max(matching, key=len)] if matching else None
+
+
+def problems_with_confined(includes):
+    """Files that see a confined library from outside its folder. `includes`: path -> what it names."""
+    seen_through = {}  # path -> the folder whose library it sees
+
+    def folder_seen_by(path, on_the_way=()):
+        if path not in seen_through and path not in on_the_way:
+            for _, own, foreign in includes.get(path, ()):
+                folder = (confined_to(foreign) if foreign
+                          else folder_seen_by(own, on_the_way + (path,)))
+                if folder:
+                    seen_through[path] = folder
+                    break
+            else:
+                seen_through[path] = None
+        return seen_through.get(path)
+
+    for path, lines in includes.items():
+        for number, own, foreign in lines:
+            name = own or foreign
+            folder = folder_seen_by(own) if own else confined_to(foreign)
+            if folder and not path.startswith(folder):
+                yield f"{path}:{number}: {name} shows what only {folder} may see"
+
+
+def problems_with_folders(files):
+    """Folders of too many files, and names of crowded ones that are so no more."""
+    folders = [str(pathlib.PurePosixPath(path).parent) for path in files]
+    for folder in sorted(set(folders)):
+        count = folders.count(folder)
+        if count > MOST_FILES and folder not in CROWDED:
+            yield f"{folder}: {count} files; at most {MOST_FILES}"
+        if count <= MOST_FILES and folder in CROWDED:
+            yield f"{folder}: {count} files; strike it off CROWDED"
+
+
+def problems_of_tests(root):
+    """Tests of other modules that include what is private to one."""
+    for path in own_files(root, "tests", suffixes=(".h", ".cpp")):
+        lines = (root / path).read_text(encoding="utf-8").splitlines()
+        for number, line in enumerate(lines, start=1):
+            found = INCLUDE.match(line)
+            included = found.group(1) if found else None
+            if not included or not included.startswith("engine/"):
+                continue
+            module = module_of(included)
+            if module in PRIVATE_FOLDERS and is_private(included) \
+                    and not path.startswith(f"tests/engine/{module}/"):
+                yield f"{path}:{number}: {included} is private to {module}"
+
+
 def check(root):
     """Every problem in the tree at `root`, and how many files were read."""
     files = own_files(root, "engine", "game", suffixes=(".h", ".cpp"))
-    problems = []
+    problems = [*problems_with_folders(files), *problems_of_tests(root)]
+    includes = {}
     for path in files:
         lines = (root / path).read_text(encoding="utf-8").splitlines()
         if len(lines) > LONGEST_FILE:
@@ -154,9 +220,11 @@ def check(root):
             if not found:
                 continue
             own, foreign = found.groups()
+            includes.setdefault(path, []).append((number, own, foreign))
             problem = problem_with_own(path, own) if own else problem_with_foreign(path, foreign)
             if problem:
                 problems.append(f"{path}:{number}: {problem}")
+    problems.extend(problems_with_confined(includes))
     if not files:
         problems.append(f"{root}: no sources found in engine/ and game/")
     return problems, len(files)

@@ -8,18 +8,28 @@ import unittest
 import layers
 
 
-def problems_of(path, text):
-    """What layers.py says of a tree that holds one file."""
+def problems_of_tree(texts):
+    """What layers.py says of a tree that holds these files."""
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
-        (root / path).parent.mkdir(parents=True)
-        (root / path).write_text(text, encoding="utf-8")
-        problems, file_count = layers.check(root)
-        assert file_count == 1
-        return problems
+        for path, text in texts.items():
+            (root / path).parent.mkdir(parents=True, exist_ok=True)
+            (root / path).write_text(text, encoding="utf-8")
+        return layers.check(root)
+
+
+def problems_of(path, text):
+    """What layers.py says of a tree that holds one file."""
+    problems, file_count = problems_of_tree({path: text})
+    assert file_count == 1
+    return problems
 
 
 class Layers(unittest.TestCase):
+    def setUp(self):
+        self.addCleanup(setattr, layers, "CROWDED", layers.CROWDED)
+        layers.CROWDED = set()
+
     def test_allowed_edges_pass(self):
         text = ('#pragma once\n#include "engine/core/pose.h"\n#include "engine/render/mesh.h"\n'
                 "#include <glm/glm.hpp>\n#include <fmt/format.h>\n#include <vector>\n"
@@ -39,9 +49,9 @@ class Layers(unittest.TestCase):
                          ["engine/app/a.cpp:1: the engine never includes the game"])
 
     def test_foreign_library_fails(self):
-        self.assertEqual(problems_of("engine/scene/a.cpp", "#include <btBulletDynamicsCommon.h>\n"),
-                         ["engine/scene/a.cpp:1: scene must not include btBulletDynamicsCommon.h; "
-                          "it belongs to physics"])
+        self.assertEqual(problems_of("engine/scene/a.cpp", "#include <assimp/scene.h>\n"),
+                         ["engine/scene/a.cpp:1: scene must not include assimp/scene.h; "
+                          "it belongs to assets"])
 
     def test_own_library_in_a_public_header_fails(self):
         text = "#include <GLFW/glfw3.h>\n"
@@ -59,6 +69,40 @@ class Layers(unittest.TestCase):
         self.assertEqual(
             problems_of("game/a.cpp", '#include "engine/physics/world/world_state.h"\n'),
             ["game/a.cpp:1: engine/physics/world/world_state.h is private to physics"])
+
+    def test_tests_of_other_modules_see_public_headers_only(self):
+        text = '#include "engine/physics/world/bodies.h"\n'
+        self.assertEqual(problems_of_tree({"game/a.cpp": "", "tests/game/a_test.cpp": text})[0],
+                         ["tests/game/a_test.cpp:1: engine/physics/world/bodies.h is private to "
+                          "physics"])
+        self.assertEqual(
+            problems_of_tree({"game/a.cpp": "", "tests/engine/physics/a_test.cpp": text})[0], [])
+
+    def test_bullet_stays_in_its_folder(self):
+        text = "#include <btBulletDynamicsCommon.h>\n"
+        self.assertEqual(problems_of("engine/physics/bullet/a.h", text), [])
+        self.assertEqual(problems_of("engine/physics/world/a.cpp", text),
+                         ["engine/physics/world/a.cpp:1: btBulletDynamicsCommon.h shows what only "
+                          "engine/physics/bullet/ may see"])
+
+    def test_bullet_is_not_seen_through_another_header(self):
+        tree = {"engine/physics/bullet/a.h": "#include <LinearMath/btVector3.h>\n",
+                "engine/physics/bullet/b.h": '#include "engine/physics/bullet/a.h"\n',
+                "engine/physics/bullet/plain.h": "#include <vector>\n",
+                "engine/physics/world/c.cpp": '#include "engine/physics/bullet/plain.h"\n'
+                                              '#include "engine/physics/bullet/b.h"\n'}
+        self.assertEqual(problems_of_tree(tree)[0],
+                         ["engine/physics/world/c.cpp:2: engine/physics/bullet/b.h shows what only "
+                          "engine/physics/bullet/ may see"])
+
+    def test_crowded_folder_fails(self):
+        full = {f"engine/core/a{i}.h": "" for i in range(layers.MOST_FILES)}
+        self.assertEqual(problems_of_tree(full)[0], [])
+        self.assertEqual(problems_of_tree({**full, "engine/core/b.h": ""})[0],
+                         ["engine/core: 26 files; at most 25"])
+        layers.CROWDED = {"engine/core"}
+        self.assertEqual(problems_of_tree(full)[0],
+                         ["engine/core: 25 files; strike it off CROWDED"])
 
     def test_path_not_from_the_root_fails(self):
         self.assertEqual(

@@ -1,6 +1,9 @@
 #include "engine/physics/bullet/convex_query.h"
 
-#include "engine/physics/world/world_state.h"
+#include "engine/physics/bullet/contact/contact_copy.h"
+#include "engine/physics/bullet/convert.h"
+#include "engine/physics/bullet/step_world.h"
+#include "engine/physics/world/body_record.h"
 
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
@@ -169,6 +172,19 @@ std::optional<CastHit> cast_among(const btCollisionWorld& world,
     }
     if (best.record == nullptr) return std::nullopt;
     return best;
+}
+
+std::optional<SphereHit> cast_sphere(const StepWorld& world,
+                                     const SpherePath& path,
+                                     const BodyFilter& filter) {
+    const btSphereShape sphere(path.radius_m);
+    const auto hit = cast_among(world,
+                                sphere,
+                                btTransform(btMatrix3x3::getIdentity(), to_bullet(path.from_world)),
+                                to_bullet(path.motion_m),
+                                filter);
+    if (!hit) return std::nullopt;
+    return SphereHit{.fraction = hit->fraction, .normal_world = from_bullet(hit->normal)};
 }
 
 std::optional<CastHit> ray_among(const btCollisionWorld& world,

@@ -4,15 +4,15 @@
 // treat boxes, triangles and children of compounds alike.
 #pragma once
 
+#include "engine/physics/bullet/cast.h"
+
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <btBulletCollisionCommon.h>
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace plumbline::physics {
-
-struct BodyRecord;
 
 /// Closest points of two convex shapes. The normal is unit and points from b to a.
 struct ClosestPoints {
@@ -27,17 +27,6 @@ struct CastHit {
     btVector3 normal{0, 1, 0};  ///< from the body hit to the moving shape
     btVector3 point{0, 0, 0};
     const BodyRecord* record{nullptr};
-};
-
-/// Bodies that a cast or overlap sees. Groups must agree both ways.
-struct BodyFilter {
-    std::uint32_t group{~0U};
-    std::uint32_t collides_with{~0U};
-    const BodyRecord* ignored{nullptr};  ///< and what joints keep it from touching
-    const BodyRecord* also_ignored{nullptr};
-    std::uint32_t unseen_group{0};  ///< BodyRecord::sweep_group; 0: none
-
-    bool sees(const BodyRecord& record) const;
 };
 
 /// None when they are farther apart than max_distance.
@@ -67,6 +56,23 @@ std::optional<CastHit> ray_among(const btCollisionWorld& world,
                                  const btVector3& to,
                                  const BodyFilter& filter);
 
+template <class Fn>
+class TrianglePieces final : public btTriangleCallback {
+public:
+    TrianglePieces(const btTransform& world_from_shape, Fn& fn)
+        : world_from_shape_(world_from_shape), fn_(fn) {}
+
+    void processTriangle(btVector3* corners, int, int) override {
+        btTriangleShape triangle(corners[0], corners[1], corners[2]);
+        triangle.setMargin(0);
+        fn_(static_cast<const btConvexShape&>(triangle), world_from_shape_);
+    }
+
+private:
+    const btTransform& world_from_shape_;
+    Fn& fn_;
+};
+
 /// Every convex piece of `shape` within the box, as (piece, world_from_piece): the shape itself, a
 /// compound's children, a mesh's triangles.
 template <class Fn>
@@ -74,8 +80,34 @@ void each_convex(const btCollisionShape& shape,
                  const btTransform& world_from_shape,
                  const btVector3& box_min,
                  const btVector3& box_max,
-                 Fn&& fn);
+                 Fn&& fn) {
+    btVector3 shape_min;
+    btVector3 shape_max;
+    shape.getAabb(world_from_shape, shape_min, shape_max);
+    if (!TestAabbAgainstAabb2(box_min, box_max, shape_min, shape_max)) return;
+    if (shape.isConvex()) {
+        fn(static_cast<const btConvexShape&>(shape), world_from_shape);
+    } else if (shape.isCompound()) {
+        const auto& compound = static_cast<const btCompoundShape&>(shape);
+        for (int i = 0; i < compound.getNumChildShapes(); ++i) {
+            each_convex(*compound.getChildShape(i),
+                        world_from_shape * compound.getChildTransform(i),
+                        box_min,
+                        box_max,
+                        fn);
+        }
+    } else if (shape.isConcave()) {
+        // The box seen from the mesh: its half extents through the rotation's absolute values.
+        const btTransform shape_from_world = world_from_shape.inverse();
+        const btVector3 half = (box_max - box_min) * btScalar(0.5);
+        const btVector3 middle = shape_from_world((box_max + box_min) * btScalar(0.5));
+        const btVector3 extent = half.dot3(shape_from_world.getBasis()[0].absolute(),
+                                           shape_from_world.getBasis()[1].absolute(),
+                                           shape_from_world.getBasis()[2].absolute());
+        TrianglePieces<Fn> pieces(world_from_shape, fn);
+        static_cast<const btConcaveShape&>(shape).processAllTriangles(
+            &pieces, middle - extent, middle + extent);
+    }
+}
 
 }  // namespace plumbline::physics
-
-#include "engine/physics/bullet/convex_pieces.h"

@@ -1,9 +1,11 @@
 #include "engine/physics/bullet/joints.h"
 
+#include "engine/physics/bullet/archive/bullet_fields.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/step_world.h"
 #include "engine/physics/dynamics/joint/joint_geometry.h"
-#include "engine/physics/world/world_state.h"
+#include "engine/physics/world/body_record.h"
+#include "engine/physics/world/joint_record.h"
 
 #include <algorithm>
 #include <cmath>
@@ -322,6 +324,7 @@ BulletJoint::BulletJoint(JointRecord& joint, StepWorld& world)
     : impl_(std::make_unique<Impl>(joint, world)) {
     impl_->constraint = constraint_of(joint);
     impl_->constraint->setJointFeedback(&impl_->feedback);
+    impl_->constraint->setUserConstraintPtr(&joint);
     world.addConstraint(impl_->constraint.get());
 }
 
@@ -354,18 +357,17 @@ void BulletJoint::gather(double substep_s) {
     const Vec3d torque =
         double_from_bullet(first ? load.m_appliedTorqueBodyA : load.m_appliedTorqueBodyB);
     // Where a was when the rows were made; Bullet's torque is about its centre of mass.
-    const btMatrix3x3& basis = joint.a->before.getBasis();
-    const Vec3d arm = double_from_bullet(basis * bullet_from_double(joint.solver.anchor_in_a));
+    const Vec3d arm{joint.a->before.rotation * Vec3{joint.solver.anchor_in_a}};
     impl_->carried_Ns += force * substep_s;
     impl_->carried_Nms += (torque - glm::cross(arm, force)) * substep_s;
 }
 
-const btTypedConstraint& BulletJoint::constraint() const {
-    return *impl_->constraint;
+void BulletJoint::serialize(Archive& archive) {
+    archive(impl_->feedback);
 }
 
-btJointFeedback& BulletJoint::feedback() {
-    return impl_->feedback;
+JointRecord& joint_of(btTypedConstraint& constraint) {
+    return *static_cast<JointRecord*>(constraint.getUserConstraintPtr());
 }
 
 std::optional<JointMeanLoad> BulletJoint::mean_load() const {

@@ -12,8 +12,11 @@
 #include <memory>
 #include <optional>
 
-struct btJointFeedback;
 class btTypedConstraint;
+
+namespace plumbline {
+class Archive;
+}
 
 namespace plumbline::physics {
 
@@ -43,13 +46,15 @@ public:
     /// Of the step; none where its bodies slept all along.
     std::optional<JointMeanLoad> mean_load() const;
 
-    const btTypedConstraint& constraint() const;
     /// What the latest substep carried.
-    btJointFeedback& feedback();
+    void serialize(Archive& archive);
 
 private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+/// Whose constraint it is; every one in Bullet's world is a joint's.
+JointRecord& joint_of(btTypedConstraint& constraint);
 
 }  // namespace plumbline::physics

@@ -1,7 +1,8 @@
 // Outlines of collision shapes and contact normals, from Bullet's debug drawing.
 #include "engine/physics/bullet/convert.h"
+#include "engine/physics/bullet/shape/shape_record.h"
+#include "engine/physics/bullet/step_world.h"
 #include "engine/physics/character.h"
-#include "engine/physics/world/small_step_world.h"
 #include "engine/physics/world/world_state.h"
 
 #include <LinearMath/btIDebugDraw.h>
@@ -53,9 +54,9 @@ void PhysicsWorld::add_shape_lines(ShapeId shape,
                                    const Pose& world_from_body,
                                    const Vec3f& color,
                                    LineList& lines) const {
-    const ShapeRecord& record = *impl_->shapes.get(shape);
+    const ShapeRecord& record = impl_->shapes.get(shape);
     LineCollector collector(lines);
-    StepWorld& world = *impl_->world;
+    StepWorld& world = impl_->engine->world();
     world.setDebugDrawer(&collector);
     world.debugDrawObject(to_bullet(compose(world_from_body, record.body_from_mass)),
                           record.collision,
@@ -65,7 +66,7 @@ void PhysicsWorld::add_shape_lines(ShapeId shape,
 
 void PhysicsWorld::add_debug_lines(LineList& lines, const std::optional<Vec3>& eye_world) const {
     LineCollector collector(lines);
-    StepWorld& world = *impl_->world;
+    StepWorld& world = impl_->engine->world();
     // Only for the length of this call: a drawer left in place would be asked during steps.
     world.setDebugDrawer(&collector);
     impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
@@ -75,24 +76,13 @@ void PhysicsWorld::add_debug_lines(LineList& lines, const std::optional<Vec3>& e
                               color_of(*record));
     });
     world.setDebugDrawer(nullptr);
-    const auto add_normal = [&lines](const Vec3& foot, const Vec3& normal) {
-        lines.add(Vec3f{foot}, Vec3f{foot + kNormalLength_m * normal}, Vec3f{1, 0.9F, 0.1F});
-    };
-    if (impl_->small) {
-        impl_->small->pairs().each_manifold([&add_normal](const Manifold& manifold) {
-            for (const ManifoldPoint& point : manifold.points)
-                add_normal(point.b.surface_m, point.normal_world);
-        });
-        return;
-    }
-    for (int i = 0; i < impl_->dispatcher->getNumManifolds(); ++i) {
-        const btPersistentManifold& manifold = *impl_->dispatcher->getManifoldByIndexInternal(i);
-        for (int p = 0; p < manifold.getNumContacts(); ++p) {
-            const btManifoldPoint& point = manifold.getContactPoint(p);
-            add_normal(from_bullet(point.getPositionWorldOnB()),
-                       from_bullet(point.m_normalWorldOnB));
+    impl_->engine->each_manifold([&lines](const Manifold& manifold) {
+        for (const ManifoldPoint& point : manifold.points) {
+            const Vec3& foot = point.b.surface_m;
+            const Vec3 tip = foot + kNormalLength_m * point.normal_world;
+            lines.add(Vec3f{foot}, Vec3f{tip}, Vec3f{1, 0.9F, 0.1F});
         }
-    }
+    });
 }
 
 void PhysicsWorld::add_box_lines(LineList& lines, const std::optional<Vec3>& eye_world) const {

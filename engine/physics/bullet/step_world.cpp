@@ -1,6 +1,11 @@
+#include "engine/physics/bullet/step_world.h"
+
+#include "engine/physics/bullet/body.h"
+#include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/bullet/convert.h"
+#include "engine/physics/bullet/rotations.h"
 #include "engine/physics/dynamics/body_motion.h"
-#include "engine/physics/world/world_state.h"
+#include "engine/physics/world/body_record.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +42,9 @@ void StepWorld::predictUnconstraintMotion(btScalar) {
     for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
         btRigidBody& rigid = *m_nonStaticRigidBodies[i];
         BodyRecord& record = record_of(rigid);
-        record.before = rigid.getWorldTransform();
-        record.velocity_before = rigid.getLinearVelocity();
-        record.spin_before = rigid.getAngularVelocity();
+        record.before = transform_from_bullet(rigid.getWorldTransform());
+        record.velocity_before = from_bullet(rigid.getLinearVelocity());
+        record.spin_before = from_bullet(rigid.getAngularVelocity());
         if (rigid.isKinematicObject()) continue;
         if (record.linear_keep != 1) {
             rigid.setLinearVelocity(rigid.getLinearVelocity() * record.linear_keep);
@@ -66,7 +71,7 @@ void StepWorld::performDiscreteCollisionDetection() {
 void StepWorld::solveConstraints(btContactSolverInfo& info) {
     btDiscreteDynamicsWorld::solveConstraints(info);
     cost.solve_ms += laps_.lap_ms();
-    if (want_contacts) {
+    if (after_solve) {
         after_solve();
         use.events_ms += laps_.lap_ms();
     }
@@ -76,24 +81,23 @@ void StepWorld::solveConstraints(btContactSolverInfo& info) {
 bool StepWorld::flew_free(const BodyRecord& record, btScalar step_s) const {
     const btRigidBody& rigid = *record.rigid;
     const btVector3 from_forces = rigid.getTotalForce() * (rigid.getInvMass() * step_s);
-    const btVector3 started = record.velocity_before * record.linear_keep;
+    const btVector3 started = to_bullet(record.velocity_before * record.linear_keep);
     const btVector3 change = rigid.getLinearVelocity() - (started + from_forces);
     // A few roundings of the numbers compared; a push this small moves nothing that we can show.
     const btScalar slack = 4 * SIMD_EPSILON * (started.length() + from_forces.length());
     return change.length2() <= slack * slack &&
-           rigid.getWorldTransform() == record.before;  // else the solver pushed it out of overlap
+           rigid_transform(record) == record.before;  // else the solver pushed it out of overlap
 }
 
 /// Semi-implicit Euler, as Bullet has it, for bodies that the solver pushed.
 void StepWorld::slide(BodyRecord& record, btScalar h) {
     btRigidBody& rigid = *record.rigid;
     record.flight.going = false;
-    btTransform to = rigid.getWorldTransform();
-    to.setOrigin(to.getOrigin() + rigid.getLinearVelocity() * h);
-    const btVector3& spin = rigid.getAngularVelocity();
-    if (!feels_gyro(record, features) && !spin.isZero())
-        to.setBasis(turned(to.getBasis(), spin, h));
-    rigid.setCenterOfMassTransform(to);
+    Transform to = rigid_transform(record);
+    to.position_m += linear_velocity(record) * h;
+    if (!feels_gyro(record, features) && !rigid.getAngularVelocity().isZero())
+        to.rotation = turned(to.rotation, angular_velocity(record), h);
+    set_rigid_transform(record, to);
 }
 
 void StepWorld::integrateTransforms(btScalar step_s) {

@@ -37,8 +37,8 @@ public:
     StepCost cost{};
     FeatureUse use{};
     bool last_substep{true};
-    bool want_contacts{false};
-    std::function<void()> after_solve;  ///< called when want_contacts, velocities before in records
+    std::function<void()>
+        after_solve;  ///< where there is one; velocities before are in the records
 
 protected:
     void predictUnconstraintMotion(btScalar step_s) override;

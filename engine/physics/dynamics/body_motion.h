@@ -1,12 +1,14 @@
 // How one body moves in a step when no solver moves it.
 #pragma once
 
+#include "engine/core/math.h"
 #include "engine/physics/physics_world.h"
 
-#include <btBulletDynamicsCommon.h>
+#include <cstdint>
 
 namespace plumbline::physics {
 
+class StepWorld;
 struct BodyRecord;
 
 /// The state of a body carried in double precision from step to step: rounding each to float32
@@ -18,9 +20,6 @@ struct Flight {
     Vec3d spin_radps{0, 0, 0};
     bool going{false};  ///< Bullet's own numbers are the ones above, rounded
 };
-
-/// `basis` turned by a constant spin for a while.
-btMatrix3x3 turned(const btMatrix3x3& basis, const btVector3& spin_radps, btScalar duration_s);
 
 /// Whether the body turns so that its gyroscopic torque shows.
 bool feels_gyro(const BodyRecord& record, const WorldFeatures& features);
@@ -37,25 +36,23 @@ void fly(BodyRecord& record,
 void turn_freely(BodyRecord& record, double duration_s);
 
 /// Moves a kinematic body by its velocities, or to its target.
-void carry(BodyRecord& record, bool to_target, btScalar duration_s);
+void carry(BodyRecord& record, bool to_target, Real duration_s);
 
 /// Whether the body went so far since record.before that it is to be swept.
 bool moves_past_itself(const BodyRecord& record);
 
 /// How far a body gets on its path.
 struct WayToHit {
-    btScalar share{1};  ///< up to where its surface touches something; 1: nothing
-    btVector3 normal{0, 1, 0};
+    Real share{1};  ///< up to where its surface touches something; 1: nothing
+    Vec3 normal{0, 1, 0};
 };
 /// Sweeps the balls inside the body along its path since record.before. Bodies of the group are
 /// passed through.
-WayToHit way_to_hit(const btCollisionWorld& world,
-                    const BodyRecord& record,
-                    std::uint32_t unseen_group);
+WayToHit way_to_hit(const StepWorld& world, const BodyRecord& record, std::uint32_t unseen_group);
 /// On a hit the body stops there and keeps its velocity, so that the next step's contact bounces it
 /// as it should.
-void stop_at_hit(const btCollisionWorld& world, BodyRecord& record, btScalar duration_s);
+void stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s);
 /// Puts the body where it was after a share of its way since record.before.
-void stop_part_way(BodyRecord& record, btScalar share);
+void stop_part_way(BodyRecord& record, Real share);
 
 }  // namespace plumbline::physics

@@ -1,10 +1,11 @@
 // From our records to the small-step loop, and back.
-#include "engine/physics/bullet/convert.h"
+#include "engine/physics/bullet/body.h"
+#include "engine/physics/bullet/rotations.h"
 #include "engine/physics/dynamics/contact/contact_bridge.h"
 #include "engine/physics/dynamics/island.h"
 #include "engine/physics/dynamics/island_loop.h"
 #include "engine/physics/dynamics/substep_choice.h"
-#include "engine/physics/world/world_state.h"
+#include "engine/physics/world/body_record.h"
 
 #include <algorithm>
 #include <array>
@@ -19,42 +20,37 @@ constexpr int kHoldSteps = 30;  ///< after the last step that asked for as many 
 constexpr double kFarFewer = 0.75;
 constexpr int kMostSubsteps = 64;
 
-SymmetricMat3 symmetric(const btMatrix3x3& m) {
-    return {
-        .xx = m[0][0], .xy = m[0][1], .xz = m[0][2], .yy = m[1][1], .yz = m[1][2], .zz = m[2][2]};
-}
-
-SolverBody immovable_body(const BodyRecord& record) {
+SolverBody posed_body(const BodyRecord& record) {
     SolverBody body;
-    body.velocity_mps = from_bullet(record.rigid->getLinearVelocity());
-    body.spin_radps = from_bullet(record.rigid->getAngularVelocity());
-    body.start_position_m = double_from_bullet(record.rigid->getWorldTransform().getOrigin());
-    body.start_orientation = double_quat_from_bullet(record.rigid->getWorldTransform().getBasis());
+    body.velocity_mps = linear_velocity(record);
+    body.spin_radps = angular_velocity(record);
+    if (record.flight.going) {
+        body.start_position_m = record.flight.position_m;
+        body.start_orientation = record.flight.orientation;
+        return body;
+    }
+    const Transform at = rigid_transform(record);
+    body.start_position_m = Vec3d(at.position_m);
+    body.start_orientation = double_quat_of(at.rotation);
     return body;
 }
 
 SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double h) {
-    const btRigidBody& rigid = *record.rigid;
-    SolverBody body = immovable_body(record);
-    body.inverse_mass = rigid.getInvMass();
-    body.inverse_inertia = symmetric(rigid.getInvInertiaTensorWorld());
+    SolverBody body = posed_body(record);
+    body.inverse_mass = inverse_mass_of(record);
+    body.inverse_inertia = inverse_inertia_of(record);
     body.inertia_kgm2 = record.inertia_kgm2;
     body.round_inertia = record.round_inertia;
     body.acceleration_mps2 = Vec3(step.gravity_mps2) * record.linear_factor;
     if (record.forced) {
         body.acceleration_mps2 +=
-            from_bullet((rigid.getTotalForce() - record.weight_N) * rigid.getInvMass());
-        body.angular_acceleration_radps2 =
-            from_bullet(rigid.getInvInertiaTensorWorld() * rigid.getTotalTorque());
+            (total_force_N(record) - record.weight_N) * inverse_mass_of(record);
+        body.angular_acceleration_radps2 = angular_gain(record, total_torque_Nm(record));
     }
     if (record.linear_damping_per_s > 0)
         body.linear_keep = static_cast<Real>(std::exp(-record.linear_damping_per_s * h));
     if (record.angular_damping_per_s > 0)
         body.angular_keep = static_cast<Real>(std::exp(-record.angular_damping_per_s * h));
-    if (record.flight.going) {
-        body.start_position_m = record.flight.position_m;
-        body.start_orientation = record.flight.orientation;
-    }
     return body;
 }
 
@@ -93,9 +89,7 @@ std::uint32_t IslandSolver::Impl::add_body(BodyRecord* record, const SolverBody&
 /// Kinematic bodies that move join the island when something of it touches them.
 std::uint32_t IslandSolver::Impl::index_of(const BodyRecord& record) {
     if (pushable(record)) return record.row;
-    const btRigidBody& rigid = *record.rigid;
-    const bool moves = record.kind == BodyKind::Kinematic &&
-                       !(rigid.getLinearVelocity().isZero() && rigid.getAngularVelocity().isZero());
+    const bool moves = record.kind == BodyKind::Kinematic && !stands_still(record);
     // One that stands still has a place only where a joint holds it.
     const auto place = bounds.find(&record);
     if (place != bounds.end()) return place->second;
@@ -106,7 +100,7 @@ std::uint32_t IslandSolver::Impl::index_of(const BodyRecord& record) {
 std::uint32_t IslandSolver::Impl::posed_index_of(const BodyRecord& record) {
     if (pushable(record)) return record.row;
     const auto [place, added] = bounds.try_emplace(&record, 0);
-    if (added) place->second = add_body(nullptr, immovable_body(record));
+    if (added) place->second = add_body(nullptr, posed_body(record));
     return place->second;
 }
 
@@ -122,17 +116,16 @@ void IslandSolver::Impl::write_bodies() {
         if (records[i] == nullptr) continue;
         BodyRecord& record = *records[i];
         const SolverBody& body = loop.bodies[i];
-        btRigidBody& rigid = *record.rigid;
         Flight& flight = record.flight;
         flight.position_m = body.start_position_m + Vec3d(body.moved_m);
         flight.orientation = glm::normalize(Quatd(body.turned) * body.start_orientation);
         flight.velocity_mps = Vec3d(body.velocity_mps);
         flight.spin_radps = Vec3d(body.spin_radps);
         flight.going = true;
-        rigid.setLinearVelocity(to_bullet(body.velocity_mps));
-        rigid.setAngularVelocity(to_bullet(body.spin_radps));
-        rigid.setCenterOfMassTransform(
-            to_bullet(Pose{Vec3(flight.position_m), Quat(flight.orientation)}));
+        set_linear_velocity(record, body.velocity_mps);
+        set_angular_velocity(record, body.spin_radps);
+        set_rigid_transform(record,
+                            transform_of({Vec3(flight.position_m), Quat(flight.orientation)}));
     }
 }
 
@@ -176,8 +169,8 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
         for (const BodyRecord* end : {manifold->a, manifold->b}) {
             const BodyRecord& record = *end;
             if (!pushable(record)) continue;
-            inverse_mass += record.rigid->getInvMass();
-            heaviest_kg = std::max(heaviest_kg, 1 / record.rigid->getInvMass());
+            inverse_mass += inverse_mass_of(record);
+            heaviest_kg = std::max(heaviest_kg, 1 / inverse_mass_of(record));
             if (record.smallest_core_m > 0) size_m = std::min(size_m, 2 * record.smallest_core_m);
         }
         if (load_N == 0) load_N = heaviest_kg * gravity_mps2;
@@ -185,10 +178,10 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
             number_of(*manifold->a), number_of(*manifold->b), load_N, 1 / inverse_mass, size_m);
     }
     for (const JointRecord* joint : island.joints) {
-        Real spin_radps = joint->a->rigid->getAngularVelocity().length();
+        Real spin_radps = glm::length(angular_velocity(*joint->a));
         Real size_m = std::max(2 * joint->a->smallest_core_m, 1e-3_r);
         if (joint->b != nullptr) {
-            spin_radps = std::max(spin_radps, joint->b->rigid->getAngularVelocity().length());
+            spin_radps = std::max(spin_radps, glm::length(angular_velocity(*joint->b)));
             size_m = std::max(size_m, 2 * joint->b->smallest_core_m);
         }
         chooser.add_joint(spin_radps, static_cast<Real>(joint->state.error_m) / size_m);

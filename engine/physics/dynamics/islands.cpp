@@ -1,6 +1,7 @@
 #include "engine/physics/dynamics/islands.h"
 
-#include "engine/physics/world/world_state.h"
+#include "engine/physics/bullet/body.h"
+#include "engine/physics/world/body_record.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,32 +22,33 @@ bool is_carrier(const BodyRecord& record) {
 }
 
 /// Nothing that callers may do makes bodies faster than this; comparisons with NaN are false.
-bool is_sane(const btRigidBody& rigid) {
-    constexpr btScalar kSpeed = 4 * kMaxSpeed_mps;
-    constexpr btScalar kSpin = 4 * kMaxSpin_radps;
-    return rigid.getLinearVelocity().length2() <= kSpeed * kSpeed &&
-           rigid.getAngularVelocity().length2() <= kSpin * kSpin &&
-           std::isfinite(rigid.getWorldTransform().getOrigin().length2() +
-                         rigid.getWorldTransform().getBasis()[0].length2());
+bool is_sane(const BodyRecord& record) {
+    constexpr Real kSpeed = 4 * kMaxSpeed_mps;
+    constexpr Real kSpin = 4 * kMaxSpin_radps;
+    const Vec3 v = linear_velocity(record);
+    const Vec3 spin = angular_velocity(record);
+    const Transform at = rigid_transform(record);
+    return glm::dot(v, v) <= kSpeed * kSpeed && glm::dot(spin, spin) <= kSpin * kSpin &&
+           std::isfinite(glm::dot(at.position_m, at.position_m) +
+                         glm::dot(at.rotation[0], at.rotation[0]));
 }
 
-btScalar speed_before(const BodyRecord& record) {
-    return record.velocity_before.length() + record.spin_before.length() * record.radius_m;
+Real speed_before(const BodyRecord& record) {
+    return glm::length(record.velocity_before) + glm::length(record.spin_before) * record.radius_m;
 }
 
 void stand_as_before(BodyRecord& record) {
     record.flight.going = false;
-    record.rigid->setCenterOfMassTransform(record.before);
-    record.rigid->setLinearVelocity(record.velocity_before);
-    record.rigid->setAngularVelocity(record.spin_before);
+    set_rigid_transform(record, record.before);
+    set_linear_velocity(record, record.velocity_before);
+    set_angular_velocity(record, record.spin_before);
 }
 
 }  // namespace
 
 bool take_back_if_insane(const Island& island) {
-    const bool sound = std::all_of(island.bodies.begin(), island.bodies.end(), [](auto* record) {
-        return is_sane(*record->rigid);
-    });
+    const bool sound = std::all_of(
+        island.bodies.begin(), island.bodies.end(), [](auto* record) { return is_sane(*record); });
     if (sound) return false;
     BodyRecord* fastest = island.bodies.front();
     for (BodyRecord* record : island.bodies) {
@@ -62,8 +64,8 @@ bool take_back_if_insane(const Island& island) {
         solver.position = 0;
         joint->state = {};
     }
-    constexpr btScalar kNone = std::numeric_limits<btScalar>::quiet_NaN();
-    fastest->rigid->setLinearVelocity({kNone, kNone, kNone});
+    constexpr Real kNone = std::numeric_limits<Real>::quiet_NaN();
+    set_linear_velocity(*fastest, {kNone, kNone, kNone});
     return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "engine/core/pose_archive.h"
 #include "engine/physics/dynamics/body_motion.h"
+#include "engine/physics/dynamics/transform.h"
 #include "engine/physics/world/island_sleep.h"
 #include "engine/physics/world/joint_record.h"
 
@@ -17,6 +18,10 @@ inline void serialize(Archive& archive, WorldDef& def) {
             def.solver,
             def.joints,
             def.seed);
+}
+
+inline void serialize(Archive& archive, Transform& at) {
+    archive(at.rotation[0], at.rotation[1], at.rotation[2], at.position_m);
 }
 
 inline void serialize(Archive& archive, WorldFeatures& features) {

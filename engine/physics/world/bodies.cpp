@@ -1,6 +1,6 @@
 // Bodies: made, moved, pushed, frozen and taken out.
-#include "engine/physics/bullet/convert.h"
-#include "engine/physics/world/small_step_world.h"
+#include "engine/physics/bullet/body.h"
+#include "engine/physics/bullet/rotations.h"
 #include "engine/physics/world/world_state.h"
 
 #include <algorithm>
@@ -9,134 +9,53 @@
 namespace plumbline::physics {
 namespace {
 
-/// Slower than both for two seconds sleeps. Well below anything a person sees moving (a snail makes
-/// 1 cm/s, but a thing that slides that slowly is about to stop); bodies in the air never sleep.
-constexpr btScalar kSleepSpeed_mps = btScalar(0.05);
-constexpr btScalar kSleepSpin_radps = btScalar(0.1);
-
-bool nearly_equal(const Vec3d& inertia) {
-    const double largest = std::max({inertia.x, inertia.y, inertia.z});
-    const double smallest = std::min({inertia.x, inertia.y, inertia.z});
-    return largest - smallest <= 1e-5 * largest;
-}
-
-/// Mass, inertia and the mass frame the definition asks for.
-void weigh(BodyRecord& record, const BodyDef& def, const ShapeRecord& shape) {
-    record.body_from_mass = shape.body_from_mass;
-    record.mass_frame_is_body = shape.mass_frame_is_body;
-    record.mass_kg = static_cast<double>(def.mass_kg);
-    record.inertia_kgm2 = record.mass_kg * shape.inertia_per_kg;
-    if (shape.mesh) return;  // stands or is carried: no mass frame to choose
-    if (def.inertia_kgm2) {
-        record.inertia_kgm2 = Vec3d{*def.inertia_kgm2};
-        record.body_from_mass.orientation = kNoRotation;
-    }
-    if (def.center_of_mass_m) record.body_from_mass.position = *def.center_of_mass_m;
-    record.mass_frame_is_body = record.body_from_mass.position == Vec3{0, 0, 0} &&
-                                record.body_from_mass.orientation == kNoRotation;
-    record.round_inertia = nearly_equal(record.inertia_kgm2);
-}
-
-/// The shape as seen from the body's mass frame; a compound of one where the two differ.
-btCollisionShape* fitted_shape(BodyRecord& record, const ShapeRecord& shape) {
-    const bool same_frame = record.body_from_mass.position == shape.body_from_mass.position &&
-                            record.body_from_mass.orientation == shape.body_from_mass.orientation;
-    const Pose mass_from_shape =
-        same_frame ? Pose{} : compose(invert(record.body_from_mass), shape.body_from_mass);
-    record.cores = shape.cores;
-    record.smallest_core_m = shape.cores.empty() ? 0 : shape.cores.front().radius_m;
-    for (Core& core : record.cores) {
-        core.center_m = transform_point(mass_from_shape, core.center_m);
-        record.smallest_core_m = std::min(record.smallest_core_m, core.radius_m);
-    }
-    if (same_frame) return shape.collision;
-    record.wrapper = std::make_unique<btCompoundShape>();
-    record.wrapper->addChildShape(to_bullet(mass_from_shape), shape.collision);
-    return record.wrapper.get();
-}
-
-std::unique_ptr<btRigidBody> make_rigid(const BodyRecord& record,
-                                        const BodyDef& def,
-                                        btCollisionShape* collision) {
-    const bool dynamic = def.kind == BodyKind::Dynamic;
-    btRigidBody::btRigidBodyConstructionInfo info(
-        dynamic ? static_cast<btScalar>(record.mass_kg) : btScalar(0),
-        nullptr,
-        collision,
-        dynamic ? bullet_from_double(record.inertia_kgm2) : btVector3(0, 0, 0));
-    info.m_friction = def.friction;
-    info.m_rollingFriction = def.rolling_friction;
-    info.m_spinningFriction = def.spinning_friction;
-    info.m_restitution = def.restitution;
-    info.m_linearSleepingThreshold = kSleepSpeed_mps;
-    info.m_angularSleepingThreshold = kSleepSpin_radps;
-    auto rigid = std::make_unique<btRigidBody>(info);
-    // Gyroscopic torque and gravity are the step's business (step_world.cpp), not Bullet's.
-    rigid->setFlags(BT_DISABLE_WORLD_GRAVITY);
-    if (def.kind == BodyKind::Kinematic) {
-        rigid->setCollisionFlags(
-            (rigid->getCollisionFlags() & ~btCollisionObject::CF_STATIC_OBJECT) |
-            btCollisionObject::CF_KINEMATIC_OBJECT);
-    }
-    return rigid;
-}
-
-btVector3 arm_of_origin(const BodyRecord& record) {
-    return record.rigid->getWorldTransform().getBasis() *
-           to_bullet(invert(record.body_from_mass).position);
+Vec3 arm_of_origin(const BodyRecord& record) {
+    return rigid_transform(record).rotation * invert(record.body_from_mass).position;
 }
 
 void set_velocity_of_origin(BodyRecord& record, const Vec3& velocity, const Vec3& spin) {
-    btVector3 v = to_bullet(velocity);
-    const btVector3 w = to_bullet(spin);
-    if (!record.mass_frame_is_body) v -= w.cross(arm_of_origin(record));
-    record.rigid->setLinearVelocity(v * to_bullet(record.linear_factor));
-    record.rigid->setAngularVelocity(w);
+    Vec3 v = velocity;
+    if (!record.mass_frame_is_body) v -= glm::cross(spin, arm_of_origin(record));
+    set_linear_velocity(record, v * record.linear_factor);
+    set_angular_velocity(record, spin);
     record.flight.going = false;
 }
 
 }  // namespace
 
-btTransform PhysicsWorld::Impl::world_from_mass(const BodyRecord& record,
-                                                const Pose& world_from_body) const {
-    return to_bullet(record.mass_frame_is_body ? world_from_body
-                                               : compose(world_from_body, record.body_from_mass));
+Transform PhysicsWorld::Impl::world_from_mass(const BodyRecord& record,
+                                              const Pose& world_from_body) const {
+    return transform_of(record.mass_frame_is_body
+                            ? world_from_body
+                            : compose(world_from_body, record.body_from_mass));
 }
 
-void PhysicsWorld::Impl::place(BodyRecord& record, const btTransform& to) {
-    record.rigid->setCenterOfMassTransform(to);
+void PhysicsWorld::Impl::place(BodyRecord& record, const Transform& to) {
+    set_rigid_transform(record, to);
     record.before = to;
     record.target = to;
     record.flight.going = false;
-    if (record.in_world) world->updateSingleAabb(record.rigid.get());
+    if (record.in_world) engine->refresh_box(record);
 }
 
 void PhysicsWorld::Impl::enter_world(BodyRecord& record) {
-    // The pair filter reads the record; Bullet's own two masks must only not say no.
     record.in_world = true;
-    world->addRigidBody(record.rigid.get(), -1, -1);
-    record.rigid->setDeactivationTime(0);
-    if (small) {
+    engine->add(record);
+    if (small)
         small->enter(record);
-    } else if (pushable(record)) {
-        record.rigid->forceActivationState(record.can_sleep ? ACTIVE_TAG : DISABLE_DEACTIVATION);
-    } else {
-        record.rigid->forceActivationState(ISLAND_SLEEPING);
-    }
+    else
+        set_activity(record, pushable(record) ? Activity::Awake : Activity::Asleep);
 }
 
 void PhysicsWorld::Impl::leave_world(BodyRecord& record) {
     if (!record.in_world) return;
     wake_neighbours(record);
     if (small) small->leave(record);
-    world->removeRigidBody(record.rigid.get());
+    engine->remove(record);
     record.in_world = false;
 }
 
 BodyId PhysicsWorld::create_body(const BodyDef& def) {
-    const ShapeRecord& shape = *impl_->shapes.get(def.shape);
-    PL_ASSERT(def.kind != BodyKind::Dynamic || !shape.static_only,
-              "planes and meshes only as static or kinematic bodies");
     PL_ASSERT(def.kind != BodyKind::Dynamic || def.mass_kg > 0, "a dynamic body that has mass");
     auto owned = std::make_unique<BodyRecord>();
     BodyRecord& record = *owned;
@@ -150,13 +69,7 @@ BodyId PhysicsWorld::create_body(const BodyDef& def) {
     record.linear_damping_per_s = static_cast<double>(def.linear_damping_per_s);
     record.angular_damping_per_s = static_cast<double>(def.angular_damping_per_s);
     record.linear_factor = def.linear_factor;
-    weigh(record, def, shape);
-    btCollisionShape* collision = fitted_shape(record, shape);
-    record.rigid = make_rigid(record, def, collision);
-    record.rigid->setUserPointer(&record);
-    if (record.held_along_axes()) record.rigid->setLinearFactor(to_bullet(def.linear_factor));
-    record.radius_m = collision->getAngularMotionDisc();
-    record.touch_m = collision->getContactBreakingThreshold(gContactBreakingThreshold);
+    give_rigid_body(record, def, impl_->shapes.get(def.shape));
     impl_->suit_to_world(record);
 
     const BodyId id = impl_->bodies.insert(std::move(owned));
@@ -198,14 +111,13 @@ bool PhysicsWorld::contains(BodyId id) const {
 
 BodyState PhysicsWorld::state(BodyId id) const {
     const BodyRecord& record = impl_->body(id);
-    const btRigidBody& rigid = *record.rigid;
-    BodyState state{.world_from_body = from_bullet(rigid.getWorldTransform()),
-                    .velocity_mps = from_bullet(rigid.getLinearVelocity()),
-                    .angular_velocity_radps = from_bullet(rigid.getAngularVelocity()),
-                    .awake = record.in_world && rigid.isActive()};
+    BodyState state{.world_from_body = pose_of(rigid_transform(record)),
+                    .velocity_mps = linear_velocity(record),
+                    .angular_velocity_radps = angular_velocity(record),
+                    .awake = record.in_world && is_active(record)};
     if (!record.mass_frame_is_body) {
         state.world_from_body = compose(state.world_from_body, invert(record.body_from_mass));
-        state.velocity_mps += from_bullet(rigid.getAngularVelocity().cross(arm_of_origin(record)));
+        state.velocity_mps += glm::cross(state.angular_velocity_radps, arm_of_origin(record));
     }
     return state;
 }
@@ -234,12 +146,9 @@ bool PhysicsWorld::groups_touch(BodyId a, BodyId b) const {
 }
 
 void PhysicsWorld::bounds(BodyId id, Vec3& min_world, Vec3& max_world) const {
-    const btRigidBody& rigid = *impl_->body(id).rigid;
-    btVector3 low;
-    btVector3 high;
-    rigid.getCollisionShape()->getAabb(rigid.getWorldTransform(), low, high);
-    min_world = from_bullet(low);
-    max_world = from_bullet(high);
+    const Box box = box_of(impl_->body(id));
+    min_world = box.low;
+    max_world = box.high;
 }
 
 void PhysicsWorld::set_pose(BodyId id, const Pose& world_from_body) {
@@ -280,14 +189,14 @@ void PhysicsWorld::apply_force(BodyId id, const Vec3& force_N) {
     BodyRecord& record = impl_->body(id);
     if (!is_finite(force_N)) return impl_->poison(record);
     if (!pushable(record)) return;
-    record.rigid->applyCentralForce(to_bullet(force_N));
+    add_force(record, force_N);
     record.forced = true;
     wake(id);
 }
 
 void PhysicsWorld::apply_force_at(BodyId id, const Vec3& force_N, const Vec3& point_world) {
     BodyRecord& record = impl_->body(id);
-    const Vec3 arm = point_world - from_bullet(record.rigid->getWorldTransform().getOrigin());
+    const Vec3 arm = point_world - rigid_position(record);
     apply_force(id, force_N);
     apply_torque(id, glm::cross(arm, force_N));
 }
@@ -296,23 +205,20 @@ void PhysicsWorld::apply_torque(BodyId id, const Vec3& torque_Nm) {
     BodyRecord& record = impl_->body(id);
     if (!is_finite(torque_Nm)) return impl_->poison(record);
     if (!pushable(record)) return;
-    record.rigid->applyTorque(to_bullet(torque_Nm));
+    add_torque(record, torque_Nm);
     record.forced = true;
     wake(id);
 }
 
 void PhysicsWorld::apply_impulse(BodyId id, const Vec3& impulse_Ns) {
-    apply_impulse_at(
-        id, impulse_Ns, from_bullet(impl_->body(id).rigid->getWorldTransform().getOrigin()));
+    apply_impulse_at(id, impulse_Ns, rigid_position(impl_->body(id)));
 }
 
 void PhysicsWorld::apply_impulse_at(BodyId id, const Vec3& impulse_Ns, const Vec3& point_world) {
     BodyRecord& record = impl_->body(id);
     if (!is_finite(impulse_Ns) || !is_finite(point_world)) return impl_->poison(record);
     if (!pushable(record)) return;
-    record.rigid->applyImpulse(
-        to_bullet(impulse_Ns),
-        to_bullet(point_world) - record.rigid->getWorldTransform().getOrigin());
+    add_impulse(record, impulse_Ns, point_world - rigid_position(record));
     record.flight.going = false;
     wake(id);
 }
@@ -323,20 +229,11 @@ void PhysicsWorld::set_frozen(BodyId id, bool frozen) {
     impl_->leave_world(record);
     record.frozen = frozen;
     record.flight.going = false;
-    impl_->weigh(record);
-    btRigidBody& rigid = *record.rigid;
-    rigid.clearForces();
-    rigid.setLinearVelocity({0, 0, 0});
-    rigid.setAngularVelocity({0, 0, 0});
+    set_rigid_mass(record, frozen);
+    clear_forces(record);
+    set_linear_velocity(record, {0, 0, 0});
+    set_angular_velocity(record, {0, 0, 0});
     impl_->enter_world(record);
-}
-
-void PhysicsWorld::Impl::weigh(BodyRecord& record) {
-    const bool frozen = record.frozen;
-    record.rigid->setMassProps(
-        frozen ? btScalar(0) : static_cast<btScalar>(record.mass_kg),
-        frozen ? btVector3(0, 0, 0) : bullet_from_double(record.inertia_kgm2));
-    record.rigid->updateInertiaTensor();
 }
 
 bool PhysicsWorld::frozen(BodyId id) const {

@@ -1,6 +1,4 @@
 // Contact events: one line per touching pair.
-#include "engine/physics/bullet/convert.h"
-#include "engine/physics/world/small_step_world.h"
 #include "engine/physics/world/world_state.h"
 
 #include <algorithm>
@@ -9,36 +7,20 @@ namespace plumbline::physics {
 namespace {
 
 Vec3 velocity_before_at(const BodyRecord& record, const Vec3& point) {
-    const btVector3 arm = to_bullet(point) - record.before.getOrigin();
-    return from_bullet(record.velocity_before + record.spin_before.cross(arm));
+    const Vec3 arm = point - record.before.position_m;
+    return record.velocity_before + glm::cross(record.spin_before, arm);
 }
 
-/// What an event needs of a point. The normal impulse is that of the latest substep (bullet_*) or
-/// step (small_step).
-struct Touch {
-    Vec3 point_b_world{0, 0, 0};
-    Vec3 normal_world{0, 1, 0};
-    Real distance_m{0};
-    Real impulse_Ns{0};
-};
-
-/// A manifold of either kind.
-struct Touching {
-    const BodyRecord* a{nullptr};
-    const BodyRecord* b{nullptr};
-    std::vector<Touch> points;
-};
-
 /// The pair's line from one manifold; false when its points only come near.
-bool describe(const Touching& manifold, ContactEvent& event) {
-    const Touch* hardest = nullptr;
+bool describe(const Manifold& manifold, ContactEvent& event) {
+    const ManifoldPoint* hardest = nullptr;
     bool touches = false;
-    for (const Touch& point : manifold.points) {
-        touches = touches || point.distance_m <= 0 || point.impulse_Ns > 0;
-        event.impulse_Ns += point.impulse_Ns;
-        const Real most_Ns = hardest != nullptr ? hardest->impulse_Ns : Real{0};
-        if (hardest == nullptr || point.impulse_Ns > most_Ns ||
-            (point.impulse_Ns == most_Ns && point.distance_m < hardest->distance_m)) {
+    for (const ManifoldPoint& point : manifold.points) {
+        touches = touches || point.distance_m <= 0 || point.normal_Ns > 0;
+        event.impulse_Ns += point.normal_Ns;
+        const Real most_Ns = hardest != nullptr ? hardest->normal_Ns : Real{0};
+        if (hardest == nullptr || point.normal_Ns > most_Ns ||
+            (point.normal_Ns == most_Ns && point.distance_m < hardest->distance_m)) {
             hardest = &point;
         }
     }
@@ -47,7 +29,7 @@ bool describe(const Touching& manifold, ContactEvent& event) {
     const BodyRecord* a = manifold.a;
     const BodyRecord* b = manifold.b;
     Vec3 normal = hardest->normal_world;
-    const Vec3& point = hardest->point_b_world;
+    const Vec3& point = hardest->b.surface_m;
     if (b->id < a->id) {
         std::swap(a, b);
         normal = -normal;
@@ -104,44 +86,14 @@ std::vector<ContactEvent> merged(std::vector<ContactEvent> list) {
 }  // namespace
 
 void PhysicsWorld::Impl::gather_events(bool all, std::vector<ContactEvent>& out) const {
-    Touching touching;
-    const auto begin = [&](const BodyRecord& a, const BodyRecord& b) {
-        touching.a = &a;
-        touching.b = &b;
-        touching.points.clear();
-        return all || a.contact_events || b.contact_events;
-    };
-    const auto finish = [&] {
+    const auto gather = [&out, all](const Manifold& manifold) {
+        if (manifold.points.empty()) return;
+        if (!all && !manifold.a->contact_events && !manifold.b->contact_events) return;
         ContactEvent event;
-        if (!touching.points.empty() && describe(touching, event)) out.push_back(event);
+        if (describe(manifold, event)) out.push_back(event);
     };
-    const auto gather = [&](const Manifold& manifold) {
-        if (!begin(*manifold.a, *manifold.b)) return;
-        for (const ManifoldPoint& point : manifold.points) {
-            touching.points.push_back({.point_b_world = point.b.surface_m,
-                                       .normal_world = point.normal_world,
-                                       .distance_m = point.distance_m,
-                                       .impulse_Ns = point.normal_Ns});
-        }
-        finish();
-    };
-    if (small && all) return small->pairs().each_manifold(gather);
-    if (small) {
-        for (const Manifold* manifold : small->touching()) gather(*manifold);
-        return;
-    }
-    for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
-        const btPersistentManifold& manifold = *dispatcher->getManifoldByIndexInternal(i);
-        if (!begin(record_of(*manifold.getBody0()), record_of(*manifold.getBody1()))) continue;
-        for (int p = 0; p < manifold.getNumContacts(); ++p) {
-            const btManifoldPoint& point = manifold.getContactPoint(p);
-            touching.points.push_back({.point_b_world = from_bullet(point.getPositionWorldOnB()),
-                                       .normal_world = from_bullet(point.m_normalWorldOnB),
-                                       .distance_m = point.getDistance(),
-                                       .impulse_Ns = point.getAppliedImpulse()});
-        }
-        finish();
-    }
+    if (!small || all) return engine->each_manifold(gather);
+    for (const Manifold* manifold : small->touching()) gather(*manifold);
 }
 
 /// Whether the pair sleeps and is still asked for: then it touches as it did.

@@ -1,8 +1,9 @@
 #include "engine/physics/world/island_sleep.h"
 
-#include "engine/physics/bullet/archive.h"
-#include "engine/physics/bullet/convert.h"
-#include "engine/physics/world/world_state.h"
+#include "engine/physics/bullet/body.h"
+#include "engine/physics/bullet/rotations.h"
+#include "engine/physics/world/body_record.h"
+#include "engine/physics/world/body_scope.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,20 +31,19 @@ double slow_mps(double radius_m, double gravity_mps2) {
 
 /// Speed of a point mass with the body's kinetic energy.
 double speed_of_energy(const BodyRecord& record) {
-    const Vec3d v = double_from_bullet(record.rigid->getLinearVelocity());
-    const btMatrix3x3& basis = record.rigid->getWorldTransform().getBasis();
-    const Vec3d spin = double_from_bullet(record.rigid->getAngularVelocity() * basis);
+    const Vec3d v{linear_velocity(record)};
+    const Vec3d spin{unrotated(angular_velocity(record), rigid_transform(record).rotation)};
     return std::sqrt(glm::dot(v, v) + glm::dot(record.inertia_kgm2, spin * spin) / record.mass_kg);
 }
 
 Vec3d position_of(const BodyRecord& record) {
     if (record.flight.going) return record.flight.position_m;
-    return double_from_bullet(record.rigid->getWorldTransform().getOrigin());
+    return Vec3d{rigid_position(record)};
 }
 
 Quatd orientation_of(const BodyRecord& record) {
     if (record.flight.going) return record.flight.orientation;
-    return glm::normalize(Quatd(quat_from_bullet(record.rigid->getWorldTransform().getBasis())));
+    return double_quat_of(rigid_transform(record).rotation);
 }
 
 void start_stretch(BodyRecord& record) {

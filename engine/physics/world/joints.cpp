@@ -1,5 +1,6 @@
 // Joints: made, driven, broken and taken away; what a step left of them.
-#include "engine/physics/bullet/convert.h"
+#include "engine/physics/bullet/body.h"
+#include "engine/physics/bullet/rotations.h"
 #include "engine/physics/dynamics/joint/joint_geometry.h"
 #include "engine/physics/world/world_state.h"
 
@@ -72,10 +73,8 @@ std::string fault_of_numbers(const JointDef& joint) {
 MassPose mass_pose(const BodyRecord& record) {
     if (record.flight.going)
         return {.position_m = record.flight.position_m, .orientation = record.flight.orientation};
-    const btTransform& at = record.rigid->getWorldTransform();
-    const Quat q = quat_from_bullet(at.getBasis());
-    return {.position_m = double_from_bullet(at.getOrigin()),
-            .orientation = glm::normalize(Quatd{q})};
+    const Transform at = rigid_transform(record);
+    return {.position_m = Vec3d{at.position_m}, .orientation = double_quat_of(at.rotation)};
 }
 
 MassPose mass_pose_of_b(const JointRecord& joint) {
@@ -98,7 +97,7 @@ void forget_one(std::vector<const BodyRecord*>& list, const BodyRecord* body) {
 
 bool is_moving_kinematic(const BodyRecord* record) {
     return record != nullptr && record->kind == BodyKind::Kinematic && record->in_world &&
-           record->rigid->isActive();
+           is_active(*record);
 }
 
 }  // namespace
@@ -130,13 +129,10 @@ JointId PhysicsWorld::Impl::add_joint(const JointDef& joint_def) {
     if (joint.b != nullptr) joint.b->joints.push_back(id);
     if (joint.b != nullptr && !joint.def.collide) {
         keep_apart(joint);
-        // With the pair goes its manifold: old contact points would press on.
-        pairs->removeOverlappingPair(joint.a->rigid->getBroadphaseProxy(),
-                                     joint.b->rigid->getBroadphaseProxy(),
-                                     dispatcher.get());
+        engine->forget_pair(*joint.a, *joint.b);
     }
     if (bullet_joints) {
-        joint.bullet = std::make_unique<BulletJoint>(joint, *world);
+        joint.bullet = std::make_unique<BulletJoint>(joint, engine->world());
     }
     wake_ends(joint);
     return id;
@@ -153,10 +149,7 @@ void PhysicsWorld::Impl::detach_joint(JointRecord& joint) {
     if (joint.b == nullptr || joint.def.collide) return;
     forget_one(joint.a->apart, joint.b);
     forget_one(joint.b->apart, joint.a);
-    // The broad phase looks for pairs only where boxes moved: what is near already must be told. It
-    // drops the pair again if the two are apart.
-    pairs->addOverlappingPair(joint.a->rigid->getBroadphaseProxy(),
-                              joint.b->rigid->getBroadphaseProxy());
+    engine->admit_pair(*joint.a, *joint.b);
 }
 
 void PhysicsWorld::Impl::remove_joint(JointId id) {

@@ -1,7 +1,6 @@
 #include "engine/physics/physics_world.h"
 
-#include "engine/physics/bullet/convert.h"
-#include "engine/physics/world/small_step_world.h"
+#include "engine/physics/bullet/body.h"
 #include "engine/physics/world/world_state.h"
 
 #include <algorithm>
@@ -48,9 +47,7 @@ PhysicsWorld::PhysicsWorld(const WorldDef& def) : impl_(std::make_unique<Impl>(d
 PhysicsWorld::~PhysicsWorld() = default;
 
 Result<ShapeId> PhysicsWorld::create_shape(const ShapeDef& def, std::vector<std::string>* notes) {
-    auto built = build_shape(def, notes);
-    if (!built) return built.error();
-    return impl_->shapes.insert(std::move(built.value()));
+    return impl_->shapes.create(def, notes);
 }
 
 void PhysicsWorld::set_features(const WorldFeatures& features) {
@@ -94,15 +91,13 @@ Energy PhysicsWorld::energy() const {
     const Vec3d gravity{impl_->def.gravity_mps2};
     Energy sum;
     impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
-        if (record->kind != BodyKind::Dynamic || !record->in_world || record->frozen) return;
-        const btRigidBody& rigid = *record->rigid;
-        const Vec3d v = double_from_bullet(rigid.getLinearVelocity());
-        const Vec3d spin =
-            double_from_bullet(rigid.getAngularVelocity() * rigid.getWorldTransform().getBasis());
-        const Vec3d x = double_from_bullet(rigid.getWorldTransform().getOrigin());
+        if (!pushable(*record)) return;
+        const Transform at = rigid_transform(*record);
+        const Vec3d v{linear_velocity(*record)};
+        const Vec3d spin{unrotated(angular_velocity(*record), at.rotation)};
         sum.kinetic_J += 0.5 * record->mass_kg * glm::dot(v, v) +
                          0.5 * glm::dot(record->inertia_kgm2, spin * spin);
-        sum.potential_J -= record->mass_kg * glm::dot(gravity, x);
+        sum.potential_J -= record->mass_kg * glm::dot(gravity, Vec3d{at.position_m});
     });
     sum.potential_J += impl_->elastic_energy_J();
     return sum;
@@ -111,8 +106,7 @@ Energy PhysicsWorld::energy() const {
 Vec3d PhysicsWorld::momentum_kgmps() const {
     Vec3d sum{0, 0, 0};
     impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
-        if (record->kind != BodyKind::Dynamic || !record->in_world || record->frozen) return;
-        sum += record->mass_kg * double_from_bullet(record->rigid->getLinearVelocity());
+        if (pushable(*record)) sum += record->mass_kg * Vec3d{linear_velocity(*record)};
     });
     return sum;
 }
@@ -120,34 +114,22 @@ Vec3d PhysicsWorld::momentum_kgmps() const {
 Vec3d PhysicsWorld::angular_momentum_kgm2ps() const {
     Vec3d sum{0, 0, 0};
     impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
-        if (record->kind != BodyKind::Dynamic || !record->in_world || record->frozen) return;
-        const btTransform& at = record->rigid->getWorldTransform();
-        const Vec3d x = double_from_bullet(at.getOrigin());
-        const Vec3d v = double_from_bullet(record->rigid->getLinearVelocity());
-        const Vec3d body_spin =
-            double_from_bullet(record->rigid->getAngularVelocity() * at.getBasis());
-        const btVector3 own = at.getBasis() * bullet_from_double(record->inertia_kgm2 * body_spin);
-        sum += record->mass_kg * glm::cross(x, v) + double_from_bullet(own);
+        if (!pushable(*record)) return;
+        const Transform at = rigid_transform(*record);
+        const Vec3d v{linear_velocity(*record)};
+        const Vec3d body_spin{unrotated(angular_velocity(*record), at.rotation)};
+        const Vec3 own = at.rotation * Vec3{record->inertia_kgm2 * body_spin};
+        sum += record->mass_kg * glm::cross(Vec3d{at.position_m}, v) + Vec3d{own};
     });
     return sum;
 }
 
 double PhysicsWorld::max_penetration_m() const {
     double deepest = 0;
-    if (impl_->small) {
-        impl_->small->pairs().each_manifold([&deepest](const Manifold& manifold) {
-            for (const ManifoldPoint& point : manifold.points)
-                deepest = std::max(deepest, -static_cast<double>(point.distance_m));
-        });
-        return deepest;
-    }
-    for (int i = 0; i < impl_->dispatcher->getNumManifolds(); ++i) {
-        const btPersistentManifold& manifold = *impl_->dispatcher->getManifoldByIndexInternal(i);
-        for (int p = 0; p < manifold.getNumContacts(); ++p) {
-            deepest =
-                std::max(deepest, -static_cast<double>(manifold.getContactPoint(p).getDistance()));
-        }
-    }
+    impl_->engine->each_manifold([&deepest](const Manifold& manifold) {
+        for (const ManifoldPoint& point : manifold.points)
+            deepest = std::max(deepest, -static_cast<double>(point.distance_m));
+    });
     return deepest;
 }
 

@@ -1,6 +1,6 @@
 // What touches what in a step of small_step, and who wakes by it.
+#include "engine/physics/world/body_record.h"
 #include "engine/physics/world/small_step_world.h"
-#include "engine/physics/world/world_state.h"
 
 #include <algorithm>
 
@@ -40,7 +40,7 @@ void SmallStepWorld::look_at(BodyRecord& body) {
             } else {
                 if (pair.touches) meeting_.part(pair);
                 if (boxes_are_far(pair)) {
-                    parts_.pairs.remove(pair);
+                    parts_.engine.drop(pair);
                     continue;
                 }
             }

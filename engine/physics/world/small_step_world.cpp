@@ -1,9 +1,9 @@
 #include "engine/physics/world/small_step_world.h"
 
-#include "engine/physics/bullet/archive.h"
-#include "engine/physics/bullet/convert.h"
+#include "engine/physics/bullet/body.h"
 #include "engine/physics/dynamics/body_motion.h"
-#include "engine/physics/world/world_state.h"
+#include "engine/physics/world/body_record.h"
+#include "engine/physics/world/body_scope.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,41 +11,35 @@
 namespace plumbline::physics {
 namespace {
 
-int wakeful_state(const BodyRecord& record) {
-    return record.can_sleep ? ACTIVE_TAG : DISABLE_DEACTIVATION;
-}
-
 void stand_still(BodyRecord& record) {
-    record.rigid->setLinearVelocity({0, 0, 0});
-    record.rigid->setAngularVelocity({0, 0, 0});
+    set_linear_velocity(record, {0, 0, 0});
+    set_angular_velocity(record, {0, 0, 0});
     record.flight.velocity_mps = {0, 0, 0};
     record.flight.spin_radps = {0, 0, 0};
 }
 
 void note_before(BodyRecord& record) {
-    record.before = record.rigid->getWorldTransform();
-    record.velocity_before = record.rigid->getLinearVelocity();
-    record.spin_before = record.rigid->getAngularVelocity();
+    record.before = rigid_transform(record);
+    record.velocity_before = linear_velocity(record);
+    record.spin_before = angular_velocity(record);
     record.jolt = {};
 }
 
 }  // namespace
 
 SmallStepWorld::SmallStepWorld(const SmallStepParts& parts)
-    : parts_(parts),
-      sweep_(parts.joints),
-      meeting_(parts.dispatcher, parts.world.getDispatchInfo()) {
+    : parts_(parts), sweep_(parts.joints), meeting_(parts.engine) {
     take_rate();
 }
 
 void SmallStepWorld::take_rate() {
     gravity_mps2_ = static_cast<double>(glm::length(parts_.def.gravity_mps2));
-    step_s_ = static_cast<btScalar>(parts_.def.step_s);
+    step_s_ = static_cast<Real>(parts_.def.step_s);
     // Boxes reach as far as a step takes a body.
     for (const auto* list : {&awake_, &fresh_}) {
         for (BodyRecord* record : *list) record->box_stale = true;
     }
-    const auto fall_m = static_cast<btScalar>(gravity_mps2_) * step_s_ * step_s_;
+    const auto fall_m = static_cast<Real>(gravity_mps2_) * step_s_ * step_s_;
     meeting_.begin_step({.step_s = step_s_, .fall_m = fall_m});
 }
 
@@ -59,7 +53,7 @@ void SmallStepWorld::enter(BodyRecord& record) {
         rouse(record);
         return;
     }
-    record.rigid->forceActivationState(ISLAND_SLEEPING);
+    set_activity(record, Activity::Asleep);
     wake_overlapping(record);
 }
 
@@ -86,7 +80,7 @@ void SmallStepWorld::rouse(BodyRecord& record) {
     record.box_stale = true;
     break_rest(record);
     note_before(record);
-    record.rigid->forceActivationState(wakeful_state(record));
+    set_activity(record, Activity::Awake);
     fresh_.push_back(&record);
 }
 
@@ -144,7 +138,7 @@ void SmallStepWorld::step(const WorldFeatures& features, bool want_contacts) {
     cost.integrate_ms += laps_.lap_ms();
 
     refresh_stale_boxes();
-    parts_.world.computeOverlappingPairs();
+    parts_.engine.find_pairs();
     cost.broad_ms += laps_.lap_ms();
     meet_pairs();
     cost.narrow_ms += laps_.lap_ms();
@@ -170,7 +164,7 @@ void SmallStepWorld::step(const WorldFeatures& features, bool want_contacts) {
 
 void SmallStepWorld::drop_still_carriers() {
     std::erase_if(carriers_, [](BodyRecord* record) {
-        record->awake = record->rigid->isActive();
+        record->awake = is_active(*record);
         if (!record->awake) note_before(*record);
         return !record->awake;
     });
@@ -204,25 +198,21 @@ void SmallStepWorld::refresh_stale_boxes() {
 
 /// A box round the body now and wherever it can be at the end of a step that nothing disturbs.
 void SmallStepWorld::refresh_box(BodyRecord& record) {
-    btRigidBody& rigid = *record.rigid;
     record.box_stale = false;
-    btVector3 low;
-    btVector3 high;
-    rigid.getCollisionShape()->getAabb(rigid.getWorldTransform(), low, high);
-    btVector3 way = rigid.getLinearVelocity() * step_s_;
-    if (record.forced) way += rigid.getTotalForce() * (rigid.getInvMass() * step_s_ * step_s_);
-    const btScalar turn_rad = rigid.getAngularVelocity().length() * step_s_;
-    const auto fall_m = static_cast<btScalar>(gravity_mps2_) * step_s_ * step_s_;
-    const btScalar rim =
-        record.touch_m + fall_m + std::min(turn_rad, btScalar(2)) * record.radius_m;
+    auto [low, high] = box_of(record);
+    Vec3 way = linear_velocity(record) * step_s_;
+    if (record.forced) way += total_force_N(record) * (inverse_mass_of(record) * step_s_ * step_s_);
+    const Real turn_rad = glm::length(angular_velocity(record)) * step_s_;
+    const auto fall_m = static_cast<Real>(gravity_mps2_) * step_s_ * step_s_;
+    const Real rim = record.touch_m + fall_m + std::min(turn_rad, Real{2}) * record.radius_m;
     for (int axis = 0; axis < 3; ++axis) {
-        low[axis] += std::min(way[axis], btScalar(0)) - rim;
-        high[axis] += std::max(way[axis], btScalar(0)) + rim;
+        low[axis] += std::min(way[axis], Real{0}) - rim;
+        high[axis] += std::max(way[axis], Real{0}) + rim;
     }
     // As Bullet does: what is out of all bounds, or not a number, is taken out after the step.
-    if (!((high - low).length2() < btScalar(1e12))) return;
-    parts_.world.getBroadphase()->setAabb(
-        rigid.getBroadphaseProxy(), low, high, &parts_.dispatcher);
+    const Vec3 size = high - low;
+    if (!(glm::dot(size, size) < Real(1e12))) return;
+    parts_.engine.set_box(record, {low, high});
 }
 
 // --- motion
@@ -248,14 +238,12 @@ void SmallStepWorld::move_free_bodies() {
     const Vec3d gravity{parts_.def.gravity_mps2};
     turning_.clear();
     for (BodyRecord* record : builder_.free_bodies()) {
-        btRigidBody& rigid = *record->rigid;
-        if (record->angular_keep != 1) {
-            rigid.setAngularVelocity(rigid.getAngularVelocity() * record->angular_keep);
-        }
-        if (record->forced && !rigid.getTotalTorque().isZero()) {
-            const btVector3 gained =
-                rigid.getInvInertiaTensorWorld() * rigid.getTotalTorque() * step_s_;
-            rigid.setAngularVelocity(rigid.getAngularVelocity() + gained);
+        if (record->angular_keep != 1)
+            set_angular_velocity(*record, angular_velocity(*record) * record->angular_keep);
+        const Vec3 torque_Nm = record->forced ? total_torque_Nm(*record) : Vec3{0, 0, 0};
+        if (torque_Nm != Vec3{0, 0, 0}) {
+            const Vec3 gained = angular_gain(*record, torque_Nm) * step_s_;
+            set_angular_velocity(*record, angular_velocity(*record) + gained);
         }
         fly(*record, gravity, features_, parts_.def.step_s);
         if (feels_gyro(*record, features_)) turning_.push_back(record);
@@ -278,7 +266,7 @@ void SmallStepWorld::stop_swept_bodies() {
     for (BodyRecord* record : awake_) {
         if (!moves_past_itself(*record)) continue;
         if (swept++ == 0) cost.integrate_ms += laps_.lap_ms();
-        sweep_.stop_at_hit(parts_.world, *record, step_s_);
+        sweep_.stop_at_hit(parts_.engine.world(), *record, step_s_);
     }
     if (swept == 0) return;
     use.swept_bodies += swept;
@@ -306,12 +294,12 @@ void SmallStepWorld::lay_down(const Island& island) {
     const std::uint32_t slumber = slumbers_.add(island.bodies);
     for (BodyRecord* record : island.bodies) {
         stand_still(*record);
-        record->rigid->clearForces();
+        clear_forces(*record);
         record->forced = false;
         note_before(*record);
         record->awake = false;
         record->slumber = slumber;
-        record->rigid->forceActivationState(ISLAND_SLEEPING);
+        set_activity(*record, Activity::Asleep);
         refresh_box(*record);
     }
 }

@@ -8,8 +8,8 @@
 
 #include "engine/core/slot_map.h"
 #include "engine/core/stopwatch.h"
-#include "engine/physics/bullet/pair_dispatch.h"
-#include "engine/physics/bullet/step_world.h"
+#include "engine/physics/bullet/contact/pair_meeting.h"
+#include "engine/physics/bullet/engine.h"
 #include "engine/physics/collision/sweep/joint_sweep.h"
 #include "engine/physics/dynamics/islands.h"
 #include "engine/physics/world/island_sleep.h"
@@ -23,9 +23,7 @@ namespace plumbline::physics {
 /// What the step works on; all of it outlives the step.
 struct SmallStepParts {
     const WorldDef& def;
-    StepWorld& world;  ///< holds the bodies
-    PairDispatcher& dispatcher;
-    PairList& pairs;
+    BulletEngine& engine;  ///< holds the bodies
     const SlotMap<JointId, std::unique_ptr<JointRecord>>& joints;
 };
 
@@ -62,8 +60,6 @@ public:
     void serialize(Archive& archive, const BodyScope& scope);
     /// Manifolds that had points in the latest step.
     std::span<Manifold* const> touching() const { return touching_; }
-
-    const PairList& pairs() const { return parts_.pairs; }
 
     StepCost cost{};
     FeatureUse use{};
@@ -104,7 +100,7 @@ private:
     LapTimer laps_;
     WorldFeatures features_{};
     double gravity_mps2_{0};
-    btScalar step_s_{0};
+    Real step_s_{0};
 
     std::vector<BodyRecord*> awake_;     ///< dynamic, by id
     std::vector<BodyRecord*> fresh_;     ///< dynamic, woken since the list was made

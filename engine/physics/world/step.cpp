@@ -1,82 +1,80 @@
 // One fixed step: who is taken out, what is stepped, which events are left.
 #include "engine/core/stopwatch.h"
-#include "engine/physics/bullet/convert.h"
-#include "engine/physics/world/small_step_world.h"
+#include "engine/physics/bullet/body.h"
+#include "engine/physics/bullet/rotations.h"
 #include "engine/physics/world/world_state.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace plumbline::physics {
 namespace {
 
 /// v shortened to `limit`. Divides by the largest part first: the square of 1e30 is infinite.
-btVector3 limited(const btVector3& v, btScalar limit) {
-    const btScalar largest = v.absolute()[v.absolute().maxAxis()];
-    if (largest * btScalar(2) < limit) return v;
-    const btVector3 direction = v / largest;
-    const btScalar length = direction.length();
+Vec3 limited(const Vec3& v, Real limit) {
+    const Real largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest * 2 < limit) return v;
+    const Vec3 direction = v * (1 / largest);
+    const Real length = glm::length(direction);
     return largest > limit / length ? direction * (limit / length) : v;
 }
 
 /// Keeps a caller's force from driving the body past the speed limit within this step: Bullet
 /// would turn 1e9 N on a pebble into infinities that reach its neighbours.
-void limit_force(BodyRecord& record, btScalar step_s) {
-    btRigidBody& rigid = *record.rigid;
-    const btScalar gain = rigid.getInvMass() * step_s;
-    const btVector3 force = limited(rigid.getTotalForce(), kMaxSpeed_mps / gain);
+void limit_force(BodyRecord& record, Real step_s) {
+    const Real gain = inverse_mass_of(record) * step_s;
+    const Vec3 force = limited(total_force_N(record), kMaxSpeed_mps / gain);
     // The smallest moment gives the most spin for a torque.
-    const btVector3& inverse_inertia = rigid.getInvInertiaDiagLocal();
-    const btScalar turn_gain = inverse_inertia[inverse_inertia.maxAxis()] * step_s;
-    const btVector3 torque = limited(rigid.getTotalTorque(), kMaxSpin_radps / turn_gain);
-    rigid.clearForces();
-    rigid.applyCentralForce(force);
-    rigid.applyTorque(torque);
+    const Vec3 inverse_moments = inverse_moments_of(record);
+    const Real turn_gain =
+        std::max({inverse_moments.x, inverse_moments.y, inverse_moments.z}) * step_s;
+    const Vec3 torque = limited(total_torque_Nm(record), kMaxSpin_radps / turn_gain);
+    clear_forces(record);
+    add_force(record, force);
+    add_torque(record, torque);
 }
 
-bool is_sound(const btRigidBody& rigid) {
-    const btVector3& x = rigid.getWorldTransform().getOrigin();
-    const btVector3& v = rigid.getLinearVelocity();
-    const btVector3& w = rigid.getAngularVelocity();
+bool is_sound(const BodyRecord& record) {
+    const Vec3 x = rigid_position(record);
+    const Vec3 v = linear_velocity(record);
+    const Vec3 w = angular_velocity(record);
     // One comparison catches NaN, infinity and distance: a NaN makes it false.
-    return x.length2() <= kMaxDistance_m * kMaxDistance_m && std::isfinite(v.length2()) &&
-           std::isfinite(w.length2());
+    return glm::dot(x, x) <= kMaxDistance_m * kMaxDistance_m && std::isfinite(glm::dot(v, v)) &&
+           std::isfinite(glm::dot(w, w));
 }
 
-void prepare_kinematic(BodyRecord& record, btScalar step_s) {
-    btRigidBody& rigid = *record.rigid;
+void prepare_kinematic(BodyRecord& record, Real step_s) {
     if (record.has_target) {
-        btVector3 velocity;
-        btVector3 spin;
-        btTransformUtil::calculateVelocity(
-            rigid.getWorldTransform(), record.target, step_s, velocity, spin);
-        rigid.setLinearVelocity(velocity);
-        rigid.setAngularVelocity(spin);
+        const SteadyMotion motion = motion_between(rigid_transform(record), record.target, step_s);
+        set_linear_velocity(record, motion.velocity_mps);
+        set_angular_velocity(record, motion.spin_radps);
     } else if (record.driven) {
-        rigid.setLinearVelocity({0, 0, 0});
-        rigid.setAngularVelocity({0, 0, 0});
+        set_linear_velocity(record, {0, 0, 0});
+        set_angular_velocity(record, {0, 0, 0});
     }
     record.driven = record.has_target;
-    const bool still = rigid.getLinearVelocity().isZero() && rigid.getAngularVelocity().isZero();
     // An awake kinematic body keeps all it touches awake.
-    rigid.forceActivationState(still ? ISLAND_SLEEPING : ACTIVE_TAG);
+    set_activity(record, stands_still(record) ? Activity::Asleep : Activity::Awake);
 }
 
 /// Whether the speed limit cut its motion.
-bool prepare_dynamic(BodyRecord& record, btScalar step_s) {
-    btRigidBody& rigid = *record.rigid;
-    rigid.applyCentralForce(record.weight_N);
+bool prepare_dynamic(BodyRecord& record, Real step_s) {
+    add_force(record, record.weight_N);
     if (record.forced) limit_force(record, step_s);
     bool was_limited = false;
-    const btVector3 velocity = limited(rigid.getLinearVelocity(), kMaxSpeed_mps);
-    if (velocity != rigid.getLinearVelocity()) {
-        rigid.setLinearVelocity(velocity);
+    const Vec3 v = linear_velocity(record);
+    const Vec3 velocity = limited(v, kMaxSpeed_mps);
+    if (velocity != v) {
+        set_linear_velocity(record, velocity);
         record.flight.going = false;
         was_limited = true;
     }
-    const btVector3 spin = limited(rigid.getAngularVelocity(), kMaxSpin_radps);
-    if (spin != rigid.getAngularVelocity()) {
-        rigid.setAngularVelocity(spin);
+    const Vec3 w = angular_velocity(record);
+    const Vec3 spin = limited(w, kMaxSpin_radps);
+    if (spin != w) {
+        set_angular_velocity(record, spin);
         record.flight.going = false;
         was_limited = true;
     }
@@ -96,9 +94,9 @@ void PhysicsWorld::Impl::quarantine(BodyRecord& record) {
     if (!record.in_world) return;
     remove_joints_of(record);
     leave_world(record);
-    record.rigid->clearForces();
-    record.rigid->setLinearVelocity({0, 0, 0});
-    record.rigid->setAngularVelocity({0, 0, 0});
+    clear_forces(record);
+    set_linear_velocity(record, {0, 0, 0});
+    set_angular_velocity(record, {0, 0, 0});
     record.flight.going = false;
     quarantined.push_back(record.id);
 }
@@ -128,25 +126,23 @@ void PhysicsWorld::step() {
 }
 
 void PhysicsWorld::Impl::advance_bullet(bool want_contacts) {
-    world->cost = {};
-    world->use = {};
-    world->features = features;
-    world->want_contacts = want_contacts;
-    prepare_bodies(static_cast<btScalar>(def.step_s));
+    std::function<void()> after_solve;
+    if (want_contacts) after_solve = [this] { gather_events(false, gathered); };
+    engine->begin_step(features, std::move(after_solve));
+    prepare_bodies(static_cast<Real>(def.step_s));
     prepare_joints();
     for (int i = 0; i < def.substeps; ++i) {
-        world->last_substep = i + 1 == def.substeps;
-        world->advance(static_cast<btScalar>(def.step_s / def.substeps));
+        engine->advance(static_cast<Real>(def.step_s / def.substeps), i + 1 == def.substeps);
         gather_joint_loads(def.step_s / def.substeps);
     }
     settle_bodies();
     settle_joints();
     const StepCost counted = cost;
-    cost = world->cost;
+    cost = engine->cost();
     cost.row_solves = counted.row_solves;
     cost.contacts = counted.contacts;
     cost.interventions.limited_bodies = limited_bodies;
-    use = world->use;
+    use = engine->use();
 }
 
 void PhysicsWorld::Impl::advance_small(bool want_contacts) {
@@ -154,7 +150,7 @@ void PhysicsWorld::Impl::advance_small(bool want_contacts) {
     broken_joints.clear();
     slept_through = small->idle();
     if (slept_through) return;
-    prepare_bodies(static_cast<btScalar>(def.step_s));
+    prepare_bodies(static_cast<Real>(def.step_s));
     prepare_joints();
     small->cost = {};
     small->use = {};
@@ -173,8 +169,7 @@ void PhysicsWorld::Impl::each_moving(Fn&& fn) {
         for (BodyRecord* record : small->carriers()) fn(*record);
         return;
     }
-    const auto& moving = world->getNonStaticRigidBodies();
-    for (int i = 0; i < moving.size(); ++i) fn(record_of(*moving[i]));
+    engine->each_moving(fn);
 }
 
 /// Gravity, the callers' forces and the way of kinematic bodies, before the first substep.
@@ -183,7 +178,7 @@ void PhysicsWorld::Impl::prepare_bodies(Real step_s) {
     each_moving([this, step_s](BodyRecord& record) {
         if (record.kind == BodyKind::Kinematic)
             prepare_kinematic(record, step_s);
-        else if (record.rigid->isActive() && prepare_dynamic(record, step_s))
+        else if (is_active(record) && prepare_dynamic(record, step_s))
             ++limited_bodies;
     });
 }
@@ -192,15 +187,15 @@ void PhysicsWorld::Impl::prepare_bodies(Real step_s) {
 void PhysicsWorld::Impl::settle_bodies() {
     std::vector<BodyRecord*> broken;
     each_moving([&broken](BodyRecord& record) {
-        record.rigid->clearForces();
+        clear_forces(record);
         record.forced = false;
         record.has_target = false;
-        if (!is_sound(*record.rigid)) broken.push_back(&record);
+        if (!is_sound(record)) broken.push_back(&record);
     });
     for (BodyRecord* record : broken) {
-        const btTransform last = record->before;
+        const Transform last = record->before;
         quarantine(*record);
-        record->rigid->setCenterOfMassTransform(last);
+        set_rigid_transform(*record, last);
     }
 }
 

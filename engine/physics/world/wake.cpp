@@ -1,6 +1,5 @@
 // Who is awake, and what wakes whom.
-#include "engine/physics/bullet/contact_copy.h"
-#include "engine/physics/world/small_step_world.h"
+#include "engine/physics/bullet/body.h"
 #include "engine/physics/world/world_state.h"
 
 #include <algorithm>
@@ -12,7 +11,7 @@ namespace {
 void combine_anew(BodyRecord& record) {
     for (const PairLink& link : record.pairs) {
         for (Manifold& manifold : link.pair->manifolds) {
-            manifold.material = material_of(*manifold.a->rigid, *manifold.b->rigid);
+            manifold.material = material_of(*manifold.a, *manifold.b);
             for (ManifoldPoint& point : manifold.points) point.load.friction_N = {};
         }
     }
@@ -20,30 +19,22 @@ void combine_anew(BodyRecord& record) {
 
 }  // namespace
 
-template <class Fn>
-void PhysicsWorld::Impl::each_manifold_of(const BodyRecord& record, Fn&& fn) {
-    for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
-        btPersistentManifold& manifold = *dispatcher->getManifoldByIndexInternal(i);
-        const bool first = manifold.getBody0() == record.rigid.get();
-        if (first || manifold.getBody1() == record.rigid.get()) {
-            fn(manifold, record_of(first ? *manifold.getBody1() : *manifold.getBody0()));
-        }
-    }
-}
-
 void PhysicsWorld::Impl::wake(BodyRecord& record) {
     if (!pushable(record)) return;
     if (small)
         small->wake(record);
     else
-        record.rigid->activate(true);
+        wake_rigid_body(record);
 }
 
 void PhysicsWorld::Impl::wake_neighbours(const BodyRecord& record) {
     if (small) {
         small->wake_touching(record);
     } else {
-        each_manifold_of(record, [this](btPersistentManifold&, BodyRecord& other) { wake(other); });
+        engine->each_manifold([this, &record](const Manifold& manifold) {
+            if (manifold.a == &record) wake(*manifold.b);
+            if (manifold.b == &record) wake(*manifold.a);
+        });
     }
     for (const JointId id : record.joints) wake_ends(*joints.get(id));
 }
@@ -56,7 +47,7 @@ std::size_t PhysicsWorld::awake_count() const {
     if (impl_->small) return impl_->small->awake_count();
     std::size_t count = 0;
     impl_->bodies.each([&count](BodyId, const std::unique_ptr<BodyRecord>& record) {
-        if (pushable(*record) && record->rigid->isActive()) ++count;
+        if (pushable(*record) && is_active(*record)) ++count;
     });
     return count;
 }
@@ -64,25 +55,22 @@ std::size_t PhysicsWorld::awake_count() const {
 void PhysicsWorld::set_friction(BodyId id, Real friction) {
     BodyRecord& record = impl_->body(id);
     if (!std::isfinite(friction) || friction < 0) return;
-    record.rigid->setFriction(friction);
+    set_rigid_friction(record, friction);
     impl_->change_material(record);
 }
 
 void PhysicsWorld::set_restitution(BodyId id, Real restitution) {
     BodyRecord& record = impl_->body(id);
     if (!std::isfinite(restitution)) return;
-    record.rigid->setRestitution(std::clamp(restitution, Real{0}, Real{1}));
+    set_rigid_restitution(record, std::clamp(restitution, Real{0}, Real{1}));
     impl_->change_material(record);
 }
 
 void PhysicsWorld::Impl::change_material(BodyRecord& record) {
-    if (small) {
+    if (small)
         combine_anew(record);
-    } else {
-        each_manifold_of(record, [](btPersistentManifold& manifold, BodyRecord&) {
-            combine_materials(manifold);
-        });
-    }
+    else
+        engine->combine_materials(record);
     wake_neighbours(record);
     wake(record);
 }

@@ -1,8 +1,10 @@
 // Shapes as bodies share them: pieces put together, weighed, and meshes made smooth to slide on.
 #include "engine/core/limits.h"
+#include "engine/core/slot_map.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/shape/shape_parts.h"
-#include "engine/physics/world/world_state.h"
+#include "engine/physics/bullet/shape/shape_record.h"
+#include "engine/physics/bullet/shape/shape_store.h"
 
 #include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
 #include <BulletCollision/CollisionShapes/btTriangleInfoMap.h>
@@ -189,6 +191,23 @@ Result<std::unique_ptr<ShapeRecord>> build_shape(const ShapeDef& def,
         use_compound(*record, std::move(parts));
     }
     return record;
+}
+
+struct ShapeStore::Impl {
+    SlotMap<ShapeId, std::unique_ptr<ShapeRecord>> shapes;
+};
+
+ShapeStore::ShapeStore() : impl_(std::make_unique<Impl>()) {}
+ShapeStore::~ShapeStore() = default;
+
+Result<ShapeId> ShapeStore::create(const ShapeDef& def, std::vector<std::string>* notes) {
+    auto built = build_shape(def, notes);
+    if (!built) return built.error();
+    return impl_->shapes.insert(std::move(built.value()));
+}
+
+const ShapeRecord& ShapeStore::get(ShapeId id) const {
+    return *impl_->shapes.get(id);
 }
 
 }  // namespace plumbline::physics

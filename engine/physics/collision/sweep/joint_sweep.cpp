@@ -1,7 +1,7 @@
 #include "engine/physics/collision/sweep/joint_sweep.h"
 
 #include "engine/physics/dynamics/body_motion.h"
-#include "engine/physics/world/world_state.h"
+#include "engine/physics/world/body_record.h"
 
 #include <algorithm>
 
@@ -40,15 +40,13 @@ std::vector<BodyRecord*>& JointSweep::group_of(BodyRecord& record) {
     return group;
 }
 
-void JointSweep::stop_at_hit(const btCollisionWorld& world,
-                             BodyRecord& record,
-                             btScalar duration_s) {
+void JointSweep::stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s) {
     if (record.joints.empty()) {
         record.sweep_group = 0;
         return physics::stop_at_hit(world, record, duration_s);
     }
     const std::vector<BodyRecord*>& group = group_of(record);
-    const btScalar share = way_to_hit(world, record, record.sweep_group).share;
+    const Real share = way_to_hit(world, record, record.sweep_group).share;
     if (share >= 1) return;
     for (BodyRecord* member : group) stop_part_way(*member, share);
 }

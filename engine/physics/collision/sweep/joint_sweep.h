@@ -14,6 +14,8 @@
 
 namespace plumbline::physics {
 
+class StepWorld;
+
 class JointSweep {
 public:
     using Joints = SlotMap<JointId, std::unique_ptr<JointRecord>>;
@@ -22,7 +24,7 @@ public:
 
     void begin_step();
     /// As stop_at_hit() of body_motion.h; a body without joints stops alone.
-    void stop_at_hit(const btCollisionWorld& world, BodyRecord& record, btScalar duration_s);
+    void stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s);
 
 private:
     std::vector<BodyRecord*>& group_of(BodyRecord& record);

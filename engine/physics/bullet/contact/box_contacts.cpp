@@ -1,6 +1,6 @@
-#include "engine/physics/bullet/box_contacts.h"
+#include "engine/physics/bullet/contact/box_contacts.h"
 
-#include "engine/physics/bullet/contact_copy.h"
+#include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/collision/narrow_phase/ball_box.h"
 #include "engine/physics/collision/narrow_phase/box_box.h"

@@ -1,7 +1,6 @@
-#include "engine/physics/bullet/contact_copy.h"
+#include "engine/physics/bullet/contact/contact_copy.h"
 
 #include "engine/physics/bullet/convert.h"
-#include "engine/physics/world/world_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,6 +90,14 @@ void match_point(Manifold& to, std::size_t i, const btManifoldPoint& point) {
     std::swap(to.points[i], to.points.back());
 }
 
+void copy_point(const btManifoldPoint& from, ManifoldPoint& to) {
+    to.age_steps = from.getLifeTime();
+    to.normal_world = from_bullet(from.m_normalWorldOnB);
+    to.a.surface_m = from_bullet(from.getPositionWorldOnA());
+    to.b.surface_m = from_bullet(from.getPositionWorldOnB());
+    to.distance_m = from.getDistance();
+}
+
 }  // namespace
 
 std::uint32_t feature_of(const btManifoldPoint& point) {
@@ -157,14 +164,19 @@ void match_points(btPersistentManifold& from, Manifold& to) {
     }
     to.points.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
+        copy_point(from.getContactPoint(static_cast<int>(i)), to.points[i]);
+        to.points[i].normal_Ns = 0;
+    }
+}
+
+void copy_manifold(const btPersistentManifold& from, Manifold& to) {
+    to.a = &record_of(*from.getBody0());
+    to.b = &record_of(*from.getBody1());
+    to.points.resize(static_cast<std::size_t>(from.getNumContacts()));
+    for (std::size_t i = 0; i < to.points.size(); ++i) {
         const btManifoldPoint& point = from.getContactPoint(static_cast<int>(i));
-        ManifoldPoint& copy = to.points[i];
-        copy.age_steps = point.getLifeTime();
-        copy.normal_world = from_bullet(point.m_normalWorldOnB);
-        copy.a.surface_m = from_bullet(point.getPositionWorldOnA());
-        copy.b.surface_m = from_bullet(point.getPositionWorldOnB());
-        copy.distance_m = point.getDistance();
-        copy.normal_Ns = 0;
+        copy_point(point, to.points[i]);
+        to.points[i].normal_Ns = point.getAppliedImpulse();
     }
 }
 

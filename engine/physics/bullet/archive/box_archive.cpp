@@ -1,9 +1,11 @@
-// The broad phase as fields of an archive: its trees node by node, as their shape decides the order in
-// which pairs are found.
-#include "engine/physics/bullet/archive.h"
-#include "engine/physics/world/world_state.h"
+// Trees are kept node by node: their shape decides the order in which pairs are found.
+#include "engine/physics/bullet/archive/box_archive.h"
+
+#include "engine/physics/bullet/archive/bullet_fields.h"
+#include "engine/physics/world/body_record.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <new>
 

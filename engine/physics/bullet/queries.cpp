@@ -1,6 +1,8 @@
 // Rays, sweeps and overlaps.
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/convex_query.h"
+#include "engine/physics/bullet/shape/shape_record.h"
+#include "engine/physics/bullet/step_world.h"
 #include "engine/physics/world/world_state.h"
 
 #include <algorithm>
@@ -35,7 +37,7 @@ std::optional<RayHit> PhysicsWorld::cast_ray(const Vec3& from_world,
     if (!is_finite(from_world) || !is_finite(to_world) || from_world == to_world) {
         return std::nullopt;
     }
-    const auto hit = ray_among(*impl_->world,
+    const auto hit = ray_among(impl_->engine->world(),
                                to_bullet(from_world),
                                to_bullet(to_world),
                                filter_for(filter, impl_->bodies));
@@ -51,12 +53,12 @@ std::optional<SweepHit> PhysicsWorld::sweep(ShapeId shape,
                                             const Pose& from,
                                             const Vec3& to_position_world,
                                             const QueryFilter& filter) const {
-    const ShapeRecord& record = *impl_->shapes.get(shape);
+    const ShapeRecord& record = impl_->shapes.get(shape);
     PL_ASSERT(record.convex != nullptr, "a convex shape to sweep");
     if (!is_finite(from) || !is_finite(to_position_world)) return std::nullopt;
     const btVector3 motion = to_bullet(to_position_world - from.position);
     if (motion.isZero()) return std::nullopt;
-    const auto hit = cast_among(*impl_->world,
+    const auto hit = cast_among(impl_->engine->world(),
                                 *record.convex,
                                 convex_at(record, from),
                                 motion,
@@ -73,7 +75,7 @@ std::vector<OverlapHit> PhysicsWorld::overlaps(ShapeId shape,
                                                const Pose& pose,
                                                Real margin_m,
                                                const QueryFilter& filter) const {
-    const ShapeRecord& record = *impl_->shapes.get(shape);
+    const ShapeRecord& record = impl_->shapes.get(shape);
     PL_ASSERT(record.convex != nullptr, "a convex shape to overlap");
     std::vector<OverlapHit> hits;
     if (!is_finite(pose)) return hits;
@@ -85,7 +87,7 @@ std::vector<OverlapHit> PhysicsWorld::overlaps(ShapeId shape,
     low -= reach;
     high += reach;
     const BodyFilter seen = filter_for(filter, impl_->bodies);
-    for (const BodyRecord* other : bodies_in_box(*impl_->world, low, high, seen)) {
+    for (const BodyRecord* other : bodies_in_box(impl_->engine->world(), low, high, seen)) {
         each_convex(*other->rigid->getCollisionShape(),
                     other->rigid->getWorldTransform(),
                     low,

@@ -1,8 +1,9 @@
-#include "engine/physics/bullet/pair_dispatch.h"
+#include "engine/physics/bullet/contact/pair_meeting.h"
 
-#include "engine/physics/bullet/contact_copy.h"
+#include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/bullet/convert.h"
-#include "engine/physics/world/world_state.h"
+#include "engine/physics/bullet/engine_parts.h"
+#include "engine/physics/world/body_record.h"
 
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
@@ -202,20 +203,33 @@ private:
 
 }  // namespace
 
-btPersistentManifold* PairDispatcher::getNewManifold(const btCollisionObject* a,
-                                                     const btCollisionObject* b) {
-    btPersistentManifold* manifold = btCollisionDispatcher::getNewManifold(a, b);
-    manifold->setContactBreakingThreshold(reach_m);
-    manifold->m_companionIdA = ++manifolds_made;
-    return manifold;
+struct PairMeeting::Impl {
+    PairDispatcher& dispatcher;
+    const btDispatcherInfo& info;
+    MeetStep step{};
+    btManifoldArray manifolds{};
+
+    void collide(BulletPair& pair);
+    void drop_unreachable(btPersistentManifold& from, Manifold& manifold, Real base_m) const;
+};
+
+PairMeeting::PairMeeting(BulletEngine& engine)
+    : impl_(std::make_unique<Impl>(
+          Impl{.dispatcher = static_cast<PairDispatcher&>(*engine.parts().dispatcher),
+               .info = engine.world().getDispatchInfo()})) {}
+PairMeeting::~PairMeeting() = default;
+
+void PairMeeting::begin_step(const MeetStep& step) {
+    impl_->step = step;
 }
 
-btScalar PairMeeting::reach_of(const Pair& pair) const {
+Real PairMeeting::reach_of(const Pair& pair) const {
+    const MeetStep& step = impl_->step;
     const BodyRecord& a = *pair.a;
     const BodyRecord& b = *pair.b;
     const btVector3 apart = a.rigid->getLinearVelocity() - b.rigid->getLinearVelocity();
     const btScalar speed = apart.length() + spin_mps(a) + spin_mps(b) + jolt_mps(pair);
-    const btScalar way = speed * step_.step_s + step_.fall_m;
+    const btScalar way = speed * step.step_s + step.fall_m;
     const btScalar unswept = unswept_m(a) + unswept_m(b);
     if (pair.boxes) return near_m(pair) + std::min(way, unswept);
     // Resting bodies keep the distances at which Bullet merges and keeps points.
@@ -225,37 +239,38 @@ btScalar PairMeeting::reach_of(const Pair& pair) const {
 }
 
 void PairMeeting::meet(Pair& pair) {
+    btManifoldArray& manifolds = impl_->manifolds;
     BulletPair& side = bullet_side(pair);
     const btScalar reach_m = reach_of(pair);
-    dispatcher_.reach_m = reach_m;
-    manifolds_.resize(0);
+    impl_->dispatcher.reach_m = reach_m;
+    manifolds.resize(0);
     if (side.algorithm != nullptr && (pair.round || reach_m != pair.reach_m)) {
-        side.algorithm->getAllContactManifolds(manifolds_);
-        for (int i = 0; i < manifolds_.size(); ++i) {
-            manifolds_[i]->setContactBreakingThreshold(reach_m);
-            if (pair.round) mark_old(*manifolds_[i]);
+        side.algorithm->getAllContactManifolds(manifolds);
+        for (int i = 0; i < manifolds.size(); ++i) {
+            manifolds[i]->setContactBreakingThreshold(reach_m);
+            if (pair.round) mark_old(*manifolds[i]);
         }
     }
     pair.reach_m = reach_m;
     pair.jolt_mps = jolt_mps(pair);
-    collide(side);
+    impl_->collide(side);
 
-    manifolds_.resize(0);
-    side.algorithm->getAllContactManifolds(manifolds_);
-    match_manifolds(manifolds_, pair);
+    manifolds.resize(0);
+    side.algorithm->getAllContactManifolds(manifolds);
+    match_manifolds(manifolds, pair);
     pair.touches = false;
-    for (int i = 0; i < manifolds_.size(); ++i) {
-        btPersistentManifold& from = *manifolds_[i];
+    for (int i = 0; i < manifolds.size(); ++i) {
+        btPersistentManifold& from = *manifolds[i];
         Manifold& manifold = pair.manifolds[static_cast<std::size_t>(i)];
         match_points(from, manifold);
         if (pair.round) keep_new_points(from, manifold);
-        if (reach_m > near_m(pair)) drop_unreachable(from, manifold, near_m(pair));
+        if (reach_m > near_m(pair)) impl_->drop_unreachable(from, manifold, near_m(pair));
         copy_places(from, manifold);
         pair.touches = pair.touches || !manifold.points.empty();
     }
 }
 
-void PairMeeting::collide(BulletPair& pair) {
+void PairMeeting::Impl::collide(BulletPair& pair) {
     const btCollisionObject& a = *pair.a->rigid;
     const btCollisionObject& b = *pair.b->rigid;
     const btCollisionObjectWrapper first(
@@ -264,7 +279,7 @@ void PairMeeting::collide(BulletPair& pair) {
         nullptr, b.getCollisionShape(), &b, b.getWorldTransform(), -1, -1);
     if (pair.algorithm == nullptr) {
         pair.algorithm =
-            dispatcher_.findAlgorithm(&first, &second, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+            dispatcher.findAlgorithm(&first, &second, nullptr, BT_CONTACT_POINT_ALGORITHMS);
     }
     GrownResult result(&first, &second, pair.base_m);
     // Two balls are the only shapes that look at nothing else. Compounds must not see it: they
@@ -272,22 +287,22 @@ void PairMeeting::collide(BulletPair& pair) {
     const bool balls = a.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE &&
                        b.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
     result.m_closestPointDistanceThreshold = balls ? pair.reach_m : btScalar(0);
-    pair.algorithm->processCollision(&first, &second, info_, &result);
+    pair.algorithm->processCollision(&first, &second, info, &result);
 }
 
-void PairMeeting::drop_unreachable(btPersistentManifold& from,
-                                   Manifold& manifold,
-                                   btScalar base_m) const {
+void PairMeeting::Impl::drop_unreachable(btPersistentManifold& from,
+                                         Manifold& manifold,
+                                         Real base_m) const {
     for (int i = from.getNumContacts() - 1; i >= 0; --i) {
         const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
-        if (passes_edge(from, from.getContactPoint(i), step_.step_s)) {
+        if (passes_edge(from, from.getContactPoint(i), step.step_s)) {
             remove_point(from, manifold, i);
             continue;
         }
         const Real closing = std::max(Real{0}, closing_mps(manifold, point));
         const Vec3 gap = point.a.surface_m - point.b.surface_m;
         const Real drift2 = glm::dot(gap, gap) - point.distance_m * point.distance_m;
-        if (point.distance_m > base_m + closing * step_.step_s + step_.fall_m ||
+        if (point.distance_m > base_m + closing * step.step_s + step.fall_m ||
             drift2 > base_m * base_m) {
             remove_point(from, manifold, i);
         }
@@ -296,22 +311,24 @@ void PairMeeting::drop_unreachable(btPersistentManifold& from,
 
 bool PairMeeting::knows_less(const Pair& pair) const {
     // Boxes that only a blow brings together meet in the next step, at most their cores apart.
-    return !pair.boxes && 2 * (jolt_mps(pair) - pair.jolt_mps) * step_.step_s > pair.base_m;
+    return !pair.boxes && 2 * (jolt_mps(pair) - pair.jolt_mps) * impl_->step.step_s > pair.base_m;
 }
 
 void PairMeeting::part(Pair& pair) {
     pair.touches = false;
+    btManifoldArray& manifolds = impl_->manifolds;
     const BulletPair& side = bullet_side(pair);
     if (side.algorithm == nullptr) return;
-    manifolds_.resize(0);
-    side.algorithm->getAllContactManifolds(manifolds_);
-    for (int i = 0; i < manifolds_.size(); ++i) {
-        if (manifolds_[i]->getNumContacts() > 0) manifolds_[i]->clearManifold();
+    manifolds.resize(0);
+    side.algorithm->getAllContactManifolds(manifolds);
+    for (int i = 0; i < manifolds.size(); ++i) {
+        if (manifolds[i]->getNumContacts() > 0) manifolds[i]->clearManifold();
     }
     for (Manifold& manifold : pair.manifolds) manifold.points.clear();
 }
 
 Blow PairMeeting::blow_of(const Pair& pair) const {
+    const MeetStep& step = impl_->step;
     Blow blow;
     if (!pair.touches || pair.reach_m <= pair.base_m) return blow;
     for (const Manifold& manifold : pair.manifolds) {
@@ -320,8 +337,8 @@ Blow PairMeeting::blow_of(const Pair& pair) const {
         for (const ManifoldPoint& point : manifold.points) {
             const Real closing = closing_mps(manifold, point);
             const Real change = closing * (1 + manifold.material.restitution);
-            if (closing * step_.step_s <= std::max(point.distance_m, Real{0}) ||
-                2 * change * step_.step_s <= pair.base_m) {
+            if (closing * step.step_s <= std::max(point.distance_m, Real{0}) ||
+                2 * change * step.step_s <= pair.base_m) {
                 continue;
             }
             const Vec3 push = point.normal_world * change;

@@ -1,4 +1,4 @@
-#include "engine/physics/bullet/mesh_contact.h"
+#include "engine/physics/bullet/contact/mesh_contact.h"
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>

@@ -1,9 +1,10 @@
-#include "engine/physics/bullet/archive.h"
+#include "engine/physics/bullet/archive/contact_archive.h"
 
-#include "engine/physics/bullet/contact_copy.h"
-#include "engine/physics/bullet/mesh_contact.h"
-#include "engine/physics/bullet/pair_list.h"
-#include "engine/physics/world/world_state.h"
+#include "engine/physics/bullet/archive/bullet_fields.h"
+#include "engine/physics/bullet/contact/contact_copy.h"
+#include "engine/physics/bullet/contact/mesh_contact.h"
+#include "engine/physics/bullet/contact/pair_list.h"
+#include "engine/physics/world/body_record.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>

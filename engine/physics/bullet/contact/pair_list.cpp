@@ -1,6 +1,7 @@
-#include "engine/physics/bullet/pair_list.h"
+#include "engine/physics/bullet/contact/pair_list.h"
 
-#include "engine/physics/world/world_state.h"
+#include "engine/physics/bullet/contact/contact_copy.h"
+#include "engine/physics/world/body_record.h"
 
 #include <algorithm>
 

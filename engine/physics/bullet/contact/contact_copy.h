@@ -10,12 +10,19 @@
 
 namespace plumbline::physics {
 
+/// The record behind a Bullet object of ours.
+inline BodyRecord& record_of(const btCollisionObject& object) {
+    return *static_cast<BodyRecord*>(object.getUserPointer());
+}
+
 /// Makes `pair.manifolds` stand for Bullet's, one for one; those that are gone go with their loads.
 void match_manifolds(const btManifoldArray& from, Pair& pair);
 /// Makes `to.points` stand for Bullet's, one for one; points found again keep their loads.
 void match_points(btPersistentManifold& from, Manifold& to);
 /// Takes the same point out of both.
 void remove_point(btPersistentManifold& from, Manifold& to, int index);
+/// bullet_*: all of it, with the impulses of the latest substep as the points' own.
+void copy_manifold(const btPersistentManifold& from, Manifold& to);
 /// Where the points are on the two bodies.
 void copy_places(const btPersistentManifold& from, Manifold& to);
 

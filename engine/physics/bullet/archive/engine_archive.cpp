@@ -1,0 +1,194 @@
+#include "engine/physics/bullet/archive/engine_archive.h"
+
+#include "engine/physics/bullet/archive/box_archive.h"
+#include "engine/physics/bullet/archive/bullet_fields.h"
+#include "engine/physics/bullet/archive/contact_archive.h"
+#include "engine/physics/bullet/contact/contact_copy.h"
+#include "engine/physics/bullet/engine_parts.h"
+#include "engine/physics/bullet/joints.h"
+#include "engine/physics/world/body_record.h"
+#include "engine/physics/world/joint_record.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace plumbline::physics {
+namespace {
+
+std::vector<BodyRecord*> records_of(const btCollisionObjectArray& objects) {
+    std::vector<BodyRecord*> records;
+    for (int i = 0; i < objects.size(); ++i) records.push_back(&record_of(*objects[i]));
+    return records;
+}
+
+/// The boxes of two bodies overlap again, as far as the pairs know.
+void add_pair(btOverlappingPairCache& pairs, const BodyRecord& a, const BodyRecord& b) {
+    pairs.addOverlappingPair(a.rigid->getBroadphaseHandle(), b.rigid->getBroadphaseHandle());
+}
+
+/// Who is in Bullet's world, in the order of its lists.
+std::vector<BodyRecord*> serialize_lists(Archive& archive,
+                                         BulletEngine::Parts& parts,
+                                         const BodyScope& scope) {
+    StepWorld& world = *parts.world;
+    std::vector<BodyRecord*> in_world = records_of(world.getCollisionObjectArray());
+    std::erase_if(in_world, [&](const BodyRecord* record) { return !scope.holds(record->id); });
+    std::vector<BodyRecord*> moving;
+    const auto& listed = world.getNonStaticRigidBodies();
+    for (int i = 0; i < listed.size(); ++i) moving.push_back(&record_of(*listed[i]));
+    serialize(archive, in_world, scope);
+    serialize(archive, moving, scope);
+    if (!archive.reads() || archive.failed()) return in_world;
+    scope.bodies.each(
+        [](BodyId, const std::unique_ptr<BodyRecord>& record) { record->in_world = false; });
+    parts.broadphase->m_deferedcollide = true;  // pairs come from the archive
+    for (BodyRecord* record : in_world) {
+        if (!archive.expect(!std::exchange(record->in_world, true), kOtherBodies)) return in_world;
+        world.addRigidBody(record->rigid.get(), -1, -1);
+    }
+    parts.broadphase->m_deferedcollide = false;
+    const auto is_moving = [](const BodyRecord* record) {
+        return record->in_world && !record->rigid->isStaticObject();
+    };
+    const auto count = static_cast<std::size_t>(world.getNonStaticRigidBodies().size());
+    if (archive.expect(moving.size() == count && std::ranges::all_of(moving, is_moving),
+                       kOtherBodies))
+        world.list_moving(moving);
+    return in_world;
+}
+
+/// Bullet's constraints in the order in which its solvers meet them.
+void serialize_constraints(Archive& archive,
+                           StepWorld& world,
+                           const BodyScope& scope,
+                           const JointTable& joints) {
+    std::vector<JointId> order;
+    for (int i = 0; i < world.getNumConstraints(); ++i) {
+        const JointRecord& joint = joint_of(*world.getConstraint(i));
+        if (scope.holds(joint)) order.push_back(joint.id);
+    }
+    archive(order);
+    for (const JointId id : order) {
+        if (!archive.expect(joints.contains(id), "a constraint has no joint")) return;
+        JointRecord& joint = *joints.get(id);
+        if (archive.reads()) joint.bullet = std::make_unique<BulletJoint>(joint, world);
+        archive(*joint.bullet);
+    }
+}
+
+void serialize_small_pairs(Archive& archive,
+                           BulletEngine::Parts& parts,
+                           const BodyScope& scope,
+                           ContactArchive& contacts) {
+    auto& dispatcher = static_cast<PairDispatcher&>(*parts.dispatcher);
+    scope.bodies.each([&](BodyId id, const std::unique_ptr<BodyRecord>& record) {
+        if (!scope.holds(id)) return;
+        std::vector<BodyId> others;
+        for (const PairLink& link : record->pairs) {
+            if (id < link.other && scope.holds(link.other)) others.push_back(link.other);
+        }
+        archive(others);
+        if (archive.reads()) {
+            for (const BodyId other : others) {
+                const auto* found = scope.bodies.find(other);
+                const bool is_pair = found != nullptr && (*found)->in_world && record->in_world;
+                if (!archive.expect(is_pair, kOtherBodies)) return;
+                add_pair(*parts.pairs, *record, **found);
+            }
+        }
+        for (const PairLink& link : record->pairs) {
+            if (link.other < id || !scope.holds(link.other) || archive.failed()) continue;
+            Pair& pair = *link.pair;
+            archive(pair.reach_m, pair.touches);
+            dispatcher.reach_m = pair.reach_m;
+            contacts.small_pair(pair);
+        }
+    });
+    // Last: pairs that are made anew have counted too.
+    archive(dispatcher.manifolds_made);
+}
+
+void serialize_bullet_pairs(Archive& archive,
+                            btOverlappingPairCache& pairs,
+                            const BodyScope& scope,
+                            ContactArchive& contacts) {
+    const auto end_of = [](const btBroadphaseProxy* proxy) {
+        return &record_of(*static_cast<const btCollisionObject*>(proxy->m_clientObject));
+    };
+    std::vector<int> places;
+    for (int i = 0; i < pairs.getNumOverlappingPairs(); ++i) {
+        const btBroadphasePair& pair = pairs.getOverlappingPairArray()[i];
+        if (scope.holds(end_of(pair.m_pProxy0)->id) && scope.holds(end_of(pair.m_pProxy1)->id))
+            places.push_back(i);
+    }
+    const std::size_t count = archive.count(places.size());
+    for (std::size_t i = 0; i < count && !archive.failed(); ++i) {
+        const int at = archive.reads() ? static_cast<int>(i) : places[i];
+        std::vector<BodyRecord*> ends;
+        if (!archive.reads()) {
+            const btBroadphasePair& pair = pairs.getOverlappingPairArray()[at];
+            ends = {end_of(pair.m_pProxy0), end_of(pair.m_pProxy1)};
+        }
+        serialize(archive, ends, scope);
+        const bool is_pair = ends.size() == 2 && ends[0]->in_world && ends[1]->in_world;
+        if (!archive.expect(is_pair, kOtherBodies)) return;
+        if (archive.reads()) add_pair(pairs, *ends[0], *ends[1]);
+        if (!archive.expect(at < pairs.getNumOverlappingPairs(), kOtherBodies)) return;
+        contacts.pair(
+            pairs.getOverlappingPairArray()[at].m_algorithm, *ends[0]->rigid, *ends[1]->rigid);
+    }
+}
+
+}  // namespace
+
+void serialize_rigid(Archive& archive, BodyRecord& record) {
+    btRigidBody& rigid = *record.rigid;
+    btTransform at = rigid.getWorldTransform();
+    btVector3 velocity = rigid.getLinearVelocity();
+    btVector3 spin = rigid.getAngularVelocity();
+    btVector3 force = rigid.getTotalForce();
+    btVector3 torque = rigid.getTotalTorque();
+    btScalar friction = rigid.getFriction();
+    btScalar restitution = rigid.getRestitution();
+    btScalar idle_s = rigid.getDeactivationTime();
+    int activation = rigid.getActivationState();
+    archive(at, velocity, spin, force, torque, friction, restitution, idle_s, activation);
+    if (!archive.reads()) return;
+    rigid.setCenterOfMassTransform(at);
+    rigid.setLinearVelocity(velocity);
+    rigid.setAngularVelocity(spin);
+    rigid.clearForces();
+    // Bullet scales what is applied along the axes that the body does not move along.
+    const btVector3 factor = rigid.getLinearFactor();
+    rigid.setLinearFactor({1, 1, 1});
+    rigid.applyCentralForce(force);
+    rigid.setLinearFactor(factor);
+    rigid.applyTorque(torque);
+    rigid.setFriction(friction);
+    rigid.setRestitution(restitution);
+    rigid.setDeactivationTime(idle_s);
+    rigid.forceActivationState(activation);
+}
+
+void serialize_engine(Archive& archive,
+                      BulletEngine& engine,
+                      const BodyScope& scope,
+                      const JointTable& joints) {
+    BulletEngine::Parts& parts = engine.parts();
+    const bool is_small = parts.own_pairs != nullptr;
+    const std::vector<BodyRecord*> in_world = serialize_lists(archive, parts, scope);
+    if (archive.failed()) return;
+    if (!is_small) serialize_constraints(archive, *parts.world, scope, joints);
+    serialize_boxes(archive, *parts.broadphase, in_world);
+    if (archive.failed()) return;
+    ContactArchive contacts(archive, *parts.dispatcher, parts.world->getDispatchInfo());
+    if (is_small)
+        serialize_small_pairs(archive, parts, scope, contacts);
+    else
+        serialize_bullet_pairs(archive, *parts.pairs, scope, contacts);
+    bool is_whole = scope.is_whole();
+    archive(is_whole);
+    if (is_whole) contacts.order();
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,209 @@
+#include "engine/physics/bullet/contact/contact_copy.h"
+#include "engine/physics/bullet/convert.h"
+#include "engine/physics/bullet/counting_solver.h"
+#include "engine/physics/bullet/engine_parts.h"
+#include "engine/physics/world/body_record.h"
+
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
+#include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
+#include <LinearMath/btAlignedAllocator.h>
+
+#include <cstdlib>
+#include <new>
+#include <utility>
+
+namespace plumbline::physics {
+namespace {
+
+// Bullet does not look whether it got the memory that it asked for.
+void* allocate_or_throw(std::size_t bytes) {
+    void* memory = std::malloc(bytes);
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+
+/// Its own solvers get materials combined, and all of Bullet its memory, through global function
+/// pointers, for every world of the process. Setting them again to the same functions is harmless.
+void install_global_callbacks() {
+    btAlignedAllocSetCustom(allocate_or_throw, std::free);
+    using Object = btCollisionObject;
+    gCalculateCombinedFrictionCallback = [](const Object* a, const Object* b) -> btScalar {
+        return material_of(*a, *b).friction;
+    };
+    gCalculateCombinedRestitutionCallback = [](const Object* a, const Object* b) -> btScalar {
+        return material_of(*a, *b).restitution;
+    };
+    gCalculateCombinedRollingFrictionCallback = [](const Object* a, const Object* b) -> btScalar {
+        return material_of(*a, *b).rolling_m;
+    };
+    gCalculateCombinedSpinningFrictionCallback = [](const Object* a, const Object* b) -> btScalar {
+        return material_of(*a, *b).spinning_m;
+    };
+}
+
+/// Groups must agree both ways, something must be able to give way, and no joint forbids it.
+class PairFilter final : public btOverlapFilterCallback {
+public:
+    bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
+        const auto& object_a = *static_cast<const btCollisionObject*>(a->m_clientObject);
+        const auto& object_b = *static_cast<const btCollisionObject*>(b->m_clientObject);
+        if (object_a.isStaticOrKinematicObject() && object_b.isStaticOrKinematicObject()) {
+            return false;
+        }
+        const BodyRecord& record_a = record_of(object_a);
+        const BodyRecord& record_b = record_of(object_b);
+        return (record_a.group & record_b.collides_with) != 0 &&
+               (record_b.group & record_a.collides_with) != 0 && !kept_apart(record_a, record_b);
+    }
+};
+
+void make_solver(const WorldDef& def, StepCost& cost, BulletEngine::Parts& parts) {
+    switch (def.solver) {
+        case Solver::SmallStep:
+        case Solver::BulletSi: {
+            auto made = std::make_unique<CountingSolver<btSequentialImpulseConstraintSolver>>(cost);
+            made->setRandSeed(def.seed);
+            parts.solver = std::move(made);
+            break;
+        }
+        case Solver::BulletNncg: {
+            auto made = std::make_unique<CountingSolver<btNNCGConstraintSolver>>(cost);
+            made->setRandSeed(def.seed);
+            parts.solver = std::move(made);
+            break;
+        }
+        case Solver::BulletDantzig:
+            parts.pivot_solver = std::make_unique<btDantzigSolver>();
+            parts.solver =
+                std::make_unique<CountingMatrixSolver>(cost, parts.pivot_solver.get(), 1);
+            break;
+        case Solver::BulletPgs:
+            parts.pivot_solver = std::make_unique<btSolveProjectedGaussSeidel>();
+            parts.solver = std::make_unique<CountingMatrixSolver>(
+                cost, parts.pivot_solver.get(), def.iterations);
+            break;
+    }
+}
+
+}  // namespace
+
+BulletEngine::BulletEngine(const WorldDef& def, StepCost& solved)
+    : parts_(std::make_unique<Parts>()) {
+    install_global_callbacks();
+    Parts& parts = *parts_;
+    parts.configuration = std::make_unique<btDefaultCollisionConfiguration>();
+    if (def.solver == Solver::SmallStep) {
+        parts.dispatcher = std::make_unique<PairDispatcher>(parts.configuration.get());
+        parts.box_contacts = std::make_unique<BoxContacts>(*parts.dispatcher);
+        auto pairs = std::make_unique<PairList>(*parts.dispatcher);
+        parts.own_pairs = pairs.get();
+        parts.pairs = std::move(pairs);
+    } else {
+        parts.dispatcher = std::make_unique<btCollisionDispatcher>(parts.configuration.get());
+        parts.pairs = std::make_unique<btHashedOverlappingPairCache>();
+    }
+    parts.mesh_contacts = std::make_unique<MeshContacts>(*parts.dispatcher);
+    parts.pair_filter = std::make_unique<PairFilter>();
+    parts.pairs->setOverlapFilterCallback(parts.pair_filter.get());
+    parts.broadphase = std::make_unique<btDbvtBroadphase>(parts.pairs.get());
+    make_solver(def, solved, parts);
+    parts.world = std::make_unique<StepWorld>(parts.dispatcher.get(),
+                                              parts.broadphase.get(),
+                                              parts.solver.get(),
+                                              parts.configuration.get(),
+                                              def.gravity_mps2);
+    parts.world->getSolverInfo().m_numIterations = def.iterations;
+    if (parts.pivot_solver) {
+        // The matrix grows with the square of a batch: one island at a time.
+        parts.world->getSolverInfo().m_minimumSolverBatchSize = 1;
+    }
+}
+
+BulletEngine::~BulletEngine() = default;
+
+void BulletEngine::add(BodyRecord& record) {
+    // The pair filter reads the record; Bullet's own two masks must only not say no.
+    parts_->world->addRigidBody(record.rigid.get(), -1, -1);
+    record.rigid->setDeactivationTime(0);
+}
+
+void BulletEngine::remove(BodyRecord& record) {
+    parts_->world->removeRigidBody(record.rigid.get());
+}
+
+void BulletEngine::refresh_box(BodyRecord& record) {
+    parts_->world->updateSingleAabb(record.rigid.get());
+}
+
+void BulletEngine::forget_pair(const BodyRecord& a, const BodyRecord& b) {
+    parts_->pairs->removeOverlappingPair(
+        a.rigid->getBroadphaseProxy(), b.rigid->getBroadphaseProxy(), parts_->dispatcher.get());
+}
+
+void BulletEngine::admit_pair(const BodyRecord& a, const BodyRecord& b) {
+    parts_->pairs->addOverlappingPair(a.rigid->getBroadphaseProxy(), b.rigid->getBroadphaseProxy());
+}
+
+void BulletEngine::each_manifold(const std::function<void(const Manifold&)>& visit) const {
+    if (parts_->own_pairs != nullptr) return parts_->own_pairs->each_manifold(visit);
+    Manifold copy;
+    for (int i = 0; i < parts_->dispatcher->getNumManifolds(); ++i) {
+        copy_manifold(*parts_->dispatcher->getManifoldByIndexInternal(i), copy);
+        visit(copy);
+    }
+}
+
+StepWorld& BulletEngine::world() const {
+    return *parts_->world;
+}
+
+void BulletEngine::find_pairs() {
+    parts_->world->computeOverlappingPairs();
+}
+
+void BulletEngine::set_box(const BodyRecord& record, const Box& box) {
+    parts_->broadphase->setAabb(record.rigid->getBroadphaseProxy(),
+                                to_bullet(box.low),
+                                to_bullet(box.high),
+                                parts_->dispatcher.get());
+}
+
+void BulletEngine::drop(Pair& pair) {
+    parts_->own_pairs->remove(pair);
+}
+
+void BulletEngine::begin_step(const WorldFeatures& features, std::function<void()> after_solve) {
+    StepWorld& world = *parts_->world;
+    world.cost = {};
+    world.use = {};
+    world.features = features;
+    world.after_solve = std::move(after_solve);
+}
+
+void BulletEngine::advance(Real substep_s, bool last) {
+    parts_->world->last_substep = last;
+    parts_->world->advance(substep_s);
+}
+
+const StepCost& BulletEngine::cost() const {
+    return parts_->world->cost;
+}
+const FeatureUse& BulletEngine::use() const {
+    return parts_->world->use;
+}
+
+void BulletEngine::each_moving(const std::function<void(BodyRecord&)>& visit) const {
+    const auto& moving = parts_->world->getNonStaticRigidBodies();
+    for (int i = 0; i < moving.size(); ++i) visit(record_of(*moving[i]));
+}
+
+void BulletEngine::combine_materials(const BodyRecord& record) {
+    for (int i = 0; i < parts_->dispatcher->getNumManifolds(); ++i) {
+        btPersistentManifold& manifold = *parts_->dispatcher->getManifoldByIndexInternal(i);
+        if (manifold.getBody0() == record.rigid.get() || manifold.getBody1() == record.rigid.get())
+            physics::combine_materials(manifold);
+    }
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,32 @@
+// What BulletEngine is made of, in the order in which the parts need each other.
+#pragma once
+
+#include "engine/physics/bullet/contact/box_contacts.h"
+#include "engine/physics/bullet/contact/mesh_contact.h"
+#include "engine/physics/bullet/contact/pair_dispatch.h"
+#include "engine/physics/bullet/contact/pair_list.h"
+#include "engine/physics/bullet/engine.h"
+#include "engine/physics/bullet/step_world.h"
+
+#include <BulletDynamics/MLCPSolvers/btMLCPSolverInterface.h>
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+
+namespace plumbline::physics {
+
+struct BulletEngine::Parts {
+    std::unique_ptr<btDefaultCollisionConfiguration> configuration;
+    std::unique_ptr<BoxContacts> box_contacts;  ///< small_step only
+    std::unique_ptr<MeshContacts> mesh_contacts;
+    std::unique_ptr<btCollisionDispatcher> dispatcher;  ///< small_step: a PairDispatcher
+    std::unique_ptr<btOverlappingPairCache> pairs;
+    PairList* own_pairs{nullptr};  ///< small_step: `pairs`
+    std::unique_ptr<btOverlapFilterCallback> pair_filter;
+    std::unique_ptr<btDbvtBroadphase> broadphase;
+    std::unique_ptr<btMLCPSolverInterface> pivot_solver;
+    std::unique_ptr<btConstraintSolver> solver;
+    std::unique_ptr<StepWorld> world;
+};
+
+}  // namespace plumbline::physics
