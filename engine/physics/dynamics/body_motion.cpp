@@ -12,9 +12,6 @@
 namespace plumbline::physics {
 namespace {
 
-/// Turns slower than this gain less than 1e-6 rad/s2 from the gyroscopic torque.
-constexpr double kLeastGyroSpin_radps = 1e-3;
-
 Mat3 matrix_of(const Quatd& q) {
     return Mat3{glm::mat3_cast(q)};
 }

@@ -7,8 +7,6 @@
 namespace plumbline::physics {
 namespace {
 
-/// Slower turns than this gain nothing that shows from the gyroscopic torque.
-constexpr Real kGyroSpin_radps = 1e-2_r;
 /// Without gravity slower blows do not bounce.
 constexpr Real kSlowestBounce_mps = 1e-3_r;
 
@@ -121,9 +119,9 @@ void IslandLoop::move() {
 }
 
 void IslandLoop::turn(SolverBody& body) const {
-    const bool gyroscopic =
-        settings_.gyroscopic_torque && body.movable() && !body.round_inertia &&
-        glm::dot(body.spin_radps, body.spin_radps) > kGyroSpin_radps * kGyroSpin_radps;
+    const bool gyroscopic = settings_.gyroscopic_torque && body.movable() && !body.round_inertia &&
+                            glm::dot(body.spin_radps, body.spin_radps) >
+                                static_cast<Real>(kLeastGyroSpin_radps * kLeastGyroSpin_radps);
     if (!gyroscopic) {
         const Vec3 mean = body.spin_radps - body.steady_radps * Real{0.5};
         body.turned = glm::normalize(turn_by(mean, h_) * body.turned);
