@@ -1,6 +1,6 @@
 # `simulate` in both precisions: a library for the program plumbline, and plumbline-f64 as a whole.
 # What it prints about the command line does not depend on the precision.
-add_library(plumbline_command_docs STATIC command_docs.h command_docs.cpp)
+add_library(plumbline_command_docs STATIC command_line/command_docs.h command_line/command_docs.cpp)
 plumbline_target_settings(plumbline_command_docs)
 target_link_libraries(plumbline_command_docs PRIVATE CLI11::CLI11)
 
@@ -9,13 +9,13 @@ string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} -ffp-contract=off" p
 foreach(suffix "" "_f64")
     set(target plumbline_simulate${suffix})
     add_library(${target} STATIC
-        option_ranges.h option_ranges.cpp
-        parse_error.h parse_error.cpp
         program.h program.cpp
-        program_words.h program_words.cpp
-        refuse.h
-        simulate_cli.h simulate_cli.cpp
-        simulate_command.h simulate_command.cpp)
+        command_line/option_ranges.h command_line/option_ranges.cpp
+        command_line/parse_error.h command_line/parse_error.cpp
+        command_line/program_words.h command_line/program_words.cpp
+        command_line/refuse.h
+        commands/simulate_cli.h commands/simulate_cli.cpp
+        commands/simulate_command.h commands/simulate_command.cpp)
     plumbline_target_settings(${target})
     target_compile_definitions(${target} PRIVATE PL_VERSION="${PROJECT_VERSION}"
         PL_BULLET_VERSION="${BULLET_VERSION}" PL_BUILD_FLAGS="${plumbline_build_flags}")

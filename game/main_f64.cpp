@@ -3,10 +3,10 @@
 
 #include "engine/core/log.h"
 #include "engine/study/worker.h"
-#include "game/parse_error.h"
+#include "game/command_line/parse_error.h"
+#include "game/command_line/program_words.h"
+#include "game/commands/simulate_cli.h"
 #include "game/program.h"
-#include "game/program_words.h"
-#include "game/simulate_cli.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 #include "game/program.h"
 
-#include "engine/core/output.h"
-#include "game/refuse.h"
+#include "engine/core/io/output.h"
+#include "game/command_line/refuse.h"
 
 #include <csignal>
 #include <cstdio>

@@ -1,5 +1,5 @@
 # What `cmake --install` puts where: programs in bin, what they read in share/plumbline, and what a
-# desktop and a shell look for. The program finds share/plumbline from its own place (core/files.cpp),
+# desktop and a shell look for. The program finds share/plumbline from its own place (core/io/files.cpp),
 # so any prefix works, and a moved one.
 include(GNUInstallDirs)
 

@@ -1,9 +1,9 @@
 // The end of a sitting: the files that were asked for, and the exit code.
 #include "engine/app/frame_parts_impl.h"
 #include "engine/core/hash.h"
-#include "engine/core/interrupt.h"
+#include "engine/core/io/output.h"
 #include "engine/core/log.h"
-#include "engine/core/output.h"
+#include "engine/core/process/interrupt.h"
 
 #include <fmt/format.h>
 

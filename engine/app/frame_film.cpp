@@ -1,7 +1,7 @@
 // A film of what the window shows, from one press to the next.
+#include "engine/app/capture/screenshot.h"
 #include "engine/app/frame_parts_impl.h"
-#include "engine/app/screenshot.h"
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "engine/core/log.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "engine/app/frame_loop.h"
 
 #include "engine/app/frame_parts_impl.h"
-#include "engine/core/interrupt.h"
 #include "engine/core/log.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/process/interrupt.h"
+#include "engine/core/time/stopwatch.h"
 
 namespace plumbline::app {
 

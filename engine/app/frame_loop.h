@@ -1,9 +1,9 @@
 // The frame: what happens, in order, while a window is open. Read frame_loop.cpp first.
 #pragma once
 
-#include "engine/app/live_bindings.h"
-#include "engine/app/live_config.h"
+#include "engine/app/controls/live_bindings.h"
 #include "engine/app/session.h"
+#include "engine/app/settings/live_config.h"
 #include "engine/app/stepper.h"
 #include "engine/platform/window.h"
 #include "engine/render/renderer.h"

@@ -1,10 +1,10 @@
+#include "engine/app/controls/key_labels.h"
 #include "engine/app/frame_parts_impl.h"
-#include "engine/app/key_labels.h"
-#include "engine/app/loading_screen.h"
+#include "engine/app/overlay/loading_screen.h"
 #include "engine/core/hash.h"
-#include "engine/core/interrupt.h"
 #include "engine/core/log.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/process/interrupt.h"
+#include "engine/core/time/stopwatch.h"
 
 #include <fmt/format.h>
 

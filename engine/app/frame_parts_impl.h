@@ -1,23 +1,23 @@
 // What frame_loop.cpp steps through: the parts of a sitting, wired once. Private to it.
 #pragma once
 
-#include "engine/app/camera_path_control.h"
-#include "engine/app/captions.h"
-#include "engine/app/first_minute.h"
-#include "engine/app/frame_controls.h"
+#include "engine/app/capture/video_file.h"
+#include "engine/app/controls/camera_path_control.h"
+#include "engine/app/controls/frame_controls.h"
 #include "engine/app/frame_loop.h"
 #include "engine/app/menu_sounds.h"
-#include "engine/app/overlay.h"
-#include "engine/app/picture_control.h"
+#include "engine/app/overlay/captions.h"
+#include "engine/app/overlay/first_minute.h"
+#include "engine/app/overlay/overlay.h"
 #include "engine/app/scene_watch.h"
+#include "engine/app/settings/picture_control.h"
 #include "engine/app/slow_motion.h"
 #include "engine/app/ui/menu_control.h"
-#include "engine/app/video_file.h"
 #include "engine/audio/mixer.h"
-#include "engine/core/frame_clock.h"
 #include "engine/core/log.h"
+#include "engine/core/time/frame_clock.h"
 #include "engine/render/renderer.h"
-#include "engine/scene/scene_list.h"
+#include "engine/scene/paths/scene_list.h"
 
 #include <future>
 #include <memory>

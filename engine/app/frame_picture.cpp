@@ -1,6 +1,6 @@
 // What a frame shows and sounds like: the world read, the overlay over it, the cues of its steps.
 #include "engine/app/frame_parts_impl.h"
-#include "engine/app/loading_screen.h"
+#include "engine/app/overlay/loading_screen.h"
 #include "engine/scene/extract.h"
 
 #include <algorithm>

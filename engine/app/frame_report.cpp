@@ -1,7 +1,7 @@
 #include "engine/app/frame_report.h"
 
-#include "engine/core/process_memory.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/process/process_memory.h"
+#include "engine/core/time/stopwatch.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,9 @@
 // What a person asked for beside playing, done between frames' steps, one function a request.
+#include "engine/app/capture/screenshot.h"
 #include "engine/app/frame_parts_impl.h"
-#include "engine/app/screenshot.h"
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "engine/core/log.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 
 #include <chrono>
 

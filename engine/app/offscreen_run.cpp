@@ -1,6 +1,6 @@
 #include "engine/app/offscreen_run.h"
 
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/scene/extract.h"
 
 namespace plumbline::app {

@@ -1,8 +1,8 @@
 // A scene being run: what is loaded once, and what reset and reload build anew.
 #pragma once
 
-#include "engine/core/diagnostics.h"
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
+#include "engine/core/text/diagnostics.h"
 #include "engine/effects/advance.h"
 #include "engine/effects/saved_game.h"
 #include "engine/scene/game.h"

@@ -2,7 +2,7 @@
 
 #include "engine/core/hash.h"
 #include "engine/core/log.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 
 #include <fmt/format.h>
 

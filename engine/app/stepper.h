@@ -2,7 +2,7 @@
 // recording, or a random monkey; writes them down, and checks a replay's hashes as it goes.
 #pragma once
 
-#include "engine/app/action_tape.h"
+#include "engine/app/controls/action_tape.h"
 #include "engine/app/frame_report.h"
 #include "engine/app/session.h"
 #include "engine/input/action_latch.h"

@@ -1,7 +1,7 @@
 #include "engine/assets/asset_library.h"
 
-#include "engine/assets/image_import.h"
-#include "engine/assets/model_import.h"
+#include "engine/assets/image/image_import.h"
+#include "engine/assets/model/model_import.h"
 #include "engine/assets/skybox_files.h"
 #include "engine/assets/sound_import.h"
 #include "engine/core/limits.h"

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "engine/assets/image_data.h"
+#include "engine/assets/model/model_pose.h"
 #include "engine/assets/model_data.h"
-#include "engine/assets/model_pose.h"
 #include "engine/assets/sound_data.h"
 #include "engine/core/result.h"
 

@@ -1,7 +1,7 @@
 #include "engine/assets/sound_import.h"
 
 #include "engine/assets/byte_reader.h"
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 

@@ -1,7 +1,7 @@
 #include "engine/core/log.h"
 
 #include "engine/core/log_tail.h"
-#include "engine/core/printable.h"
+#include "engine/core/text/printable.h"
 
 #include <spdlog/sinks/dup_filter_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/core/assert.h"
-#include "engine/core/exit_code.h"
+#include "engine/core/process/exit_code.h"
 
 #include <string>
 #include <utility>

@@ -1,7 +1,7 @@
 #include "engine/effects/effect_runtime.h"
 
-#include "engine/core/archive.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/io/archive.h"
+#include "engine/core/time/stopwatch.h"
 
 #include <map>
 

@@ -1,5 +1,5 @@
 #include "engine/effects/effect_runtime.h"
-#include "engine/scene/json_text.h"
+#include "engine/scene/formats/json_text.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "engine/effects/saved_game.h"
 
-#include "engine/core/archive.h"
 #include "engine/core/hash.h"
+#include "engine/core/io/archive.h"
+#include "engine/core/io/saved_file.h"
 #include "engine/core/limits.h"
-#include "engine/core/saved_file.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "engine/core/text_case.h"
+#include "engine/core/text/text_case.h"
 #include "engine/input/action_latch_impl.h"
 #include "engine/input/modifier_keys.h"
 

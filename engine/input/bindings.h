@@ -7,8 +7,8 @@
 #pragma once
 
 #include "engine/core/actions.h"
-#include "engine/core/diagnostics.h"
 #include "engine/core/result.h"
+#include "engine/core/text/diagnostics.h"
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "engine/input/bindings_layer.h"
 
 #include "engine/core/limits.h"
-#include "engine/core/nearest_name.h"
-#include "engine/core/toml_prescan.h"
+#include "engine/core/text/nearest_name.h"
+#include "engine/core/text/toml_prescan.h"
 #include "engine/input/tuning_keys.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "engine/core/limits.h"
-#include "engine/core/nearest_name.h"
+#include "engine/core/text/nearest_name.h"
 #include "engine/input/bindings.h"
 #include "engine/input/bindings_layer.h"
 

@@ -1,5 +1,5 @@
-#include "engine/core/nearest_name.h"
-#include "engine/core/text_case.h"
+#include "engine/core/text/nearest_name.h"
+#include "engine/core/text/text_case.h"
 #include "engine/input/bindings.h"
 
 #include <fmt/format.h>

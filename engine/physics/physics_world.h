@@ -1,15 +1,15 @@
 // Rigid bodies, stepped at a fixed rate, and questions about them.
 //
 // Knows nothing of entities, drawing or sound: callers copy states out after a step.
-// Does not interpolate and has no clock: see core/frame_clock.h for who does.
+// Does not interpolate and has no clock: see core/time/frame_clock.h for who does.
 // Not thread-safe. One PhysicsWorld per scene. How two materials combine is set for the whole
 // process (Bullet keeps it in global pointers) and is the same for every world. Same calls in the
 // same order give the same bits.
 #pragma once
 
-#include "engine/core/diagnostics.h"
 #include "engine/core/lines.h"
 #include "engine/core/result.h"
+#include "engine/core/text/diagnostics.h"
 #include "engine/physics/body.h"
 #include "engine/physics/contact.h"
 #include "engine/physics/joint.h"

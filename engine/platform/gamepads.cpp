@@ -1,6 +1,6 @@
 #include "engine/platform/gamepads.h"
 
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 #include "engine/platform/gamepad_mapping.h"

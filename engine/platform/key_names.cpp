@@ -1,4 +1,4 @@
-#include "engine/core/text_case.h"
+#include "engine/core/text/text_case.h"
 #include "engine/platform/window.h"
 
 #define GLFW_INCLUDE_NONE

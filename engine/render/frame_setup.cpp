@@ -1,8 +1,8 @@
 // From a RenderFrame to the numbers that its passes read.
 #include "engine/core/log.h"
-#include "engine/render/frustum.h"
+#include "engine/render/culling/frustum.h"
+#include "engine/render/light/shadow_fit.h"
 #include "engine/render/renderer_impl.h"
-#include "engine/render/shadow_fit.h"
 
 #include <fmt/format.h>
 #include <glad/gl.h>

@@ -4,8 +4,8 @@
 
 #include "engine/assets/image_data.h"
 #include "engine/core/result.h"
-#include "engine/render/gpu_limits.h"
 #include "engine/render/render_frame.h"
+#include "engine/render/resources/gpu_limits.h"
 
 #include <filesystem>
 #include <functional>

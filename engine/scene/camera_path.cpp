@@ -1,8 +1,8 @@
 #include "engine/scene/camera_path.h"
 
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "engine/core/limits.h"
-#include "engine/core/printable.h"
+#include "engine/core/text/printable.h"
 #include "engine/scene/game.h"
 
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 #include "engine/core/pose.h"
 #include "engine/ecs/registry.h"
 #include "engine/physics/body.h"
-#include "engine/scene/live_light.h"
+#include "engine/scene/environment/live_light.h"
 
 #include <cstdint>
 #include <filesystem>

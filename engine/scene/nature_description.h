@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/math.h"
-#include "engine/scene/origin.h"
+#include "engine/scene/formats/origin.h"
 #include "engine/scene/picture_description.h"
 
 #include <cstdint>

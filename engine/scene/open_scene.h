@@ -2,8 +2,8 @@
 // benchmarks alike. Also what was read on the way, so that caches and watching miss none of it.
 #pragma once
 
-#include "engine/core/diagnostics.h"
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
+#include "engine/core/text/diagnostics.h"
 #include "engine/scene/accuracy.h"
 #include "engine/scene/simulation.h"
 

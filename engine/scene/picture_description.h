@@ -1,7 +1,7 @@
 // What a scene file asks of its picture beyond things and lights, as plain data.
 #pragma once
 
-#include "engine/scene/origin.h"
+#include "engine/scene/formats/origin.h"
 
 #include <cstdint>
 

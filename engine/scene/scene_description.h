@@ -10,9 +10,9 @@
 #include "engine/physics/joint.h"
 #include "engine/physics/physics_world.h"
 #include "engine/physics/shape.h"
-#include "engine/scene/live_light.h"
+#include "engine/scene/environment/live_light.h"
+#include "engine/scene/formats/origin.h"
 #include "engine/scene/nature_description.h"
-#include "engine/scene/origin.h"
 #include "engine/scene/picture_description.h"
 
 #include <array>

@@ -1,10 +1,10 @@
 // Scene files: TOML to SceneDescription, every key checked, every fault with its place.
 #pragma once
 
-#include "engine/core/diagnostics.h"
 #include "engine/core/result.h"
+#include "engine/core/text/diagnostics.h"
+#include "engine/scene/paths/scene_list.h"
 #include "engine/scene/scene_description.h"
-#include "engine/scene/scene_list.h"
 
 #include <filesystem>
 

@@ -4,7 +4,7 @@
 
 #include "engine/assets/asset_library.h"
 #include "engine/audio/sound_cue.h"
-#include "engine/core/pose_archive.h"
+#include "engine/core/io/pose_archive.h"
 #include "engine/core/random.h"
 #include "engine/core/result.h"
 #include "engine/ecs/registry.h"

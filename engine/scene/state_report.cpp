@@ -1,7 +1,7 @@
 #include "engine/scene/state_report.h"
 
 #include "engine/core/hash.h"
-#include "engine/scene/json_text.h"
+#include "engine/scene/formats/json_text.h"
 
 #include <fmt/format.h>
 

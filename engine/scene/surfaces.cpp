@@ -1,10 +1,10 @@
 #include "engine/scene/surfaces.h"
 
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "engine/core/limits.h"
-#include "engine/scene/scene_paths.h"
-#include "engine/scene/scene_reader.h"
-#include "engine/scene/toml_tree.h"
+#include "engine/scene/formats/scene_reader.h"
+#include "engine/scene/formats/toml_tree.h"
+#include "engine/scene/paths/scene_paths.h"
 
 #include <fmt/format.h>
 

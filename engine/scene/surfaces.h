@@ -1,9 +1,9 @@
 // What things are made of: friction and sound by name, from config/surfaces.toml.
 #pragma once
 
-#include "engine/core/diagnostics.h"
 #include "engine/core/math.h"
 #include "engine/core/result.h"
+#include "engine/core/text/diagnostics.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "engine/study/findings_json.h"
 
-#include "engine/scene/json_read.h"
+#include "engine/scene/formats/json_read.h"
 #include "engine/study/findings_json_impl.h"
 
 #include <fmt/format.h>

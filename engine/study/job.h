@@ -32,7 +32,7 @@ struct Answer {
 };
 
 /// Jobs are handed out in order to as many workers at once; `done` is called on the calling thread
-/// as each ends. Stops early, and returns false, when interrupted (core/interrupt.h): jobs that had
+/// as each ends. Stops early, and returns false, when interrupted (core/process/interrupt.h): jobs that had
 /// not ended have no call. Refused: the programs are not beside this one.
 Result<bool> run_jobs(std::span<const Job> jobs,
                       int workers,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/study/findings.h"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include "engine/study/progress.h"
 
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 #include "engine/study/worker.h"
 
-#include "engine/core/process.h"
-#include "engine/scene/json_read.h"
+#include "engine/core/process/process.h"
+#include "engine/scene/formats/json_read.h"
 #include "engine/study/any_scene/effects_cost.h"
 #include "engine/study/any_scene/scene_run.h"
 #include "engine/study/gallery/gallery.h"

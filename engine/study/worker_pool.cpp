@@ -1,8 +1,8 @@
 #include "engine/study/worker_pool.h"
 
-#include "engine/core/interrupt.h"
-#include "engine/core/process.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/process/interrupt.h"
+#include "engine/core/process/process.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/study/worker.h"
 
 #include <fmt/format.h>

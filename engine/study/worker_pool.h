@@ -1,7 +1,7 @@
 // The parent's side of the study: workers as child processes, given jobs and waited for.
 #pragma once
 
-#include "engine/core/process.h"
+#include "engine/core/process/process.h"
 #include "engine/study/job.h"
 
 #include <array>

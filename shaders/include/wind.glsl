@@ -1,4 +1,4 @@
-// The wind, and how what sways obeys it. Mirrors scene/wind_field.h: gusts are waves that the mean
+// The wind, and how what sways obeys it. Mirrors scene/environment/wind_field.h: gusts are waves that the mean
 // carries along, each across its own direction, so that air neither piles up nor thins out.
 
 #ifdef PL_WIND

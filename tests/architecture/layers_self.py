@@ -45,7 +45,7 @@ class Layers(unittest.TestCase):
                          ["engine/physics/a.h:1: physics must not include render"])
 
     def test_engine_never_includes_game(self):
-        self.assertEqual(problems_of("engine/app/a.cpp", '#  include "game/rules.h"\n'),
+        self.assertEqual(problems_of("engine/app/a.cpp", '#  include "game/rules/rules.h"\n'),
                          ["engine/app/a.cpp:1: the engine never includes the game"])
 
     def test_foreign_library_fails(self):

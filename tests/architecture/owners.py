@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """What one place of the sources owns, and nobody else does beside it.
 
-core/process.cpp starts, waits for and ends processes, and has the pipes to them. engine/scene builds worlds of scenes:
-everybody else opens them with scene::open_scene(), which misses none of the files that take part.
+core/process/process.cpp starts, waits for and ends processes, and has the pipes to them. engine/scene builds worlds of
+scenes: everybody else opens them with scene::open_scene(), which misses none of the files that take part.
 """
 
 import re
@@ -13,7 +13,7 @@ COMMENT = re.compile(r"//.*")
 
 # (owner, pattern, lines that it finds, lines that it does not)
 OWNED = [
-    ("engine/core/process.cpp",
+    ("engine/core/process/process.cpp",
      re.compile(r"#\s*include\s*<((?:sys/)?(?:poll|wait|prctl|select|epoll)|spawn|sched)\.h>"
                 r"|(?<![\w.>:])(?:::)?((?:v?fork|clone3?|posix_spawnp?|exec[vl]p?e?|wait(?:pid|id|3|4)|p?poll"
                 r"|p?select|pipe2?|dup[23]?|prctl|popen|system|kill(?:pg)?|socketpair)\s*\()"),

@@ -4,7 +4,7 @@
 //
 //   minimal_frame [BOXES [FRAMES]]
 #include "engine/core/math.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/platform/offscreen.h"
 
 #include <fmt/format.h>

@@ -10,7 +10,7 @@
 // --hz applies to ours, the bare loop runs at 60; --seconds cuts a scene short; --no-bare leaves
 // the loop and the ratios out. Run it on an idle machine: memory that others use slows both sides,
 // but not alike.
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "tests/benchmarks/peer_scenes_run.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "tests/benchmarks/peer_scenes_run.h"
 
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 
 #include <algorithm>
 #include <cmath>

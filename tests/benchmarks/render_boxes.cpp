@@ -4,10 +4,10 @@
 //   render_boxes [--boxes N] [--frames N] [--size WxH] [--still] [--picture F.png] …
 //   --no-sun-shadow --no-flashlight --no-sky --blinn: leave one out, to see what it costs
 #include "engine/assets/asset_library.h"
-#include "engine/assets/image_import.h"
+#include "engine/assets/image/image_import.h"
 #include "engine/assets/primitives.h"
-#include "engine/core/process_memory.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/process/process_memory.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/platform/offscreen.h"
 #include "engine/render/renderer.h"
 

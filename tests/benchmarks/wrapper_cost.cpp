@@ -5,7 +5,7 @@
 //   wrapper_cost --benchmark_repetitions=5
 //
 // "ratio" is the CPU time of the one over that of the other; at most 1.05 is promised.
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/physics/physics_world.h"
 
 #include <benchmark/benchmark.h>

@@ -1,7 +1,7 @@
 // What the book's stages do with its keys: a camera that goes by steps, a pointer that shoots, drags,
 // deletes, lifts and explodes.
 #include "engine/physics/query.h"
-#include "tests/game/playground.h"
+#include "tests/game/rules/playground.h"
 
 #include <cmath>
 

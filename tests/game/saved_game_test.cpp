@@ -1,5 +1,5 @@
 // The playground put back from its fields: what is in the hand, in the air, on the floor and in mind.
-#include "tests/game/playground.h"
+#include "tests/game/rules/playground.h"
 
 namespace plumbline::game {
 namespace {

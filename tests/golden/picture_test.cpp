@@ -1,6 +1,6 @@
 // Small pictures against stored ones, for what no closed form predicts: how it all looks together.
 // PL_UPDATE_GOLDEN=1 writes the stored ones anew; look at them before committing.
-#include "engine/assets/image_import.h"
+#include "engine/assets/image/image_import.h"
 #include "tests/engine/render/gl_fixture.h"
 
 #include <cstdlib>

@@ -3,7 +3,7 @@
 #include "engine/effects/saved_game.h"
 
 #include "engine/core/hash.h"
-#include "engine/scene/scene_list.h"
+#include "engine/scene/paths/scene_list.h"
 #include "tests/scenarios/scene_run.h"
 #include "tests/support/temporary_folder.h"
 

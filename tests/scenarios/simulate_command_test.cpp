@@ -1,7 +1,7 @@
 // `simulate` from its options to its files: what is written, and that nothing but the scene and
 // the settings decides the hash.
 
-#include "game/simulate_command.h"
+#include "game/commands/simulate_command.h"
 
 #include "tests/scenarios/scene_run.h"
 #include "tests/support/temporary_folder.h"

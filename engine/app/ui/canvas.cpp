@@ -1,6 +1,6 @@
 #include "engine/app/ui/canvas_impl.h"
 #include "engine/app/ui/ui_scale.h"
-#include "engine/assets/image_import.h"
+#include "engine/assets/image/image_import.h"
 #include "engine/core/log.h"
 
 #include <imgui_internal.h>

@@ -1,5 +1,5 @@
-#include "engine/app/action_words.h"
-#include "engine/app/key_labels.h"
+#include "engine/app/controls/action_words.h"
+#include "engine/app/controls/key_labels.h"
 #include "engine/app/ui/pages.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Light and fog of the running scene.
 #include "engine/app/ui/pages.h"
 #include "engine/app/ui/setting_cells.h"
-#include "engine/scene/live_light.h"
+#include "engine/scene/environment/live_light.h"
 
 #include <fmt/format.h>
 

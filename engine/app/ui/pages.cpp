@@ -1,8 +1,8 @@
 #include "engine/app/ui/pages.h"
 
-#include "engine/app/action_words.h"
-#include "engine/app/key_labels.h"
-#include "engine/core/text_case.h"
+#include "engine/app/controls/action_words.h"
+#include "engine/app/controls/key_labels.h"
+#include "engine/core/text/text_case.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // The pages of the menu: what is on them and what choosing does.
 #pragma once
 
-#include "engine/app/live_bindings.h"
-#include "engine/app/live_config.h"
+#include "engine/app/controls/live_bindings.h"
+#include "engine/app/settings/live_config.h"
 #include "engine/app/ui/menu.h"
 #include "engine/input/bindings_edit.h"
-#include "engine/scene/scene_list.h"
+#include "engine/scene/paths/scene_list.h"
 #include "engine/scene/simulation.h"
 #include "engine/study/setting.h"
 

@@ -1,4 +1,4 @@
-#include "engine/app/accuracy_choice.h"
+#include "engine/app/accuracy/accuracy_choice.h"
 #include "engine/app/ui/pages.h"
 #include "engine/app/ui/setting_cells.h"
 #include "engine/input/tuning_keys.h"

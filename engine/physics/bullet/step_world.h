@@ -8,7 +8,7 @@
 // - boxes around bodies are brought up to date after moving, so that queries see the new poses
 #pragma once
 
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/physics/dynamics/body_motion.h"
 
 #include <btBulletDynamicsCommon.h>

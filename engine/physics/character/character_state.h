@@ -5,7 +5,7 @@
 // exactly where the skin does. A *gap* is always measured from the person's own surface.
 #pragma once
 
-#include "engine/core/pose_archive.h"
+#include "engine/core/io/pose_archive.h"
 #include "engine/physics/character.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 // The fields of the physics' plain data, for archives.
 #pragma once
 
-#include "engine/core/pose_archive.h"
+#include "engine/core/io/pose_archive.h"
 #include "engine/physics/dynamics/body_motion.h"
 #include "engine/physics/dynamics/transform.h"
 #include "engine/physics/world/island_sleep.h"

@@ -1,7 +1,7 @@
 // Whose state an archive holds.
 #pragma once
 
-#include "engine/core/archive.h"
+#include "engine/core/io/archive.h"
 #include "engine/core/slot_map.h"
 #include "engine/physics/body.h"
 

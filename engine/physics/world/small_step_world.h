@@ -7,7 +7,7 @@
 #pragma once
 
 #include "engine/core/slot_map.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/physics/bullet/contact/pair_meeting.h"
 #include "engine/physics/bullet/engine.h"
 #include "engine/physics/collision/sweep/joint_sweep.h"

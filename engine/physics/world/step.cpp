@@ -1,5 +1,5 @@
 // One fixed step: who is taken out, what is stepped, which events are left.
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/bullet/rotations.h"
 #include "engine/physics/world/world_state.h"

@@ -2,7 +2,7 @@
 // frames later, so that nobody waits for them.
 #pragma once
 
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/render/gl/object.h"
 #include "engine/render/renderer.h"
 

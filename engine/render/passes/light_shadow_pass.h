@@ -2,7 +2,7 @@
 // drawn again only when something moved in it, or the light itself.
 #pragma once
 
-#include "engine/render/light_shadows.h"
+#include "engine/render/light/light_shadows.h"
 #include "engine/render/passes/shadow_pass.h"
 
 namespace plumbline::render {

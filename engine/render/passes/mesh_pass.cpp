@@ -1,6 +1,6 @@
 #include "engine/render/passes/mesh_pass.h"
 
-#include "engine/render/shadow_reach.h"
+#include "engine/render/light/shadow_reach.h"
 #include "shaders/shared/limits.h"
 
 #include <glad/gl.h>

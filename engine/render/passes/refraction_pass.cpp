@@ -1,6 +1,6 @@
 #include "engine/render/passes/refraction_pass.h"
 
-#include "engine/render/convex_volume.h"
+#include "engine/render/culling/convex_volume.h"
 #include "engine/render/shader_blocks.h"
 
 namespace plumbline::render {

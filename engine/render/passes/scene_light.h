@@ -4,7 +4,7 @@
 #include "engine/core/math.h"
 #include "engine/render/gl/program.h"
 #include "engine/render/gl/texture.h"
-#include "engine/render/shader_features.h"
+#include "engine/render/shaders/shader_features.h"
 
 namespace plumbline::render {
 

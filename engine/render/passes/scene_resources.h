@@ -1,12 +1,12 @@
 // What the passes of a scene draw with. Owned by the renderer.
 #pragma once
 
-#include "engine/render/gpu_materials.h"
-#include "engine/render/gpu_meshes.h"
-#include "engine/render/gpu_sky.h"
-#include "engine/render/gpu_textures.h"
 #include "engine/render/renderer.h"
-#include "engine/render/shader_library.h"
+#include "engine/render/resources/gpu_materials.h"
+#include "engine/render/resources/gpu_meshes.h"
+#include "engine/render/resources/gpu_textures.h"
+#include "engine/render/shaders/shader_library.h"
+#include "engine/render/sky/gpu_sky.h"
 
 #include <array>
 

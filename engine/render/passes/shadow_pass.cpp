@@ -1,7 +1,7 @@
 #include "engine/render/passes/shadow_pass.h"
 
 #include "engine/core/hash.h"
-#include "engine/render/frustum.h"
+#include "engine/render/culling/frustum.h"
 
 #include <glad/gl.h>
 #include <glm/gtc/type_ptr.hpp>

@@ -1,7 +1,7 @@
 #include "engine/study/any_scene/auto_accuracy.h"
 
 #include "engine/core/log.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/study/any_scene/auto_fallback.h"
 #include "engine/study/machine.h"
 

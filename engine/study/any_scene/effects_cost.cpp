@@ -1,9 +1,9 @@
 #include "engine/study/any_scene/effects_cost.h"
 
-#include "engine/core/files.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/io/files.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/effects/advance.h"
-#include "engine/scene/json_read.h"
+#include "engine/scene/formats/json_read.h"
 #include "engine/scene/open_scene.h"
 #include "engine/study/findings_json_impl.h"
 #include "engine/study/job.h"

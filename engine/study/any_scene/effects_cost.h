@@ -1,7 +1,7 @@
 // What each effect of a scene costs: the same seconds of it with and without, in turns.
 //
 // Here the effects of the steps and of the sound. Those of the picture need a GL context, which the
-// game has (game/effects_command.h); both fill EffectCost.
+// game has (game/commands/effects_command.h); both fill EffectCost.
 #pragma once
 
 #include "engine/core/result.h"

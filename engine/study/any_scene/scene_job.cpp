@@ -1,5 +1,5 @@
 // SceneRun and SceneAnswer as the lines that worker and study exchange.
-#include "engine/scene/json_read.h"
+#include "engine/scene/formats/json_read.h"
 #include "engine/study/any_scene/scene_run.h"
 #include "engine/study/findings_json_impl.h"
 

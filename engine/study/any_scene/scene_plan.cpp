@@ -1,7 +1,7 @@
 #include "engine/study/any_scene/scene_plan.h"
 
-#include "engine/core/interrupt.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/process/interrupt.h"
+#include "engine/core/time/stopwatch.h"
 
 #include <algorithm>
 

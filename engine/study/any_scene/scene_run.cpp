@@ -1,8 +1,8 @@
 #include "engine/study/any_scene/scene_run.h"
 
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "engine/core/random.h"
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 #include "engine/effects/advance.h"
 #include "engine/scene/state_report.h"
 

@@ -1,6 +1,6 @@
 #include "engine/study/any_scene/scene_study.h"
 
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "engine/core/log.h"
 #include "engine/scene/scene_file.h"
 #include "engine/study/any_scene/scene_reference.h"

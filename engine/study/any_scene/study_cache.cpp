@@ -1,10 +1,10 @@
 #include "engine/study/any_scene/study_cache.h"
 
-#include "engine/core/files.h"
 #include "engine/core/hash.h"
+#include "engine/core/io/files.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
-#include "engine/scene/json_read.h"
+#include "engine/scene/formats/json_read.h"
 #include "engine/study/findings_json_impl.h"
 #include "engine/study/machine.h"
 

@@ -1,8 +1,8 @@
 // One hard case in a worker process: the scene, stepped as `simulate` would, and its judge.
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "engine/effects/advance.h"
-#include "engine/scene/json_read.h"
-#include "engine/scene/json_text.h"
+#include "engine/scene/formats/json_read.h"
+#include "engine/scene/formats/json_text.h"
 #include "engine/scene/open_scene.h"
 #include "engine/scene/state_report.h"
 #include "engine/study/gallery/gallery.h"

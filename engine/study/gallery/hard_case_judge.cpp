@@ -1,6 +1,6 @@
 #include "engine/study/gallery/hard_case_judge.h"
 
-#include "engine/core/nearest_name.h"
+#include "engine/core/text/nearest_name.h"
 
 #include <fmt/format.h>
 

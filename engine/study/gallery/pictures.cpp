@@ -1,8 +1,8 @@
 // Small pictures of end states, by `plumbline render` in child processes: a machine without OpenGL, or
 // a driver that crashes, costs the pictures and nothing else.
-#include "engine/core/files.h"
-#include "engine/core/interrupt.h"
-#include "engine/core/process.h"
+#include "engine/core/io/files.h"
+#include "engine/core/process/interrupt.h"
+#include "engine/core/process/process.h"
 #include "engine/study/gallery/stability.h"
 #include "engine/study/worker_pool.h"
 

@@ -1,8 +1,8 @@
 #include "engine/study/gallery/stability.h"
 
-#include "engine/core/nearest_name.h"
-#include "engine/core/text_case.h"
-#include "engine/scene/json_text.h"
+#include "engine/core/text/nearest_name.h"
+#include "engine/core/text/text_case.h"
+#include "engine/scene/formats/json_text.h"
 #include "engine/scene/scene_file.h"
 #include "engine/study/job.h"
 

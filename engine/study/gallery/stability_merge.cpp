@@ -1,5 +1,5 @@
 // Stability tables that several machines made, as one.
-#include "engine/scene/json_read.h"
+#include "engine/scene/formats/json_read.h"
 #include "engine/study/gallery/stability.h"
 #include "engine/study/shard.h"
 

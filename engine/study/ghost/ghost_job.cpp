@@ -1,6 +1,6 @@
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "engine/effects/advance.h"
-#include "engine/scene/json_read.h"
+#include "engine/scene/formats/json_read.h"
 #include "engine/scene/open_scene.h"
 #include "engine/study/ghost/ghost_state.h"
 

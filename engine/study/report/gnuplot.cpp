@@ -1,6 +1,6 @@
 #include "engine/study/report/gnuplot.h"
 
-#include "engine/core/process.h"
+#include "engine/core/process/process.h"
 #include "engine/study/report/html_text.h"
 
 #include <fmt/format.h>

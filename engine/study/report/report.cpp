@@ -1,7 +1,7 @@
 #include "engine/study/report/report.h"
 
-#include "engine/core/files.h"
-#include "engine/core/output.h"
+#include "engine/core/io/files.h"
+#include "engine/core/io/output.h"
 #include "engine/study/report/diagrams.h"
 #include "engine/study/report/gnuplot.h"
 #include "engine/study/report/html_text.h"

@@ -1,7 +1,7 @@
 #include "engine/study/scenarios/scenario_study.h"
 
-#include "engine/core/stopwatch.h"
-#include "engine/scene/json_read.h"
+#include "engine/core/time/stopwatch.h"
+#include "engine/scene/formats/json_read.h"
 #include "engine/study/findings_json_impl.h"
 #include "engine/study/job.h"
 

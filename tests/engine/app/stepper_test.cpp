@@ -1,6 +1,6 @@
 #include "engine/app/stepper.h"
 
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "tests/engine/app/session_fixture.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "engine/assets/asset_library.h"
 
-#include "engine/assets/image_import.h"
+#include "engine/assets/image/image_import.h"
 #include "engine/assets/primitives.h"
 #include "tests/engine/assets/fixture.h"
 

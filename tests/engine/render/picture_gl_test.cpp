@@ -1,5 +1,5 @@
 // Pictures whose colours can be computed by hand.
-#include "engine/assets/image_import.h"
+#include "engine/assets/image/image_import.h"
 #include "engine/core/color.h"
 #include "tests/engine/render/picture_fixture.h"
 

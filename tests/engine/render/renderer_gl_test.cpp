@@ -1,6 +1,6 @@
 // What a renderer promises besides pretty pictures: sizes, caching, freeing, errors.
-#include "engine/assets/image_import.h"
-#include "engine/core/files.h"
+#include "engine/assets/image/image_import.h"
+#include "engine/core/io/files.h"
 #include "tests/engine/render/gl_fixture.h"
 
 #include <cstdlib>

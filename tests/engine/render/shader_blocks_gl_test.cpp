@@ -1,9 +1,9 @@
 // The blocks as the driver lays them out, against the C++ structs that are copied into them; and
 // every shader variant compiles.
-#include "engine/render/gpu_materials.h"
 #include "engine/render/passes/mesh_pass.h"
+#include "engine/render/resources/gpu_materials.h"
 #include "engine/render/shader_blocks.h"
-#include "engine/render/shader_library.h"
+#include "engine/render/shaders/shader_library.h"
 #include "tests/engine/render/gl_fixture.h"
 
 #include <glad/gl.h>

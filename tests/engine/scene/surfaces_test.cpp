@@ -1,6 +1,6 @@
 #include "engine/scene/surfaces.h"
 
-#include "tests/engine/scene/scene_file_fixture.h"
+#include "tests/engine/scene/sections/scene_file_fixture.h"
 
 namespace plumbline::scene {
 namespace {

@@ -1,6 +1,6 @@
 #include "engine/study/worker_pool.h"
 
-#include "engine/core/stopwatch.h"
+#include "engine/core/time/stopwatch.h"
 
 #include <gtest/gtest.h>
 

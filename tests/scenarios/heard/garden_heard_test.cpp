@@ -1,7 +1,7 @@
 // The garden as one hears it: its effects through a mixer that renders, judged by level, spectrum and
 // decay.
 #include "engine/audio/mixer.h"
-#include "engine/effects/room_probe.h"
+#include "engine/effects/sound/room_probe.h"
 #include "tests/scenarios/scene_run.h"
 #include "tests/support/sound_measures.h"
 #include "tests/support/temporary_folder.h"

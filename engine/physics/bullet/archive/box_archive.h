@@ -1,7 +1,7 @@
 // The broad phase as fields of an archive.
 #pragma once
 
-#include "engine/core/archive.h"
+#include "engine/core/io/archive.h"
 
 #include <btBulletDynamicsCommon.h>
 

@@ -1,7 +1,7 @@
 // The fields of Bullet's plain data, for archives.
 #pragma once
 
-#include "engine/core/pose_archive.h"
+#include "engine/core/io/pose_archive.h"
 
 #include <btBulletDynamicsCommon.h>
 

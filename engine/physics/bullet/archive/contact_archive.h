@@ -1,7 +1,7 @@
 // Contacts as Bullet keeps them from step to step, for saved games.
 #pragma once
 
-#include "engine/core/archive.h"
+#include "engine/core/io/archive.h"
 
 #include <btBulletDynamicsCommon.h>
 

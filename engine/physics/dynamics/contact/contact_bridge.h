@@ -1,7 +1,7 @@
 // Manifolds as blocks of the small-step solver, and the impulses back.
 #pragma once
 
-#include "engine/core/archive.h"
+#include "engine/core/io/archive.h"
 #include "engine/physics/collision/manifold.h"
 #include "engine/physics/dynamics/contact/contact_set.h"
 

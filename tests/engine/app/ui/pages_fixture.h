@@ -4,7 +4,7 @@
 #include "engine/app/ui/canvas.h"
 #include "engine/app/ui/menu_control.h"
 #include "engine/app/ui/pages.h"
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 
 #include <gtest/gtest.h>
 

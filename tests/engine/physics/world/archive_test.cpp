@@ -1,6 +1,6 @@
 // A world put back from its fields goes on to the same bits: with every solver, among shapes of every
 // kind and joints of every kind, while things fall, press, break, are carried and sleep.
-#include "engine/core/pose_archive.h"
+#include "engine/core/io/pose_archive.h"
 #include "tests/engine/physics/test_world.h"
 
 #include <array>

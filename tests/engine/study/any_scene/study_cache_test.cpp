@@ -1,6 +1,6 @@
 #include "engine/study/any_scene/study_cache.h"
 
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

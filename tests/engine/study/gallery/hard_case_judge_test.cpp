@@ -1,7 +1,7 @@
 // The judge of a hard case against motions that are known in closed form.
 #include "engine/study/gallery/hard_case_judge.h"
 
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "tests/support/scene_in_code.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The stability table: its cases, its words, its files.
 #include "engine/study/gallery/stability.h"
 
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "engine/scene/open_scene.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "engine/study/picture/ray_scene.h"
 
-#include "engine/assets/image_import.h"
+#include "engine/assets/image/image_import.h"
 #include "engine/assets/primitives.h"
 #include "tests/support/temporary_folder.h"
 

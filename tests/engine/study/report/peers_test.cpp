@@ -1,6 +1,6 @@
 #include "engine/study/report/peers.h"
 
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Stock Bullet was measured on the same scenes by others: our copies of the scenes and our Bullet must
 // give their figures.
-#include "engine/core/files.h"
+#include "engine/core/io/files.h"
 #include "engine/study/report/peers.h"
 #include "engine/study/scenarios/scenario.h"
 

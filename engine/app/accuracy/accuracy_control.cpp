@@ -1,0 +1,165 @@
+#include "engine/app/accuracy/accuracy_control.h"
+
+#include "engine/core/io/files.h"
+#include "engine/core/lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::app {
+namespace {
+
+constexpr double kWindow_s = 1.0;
+constexpr Vec3f kGhostColor{0.35F, 0.85F, 1.0F};
+
+/// Nothing that an outline would show.
+bool looks_the_same(const Pose& a, const Pose& b) {
+    constexpr Real kApart_m = 1e-3_r;
+    constexpr Real kTurned = 1e-3_r;  // of the quaternions: a tenth of a degree
+    const Real turned = std::min(glm::length(a.orientation - b.orientation),
+                                 glm::length(a.orientation + b.orientation));
+    return glm::distance(a.position, b.position) < kApart_m && turned < kTurned;
+}
+
+double total_J(const physics::Energy& energy) {
+    return energy.kinetic_J + energy.potential_J;
+}
+
+}  // namespace
+
+AccuracyControl::AccuracyControl(Session& session, bool recorded)
+    : session_(session), recorded_(recorded) {}
+
+void AccuracyControl::watch(bool shown) {
+    watched_ = shown;
+    if (!shown) samples_.clear();
+}
+
+void AccuracyControl::after_step() {
+    const scene::Simulation& simulation = *session_.simulation;
+    if (ghost_) ghost_->follow(simulation);
+    if (!watched_) return;
+    const physics::PhysicsWorld& world = simulation.physics;
+    samples_.push_back({.time_s = simulation.time_s(),
+                        .cost = world.cost(),
+                        .energy_J = total_J(world.energy()),
+                        .max_penetration_m = world.max_penetration_m(),
+                        .max_joint_error_m = world.max_joint_error_m(),
+                        .most_substeps = physics::most_substeps(world)});
+    while (samples_.front().time_s < simulation.time_s() - kWindow_s) samples_.pop_front();
+}
+
+void AccuracyControl::use(const study::Setting& setting, FrameClock& clock) {
+    physics::WorldDef def = session_.simulation->physics.def();
+    const physics::WorldDef asked = study::world_def(setting);
+    def.step_s = asked.step_s;
+    def.substeps = asked.substeps;
+    def.substeps_max = asked.substeps_max;
+    def.iterations = asked.iterations;
+    def.solver = asked.solver;
+    session_.simulation->set_accuracy(def);
+    clock.set_step(def.step_s);
+    samples_.clear();
+}
+
+std::string AccuracyControl::apply(const AccuracyRequest& request, FrameClock& clock) {
+    std::string said;
+    if (request.setting && !recorded_) {
+        chosen_ = request.setting;
+        said = study::setting_text(*request.setting);
+        if (session_.judge) {
+            // What a case showed at one setting says nothing about another.
+            if (const Result<Done> reset = session_.reset(); !reset) return reset.error().message;
+            after_rebuild(clock);
+            said += "; the case starts anew";
+        } else {
+            use(*request.setting, clock);
+        }
+    }
+    if (request.stop_ghost) ghost_.reset();
+    if (request.start_ghost) {
+        Result<std::unique_ptr<study::Ghost>> started =
+            study::Ghost::start(*session_.simulation, *request.start_ghost);
+        if (!started) return started.error().message;
+        ghost_ = std::move(*started);
+        said = fmt::format("ghost from here: {}", study::setting_text(*request.start_ghost));
+    }
+    if (request.adopt) {
+        const auto written = write_adopted_copy(session_.description().file,
+                                                setting(),
+                                                scene::scene_folders(session_.folders().assets));
+        said = written ? fmt::format("adopted in {}", written->string()) : written.error().message;
+    }
+    return said;
+}
+
+void AccuracyControl::after_rebuild(FrameClock& clock) {
+    ghost_.reset();
+    samples_.clear();
+    if (chosen_)
+        use(*chosen_, clock);
+    else
+        clock.set_step(session_.simulation->step_s());
+}
+
+void AccuracyControl::after_load(const study::Setting& before, FrameClock& clock) {
+    ghost_.reset();
+    samples_.clear();
+    if (const study::Setting loaded = setting(); loaded != before) chosen_ = loaded;
+    clock.set_step(session_.simulation->step_s());
+}
+
+void AccuracyControl::take_answers() {
+    if (ghost_) ghost_->take_answers();
+}
+
+void AccuracyControl::add_ghost_lines(LineList& lines) const {
+    if (!ghost_ || !ghost_->failure().empty()) return;
+    const scene::Simulation& simulation = *session_.simulation;
+    const std::span<const physics::BodyId> bodies = ghost_->bodies();
+    const std::vector<study::GhostBody>& poses = ghost_->latest().bodies;
+    // Both lists are in the order in which bodies came.
+    std::size_t next = 0;
+    for (const scene::MovingBody& moving : simulation.moving_bodies()) {
+        while (next < bodies.size() && bodies[next] < moving.body) ++next;
+        if (next == bodies.size()) return;
+        if (bodies[next] != moving.body) continue;
+        const Pose pose{Vec3(poses[next].position_m), Quat(poses[next].orientation)};
+        if (looks_the_same(simulation.physics.state(moving.body).world_from_body, pose)) continue;
+        simulation.physics.add_shape_lines(moving.shape, pose, kGhostColor, lines);
+    }
+}
+
+study::Setting AccuracyControl::setting() const {
+    const physics::WorldDef& def = session_.simulation->physics.def();
+    const bool on_demand =
+        def.solver == physics::Solver::SmallStep && def.substeps_max > def.substeps;
+    return {.solver = def.solver,
+            .step_hz = static_cast<int>(std::lround(1 / def.step_s)),
+            .substeps = on_demand ? 0 : def.substeps,
+            .substeps_max = def.substeps_max,
+            .iterations = def.iterations,
+            .precision = sizeof(Real) == sizeof(double) ? study::Precision::Float64
+                                                        : study::Precision::Float32};
+}
+
+AccuracyGauges AccuracyControl::gauges(const FrameClock& clock) const {
+    AccuracyGauges gauges{.lost_s = clock.lost_s()};
+    if (samples_.empty()) return gauges;
+    for (const Sample& sample : samples_) {
+        gauges.cost.add(sample.cost);
+        gauges.max_penetration_m = std::max(gauges.max_penetration_m, sample.max_penetration_m);
+        gauges.max_joint_error_m = std::max(gauges.max_joint_error_m, sample.max_joint_error_m);
+        gauges.most_substeps = std::max(gauges.most_substeps, sample.most_substeps);
+    }
+    const auto count = static_cast<double>(samples_.size());
+    gauges.ms_per_s = gauges.cost.cpu_ms_total / (count * session_.simulation->step_s());
+    gauges.islands = session_.simulation->physics.islands().size();
+    gauges.energy_J = samples_.back().energy_J;
+    gauges.energy_change_J = samples_.back().energy_J - samples_.front().energy_J;
+    return gauges;
+}
+
+}  // namespace plumbline::app

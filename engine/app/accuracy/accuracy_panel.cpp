@@ -1,0 +1,206 @@
+// The accuracy panel: what the setting costs and how good it is, live; the ghost beside it.
+#include "engine/app/accuracy/accuracy_choice.h"
+#include "engine/app/overlay/overlay_panels_impl.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace plumbline::app::panels {
+namespace {
+
+using physics::Solver;
+using study::Setting;
+
+// Nothing is typed: no text of a keyboard reaches the panel.
+constexpr ImGuiSliderFlags kSlider = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
+constexpr int kMostSubsteps = 32;
+constexpr int kMostIterations = 50;
+
+void text(const std::string& line) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(line.data(), line.data() + line.size());
+    ImGui::PopTextWrapPos();
+}
+
+bool choose_solver(const char* label, Setting& setting) {
+    const std::string now(physics::solver_name(setting.solver));
+    if (!ImGui::BeginCombo(label, now.c_str())) return false;
+    bool changed = false;
+    for (const Solver solver : offered_solvers()) {
+        const std::string name(physics::solver_name(solver));
+        if (!ImGui::Selectable(name.c_str(), solver == setting.solver)) continue;
+        changed = solver != setting.solver;
+        if (changed) setting = with_solver(setting, solver);
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+bool choose_rate(const char* label, Setting& setting) {
+    const std::span<const int> rates = offered_rates_hz();
+    const auto last = static_cast<int>(rates.size()) - 1;
+    const auto found = std::ranges::lower_bound(rates, setting.step_hz);
+    int place = std::min(static_cast<int>(found - rates.begin()), last);
+    const std::string shown = fmt::format("{} Hz", setting.step_hz);
+    if (!ImGui::SliderInt(label, &place, 0, last, shown.c_str(), kSlider)) return false;
+    const int chosen = rates[static_cast<std::size_t>(std::clamp(place, 0, last))];
+    const bool changed = chosen != setting.step_hz;
+    setting.step_hz = chosen;
+    return changed;
+}
+
+/// A slider that counts only once it is let go: each change rebuilds the world.
+bool choose_count(const char* label, int& value, int least, int most, const char* format) {
+    static ImGuiID held = 0;
+    static int held_value = 0;
+    const ImGuiID id = ImGui::GetID(label);
+    int shown = held == id ? held_value : value;
+    if (ImGui::SliderInt(label, &shown, least, most, format, kSlider)) {
+        held = id;
+        held_value = shown;
+    }
+    if (!ImGui::IsItemDeactivatedAfterEdit() || held != id) return false;
+    held = 0;
+    const bool changed = held_value != value;
+    value = held_value;
+    return changed;
+}
+
+bool choose_setting(Setting& setting) {
+    bool changed = choose_rate("steps", setting);
+    changed |= choose_count("sub-steps",
+                            setting.substeps,
+                            setting.solver == Solver::SmallStep ? 0 : 1,
+                            kMostSubsteps,
+                            setting.substeps == 0 ? "on demand" : "%d");
+    changed |= choose_count("iterations", setting.iterations, 1, kMostIterations, "%d");
+    changed |= choose_solver("solver", setting);
+    return changed;
+}
+
+void draw_gauges(const AccuracyGauges& gauges) {
+    const scene::CostHistory& cost = gauges.cost;
+    const double steps = std::max(1.0, static_cast<double>(cost.step_ms.size()));
+    const double other =
+        cost.cpu_ms_total - cost.broad_ms - cost.narrow_ms - cost.solve_ms - cost.integrate_ms;
+    text(fmt::format(
+        "{:.3f} ms a step, {:.1f} ms a second", cost.cpu_ms_total / steps, gauges.ms_per_s));
+    text(fmt::format("broad {:.3f}  narrow {:.3f}  solve {:.3f}  move {:.3f}  other {:.3f}",
+                     cost.broad_ms / steps,
+                     cost.narrow_ms / steps,
+                     cost.solve_ms / steps,
+                     cost.integrate_ms / steps,
+                     std::max(0.0, other / steps)));
+    text(fmt::format("up to {} sub-steps, {} islands, {:.0f} s lost",
+                     gauges.most_substeps,
+                     gauges.islands,
+                     gauges.lost_s));
+    text(fmt::format(
+        "energy {:.4g} J, {:+.2g} J in a second", gauges.energy_J, gauges.energy_change_J));
+    text(fmt::format("deepest overlap {:.3f} mm, widest joint gap {:.3f} mm",
+                     gauges.max_penetration_m * 1e3,
+                     gauges.max_joint_error_m * 1e3));
+    const std::string done = scene::interventions_text(gauges.cost.interventions);
+    text(fmt::format("beside solving: {}", done.empty() ? "nothing" : done));
+}
+
+void plot(const char* label,
+          std::span<const study::GhostDistance> history,
+          double study::GhostDistance::*part,
+          double scale) {
+    std::vector<float> values;
+    for (const study::GhostDistance& each : history)
+        values.push_back(static_cast<float>(each.*part * scale));
+    const float last = values.empty() ? 0.0F : values.back();
+    const std::string shown = fmt::format("{:.3g}", last);
+    ImGui::PlotLines(label,
+                     values.data(),
+                     static_cast<int>(values.size()),
+                     0,
+                     shown.c_str(),
+                     0.0F,
+                     std::max(1e-6F, values.empty() ? 0.0F : *std::ranges::max_element(values)),
+                     {0.0F, ImGui::GetTextLineHeight() * 2.2F});
+}
+
+/// Four times the rate, twice the sub-steps, double precision.
+Setting finer(Setting setting) {
+    setting.solver = Solver::SmallStep;
+    setting.step_hz = std::min(setting.step_hz * 4, 480);
+    setting.substeps = std::max(8, setting.substeps * 2);
+    setting.iterations = 1;
+    setting.precision = study::Precision::Float64;
+    return setting;
+}
+
+void draw_ghost(const AccuracyControl& control, AccuracyRequest& request) {
+    const study::Ghost* ghost = control.ghost();
+    if (ghost == nullptr || !ghost->failure().empty()) {
+        if (ghost != nullptr) text(fmt::format("no ghost: {}", ghost->failure()));
+        if (ImGui::Button("ghost from here")) request.start_ghost = finer(control.setting());
+        ImGui::SameLine();
+        text("a finer world beside this one");
+        return;
+    }
+    text(fmt::format("ghost: {}", study::setting_text(ghost->setting())));
+    if (ghost->behind_s() > 0.25)
+        text(fmt::format("{:.1f} s behind: too fine for real time here", ghost->behind_s()));
+    plot("largest, mm", ghost->history(), &study::GhostDistance::largest_m, 1e3);
+    plot("mean, mm", ghost->history(), &study::GhostDistance::mean_m, 1e3);
+    plot("here, ms/s", ghost->history(), &study::GhostDistance::visible_ms_per_s, 1);
+    plot("ghost, ms/s", ghost->history(), &study::GhostDistance::ghost_ms_per_s, 1);
+    if (ImGui::Button("ghost from here")) request.start_ghost = ghost->setting();
+    ImGui::SameLine();
+    if (ImGui::Button("no ghost")) request.stop_ghost = true;
+    text(
+        "Outlined where it is a millimetre off or more.\nIt feels neither your hands nor what you "
+        "drop.");
+}
+
+}  // namespace
+
+AccuracyRequest draw_accuracy(const AccuracyControl& control,
+                              const FrameClock& clock,
+                              float font_px,
+                              float& taken_px) {
+    AccuracyRequest request;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float margin = font_px * 0.8F;
+    const float width = std::min(font_px * 24.0F, screen.x - 2 * margin);
+    ImGui::SetNextWindowPos({screen.x - margin, margin}, ImGuiCond_Always, {1.0F, 0.0F});
+    // As high as it needs; in a low window it scrolls.
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, screen.y - 2 * margin});
+    ImGui::SetNextWindowBgAlpha(0.82F);
+    ImGui::Begin("accuracy",
+                 nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    taken_px = width + margin;
+    ImGui::PushItemWidth(width * 0.5F);
+    text("What accuracy costs, over the last second");
+    ImGui::Separator();
+    Setting setting = control.setting();
+    if (control.recorded())
+        text(fmt::format("{}\nA recording keeps its accuracy.", study::setting_text(setting)));
+    else if (choose_setting(setting))
+        request.setting = setting;
+    text(fmt::format("{} here; plumbline-f64 steps in double",
+                     study::precision_name(setting.precision)));
+    ImGui::Separator();
+    draw_gauges(control.gauges(clock));
+    ImGui::Separator();
+    draw_ghost(control, request);
+    ImGui::Separator();
+    if (ImGui::Button("adopt")) request.adopt = true;
+    text("Writes this setting into a copy of the scene.");
+    ImGui::PopItemWidth();
+    ImGui::End();
+    return request;
+}
+
+}  // namespace plumbline::app::panels

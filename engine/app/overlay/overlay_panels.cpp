@@ -1,0 +1,239 @@
+#include "engine/app/controls/key_labels.h"
+#include "engine/app/overlay/overlay_panels_impl.h"
+#include "engine/app/ui/canvas_impl.h"
+#include "engine/core/process/process_memory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline::app::panels {
+namespace {
+
+using ui::HudLine;
+using ui::Tone;
+
+/// "W A S D: walk", by what the keys print.
+std::string hint_text(const OverlayInput& input, FirstStep step) {
+    std::string keys = hint_for(input.bindings, action_of(step), input.device);
+    if (step == FirstStep::Walk) {
+        const std::array directions{Action::Forward, Action::Left, Action::Back, Action::Right};
+        keys.clear();
+        for (const Action each : directions)
+            keys += (keys.empty() ? "" : " ") + hint_for(input.bindings, each, input.device);
+    }
+    return fmt::format("{}: {}", keys, step_words(step));
+}
+
+std::vector<HudLine> status_lines(const OverlayInput& input) {
+    std::string line;
+    const auto add = [&](const std::string& part) { line += (line.empty() ? "" : "   ") + part; };
+    if (!input.hud.chosen_thing.empty()) {
+        add(fmt::format("{}: {}",
+                        hint_for(input.bindings, Action::Drop, input.device),
+                        input.hud.chosen_thing));
+    }
+    if (!input.camera_path.empty()) add(input.camera_path);
+    if (input.clock.paused()) add("paused");
+    if (input.clock.speed() != 1.0) add(fmt::format("speed x{:g}", input.clock.speed()));
+    if (input.clock.lost_s() >= 0.1)
+        add(fmt::format("{:.1f} s lost: too slow here for real time", input.clock.lost_s()));
+    if (input.sound_silent) add("no sound device");
+    if (!input.simulation.physics.quarantined().empty()) {
+        add(fmt::format("{} bodies taken out (not finite)",
+                        input.simulation.physics.quarantined().size()));
+    }
+    if (input.lines_not_shown > 0) add(fmt::format("{} lines not shown", input.lines_not_shown));
+    if (line.empty()) return {};
+    return {{.text = line}};
+}
+
+Tone tone_of(study::Verdict verdict) {
+    if (verdict == study::Verdict::Pass) return Tone::Good;
+    return verdict == study::Verdict::Fail ? Tone::Bad : Tone::Faint;
+}
+
+std::vector<HudLine> verdict_lines(const OverlayInput& input) {
+    const study::HardCaseJudge& judge = *input.judge;
+    const scene::HardCase& hard = *input.simulation.description().hard_case;
+    const bool open = judge.verdict() == study::Verdict::Undecided;
+    std::vector<HudLine> lines{
+        {.text = fmt::format("{}  {}  {:.1f} of {:g} s",
+                             hard.id,
+                             open ? "holds so far" : study::verdict_name(judge.verdict()),
+                             std::min(input.simulation.time_s(), hard.seconds),
+                             hard.seconds),
+         .tone = tone_of(judge.verdict())}};
+    for (const study::RuleState& rule : judge.rules()) {
+        lines.push_back({.text = rule.seen ? fmt::format("{}: {:.3g}  {}",
+                                                         rule.text,
+                                                         rule.value,
+                                                         study::margin_text(rule.margin()))
+                                           : rule.text,
+                         .tone = tone_of(rule.verdict)});
+    }
+    return lines;
+}
+
+/// "0:34"
+std::string clock_text(double seconds) {
+    const int whole = static_cast<int>(std::ceil(seconds));
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+std::vector<HudLine> goal_lines(const OverlayInput& input, const scene::GoalState& goal) {
+    std::vector<HudLine> lines{{.text = goal.text, .tone = Tone::Head}};
+    std::string now = fmt::format("{} of {}", std::min(goal.counted, goal.wanted), goal.wanted);
+    if (goal.left_s) now += fmt::format("   {} left", clock_text(*goal.left_s));
+    if (goal.throws_left) now += fmt::format("   {} to throw", *goal.throws_left);
+    lines.push_back({.text = now});
+    if (goal.end == scene::GoalEnd::Open) return lines;
+    const bool won = goal.end == scene::GoalEnd::Won;
+    lines.push_back(
+        {.text = fmt::format("{}   {}: once more",
+                             won ? fmt::format("Won in {:.1f} s", goal.passed_s) : "Lost",
+                             hint_for(input.bindings, Action::Reset, input.device)),
+         .tone = won ? Tone::Good : Tone::Bad});
+    return lines;
+}
+
+/// A model by itself: its file and what it is made of.
+std::vector<HudLine> model_lines(const scene::Simulation& simulation) {
+    const assets::AssetLibrary& library = simulation.library();
+    std::vector<HudLine> lines;
+    for (auto [entity, name, visual] :
+         simulation.registry.view<const scene::Name, const scene::Visual>()) {
+        if (name.text != "model") continue;
+        const assets::MeshData& mesh = library.mesh(visual.mesh);
+        const Vec3f size = mesh.bounds.size();
+        lines.push_back({.text = simulation.description().file.filename().string()});
+        lines.push_back({.text = fmt::format("triangles {}   vertices {}   materials {}",
+                                             mesh.indices.size() / 3,
+                                             mesh.vertices.size(),
+                                             visual.materials.size())});
+        lines.push_back(
+            {.text = fmt::format("size {:.4g} x {:.4g} x {:.4g} m", size.x, size.y, size.z)});
+    }
+    return lines;
+}
+
+std::vector<HudLine> stats_lines(const OverlayInput& input) {
+    const scene::Percentiles frame = input.report.recent_frame_ms();
+    const physics::StepCost& cost = input.simulation.physics.cost();
+    const render::FrameStats& stats = input.report.last_stats();
+    std::vector<HudLine> lines;
+    const auto add = [&](std::string line) { lines.push_back({.text = std::move(line)}); };
+    add(fmt::format("{:.1f} frames/s   frame {:.1f} ms   p95 {:.1f}   p99 {:.1f}",
+                    frame.median > 0.0 ? 1000.0 / frame.median : 0.0,
+                    frame.median,
+                    frame.p95,
+                    frame.p99));
+    add(
+        fmt::format("physics {:.2f} ms a step: broad {:.2f}  narrow {:.2f}  solve {:.2f}  "
+                    "integrate {:.2f}",
+                    cost.total_ms,
+                    cost.broad_ms,
+                    cost.narrow_ms,
+                    cost.solve_ms,
+                    cost.integrate_ms));
+    add(fmt::format("{:.0f} Hz x {}   {} bodies, {} awake   {} contacts   {:.2f} s lost",
+                    1.0 / input.simulation.step_s(),
+                    most_substeps(input.simulation.physics),
+                    input.simulation.physics.body_count(),
+                    input.simulation.physics.awake_count(),
+                    cost.contacts,
+                    input.clock.lost_s()));
+    add(fmt::format("deepest contact {:.2f} mm",
+                    input.simulation.physics.max_penetration_m() * 1e3));
+    if (const std::string done = scene::interventions_text(input.report.interventions());
+        !done.empty())
+        add(fmt::format("beside solving: {}", done));
+    const PictureInForce& picture = input.report.picture();
+    const std::string without = render::what_gave_way(picture.quality);
+    add(fmt::format("picture {}{}  {} x {}{}",
+                    picture.level,
+                    picture.is_automatic ? " (auto)" : "",
+                    stats.scene_width_px,
+                    stats.scene_height_px,
+                    without.empty() ? "" : "; gave way: " + without));
+    add(fmt::format("{} draws  {} triangles  {} instances  shadow maps {} drawn {} kept",
+                    stats.draw_calls,
+                    stats.triangles,
+                    stats.instances,
+                    stats.shadow_passes_rendered,
+                    stats.shadow_passes_cached));
+    if (stats.shadowed_lights + stats.unshadowed_lights > 0)
+        add(fmt::format("shadows of {} lamps, {} in sight go without",
+                        stats.shadowed_lights,
+                        stats.unshadowed_lights));
+    for (const render::PassTiming& pass : stats.passes) {
+        const std::string gpu = pass.gpu_ms >= 0.0 ? fmt::format("{:.2f}", pass.gpu_ms) : "-";
+        add(fmt::format("{}: cpu {:.2f}  gpu {} ms", pass.name, pass.cpu_ms, gpu));
+    }
+    for (const effects::LedgerLine& line : input.ledger) {
+        if (line.exists)
+            add(fmt::format("{}: {} calls  {:.2f} ms", line.name, line.calls, line.cpu_ms));
+    }
+    add(fmt::format("memory {:.0f} MiB at most",
+                    static_cast<double>(peak_resident_bytes()) / 1048576.0));
+    return lines;
+}
+
+}  // namespace
+
+ui::HudTexts hud_texts(const OverlayInput& input) {
+    ui::HudTexts texts;
+    if (input.parts.stats) {
+        texts.side = stats_lines(input);
+        if (input.simulation.description().shows_model) {
+            const std::vector<HudLine> model = model_lines(input.simulation);
+            texts.side.insert(texts.side.begin(), model.begin(), model.end());
+        }
+    }
+    if (!input.parts.hud) return texts;
+    texts.status = status_lines(input);
+    if (input.judge != nullptr) texts.verdict = verdict_lines(input);
+    if (input.hud.goal) texts.verdict = goal_lines(input, *input.hud.goal);
+    if (input.hud.crosshair && !input.hud.looking_at.empty())
+        texts.target = {{.text = input.hud.looking_at}};
+    if (input.hint) texts.hint = {{.text = hint_text(input, *input.hint), .tone = Tone::Head}};
+    for (const std::string& caption : input.captions) texts.captions.push_back({.text = caption});
+    return texts;
+}
+
+std::vector<HudLine> message_lines(const std::deque<Message>& messages,
+                                   double now_s,
+                                   bool reduce_motion) {
+    std::vector<HudLine> lines;
+    for (const Message& message : messages) {
+        const auto fade = static_cast<float>(std::clamp(message.until_s - now_s, 0.05, 1.0));
+        lines.push_back({.text = message.text, .alpha = reduce_motion ? 1.0F : fade});
+    }
+    return lines;
+}
+
+void draw_crosshair(const OverlayInput& input, float font_px) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float em = font_px;
+    const auto& flashlight = input.simulation.description().flashlight;
+    if (flashlight && input.simulation.switches.is_on("flashlight", flashlight->on)) {
+        // A sign without words, where nothing else stands.
+        const ImVec2 at{screen.x - em * 1.7F, screen.y - em * 1.7F};
+        list.AddCircleFilled(at, em * 0.95F, IM_COL32(12, 12, 16, 150));
+        ui::draw_icon(list, ui::Icon::Light, at, em * 1.2F, IM_COL32(255, 226, 150, 255));
+    }
+    if (!input.hud.crosshair) return;
+    const ImVec2 middle{screen.x * 0.5F, screen.y * 0.5F};
+    // A dark rim keeps the mark visible on any ground.
+    list.AddCircleFilled(middle, em * 0.2F, IM_COL32(0, 0, 0, 140));
+    list.AddCircleFilled(middle, em * 0.13F, IM_COL32(255, 255, 255, 230));
+    if (input.hud.charge > 0.0F) {
+        const float full_turn = 6.2831853F;
+        list.PathArcTo(
+            middle, em * 0.8F, -full_turn * 0.25F, full_turn * (input.hud.charge - 0.25F), 40);
+        list.PathStroke(IM_COL32(255, 210, 90, 235), 0, em * 0.18F);
+    }
+}
+
+}  // namespace plumbline::app::panels

@@ -1,0 +1,228 @@
+#include "engine/assets/gltf/gltf_reader_impl.h"
+#include "engine/assets/model/model_pose.h"
+#include "engine/core/limits.h"
+#include "engine/core/log.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+
+namespace plumbline::assets {
+namespace {
+
+constexpr std::size_t kNoParent = ~std::size_t{0};
+constexpr std::size_t kMaxScenes = 1'024;
+
+/// Numbers of nodes in an array; a fault leaves it short.
+std::vector<std::size_t> node_list(GltfReader& reader,
+                                   const Json& owner,
+                                   const char* key,
+                                   const std::string& where,
+                                   std::size_t node_count) {
+    std::vector<std::size_t> numbers;
+    for (const Json& entry : reader.array(owner, key, where)) {
+        if (!entry.is_number_unsigned()) {
+            reader.fail("{}.{} holds {}; it must name nodes by number", where, key, entry.dump());
+            return {};
+        }
+        const auto number = entry.get<std::size_t>();
+        if (number >= node_count) {
+            reader.fail("{}.{} names node {} of {}", where, key, number, node_count);
+            return {};
+        }
+        numbers.push_back(number);
+    }
+    return numbers;
+}
+
+/// "node 4 > node 9 > node 4", shortened when long.
+std::string chain_text(std::size_t start, const std::vector<std::size_t>& parents) {
+    constexpr std::size_t kShown = 8;
+    std::vector<bool> seen(parents.size(), false);
+    while (!seen[start]) {  // the first node met twice lies on the cycle
+        seen[start] = true;
+        start = parents[start];
+    }
+    std::string text = fmt::format("node {}", start);
+    std::size_t shown = 1;
+    for (std::size_t node = parents[start]; node != start; node = parents[node]) {
+        if (++shown <= kShown) text += fmt::format(" < node {}", node);
+        if (shown == kShown + 1) text += " < …";
+    }
+    return text + fmt::format(" < node {}", start);
+}
+
+/// Depth and cycles, from the roots down, without recursion.
+void check_tree(GltfReader& reader,
+                const std::vector<std::vector<std::size_t>>& children,
+                const std::vector<std::size_t>& parents) {
+    std::vector<std::size_t> level;
+    std::vector<bool> reached(children.size(), false);
+    std::size_t reached_count = 0;
+    for (std::size_t i = 0; i < parents.size(); ++i) {
+        if (parents[i] == kNoParent) level.push_back(i);
+    }
+    for (std::size_t depth = 1; !level.empty(); ++depth) {
+        if (depth > limits::kModelNodeDepth) {
+            reader.fail(
+                "nodes[{}] is nested deeper than {}", level.front(), limits::kModelNodeDepth);
+            return;
+        }
+        std::vector<std::size_t> next;
+        for (const std::size_t node : level) {
+            reached[node] = true;
+            ++reached_count;
+            next.insert(next.end(), children[node].begin(), children[node].end());
+        }
+        level = std::move(next);
+    }
+    if (reached_count == children.size()) return;
+    const auto lost = std::find(reached.begin(), reached.end(), false) - reached.begin();
+    reader.fail("its nodes form a cycle: {}", chain_text(static_cast<std::size_t>(lost), parents));
+}
+
+/// The parts of a matrix; what it shears is lost.
+NodeTransform parts_of(const Mat4f& matrix) {
+    Mat3f axes{matrix};
+    NodeTransform place{.translation = Vec3f{matrix[3]}};
+    for (int axis = 0; axis < 3; ++axis) place.scale[axis] = glm::length(axes[axis]);
+    if (glm::determinant(axes) < 0.0F) place.scale.x = -place.scale.x;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (place.scale[axis] != 0.0F) axes[axis] /= place.scale[axis];
+    }
+    const Quatf turn = glm::quat_cast(axes);
+    if (is_finite(turn) && glm::length(turn) > 1e-6F) place.rotation = glm::normalize(turn);
+    return place;
+}
+
+void read_place(GltfReader& reader, const Json& source, const std::string& where, ModelNode& node) {
+    const std::vector<float> matrix = reader.numbers(source, "matrix", where, 16);
+    const std::vector<float> translation = reader.numbers(source, "translation", where, 3);
+    const std::vector<float> rotation = reader.numbers(source, "rotation", where, 4);
+    const std::vector<float> scale = reader.numbers(source, "scale", where, 3);
+    if (reader.failed()) return;
+    if (!matrix.empty()) {
+        node.parent_from_node = glm::make_mat4(matrix.data());
+        node.rest = parts_of(node.parent_from_node);
+        return;
+    }
+    NodeTransform& rest = node.rest;
+    if (!translation.empty()) rest.translation = glm::make_vec3(translation.data());
+    if (!scale.empty()) rest.scale = glm::make_vec3(scale.data());
+    if (!rotation.empty()) {
+        const Quatf turn{rotation[3], rotation[0], rotation[1], rotation[2]};
+        if (!(glm::length(turn) > 1e-6F)) {
+            reader.fail("{}.rotation is zero", where);
+            return;
+        }
+        rest.rotation = glm::normalize(turn);
+    }
+    node.parent_from_node = matrix_of(rest);
+}
+
+ModelNode read_node(GltfReader& reader, const Json& source, const std::string& where) {
+    ModelNode node{.name = reader.text(source, "name", where)};
+    read_place(reader, source, where, node);
+    const auto mesh = reader.index(source, "mesh", where, reader.mesh_parts.size());
+    const Json& skins = reader.array(reader.document, "skins", "");
+    const auto skin = reader.index(source, "skin", where, skins.size());
+    const Json& weights = reader.array(source, "weights", where);
+    node.morph_weights = reader.numbers(source, "weights", where, weights.size());
+    if (reader.failed() || !mesh) return node;
+    node.meshes = reader.mesh_parts[*mesh];
+    if (node.morph_weights.empty()) node.morph_weights = reader.mesh_weights[*mesh];
+    if (skin) node.skin = static_cast<std::uint32_t>(*skin);
+    return node;
+}
+
+/// What all nodes together draw, before anything is built.
+void check_totals(GltfReader& reader) {
+    std::size_t vertices = 0;
+    std::size_t indices = 0;
+    for (const ModelNode& node : reader.model.nodes) {
+        for (const std::uint32_t mesh : node.meshes) {
+            vertices += reader.model.meshes[mesh].vertices.size();
+            indices += reader.model.meshes[mesh].indices.size();
+        }
+    }
+    if (vertices > limits::kVertices) {
+        reader.fail("it draws {} vertices; at most {} are read", vertices, limits::kVertices);
+    }
+    if (indices > limits::kIndices) {
+        reader.fail("it draws {} indices; at most {} are read", indices, limits::kIndices);
+    }
+}
+
+/// The nodes that the file's scene starts from; all roots when it has no scene.
+std::vector<std::size_t> scene_roots(GltfReader& reader, const std::vector<std::size_t>& parents) {
+    const Json& scenes = reader.objects("scenes", kMaxScenes);
+    std::vector<std::size_t> roots;
+    if (scenes.empty()) {
+        for (std::size_t i = 0; i < parents.size(); ++i) {
+            if (parents[i] == kNoParent) roots.push_back(i);
+        }
+        return roots;
+    }
+    const std::size_t scene = reader.index(reader.document, "scene", "", scenes.size()).value_or(0);
+    if (reader.failed()) return roots;
+    const std::string where = fmt::format("scenes[{}]", scene);
+    roots = node_list(reader, scenes[scene], "nodes", where, parents.size());
+    std::set<std::size_t> named;
+    for (const std::size_t root : roots) {
+        if (parents[root] != kNoParent) reader.fail("{}.nodes names node {}, a child", where, root);
+        if (!named.insert(root).second) reader.fail("{}.nodes names node {} twice", where, root);
+    }
+    return roots;
+}
+
+/// Moves what hangs on the scene's roots to the model, parents before children.
+void keep_scene(GltfReader& reader,
+                std::vector<ModelNode> nodes,
+                const std::vector<std::vector<std::size_t>>& children,
+                const std::vector<std::size_t>& parents,
+                const std::vector<std::size_t>& roots) {
+    reader.node_places.assign(nodes.size(), std::nullopt);
+    std::vector<std::size_t> open(roots.rbegin(), roots.rend());
+    while (!open.empty()) {
+        const std::size_t number = open.back();
+        open.pop_back();
+        ModelNode node = std::move(nodes[number]);
+        if (parents[number] != kNoParent) node.parent = reader.node_places[parents[number]];
+        reader.node_places[number] = static_cast<std::uint32_t>(reader.model.nodes.size());
+        reader.model.nodes.push_back(std::move(node));
+        // Backwards, so that children come off the stack in the file's order.
+        open.insert(open.end(), children[number].rbegin(), children[number].rend());
+    }
+}
+
+}  // namespace
+
+void read_nodes(GltfReader& reader) {
+    const Json& list = reader.objects("nodes", limits::kModelNodes);
+    if (reader.failed()) return;
+    std::vector<std::size_t> parents(list.size(), kNoParent);
+    std::vector<std::vector<std::size_t>> children(list.size());
+    std::vector<ModelNode> nodes;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::string where = fmt::format("nodes[{}]", i);
+        nodes.push_back(read_node(reader, list[i], where));
+        children[i] = node_list(reader, list[i], "children", where, list.size());
+        if (reader.failed()) return;
+        for (const std::size_t child : children[i]) {
+            if (parents[child] != kNoParent) {
+                reader.fail(
+                    "node {} is a child of node {} and of node {}", child, parents[child], i);
+                return;
+            }
+            parents[child] = i;
+        }
+    }
+    check_tree(reader, children, parents);
+    if (reader.failed()) return;
+    const std::vector<std::size_t> roots = scene_roots(reader, parents);
+    if (reader.failed()) return;
+    keep_scene(reader, std::move(nodes), children, parents, roots);
+    check_totals(reader);
+}
+
+}  // namespace plumbline::assets

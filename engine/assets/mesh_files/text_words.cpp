@@ -1,0 +1,62 @@
+#include "engine/assets/mesh_files/text_words_impl.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace plumbline::assets {
+namespace {
+
+bool is_blank(char letter) {
+    return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\v' || letter == '\f';
+}
+
+std::string_view cut_line(std::string_view& text) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = trimmed(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line;
+}
+
+}  // namespace
+
+std::optional<std::string_view> LineReader::next() {
+    if (text_.empty()) return std::nullopt;
+    std::string_view line = cut_line(text_);
+    if (!line.ends_with('\\')) return line;
+    joined_.clear();
+    bool goes_on = true;
+    while (goes_on) {
+        goes_on = line.ends_with('\\') && !text_.empty();
+        if (line.ends_with('\\')) line.remove_suffix(1);
+        joined_ += line;
+        joined_ += ' ';
+        if (goes_on) line = cut_line(text_);
+    }
+    return trimmed(joined_);
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+std::string_view next_word(std::string_view& line) {
+    line = trimmed(line);
+    std::size_t end = 0;
+    while (end < line.size() && !is_blank(line[end])) ++end;
+    const std::string_view word = line.substr(0, end);
+    line = trimmed(line.substr(end));
+    return word;
+}
+
+std::optional<float> finite_number(std::string_view word) {
+    if (word.starts_with('+')) word.remove_prefix(1);
+    float value = 0.0F;
+    const auto [end, failed] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (failed != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace plumbline::assets

@@ -1,0 +1,29 @@
+// Tells who touched whom, while somebody listens.
+#include "engine/effects/effect_table.h"
+#include "engine/effects/physics/physics_part.h"
+
+namespace plumbline::effects {
+namespace {
+
+using ContactEvents = PhysicsPart<&physics::WorldFeatures::contact_events,
+                                  &physics::FeatureUse::events,
+                                  &physics::FeatureUse::events_ms>;
+
+Callers callers_of_contact_events(const scene::Simulation& simulation) {
+    return simulation.contact_listeners();
+}
+
+std::unique_ptr<Effect> make_contact_events(scene::Simulation& simulation) {
+    return std::make_unique<ContactEvents>(simulation);
+}
+
+}  // namespace
+
+EffectRow contact_events() {
+    return {.name = "contact_events",
+            .domain = Domain::Step,
+            .called_for_by = &callers_of_contact_events,
+            .make = &make_contact_events};
+}
+
+}  // namespace plumbline::effects

@@ -1,0 +1,50 @@
+#include "engine/render/passes/screen/motion_blur_pass.h"
+
+#include "engine/render/shader_blocks.h"
+
+#include <glad/gl.h>
+#include <glm/gtc/type_ptr.hpp>
+
+namespace plumbline::render {
+namespace {
+
+// Of the picture's width: a streak's samples must stay close.
+constexpr float kLongestStreak = 1.0F / 12.0F;
+
+}  // namespace
+
+const gl::Texture* MotionBlurPass::render(const MotionBlur& blur,
+                                          const ShutterView& view,
+                                          const SceneLight& light,
+                                          const FullscreenTriangle& triangle,
+                                          SceneResources& resources,
+                                          FrameStats& stats) {
+    const gl::Texture* ways = moved_ways_.render(blur, view, *light.depth, resources, stats);
+    const FeatureSet features = light.features | (ways != nullptr ? feature::kMoved : 0);
+    const gl::Program* program = resources.shaders.find(kMotionBlurShader, features);
+    if (program == nullptr) return nullptr;
+    const PixelSize size_px{light.image->width(), light.image->height()};
+    if (!blurred_.resize(gl::TargetFormat::HdrColor, size_px)) {
+        free();
+        return nullptr;
+    }
+    blurred_.bind();
+    program->use();
+    bind_scene_light(light, *program);
+    gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, *light.image);
+    gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, *light.depth);
+    if (ways != nullptr) gl::bind_texture(kBlurredUnit, gl::TextureKind::Flat, *ways);
+    glUniform2f(program->location("depth_line"), light.depth_line.x, light.depth_line.y);
+    glUniformMatrix4fv(program->location("clip_before_from_world"),
+                       1,
+                       GL_FALSE,
+                       glm::value_ptr(view.clip_before_from_world));
+    glUniform2f(program->location("streak"),
+                kLongestStreak * static_cast<float>(size_px.width),
+                static_cast<float>(blur.samples));
+    triangle.draw();
+    ++stats.draw_calls;
+    return &blurred_.image;
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,31 @@
+// The scene as a shutter sees it that stays open while the camera moves.
+#pragma once
+
+#include "engine/render/passes/scene_light.h"
+#include "engine/render/passes/scene_resources.h"
+#include "engine/render/passes/screen/moved_ways.h"
+#include "engine/render/passes/screen/pass_image.h"
+#include "engine/render/passes/sky_pass.h"
+
+#include <cstddef>
+
+namespace plumbline::render {
+
+class MotionBlurPass {
+public:
+    /// As large as the scene's image. Null: the driver has no memory for it.
+    const gl::Texture* render(const MotionBlur& blur,
+                              const ShutterView& view,
+                              const SceneLight& light,
+                              const FullscreenTriangle& triangle,
+                              SceneResources& resources,
+                              FrameStats& stats);
+    std::size_t bytes() const { return blurred_.image.bytes() + moved_ways_.bytes(); }
+    void free() { *this = {}; }
+
+private:
+    PassImage blurred_;
+    MovedWays moved_ways_;
+};
+
+}  // namespace plumbline::render

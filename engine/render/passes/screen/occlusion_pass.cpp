@@ -1,0 +1,49 @@
+#include "engine/render/passes/screen/occlusion_pass.h"
+
+#include "engine/render/passes/screen/pair_blur.h"
+#include "engine/render/shader_blocks.h"
+
+#include <glad/gl.h>
+
+namespace plumbline::render {
+namespace {
+
+// Of the picture's height: near things would look up half of it.
+constexpr float kMostReach = 0.12F;
+
+}  // namespace
+
+const gl::Texture* OcclusionPass::render(const AmbientOcclusion& occlusion,
+                                         const ScreenView& view,
+                                         const gl::Texture& depth,
+                                         const FullscreenTriangle& triangle,
+                                         SceneResources& resources,
+                                         FrameStats& stats) {
+    const gl::Program* find = resources.shaders.find(kOcclusionShader, 0);
+    if (find == nullptr) return nullptr;
+    const PixelSize half_px{(depth.width() + 1) / 2, (depth.height() + 1) / 2};
+    if (!found_.resize(gl::TargetFormat::Pair16F, half_px) ||
+        !smooth_.resize(gl::TargetFormat::Pair16F, half_px)) {
+        free();
+        return nullptr;
+    }
+    found_.bind();
+    find->use();
+    gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, depth);
+    glUniform2f(find->location("depth_line"), view.depth_line.x, view.depth_line.y);
+    glUniform2f(find->location("tan_half"), view.tan_half.x, view.tan_half.y);
+    glUniform4f(find->location("reach"),
+                occlusion.radius_m,
+                occlusion.radius_m * view.pixels_at_1m,
+                kMostReach * static_cast<float>(depth.height()),
+                occlusion.strength);
+    glUniform2i(find->location("counts"),
+                static_cast<GLint>(occlusion.slices),
+                static_cast<GLint>(occlusion.steps));
+    triangle.draw();
+    ++stats.draw_calls;
+    blur_pairs(found_, smooth_, triangle, resources, stats);
+    return &found_.image;
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,31 @@
+// Which share of the light from everywhere reaches each place of the picture, from its depth image.
+#pragma once
+
+#include "engine/render/passes/scene_light.h"
+#include "engine/render/passes/scene_resources.h"
+#include "engine/render/passes/screen/pass_image.h"
+#include "engine/render/passes/sky_pass.h"
+
+#include <cstddef>
+
+namespace plumbline::render {
+
+class OcclusionPass {
+public:
+    /// Half as wide and as high as `depth`: visibility 0â¦1, and metres along the line of sight. Null:
+    /// the driver has no memory for it.
+    const gl::Texture* render(const AmbientOcclusion& occlusion,
+                              const ScreenView& view,
+                              const gl::Texture& depth,
+                              const FullscreenTriangle& triangle,
+                              SceneResources& resources,
+                              FrameStats& stats);
+    std::size_t bytes() const { return found_.image.bytes() + smooth_.image.bytes(); }
+    void free() { *this = {}; }
+
+private:
+    PassImage found_;
+    PassImage smooth_;
+};
+
+}  // namespace plumbline::render

@@ -1,0 +1,155 @@
+#include "engine/render/passes/screen/post_pass.h"
+
+#include "engine/render/shader_blocks.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+
+namespace plumbline::render {
+namespace {
+
+// From half the screen down; six levels glow about a tenth of the screen wide.
+constexpr std::size_t kBloomLevels = 6;
+constexpr std::uint32_t kSmallestSide_px = 4;
+
+void set_viewport(const PixelSize& size_px) {
+    glViewport(0, 0, static_cast<GLsizei>(size_px.width), static_cast<GLsizei>(size_px.height));
+}
+
+/// Depth is only written while the test is on.
+void write_depth(bool keeps_depth) {
+    if (!keeps_depth) {
+        glDisable(GL_DEPTH_TEST);
+        return;
+    }
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    glDepthMask(GL_TRUE);
+}
+
+}  // namespace
+
+bool PostPass::resize_bloom(const PostView& view) {
+    std::size_t level = 0;
+    PixelSize size_px = view.scene_px;
+    while (view.bloom && level < kBloomLevels) {
+        size_px = {std::max(size_px.width / 2, 1U), std::max(size_px.height / 2, 1U)};
+        if (std::min(size_px.width, size_px.height) < kSmallestSide_px) break;
+        if (level == bloom_levels_.size()) bloom_levels_.emplace_back();
+        if (!bloom_levels_[level].resize(gl::TargetFormat::HdrColor, size_px)) return false;
+        ++level;
+    }
+    bloom_levels_.resize(level);
+    return true;
+}
+
+Result<Done> PostPass::resize(const PostView& view) {
+    bool complete = resize_bloom(view);
+    if (view.fxaa) {
+        complete = complete && toned_.resize(gl::TargetFormat::Rgba8, view.picture_px);
+    } else {
+        toned_ = {};
+    }
+    if (view.is_scaled()) {
+        complete = complete && smooth_.resize(gl::TargetFormat::Rgba8, view.picture_px);
+    } else {
+        smooth_ = {};
+    }
+    if (complete) return Done{};
+    *this = {};
+    return Error{"the driver has no memory for the images after the scene's"};
+}
+
+std::size_t PostPass::bloom_bytes() const {
+    std::size_t bytes = 0;
+    for (const PassImage& level : bloom_levels_) bytes += level.image.bytes();
+    return bytes;
+}
+
+void PostPass::render_bloom(const SceneLight& light,
+                            const FullscreenTriangle& triangle,
+                            SceneResources& resources,
+                            FrameStats& stats) {
+    const gl::Program* down = resources.shaders.find(kBloomDownShader, 0);
+    const gl::Program* up = resources.shaders.find(kBloomUpShader, 0);
+    if (down == nullptr || up == nullptr || bloom_levels_.empty()) return;
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    down->use();
+    const gl::Texture* source = light.image;
+    for (const PassImage& level : bloom_levels_) {
+        level.bind();
+        gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, *source);
+        triangle.draw();
+        ++stats.draw_calls;
+        source = &level.image;
+    }
+    up->use();
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    for (std::size_t i = bloom_levels_.size() - 1; i > 0; --i) {
+        const PassImage& target = bloom_levels_[i - 1];
+        target.bind();
+        gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, bloom_levels_[i].image);
+        triangle.draw();
+        ++stats.draw_calls;
+    }
+    glDisable(GL_BLEND);
+}
+
+void PostPass::render_picture(const SceneLight& light,
+                              const gl::Texture& depth,
+                              const PostView& view,
+                              unsigned int present_framebuffer,
+                              const FullscreenTriangle& triangle,
+                              SceneResources& resources,
+                              FrameStats& stats) const {
+    struct Step {
+        ShaderPair shader;
+        FeatureSet features;
+        const gl::Texture& source;
+        const gl::Framebuffer* target;  ///< null: the present target
+    };
+    const gl::Framebuffer* before_scaling = view.is_scaled() ? &smooth_.framebuffer : nullptr;
+    std::vector<Step> steps;
+    steps.push_back({kToneMapShader,
+                     light.features | (view.tone_curve ? feature::kToneMap : 0U) |
+                         (view.fxaa ? feature::kFxaa : 0U) |
+                         (view.has_samples() ? feature::kFourSamples : 0U) |
+                         (bloom_levels_.empty() ? 0U : feature::kBloom),
+                     *light.image,
+                     view.fxaa ? &toned_.framebuffer : before_scaling});
+    if (view.fxaa) {
+        steps.push_back({kSmoothEdgesShader,
+                         feature::kFxaa | (view.is_scaled() ? feature::kSharpen : 0U),
+                         toned_.image,
+                         before_scaling});
+    }
+    if (view.is_scaled()) steps.push_back({kScaleUpShader, 0, smooth_.image, nullptr});
+
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, depth);
+    if (!bloom_levels_.empty()) {
+        gl::bind_texture(kBloomUnit, gl::TextureKind::Flat, bloom_levels_.front().image);
+    }
+    for (const Step& step : steps) {
+        const bool is_last = step.target == nullptr;
+        const bool keeps_depth = is_last && view.keeps_depth;
+        glBindFramebuffer(GL_FRAMEBUFFER, is_last ? present_framebuffer : step.target->name());
+        set_viewport(is_last ? view.present_px : view.picture_px);
+        const gl::Program* program = resources.shaders.find(
+            step.shader, step.features | (keeps_depth ? feature::kKeepDepth : 0U));
+        if (program == nullptr) continue;
+        program->use();
+        bind_scene_light(light, *program);
+        gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, step.source);
+        write_depth(keeps_depth);
+        triangle.draw();
+        ++stats.draw_calls;
+    }
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,48 @@
+#include "engine/render/passes/screen/shaft_pass.h"
+
+#include "engine/render/passes/screen/pair_blur.h"
+#include "engine/render/shader_blocks.h"
+
+#include <glad/gl.h>
+
+namespace plumbline::render {
+namespace {
+
+constexpr FeatureSet kShaftFeatures = feature::kSunShadow | feature::kCascades;
+
+}  // namespace
+
+const gl::Texture* ShaftPass::render(const SunShafts& shafts,
+                                     FeatureSet features,
+                                     const ScreenView& view,
+                                     const gl::Texture& depth,
+                                     const gl::Texture* sun_shadow_map,
+                                     const FullscreenTriangle& triangle,
+                                     SceneResources& resources,
+                                     FrameStats& stats) {
+    const gl::Program* find = resources.shaders.find(
+        kShaftsShader, sun_shadow_map != nullptr ? features & kShaftFeatures : 0);
+    if (find == nullptr) return nullptr;
+    const PixelSize quarter_px{(depth.width() + 3) / 4, (depth.height() + 3) / 4};
+    if (!found_.resize(gl::TargetFormat::Pair16F, quarter_px) ||
+        !smooth_.resize(gl::TargetFormat::Pair16F, quarter_px)) {
+        free();
+        return nullptr;
+    }
+    find->use();
+    found_.bind();
+    gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, depth);
+    if (sun_shadow_map != nullptr)
+        gl::bind_texture(kSunShadowUnit, gl::TextureKind::Flat, *sun_shadow_map);
+    glUniform2f(find->location("depth_line"), view.depth_line.x, view.depth_line.y);
+    glUniform3f(find->location("air"),
+                shafts.density_per_m,
+                shafts.distance_m,
+                static_cast<float>(shafts.steps));
+    triangle.draw();
+    ++stats.draw_calls;
+    blur_pairs(found_, smooth_, triangle, resources, stats);
+    return &found_.image;
+}
+
+}  // namespace plumbline::render

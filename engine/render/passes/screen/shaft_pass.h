@@ -1,0 +1,32 @@
+// Which share of the sun's light the air sends to each place of the picture.
+#pragma once
+
+#include "engine/render/passes/scene_light.h"
+#include "engine/render/passes/scene_resources.h"
+#include "engine/render/passes/screen/pass_image.h"
+#include "engine/render/passes/sky_pass.h"
+
+#include <cstddef>
+
+namespace plumbline::render {
+
+class ShaftPass {
+public:
+    /// A quarter as wide and as high as `depth`: the share, and metres along the line of sight. `sun_shadow_map`: null without shadows. Null: the driver has no memory for it.
+    const gl::Texture* render(const SunShafts& shafts,
+                              FeatureSet features,
+                              const ScreenView& view,
+                              const gl::Texture& depth,
+                              const gl::Texture* sun_shadow_map,
+                              const FullscreenTriangle& triangle,
+                              SceneResources& resources,
+                              FrameStats& stats);
+    std::size_t bytes() const { return found_.image.bytes() + smooth_.image.bytes(); }
+    void free() { *this = {}; }
+
+private:
+    PassImage found_;
+    PassImage smooth_;
+};
+
+}  // namespace plumbline::render

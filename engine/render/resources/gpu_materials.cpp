@@ -1,0 +1,180 @@
+#include "engine/render/resources/gpu_materials.h"
+
+#include "engine/render/shader_blocks.h"
+
+#include <glad/gl.h>
+
+#include <cstring>
+
+namespace plumbline::render {
+namespace {
+
+// Smoother than this a surface mirrors the sky visibly; rougher ones make do with the sky's
+// harmonics, which cost no texture lookup.
+constexpr float kMirrorRoughness = 0.3F;
+// The share of sunlight that comes through a leaf or petal.
+constexpr float kLeafTransmission = 0.55F;
+
+/// Two-sided without being metal: a leaf, a petal, a blade of grass.
+bool is_thin(const assets::MaterialData& material) {
+    return material.two_sided && material.metallic < 0.5F &&
+           material.alpha_mode != assets::AlphaMode::Blend;
+}
+
+/// What glass mirrors head on (Fresnel).
+float head_on_of(float ior) {
+    const float share = (ior - 1.0F) / (ior + 1.0F);
+    return share * share;
+}
+
+bool sees_into(const assets::MaterialData& water) {
+    return water.attenuation_m > 0.0F;
+}
+
+MaterialBlock block_of(const assets::MaterialData& material) {
+    const FeatureSet features = features_of(material);
+    const bool is_leaf = (features & feature::kLeaf) != 0;
+    const bool is_water = (features & feature::kRipples) != 0;
+    const bool is_phong = (features & feature::kPhong) != 0;
+    return {.base_color = Vec4f{material.base_color, material.alpha},
+            .emissive = Vec4f{material.emissive, material.alpha_cutoff},
+            .surface = {is_phong ? material.shininess : material.roughness,
+                        is_phong ? material.specular : material.metallic,
+                        is_phong   ? (material.white_highlight ? 1.0F : 0.0F)
+                        : is_leaf  ? kLeafTransmission
+                        : is_water ? material.ripple_slope
+                                   : material.variation,
+                        is_phong ? material.diffuse : material.occlusion},
+            .relief = {material.height_depth,
+                       head_on_of(material.ior),
+                       sees_into(material) ? 1.0F / material.attenuation_m : 0.0F,
+                       material.caustics}};
+}
+
+}  // namespace
+
+FeatureSet features_of(const assets::MaterialData& material) {
+    FeatureSet features = 0;
+    if (material.shading == assets::Shading::BlinnPhong) features |= feature::kBlinnPhong;
+    if (material.shading == assets::Shading::Unlit) features |= feature::kUnlit;
+    features |= material.base_color_map.empty() ? feature::kVertexColor : feature::kBaseMap;
+    if (material.vertex_colors) features |= feature::kVertexColor;
+    if (material.emissive != Vec3f{0.0F}) {
+        features |= feature::kEmissive;
+        if (!material.emissive_map.empty()) features |= feature::kEmissiveMap;
+    }
+    if (material.alpha_mode == assets::AlphaMode::Mask && !material.base_color_map.empty()) {
+        features |= feature::kAlphaMask;
+    }
+    if (material.alpha_mode == assets::AlphaMode::Blend) features |= feature::kBlend;
+    if (material.shading == assets::Shading::Unlit) return features;
+
+    if (material.variation > 0.0F && !material.base_color_map.empty() && !is_thin(material)) {
+        features |= feature::kVariation;
+    }
+    if (material.flat) features |= feature::kFlat;
+    if (!material.normal_map.empty()) features |= feature::kNormalMap;
+    if (material.shading == assets::Shading::BlinnPhong && material.shininess > 0.0F) {
+        return features | feature::kPhong;
+    }
+    if (!material.orm_map.empty()) features |= feature::kOrmMap;
+    if (material.two_sided) features |= feature::kTwoSided;
+    if (material.metallic > 0.0F) features |= feature::kMetal;
+    if (is_thin(material)) features |= feature::kLeaf;
+    if (material.shading == assets::Shading::Pbr && material.orm_map.empty() &&
+        material.roughness < kMirrorRoughness) {
+        features |= feature::kSkyReflection;
+    }
+    if (material.shading == assets::Shading::Pbr && material.ripple_slope > 0.0F &&
+        material.alpha_mode == assets::AlphaMode::Blend && material.normal_map.empty()) {
+        features |= feature::kRipples;
+        if (sees_into(material)) features |= feature::kRefraction;
+        if (sees_into(material) && material.caustics > 0.0F) features |= feature::kCaustics;
+    }
+    if (material.ior > 0.0F && material.shading == assets::Shading::Pbr &&
+        material.alpha_mode == assets::AlphaMode::Blend && (features & feature::kRipples) == 0) {
+        features |= feature::kGlass | feature::kSkyReflection;
+    }
+    if (!material.height_map.empty() && material.height_depth > 0.0F &&
+        !material.normal_map.empty()) {
+        features |= feature::kParallax;
+    }
+    return features;
+}
+
+std::vector<TextureRequest> textures_of(const assets::MaterialData& material) {
+    std::vector<TextureRequest> requests;
+    const FeatureSet features = features_of(material);
+    if ((features & feature::kBaseMap) != 0) {
+        const bool masked = (features & feature::kAlphaMask) != 0;
+        requests.push_back({.file = material.base_color_map,
+                            .content = MipContent::Color,
+                            .alpha_cutoff = masked ? material.alpha_cutoff : 0.0F});
+    }
+    if ((features & feature::kNormalMap) != 0) {
+        requests.push_back(
+            {.file = material.normal_map, .content = MipContent::Data, .unit = kNormalUnit});
+    }
+    if ((features & feature::kParallax) != 0) {
+        requests.push_back(
+            {.file = material.height_map, .content = MipContent::Data, .unit = kHeightUnit});
+    }
+    if ((features & feature::kOrmMap) != 0) {
+        requests.push_back(
+            {.file = material.orm_map, .content = MipContent::Data, .unit = kOrmUnit});
+    }
+    if ((features & feature::kEmissiveMap) != 0) {
+        requests.push_back(
+            {.file = material.emissive_map, .content = MipContent::Color, .unit = kEmissiveUnit});
+    }
+    return requests;
+}
+
+GpuMaterials::GpuMaterials(const assets::AssetLibrary& library, GpuTextures& textures)
+    : library_(library),
+      textures_(textures),
+      blocks_(gl::BufferUse::Uniforms, gl::BufferLife::Kept) {
+    GLint alignment = 256;
+    glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+    const auto step = static_cast<std::size_t>(alignment);
+    stride_ = (sizeof(MaterialBlock) + step - 1) / step * step;
+}
+
+void GpuMaterials::update(const MaterialUse& use) {
+    const std::size_t count = library_.material_count() + 1;
+    if (materials_.size() == count && use_ == use) return;
+    use_ = use;
+    materials_.clear();
+    std::vector<std::byte> bytes(count * stride_);
+    for (std::uint32_t id = 0; id < count; ++id) {
+        assets::MaterialData material =
+            id == 0 ? assets::MaterialData{} : library_.material(assets::MaterialId{id});
+        if (use.shading) material.shading = *use.shading;
+        if (!use.textures) material.base_color_map.clear();
+        if (!use.parallax) material.height_map.clear();
+        if (!use.surface_maps) {
+            material.normal_map.clear();
+            // What is metal where is in there, too.
+            if (material.metallic == 0.0F) material.orm_map.clear();
+        }
+        const MaterialBlock block = block_of(material);
+        std::memcpy(bytes.data() + id * stride_, &block, sizeof(block));
+        materials_.push_back(
+            {.features = features_of(material), .textures = textures_of(material)});
+    }
+    blocks_.upload(bytes.data(), bytes.size());
+}
+
+void GpuMaterials::bind(assets::MaterialId id) {
+    gl::bind_uniforms(kMaterialBinding, blocks_, id.value * stride_, sizeof(MaterialBlock));
+    const Entry& material = materials_[id.value];
+    for (const TextureRequest& request : material.textures) {
+        gl::bind_texture(request.unit, gl::TextureKind::Flat, textures_.get(request));
+    }
+}
+
+void GpuMaterials::clear() {
+    materials_.clear();
+}
+
+}  // namespace plumbline::render

@@ -1,0 +1,70 @@
+// Descriptions to entities: visuals, bodies, lights and sounds, each shared thing made once.
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/scene/build/shape_factory.h"
+#include "engine/scene/simulation.h"
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+namespace plumbline::scene {
+
+class EntityBuilder {
+public:
+    /// `simulation` must outlive the builder.
+    explicit EntityBuilder(Simulation& simulation);
+
+    /// Names the group's bit; groups beyond the 32nd are an error.
+    Result<std::uint32_t> group_bit(const std::string& name);
+    /// Materials that stand in where the scene has none of the name: for things from outside it.
+    void lend_materials(const std::map<std::string, assets::MaterialData>& materials);
+    /// Adds the entity under `name`. On an error nothing is left of it.
+    Result<ecs::Entity> build(const EntityDescription& description, const std::string& name);
+
+private:
+    struct Look {
+        assets::MeshId mesh{};
+        std::vector<assets::MaterialId> materials;
+        assets::ModelId model{};
+        bool is_model{false};  ///< `mesh` is the model's own, fit for shapes
+    };
+
+    Look look_of(const EntityDescription& description);
+    Look look_of_model(const EntityDescription& description, const ModelVisual& visual);
+    Look placeholder_for(const EntityDescription& description);
+    /// The scene's own, else a lent one, else null.
+    const assets::MaterialData* described_material(const std::string& name) const;
+    assets::MaterialId material_named(const std::string& name);
+    std::uint16_t surface_of(const EntityDescription& description, const Look& look) const;
+    /// Null unless its parts are to collide one by one as they move.
+    const assets::MovingModel* moving_parts_of(const EntityDescription& description,
+                                               const Look& look) const;
+    Result<Done> build_parts(const EntityDescription& whole,
+                             const std::string& name,
+                             const assets::MovingModel& model,
+                             std::uint16_t surface,
+                             ecs::Entity entity);
+    Result<BuiltShape> shape_of(const EntityDescription& description, const Look& look);
+    Result<physics::BodyId> body_of(const EntityDescription& description,
+                                    const Look& look,
+                                    std::uint16_t surface,
+                                    ecs::Entity entity);
+    void track(const EntityDescription& description,
+               ecs::Entity entity,
+               physics::BodyId body,
+               const BuiltShape& shape);
+    void add_trigger(const EntityDescription& description, ecs::Entity entity);
+    void warn_once(const std::string& text);
+
+    Simulation& simulation_;
+    ShapeFactory shapes_;
+    std::map<std::string, assets::MaterialId> materials_;
+    std::map<std::string, assets::MaterialData> lent_;
+    std::map<std::string, std::uint32_t> groups_;
+    std::set<std::filesystem::path> refused_models_;
+};
+
+}  // namespace plumbline::scene

@@ -1,0 +1,153 @@
+#include "engine/core/limits.h"
+#include "engine/scene/build/entity_builder.h"
+#include "engine/scene/sections/scene_parts.h"
+#include "engine/scene/simulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::scene {
+
+namespace {
+
+/// Looking for overlaps costs a query a body; beyond this many it would be felt at the start.
+constexpr std::size_t kOverlapChecks = 2'000;
+
+std::size_t copies_of(const ArrayDescription& array) {
+    std::size_t copies = 1;
+    for (const int count : array.count) copies *= static_cast<std::size_t>(std::max(count, 0));
+    return copies;
+}
+
+std::size_t body_count_of(const SceneDescription& description) {
+    std::size_t bodies = 0;
+    for (const EntityDescription& entity : description.entities) bodies += entity.body ? 1U : 0U;
+    for (const ArrayDescription& array : description.arrays) {
+        bodies += array.prefab.body ? copies_of(array) : 0U;
+    }
+    return bodies;
+}
+
+/// x runs fastest, as the files say; z slowest.
+Result<Done> build_array(const ArrayDescription& array, EntityBuilder& builder) {
+    EntityDescription copy = array.prefab;
+    for (int z = 0; z < array.count[2]; ++z) {
+        for (int y = 0; y < array.count[1]; ++y) {
+            for (int x = 0; x < array.count[0]; ++x) {
+                const Vec3 cell{static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)};
+                copy.world_from_body.position = array.origin_m + array.spacing_m * cell;
+                copy.world_from_body.orientation =
+                    glm::angleAxis(glm::dot(array.turn_rad, cell), Vec3{0, 1, 0}) *
+                    array.prefab.world_from_body.orientation;
+                const Result<ecs::Entity> made =
+                    builder.build(copy, fmt::format("{}.{}.{}.{}", array.name, x, y, z));
+                if (!made) return made.error();
+            }
+        }
+    }
+    return Done{};
+}
+
+/// Bodies that start inside each other are thrown apart; whoever wrote the scene should know.
+void warn_of_overlaps(Simulation& simulation) {
+    const std::span<const MovingBody> moving = simulation.moving_bodies();
+    if (moving.size() > kOverlapChecks) return;
+    std::size_t pairs = 0;
+    Real deepest_m = 0;
+    std::string deepest;
+    for (const MovingBody& body : moving) {
+        if (!body.convex || body.kind != physics::BodyKind::Dynamic) continue;
+        const Pose pose = simulation.physics.state(body.body).world_from_body;
+        const std::vector<physics::OverlapHit> hits =
+            simulation.physics.overlaps(body.shape, pose, Real{0}, {.ignored = body.body});
+        for (const physics::OverlapHit& hit : hits) {
+            if (hit.depth_m < std::max(0.005_r, 0.1_r * body.inner_radius_m)) continue;
+            const bool seen_from_both =
+                simulation.physics.kind(hit.body) == physics::BodyKind::Dynamic &&
+                hit.body < body.body;
+            if (seen_from_both || !simulation.physics.groups_touch(hit.body, body.body)) continue;
+            ++pairs;
+            if (hit.depth_m <= deepest_m) continue;
+            deepest_m = hit.depth_m;
+            deepest = fmt::format("{} and {}",
+                                  simulation.describe(body.entity),
+                                  simulation.describe(simulation.entity_of(hit.body)));
+        }
+    }
+    if (pairs == 0) return;
+    simulation.add_warning(
+        fmt::format("{} {} overlapped; deepest: {}, by {:.3f} m",
+                    pairs,
+                    pairs == 1 ? "pair of bodies starts" : "pairs of bodies start",
+                    deepest,
+                    deepest_m));
+}
+
+/// Two of Bullet's solvers are known to lose joints; whoever chose one should know.
+void warn_of_joints(Simulation& simulation) {
+    if (simulation.joints().empty()) return;
+    const physics::Solver solver = simulation.physics.def().solver;
+    if (solver == physics::Solver::BulletNncg)
+        simulation.add_warning("bullet_nncg throws some joints between free bodies apart");
+    if (solver == physics::Solver::BulletDantzig && simulation.joints().size() > 1)
+        simulation.add_warning(
+            "bullet_dantzig throws off bodies that are held twice over, as by two hinges");
+}
+
+void warn_of_lights(Simulation& simulation) {
+    std::size_t lights = 0;
+    simulation.registry.view<const PointLight>().each(
+        [&](ecs::Entity, const PointLight&) { ++lights; });
+    if (lights > limits::kLights) {
+        simulation.add_warning(fmt::format(
+            "{} lights: only the {} nearest to the camera shine", lights, limits::kLights));
+    }
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& described,
+                                                     const SimulationOverrides& overrides,
+                                                     assets::AssetLibrary& library,
+                                                     const SurfaceTable& surfaces) {
+    PL_ASSERT(!surfaces.surfaces.empty(), "a surface table with its default surface");
+    SceneDescription staged;
+    if (described.shows_model) {
+        staged = described;
+        if (const Result<Done> fits = fit_stage(staged, library); !fits) return fits.error();
+    }
+    const SceneDescription& description = described.shows_model ? staged : described;
+    const std::size_t bodies = body_count_of(description);
+    if (bodies > limits::kBodies) {
+        return Error{fmt::format("{}: {} bodies; at most {} are allowed",
+                                 description.file.generic_string(),
+                                 bodies,
+                                 limits::kBodies),
+                     ExitCode::Refused};
+    }
+    auto simulation = std::make_unique<Simulation>(description, overrides, library, surfaces);
+    if (bodies > limits::kBodiesWarn) {
+        simulation->add_warning(
+            fmt::format("{} bodies: more than {} may be slow", bodies, limits::kBodiesWarn));
+    }
+    for (const EntityDescription& entity : description.entities) {
+        const Result<ecs::Entity> made = simulation->builder().build(entity, entity.name);
+        if (!made) return made.error();
+    }
+    for (const ArrayDescription& array : description.arrays) {
+        const Result<Done> made = build_array(array, simulation->builder());
+        if (!made) return made.error();
+    }
+    for (const JointDescription& joint : description.joints) {
+        const Result<Done> made = simulation->add_joint(joint);
+        if (!made) return made.error();
+    }
+    warn_of_joints(*simulation);
+    warn_of_overlaps(*simulation);
+    warn_of_lights(*simulation);
+    return simulation;
+}
+
+}  // namespace plumbline::scene

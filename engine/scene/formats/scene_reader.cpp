@@ -1,0 +1,388 @@
+#include "engine/scene/formats/scene_reader.h"
+
+#include "engine/core/assert.h"
+#include "engine/core/color.h"
+#include "engine/core/text/nearest_name.h"
+#include "engine/core/text/printable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <tuple>
+
+namespace plumbline::scene {
+namespace {
+
+constexpr std::size_t kFaultsListed = 200;
+
+bool is_bare_key(std::string_view key) {
+    return !key.empty() && std::ranges::all_of(key, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '_' || c == '-';
+    });
+}
+
+}  // namespace
+
+FaultList::~FaultList() {
+    // Files in the order of their first fault, the scene's own before what it includes.
+    std::vector<std::string_view> files;
+    for (const Diagnostic& fault : list_) {
+        if (std::ranges::find(files, fault.file) == files.end()) files.push_back(fault.file);
+    }
+    const auto order = [&](const Diagnostic& fault) {
+        const auto file = std::ranges::find(files, std::string_view(fault.file)) - files.begin();
+        return std::tuple(file, fault.line, fault.column);
+    };
+    std::ranges::stable_sort(list_, std::less{}, order);
+    for (Diagnostic& fault : list_) out_.add(std::move(fault));
+    if (seen_.size() > kFaultsListed)
+        out_.add({any_error_ ? Severity::Error : Severity::Warning,
+                  {},
+                  0,
+                  0,
+                  {},
+                  "further faults are not listed"});
+}
+
+void FaultList::add(Severity severity, const Place& place, std::string key, std::string message) {
+    if (severity == Severity::Error) any_error_ = true;
+    const std::string file = place.file != nullptr ? *place.file : std::string{};
+    if (seen_.size() > kFaultsListed) return;
+    if (!seen_.insert(fmt::format("{}:{}:{}:{}", file, place.line, place.column, message)).second)
+        return;
+    if (seen_.size() > kFaultsListed) return;
+    list_.push_back({severity, file, place.line, place.column, std::move(key), std::move(message)});
+}
+
+void FaultList::error(const Place& place, std::string key, std::string message) {
+    add(Severity::Error, place, std::move(key), std::move(message));
+}
+
+void FaultList::warning(const Place& place, std::string key, std::string message) {
+    add(Severity::Warning, place, std::move(key), std::move(message));
+}
+
+std::string shown(std::string_view text) {
+    constexpr std::size_t kShownBytes = 60;
+    if (text.size() <= kShownBytes) return printable(text);
+    std::size_t end = kShownBytes;  // never half of a UTF-8 character
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+    return printable(text.substr(0, end)) + "…";
+}
+
+std::string found(const TomlNode& node) {
+    if (const auto* flag = std::get_if<bool>(&node.value)) return *flag ? "true" : "false";
+    if (const auto* integer = std::get_if<std::int64_t>(&node.value))
+        return fmt::format("{}", *integer);
+    if (const auto* number = std::get_if<double>(&node.value)) return fmt::format("{}", *number);
+    if (const auto* text = node.text()) return fmt::format("\"{}\"", shown(*text));
+    if (const auto* array = node.array()) return fmt::format("an array of {}", array->size());
+    if (node.table() != nullptr) return "a table";
+    return "a date or time";
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
+    const std::string_view nearest = nearest_name(word, known);
+    if (!nearest.empty()) return fmt::format("; did you mean \"{}\"?", nearest);
+    if (known.empty()) return "; none is known here";
+    std::vector<std::string_view> sorted(known.begin(), known.end());
+    std::ranges::sort(sorted);
+    constexpr std::size_t kNamesListed = 40;
+    const bool all = sorted.size() <= kNamesListed;
+    if (!all) sorted.resize(kNamesListed);
+    return fmt::format("; known: {}{}", fmt::join(sorted, ", "), all ? "" : ", …");
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    constexpr std::size_t kListed = 100;
+    if (names.size() <= kListed) return fmt::format("{}", fmt::join(names, ", "));
+    return fmt::format("{} and {} more",
+                       fmt::join(names.begin(), names.begin() + kListed, ", "),
+                       names.size() - kListed);
+}
+
+Origin origin_of(const Place& place) {
+    Origin origin;
+    if (place.file != nullptr) origin.file = std::filesystem::path(*place.file).filename().string();
+    origin.line = place.line;
+    return origin;
+}
+
+std::string brief(const Place& place) {
+    return to_string(origin_of(place));
+}
+
+std::optional<double> number_of(const TomlNode& node,
+                                const std::string& path,
+                                const Range& range,
+                                FaultList& faults) {
+    double value = 0;
+    if (const auto* integer = std::get_if<std::int64_t>(&node.value)) {
+        value = static_cast<double>(*integer);
+    } else if (const auto* number = std::get_if<double>(&node.value)) {
+        value = *number;
+    } else {
+        faults.error(node.place, path, fmt::format("{}; expected {}", found(node), range.expected));
+        return {};
+    }
+    if (!std::isfinite(value) || value < range.min || value > range.max) {
+        faults.error(node.place, path, fmt::format("{}; expected {}", found(node), range.expected));
+        return {};
+    }
+    return value;
+}
+
+std::optional<Vec3d> vector_of(const TomlNode& node,
+                               const std::string& path,
+                               const Range& each,
+                               FaultList& faults) {
+    const TomlArray* array = node.array();
+    if (array == nullptr || array->size() != 3) {
+        faults.error(node.place, path, fmt::format("{}; expected [x, y, z]", found(node)));
+        return {};
+    }
+    Vec3d value{0, 0, 0};
+    bool good = true;
+    for (int i = 0; i < 3; ++i) {
+        const auto part = number_of(
+            (*array)[static_cast<std::size_t>(i)], fmt::format("{}[{}]", path, i), each, faults);
+        good = good && part.has_value();
+        value[i] = part.value_or(0);
+    }
+    if (!good) return {};
+    return value;
+}
+
+TableReader::TableReader(std::vector<const TomlNode*> layers, std::string path, FaultList& faults)
+    : layers_(std::move(layers)), path_(std::move(path)), faults_(&faults) {
+    PL_ASSERT(!layers_.empty(), "at least one layer");
+}
+
+TableReader::TableReader(const TomlNode& table, std::string path, FaultList& faults)
+    : TableReader(std::vector<const TomlNode*>{&table}, std::move(path), faults) {}
+
+const Place& TableReader::place() const {
+    return layers_.front()->place;
+}
+
+std::string TableReader::path_of(std::string_view key) const {
+    const std::string part = is_bare_key(key) ? shown(key) : "\"" + shown(key) + "\"";
+    return path_.empty() ? part : path_ + "." + part;
+}
+
+std::optional<TableReader> TableReader::without_top() const {
+    if (layers_.size() < 2) return {};
+    return TableReader({layers_.begin() + 1, layers_.end()}, path_, *faults_);
+}
+
+const TomlNode* TableReader::find(std::string_view key) {
+    if (std::ranges::find(known_, key) == known_.end()) known_.push_back(key);
+    for (const TomlNode* layer : layers_) {
+        if (const TomlNode* node = find_key(*layer->table(), key)) return node;
+    }
+    return nullptr;
+}
+
+std::string_view TableReader::either(std::string_view a, std::string_view b) {
+    find(a);
+    find(b);
+    for (const TomlNode* layer : layers_) {
+        const bool has_a = find_key(*layer->table(), a) != nullptr;
+        const TomlNode* second = find_key(*layer->table(), b);
+        if (has_a && second != nullptr) {
+            faults_->error(second->place,
+                           path_of(b),
+                           fmt::format("given beside {}; they say the same thing, keep one", a));
+        }
+        if (has_a) return a;
+        if (second != nullptr) return b;
+    }
+    return {};
+}
+
+bool TableReader::flag(std::string_view key, bool fallback) {
+    const TomlNode* node = find(key);
+    if (node == nullptr) return fallback;
+    if (const auto* value = std::get_if<bool>(&node->value)) return *value;
+    error(key, found(*node) + "; expected true or false");
+    return fallback;
+}
+
+int TableReader::integer(std::string_view key, int fallback, int min, int max) {
+    const TomlNode* node = find(key);
+    if (node == nullptr) return fallback;
+    const auto* value = std::get_if<std::int64_t>(&node->value);
+    if (value != nullptr && *value >= min && *value <= max) return static_cast<int>(*value);
+    error(key, fmt::format("{}; expected a whole number from {} to {}", found(*node), min, max));
+    return fallback;
+}
+
+Real TableReader::number(std::string_view key, Real fallback, const Range& range) {
+    return optional_number(key, range).value_or(fallback);
+}
+
+float TableReader::single(std::string_view key, float fallback, const Range& range) {
+    const TomlNode* node = find(key);
+    if (node == nullptr) return fallback;
+    const auto value = number_of(*node, path_of(key), range, *faults_);
+    return value ? static_cast<float>(*value) : fallback;
+}
+
+std::optional<Real> TableReader::optional_number(std::string_view key, const Range& range) {
+    const TomlNode* node = find(key);
+    if (node == nullptr) return {};
+    const auto value = number_of(*node, path_of(key), range, *faults_);
+    if (!value) return {};
+    return static_cast<Real>(*value);
+}
+
+std::string TableReader::text(std::string_view key, std::string fallback) {
+    const TomlNode* node = find(key);
+    if (node == nullptr) return fallback;
+    if (const std::string* value = node->text()) return *value;
+    error(key, found(*node) + "; expected a text in quotes");
+    return fallback;
+}
+
+std::size_t TableReader::choice(std::string_view key,
+                                std::size_t fallback,
+                                std::span<const std::string_view> choices) {
+    const TomlNode* node = find(key);
+    if (node == nullptr) return fallback;
+    if (const std::string* value = node->text()) {
+        const auto at = std::ranges::find(choices, std::string_view(*value));
+        if (at != choices.end()) return static_cast<std::size_t>(at - choices.begin());
+        std::string hint;
+        const std::string_view nearest = nearest_name(*value, choices);
+        if (!nearest.empty()) hint = fmt::format("; did you mean \"{}\"?", nearest);
+        error(
+            key,
+            fmt::format("{}; expected one of {}{}", found(*node), fmt::join(choices, ", "), hint));
+        return fallback;
+    }
+    error(key, fmt::format("{}; expected one of {}", found(*node), fmt::join(choices, ", ")));
+    return fallback;
+}
+
+Vec3 TableReader::vector(std::string_view key, const Vec3& fallback, const Range& each) {
+    return optional_vector(key, each).value_or(fallback);
+}
+
+std::optional<Vec3> TableReader::optional_vector(std::string_view key, const Range& each) {
+    const auto value = exact_vector(key, each);
+    if (!value) return {};
+    return Vec3(*value);
+}
+
+std::optional<Vec3d> TableReader::exact_vector(std::string_view key, const Range& each) {
+    const TomlNode* node = find(key);
+    if (node == nullptr) return {};
+    return vector_of(*node, path_of(key), each, *faults_);
+}
+
+Vec3d TableReader::direction(std::string_view key, const Vec3d& fallback) {
+    constexpr Range kPart{-1e6, 1e6, "a number from -1000000 to 1000000"};
+    const auto value = exact_vector(key, kPart);
+    if (!value) return glm::normalize(fallback);
+    if (glm::length(*value) < 1e-6) {
+        error(key, "[0, 0, 0] has no direction; expected a vector of some length");
+        return glm::normalize(fallback);
+    }
+    return glm::normalize(*value);
+}
+
+Vec3f TableReader::color(std::string_view key, const Vec3f& fallback, const Range& each) {
+    // Names of keys must outlive the reader; the few that colours have are spelt out.
+    static constexpr std::string_view kSrgbNames[] = {
+        "color_srgb", "base_color_srgb", "emissive_srgb", "clear_color_srgb"};
+    const auto srgb_name = std::ranges::find_if(kSrgbNames, [&](std::string_view name) {
+        return name.size() == key.size() + 5 && name.substr(0, key.size()) == key;
+    });
+    PL_ASSERT(srgb_name != std::end(kSrgbNames), "a colour's key");
+    const std::string_view used = either(key, *srgb_name);
+    if (used.empty()) return fallback;
+    auto value = exact_vector(used, used == key ? each : kFraction);
+    if (!value) return fallback;
+    if (used != key) {
+        for (int i = 0; i < 3; ++i) (*value)[i] = linear_from_srgb((*value)[i]);
+    }
+    return Vec3f(*value);
+}
+
+std::vector<std::string> TableReader::texts(std::string_view key) {
+    const TomlNode* node = find(key);
+    if (node == nullptr) return {};
+    const TomlArray* array = node->array();
+    if (array == nullptr) {
+        error(key, found(*node) + "; expected an array of texts");
+        return {};
+    }
+    std::vector<std::string> values;
+    for (std::size_t i = 0; i < array->size(); ++i) {
+        if (const std::string* value = (*array)[i].text()) {
+            values.push_back(*value);
+        } else {
+            faults_->error((*array)[i].place,
+                           fmt::format("{}[{}]", path_of(key), i),
+                           found((*array)[i]) + "; expected a text in quotes");
+        }
+    }
+    return values;
+}
+
+std::optional<TableReader> TableReader::table(std::string_view key) {
+    find(key);
+    std::vector<const TomlNode*> parts;
+    for (const TomlNode* layer : layers_) {
+        const TomlNode* node = find_key(*layer->table(), key);
+        if (node == nullptr) continue;
+        if (node->table() == nullptr) {
+            faults_->error(node->place, path_of(key), found(*node) + "; expected a table");
+            continue;
+        }
+        parts.push_back(node);
+    }
+    if (parts.empty()) return {};
+    return TableReader(std::move(parts), path_of(key), *faults_);
+}
+
+std::span<const TomlNode> TableReader::tables(std::string_view key) {
+    const TomlNode* node = find(key);
+    if (node == nullptr) return {};
+    const TomlArray* array = node->array();
+    const bool all_tables =
+        array != nullptr &&
+        std::ranges::all_of(*array, [](const TomlNode& item) { return item.table() != nullptr; });
+    if (all_tables) return *array;
+    error(key, fmt::format("{}; expected tables headed [[{}]]", found(*node), key));
+    return {};
+}
+
+void TableReader::error(std::string_view key, std::string message) {
+    const TomlNode* node = key.empty() ? nullptr : find(key);
+    faults_->error(node != nullptr ? node->place : place(),
+                   key.empty() ? path_ : path_of(key),
+                   std::move(message));
+}
+
+void TableReader::warning(std::string_view key, std::string message) {
+    const TomlNode* node = key.empty() ? nullptr : find(key);
+    faults_->warning(node != nullptr ? node->place : place(),
+                     key.empty() ? path_ : path_of(key),
+                     std::move(message));
+}
+
+void TableReader::finish() {
+    for (const TomlNode* layer : layers_) {
+        for (const TomlEntry& entry : *layer->table()) {
+            if (std::ranges::find(known_, std::string_view(entry.key)) != known_.end()) continue;
+            faults_->error(
+                entry.key_place, path_of(entry.key), "unknown key" + suggestion(entry.key, known_));
+        }
+    }
+}
+
+}  // namespace plumbline::scene

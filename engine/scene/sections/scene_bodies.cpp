@@ -1,0 +1,173 @@
+// [entity.body]
+#include "engine/core/limits.h"
+#include "engine/scene/sections/scene_parts.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace plumbline::scene {
+namespace {
+
+using physics::BodyKind;
+
+constexpr Range kMass_kg{limits::kMassMin_kg, limits::kMassMax_kg, "kg from 0.001 to 10000000"};
+constexpr Range kDensity_kgpm3{1e-3, 1e5, "kg/m3 from 0.001 to 100000"};
+constexpr Range kFriction{0, 1000, "a coefficient from 0 to 1000"};
+constexpr Range kDamping{0, 1000, "a rate from 0 to 1000 per s"};
+constexpr Range kSpeed_mps{-limits::kSpeed_mps, limits::kSpeed_mps, "m/s from -1000 to 1000"};
+constexpr Range kSpin_radps{-1e4, 1e4, "rad/s from -10000 to 10000"};
+
+bool is_mesh(const BodyShapeDescription& shape) {
+    if (std::holds_alternative<ModelMeshShape>(shape)) return true;
+    const auto* own = std::get_if<physics::ShapeDef>(&shape);
+    return own != nullptr && std::holds_alternative<physics::MeshShape>(*own);
+}
+
+bool is_plane(const BodyShapeDescription& shape, const VisualDescription& visual) {
+    if (const auto* own = std::get_if<physics::ShapeDef>(&shape))
+        return std::holds_alternative<physics::PlaneShape>(*own);
+    const auto* primitive = std::get_if<Primitive>(&visual);
+    return std::holds_alternative<FitShape>(shape) && primitive != nullptr &&
+           std::holds_alternative<physics::PlaneShape>(*primitive);
+}
+
+void read_mass(TableReader& table, BodyDescription& body) {
+    const std::string_view key = table.either("mass_kg", "density_kgpm3");
+    if (key == "density_kgpm3") {
+        body.density_kgpm3 = table.optional_number(key, kDensity_kgpm3);
+        return;
+    }
+    if (key.empty()) return;
+    const TomlNode* node = table.find(key);
+    const auto* integer = std::get_if<std::int64_t>(&node->value);
+    const auto* number = std::get_if<double>(&node->value);
+    const bool is_zero =
+        (integer != nullptr && *integer == 0) || (number != nullptr && *number == 0.0);
+    if (!is_zero) {
+        body.mass_kg = table.optional_number(key, kMass_kg);
+        return;
+    }
+    if (body.kind == BodyKind::Dynamic) {
+        table.warning(key, "0 means immovable; the body is static");
+        body.kind = BodyKind::Static;
+    }
+}
+
+/// Principal moments of any real body: none negative, none greater than the other two together.
+bool is_physical(const Vec3& inertia) {
+    const Vec3d i(inertia);
+    const double slack = 1e-6 * (i.x + i.y + i.z);
+    return i.x > 0 && i.y > 0 && i.z > 0 && i.x <= i.y + i.z + slack && i.y <= i.x + i.z + slack &&
+           i.z <= i.x + i.y + slack;
+}
+
+void read_mass_frame(TableReader& table, BodyDescription& body) {
+    constexpr Range kMoment{-1e12, 1e12, "kg m2 up to 1e12"};
+    body.center_of_mass_m = table.optional_vector("center_of_mass_m", kCoordinate_m);
+    body.inertia_kgm2 = table.optional_vector("inertia_kgm2", kMoment);
+    if (!body.inertia_kgm2 || is_physical(*body.inertia_kgm2)) return;
+    table.warning("inertia_kgm2",
+                  "no body has these moments (each is above 0 and at most the sum of the other "
+                  "two); the shape's are used");
+    body.inertia_kgm2.reset();
+}
+
+void read_surface(TableReader& table, BodyDescription& body) {
+    body.friction = table.optional_number("friction", kFriction);
+    body.restitution = table.optional_number("restitution", kFraction);
+    body.rolling_friction = table.number("rolling_friction", Real{0}, kFriction);
+    body.spinning_friction = table.number("spinning_friction", Real{0}, kFriction);
+    body.linear_damping_per_s = table.number("linear_damping_per_s", Real{0}, kDamping);
+    body.angular_damping_per_s = table.number("angular_damping_per_s", Real{0}, kDamping);
+}
+
+/// 1 for each of the world's axes that the body is free to move along, 0 for the others.
+Vec3 read_linear_factor(TableReader& table, const BodyDescription& body) {
+    const Vec3 free{1, 1, 1};
+    const Vec3 factor = table.vector("linear_factor", free, kAnyNumber);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (factor[axis] == Real{0} || factor[axis] == Real{1}) continue;
+        table.error("linear_factor",
+                    "expected 1 (free) or 0 (held) for each of x, y and z, as in [1, 1, 0]");
+        return free;
+    }
+    if (body.kind != BodyKind::Dynamic && factor != free) {
+        table.warning("linear_factor", "only dynamic bodies are held along axes; ignored");
+        return free;
+    }
+    return factor;
+}
+
+void read_motion_state(TableReader& table, BodyDescription& body) {
+    body.velocity_mps = table.vector("velocity_mps", Vec3{0, 0, 0}, kSpeed_mps);
+    body.angular_velocity_radps =
+        table.vector("angular_velocity_radps", Vec3{0, 0, 0}, kSpin_radps);
+    body.linear_factor = read_linear_factor(table, body);
+    body.can_sleep = table.flag("can_sleep", true);
+    constexpr std::array<std::string_view, 3> kSweeps{"auto", "on", "off"};
+    body.ccd = static_cast<physics::ContinuousCollision>(table.choice("ccd", 0, kSweeps));
+    if (body.kind == BodyKind::Dynamic) return;
+    const bool moves = glm::length(body.velocity_mps) > 0;
+    const bool spins = glm::length(body.angular_velocity_radps) > 0;
+    if (!moves && !spins) return;
+    table.warning(moves ? "velocity_mps" : "angular_velocity_radps",
+                  body.kind == BodyKind::Static
+                      ? "a static body does not move; ignored"
+                      : "a kinematic body moves as its motion says; ignored");
+    body.velocity_mps = body.angular_velocity_radps = Vec3{0, 0, 0};
+}
+
+void read_groups(TableReader& table, BodyDescription& body) {
+    body.group = table.text("group", "default");
+    if (body.group.empty()) table.error("group", "is empty; expected a name");
+    body.collides_with = table.texts("collides_with");
+    // An empty list means everything in the description, and nothing in the file.
+    const TomlNode* node = table.find("collides_with");
+    if (node != nullptr && node->array() != nullptr && node->array()->empty())
+        body.collides_with = {std::string(kNoGroup)};
+}
+
+void check_shape(TableReader& table,
+                 const BodyDescription& body,
+                 const VisualDescription& visual,
+                 EntityUse use) {
+    const bool has_visual = !std::holds_alternative<std::monostate>(visual);
+    const bool needs_visual = !std::holds_alternative<physics::ShapeDef>(body.shape);
+    // A shape that was given and refused has had its error.
+    const TomlNode* given = table.find("shape");
+    const bool refused = given != nullptr && given->text() == nullptr &&
+                         std::holds_alternative<FitShape>(body.shape);
+    if (use == EntityUse::Entity && needs_visual && !has_visual && !refused) {
+        table.error("shape", "missing; expected a shape, or a model or primitive to fit");
+    }
+    if (body.kind == BodyKind::Dynamic && is_mesh(body.shape)) {
+        table.error("shape",
+                    "a mesh has no inside: static and kinematic bodies only; use hull or compound");
+    }
+    if (body.kind != BodyKind::Static && is_plane(body.shape, visual))
+        table.error("shape", "planes are for static bodies only; use box");
+}
+
+}  // namespace
+
+std::optional<BodyDescription> read_body(TableReader& entity,
+                                         const VisualDescription& visual,
+                                         EntityUse use) {
+    auto table = entity.table("body");
+    if (!table) return {};
+    constexpr std::array<std::string_view, 3> kKinds{"static", "dynamic", "kinematic"};
+    BodyDescription body;
+    body.kind = static_cast<BodyKind>(table->choice("kind", 1, kKinds));
+    read_mass(*table, body);
+    body.shape = read_body_shape(*table, visual);
+    read_mass_frame(*table, body);
+    read_surface(*table, body);
+    read_motion_state(*table, body);
+    read_groups(*table, body);
+    check_shape(*table, body, visual, use);
+    table->finish();
+    return body;
+}
+
+}  // namespace plumbline::scene

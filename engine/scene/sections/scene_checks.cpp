@@ -1,0 +1,180 @@
+// What only the whole scene can tell: counts, names, groups, and what is not built yet.
+#include "engine/core/limits.h"
+#include "engine/core/text/nearest_name.h"
+#include "engine/scene/sections/scene_names.h"
+#include "engine/scene/sections/scene_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace plumbline::scene {
+namespace {
+
+constexpr std::size_t kGroups = 32;  // bits of a filter mask
+
+std::uint64_t copies_in(const ArrayDescription& array) {
+    std::uint64_t copies = 1;
+    // Each count is at most 50000, so three of them fit.
+    for (const int count : array.count) copies *= static_cast<std::uint64_t>(count);
+    return copies;
+}
+
+/// Calls visit(entity, place, path, copies) for all that will stand in the scene.
+template <class Visit>
+void for_each_kind(const SceneDescription& scene, const LoadContext& context, Visit visit) {
+    for (std::size_t i = 0; i < scene.entities.size(); ++i) {
+        visit(scene.entities[i],
+              context.entity_places[i],
+              fmt::format("entity[{}]", i),
+              std::uint64_t{1});
+    }
+    for (std::size_t i = 0; i < scene.arrays.size(); ++i) {
+        visit(scene.arrays[i].prefab,
+              context.array_places[i],
+              fmt::format("array[{}]", i),
+              copies_in(scene.arrays[i]));
+    }
+}
+
+void check_counts(const SceneDescription& scene, LoadContext& context) {
+    std::uint64_t things = 0;
+    std::uint64_t lights = 0;
+    bool refused = false;
+    for_each_kind(
+        scene,
+        context,
+        [&](const EntityDescription& entity, const Place& place, const std::string& path, auto n) {
+            things += n;
+            if (entity.light) lights += n;
+            if (things <= limits::kBodies || refused) return;
+            refused = true;
+            context.faults.error(place,
+                                 path,
+                                 fmt::format("brings the scene to {} things; at most {} are built",
+                                             things,
+                                             limits::kBodies));
+        });
+    if (refused || scene.file.empty()) return;
+    const Place whole = context.scene_place;
+    if (things > limits::kBodiesWarn) {
+        context.faults.warning(
+            whole, {}, fmt::format("{} things; expect fewer than 30 frames a second", things));
+    }
+    if (lights > limits::kLights) {
+        context.faults.warning(
+            whole, {}, fmt::format("{} lights; the nearest {} shine", lights, limits::kLights));
+    }
+}
+
+void check_groups(const SceneDescription& scene, LoadContext& context) {
+    std::set<std::string> groups{"default"};
+    for_each_kind(
+        scene, context, [&](const EntityDescription& entity, const auto&, const auto&, auto) {
+            if (entity.body) groups.insert(entity.body->group);
+        });
+    if (groups.size() > kGroups) {
+        context.faults.error(
+            context.scene_place,
+            {},
+            fmt::format(
+                "{} collision groups; at most {} can be told apart", groups.size(), kGroups));
+    }
+    std::vector<std::string_view> known(groups.begin(), groups.end());
+    for_each_kind(
+        scene,
+        context,
+        [&](const EntityDescription& entity, const Place& place, const std::string& path, auto) {
+            if (!entity.body) return;
+            for (const std::string& group : entity.body->collides_with) {
+                if (group == kNoGroup || groups.contains(group)) continue;
+                context.faults.warning(
+                    place,
+                    path + ".body.collides_with",
+                    fmt::format(
+                        "no body is in group \"{}\"{}", shown(group), suggestion(group, known)));
+            }
+        });
+}
+
+/// Solvers lose their grip where very unlike masses touch.
+void check_mass_ratio(const SceneDescription& scene, LoadContext& context) {
+    constexpr double kRatio = 1e4;
+    struct Extreme {
+        double mass_kg{0};
+        std::string name;
+        Place place{};
+    };
+    Extreme light;
+    Extreme heavy;
+    for_each_kind(scene,
+                  context,
+                  [&](const EntityDescription& entity, const Place& place, const auto& path, auto) {
+                      if (!entity.body || entity.body->kind != physics::BodyKind::Dynamic ||
+                          !entity.body->mass_kg)
+                          return;
+                      const auto mass_kg = static_cast<double>(*entity.body->mass_kg);
+                      const Extreme here{mass_kg, entity.name.empty() ? path : entity.name, place};
+                      if (light.mass_kg == 0 || mass_kg < light.mass_kg) light = here;
+                      if (mass_kg > heavy.mass_kg) heavy = here;
+                  });
+    if (light.mass_kg == 0 || heavy.mass_kg <= light.mass_kg * kRatio * 1.000001) return;
+    context.faults.warning(
+        heavy.place,
+        {},
+        fmt::format("\"{}\" weighs {:.3g} times as much as \"{}\" ({}); if they touch, the lighter "
+                    "one may sink in",
+                    shown(heavy.name),
+                    heavy.mass_kg / light.mass_kg,
+                    shown(light.name),
+                    brief(light.place)));
+}
+
+/// A name that nothing has never comes in. Things made in play are numbered: "crate#1".
+void check_triggers(const SceneDescription& scene, LoadContext& context) {
+    const auto has_trigger = [](const EntityDescription& e) { return e.trigger.has_value(); };
+    if (std::ranges::none_of(scene.entities, has_trigger)) return;
+    const SceneNames names(scene, context);
+    for (std::size_t i = 0; i < scene.entities.size(); ++i) {
+        const auto& trigger = scene.entities[i].trigger;
+        if (!trigger) continue;
+        for (const std::string& name : trigger->of) {
+            if (names.find(name) || name.find('#') != std::string::npos) continue;
+            context.faults.warning(
+                context.entity_places[i],
+                fmt::format("entity[{}].trigger.of", i),
+                fmt::format("no entity is called \"{}\"{}", shown(name), names.hint(name)));
+        }
+    }
+}
+
+void check_ground(const SceneDescription& scene, LoadContext& context) {
+    if (!scene.player) return;
+    bool stands = false;
+    for_each_kind(
+        scene, context, [&](const EntityDescription& entity, const auto&, const auto&, auto) {
+            stands = stands || (entity.body && entity.body->kind != physics::BodyKind::Dynamic);
+        });
+    if (!stands)
+        context.faults.warning(
+            context.scene_place, {}, "no static body: there is nothing for the player to stand on");
+}
+
+}  // namespace
+
+void check_whole_scene(SceneDescription& scene, LoadContext& context) {
+    check_counts(scene, context);
+    check_names(scene, context);
+    check_groups(scene, context);
+    check_mass_ratio(scene, context);
+    check_triggers(scene, context);
+    check_ground(scene, context);
+    if (context.not_built.empty()) return;
+    context.faults.warning(
+        context.not_built_place,
+        {},
+        fmt::format("checked but not built yet: {}", fmt::join(context.not_built, "; ")));
+}
+
+}  // namespace plumbline::scene

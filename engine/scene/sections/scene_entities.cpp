@@ -1,0 +1,324 @@
+// [[entity]], [[prefab]], [[array]]: what stands in the scene.
+#include "engine/assets/model/model_import.h"
+#include "engine/core/limits.h"
+#include "engine/core/text/nearest_name.h"
+#include "engine/scene/sections/scene_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace plumbline::scene {
+namespace {
+
+constexpr std::size_t kNameBytes = 64;
+constexpr std::size_t kPrefabChain = 32;
+
+void read_visual(TableReader& table, EntityDescription& entity, const LoadContext& context) {
+    const std::string_view key = table.either("model", "primitive");
+    if (key == "model") {
+        const auto model = read_file_reference(
+            table, key, assets::kModelExtensions, "a box stands in for it", context);
+        if (model) entity.visual = ModelVisual{.file = model->file, .root = model->root};
+    } else if (key == "primitive") {
+        if (const auto primitive = read_entity_primitive(table)) entity.visual = *primitive;
+    }
+}
+
+std::optional<SoundDescription> read_sound(TableReader& entity, const LoadContext& context) {
+    auto table = entity.table("sound");
+    if (!table) return {};
+    constexpr Range kGain{0, 10, "a factor from 0 to 10"};
+    SoundDescription sound;
+    sound.origin = origin_of(table->place());
+    if (!table->has("file")) table->error("file", "missing; expected a sound file");
+    const auto file =
+        read_file_reference(*table, "file", kSoundExtensions, "it stays silent", context);
+    sound.loop = table->flag("loop", true);
+    sound.gain = table->single("gain", 1.0F, kGain);
+    sound.radius_m = table->single("radius_m", sound.radius_m, kSize_m);
+    sound.by_wind = table->flag("by_wind", sound.by_wind);
+    sound.by_flow = table->flag("by_flow", sound.by_flow);
+    table->finish();
+    if (!file || !file->exists) return {};
+    sound.file = file->file;
+    return sound;
+}
+
+std::optional<MotionDescription> read_motion(TableReader& entity) {
+    auto table = entity.table("motion");
+    if (!table) return {};
+    MotionDescription motion;
+    if (const TomlNode* node = table->find("points_m")) {
+        const TomlArray* points = node->array();
+        if (points == nullptr || points->size() > 1000) {
+            table->error("points_m", found(*node) + "; expected up to 1000 points [x, y, z]");
+        } else {
+            for (std::size_t i = 0; i < points->size(); ++i) {
+                const auto point = vector_of((*points)[i],
+                                             fmt::format("{}[{}]", table->path_of("points_m"), i),
+                                             kCoordinate_m,
+                                             table->faults());
+                if (point) motion.points_m.push_back(Vec3(*point));
+            }
+        }
+    }
+    constexpr Range kPeriod_s{0.05, 1e5, "seconds from 0.05 to 100000"};
+    constexpr Range kSpin_degps{-36'000, 36'000, "degrees per second from -36000 to 36000"};
+    motion.period_s = table->number("period_s", motion.period_s, kPeriod_s);
+    const Vec3 spin_degps = table->vector("spin_degps", Vec3{0, 0, 0}, kSpin_degps);
+    motion.spin_radps = Vec3{radians_from_degrees(spin_degps.x),
+                             radians_from_degrees(spin_degps.y),
+                             radians_from_degrees(spin_degps.z)};
+    table->finish();
+    return motion;
+}
+
+std::optional<TriggerDescription> read_trigger(TableReader& entity, const LoadContext& context) {
+    auto table = entity.table("trigger");
+    if (!table) return {};
+    TriggerDescription trigger;
+    trigger.spawn = table->text("spawn", {});
+    if (!table->has("spawn")) {
+        table->error("spawn", "missing; expected the name of a prefab");
+    } else if (!context.prefabs.contains(trigger.spawn)) {
+        std::vector<std::string_view> known;
+        for (const auto& [name, prefab] : context.prefabs) known.push_back(name);
+        table->error("spawn",
+                     fmt::format("no prefab is called \"{}\"{}",
+                                 shown(trigger.spawn),
+                                 suggestion(trigger.spawn, known)));
+    }
+    if (!table->has("at_m")) table->error("at_m", "missing; expected where it appears");
+    trigger.at_m = table->vector("at_m", trigger.at_m, kCoordinate_m);
+    trigger.of = table->texts("of");
+    trigger.times = table->integer("times", trigger.times, 1, 10'000);
+    table->finish();
+    return trigger;
+}
+
+/// A volume needs a shape, and nothing that stops what comes in.
+void check_trigger(TableReader& table, const EntityDescription& entity) {
+    if (!entity.trigger) return;
+    if (entity.body) table.error("trigger", "is passed through: the entity has no body");
+    const auto* primitive = std::get_if<Primitive>(&entity.visual);
+    if (primitive == nullptr || std::holds_alternative<physics::PlaneShape>(*primitive))
+        table.error("trigger", "is the volume of a primitive other than a plane; there is none");
+}
+
+std::string material_names_hint(const std::string& name, const LoadContext& context) {
+    std::vector<std::string_view> known;
+    for (const auto& [material, place] : context.material_places) known.push_back(material);
+    return suggestion(name, known);
+}
+
+std::string read_material_name(TableReader& table,
+                               std::string_view key,
+                               const LoadContext& context) {
+    std::string name = table.text(key, {});
+    if (table.has(key) && !context.material_places.contains(name)) {
+        table.error(
+            key,
+            fmt::format(
+                "no material is called \"{}\"{}", shown(name), material_names_hint(name, context)));
+    }
+    return name;
+}
+
+/// Sizes as they are once the scale is applied.
+void check_scaled_size(TableReader& table, const EntityDescription& entity) {
+    const auto check = [&](const auto& shape) {
+        using Shape = std::decay_t<decltype(shape)>;
+        Vec3 size{1, 1, 1};
+        if constexpr (std::is_same_v<Shape, physics::BoxShape>)
+            size = shape.size_m;
+        else if constexpr (std::is_same_v<Shape, physics::PlaneShape>)
+            size = Vec3{shape.size_m.x, Real{1}, shape.size_m.y};
+        else if constexpr (std::is_same_v<Shape, physics::SphereShape>)
+            size = Vec3{shape.radius_m, shape.radius_m, shape.radius_m};
+        else
+            size = Vec3{shape.radius_m, shape.height_m, shape.radius_m};
+        const Vec3 scaled = size * entity.scale;
+        for (int i = 0; i < 3; ++i) {
+            const auto length_m = static_cast<double>(scaled[i]);
+            if (length_m >= limits::kSizeMin_m * 0.999 && length_m <= limits::kSizeMax_m * 1.001)
+                continue;
+            table.error(
+                "scale",
+                fmt::format("makes a length of {:.4g} m; expected {}", length_m, kSize_m.expected));
+            return;
+        }
+    };
+    if (const auto* primitive = std::get_if<Primitive>(&entity.visual))
+        std::visit(check, *primitive);
+}
+
+std::array<int, 3> read_count(TableReader& table) {
+    constexpr std::string_view kExpected = "three whole numbers from 1 to 50000";
+    std::array<int, 3> count{1, 1, 1};
+    const TomlNode* node = table.find("count");
+    if (node == nullptr) return count;
+    const TomlArray* array = node->array();
+    if (array == nullptr || array->size() != 3) {
+        table.error("count", fmt::format("{}; expected {}", found(*node), kExpected));
+        return count;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto* value = std::get_if<std::int64_t>(&(*array)[i].value);
+        if (value != nullptr && *value >= 1 &&
+            *value <= static_cast<std::int64_t>(limits::kBodies)) {
+            count[i] = static_cast<int>(*value);
+            continue;
+        }
+        table.faults().error((*array)[i].place,
+                             fmt::format("{}[{}]", table.path_of("count"), i),
+                             fmt::format("{}; expected {}", found((*array)[i]), kExpected));
+    }
+    return count;
+}
+
+}  // namespace
+
+bool is_good_name(std::string_view name) {
+    return !name.empty() && name.size() <= kNameBytes &&
+           std::ranges::none_of(name, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+}
+
+std::string read_short_text(TableReader& table, const char* key) {
+    const TomlNode* node = table.find(key);
+    std::string text = table.text(key, {});
+    if (node != nullptr && node->text() != nullptr && !is_good_name(text)) {
+        table.error(key, fmt::format("{}; expected 1 to {} letters", found(*node), kNameBytes));
+        return {};
+    }
+    return text;
+}
+
+std::string read_name(TableReader& table) {
+    return read_short_text(table, "name");
+}
+
+EntityDescription read_entity(TableReader& table, EntityUse use, LoadContext& context) {
+    EntityDescription entity;
+    entity.origin = origin_of(table.place());
+    table.find("prefab");
+    table.find("name");
+    entity.label = read_short_text(table, "label");
+    entity.world_from_body = read_pose(table);
+    constexpr Range kScale{1e-3, 1e4, "a factor from 0.001 to 10000"};
+    entity.scale = table.vector("scale", Vec3{1, 1, 1}, kScale);
+    read_visual(table, entity, context);
+    entity.material = read_material_name(table, "material", context);
+    entity.contact_material = read_material_name(table, "contact_material", context);
+    entity.casts_shadow = table.flag("casts_shadow", true);
+    entity.light = read_light(table);
+    entity.sound = read_sound(table, context);
+    entity.motion = read_motion(table);
+    entity.body = read_body(table, entity.visual, use);
+    entity.trigger = read_trigger(table, context);
+    check_trigger(table, entity);
+    if (!entity.contact_material.empty() && !entity.body && use == EntityUse::Entity)
+        table.error("contact_material", "nothing touches an entity without a body");
+    check_scaled_size(table, entity);
+    const bool is_kinematic = entity.body && entity.body->kind == physics::BodyKind::Kinematic;
+    if (use == EntityUse::Entity && entity.motion && !is_kinematic)
+        table.error("motion", "only kinematic bodies follow a path; set body.kind = \"kinematic\"");
+    table.finish();
+    return entity;
+}
+
+Layered layered(const TomlNode& table, const std::string& path, LoadContext& context) {
+    std::vector<const TomlNode*> layers{&table};
+    std::vector<std::string> chain;
+    bool complete = true;
+    for (const auto& [name, prefab] : context.prefabs) {
+        if (prefab.node == &table) chain.push_back(name);
+    }
+    while (const TomlNode* named = find_key(*layers.back()->table(), "prefab")) {
+        const auto refuse = [&](std::string message) {
+            complete = false;
+            context.faults.error(named->place, path + ".prefab", std::move(message));
+        };
+        const std::string* name = named->text();
+        if (name == nullptr) {
+            refuse(found(*named) + "; expected the name of a prefab in quotes");
+            break;
+        }
+        const auto prefab = context.prefabs.find(*name);
+        if (prefab == context.prefabs.end()) {
+            std::vector<std::string_view> known;
+            for (const auto& [other, node] : context.prefabs) known.push_back(other);
+            refuse(fmt::format(
+                "no prefab is called \"{}\"{}", shown(*name), suggestion(*name, known)));
+            break;
+        }
+        const bool again = std::ranges::find(chain, *name) != chain.end();
+        chain.push_back(*name);
+        if (again) {
+            refuse(fmt::format("a prefab starts from itself: {}", fmt::join(chain, " -> ")));
+            break;
+        }
+        if (chain.size() > kPrefabChain) {
+            refuse(fmt::format("more than {} prefabs start from one another", kPrefabChain));
+            break;
+        }
+        layers.push_back(prefab->second.node);
+    }
+    return {TableReader(std::move(layers), path, context.faults), complete};
+}
+
+void read_prefabs(SceneDescription& scene, LoadContext& context) {
+    for (const auto& [name, source] : context.prefabs) {
+        Layered prefab_source = layered(*source.node, source.path, context);
+        EntityDescription prefab = read_entity(prefab_source.table, EntityUse::Prefab, context);
+        prefab.name = name;
+        scene.prefabs.emplace(name, std::move(prefab));
+    }
+}
+
+void read_entities(TableReader& root, SceneDescription& scene, LoadContext& context) {
+    const auto nodes = root.tables("entity");
+    scene.entities.reserve(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const std::string path = fmt::format("entity[{}]", i);
+        // The name is the entity's own: its prefab's names the prefab.
+        TableReader own(nodes[i], path, context.faults);
+        const std::string name = read_name(own);
+        Layered source = layered(nodes[i], path, context);
+        // Without its prefab, what it lacks is not its own fault.
+        const EntityUse use = source.complete ? EntityUse::Entity : EntityUse::Prefab;
+        EntityDescription entity = read_entity(source.table, use, context);
+        entity.name = name.empty() ? path : name;
+        context.entity_places.push_back(own.has("name") ? own.find("name")->place : own.place());
+        scene.entities.push_back(std::move(entity));
+    }
+}
+
+void read_arrays(TableReader& root, SceneDescription& scene, LoadContext& context) {
+    const auto nodes = root.tables("array");
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const std::string path = fmt::format("array[{}]", i);
+        TableReader table(nodes[i], path, context.faults);
+        ArrayDescription array;
+        array.name = read_name(table);
+        if (array.name.empty()) array.name = path;
+        array.origin_m = table.vector("origin_m", array.origin_m, kCoordinate_m);
+        array.spacing_m = table.vector("spacing_m", array.spacing_m, kCoordinate_m);
+        array.count = read_count(table);
+        array.turn_rad = read_turn_of_copies(table);
+        const std::optional<Quat> turn = read_turn(table);
+        if (!table.has("prefab")) {
+            table.error("prefab", "missing; expected the name of the prefab to copy");
+        } else if (auto prefab = layered(nodes[i], path, context).table.without_top()) {
+            array.prefab = read_entity(*prefab, EntityUse::Entity, context);
+            array.prefab.name = table.text("prefab", {});
+            if (turn) array.prefab.world_from_body.orientation = *turn;
+        }
+        table.finish();
+        context.array_places.push_back(table.place());
+        scene.arrays.push_back(std::move(array));
+    }
+}
+
+}  // namespace plumbline::scene

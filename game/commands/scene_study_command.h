@@ -1,0 +1,24 @@
+// `plumbline study SCENE`: what accuracy costs in a scene, as a table or as the lines to paste.
+#pragma once
+
+#include "engine/core/process/exit_code.h"
+#include "engine/core/result.h"
+#include "engine/study/any_scene/scene_text.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace plumbline::game {
+
+struct SceneStudyCommand {
+    std::filesystem::path scene{};  ///< a file
+    std::optional<double> seconds{};
+    study::Wish
+        wish{};  ///< with either of them: just the lines to paste, from the kept study if any
+};
+
+/// Prints to standard output, progress to standard error, and keeps the study for later. An
+/// interrupted one is printed as far as it came, and not kept.
+Result<study::SceneStudy> run_scene_study(const SceneStudyCommand& command);
+
+}  // namespace plumbline::game

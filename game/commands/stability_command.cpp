@@ -1,0 +1,158 @@
+#include "game/commands/stability_command.h"
+
+#include "engine/core/io/files.h"
+#include "engine/core/io/output.h"
+#include "engine/core/log.h"
+#include "engine/core/process/interrupt.h"
+#include "engine/core/text/printable.h"
+#include "engine/study/gallery/stability.h"
+#include "engine/study/job.h"
+#include "engine/study/machine.h"
+#include "game/command_line/program_words.h"
+#include "game/command_line/refuse.h"
+#include "game/command_line/shard_option.h"
+#include "game/commands/simulate_cli.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <array>
+#include <iostream>
+
+namespace plumbline::game {
+namespace {
+
+namespace fs = std::filesystem;
+using physics::Solver;
+
+constexpr int kPictureWidth_px = 240;
+constexpr int kPictureHeight_px = 150;
+
+std::vector<Solver> solvers_of(const StabilityOptions& options) {
+    if (options.solver) return {*options.solver};
+    return {Solver::SmallStep,
+            Solver::BulletSi,
+            Solver::BulletNncg,
+            Solver::BulletDantzig,
+            Solver::BulletPgs};
+}
+
+/// The command of the whole that a shard is of.
+std::string whole_command(const StabilityOptions& options) {
+    std::string text = "plumbline stability";
+    for (const std::string& id : options.cases) text += " " + id;
+    text += " --tier " + options.tier;
+    if (options.solver) text += fmt::format(" --solver {}", physics::solver_name(*options.solver));
+    return options.rates ? text + " --rates" : text;
+}
+
+constexpr const char* kTable = "stability.json";
+constexpr const char* kStabilityPage = "stability.html";
+
+/// What the shards have run, as one table.
+Result<study::StabilityTable> merged_of(const StabilityOptions& options,
+                                        const std::vector<study::CaseEntry>& all) {
+    const Result<std::vector<std::string>> shards = read_shards(options.merge, kTable);
+    if (!shards) return shards.error();
+    return study::merged_tables(*shards, all);
+}
+
+Result<study::StabilityTable> planned(const StabilityOptions& options) {
+    const Result<DataFolders> folders = find_data_folders();
+    if (!folders) return folders.error();
+    const Result<std::vector<study::CaseEntry>> all = study::find_cases(folders->assets);
+    if (!all) return all.error();
+    if (!options.merge.empty()) return merged_of(options, *all);
+    Result<std::vector<study::CaseEntry>> chosen =
+        study::select_cases(*all, options.cases, options.tier == "all");
+    if (!chosen) return chosen.error();
+    study::StabilityTable table =
+        study::plan_table(std::move(*chosen),
+                          solvers_of(options),
+                          options.rates ? std::vector<int>{30, 60, 240} : std::vector<int>{60});
+    table.command = options.command;
+    table.machine = study::machine_text();
+    table.build = version_text() + ", " + study::build_text();
+    table.made_on = study::today_text();
+    if (options.shard) {
+        table.shard = options.shard;
+        table.shard->what = whole_command(options);
+    }
+    return table;
+}
+
+Result<Done> write_files(const study::StabilityTable& table, const fs::path& folder) {
+    const Result<Done> json = write_output(folder / kTable, study::stability_json(table));
+    if (!json) return json;
+    return write_output(folder / kStabilityPage, study::stability_page(table));
+}
+
+/// What is asked of the outcome, once it is told and written.
+ExitCode judged(const study::StabilityTable& table, bool expect_green) {
+    if (!table.complete) return ExitCode::Interrupted;
+    const std::vector<std::string> faults = table.known_red_faults();
+    for (const std::string& fault : faults) {
+        if (expect_green)
+            log_error("{}", fault);
+        else
+            log_note("{}", fault);
+    }
+    return expect_green && !faults.empty() ? ExitCode::Differs : ExitCode::Good;
+}
+
+}  // namespace
+
+CLI::App* add_stability(CLI::App& app, StabilityOptions& options) {
+    CLI::App* stability =
+        app.add_subcommand("stability", "Runs the gallery of hard cases: who holds which");
+    stability->add_option("cases", options.cases, "Ids like H05; none: all of the tier");
+    stability->add_option_function<std::string>(
+        "--solver",
+        [&options](const std::string& name) { take_solver(name, options.solver); },
+        "One solver only; all if not given");
+    stability->add_option("--tier", options.tier, "ci, or all with the long ones")
+        ->check(CLI::IsMember({"ci", "all"}));
+    CLI::Option* out =
+        stability->add_option("--out", options.out, "Folder for stability.json and stability.html");
+    add_shard_options(*stability, *out, options.shard, options.merge);
+    stability->add_option("--jobs", options.jobs, "Runs at once; as many as cores if not given")
+        ->check(CLI::Range(1, 256));
+    stability->add_flag("--rates", options.rates, "At 30 and 240 Hz as well");
+    stability->add_flag(
+        "!--no-pictures", options.pictures, "Leaves the pictures of the end states out");
+    stability->add_flag(
+        "--expect-green",
+        options.expect_green,
+        "Exit code 5 when small_step breaks a rule that is not known red, or holds one that is");
+    return stability;
+}
+
+ExitCode run_stability(const StabilityOptions& options) {
+    Result<study::StabilityTable> table = planned(options);
+    if (!table) return refuse(table.error());
+    if (!options.out.empty()) {
+        const Result<Done> open = make_output_folder(options.out, {kTable, kStabilityPage});
+        if (!open) return refuse(open.error());
+    }
+    catch_interrupts();
+    const int workers = options.jobs > 0 ? options.jobs : study::default_workers();
+    const std::size_t all = table->runs.size();
+    const Result<bool> finished =
+        study::run_table(*table, workers, [&](const study::StabilityRun& run, std::size_t done) {
+            log_note("{} of {}: {}", done, all, study::run_line(*table, run));
+        });
+    if (!finished) return refuse(finished.error());
+    std::cout << study::stability_text(*table);
+    if (!options.out.empty()) {
+        if (options.pictures && table->complete && !table->shard) {
+            study::take_pictures(*table, workers, kPictureWidth_px, kPictureHeight_px);
+            if (!table->no_pictures.empty()) log_note("{}", table->no_pictures);
+        }
+        if (const Result<Done> written = write_files(*table, options.out); !written)
+            return refuse(written.error());
+        std::cout << printable((options.out / kStabilityPage).string()) << '\n';
+    }
+    return judged(*table, options.expect_green);
+}
+
+}  // namespace plumbline::game

@@ -1,0 +1,345 @@
+#include "game/commands/study_command.h"
+
+#include "engine/assets/image/image_import.h"
+#include "engine/core/io/files.h"
+#include "engine/core/io/output.h"
+#include "engine/core/log.h"
+#include "engine/core/process/interrupt.h"
+#include "engine/core/text/nearest_name.h"
+#include "engine/core/text/printable.h"
+#include "engine/scene/scene_file.h"
+#include "engine/study/findings_json.h"
+#include "engine/study/job.h"
+#include "engine/study/machine.h"
+#include "engine/study/progress.h"
+#include "engine/study/report/report.h"
+#include "engine/study/scenarios/scenario_study.h"
+#include "engine/study/scenarios/scenario_text.h"
+#include "engine/study/shard.h"
+#include "game/command_line/command_line.h"
+#include "game/command_line/option_ranges.h"
+#include "game/command_line/program_words.h"
+#include "game/command_line/refuse.h"
+#include "game/command_line/shard_option.h"
+#include "game/commands/effects_command.h"
+#include "game/commands/picture_command.h"
+#include "game/commands/scene_study_command.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace plumbline::game {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the words of the command line mean.
+struct Chosen {
+    std::vector<const study::Scenario*> scenarios;
+    std::vector<fs::path> scenes;
+};
+
+/// "A20" and "A20 e=0.5" stand for the scenarios that begin so.
+std::vector<const study::Scenario*> scenarios_like(std::string_view word) {
+    std::vector<const study::Scenario*> like;
+    for (const study::Scenario& scenario : study::scenarios()) {
+        if (scenario.id.starts_with(word)) like.push_back(&scenario);
+    }
+    return like;
+}
+
+Error unknown_case(const std::string& word) {
+    std::vector<std::string_view> known;
+    for (const study::Scenario& scenario : study::scenarios()) {
+        known.emplace_back(scenario.id);
+        known.emplace_back(std::string_view(scenario.id).substr(0, 3));
+    }
+    std::string message = fmt::format("there is no scenario and no scene \"{}\"", word);
+    const std::string_view nearest = nearest_name(word, known);
+    if (!nearest.empty()) message += fmt::format("; the nearest is \"{}\"", nearest);
+    return {.message = message + "; plumbline study --list names all scenarios",
+            .exit_code = ExitCode::BadUsage};
+}
+
+Result<Chosen> chosen_by(const StudyOptions& options) {
+    Chosen chosen;
+    if (options.cases.empty()) chosen.scenarios = scenarios_like("");
+    for (const std::string& word : options.cases) {
+        const std::vector<const study::Scenario*> like = scenarios_like(word);
+        for (const study::Scenario* scenario : like) {
+            if (std::ranges::find(chosen.scenarios, scenario) == chosen.scenarios.end())
+                chosen.scenarios.push_back(scenario);
+        }
+        if (!like.empty()) continue;
+        const Result<DataFolders> folders = find_data_folders();
+        if (!folders) return folders.error();
+        const Result<fs::path> scene =
+            scene::find_scene(word, scene::scene_folders(folders->assets));
+        const bool is_a_file = word.find_first_of("./") != std::string::npos;
+        if (!scene) return is_a_file ? scene.error() : unknown_case(word);
+        chosen.scenes.push_back(*scene);
+    }
+    return chosen;
+}
+
+constexpr const char* kJson = "findings.json";
+constexpr const char* kCsv = "findings.csv";
+constexpr const char* kReportPage = "report.html";
+
+/// The folder for the files, made; empty where just lines are asked for. Looked at before hours of
+/// work, which leaves an earlier study's files alone until they can be replaced.
+Result<fs::path> output_folder(const StudyOptions& options) {
+    fs::path folder = options.out;
+    if (folder.empty() && (options.tolerance || options.budget_ms)) return folder;
+    if (folder.empty()) {
+        const std::string name =
+            options.cases.empty() ? "scenarios" : fs::path(options.cases.front()).stem().string();
+        const Result<fs::path> unnamed = default_output("studies", name, "");
+        if (!unnamed) return unnamed;
+        folder = *unnamed;
+    }
+    if (const Result<Done> made = make_output_folder(folder, {kJson, kCsv, kReportPage}); !made)
+        return made.error();
+    return folder;
+}
+
+Result<Done> write_files(const study::Findings& findings, const fs::path& folder) {
+    const std::pair<const char*, std::string> files[] = {{kJson, study::findings_to_json(findings)},
+                                                         {kCsv, study::findings_to_csv(findings)}};
+    for (const auto& [name, text] : files) {
+        if (Result<Done> written = write_output(folder / name, text); !written) return written;
+    }
+    return study::write_report(findings, folder);
+}
+
+/// The scenarios' part of the findings, printed: how many runs the whole has.
+Result<std::size_t> add_scenarios(const StudyOptions& options,
+                                  const Chosen& chosen,
+                                  study::Findings& findings) {
+    if (chosen.scenarios.empty()) return std::size_t{0};
+    using Shown = study::ProgressBar::Shown;
+    const auto effort = options.quick ? study::Effort::Quick : study::Effort::Full;
+    Result<study::ScenarioStudy> made = [&] {
+        study::ProgressBar bar(options.quiet ? Shown::No : Shown::Yes);
+        return study::study_scenarios(
+            {.scenarios = chosen.scenarios,
+             .effort = effort,
+             .shard = findings.shard,
+             .workers = options.jobs > 0 ? options.jobs : study::default_workers(),
+             .progress = [&](double share, double left_s) { bar.show(share, left_s); }});
+    }();
+    if (!made) return made.error();
+    for (study::Subject& subject : made->subjects) {
+        std::cout << study::subject_text(subject) << std::flush;
+        findings.subjects.push_back(std::move(subject));
+    }
+    findings.clock_spread = made->clock_spread;
+    findings.complete = made->complete;
+    return made->runs;
+}
+
+/// A scene's runs follow from each other: of a shard's runs, which come after `runs_before`, they
+/// count as one.
+Result<Done> add_scenes(const StudyOptions& options,
+                        const Chosen& chosen,
+                        std::size_t runs_before,
+                        study::Findings& findings) {
+    for (const fs::path& scene : chosen.scenes) {
+        if (!findings.complete) break;
+        if (findings.shard && !findings.shard->has(runs_before++)) continue;
+        Result<study::SceneStudy> made = run_scene_study(
+            {.scene = scene,
+             .seconds = options.seconds,
+             .wish = {.tolerance = options.tolerance, .budget_ms = options.budget_ms}});
+        if (!made) return made.error();
+        findings.complete = made->complete;
+        findings.subjects.push_back(std::move(made->subject));
+    }
+    return Done{};
+}
+
+void list_scenarios() {
+    for (const study::Scenario& scenario : study::scenarios())
+        std::cout << fmt::format("{:<18} {}\n", scenario.id, scenario.title);
+    std::cout << "Not run:\n";
+    for (const study::LeftOut& each : study::left_out())
+        std::cout << fmt::format("{}: {}\n", each.what, each.why);
+}
+
+/// What an option that wants scenes is given; `option` for the message.
+Result<std::vector<fs::path>> scenes_for(const char* option, const StudyOptions& options) {
+    const Result<DataFolders> folders = find_data_folders();
+    if (!folders) return folders.error();
+    if (options.cases.empty())
+        return Error{.message = fmt::format("{} needs a scene", option),
+                     .exit_code = ExitCode::BadUsage};
+    std::vector<fs::path> scenes;
+    for (const std::string& word : options.cases) {
+        const Result<fs::path> scene =
+            scene::find_scene(word, scene::scene_folders(folders->assets));
+        if (!scene) return scene.error();
+        scenes.push_back(*scene);
+    }
+    return scenes;
+}
+
+ExitCode study_effects(const StudyOptions& options) {
+    const Result<std::vector<fs::path>> scenes = scenes_for("--effects", options);
+    if (!scenes) return refuse(scenes.error());
+    for (const fs::path& scene : *scenes) {
+        if (const ExitCode code = run_effects_study(scene, options.seconds); code != ExitCode::Good)
+            return code;
+    }
+    return ExitCode::Good;
+}
+
+/// The pictures' part of the findings, printed; each reference beside the page.
+Result<Done> add_pictures(const StudyOptions& options,
+                          const std::vector<fs::path>& scenes,
+                          const fs::path& folder,
+                          study::Findings& findings) {
+    for (const fs::path& scene : scenes) {
+        if (!findings.complete) break;
+        Result<PictureStudy> made = study_picture(scene, options.seconds);
+        if (!made) return made.error();
+        std::cout << study::picture_text(made->findings) << std::flush;
+        findings.complete = made->complete;
+        findings.pictures.push_back(std::move(made->findings));
+        const fs::path file = folder / (scene.stem().string() + "_reference.png");
+        if (const Result<Done> written = assets::write_png(file, study::codes_of(made->reference));
+            !written)
+            return written;
+    }
+    return Done{};
+}
+
+/// The command of the whole that a shard is of.
+std::string whole_command(const StudyOptions& options) {
+    std::string text = "plumbline study";
+    for (const std::string& word : options.cases)
+        text += word.find(' ') == std::string::npos ? " " + word : fmt::format(" \"{}\"", word);
+    if (options.seconds) text += fmt::format(" --seconds {}", *options.seconds);
+    return options.quick ? text + " --quick" : text;
+}
+
+study::Findings empty_findings(const StudyOptions& options) {
+    study::Findings findings{.command = options.command,
+                             .machine = study::machine_text(),
+                             .build = fmt::format("{}, {}", version_text(), study::build_text()),
+                             .made_on = study::today_text(),
+                             .shard = options.shard};
+    if (findings.shard) findings.shard->what = whole_command(options);
+    return findings;
+}
+
+/// Writes the files, and says how it went. An empty folder: nothing is written.
+ExitCode finish_study(const study::Findings& findings, const fs::path& folder) {
+    if (!folder.empty()) {
+        if (const Result<Done> written = write_files(findings, folder); !written)
+            return refuse(written.error());
+        std::cout << printable((folder / kReportPage).string()) << '\n';
+    }
+    if (findings.complete) return ExitCode::Good;
+    log_warning("interrupted: what was done by then is {}",
+                folder.empty() ? "above" : "above and written");
+    return ExitCode::Interrupted;
+}
+
+/// Puts the shards' findings together and writes them as one run would.
+ExitCode merge_study(const StudyOptions& options) {
+    const Result<std::vector<std::string>> texts = read_shards(options.merge, kJson);
+    if (!texts) return refuse(texts.error());
+    std::vector<study::Findings> shards;
+    for (std::size_t i = 0; i < texts->size(); ++i) {
+        Result<study::Findings> findings = study::findings_from_json((*texts)[i]);
+        if (!findings)
+            return refuse(
+                {.message = fmt::format(
+                     "{}: {}", (options.merge[i] / kJson).string(), findings.error().message),
+                 .exit_code = ExitCode::Refused});
+        shards.push_back(std::move(*findings));
+    }
+    const Result<study::Findings> whole = study::merged(shards);
+    if (!whole) return refuse(whole.error());
+    const Result<fs::path> folder = output_folder(options);
+    if (!folder) return refuse(folder.error());
+    for (const study::Subject& subject : whole->subjects) std::cout << study::subject_text(subject);
+    return finish_study(*whole, *folder);
+}
+
+ExitCode run_picture_study(const StudyOptions& options) {
+    const Result<std::vector<fs::path>> scenes = scenes_for("--picture", options);
+    if (!scenes) return refuse(scenes.error());
+    const Result<fs::path> folder = output_folder(options);
+    if (!folder) return refuse(folder.error());
+    study::Findings findings = empty_findings(options);
+    if (const Result<Done> added = add_pictures(options, *scenes, *folder, findings); !added)
+        return refuse(added.error());
+    return finish_study(findings, *folder);
+}
+
+}  // namespace
+
+CLI::App* add_study(CLI::App& app, StudyOptions& options) {
+    CLI::App* study = app.add_subcommand("study", "What accuracy costs: error against CPU time");
+    study->add_option(
+        "cases", options.cases, "Scenarios (A20, or A for all that begin so) or scenes; none: all");
+    CLI::Option* out =
+        study->add_option("--out",
+                          options.out,
+                          "Folder for report.html, findings.json and findings.csv; one in "
+                          "~/.local/share/plumbline/studies if not given");
+    add_shard_options(*study, *out, options.shard, options.merge);
+    study->add_flag("--quick", options.quick, "Two solvers, four step rates");
+    study->add_flag("--list", options.list, "Names all scenarios");
+    study->add_flag("--effects", options.effects, "What each effect of a scene costs")
+        ->excludes("--shard", "--merge");
+    study
+        ->add_flag("--picture",
+                   options.picture,
+                   "What a scene's picture costs and how near it comes to one with exact shadows")
+        ->excludes("--effects", "--shard", "--merge");
+    study->add_option("--jobs", options.jobs, "Runs at once; as many as cores if not given")
+        ->check(CLI::Range(1, 256));
+    study->add_option("--seconds", options.seconds, "Of a scene: simulated time")
+        ->check(positive_up_to(kLongestRun_s));
+    study
+        ->add_option("--tolerance",
+                     options.tolerance,
+                     "Of a scene: just the lines for a relative error of at most this")
+        ->check(positive_up_to(1.0));
+    study
+        ->add_option("--budget-ms",
+                     options.budget_ms,
+                     "Of a scene: just the lines for at most so many CPU ms a frame")
+        ->check(positive_up_to(1e6));
+    return study;
+}
+
+ExitCode run_study(const StudyOptions& options) {
+    if (options.list) {
+        list_scenarios();
+        return ExitCode::Good;
+    }
+    if (!options.merge.empty()) return merge_study(options);
+    catch_interrupts();
+    if (options.effects) return study_effects(options);
+    if (options.picture) return run_picture_study(options);
+    const Result<Chosen> chosen = chosen_by(options);
+    if (!chosen) return refuse(chosen.error());
+    if (const Result<Done> there = study::check_worker_programs(); !there)
+        return refuse(there.error());
+    const Result<fs::path> folder = output_folder(options);
+    if (!folder) return refuse(folder.error());
+    study::Findings findings = empty_findings(options);
+    const Result<std::size_t> runs = add_scenarios(options, *chosen, findings);
+    if (!runs) return refuse(runs.error());
+    if (const Result<Done> added = add_scenes(options, *chosen, *runs, findings); !added)
+        return refuse(added.error());
+    return finish_study(findings, *folder);
+}
+
+}  // namespace plumbline::game

@@ -1,0 +1,38 @@
+// `plumbline study`: what accuracy costs, by scenarios whose outcome is known or in a scene.
+#pragma once
+
+#include "engine/core/process/exit_code.h"
+#include "engine/study/findings.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace plumbline::game {
+
+struct StudyOptions {
+    std::vector<std::string> cases;  ///< ids of scenarios or their beginnings, or scenes; none: all
+    std::filesystem::path out;       ///< folder of findings.json, findings.csv and report.html
+    std::optional<study::Shard> shard{};       ///< its runs only
+    std::vector<std::filesystem::path> merge;  ///< folders of shards: nothing is run
+    bool quick{false};
+    bool quiet{false};
+    bool list{false};
+    bool effects{false};
+    bool picture{false};
+    int jobs{0};  ///< 0: as many as there are cores
+    std::optional<double> seconds{};
+    std::optional<double> tolerance{};
+    std::optional<double> budget_ms{};
+    std::string command;  ///< the command line, for the report
+};
+
+CLI::App* add_study(CLI::App& app, StudyOptions& options);
+ExitCode run_study(const StudyOptions& options);
+
+}  // namespace plumbline::game

@@ -1,0 +1,220 @@
+#include "game/rules/grab.h"
+
+#include "game/components.h"
+
+#include <algorithm>
+
+namespace plumbline::game {
+
+namespace {
+
+constexpr Real kStiffness_radps = 18;  // of the spring: follows within about 0.15 s
+constexpr Real kTurnStiffness_radps = 14;
+constexpr Real kFastest_mps = 10;
+constexpr Real kFastest_per_m = 4;  // by a pointer: m/s for each metre that it is away
+constexpr Real kFastest_radps = 12;
+constexpr Real kMostTorque_Nm = 120;
+constexpr Real kLost_m = 1.5_r;       // farther from where it should be: the hand opens …
+constexpr Real kLostAfter_s = 0.4_r;  // … after this long
+
+/// Velocity at the end of a step that a critically damped spring gives, solved implicitly: stable
+/// at every step length.
+Vec3 damped(const Vec3& velocity,
+            const Vec3& offset,
+            const Vec3& target_velocity,
+            Real stiffness_radps,
+            Real dt) {
+    const Real w = stiffness_radps;
+    const Vec3 pulled = velocity + (offset * (w * w) + target_velocity * (2 * w)) * dt;
+    return pulled / (1 + 2 * w * dt + w * w * dt * dt);
+}
+
+Vec3 shortened(const Vec3& v, Real most) {
+    const Real length = glm::length(v);
+    return length > most ? v * (most / length) : v;
+}
+
+/// Axis times angle of a rotation, the short way round.
+Vec3 rotation_vector(Quat rotation) {
+    if (rotation.w < 0) rotation = -rotation;
+    const Vec3 axis{rotation.x, rotation.y, rotation.z};
+    const Real sine = glm::length(axis);
+    if (sine < 1e-7_r) return {0, 0, 0};
+    return axis * (2 * std::atan2(sine, rotation.w) / sine);
+}
+
+Vec3 middle_of(const physics::PhysicsWorld& world, physics::BodyId body) {
+    return transform_point(world.state(body).world_from_body,
+                           world.mass_properties(body).center_of_mass_m);
+}
+
+}  // namespace
+
+std::optional<Looked> looked_at(const scene::Simulation& simulation, const Aim& aim, Real arm_m) {
+    const auto hit = simulation.physics.cast_ray(
+        aim.eye_m, aim.eye_m + aim.forward * aim.reach_m(arm_m), {.ignored = aim.own_body});
+    if (!hit) return std::nullopt;
+    return Looked{.entity = simulation.entity_of(hit->body),
+                  .body = hit->body,
+                  .point_m = hit->point_world,
+                  .distance_m = hit->distance_m};
+}
+
+std::optional<std::string> Grab::take(scene::Simulation& simulation, const Aim& aim) {
+    const auto looked = looked_at(simulation, aim, kReach_m);
+    if (!looked || !simulation.registry.alive(looked->entity)) return "nothing in reach";
+    physics::PhysicsWorld& world = simulation.physics;
+    if (world.kind(looked->body) != physics::BodyKind::Dynamic) return "it does not move";
+    if (world.frozen(looked->body)) return "it is frozen";
+    const Real mass = world.mass_properties(looked->body).mass_kg;
+    if (mass > kMostMass_kg) return "too heavy to lift";
+    entity_ = looked->entity;
+    body_ = looked->body;
+    mass_kg_ = mass;
+    Vec3 low{};
+    Vec3 high{};
+    world.bounds(body_, low, high);
+    radius_m_ = glm::length(high - low) / 2;
+    const Vec3 middle = middle_of(world, body_);
+    by_pointer_ = aim.by_pointer;
+    distance_m_ = by_pointer_
+                      ? looked->distance_m
+                      : std::clamp(glm::length(middle - aim.eye_m), kNearest_m, kFarthest_m);
+    const Quat view = glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0});
+    middle_from_point_ =
+        by_pointer_ ? glm::conjugate(view) * (looked->point_m - middle) : Vec3{0, 0, 0};
+    view_from_body_ = glm::conjugate(view) * world.state(body_).world_from_body.orientation;
+    last_target_.reset();
+    stuck_s_ = 0;
+    simulation.registry.add<Held>(entity_, mass);
+    return std::nullopt;
+}
+
+void Grab::release(scene::Simulation& simulation) {
+    if (simulation.registry.alive(entity_) && simulation.registry.has<Held>(entity_)) {
+        simulation.registry.remove<Held>(entity_);
+    }
+    entity_ = {};
+    body_ = {};
+}
+
+void Grab::change_distance(Real by_m) {
+    const Real farthest_m = by_pointer_ ? Aim::kSight_m : kFarthest_m;
+    distance_m_ = std::clamp(distance_m_ + by_m, kNearest_m, farthest_m);
+}
+
+void Grab::rotate(Real yaw_rad, Real pitch_rad) {
+    // About the view's own up and right, as the hand would turn it.
+    view_from_body_ = glm::normalize(glm::angleAxis(yaw_rad, Vec3{0, 1, 0}) *
+                                     glm::angleAxis(pitch_rad, Vec3{1, 0, 0}) * view_from_body_);
+}
+
+Vec3 Grab::target_of(const scene::Simulation& simulation, const Aim& aim) const {
+    Vec3 target = aim.eye_m + aim.forward * distance_m_ -
+                  glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0}) * middle_from_point_;
+    // Looking down must not press it into the person's own feet.
+    const Vec3 aside{target.x - aim.eye_m.x, 0, target.z - aim.eye_m.z};
+    const Real keep = aim.keep_away_m > 0 ? aim.keep_away_m + std::min(radius_m_, 0.5_r) : 0;
+    if (glm::length(aside) < keep) {
+        const Vec3 out = level_forward(aim.yaw_rad) * keep;
+        target = {aim.eye_m.x + out.x, target.y, aim.eye_m.z + out.z};
+    }
+    // Not behind what the eye cannot see past.
+    const Vec3 way = target - aim.eye_m;
+    const Real length = glm::length(way);
+    const auto wall = simulation.physics.cast_ray(
+        aim.eye_m, target, {.ignored = aim.own_body, .also_ignored = body_});
+    if (!wall || length < 1e-6_r) return target;
+    const Real room = std::max(wall->distance_m - 0.5_r * radius_m_, Real{0});
+    return aim.eye_m + way * (std::min(room, length) / length);
+}
+
+void Grab::pull(scene::Simulation& simulation, const Aim& aim) {
+    if (!holding()) return;
+    physics::PhysicsWorld& world = simulation.physics;
+    if (!simulation.registry.alive(entity_) || !world.contains(body_) || world.frozen(body_)) {
+        release(simulation);
+        return;
+    }
+    const Vec3 target = target_of(simulation, aim);
+    const Real dt = static_cast<Real>(simulation.step_s());
+    const bool lost = !by_pointer_ && glm::length(target - middle_of(world, body_)) > kLost_m;
+    stuck_s_ = lost ? stuck_s_ + dt : Real{0};
+    if (stuck_s_ > kLostAfter_s) {
+        release(simulation);
+        return;
+    }
+    world.wake(body_);
+    pull_straight(simulation, aim, target);
+    pull_round(simulation, aim);
+    last_target_ = target;
+}
+
+void Grab::pull_straight(scene::Simulation& simulation, const Aim& aim, const Vec3& target) {
+    physics::PhysicsWorld& world = simulation.physics;
+    const Real dt = static_cast<Real>(simulation.step_s());
+    const physics::BodyState state = world.state(body_);
+    const Vec3 middle = middle_of(world, body_);
+    const Vec3 arm = middle - state.world_from_body.position;
+    const Vec3 velocity = state.velocity_mps + glm::cross(state.angular_velocity_radps, arm);
+    // The farther away, the farther a pointer goes in the same time.
+    const Real fastest_mps =
+        by_pointer_ ? std::max(kFastest_mps, kFastest_per_m * distance_m_) : kFastest_mps;
+    const Vec3 target_velocity =
+        last_target_ ? shortened((target - *last_target_) / dt, fastest_mps) : Vec3{0, 0, 0};
+    const Vec3 next = shortened(
+        damped(velocity, target - middle, target_velocity, kStiffness_radps, dt), fastest_mps);
+    const Vec3 weight = world.def().gravity_mps2 * mass_kg_;
+    Vec3 force = shortened((next - velocity) * (mass_kg_ / dt) - weight, kMostForce_N);
+    // Nobody lifts what he stands on.
+    if (body_ == aim.support) force.y = std::min(force.y, Real{0});
+    world.apply_force(body_, force);
+}
+
+void Grab::pull_round(scene::Simulation& simulation, const Aim& aim) {
+    physics::PhysicsWorld& world = simulation.physics;
+    const Real dt = static_cast<Real>(simulation.step_s());
+    const physics::BodyState state = world.state(body_);
+    const Quat& now = state.world_from_body.orientation;
+    const Quat wanted = glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0}) * view_from_body_;
+    const Vec3 offset = rotation_vector(glm::normalize(wanted * glm::conjugate(now)));
+    const Vec3 next = shortened(
+        damped(state.angular_velocity_radps, offset, Vec3{0, 0, 0}, kTurnStiffness_radps, dt),
+        kFastest_radps);
+    const Vec3 inertia = world.mass_properties(body_).inertia_kgm2;
+    const Vec3 change = glm::conjugate(now) * ((next - state.angular_velocity_radps) / dt);
+    world.apply_torque(body_, shortened(now * (inertia * change), kMostTorque_Nm));
+}
+
+void Grab::serialize(Archive& archive, scene::Simulation& simulation) {
+    archive(entity_,
+            body_,
+            mass_kg_,
+            radius_m_,
+            distance_m_,
+            middle_from_point_,
+            by_pointer_,
+            view_from_body_,
+            last_target_,
+            stuck_s_);
+    if (!archive.reads() || !holding()) return;
+    if (archive.expect(simulation.registry.alive(entity_), "what is in the hand is not there"))
+        simulation.registry.add<Held>(entity_, mass_kg_);
+}
+
+bool Grab::throw_it(scene::Simulation& simulation, const Aim& aim, const Vec3& velocity_mps) {
+    if (!holding()) return false;
+    physics::PhysicsWorld& world = simulation.physics;
+    const Vec3 middle = middle_of(world, body_);
+    const auto wall =
+        world.cast_ray(aim.eye_m, middle, {.ignored = aim.own_body, .also_ignored = body_});
+    if (wall && world.kind(wall->body) != physics::BodyKind::Dynamic) return false;
+    const physics::BodyId thrown = body_;
+    release(simulation);
+    const physics::BodyState state = world.state(thrown);
+    world.wake(thrown);
+    world.set_velocity(thrown, velocity_mps, state.angular_velocity_radps);
+    return true;
+}
+
+}  // namespace plumbline::game

@@ -1,0 +1,65 @@
+// Holding a thing at a distance in front of the eye, by a spring that is critically damped and no
+// stronger than a person.
+#pragma once
+
+#include "engine/scene/simulation.h"
+#include "game/rules/aim.h"
+
+#include <optional>
+#include <string>
+
+namespace plumbline::game {
+
+class Grab {
+public:
+    static constexpr Real kReach_m = 3;
+    static constexpr Real kMostForce_N = 700;
+    static constexpr Real kMostMass_kg = 60;  ///< heavier things are refused
+    static constexpr Real kNearest_m = 0.6_r;
+    static constexpr Real kFarthest_m = 4;
+
+    /// Takes hold of what is looked at, by its middle; by a free pointer where that is, as far off as it
+    /// is. Returns why not, or nothing.
+    std::optional<std::string> take(scene::Simulation& simulation, const Aim& aim);
+    void release(scene::Simulation& simulation);
+    bool holding() const { return entity_.generation != 0; }
+    ecs::Entity entity() const { return entity_; }
+
+    /// One step of the spring. Opens the hand when the thing is gone, frozen or out of reach.
+    void pull(scene::Simulation& simulation, const Aim& aim);
+    void change_distance(Real by_m);
+    void rotate(Real yaw_rad, Real pitch_rad);
+
+    /// Lets go with a velocity. False, and still in the hand, when it sticks behind or in a wall.
+    bool throw_it(scene::Simulation& simulation, const Aim& aim, const Vec3& velocity_mps);
+    /// For saved games; when read, with the simulation's entities already there.
+    void serialize(Archive& archive, scene::Simulation& simulation);
+
+private:
+    Vec3 target_of(const scene::Simulation& simulation, const Aim& aim) const;
+    void pull_straight(scene::Simulation& simulation, const Aim& aim, const Vec3& target);
+    void pull_round(scene::Simulation& simulation, const Aim& aim);
+
+    ecs::Entity entity_{};
+    physics::BodyId body_{};
+    Real mass_kg_{0};
+    Real radius_m_{0};
+    Real distance_m_{2};
+    Vec3 middle_from_point_{0, 0, 0};   ///< where it is held, seen from its middle; view's yaw
+    bool by_pointer_{false};            ///< it follows as fast as a pointer goes
+    Quat view_from_body_{kNoRotation};  ///< turn against the view's yaw
+    std::optional<Vec3> last_target_{};
+    Real stuck_s_{0};
+};
+
+/// The entity with a body that is looked at within an arm's length, or anywhere by a free pointer, if
+/// any; its body and distance.
+struct Looked {
+    ecs::Entity entity{};
+    physics::BodyId body{};
+    Vec3 point_m{0, 0, 0};
+    Real distance_m{0};
+};
+std::optional<Looked> looked_at(const scene::Simulation& simulation, const Aim& aim, Real arm_m);
+
+}  // namespace plumbline::game

@@ -1,0 +1,45 @@
+// The person who walks: actions to the physics' character, and what the feet are heard doing.
+#pragma once
+
+#include "engine/core/actions.h"
+#include "engine/physics/character.h"
+#include "engine/scene/game.h"
+#include "engine/scene/simulation.h"
+#include "game/rules/camera_rig.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace plumbline::game {
+
+class Player {
+public:
+    /// The simulation must outlive the player. A blocked start is moved to the nearest free place.
+    Player(scene::Simulation& simulation, const Vec3& feet_m);
+
+    /// One step of walking where `look` points; `walks` false: stands still (another camera is on).
+    void act(scene::Simulation& simulation, const Actions& actions, Look& look, bool walks);
+    void teleport(const Vec3& feet_m);
+    /// One notch of the wheel: +1 faster, -1 slower. Returns the walking speed, m/s.
+    Real change_pace(int notches);
+
+    Vec3 eye_m(Real blend) const;
+    const physics::CharacterState& state() const { return character_->state(); }
+    const physics::CharacterDef& def() const { return character_->def(); }
+    physics::BodyId body() const { return character_->body(); }
+    void serialize(Archive& archive) { archive(*character_, previous_eye_m_, pace_, stride_m_); }
+    /// Of the latest step.
+    std::span<const scene::FootstepEvent> footsteps() const { return footsteps_; }
+
+private:
+    void listen_to_feet(const scene::Simulation& simulation);
+
+    std::unique_ptr<physics::Character> character_;
+    Vec3 previous_eye_m_{0, 0, 0};
+    Real pace_{1};
+    Real stride_m_{0};  ///< gone since the last footstep
+    std::vector<scene::FootstepEvent> footsteps_;
+};
+
+}  // namespace plumbline::game

@@ -1,0 +1,32 @@
+// What the playground decides by, as fields of an archive.
+#include "game/rules/rules.h"
+
+namespace plumbline::game {
+
+void PlaygroundGame::serialize(Archive& archive, scene::Simulation& simulation) {
+    // The person's body first gives up its place: a thing may have had it.
+    bool walks = player_.has_value();
+    if (archive.reads()) player_.reset();
+    simulation.serialize_entities(archive, [&](const std::string& kind, const std::string& name) {
+        return things_.make_again(simulation, kind, name);
+    });
+    archive(walks, start_feet_m_);
+    if (archive.failed()) return;
+    if (archive.reads() && walks) player_.emplace(simulation, start_feet_m_);
+    if (player_) archive(*player_);
+    archive(step_s_, mode_, look_, fly_, orbit_, things_);
+    grab_.serialize(archive, simulation);
+    if (goal_) archive(*goal_);
+    archive(base_fov_rad_,
+            fov_rad_,
+            previous_fov_rad_,
+            drop_repeat_,
+            throw_held_s_,
+            grab_was_held_,
+            pointer_,
+            lifted_,
+            look_turns_held_,
+            drags_view_);
+}
+
+}  // namespace plumbline::game

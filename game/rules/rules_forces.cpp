@@ -1,0 +1,76 @@
+// What pushes things without a hand: a shot, a lift, an explosion.
+#include "game/rules/rules.h"
+
+#include <algorithm>
+
+namespace plumbline::game {
+namespace {
+
+constexpr Real kShot_mps = 25;
+constexpr Real kLift_N = 20;
+constexpr Real kArm_m = 12;  // what an eye aims at; a free pointer reaches on
+constexpr Real kExplosion_m = 3;
+constexpr Real kExplosion_Nsm = 50;  // N s at 1 m, the less the farther
+constexpr Real kNearestBlast_m = 0.25_r;
+
+bool is_loose(const physics::PhysicsWorld& world, physics::BodyId body) {
+    return world.contains(body) && world.kind(body) == physics::BodyKind::Dynamic &&
+           !world.frozen(body);
+}
+
+}  // namespace
+
+void PlaygroundGame::shoot(scene::Simulation& simulation, const Actions& actions) {
+    for (int i = 0; i < actions.presses(Action::Shoot); ++i) {
+        const Aim now = aim();
+        const auto made = things_.put_shot(simulation, now, now.forward * kShot_mps);
+        if (!made) say(made.error().message);
+        things_.keep_limit(simulation);
+    }
+}
+
+/// What is pointed at when the key goes down is lifted until it goes up. Beside everything, a free
+/// pointer lifts the scene's first body: stages of a lesson have one that matters.
+void PlaygroundGame::lift(scene::Simulation& simulation, const Actions& actions) {
+    const physics::PhysicsWorld& world = simulation.physics;
+    if (actions.presses(Action::Lift) > 0) {
+        const auto looked = looked_at(simulation, aim(), kArm_m);
+        lifted_ = looked ? looked->body : physics::BodyId{};
+        const auto first = std::ranges::find_if(
+            simulation.moving_bodies(),
+            [&](const scene::MovingBody& moving) { return is_loose(world, moving.body); });
+        if (!is_loose(world, lifted_) && pointer_ && first != simulation.moving_bodies().end())
+            lifted_ = first->body;
+        if (!is_loose(world, lifted_)) say("nothing to lift there");
+    }
+    if (actions.is_held(Action::Lift) && is_loose(world, lifted_))
+        simulation.physics.apply_force(lifted_, {0, kLift_N, 0});
+}
+
+void PlaygroundGame::explode(scene::Simulation& simulation, const Actions& actions) {
+    if (actions.presses(Action::Explode) == 0) return;
+    physics::PhysicsWorld& world = simulation.physics;
+    const auto looked = looked_at(simulation, aim(), kArm_m);
+    if (!looked) return say("nothing there to explode at");
+    if (!explosion_) {
+        const auto made = world.create_shape(physics::SphereShape{kExplosion_m});
+        if (made) explosion_ = *made;
+    }
+    std::vector<physics::BodyId> reached;
+    for (const physics::OverlapHit& hit :
+         world.overlaps(explosion_, Pose{.position = looked->point_m}, Real{0})) {
+        if (is_loose(world, hit.body)) reached.push_back(hit.body);
+    }
+    std::ranges::sort(reached);
+    reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
+    for (const physics::BodyId body : reached) {
+        const Vec3 middle = transform_point(world.state(body).world_from_body,
+                                            world.mass_properties(body).center_of_mass_m);
+        const Vec3 way = middle - looked->point_m;
+        const Real distance_m = std::max(glm::length(way), kNearestBlast_m);
+        const Vec3 out = normalize_or(way, Vec3{0, 1, 0});
+        world.apply_impulse(body, out * (kExplosion_Nsm / distance_m));
+    }
+}
+
+}  // namespace plumbline::game

@@ -1,0 +1,198 @@
+// What the hands do: choose, drop, throw, hold, freeze, remove.
+#include "game/rules/rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline::game {
+
+namespace {
+
+constexpr int kMostDropsAtOnce = 4;
+constexpr Real kChargeFrom_s = 0.2_r;
+constexpr Real kChargeTo_s = 1.0_r;
+constexpr Real kSlowestThrow_mps = 5;
+constexpr Real kFastestThrow_mps = 25;
+constexpr Real kRemoveReach_m = 12;
+constexpr Real kNotch_m = 0.25_r;
+constexpr Real kPushSpeed_mps = 1.5_r;
+
+Real charge_after(Real held_s) {
+    return std::clamp((held_s - kChargeFrom_s) / (kChargeTo_s - kChargeFrom_s), Real{0}, Real{1});
+}
+
+/// What a person reads: the label, or the name without its numbers ("oak_crate#3" is an oak crate);
+/// nothing for what the scene gave no name.
+std::string words_of(const scene::Name& name) {
+    if (!name.label.empty()) return name.label;
+    std::string words = name.text.substr(0, name.text.find_first_of("#["));
+    if (words == "entity" || words == "array") return {};
+    while (!words.empty() && (words.back() >= '0' && words.back() <= '9')) words.pop_back();
+    std::ranges::replace(words, '_', ' ');
+    while (!words.empty() && words.back() == ' ') words.pop_back();
+    return words;
+}
+
+}  // namespace
+
+void PlaygroundGame::begin_goal(const scene::Simulation& simulation) {
+    if (!simulation.description().goal) return;
+    goal_.emplace(simulation);
+    const auto with = std::ranges::find(kThingNames, simulation.description().goal->with);
+    chooses_ = with == kThingNames.end();
+    if (!chooses_) things_.choose(static_cast<std::size_t>(with - kThingNames.begin()));
+}
+
+bool PlaygroundGame::is_guarded(ecs::Entity entity) {
+    if (!goal_ || !goal_->guards(entity)) return false;
+    say("hands off: it is for throwing at");
+    return true;
+}
+
+void PlaygroundGame::choose(const Actions& actions) {
+    if (!chooses_) return;
+    for (std::size_t i = 0; i < 9; ++i) {
+        const auto select = static_cast<Action>(static_cast<std::size_t>(Action::Select1) + i);
+        if (actions.presses(select) > 0) things_.choose(i);
+    }
+    things_.choose_next(actions.presses(Action::NextThing) -
+                        actions.presses(Action::PreviousThing));
+}
+
+void PlaygroundGame::put_one(scene::Simulation& simulation, const Vec3& velocity_mps) {
+    if (const auto refusal = goal_ ? goal_->refusal() : std::nullopt) {
+        say(*refusal);
+        return;
+    }
+    const auto made = things_.put(simulation, aim(), velocity_mps);
+    if (!made) {
+        say(made.error().message);
+        return;
+    }
+    if (goal_) goal_->count_throw(simulation);
+    if (things_.keep_limit(simulation)) {
+        say(fmt::format("more than {} things: the oldest one goes for each new one",
+                        Things::kMost));
+    }
+}
+
+void PlaygroundGame::drop(scene::Simulation& simulation, const Actions& actions) {
+    for (int i = 0; i < actions.presses(Action::UndoDrop); ++i) {
+        if (!things_.undo(simulation)) say("nothing to undo");
+    }
+    const int drops = drop_repeat_.acts(std::min(actions.presses(Action::Drop), kMostDropsAtOnce),
+                                        actions.is_held(Action::Drop) ? 1 : 0,
+                                        step_s_);
+    for (int i = 0; i < drops; ++i) put_one(simulation, {0, 0, 0});
+}
+
+void PlaygroundGame::charge_and_throw(scene::Simulation& simulation, const Actions& actions) {
+    const bool held = actions.is_held(Action::Throw);
+    if (throw_held_s_ >= 0) {
+        throw_held_s_ += step_s_;
+        if (held) return;
+        launch(simulation, charge_after(throw_held_s_));
+        throw_held_s_ = -1;
+        return;
+    }
+    if (actions.presses(Action::Throw) == 0) return;
+    if (held) {
+        throw_held_s_ = 0;
+    } else {
+        launch(simulation, 0);  // pressed and released within one step
+    }
+}
+
+void PlaygroundGame::launch(scene::Simulation& simulation, Real charge) {
+    const Aim now = aim();
+    const Real speed = glm::mix(kSlowestThrow_mps, kFastestThrow_mps, charge);
+    const Vec3 velocity = now.forward * speed + now.velocity_mps;
+    if (!grab_.holding()) {
+        put_one(simulation, velocity);
+    } else if (!grab_.throw_it(simulation, now, velocity)) {
+        say("it is behind a wall: pull it out first");
+    }
+}
+
+void PlaygroundGame::hold(scene::Simulation& simulation, const Actions& actions) {
+    const bool wants = actions.is_held(Action::Grab);
+    // Let go and pressed again within one step also takes hold anew.
+    const bool pressed = wants && (!grab_was_held_ || actions.presses(Action::Grab) > 1);
+    if (!wants && grab_.holding()) grab_.release(simulation);
+    if (pressed && !grab_.holding()) {
+        const auto looked =
+            goal_ ? looked_at(simulation, aim(), Grab::kReach_m) : std::optional<Looked>{};
+        if (!looked || !is_guarded(looked->entity)) {
+            if (const auto refusal = grab_.take(simulation, aim())) say(*refusal);
+        }
+        if (goal_ && grab_.holding()) goal_->begin(simulation);
+    }
+    grab_was_held_ = wants;
+
+    const int notches = actions.presses(Action::Push) - actions.presses(Action::Pull);
+    const Real along = travel_of(actions, Action::Push) - travel_of(actions, Action::Pull);
+    if (grab_.holding() && mode_ != MoveMode::Orbit) {
+        grab_.change_distance(notches != 0 ? static_cast<Real>(notches) * kNotch_m
+                                           : along * kPushSpeed_mps * step_s_);
+    }
+    if (actions.presses(Action::Freeze) % 2 == 1) freeze(simulation);
+    if (actions.presses(Action::Remove) > 0) remove_looked_at(simulation);
+    grab_.pull(simulation, aim());
+}
+
+void PlaygroundGame::freeze(scene::Simulation& simulation) {
+    physics::PhysicsWorld& world = simulation.physics;
+    physics::BodyId body{};
+    if (grab_.holding()) {
+        body = simulation.registry.get<scene::BodyRef>(grab_.entity()).body;
+        grab_.release(simulation);
+    } else if (const auto looked = looked_at(simulation, aim(), kRemoveReach_m)) {
+        if (is_guarded(looked->entity)) return;
+        body = looked->body;
+    }
+    if (!world.contains(body) || world.kind(body) != physics::BodyKind::Dynamic) {
+        say("nothing to freeze there");
+        return;
+    }
+    const bool freezes = !world.frozen(body);
+    world.set_frozen(body, freezes);
+    say(freezes ? "frozen" : "free again");
+}
+
+void PlaygroundGame::remove_looked_at(scene::Simulation& simulation) {
+    ecs::Entity entity = grab_.entity();
+    if (!grab_.holding()) {
+        const auto looked = looked_at(simulation, aim(), kRemoveReach_m);
+        const bool movable = looked && simulation.registry.alive(looked->entity) &&
+                             simulation.physics.kind(looked->body) == physics::BodyKind::Dynamic;
+        if (!movable) {
+            say("nothing to remove there");
+            return;
+        }
+        entity = looked->entity;
+        if (is_guarded(entity)) return;
+    }
+    destroy(simulation, entity);
+}
+
+scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
+    scene::HudContent content;
+    content.crosshair = mode_ != MoveMode::Orbit && !views_scene() && !pointer_;
+    if (throw_held_s_ >= 0) content.charge = charge_after(throw_held_s_);
+    if (!views_model() && !views_scene()) content.chosen_thing = std::string(things_.chosen_name());
+    const auto looked = looked_at(simulation, aim(), Grab::kReach_m);
+    if (looked && simulation.registry.alive(looked->entity) &&
+        simulation.physics.kind(looked->body) == physics::BodyKind::Dynamic) {
+        const Real mass_kg = simulation.physics.mass_properties(looked->body).mass_kg;
+        const std::string words = words_of(simulation.registry.get<scene::Name>(looked->entity));
+        content.looking_at =
+            fmt::format("{}{}{:.3g} kg", words, words.empty() ? "" : ", ", mass_kg);
+    }
+    if (goal_) content.goal = goal_->state(simulation);
+    content.messages = std::move(messages_);
+    messages_.clear();
+    return content;
+}
+
+}  // namespace plumbline::game

@@ -1,0 +1,115 @@
+// What is only looked at. A model by itself: turned, shifted, lit and measured. A JSON scene: flown
+// through.
+#include "game/rules/rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline::game {
+namespace {
+
+constexpr Real kTurntable_radps = 0.5_r;
+constexpr Real kFarthestOrbit_radii = 50;
+
+}  // namespace
+
+void PlaygroundGame::begin_view(const scene::SceneDescription& scene) {
+    if (scene.viewer) {
+        viewer_radius_m_ = scene.viewer->radius_m;
+        look_.start_from(scene::camera_pose(scene.camera).orientation);
+        fly_.set_up(scene.viewer->up);
+        fly_.suit(viewer_radius_m_);
+        orbit_.suit(viewer_radius_m_);
+    }
+    model_radius_m_ = scene.model_radius_m;
+    if (model_radius_m_ <= 0) return;
+    mode_ = MoveMode::Orbit;
+    orbit_.suit(model_radius_m_);
+    orbit_.place(scene.camera.target_m,
+                 glm::distance(scene.camera.position_m, scene.camera.target_m),
+                 look_.pitch_rad());
+    fly_.suit(model_radius_m_);
+}
+
+void PlaygroundGame::next_view(const scene::ViewerDescription& viewer) {
+    const Quat orientation = look_.orientation();
+    if (mode_ == MoveMode::Fly) {
+        const Vec3 eye = eye_m(1, orientation);
+        mode_ = MoveMode::Orbit;
+        const Vec3 forward = orientation * Vec3{0, 0, -1};
+        // What lies ahead, as far off as the middle of everything.
+        const Real ahead = std::clamp(glm::dot(viewer.center_m - eye, forward),
+                                      viewer.radius_m,
+                                      viewer.radius_m * kFarthestOrbit_radii);
+        orbit_.place(eye + forward * ahead, ahead, look_.pitch_rad());
+        say("orbiting what you looked at");
+    } else {
+        const Vec3 eye = eye_m(1, orientation);
+        mode_ = MoveMode::Fly;
+        fly_.place(eye);
+        say("flying: the wheel sets the speed");
+    }
+}
+
+void PlaygroundGame::turn_model(const Actions& actions) {
+    const bool pans = actions.is_held(Action::ShiftModel) || actions.is_held(Action::RotateHeld);
+    drags_view_ = !pans && (actions.is_held(Action::TurnModel) || actions.is_held(Action::Throw));
+    const Real yaw = Real{actions.look_yaw_rad};
+    const Real pitch = Real{actions.look_pitch_rad};
+    if (pans) orbit_.pan(look_.orientation(), yaw, pitch);
+    if (drags_view_) look_.turn(yaw * kDragGain, pitch * kDragGain);
+}
+
+void PlaygroundGame::switch_aids(scene::Simulation& simulation, const Actions& actions) {
+    scene::LiveSwitches& switches = simulation.switches;
+    const auto toggle = [&](Action action, bool& on) {
+        if (actions.presses(action) % 2 == 1) on = !on;
+    };
+    for (auto [entity, playing] : simulation.registry.view<scene::PlayingModel>()) {
+        toggle(Action::AnimationPause, playing.paused);
+        const assets::MovingModel* model = simulation.library().moving(playing.model);
+        if (model == nullptr || actions.presses(Action::NextAnimation) == 0) continue;
+        const auto count = static_cast<std::uint32_t>(model->data.animations.size());
+        playing.animation = (playing.animation + 1) % count;
+        playing.time_s = 0;
+        say(fmt::format("animation {} of {}: {}",
+                        playing.animation + 1,
+                        count,
+                        model->data.animations[playing.animation].name));
+    }
+    show_lit(simulation, actions);
+    if (model_radius_m_ <= 0) return;
+    toggle(Action::Grid, switches.grid);
+    toggle(Action::Axes, switches.axes);
+    toggle(Action::Normals, switches.normals);
+    toggle(Action::Turntable, switches.turntable);
+    toggle(Action::Ground, switches.ground);
+    switches.background += actions.presses(Action::Background);
+    if (switches.turntable && views_model()) look_.turn_smoothly(kTurntable_radps * step_s_, 0);
+}
+
+void PlaygroundGame::show_lit(scene::Simulation& simulation, const Actions& actions) {
+    scene::LiveSwitches& switches = simulation.switches;
+    if (actions.presses(Action::Shading) % 2 == 1) {
+        const bool was_lit = switches.shading == assets::Shading::BlinnPhong;
+        switches.shading = was_lit ? std::nullopt : std::optional(assets::Shading::BlinnPhong);
+        say(was_lit ? "as the scene shades it" : "lit, Blinn-Phong");
+    }
+    if (actions.presses(Action::Textures) % 2 == 1) {
+        switches.textures = !switches.textures;
+        say(switches.textures ? "with textures" : "without textures");
+    }
+    if (actions.presses(Action::SunShadow) % 2 == 1) {
+        const scene::SceneDescription& scene = simulation.description();
+        if (!scene.sun || !scene.sun->shadow) {
+            say("no sun that casts shadows in this scene");
+            return;
+        }
+        const bool on = !switches.is_on("sun_shadow", !scene.viewer);
+        switches.turn("sun_shadow", on);
+        say(on ? "with the sun's shadows" : "without the sun's shadows");
+    }
+}
+
+}  // namespace plumbline::game

@@ -1,0 +1,263 @@
+#include "game/rules/things.h"
+
+#include "engine/scene/build/entity_builder.h"
+#include "engine/scene/scene_file.h"
+#include "game/components.h"
+#include "game/rules/placement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline::game {
+
+const std::array<std::string_view, kThingCount> kThingNames{
+    "crate", "ball", "barrel", "brick", "plank", "stone", "domino"};
+
+namespace {
+
+std::string_view name_of_kind(std::size_t kind) {
+    return kind < kThingCount ? kThingNames[kind] : "shot";
+}
+
+struct Plain {
+    scene::Primitive primitive;
+    Real mass_kg;
+    std::string_view surface;
+    Vec3f color;
+    Real restitution;
+};
+
+Plain plain_thing(std::size_t index) {
+    switch (index) {
+        case 0:
+            return {
+                physics::BoxShape{{0.8_r, 0.8_r, 0.8_r}}, 30, "wood", {0.5F, 0.33F, 0.18F}, 0.1_r};
+        case 1:
+            return {physics::SphereShape{0.12_r}, 0.6_r, "rubber", {0.75F, 0.2F, 0.1F}, 0.7_r};
+        case 2:
+            return {
+                physics::CylinderShape{0.3_r, 0.88_r}, 35, "metal", {0.12F, 0.25F, 0.45F}, 0.2_r};
+        case 3:
+            return {physics::BoxShape{{0.24_r, 0.07_r, 0.115_r}},
+                    3.5_r,
+                    "brick",
+                    {0.5F, 0.16F, 0.1F},
+                    0.1_r};
+        case 4:
+            return {
+                physics::BoxShape{{2.4_r, 0.04_r, 0.2_r}}, 13, "wood", {0.6F, 0.45F, 0.27F}, 0.2_r};
+        case 5:
+            return {physics::SphereShape{0.15_r}, 35, "stone", {0.4F, 0.4F, 0.38F}, 0.1_r};
+        case 6:
+            return {
+                physics::BoxShape{{0.5_r, 1, 0.12_r}}, 20, "wood", {0.85F, 0.82F, 0.75F}, 0.1_r};
+        default:
+            return {physics::BoxShape{{1, 1, 1}}, 1, "wood", {0.13F, 0.0F, 0.13F}, 0};
+    }
+}
+
+/// A lump of stone: an uneven ball.
+physics::HullShape stone_hull() {
+    return {{{0.16_r, 0.02_r, 0.03_r},
+             {-0.15_r, -0.01_r, 0.05_r},
+             {0.02_r, 0.12_r, -0.02_r},
+             {-0.03_r, -0.11_r, 0.01_r},
+             {0.04_r, 0.01_r, 0.16_r},
+             {-0.02_r, 0.03_r, -0.15_r},
+             {0.1_r, 0.08_r, 0.08_r},
+             {-0.09_r, 0.08_r, -0.07_r},
+             {0.1_r, -0.09_r, -0.06_r},
+             {-0.08_r, -0.09_r, 0.09_r}}};
+}
+
+Thing make_plain(std::size_t index) {
+    const Plain plain = plain_thing(index);
+    Thing thing;
+    thing.description.name = std::string(name_of_kind(index));
+    thing.description.visual = plain.primitive;
+    scene::BodyDescription body;
+    if (thing.description.name == "stone") body.shape = physics::ShapeDef{stone_hull()};
+    body.mass_kg = plain.mass_kg;
+    body.restitution = plain.restitution;
+    if (thing.description.name == "ball") body.rolling_friction = 0.002_r;
+    thing.description.body = body;
+    thing.description.material = fmt::format("{} (plain)", thing.description.name);
+    thing.material = assets::MaterialData{.name = thing.description.material,
+                                          .base_color = plain.color,
+                                          .surface = std::string(plain.surface)};
+    return thing;
+}
+
+/// Prefabs of a scene file become droppable: named, dynamic, at rest.
+Thing make_from(const scene::EntityDescription& prefab, std::size_t index) {
+    Thing thing{.description = prefab};
+    thing.description.name = std::string(name_of_kind(index));
+    if (!thing.description.body) thing.description.body.emplace();
+    thing.description.body->kind = physics::BodyKind::Dynamic;
+    return thing;
+}
+
+}  // namespace
+
+void destroy(scene::Simulation& simulation, ecs::Entity entity) {
+    if (!simulation.registry.alive(entity)) return;
+    if (const auto* ref = simulation.registry.find<scene::BodyRef>(entity)) {
+        if (simulation.physics.contains(ref->body)) simulation.physics.wake(ref->body);
+    }
+    simulation.registry.destroy(entity);
+}
+
+Things::Things(scene::Simulation& simulation, const std::filesystem::path& assets_folder) {
+    const scene::SceneDescription& scene = simulation.description();
+    scene::SceneDescription shipped;
+    const std::filesystem::path file = assets_folder / "scenes" / "things.toml";
+    std::error_code ignored;
+    const bool incomplete = std::any_of(kThingNames.begin(), kThingNames.end(), [&](auto name) {
+        return !scene.prefabs.contains(std::string(name));
+    });
+    if (incomplete && std::filesystem::is_regular_file(file, ignored)) {
+        Diagnostics faults;
+        if (auto loaded = scene::load_scene(file, assets_folder, faults)) shipped = *loaded;
+    }
+    simulation.builder().lend_materials(shipped.materials);
+    for (std::size_t i = 0; i < kKinds; ++i) {
+        const std::string name(name_of_kind(i));
+        if (const auto own = scene.prefabs.find(name); own != scene.prefabs.end()) {
+            things_[i] = make_from(own->second, i);
+        } else if (const auto known = shipped.prefabs.find(name); known != shipped.prefabs.end()) {
+            things_[i] = make_from(known->second, i);
+        } else {
+            things_[i] = make_plain(i);
+        }
+        if (!things_[i].material) continue;
+        // Friction of what the scene does not know comes from here: the builder cannot look it up.
+        const scene::SurfaceTable& surfaces = simulation.surfaces();
+        const scene::Surface& surface = surfaces.get(surfaces.find(things_[i].material->surface));
+        scene::BodyDescription& body = *things_[i].description.body;
+        if (!body.friction) body.friction = surface.friction;
+        if (!body.restitution) body.restitution = surface.restitution;
+        if (!body.mass_kg && !body.density_kgpm3) body.density_kgpm3 = surface.density_kgpm3;
+    }
+}
+
+void Things::choose(std::size_t index) {
+    if (index < kThingCount) chosen_ = index;
+}
+
+void Things::choose_next(int steps) {
+    const int count = static_cast<int>(kThingCount);
+    const int next = ((static_cast<int>(chosen_) + steps) % count + count) % count;
+    chosen_ = static_cast<std::size_t>(next);
+}
+
+void Things::dress(scene::Simulation& simulation, ecs::Entity entity, const Thing& thing) const {
+    simulation.registry.add<scene::Dropped>(entity, serial_);
+    if (!thing.material) return;
+    const assets::MaterialId material = simulation.library().add_material(*thing.material);
+    if (auto* visual = simulation.registry.find<scene::Visual>(entity)) {
+        std::fill(visual->materials.begin(), visual->materials.end(), material);
+    }
+    const std::uint16_t surface = simulation.surfaces().find(thing.material->surface);
+    if (auto* ref = simulation.registry.find<scene::SurfaceRef>(entity)) ref->surface = surface;
+}
+
+Vec3 Things::size_of(scene::Simulation& simulation, physics::BodyId body, Thing& thing) const {
+    if (!thing.size_m) {
+        Vec3 low{};
+        Vec3 high{};
+        simulation.physics.bounds(body, low, high);
+        thing.size_m = high - low;
+    }
+    return *thing.size_m;
+}
+
+void Things::forget_gone(const scene::Simulation& simulation) {
+    std::erase_if(dropped_, [&](ecs::Entity entity) { return !simulation.registry.alive(entity); });
+}
+
+std::size_t Things::count(const scene::Simulation& simulation) {
+    forget_gone(simulation);
+    return dropped_.size();
+}
+
+Result<ecs::Entity> Things::put(scene::Simulation& simulation,
+                                const Aim& aim,
+                                const Vec3& velocity,
+                                std::size_t kind) {
+    Thing& thing = things_[kind];
+    scene::EntityDescription description = thing.description;
+    // It appears level and turned as the person looks; its size is known once one exists.
+    const Quat turn = glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0});
+    description.world_from_body = {.position = aim.eye_m};
+    description.body->velocity_mps = velocity;
+    const ecs::Entity entity = simulation.spawn(description);
+    if (!simulation.registry.alive(entity)) {
+        return Error{fmt::format("cannot make a {}", name_of_kind(kind))};
+    }
+    const physics::BodyId body = simulation.registry.get<scene::BodyRef>(entity).body;
+    const Vec3 size = size_of(simulation, body, thing);
+    physics::ShapeId& box = boxes_[kind];
+    if (!box) {
+        auto made = simulation.physics.create_shape(physics::BoxShape{size});
+        if (made) box = *made;
+    }
+    Vec3 low{};
+    Vec3 high{};
+    simulation.physics.bounds(body, low, high);
+    const Vec3 middle = (low + high) * 0.5_r - aim.eye_m;
+    const Room room{.box = box, .size_m = size, .itself = body};
+    const auto place = box ? free_place(simulation.physics, aim, room, kReach_m) : std::nullopt;
+    if (!place) {
+        destroy(simulation, entity);
+        return Error{fmt::format("no room for a {} there", name_of_kind(kind))};
+    }
+    const Pose pose{.position = *place - turn * middle, .orientation = turn};
+    simulation.physics.set_pose(body, pose);
+    simulation.registry.get<scene::Placement>(entity).world_from_body = pose;
+    if (auto* previous = simulation.registry.find<scene::PreviousPlacement>(entity)) {
+        previous->world_from_body = pose;
+    }
+    ++serial_;
+    dress(simulation, entity, thing);
+    dropped_.push_back(entity);
+    return entity;
+}
+
+ecs::Entity Things::make_again(scene::Simulation& simulation,
+                               const std::string& kind,
+                               const std::string& name) {
+    const auto known = std::ranges::find_if(
+        things_, [&](const Thing& thing) { return thing.description.name == kind; });
+    if (known == things_.end()) return {};
+    const ecs::Entity entity = simulation.respawn(known->description, name);
+    if (simulation.registry.alive(entity)) dress(simulation, entity, *known);
+    return entity;
+}
+
+bool Things::undo(scene::Simulation& simulation) {
+    forget_gone(simulation);
+    if (dropped_.empty()) return false;
+    destroy(simulation, dropped_.back());
+    dropped_.pop_back();
+    return true;
+}
+
+bool Things::keep_limit(scene::Simulation& simulation) {
+    forget_gone(simulation);
+    if (dropped_.size() <= kMost) return false;
+    // The oldest that sleeps, else the oldest; never what is in the hand.
+    const auto may_go = [&](ecs::Entity entity) { return !simulation.registry.has<Held>(entity); };
+    const auto sleeps = [&](ecs::Entity entity) {
+        return may_go(entity) &&
+               !simulation.physics.state(simulation.registry.get<scene::BodyRef>(entity).body)
+                    .awake;
+    };
+    auto oldest = std::find_if(dropped_.begin(), dropped_.end(), sleeps);
+    if (oldest == dropped_.end()) oldest = std::find_if(dropped_.begin(), dropped_.end(), may_go);
+    destroy(simulation, *oldest);
+    dropped_.erase(oldest);
+    return !std::exchange(limit_told_, true);
+}
+
+}  // namespace plumbline::game

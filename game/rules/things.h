@@ -1,0 +1,91 @@
+// The things that a person may put into the world, and the order in which they came.
+#pragma once
+
+#include "engine/assets/material_data.h"
+#include "engine/core/result.h"
+#include "engine/scene/simulation.h"
+#include "game/rules/aim.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumbline::game {
+
+inline constexpr std::size_t kThingCount = 7;
+/// crate ball barrel brick plank stone domino
+extern const std::array<std::string_view, kThingCount> kThingNames;
+
+/// What each name stands for: the scene's prefab, else the one of assets/scenes/things.toml, else a
+/// plain shape of our own.
+struct Thing {
+    scene::EntityDescription description;
+    std::optional<assets::MaterialData> material{};  ///< of a plain shape
+    std::optional<Vec3> size_m{};                    ///< world box at rest, once one was made
+};
+
+class Things {
+public:
+    static constexpr std::size_t kMost = 500;
+    static constexpr Real kReach_m = 1.6_r;  ///< how far in front things appear, plus their radius
+
+    /// Lends the simulation the materials of things that its scene does not know.
+    Things(scene::Simulation& simulation, const std::filesystem::path& assets_folder);
+
+    void choose(std::size_t index);  ///< others than 0…kThingCount-1 are ignored
+    void choose_next(int steps);
+    std::size_t chosen() const { return chosen_; }
+    std::string_view chosen_name() const { return kThingNames[chosen_]; }
+    const Thing& thing(std::size_t index) const { return things_[index]; }
+
+    /// As put(), of what the right button of the book's profile shoots: the scene's prefab "shot",
+    /// else a box of 1 kg.
+    Result<ecs::Entity> put_shot(scene::Simulation& simulation,
+                                 const Aim& aim,
+                                 const Vec3& velocity) {
+        return put(simulation, aim, velocity, kShot);
+    }
+    /// Puts one of the chosen things where the person looks, in the nearest free place; never
+    /// behind or into a wall. The error is a message for the person.
+    Result<ecs::Entity> put(scene::Simulation& simulation, const Aim& aim, const Vec3& velocity) {
+        return put(simulation, aim, velocity, chosen_);
+    }
+    /// Takes the latest one away; false when there is none.
+    bool undo(scene::Simulation& simulation);
+    /// Takes the oldest away while there are too many; true when told for the first time.
+    bool keep_limit(scene::Simulation& simulation);
+    std::size_t count(const scene::Simulation& simulation);
+
+    /// Makes again what a saved game had. Null where there is no such thing.
+    ecs::Entity make_again(scene::Simulation& simulation,
+                           const std::string& kind,
+                           const std::string& name);
+    void serialize(Archive& archive) { archive(chosen_, serial_, limit_told_, dropped_); }
+
+private:
+    static constexpr std::size_t kShot = kThingCount;
+    static constexpr std::size_t kKinds = kThingCount + 1;
+
+    Result<ecs::Entity> put(scene::Simulation& simulation,
+                            const Aim& aim,
+                            const Vec3& velocity,
+                            std::size_t kind);
+    void forget_gone(const scene::Simulation& simulation);
+    void dress(scene::Simulation& simulation, ecs::Entity entity, const Thing& thing) const;
+    Vec3 size_of(scene::Simulation& simulation, physics::BodyId body, Thing& thing) const;
+
+    std::array<Thing, kKinds> things_;
+    std::size_t chosen_{0};
+    std::uint64_t serial_{0};
+    bool limit_told_{false};
+    std::vector<ecs::Entity> dropped_;  ///< oldest first
+    std::array<physics::ShapeId, kKinds> boxes_{};
+};
+
+/// Takes an entity out of the world at once.
+void destroy(scene::Simulation& simulation, ecs::Entity entity);
+
+}  // namespace plumbline::game

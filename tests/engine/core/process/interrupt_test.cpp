@@ -1,0 +1,54 @@
+#include "engine/core/process/interrupt.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+
+namespace plumbline {
+namespace {
+
+// Each in a process of its own: the flag is one for the whole program.
+TEST(InterruptDeathTest, TheFirstSignalOnlySetsTheFlag) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        EXPECT_EXIT(
+            {
+                catch_interrupts();
+                const bool before = interrupted();
+                std::raise(signal);
+                std::_Exit(!before && interrupted() ? 7 : 1);
+            },
+            testing::ExitedWithCode(7),
+            "");
+    }
+}
+
+TEST(InterruptDeathTest, TheSecondSignalEndsTheProgram) {
+    EXPECT_EXIT(
+        {
+            catch_interrupts();
+            std::raise(SIGINT);
+            std::raise(SIGINT);
+            std::_Exit(1);
+        },
+        testing::ExitedWithCode(130),
+        "");
+}
+
+/// 7 when writing into a pipe that nobody reads fails, and nothing else happens.
+[[noreturn]] void write_into_a_closed_pipe() {
+    catch_interrupts();
+    int ends[2] = {-1, -1};
+    const bool made = ::pipe(ends) == 0;
+    ::close(ends[0]);
+    const bool failed = ::write(ends[1], "x", 1) == -1;
+    std::_Exit(made && failed && !interrupted() ? 7 : 1);
+}
+
+TEST(InterruptDeathTest, AClosedPipeIsAFailedWriteNotTheEnd) {
+    EXPECT_EXIT(write_into_a_closed_pipe(), testing::ExitedWithCode(7), "");
+}
+
+}  // namespace
+}  // namespace plumbline

@@ -1,0 +1,159 @@
+// SOURCES B36: a goal is won and lost, the same way each time, and costs nothing where there is none.
+#include "tests/game/rules/playground.h"
+
+#include <fmt/format.h>
+
+namespace plumbline::game {
+namespace {
+
+using scene::GoalEnd;
+
+/// A shelf 1 m high at z = -4 with three light cans on it, to be knocked off with balls.
+scene::SceneDescription shelf() {
+    scene::SceneDescription scene = meadow();
+    scene.entities.push_back(block("shelf", {3, 1, 0.4_r}, {0, 0.5_r, -4}));
+    for (int i = 0; i < 3; ++i) {
+        scene.entities.push_back(block(fmt::format("can.{}", i),
+                                       {0.3_r, 0.6_r, 0.3_r},
+                                       {static_cast<Real>(i - 1), 1.3_r, -4},
+                                       physics::BodyKind::Dynamic,
+                                       0.3_r));
+    }
+    scene.goal = scene::GoalDescription{.text = "Knock them off",
+                                        .things = {"can.*"},
+                                        .below_m = 0.9_r,
+                                        .within_s = 20,
+                                        .throws = 4,
+                                        .with = "ball",
+                                        .hands_off = true};
+    return scene;
+}
+
+scene::GoalState state(const Playground& play) {
+    return play.game->goal()->state(*play.simulation);
+}
+
+/// Turns to a place and throws there as hard as it goes.
+void throw_at(Playground& play, const Vec3& target_m) {
+    const auto view = play.game->view(*play.simulation, 1, 0, 0);
+    const Vec3 forward = view.world_from_camera.orientation * Vec3{0, 0, -1};
+    const Vec3 way = glm::normalize(target_m - view.world_from_camera.position);
+    const auto yaw = [](const Vec3& d) { return std::atan2(-d.x, -d.z); };
+    Actions turn;
+    turn.look_yaw_rad = yaw(way) - yaw(forward);
+    turn.look_pitch_rad = std::asin(way.y) - std::asin(forward.y);
+    play.step(turn);
+    play.step(press({Action::Throw}));
+    play.run(1.1, hold({Action::Throw}));
+    play.step();
+}
+
+TEST(Goal, WaitsForTheFirstThrow) {
+    Playground play(shelf());
+    play.run(30);
+    EXPECT_EQ(state(play).end, GoalEnd::Open) << "the clock stands until something is done";
+    EXPECT_EQ(state(play).left_s, 20.0);
+    EXPECT_EQ(state(play).throws_left, 4);
+    EXPECT_EQ(state(play).wanted, 3);
+    EXPECT_EQ(state(play).text, "Knock them off");
+}
+
+TEST(Goal, IsWonByKnockingAllOff) {
+    Playground play(shelf());
+    for (int i = 0; i < 3; ++i) {
+        throw_at(play, {static_cast<Real>(i - 1), 1.35_r, -4});
+        play.run(2.5);  // they fly far
+        EXPECT_EQ(state(play).counted, i + 1);
+    }
+    play.run(1);
+    EXPECT_EQ(state(play).end, GoalEnd::Won);
+    EXPECT_EQ(state(play).throws_left, 1);
+    const double won_s = state(play).passed_s;
+    EXPECT_GT(won_s, 1);
+    EXPECT_LT(won_s, 20);
+    const auto said = play.messages();
+    EXPECT_NE(std::ranges::find(said, fmt::format("won in {:.1f} s", won_s)), said.end());
+    play.run(30);
+    EXPECT_EQ(state(play).end, GoalEnd::Won) << "and stays so";
+    EXPECT_EQ(state(play).passed_s, won_s);
+}
+
+TEST(Goal, IsLostWhenTheTimeIsUp) {
+    Playground play(shelf());
+    throw_at(play, {-1, 1.35_r, -4});
+    play.run(18.5);
+    EXPECT_EQ(state(play).end, GoalEnd::Open);
+    play.run(2);
+    EXPECT_EQ(state(play).end, GoalEnd::Lost);
+    EXPECT_NEAR(state(play).passed_s, 20, 0.02);
+    EXPECT_EQ(play.messages().back(), "lost: 1 of 3");
+}
+
+TEST(Goal, IsLostWhenNothingIsLeftToThrow) {
+    Playground play(shelf());
+    for (int i = 0; i < 4; ++i) throw_at(play, {6, 1, -2});
+    play.step(press({Action::Drop}));
+    EXPECT_EQ(play.messages().back(), "nothing is left to throw");
+    EXPECT_EQ(play.thing_count(), 4U);
+    play.run(5.5);
+    EXPECT_EQ(state(play).end, GoalEnd::Open) << "the last one may still do its work";
+    play.run(1);
+    EXPECT_EQ(state(play).end, GoalEnd::Lost);
+    EXPECT_EQ(play.messages().back(), "lost: 0 of 3");
+}
+
+TEST(Goal, HandsLeaveItsThingsAloneAndOnlyItsThingIsThrown) {
+    scene::SceneDescription scene = shelf();
+    scene.entities[2].world_from_body.position = {0, 1.65_r, -1.5_r};
+    scene.entities[2].body->kind = physics::BodyKind::Dynamic;
+    scene.gravity_mps2 = {0, 0, 0};
+    Playground play(scene);
+    play.step(press({Action::Grab}));
+    EXPECT_FALSE(play.game->holds());
+    EXPECT_EQ(play.messages().back(), "hands off: it is for throwing at");
+    play.step(press({Action::Remove}));
+    EXPECT_TRUE(play.simulation->registry.alive(play.simulation->find("can.1")));
+    play.step(press({Action::Select3}));
+    EXPECT_EQ(play.game->things().chosen_name(), "ball");
+}
+
+TEST(Goal, CountsWhatLiesInsideOnceItStays) {
+    scene::SceneDescription scene = meadow();
+    scene.entities.push_back(
+        block("box", {0.5_r, 0.5_r, 0.5_r}, {0, 3, -5}, physics::BodyKind::Dynamic, 5));
+    scene.goal = scene::GoalDescription{.text = "Into the ring",
+                                        .things = {"box"},
+                                        .inside = scene::Region{{-1, 1, -6}, {1, 2, -4}}};
+    Playground fly(scene);
+    fly.run(3);
+    EXPECT_EQ(state(fly).end, GoalEnd::Open) << "it only fell through";
+    EXPECT_EQ(state(fly).counted, 0);
+    scene.goal->inside = scene::Region{{-1, 0, -6}, {1, 1, -4}};
+    Playground stay(scene);
+    stay.run(3);
+    EXPECT_EQ(state(stay).end, GoalEnd::Won);
+    EXPECT_FALSE(state(stay).left_s || state(stay).throws_left);
+}
+
+TEST(Goal, GoesTheSameWayEachTime) {
+    std::vector<std::uint64_t> hashes;
+    std::vector<double> times;
+    for (int run = 0; run < 2; ++run) {
+        Playground play(shelf());
+        for (int i = 0; i < 3; ++i) throw_at(play, {static_cast<Real>(i - 1), 1.35_r, -4});
+        play.run(3);
+        hashes.push_back(play.simulation->state_hash());
+        times.push_back(state(play).passed_s);
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(times[0], times[1]);
+}
+
+TEST(Goal, IsNotThereWithoutOne) {
+    Playground play;
+    EXPECT_EQ(play.game->goal(), nullptr);
+    EXPECT_FALSE(play.game->hud(*play.simulation).goal);
+}
+
+}  // namespace
+}  // namespace plumbline::game

@@ -1,0 +1,169 @@
+// SOURCES B36: the small games that ship can be won, and are lost by who does nothing useful.
+#include "engine/effects/advance.h"
+#include "engine/scene/open_scene.h"
+#include "game/rules/rules.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline::game {
+namespace {
+
+using scene::GoalEnd;
+
+/// A scene as `play` runs it, and a person who throws well.
+class ShippedGoal : public testing::Test {
+protected:
+    /// `feet_m`: where the person has walked to, if not where the scene begins.
+    void open(const char* scene, const std::optional<Vec3>& feet_m = {}) {
+        const std::filesystem::path assets = std::filesystem::path(PL_SOURCE_DIR) / "assets";
+        Diagnostics faults;
+        auto opened = scene::open_scene(
+            assets / "scenes" / scene,
+            {.folders = {.assets = assets,
+                         .config = std::filesystem::path(PL_SOURCE_DIR) / "config"}},
+            faults);
+        ASSERT_TRUE(opened.ok()) << opened.error().message;
+        if (feet_m) opened->description.player->feet_position_m = *feet_m;
+        auto built = opened->build(library_);
+        ASSERT_TRUE(built.ok()) << built.error().message;
+        simulation_ = std::move(*built);
+        game_ = std::make_unique<PlaygroundGame>(*simulation_, assets);
+        effects_ = std::make_unique<effects::EffectRuntime>(*simulation_, effects::ServedDomains{});
+        run(1);
+    }
+
+    void run(double seconds, const Actions& actions = {}) {
+        for (int i = 0; i < static_cast<int>(seconds * 60 + 0.5); ++i)
+            effects::advance(*simulation_, *effects_, *game_, actions);
+    }
+    scene::GoalState state() const { return game_->goal()->state(*simulation_); }
+    Vec3 place(const std::string& name) const {
+        return simulation_->registry.get<scene::Placement>(simulation_->find(name))
+            .world_from_body.position;
+    }
+    /// As hard as it goes, after a second of charging: a little high, for what gravity takes, and
+    /// ahead of what moves.
+    void throw_at(const std::string& name) {
+        constexpr Real kSpeed_mps = 25;
+        Actions turn;
+        const Vec3 before = place(name);
+        run(0.1);
+        const Vec3 velocity = (place(name) - before) / 0.1_r;
+        const auto view = game_->view(*simulation_, 1, 0, 0);
+        const Vec3 eye = view.world_from_camera.position;
+        const Real flight_s = glm::distance(place(name), eye) / kSpeed_mps;
+        const Vec3 target = place(name) + velocity * (flight_s + 1.15_r) +
+                            Vec3{0, 9.81_r / 2 * flight_s * flight_s, 0};
+        const Vec3 way = glm::normalize(target - eye);
+        const Vec3 forward = view.world_from_camera.orientation * Vec3{0, 0, -1};
+        turn.look_yaw_rad = std::atan2(-way.x, -way.z) - std::atan2(-forward.x, -forward.z);
+        turn.look_pitch_rad = std::asin(way.y) - std::asin(forward.y);
+        run(1.0 / 60, turn);
+        Actions held;
+        held.held.set(index_of(Action::Throw));
+        held.pressed[index_of(Action::Throw)] = 1;
+        run(1.0 / 60, held);
+        held.pressed = {};
+        run(1.1, held);
+        run(1.2);
+    }
+    /// Throws at one thing after the other that does not count yet, until it is decided.
+    void throw_at_all(const std::vector<std::string>& things) {
+        const Real below_m = *simulation_->description().goal->below_m;
+        while (state().end == GoalEnd::Open && *state().throws_left > 0) {
+            const auto next = std::ranges::find_if(
+                things, [&](const std::string& name) { return place(name).y > below_m; });
+            if (next == things.end()) break;
+            throw_at(*next);
+        }
+        run(2);
+    }
+
+    assets::AssetLibrary library_;
+    std::unique_ptr<scene::Simulation> simulation_;
+    std::unique_ptr<PlaygroundGame> game_;
+    std::unique_ptr<effects::EffectRuntime> effects_;
+};
+
+class Cans : public ShippedGoal {
+protected:
+    void SetUp() override { open("cans.toml"); }
+};
+
+TEST_F(Cans, StandAndRideUntilSomebodyThrows) {
+    run(20);
+    EXPECT_EQ(state().counted, 0) << "none falls by itself";
+    EXPECT_EQ(state().wanted, 10);
+    EXPECT_EQ(state().left_s, 60.0);
+}
+
+TEST_F(Cans, CanBeWon) {
+    throw_at_all({"tin.low.1.0.0",
+                  "tin.low.0.0.0",
+                  "tin.low.2.0.0",
+                  "tin.middle_1",
+                  "tin.middle_2",
+                  "tin.top",
+                  "tin.on_barrel_1",
+                  "tin.on_barrel_2",
+                  "tin.riding_1",
+                  "tin.riding_2"});
+    EXPECT_EQ(state().end, GoalEnd::Won) << state().counted << " of 10, " << *state().throws_left
+                                         << " balls left after " << state().passed_s << " s";
+    EXPECT_LT(state().passed_s, 60);
+}
+
+TEST_F(Cans, AreLostByThrowingPast) {
+    Actions away;
+    away.look_yaw_rad = 2.0F;
+    run(1.0 / 60, away);
+    for (int i = 0; i < 12; ++i) {
+        Actions tap;
+        tap.pressed[index_of(Action::Throw)] = 1;
+        run(1.0 / 60, tap);
+        run(0.5);
+    }
+    run(6.5);
+    EXPECT_EQ(state().end, GoalEnd::Lost);
+}
+
+/// At the counter of the fairground's shooting gallery.
+class Gallery : public ShippedGoal {
+protected:
+    void SetUp() override { open("fairground.toml", Vec3{6.3_r, 0.03_r, 1.2_r}); }
+};
+
+TEST_F(Gallery, StandsUntilSomebodyThrows) {
+    run(20);
+    EXPECT_EQ(state().counted, 0) << "none falls by itself";
+    EXPECT_EQ(state().wanted, 9);
+    EXPECT_EQ(state().left_s, 60.0);
+}
+
+TEST_F(Gallery, CanBeWon) {
+    throw_at_all({"target.1",
+                  "target.2",
+                  "target.3",
+                  "target.4",
+                  "target.5",
+                  "tin.1",
+                  "tin.2",
+                  "tin.3",
+                  "tin.6",
+                  "tin.4",
+                  "tin.5"});
+    EXPECT_EQ(state().end, GoalEnd::Won) << state().counted << " of 9, " << *state().throws_left
+                                         << " balls left after " << state().passed_s << " s";
+    EXPECT_LT(state().passed_s, 60);
+    for (int i = 1; i <= 5; ++i)
+        EXPECT_LT(place("target." + std::to_string(i)).y, 1.05_r) << "a target stays down";
+}
+
+}  // namespace
+}  // namespace plumbline::game
