@@ -103,10 +103,10 @@ void read_wind(TableReader& root, SceneDescription& scene, const LoadContext& co
 }
 
 FlockDescription read_flock(TableReader& table) {
-    constexpr std::array<std::string_view, 2> kKinds{"birds", "butterflies"};
+    constexpr std::array<std::string_view, 2> kFlockKinds{"birds", "butterflies"};
     FlockDescription flock;
     flock.origin = origin_of(table.place());
-    flock.kind = static_cast<FlockKind>(table.choice("kind", 0, kKinds));
+    flock.kind = static_cast<FlockKind>(table.choice("kind", 0, kFlockKinds));
     flock.count = table.integer("count", flock.count, 1, kFlyers);
     if (!table.has("center_m")) table.error("center_m", "missing; expected [x, y, z] in m");
     flock.center_m = table.vector("center_m", flock.center_m, kCoordinate_m);
