@@ -41,33 +41,26 @@ inline Lanes opening_speeds(const ContactBlock& block, const SolverBody& a, cons
     return speeds;
 }
 
-constexpr LaneMatrix kIdentity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-
 /// The impulses that make A*change + wanted + compliance*impulse = 0 where they press, by
-/// projected Gauss-Seidel within the block. Rows are divided by their diagonals beforehand, side by
-/// side: then a point costs one comparison and the subtraction of one row.
+/// projected Gauss-Seidel within the block. A point's lane is a constant, so that all stays in
+/// registers: of a large pile's step this is the dearest loop.
 Lanes projected(const ContactBlock& block, const Lanes& wanted, const Lanes& compliance) {
     Lanes next = block.normal_Ns;
-    Lanes yield;    // of each point, N s per m/s
-    Lanes lacking;  // N s each point would add if the others stayed as they are
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        yield[i] = 1 / (block.response[i][i] + compliance[i]);
-        lacking[i] = -(wanted[i] + compliance[i] * next[i]) * yield[i];
-    }
     if (block.count == 1) {
-        next[0] = std::max(next[0] + lacking[0], Real{0});
+        const Real error = wanted[0] + compliance[0] * next[0];
+        next[0] = std::max(next[0] - error / (block.response[0][0] + compliance[0]), Real{0});
         return next;
     }
-    LaneMatrix rows;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        for (std::size_t k = 0; k < kLanes; ++k)
-            rows[i][k] = (block.response[i][k] + kIdentity[i][k] * compliance[k]) * yield[k];
-    }
+    Lanes residual = wanted;
+    Lanes diagonal;
+    for (std::size_t i = 0; i < kLanes; ++i) diagonal[i] = block.response[i][i] + compliance[i];
     const auto solve = [&](std::size_t i) {
-        const Real better = std::max(next[i] + lacking[i], Real{0});
-        const Real change = better - next[i];
-        next[i] = better;
-        for (std::size_t k = 0; k < kLanes; ++k) lacking[k] -= rows[i][k] * change;
+        const Real error = residual[i] + compliance[i] * next[i];
+        const Real better = next[i] - error / diagonal[i];
+        const Real pressing = better > 0 ? better : Real{0};
+        const Real change = pressing - next[i];
+        next[i] = pressing;
+        for (std::size_t k = 0; k < kLanes; ++k) residual[k] += block.response[i][k] * change;
     };
     for (int sweep = 0; sweep < kProjectedSweeps; ++sweep) {
         solve(0);
