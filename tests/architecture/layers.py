@@ -39,6 +39,9 @@ PRIVATE_FOLDERS = {"physics"}
 # another header.
 CONFINED = {"bullet/": "engine/physics/bullet/", "bt": "engine/physics/bullet/",
             "Bullet": "engine/physics/bullet/", "LinearMath/": "engine/physics/bullet/"}
+# Names of a library's types -> the same: not even declared outside.
+CONFINED_NAME = re.compile(r"\bbt[A-Z]\w+")
+COMMENT = re.compile(r"//.*")
 # Folders may hold this many files; those that hold more are not yet divided.
 MOST_FILES = 25
 CROWDED = {"engine/study", "engine/study/report"}
@@ -217,6 +220,10 @@ def check(root):
         for number, line in enumerate(lines, start=1):
             found = INCLUDE.match(line)
             if not found:
+                named = CONFINED_NAME.search(COMMENT.sub("", line))
+                if named and not path.startswith(CONFINED["bt"]):
+                    problems.append(f"{path}:{number}: {named.group()} is named outside "
+                                    f"{CONFINED['bt']}")
                 continue
             own, foreign = found.groups()
             includes.setdefault(path, []).append((number, own, foreign))

@@ -85,6 +85,12 @@ class Layers(unittest.TestCase):
                          ["engine/physics/world/a.cpp:1: btBulletDynamicsCommon.h shows what only "
                           "engine/physics/bullet/ may see"])
 
+    def test_bullet_is_not_even_named_outside_its_folder(self):
+        self.assertEqual(problems_of("engine/physics/world/a.h", "// a btRigidBody\nclass btRigidBody;\n"),
+                         ["engine/physics/world/a.h:2: btRigidBody is named outside "
+                          "engine/physics/bullet/"])
+        self.assertEqual(problems_of("engine/physics/bullet/a.h", "class btRigidBody;\n"), [])
+
     def test_bullet_is_not_seen_through_another_header(self):
         tree = {"engine/physics/bullet/a.h": "#include <LinearMath/btVector3.h>\n",
                 "engine/physics/bullet/b.h": '#include "engine/physics/bullet/a.h"\n',

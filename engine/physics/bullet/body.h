@@ -5,7 +5,6 @@
 #include "engine/core/pose.h"
 #include "engine/physics/body.h"
 #include "engine/physics/collision/manifold.h"
-#include "engine/physics/dynamics/solver_body.h"
 #include "engine/physics/dynamics/transform.h"
 
 namespace plumbline::physics {
@@ -19,29 +18,14 @@ void give_rigid_body(BodyRecord& record, const BodyDef& def, const ShapeRecord& 
 /// Immovable for as long as it is frozen.
 void set_rigid_mass(BodyRecord& record, bool frozen);
 
-Transform rigid_transform(const BodyRecord& record);
-Vec3 rigid_position(const BodyRecord& record);
-void set_rigid_transform(BodyRecord& record, const Transform& to);
-
-Vec3 linear_velocity(const BodyRecord& record);
-Vec3 angular_velocity(const BodyRecord& record);
-bool stands_still(const BodyRecord& record);
-void set_linear_velocity(BodyRecord& record, const Vec3& velocity_mps);
-void set_angular_velocity(BodyRecord& record, const Vec3& spin_radps);
-
-Real inverse_mass_of(const BodyRecord& record);  ///< 1/kg; 0: gives way to nothing
-SymmetricMat3 inverse_inertia_of(const BodyRecord& record);
-Vec3 inverse_moments_of(const BodyRecord& record);  ///< principal
-/// Change of spin per second that a torque makes.
-Vec3 angular_gain(const BodyRecord& record, const Vec3& torque_Nm);
-
-Vec3 total_force_N(const BodyRecord& record);
-Vec3 total_torque_Nm(const BodyRecord& record);
-void add_force(BodyRecord& record, const Vec3& force_N);
-void add_torque(BodyRecord& record, const Vec3& torque_Nm);
-void clear_forces(BodyRecord& record);
-/// `arm` from the centre of mass.
-void add_impulse(BodyRecord& record, const Vec3& impulse_Ns, const Vec3& arm);
+/// Bullet's copy of the pose: what contacts are found for, casts meet and drawing shows.
+void write_rigid_pose(const BodyRecord& record);
+/// bullet_*: ... with velocities, and the inertia along the world's axes.
+void write_rigid_motion(const BodyRecord& record);
+/// bullet_*: what its solver made of them.
+void read_rigid_motion(BodyRecord& record);
+/// bullet_*: velocities and forces that a step starts with.
+void write_rigid_start(const BodyRecord& record);
 
 /// What Bullet's own solvers and its drawing take a body for.
 enum class Activity : std::uint8_t { Awake, Asleep };

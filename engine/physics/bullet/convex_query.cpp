@@ -2,6 +2,7 @@
 
 #include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/bullet/convert.h"
+#include "engine/physics/bullet/rigid_body.h"
 #include "engine/physics/bullet/step_world.h"
 #include "engine/physics/world/body_record.h"
 
@@ -107,7 +108,7 @@ bool BodyFilter::sees(const BodyRecord& record) const {
     return &record != ignored && &record != also_ignored && (record.group & collides_with) != 0 &&
            (group & record.collides_with) != 0 &&
            (ignored == nullptr || !kept_apart(*ignored, record)) &&
-           (unseen_group == 0 || record.sweep_group != unseen_group);
+           (unseen_group == 0 || record.sweep.group != unseen_group);
 }
 
 std::optional<ClosestPoints> closest_points(const btConvexShape& a,

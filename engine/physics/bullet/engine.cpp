@@ -179,6 +179,7 @@ void BulletEngine::begin_step(const WorldFeatures& features, std::function<void(
     world.use = {};
     world.features = features;
     world.after_solve = std::move(after_solve);
+    each_moving([](BodyRecord& record) { write_rigid_start(record); });
 }
 
 void BulletEngine::advance(Real substep_s, bool last) {

@@ -2,6 +2,7 @@
 
 #include "engine/physics/bullet/archive/bullet_fields.h"
 #include "engine/physics/bullet/convert.h"
+#include "engine/physics/bullet/rigid_body.h"
 #include "engine/physics/bullet/step_world.h"
 #include "engine/physics/dynamics/joint/joint_geometry.h"
 #include "engine/physics/world/body_record.h"
@@ -357,7 +358,7 @@ void BulletJoint::gather(double substep_s) {
     const Vec3d torque =
         double_from_bullet(first ? load.m_appliedTorqueBodyA : load.m_appliedTorqueBodyB);
     // Where a was when the rows were made; Bullet's torque is about its centre of mass.
-    const Vec3d arm{joint.a->before.rotation * Vec3{joint.solver.anchor_in_a}};
+    const Vec3d arm{joint.a->before.at.rotation * Vec3{joint.solver.anchor_in_a}};
     impl_->carried_Ns += force * substep_s;
     impl_->carried_Nms += (torque - glm::cross(arm, force)) * substep_s;
 }

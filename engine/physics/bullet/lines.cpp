@@ -1,5 +1,6 @@
 // Outlines of collision shapes and contact normals, from Bullet's debug drawing.
 #include "engine/physics/bullet/convert.h"
+#include "engine/physics/bullet/rigid_body.h"
 #include "engine/physics/bullet/shape/shape_record.h"
 #include "engine/physics/bullet/step_world.h"
 #include "engine/physics/character.h"

@@ -1,6 +1,7 @@
 // Rays, sweeps and overlaps.
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/convex_query.h"
+#include "engine/physics/bullet/rigid_body.h"
 #include "engine/physics/bullet/shape/shape_record.h"
 #include "engine/physics/bullet/step_world.h"
 #include "engine/physics/world/world_state.h"

@@ -12,7 +12,12 @@ Quat quat_of(const Mat3& rotation) {
 }
 
 Quatd double_quat_of(const Mat3& rotation) {
-    return glm::normalize(Quatd(quat_of(rotation)));
+    btQuaternion q;
+    to_bullet(rotation).getRotation(q);
+    return glm::normalize(Quatd{static_cast<double>(q.w()),
+                                static_cast<double>(q.x()),
+                                static_cast<double>(q.y()),
+                                static_cast<double>(q.z())});
 }
 
 Transform transform_of(const Pose& pose) {

@@ -42,15 +42,13 @@ void StepWorld::predictUnconstraintMotion(btScalar) {
     for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
         btRigidBody& rigid = *m_nonStaticRigidBodies[i];
         BodyRecord& record = record_of(rigid);
-        record.before = transform_from_bullet(rigid.getWorldTransform());
-        record.velocity_before = from_bullet(rigid.getLinearVelocity());
-        record.spin_before = from_bullet(rigid.getAngularVelocity());
+        note_before(record);
         if (rigid.isKinematicObject()) continue;
-        if (record.linear_keep != 1) {
-            rigid.setLinearVelocity(rigid.getLinearVelocity() * record.linear_keep);
+        if (record.traits.linear_keep != 1) {
+            rigid.setLinearVelocity(rigid.getLinearVelocity() * record.traits.linear_keep);
         }
-        if (record.angular_keep != 1) {
-            rigid.setAngularVelocity(rigid.getAngularVelocity() * record.angular_keep);
+        if (record.traits.angular_keep != 1) {
+            rigid.setAngularVelocity(rigid.getAngularVelocity() * record.traits.angular_keep);
         }
     }
     cost.integrate_ms += laps_.lap_ms();
@@ -79,45 +77,45 @@ void StepWorld::solveConstraints(btContactSolverInfo& info) {
 
 /// Whether the solver gave the body nothing but its forces' share: then no contact pressed on it.
 bool StepWorld::flew_free(const BodyRecord& record, btScalar step_s) const {
-    const btRigidBody& rigid = *record.rigid;
-    const btVector3 from_forces = rigid.getTotalForce() * (rigid.getInvMass() * step_s);
-    const btVector3 started = to_bullet(record.velocity_before * record.linear_keep);
-    const btVector3 change = rigid.getLinearVelocity() - (started + from_forces);
+    const BodyMotion& motion = *record.motion;
+    const Vec3 from_forces = record.applied.force_N * (motion.inverse_mass * step_s);
+    const Vec3 started = record.before.velocity_mps * record.traits.linear_keep;
+    const Vec3 change = motion.velocity_mps - (started + from_forces);
     // A few roundings of the numbers compared; a push this small moves nothing that we can show.
-    const btScalar slack = 4 * SIMD_EPSILON * (started.length() + from_forces.length());
-    return change.length2() <= slack * slack &&
-           rigid_transform(record) == record.before;  // else the solver pushed it out of overlap
+    const Real slack = 4 * SIMD_EPSILON * (glm::length(started) + glm::length(from_forces));
+    return glm::dot(change, change) <= slack * slack &&
+           motion.at == record.before.at;  // else the solver pushed it out of overlap
 }
 
 /// Semi-implicit Euler, as Bullet has it, for bodies that the solver pushed.
 void StepWorld::slide(BodyRecord& record, btScalar h) {
-    btRigidBody& rigid = *record.rigid;
-    record.flight.going = false;
-    Transform to = rigid_transform(record);
-    to.position_m += linear_velocity(record) * h;
-    if (!feels_gyro(record, features) && !rigid.getAngularVelocity().isZero())
-        to.rotation = turned(to.rotation, angular_velocity(record), h);
-    set_rigid_transform(record, to);
+    BodyMotion& motion = *record.motion;
+    motion.flight.going = false;
+    motion.at.position_m += motion.velocity_mps * h;
+    if (!feels_gyro(record, features) && motion.spin_radps != Vec3{0, 0, 0})
+        motion.at.rotation = turned(motion.at.rotation, motion.spin_radps, h);
+}
+
+void StepWorld::move(BodyRecord& record, btScalar step_s) {
+    if (flew_free(record, step_s)) {
+        fly(record, gravity_mps2_, features, static_cast<double>(step_s));
+    } else {
+        slide(record, step_s);
+    }
+    if (feels_gyro(record, features)) turning_.push_back(&record);
+    if (features.continuous_collision && moves_past_itself(record)) swept_.push_back(&record);
 }
 
 void StepWorld::integrateTransforms(btScalar step_s) {
     turning_.clear();
     swept_.clear();
     for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
-        btRigidBody& rigid = *m_nonStaticRigidBodies[i];
-        BodyRecord& record = record_of(rigid);
-        if (rigid.isKinematicObject()) {
-            carry(record, record.has_target && last_substep, step_s);
-        } else if (rigid.isActive()) {
-            if (flew_free(record, step_s)) {
-                fly(record, gravity_mps2_, features, static_cast<double>(step_s));
-            } else {
-                slide(record, step_s);
-            }
-            if (feels_gyro(record, features)) turning_.push_back(&record);
-            if (features.continuous_collision && moves_past_itself(record)) {
-                swept_.push_back(&record);
-            }
+        BodyRecord& record = record_of(*m_nonStaticRigidBodies[i]);
+        if (record.kind == BodyKind::Kinematic) {
+            carry(record, record.drive.has_target && last_substep, step_s);
+        } else {
+            read_rigid_motion(record);
+            if (is_active(record)) move(record, step_s);
         }
     }
     if (!turning_.empty()) {
@@ -126,9 +124,15 @@ void StepWorld::integrateTransforms(btScalar step_s) {
         use.gyro_bodies += static_cast<std::uint32_t>(turning_.size());
         use.gyro_ms += laps_.lap_ms();
     }
+    for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
+        if (m_nonStaticRigidBodies[i]->isActive())
+            write_rigid_motion(record_of(*m_nonStaticRigidBodies[i]));
+    }
     if (!swept_.empty()) {
         cost.integrate_ms += laps_.lap_ms();
-        for (BodyRecord* record : swept_) stop_at_hit(*this, *record, step_s);
+        for (BodyRecord* record : swept_) {
+            if (stop_at_hit(*this, *record, step_s)) write_rigid_motion(*record);
+        }
         use.swept_bodies += static_cast<std::uint32_t>(swept_.size());
         use.sweep_ms += laps_.lap_ms();
     }
@@ -139,7 +143,8 @@ void StepWorld::updateActivationState(btScalar step_s) {
     for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
         btRigidBody& rigid = *m_nonStaticRigidBodies[i];
         if (rigid.isKinematicObject()) continue;
-        if (record_of(rigid).flight.going) {
+        BodyRecord& record = record_of(rigid);
+        if (record.motion->flight.going) {
             // In the air nothing rests, however slow: the top of a throw, a balloon, no gravity.
             rigid.setDeactivationTime(0);
             rigid.setActivationState(ACTIVE_TAG);
@@ -150,8 +155,8 @@ void StepWorld::updateActivationState(btScalar step_s) {
             if (rigid.getActivationState() == ACTIVE_TAG) {
                 rigid.setActivationState(WANTS_DEACTIVATION);
             } else if (rigid.getActivationState() == ISLAND_SLEEPING) {
-                rigid.setLinearVelocity({0, 0, 0});
-                rigid.setAngularVelocity({0, 0, 0});
+                stand_still(record);
+                write_rigid_motion(record);
             }
         } else {
             rigid.setActivationState(ACTIVE_TAG);  // a body that may not sleep keeps its own state

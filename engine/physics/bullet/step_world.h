@@ -37,8 +37,7 @@ public:
     StepCost cost{};
     FeatureUse use{};
     bool last_substep{true};
-    std::function<void()>
-        after_solve;  ///< where there is one; velocities before are in the records
+    std::function<void()> after_solve;  ///< none: nobody asks; velocities before are in the records
 
 protected:
     void predictUnconstraintMotion(btScalar step_s) override;
@@ -51,6 +50,7 @@ protected:
 private:
     bool flew_free(const BodyRecord& record, btScalar step_s) const;
     void slide(BodyRecord& record, btScalar step_s);
+    void move(BodyRecord& record, btScalar step_s);
 
     Vec3d gravity_mps2_;
     std::vector<BodyRecord*> turning_;

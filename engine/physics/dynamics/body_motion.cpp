@@ -18,27 +18,52 @@ Mat3 matrix_of(const Quatd& q) {
 
 }  // namespace
 
+// R diag(moments) R^T, in the order in which Bullet multiplies.
+SymmetricMat3 inverse_inertia_of(const BodyMotion& motion) {
+    const Mat3 rows = glm::transpose(motion.at.rotation);
+    const Vec3 x = rows[0] * motion.inverse_moments;
+    const Vec3 y = rows[1] * motion.inverse_moments;
+    const Vec3 z = rows[2] * motion.inverse_moments;
+    return {.xx = glm::dot(rows[0], x),
+            .xy = glm::dot(rows[1], x),
+            .xz = glm::dot(rows[2], x),
+            .yy = glm::dot(rows[1], y),
+            .yz = glm::dot(rows[2], y),
+            .zz = glm::dot(rows[2], z)};
+}
+
+// The lower half of that matrix is rounded in another way than the upper.
+Vec3 angular_gain(const BodyMotion& motion, const Vec3& torque_Nm) {
+    const Mat3 rows = glm::transpose(motion.at.rotation);
+    Vec3 gain{0, 0, 0};
+    for (int axis = 0; axis < 3; ++axis)
+        gain[axis] =
+            glm::dot(glm::transpose(rows) * (rows[axis] * motion.inverse_moments), torque_Nm);
+    return gain;
+}
+
 bool feels_gyro(const BodyRecord& record, const WorldFeatures& features) {
-    const Vec3 spin = angular_velocity(record);
-    return features.gyroscopic_torque && !record.round_inertia &&
+    const Vec3 spin = record.motion->spin_radps;
+    return features.gyroscopic_torque && !record.traits.round_inertia &&
            glm::dot(spin, spin) > static_cast<Real>(kLeastGyroSpin_radps * kLeastGyroSpin_radps);
 }
 
 void fly(BodyRecord& record, const Vec3d& gravity_mps2, const WorldFeatures& features, double h) {
-    Flight& flight = record.flight;
+    Flight& flight = record.motion->flight;
     if (!flight.going) {
-        flight.position_m = Vec3d(record.before.position_m);
-        flight.velocity_mps = Vec3d(record.velocity_before);
-        flight.orientation = double_quat_of(record.before.rotation);
-        flight.spin_radps = Vec3d(record.spin_before);
+        flight.position_m = Vec3d(record.before.at.position_m);
+        flight.velocity_mps = Vec3d(record.before.velocity_mps);
+        flight.orientation = double_quat_of(record.before.at.rotation);
+        flight.spin_radps = Vec3d(record.before.spin_radps);
         flight.going = true;
     }
-    Vec3d acceleration = gravity_mps2 * Vec3d(record.linear_factor);
-    if (record.forced) {
-        acceleration += Vec3d(total_force_N(record) - record.weight_N) / record.mass_kg;
+    Vec3d acceleration = gravity_mps2 * Vec3d(record.traits.linear_factor);
+    if (record.applied.by_caller) {
+        acceleration +=
+            Vec3d(record.applied.force_N - record.traits.weight_N) / record.traits.mass_kg;
     }
     const Vec3d v = flight.velocity_mps;
-    const double k = record.linear_damping_per_s;
+    const double k = record.traits.linear_damping_per_s;
     if (k > 0) {
         const double lost = -std::expm1(-k * h);  // 1 - exp(-k h), exact for small k h too
         const Vec3d terminal = acceleration / k;
@@ -48,74 +73,74 @@ void fly(BodyRecord& record, const Vec3d& gravity_mps2, const WorldFeatures& fea
         flight.position_m += v * h + acceleration * (0.5 * h * h);
         flight.velocity_mps = v + acceleration * h;
     }
-    set_linear_velocity(record, Vec3(flight.velocity_mps));
+    record.motion->velocity_mps = Vec3(flight.velocity_mps);
 
     // A torque went through the solver; without one the spin just decays.
-    const Vec3 spin = angular_velocity(record);
-    const bool torque_free = spin == record.spin_before * record.angular_keep;
-    const double angular_k = record.angular_damping_per_s;
+    const Vec3 spin = record.motion->spin_radps;
+    const bool torque_free = spin == record.before.spin_radps * record.traits.angular_keep;
+    const double angular_k = record.traits.angular_damping_per_s;
     double turning_s = h;
     const Vec3d turning = torque_free ? flight.spin_radps : Vec3d(spin);
     flight.spin_radps = turning;
     if (torque_free && angular_k > 0) {
         turning_s = -std::expm1(-angular_k * h) / angular_k;
         flight.spin_radps *= std::exp(-angular_k * h);
-        set_angular_velocity(record, Vec3(flight.spin_radps));
+        record.motion->spin_radps = Vec3(flight.spin_radps);
     }
 
-    Transform to = record.before;
+    Transform to = record.before.at;
     to.position_m = Vec3(flight.position_m);
     if (!feels_gyro(record, features) && turning != Vec3d{0, 0, 0}) {
         flight.orientation = glm::normalize(turn_by(turning, turning_s) * flight.orientation);
         to.rotation = matrix_of(flight.orientation);
     }
-    set_rigid_transform(record, to);
+    record.motion->at = to;
 }
 
 void turn_freely(BodyRecord& record, double h) {
-    Flight& flight = record.flight;
-    Transform to = rigid_transform(record);
+    Flight& flight = record.motion->flight;
+    Transform to = record.motion->at;
     const FreeTurn start =
         flight.going ? FreeTurn{flight.orientation, flight.spin_radps}
-                     : FreeTurn{double_quat_of(to.rotation), Vec3d(angular_velocity(record))};
-    const FreeTurn end = turned_freely(start, record.inertia_kgm2, h);
+                     : FreeTurn{double_quat_of(to.rotation), Vec3d(record.motion->spin_radps)};
+    const FreeTurn end = turned_freely(start, record.traits.inertia_kgm2, h);
     flight.orientation = end.orientation;
     flight.spin_radps = end.spin_radps;
     to.rotation = matrix_of(flight.orientation);
-    set_rigid_transform(record, to);
-    set_angular_velocity(record, Vec3(flight.spin_radps));
+    record.motion->at = to;
+    record.motion->spin_radps = Vec3(flight.spin_radps);
 }
 
 void carry(BodyRecord& record, bool to_target, Real h) {
     if (stands_still(record)) return;
-    Transform to = rigid_transform(record);
+    Transform to = record.motion->at;
     if (to_target) {
-        to = record.target;  // exactly there, whatever rounding the way left
+        to = record.drive.target;  // exactly there, whatever rounding the way left
     } else {
-        to.position_m += linear_velocity(record) * h;
-        to.rotation = turned(to.rotation, angular_velocity(record), h);
+        to.position_m += record.motion->velocity_mps * h;
+        to.rotation = turned(to.rotation, record.motion->spin_radps, h);
     }
-    set_rigid_transform(record, to);
+    record.motion->at = to;
 }
 
 /// Of a step's way: below it a body was at the hit when the step began.
 constexpr Real kStuckShare = 0.02_r;
 
 bool moves_past_itself(const BodyRecord& record) {
-    if (record.cores.empty() || record.ccd == ContinuousCollision::Off) return false;
-    if (record.ccd == ContinuousCollision::On) return true;
-    const Vec3 path = rigid_position(record) - record.before.position_m;
-    return glm::dot(path, path) > record.smallest_core_m * record.smallest_core_m;
+    if (record.sweep.cores.empty() || record.sweep.ccd == ContinuousCollision::Off) return false;
+    if (record.sweep.ccd == ContinuousCollision::On) return true;
+    const Vec3 path = record.motion->at.position_m - record.before.at.position_m;
+    return glm::dot(path, path) > record.sweep.smallest_core_m * record.sweep.smallest_core_m;
 }
 
 WayToHit way_to_hit(const StepWorld& world, const BodyRecord& record, std::uint32_t unseen_group) {
     // Smaller than the core, so that a body sliding fast over a floor is not stopped by it.
     constexpr Real kShare = 0.8_r;
     constexpr Real kInside = 1e-3_r;
-    const Transform to = rigid_transform(record);
+    const Transform to = record.motion->at;
     WayToHit way;
-    for (const Core& core : record.cores) {
-        const Vec3 from = record.before(core.center_m);
+    for (const Core& core : record.sweep.cores) {
+        const Vec3 from = record.before.at(core.center_m);
         const Vec3 motion = to(core.center_m) - from;
         const auto hit = cast_sphere(
             world,
@@ -134,34 +159,38 @@ WayToHit way_to_hit(const StepWorld& world, const BodyRecord& record, std::uint3
     return way;
 }
 
-void stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s) {
+bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s) {
     const WayToHit way = way_to_hit(world, record, 0);
-    if (way.share >= 1) return;
-    record.flight.going = false;
-    Transform stopped = record.before;
-    stopped.position_m += (rigid_position(record) - stopped.position_m) * way.share;
+    if (way.share >= 1) return false;
+    record.motion->flight.going = false;
+    Transform stopped = record.before.at;
+    stopped.position_m += (record.motion->at.position_m - stopped.position_m) * way.share;
     // What stands at the hit already and still heads for it has contacts elsewhere, about which it
     // turns. It goes on turning; the speed that it cannot have would grow from step to step.
     const bool stuck = way.share < kStuckShare;
-    stopped.rotation = turned(record.before.rotation,
-                              angular_velocity(record),
+    stopped.rotation = turned(record.before.at.rotation,
+                              record.motion->spin_radps,
                               stuck ? duration_s : duration_s * way.share);
     // Less the speed of the fall that it did not make.
-    Vec3 velocity = linear_velocity(record) -
-                    record.weight_N * inverse_mass_of(record) * (duration_s * (1 - way.share));
+    Vec3 velocity = record.motion->velocity_mps - record.traits.weight_N *
+                                                      record.motion->inverse_mass *
+                                                      (duration_s * (1 - way.share));
     const Real into = glm::dot(velocity, way.normal);
     if (stuck && into < 0) velocity -= way.normal * into;
-    set_linear_velocity(record, velocity);
-    set_rigid_transform(record, stopped);
+    record.motion->velocity_mps = velocity;
+    record.motion->at = stopped;
+    write_rigid_pose(record);
+    return true;
 }
 
 void stop_part_way(BodyRecord& record, Real share) {
-    const Transform to = rigid_transform(record);
-    record.flight.going = false;
-    Transform stopped = record.before;
+    const Transform to = record.motion->at;
+    record.motion->flight.going = false;
+    Transform stopped = record.before.at;
     stopped.position_m += (to.position_m - stopped.position_m) * share;
-    stopped.rotation = turned_part_way(record.before.rotation, to.rotation, share);
-    set_rigid_transform(record, stopped);
+    stopped.rotation = turned_part_way(record.before.at.rotation, to.rotation, share);
+    record.motion->at = stopped;
+    write_rigid_pose(record);
 }
 
 }  // namespace plumbline::physics

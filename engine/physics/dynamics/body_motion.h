@@ -2,6 +2,8 @@
 #pragma once
 
 #include "engine/core/math.h"
+#include "engine/physics/dynamics/solver_body.h"
+#include "engine/physics/dynamics/transform.h"
 #include "engine/physics/physics_world.h"
 
 #include <cstdint>
@@ -18,8 +20,24 @@ struct Flight {
     Vec3d velocity_mps{0, 0, 0};
     Quatd orientation{1, 0, 0, 0};
     Vec3d spin_radps{0, 0, 0};
-    bool going{false};  ///< Bullet's own numbers are the ones above, rounded
+    bool going{false};  ///< the numbers of BodyMotion are the ones above, rounded
 };
+
+/// What a step moves of a body, and what gives way when it is pushed. Everybody else reads it here;
+/// Bullet gets a copy of the pose at the end of a step.
+struct BodyMotion {
+    Transform at{};  ///< mass frame
+    Vec3 velocity_mps{0, 0, 0};
+    Vec3 spin_radps{0, 0, 0};
+    Real inverse_mass{0};           ///< 1/kg; 0: gives way to nothing
+    Vec3 inverse_moments{0, 0, 0};  ///< 1/(kg m2), principal
+    Flight flight{};                ///< the same pose and velocities, with more digits
+};
+
+/// Along the world's axes.
+SymmetricMat3 inverse_inertia_of(const BodyMotion& motion);
+/// Change of spin per second, or by an angular impulse.
+Vec3 angular_gain(const BodyMotion& motion, const Vec3& torque_Nm);
 
 /// Whether the body turns so that its gyroscopic torque shows.
 bool feels_gyro(const BodyRecord& record, const WorldFeatures& features);
@@ -50,8 +68,8 @@ struct WayToHit {
 /// passed through.
 WayToHit way_to_hit(const StepWorld& world, const BodyRecord& record, std::uint32_t unseen_group);
 /// On a hit the body stops there and keeps its velocity, so that the next step's contact bounces it
-/// as it should.
-void stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s);
+/// as it should. Whether there was one.
+bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s);
 /// Puts the body where it was after a share of its way since record.before.
 void stop_part_way(BodyRecord& record, Real share);
 

@@ -22,14 +22,14 @@ constexpr int kMostSubsteps = 64;
 
 SolverBody posed_body(const BodyRecord& record) {
     SolverBody body;
-    body.velocity_mps = linear_velocity(record);
-    body.spin_radps = angular_velocity(record);
-    if (record.flight.going) {
-        body.start_position_m = record.flight.position_m;
-        body.start_orientation = record.flight.orientation;
+    body.velocity_mps = record.motion->velocity_mps;
+    body.spin_radps = record.motion->spin_radps;
+    if (record.motion->flight.going) {
+        body.start_position_m = record.motion->flight.position_m;
+        body.start_orientation = record.motion->flight.orientation;
         return body;
     }
-    const Transform at = rigid_transform(record);
+    const Transform at = record.motion->at;
     body.start_position_m = Vec3d(at.position_m);
     body.start_orientation = double_quat_of(at.rotation);
     return body;
@@ -37,20 +37,20 @@ SolverBody posed_body(const BodyRecord& record) {
 
 SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double h) {
     SolverBody body = posed_body(record);
-    body.inverse_mass = inverse_mass_of(record);
-    body.inverse_inertia = inverse_inertia_of(record);
-    body.inertia_kgm2 = record.inertia_kgm2;
-    body.round_inertia = record.round_inertia;
-    body.acceleration_mps2 = Vec3(step.gravity_mps2) * record.linear_factor;
-    if (record.forced) {
+    body.inverse_mass = record.motion->inverse_mass;
+    body.inverse_inertia = inverse_inertia_of(*record.motion);
+    body.inertia_kgm2 = record.traits.inertia_kgm2;
+    body.round_inertia = record.traits.round_inertia;
+    body.acceleration_mps2 = Vec3(step.gravity_mps2) * record.traits.linear_factor;
+    if (record.applied.by_caller) {
         body.acceleration_mps2 +=
-            (total_force_N(record) - record.weight_N) * inverse_mass_of(record);
-        body.angular_acceleration_radps2 = angular_gain(record, total_torque_Nm(record));
+            (record.applied.force_N - record.traits.weight_N) * record.motion->inverse_mass;
+        body.angular_acceleration_radps2 = angular_gain(*record.motion, record.applied.torque_Nm);
     }
-    if (record.linear_damping_per_s > 0)
-        body.linear_keep = static_cast<Real>(std::exp(-record.linear_damping_per_s * h));
-    if (record.angular_damping_per_s > 0)
-        body.angular_keep = static_cast<Real>(std::exp(-record.angular_damping_per_s * h));
+    if (record.traits.linear_damping_per_s > 0)
+        body.linear_keep = static_cast<Real>(std::exp(-record.traits.linear_damping_per_s * h));
+    if (record.traits.angular_damping_per_s > 0)
+        body.angular_keep = static_cast<Real>(std::exp(-record.traits.angular_damping_per_s * h));
     return body;
 }
 
@@ -88,7 +88,7 @@ std::uint32_t IslandSolver::Impl::add_body(BodyRecord* record, const SolverBody&
 
 /// Kinematic bodies that move join the island when something of it touches them.
 std::uint32_t IslandSolver::Impl::index_of(const BodyRecord& record) {
-    if (pushable(record)) return record.row;
+    if (pushable(record)) return record.small.row;
     const bool moves = record.kind == BodyKind::Kinematic && !stands_still(record);
     // One that stands still has a place only where a joint holds it.
     const auto place = bounds.find(&record);
@@ -98,7 +98,7 @@ std::uint32_t IslandSolver::Impl::index_of(const BodyRecord& record) {
 
 /// A joint's anchor is in its body's frame: bodies that stand still have a place of their own too.
 std::uint32_t IslandSolver::Impl::posed_index_of(const BodyRecord& record) {
-    if (pushable(record)) return record.row;
+    if (pushable(record)) return record.small.row;
     const auto [place, added] = bounds.try_emplace(&record, 0);
     if (added) place->second = add_body(nullptr, posed_body(record));
     return place->second;
@@ -116,16 +116,15 @@ void IslandSolver::Impl::write_bodies() {
         if (records[i] == nullptr) continue;
         BodyRecord& record = *records[i];
         const SolverBody& body = loop.bodies[i];
-        Flight& flight = record.flight;
+        Flight& flight = record.motion->flight;
         flight.position_m = body.start_position_m + Vec3d(body.moved_m);
         flight.orientation = glm::normalize(Quatd(body.turned) * body.start_orientation);
         flight.velocity_mps = Vec3d(body.velocity_mps);
         flight.spin_radps = Vec3d(body.spin_radps);
         flight.going = true;
-        set_linear_velocity(record, body.velocity_mps);
-        set_angular_velocity(record, body.spin_radps);
-        set_rigid_transform(record,
-                            transform_of({Vec3(flight.position_m), Quat(flight.orientation)}));
+        record.motion->velocity_mps = body.velocity_mps;
+        record.motion->spin_radps = body.spin_radps;
+        record.motion->at = transform_of({Vec3(flight.position_m), Quat(flight.orientation)});
     }
 }
 
@@ -156,10 +155,10 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
     if (step.substeps_most <= step.substeps_least)
         return chooser.choose(step.substeps_least, step.substeps_most);
     const auto number_of = [](const BodyRecord& record) {
-        return pushable(record) ? static_cast<int>(record.row) : -1;
+        return pushable(record) ? static_cast<int>(record.small.row) : -1;
     };
     for (std::size_t i = 0; i < island.bodies.size(); ++i)
-        island.bodies[i]->row = static_cast<std::uint32_t>(i);
+        island.bodies[i]->small.row = static_cast<std::uint32_t>(i);
     const auto gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2));
     for (const Manifold* manifold : island.manifolds) {
         Real load_N = bridge.lasting_load_N(*manifold);
@@ -169,20 +168,21 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
         for (const BodyRecord* end : {manifold->a, manifold->b}) {
             const BodyRecord& record = *end;
             if (!pushable(record)) continue;
-            inverse_mass += inverse_mass_of(record);
-            heaviest_kg = std::max(heaviest_kg, 1 / inverse_mass_of(record));
-            if (record.smallest_core_m > 0) size_m = std::min(size_m, 2 * record.smallest_core_m);
+            inverse_mass += record.motion->inverse_mass;
+            heaviest_kg = std::max(heaviest_kg, 1 / record.motion->inverse_mass);
+            if (record.sweep.smallest_core_m > 0)
+                size_m = std::min(size_m, 2 * record.sweep.smallest_core_m);
         }
         if (load_N == 0) load_N = heaviest_kg * gravity_mps2;
         chooser.add_contact(
             number_of(*manifold->a), number_of(*manifold->b), load_N, 1 / inverse_mass, size_m);
     }
     for (const JointRecord* joint : island.joints) {
-        Real spin_radps = glm::length(angular_velocity(*joint->a));
-        Real size_m = std::max(2 * joint->a->smallest_core_m, 1e-3_r);
+        Real spin_radps = glm::length(joint->a->motion->spin_radps);
+        Real size_m = std::max(2 * joint->a->sweep.smallest_core_m, 1e-3_r);
         if (joint->b != nullptr) {
-            spin_radps = std::max(spin_radps, glm::length(angular_velocity(*joint->b)));
-            size_m = std::max(size_m, 2 * joint->b->smallest_core_m);
+            spin_radps = std::max(spin_radps, glm::length(joint->b->motion->spin_radps));
+            size_m = std::max(size_m, 2 * joint->b->sweep.smallest_core_m);
         }
         chooser.add_joint(spin_radps, static_cast<Real>(joint->state.error_m) / size_m);
     }
@@ -199,7 +199,7 @@ void IslandSolver::Impl::hold(const Island& island,
     // What most of the bodies had: a few that join from a harder island do not decide.
     std::array<int, kMostSubsteps + 1> bodies_with{};
     for (const BodyRecord* record : island.bodies)
-        ++bodies_with[static_cast<std::size_t>(std::min(record->substeps, kMostSubsteps))];
+        ++bodies_with[static_cast<std::size_t>(std::min(record->small.substeps, kMostSubsteps))];
     int had = kMostSubsteps;
     for (auto more = static_cast<std::size_t>(bodies_with.back());
          had > 0 && 2 * more < island.bodies.size();) {
@@ -208,15 +208,16 @@ void IslandSolver::Impl::hold(const Island& island,
     }
     int for_steps = kHoldSteps;
     for (const BodyRecord* record : island.bodies) {
-        if (record->substeps == had) for_steps = std::min(for_steps, record->substeps_held);
+        if (record->small.substeps == had)
+            for_steps = std::min(for_steps, record->small.substeps_held);
     }
     had = std::min(had, step.substeps_most);
     const bool far_fewer = kFarFewer * static_cast<double>(had) >= choice.substeps;
     const bool held = choice.substeps < had && (!far_fewer || for_steps < kHoldSteps);
     if (held) choice = {had, SubstepReason::Held};
     for (BodyRecord* record : island.bodies) {
-        record->substeps = choice.substeps;
-        record->substeps_held = held ? for_steps + 1 : 0;
+        record->small.substeps = choice.substeps;
+        record->small.substeps_held = held ? for_steps + 1 : 0;
     }
 }
 
@@ -226,11 +227,11 @@ void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h
     bounds.clear();
     bridge.begin_island();
     for (BodyRecord* record : island.bodies) {
-        if (record->held_along_axes()) {
+        if (record->traits.held_along_axes()) {
             loop.held.push_back({.body = static_cast<std::uint32_t>(loop.bodies.size()),
-                                 .linear_factor = record->linear_factor});
+                                 .linear_factor = record->traits.linear_factor});
         }
-        record->row = add_body(record, dynamic_body(*record, step, h));
+        record->small.row = add_body(record, dynamic_body(*record, step, h));
     }
     for (Manifold* manifold : island.manifolds) {
         bridge.add(*manifold,

@@ -18,30 +18,31 @@ bool is_member(const BodyRecord* record) {
 
 /// What bounds an island and moves by itself.
 bool is_carrier(const BodyRecord& record) {
-    return record.kind == BodyKind::Kinematic && record.awake;
+    return record.kind == BodyKind::Kinematic && record.small.awake;
 }
 
 /// Nothing that callers may do makes bodies faster than this; comparisons with NaN are false.
 bool is_sane(const BodyRecord& record) {
     constexpr Real kSpeed = 4 * kMaxSpeed_mps;
     constexpr Real kSpin = 4 * kMaxSpin_radps;
-    const Vec3 v = linear_velocity(record);
-    const Vec3 spin = angular_velocity(record);
-    const Transform at = rigid_transform(record);
+    const Vec3 v = record.motion->velocity_mps;
+    const Vec3 spin = record.motion->spin_radps;
+    const Transform at = record.motion->at;
     return glm::dot(v, v) <= kSpeed * kSpeed && glm::dot(spin, spin) <= kSpin * kSpin &&
            std::isfinite(glm::dot(at.position_m, at.position_m) +
                          glm::dot(at.rotation[0], at.rotation[0]));
 }
 
 Real speed_before(const BodyRecord& record) {
-    return glm::length(record.velocity_before) + glm::length(record.spin_before) * record.radius_m;
+    return glm::length(record.before.velocity_mps) +
+           glm::length(record.before.spin_radps) * record.traits.radius_m;
 }
 
 void stand_as_before(BodyRecord& record) {
-    record.flight.going = false;
-    set_rigid_transform(record, record.before);
-    set_linear_velocity(record, record.velocity_before);
-    set_angular_velocity(record, record.spin_before);
+    record.motion->flight.going = false;
+    record.motion->at = record.before.at;
+    record.motion->velocity_mps = record.before.velocity_mps;
+    record.motion->spin_radps = record.before.spin_radps;
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ bool take_back_if_insane(const Island& island) {
         joint->state = {};
     }
     constexpr Real kNone = std::numeric_limits<Real>::quiet_NaN();
-    set_linear_velocity(*fastest, {kNone, kNone, kNone});
+    fastest->motion->velocity_mps = {kNone, kNone, kNone};
     return true;
 }
 
@@ -86,11 +87,11 @@ void IslandBuilder::build(std::span<BodyRecord* const> bodies,
                           std::span<JointRecord* const> joints) {
     sets_.reset(bodies.size());
     held_.assign(bodies.size(), 0);
-    for (std::uint32_t i = 0; i < bodies.size(); ++i) bodies[i]->row = i;
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) bodies[i]->small.row = i;
     const auto tie = [this](const BodyRecord* a, const BodyRecord* b) {
-        if (is_member(a)) held_[a->row] = 1;
-        if (is_member(b)) held_[b->row] = 1;
-        if (is_member(a) && is_member(b)) sets_.join(a->row, b->row);
+        if (is_member(a)) held_[a->small.row] = 1;
+        if (is_member(b)) held_[b->small.row] = 1;
+        if (is_member(a) && is_member(b)) sets_.join(a->small.row, b->small.row);
     };
     for (const Manifold* manifold : manifolds) tie(manifold->a, manifold->b);
     for (const JointRecord* joint : joints) tie(joint->a, joint->b);
@@ -113,13 +114,13 @@ void IslandBuilder::build(std::span<BodyRecord* const> bodies,
     }
     for (Manifold* manifold : manifolds) {
         const BodyRecord* member = is_member(manifold->a) ? manifold->a : manifold->b;
-        island_of(member->row).manifolds.push_back(manifold);
-        note_partner(member->row, member == manifold->a ? manifold->b : manifold->a);
+        island_of(member->small.row).manifolds.push_back(manifold);
+        note_partner(member->small.row, member == manifold->a ? manifold->b : manifold->a);
     }
     for (JointRecord* joint : joints) {
         const BodyRecord* member = is_member(joint->a) ? joint->a : joint->b;
-        island_of(member->row).joints.push_back(joint);
-        note_partner(member->row, member == joint->a ? joint->b : joint->a);
+        island_of(member->small.row).joints.push_back(joint);
+        note_partner(member->small.row, member == joint->a ? joint->b : joint->a);
     }
 }
 

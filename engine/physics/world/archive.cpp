@@ -17,21 +17,26 @@ void serialize_body(Archive& archive, BodyRecord& record) {
             record.frozen,
             record.in_world,
             record.poisoned,
-            record.has_target,
-            record.driven,
-            record.forced,
-            record.awake,
-            record.box_stale,
-            record.substeps,
-            record.substeps_held,
-            record.slumber,
+            record.drive.has_target,
+            record.drive.driven,
+            record.applied.by_caller,
+            record.small.awake,
+            record.small.box_stale,
+            record.small.substeps,
+            record.small.substeps_held,
+            record.small.slumber,
             record.joints,
-            record.rest,
-            record.target,
-            record.before,
-            record.velocity_before,
-            record.spin_before,
-            record.flight);
+            record.small.rest,
+            record.drive.target,
+            record.before.at,
+            record.before.velocity_mps,
+            record.before.spin_radps,
+            record.motion->flight,
+            record.motion->at,
+            record.motion->velocity_mps,
+            record.motion->spin_radps,
+            record.applied.force_N,
+            record.applied.torque_Nm);
 }
 
 }  // namespace
@@ -99,11 +104,11 @@ void PhysicsWorld::serialize(Archive& archive, const std::function<bool(BodyId)>
 void PhysicsWorld::Impl::abandon() {
     if (engine) take_engine_down();
     bodies.each([](BodyId, std::unique_ptr<BodyRecord>& record) {
-        record->in_world = record->awake = false;
-        record->slumber = 0;
+        record->in_world = record->small.awake = false;
+        record->small.slumber = 0;
         record->joints.clear();
         record->apart.clear();
-        record->pairs.clear();
+        record->small.pairs.clear();
     });
     joints = {};
     for (auto* ids : {&poisoned, &quarantined}) ids->clear();
@@ -121,7 +126,7 @@ void PhysicsWorld::Impl::serialize_bodies(Archive& archive, const BodyScope& sco
             if (record->contact_events) ++event_bodies;
             if (was_frozen != record->frozen) set_rigid_mass(*record, record->frozen);
             record->apart.clear();
-            record->sweep_group = 0;
+            record->sweep.group = 0;
         }
         serialize_rigid(archive, *record);
     });

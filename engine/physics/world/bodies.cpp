@@ -10,31 +10,32 @@ namespace plumbline::physics {
 namespace {
 
 Vec3 arm_of_origin(const BodyRecord& record) {
-    return rigid_transform(record).rotation * invert(record.body_from_mass).position;
+    return record.motion->at.rotation * invert(record.traits.body_from_mass).position;
 }
 
 void set_velocity_of_origin(BodyRecord& record, const Vec3& velocity, const Vec3& spin) {
     Vec3 v = velocity;
-    if (!record.mass_frame_is_body) v -= glm::cross(spin, arm_of_origin(record));
-    set_linear_velocity(record, v * record.linear_factor);
-    set_angular_velocity(record, spin);
-    record.flight.going = false;
+    if (!record.traits.mass_frame_is_body) v -= glm::cross(spin, arm_of_origin(record));
+    record.motion->velocity_mps = v * record.traits.linear_factor;
+    record.motion->spin_radps = spin;
+    record.motion->flight.going = false;
 }
 
 }  // namespace
 
 Transform PhysicsWorld::Impl::world_from_mass(const BodyRecord& record,
                                               const Pose& world_from_body) const {
-    return transform_of(record.mass_frame_is_body
+    return transform_of(record.traits.mass_frame_is_body
                             ? world_from_body
-                            : compose(world_from_body, record.body_from_mass));
+                            : compose(world_from_body, record.traits.body_from_mass));
 }
 
 void PhysicsWorld::Impl::place(BodyRecord& record, const Transform& to) {
-    set_rigid_transform(record, to);
-    record.before = to;
-    record.target = to;
-    record.flight.going = false;
+    record.motion->at = to;
+    write_rigid_motion(record);
+    record.before.at = to;
+    record.drive.target = to;
+    record.motion->flight.going = false;
     if (record.in_world) engine->refresh_box(record);
 }
 
@@ -57,23 +58,22 @@ void PhysicsWorld::Impl::leave_world(BodyRecord& record) {
 
 BodyId PhysicsWorld::create_body(const BodyDef& def) {
     PL_ASSERT(def.kind != BodyKind::Dynamic || def.mass_kg > 0, "a dynamic body that has mass");
-    auto owned = std::make_unique<BodyRecord>();
-    BodyRecord& record = *owned;
-    record.shape = def.shape;
+    const BodyId id = impl_->bodies.insert(std::make_unique<BodyRecord>());
+    BodyRecord& record = impl_->body(id);
+    record.id = id;
+    record.motion = &impl_->motions.make(id.index);
     record.kind = def.kind;
     record.user = def.user;
     record.group = def.group;
     record.collides_with = def.collides_with;
-    record.ccd = def.ccd;
+    record.sweep.ccd = def.ccd;
     record.can_sleep = def.can_sleep;
-    record.linear_damping_per_s = static_cast<double>(def.linear_damping_per_s);
-    record.angular_damping_per_s = static_cast<double>(def.angular_damping_per_s);
-    record.linear_factor = def.linear_factor;
+    record.traits.linear_damping_per_s = static_cast<double>(def.linear_damping_per_s);
+    record.traits.angular_damping_per_s = static_cast<double>(def.angular_damping_per_s);
+    record.traits.linear_factor = def.linear_factor;
     give_rigid_body(record, def, impl_->shapes.get(def.shape));
     impl_->suit_to_world(record);
 
-    const BodyId id = impl_->bodies.insert(std::move(owned));
-    record.id = id;
     const bool sound = is_finite(def.world_from_body) && is_finite(def.velocity_mps) &&
                        is_finite(def.angular_velocity_radps);
     if (is_finite(def.world_from_body)) {
@@ -111,12 +111,13 @@ bool PhysicsWorld::contains(BodyId id) const {
 
 BodyState PhysicsWorld::state(BodyId id) const {
     const BodyRecord& record = impl_->body(id);
-    BodyState state{.world_from_body = pose_of(rigid_transform(record)),
-                    .velocity_mps = linear_velocity(record),
-                    .angular_velocity_radps = angular_velocity(record),
+    BodyState state{.world_from_body = pose_of(record.motion->at),
+                    .velocity_mps = record.motion->velocity_mps,
+                    .angular_velocity_radps = record.motion->spin_radps,
                     .awake = record.in_world && is_active(record)};
-    if (!record.mass_frame_is_body) {
-        state.world_from_body = compose(state.world_from_body, invert(record.body_from_mass));
+    if (!record.traits.mass_frame_is_body) {
+        state.world_from_body =
+            compose(state.world_from_body, invert(record.traits.body_from_mass));
         state.velocity_mps += glm::cross(state.angular_velocity_radps, arm_of_origin(record));
     }
     return state;
@@ -129,9 +130,9 @@ BodyKind PhysicsWorld::kind(BodyId id) const {
 MassProperties PhysicsWorld::mass_properties(BodyId id) const {
     const BodyRecord& record = impl_->body(id);
     if (record.kind != BodyKind::Dynamic) return {};
-    return {.mass_kg = static_cast<Real>(record.mass_kg),
-            .inertia_kgm2 = Vec3{record.inertia_kgm2},
-            .center_of_mass_m = record.body_from_mass.position};
+    return {.mass_kg = static_cast<Real>(record.traits.mass_kg),
+            .inertia_kgm2 = Vec3{record.traits.inertia_kgm2},
+            .center_of_mass_m = record.traits.body_from_mass.position};
 }
 
 std::uint64_t PhysicsWorld::user(BodyId id) const {
@@ -157,7 +158,7 @@ void PhysicsWorld::set_pose(BodyId id, const Pose& world_from_body) {
     if (!is_finite(world_from_body)) return impl_->poison(record);
     impl_->wake_neighbours(record);
     impl_->place(record, impl_->world_from_mass(record, world_from_body));
-    record.has_target = false;
+    record.drive.has_target = false;
     if (impl_->small) impl_->small->wake_overlapping(record);
     wake(id);
 }
@@ -167,8 +168,8 @@ void PhysicsWorld::move_kinematic(BodyId id, const Pose& world_from_body) {
     PL_ASSERT(record.kind == BodyKind::Kinematic, "a kinematic body");
     if (!record.in_world) return;
     if (!is_finite(world_from_body)) return impl_->poison(record);
-    record.target = impl_->world_from_mass(record, world_from_body);
-    record.has_target = true;
+    record.drive.target = impl_->world_from_mass(record, world_from_body);
+    record.drive.has_target = true;
     if (impl_->small) impl_->small->stir(record);
 }
 
@@ -180,7 +181,7 @@ void PhysicsWorld::set_velocity(BodyId id,
         return impl_->poison(record);
     if (record.kind == BodyKind::Static || !record.in_world || record.frozen) return;
     set_velocity_of_origin(record, velocity_mps, angular_velocity_radps);
-    record.driven = false;
+    record.drive.driven = false;
     if (impl_->small && record.kind == BodyKind::Kinematic) impl_->small->stir(record);
     wake(id);
 }
@@ -190,13 +191,13 @@ void PhysicsWorld::apply_force(BodyId id, const Vec3& force_N) {
     if (!is_finite(force_N)) return impl_->poison(record);
     if (!pushable(record)) return;
     add_force(record, force_N);
-    record.forced = true;
+    record.applied.by_caller = true;
     wake(id);
 }
 
 void PhysicsWorld::apply_force_at(BodyId id, const Vec3& force_N, const Vec3& point_world) {
     BodyRecord& record = impl_->body(id);
-    const Vec3 arm = point_world - rigid_position(record);
+    const Vec3 arm = point_world - record.motion->at.position_m;
     apply_force(id, force_N);
     apply_torque(id, glm::cross(arm, force_N));
 }
@@ -205,21 +206,25 @@ void PhysicsWorld::apply_torque(BodyId id, const Vec3& torque_Nm) {
     BodyRecord& record = impl_->body(id);
     if (!is_finite(torque_Nm)) return impl_->poison(record);
     if (!pushable(record)) return;
-    add_torque(record, torque_Nm);
-    record.forced = true;
+    record.applied.torque_Nm += torque_Nm;
+    record.applied.by_caller = true;
     wake(id);
 }
 
 void PhysicsWorld::apply_impulse(BodyId id, const Vec3& impulse_Ns) {
-    apply_impulse_at(id, impulse_Ns, rigid_position(impl_->body(id)));
+    apply_impulse_at(id, impulse_Ns, impl_->body(id).motion->at.position_m);
 }
 
 void PhysicsWorld::apply_impulse_at(BodyId id, const Vec3& impulse_Ns, const Vec3& point_world) {
     BodyRecord& record = impl_->body(id);
     if (!is_finite(impulse_Ns) || !is_finite(point_world)) return impl_->poison(record);
     if (!pushable(record)) return;
-    add_impulse(record, impulse_Ns, point_world - rigid_position(record));
-    record.flight.going = false;
+    BodyMotion& motion = *record.motion;
+    const Vec3 impulse = impulse_Ns * record.traits.linear_factor;
+    const Vec3 arm = point_world - motion.at.position_m;
+    motion.velocity_mps += impulse * motion.inverse_mass;
+    motion.spin_radps += angular_gain(motion, glm::cross(arm, impulse));
+    record.motion->flight.going = false;
     wake(id);
 }
 
@@ -228,11 +233,11 @@ void PhysicsWorld::set_frozen(BodyId id, bool frozen) {
     if (record.kind != BodyKind::Dynamic || record.frozen == frozen || !record.in_world) return;
     impl_->leave_world(record);
     record.frozen = frozen;
-    record.flight.going = false;
+    record.motion->flight.going = false;
     set_rigid_mass(record, frozen);
     clear_forces(record);
-    set_linear_velocity(record, {0, 0, 0});
-    set_angular_velocity(record, {0, 0, 0});
+    record.motion->velocity_mps = {0, 0, 0};
+    record.motion->spin_radps = {0, 0, 0};
     impl_->enter_world(record);
 }
 

@@ -13,10 +13,9 @@
 #include <memory>
 #include <vector>
 
-class btCompoundShape;
-class btRigidBody;
-
 namespace plumbline::physics {
+
+struct RigidBody;
 
 /// Faster is never simulated: a wall at 60 Hz would be 170 m away when the body is next looked at.
 inline constexpr Real kMaxSpeed_mps = 1e4_r;
@@ -30,44 +29,9 @@ struct Core {
     Real radius_m{0};
 };
 
-struct BodyRecord {
-    BodyRecord();
-    ~BodyRecord();
-    BodyRecord(const BodyRecord&) = delete;
-    BodyRecord& operator=(const BodyRecord&) = delete;
-
-    BodyId id{};
-    ShapeId shape{};
-    BodyKind kind{BodyKind::Static};
-    std::uint64_t user{0};
-    std::uint32_t group{1};
-    std::uint32_t collides_with{~0U};
-    ContinuousCollision ccd{ContinuousCollision::Auto};
-    bool can_sleep{true};
-    bool contact_events{false};
-    bool frozen{false};
-    bool in_world{false};      ///< false once quarantined
-    bool poisoned{false};      ///< somebody gave it a non-finite number: out before the next step
-    bool has_target{false};    ///< kinematic: move_kinematic was called for the next step
-    bool driven{false};        ///< kinematic: its velocity is that of the last move_kinematic
-    bool forced{false};        ///< a force or torque of the caller acts in the next step
-    bool awake{false};         ///< small_step: steps move it
-    bool box_stale{false};     ///< small_step: somebody changed its motion since the last step
-    int substeps{0};           ///< small_step: of its island in the latest step
-    int substeps_held{0};      ///< small_step: steps since its island really asked for as many
-    std::uint32_t slumber{0};  ///< small_step: bodies that fell asleep together share it; 0: awake
-    std::vector<JointId> joints;  ///< that hold it, broken ones included, in order of creation
-    /// Bodies that joints keep it from touching, once for each such joint.
-    std::vector<const BodyRecord*> apart;
-    std::uint32_t sweep_group{0};  ///< bodies that stop together share it; 0: stops alone
-
-    Rest rest{};                  ///< small_step
-    std::vector<PairLink> pairs;  ///< small_step: by the other body's id
-    std::uint32_t row{0};         ///< small_step: among the awake bodies, while islands are built
-    Jolt jolt{};                  ///< small_step
-    Real radius_m{0};             ///< of the farthest point from the centre of mass
-    Real touch_m{0};              ///< points count as near up to this distance
-
+/// What its definition and the world's rate make of a body; steps only read it. "Mass frame": at the
+/// centre of mass, along the principal axes.
+struct BodyTraits {
     Pose body_from_mass{};
     bool mass_frame_is_body{true};
     double mass_kg{0};
@@ -79,21 +43,83 @@ struct BodyRecord {
     Vec3 weight_N{0, 0, 0};
     Real linear_keep{1};  ///< share of speed left after a substep
     Real angular_keep{1};
-    std::vector<Core> cores;  ///< mass frame; empty: never swept
-    Real smallest_core_m{0};
-    Transform target{};  ///< kinematic, mass frame
-
-    // Bullet's side: bullet/body.h.
-    std::unique_ptr<btCompoundShape> wrapper;  ///< when the mass frame is not the shape's own
-    std::unique_ptr<btRigidBody> rigid;
+    Real radius_m{0};  ///< of the farthest point from the centre of mass
+    Real touch_m{0};   ///< points count as near up to this distance
 
     bool held_along_axes() const { return linear_factor != Vec3{1, 1, 1}; }
+};
 
-    // As the latest substep found it.
-    Transform before{};
-    Vec3 velocity_before{0, 0, 0};
-    Vec3 spin_before{0, 0, 0};
-    Flight flight{};
+/// A body's motion as the latest substep found it.
+struct MotionBefore {
+    Transform at{};
+    Vec3 velocity_mps{0, 0, 0};
+    Vec3 spin_radps{0, 0, 0};
+};
+
+/// What acts on a body in the next step, its weight included from when the step prepares it.
+struct AppliedForces {
+    Vec3 force_N{0, 0, 0};
+    Vec3 torque_Nm{0, 0, 0};
+    bool by_caller{false};  ///< not the weight alone
+};
+
+/// Where callers lead a kinematic body.
+struct KinematicDrive {
+    Transform target{};      ///< mass frame
+    bool has_target{false};  ///< move_kinematic was called for the next step
+    bool driven{false};      ///< its velocity is that of the last move_kinematic
+};
+
+/// What continuous collision knows of a body.
+struct SweptBody {
+    ContinuousCollision ccd{ContinuousCollision::Auto};
+    std::vector<Core> cores;  ///< mass frame; empty: never swept
+    Real smallest_core_m{0};
+    std::uint32_t group{0};  ///< bodies that stop together share it; 0: stops alone
+};
+
+/// What small_step keeps of a body.
+struct SmallStepBody {
+    bool awake{false};         ///< steps move it
+    bool box_stale{false};     ///< somebody changed its motion since the last step
+    std::uint32_t slumber{0};  ///< bodies that fell asleep together share it; 0: awake
+    Rest rest{};
+    int substeps{0};              ///< of its island in the latest step
+    int substeps_held{0};         ///< steps since its island really asked for as many
+    std::uint32_t row{0};         ///< among the awake bodies, while islands are built
+    Jolt jolt{};                  ///< within a step
+    std::vector<PairLink> pairs;  ///< by the other body's id
+};
+
+/// A body: who it is, and its parts. What the inner loops of a step move is apart, in `motion`.
+struct BodyRecord {
+    BodyRecord();
+    ~BodyRecord();
+    BodyRecord(const BodyRecord&) = delete;
+    BodyRecord& operator=(const BodyRecord&) = delete;
+
+    BodyId id{};
+    BodyKind kind{BodyKind::Static};
+    std::uint64_t user{0};
+    std::uint32_t group{1};
+    std::uint32_t collides_with{~0U};
+    bool can_sleep{true};
+    bool contact_events{false};
+    bool frozen{false};
+    bool in_world{false};  ///< false once quarantined
+    bool poisoned{false};  ///< somebody gave it a non-finite number: out before the next step
+
+    BodyMotion* motion{nullptr};  ///< one of the world's BodyMotions
+    BodyTraits traits{};
+    MotionBefore before{};
+    AppliedForces applied{};
+    KinematicDrive drive{};
+    SweptBody sweep{};
+    SmallStepBody small{};
+    std::vector<JointId> joints;  ///< that hold it, broken ones included, in order of creation
+    /// Bodies that joints keep it from touching, once for each such joint.
+    std::vector<const BodyRecord*> apart;
+    std::unique_ptr<RigidBody> rigid;  ///< Bullet's side: bullet/body.h
 };
 
 /// Whether forces can move the body now.
@@ -103,7 +129,33 @@ inline bool pushable(const BodyRecord& record) {
 
 /// small_step: whether forces could move the body and steps do not.
 inline bool sleeps(const BodyRecord& record) {
-    return pushable(record) && !record.awake;
+    return pushable(record) && !record.small.awake;
+}
+
+inline bool stands_still(const BodyRecord& record) {
+    return record.motion->velocity_mps == Vec3{0, 0, 0} &&
+           record.motion->spin_radps == Vec3{0, 0, 0};
+}
+
+inline void stand_still(BodyRecord& record) {
+    BodyMotion& motion = *record.motion;
+    motion.velocity_mps = motion.spin_radps = {0, 0, 0};
+    motion.flight.velocity_mps = motion.flight.spin_radps = {0, 0, 0};
+}
+
+/// A step or substep starts.
+inline void note_before(BodyRecord& record) {
+    const BodyMotion& motion = *record.motion;
+    record.before = {motion.at, motion.velocity_mps, motion.spin_radps};
+    record.small.jolt = {};
+}
+
+inline void add_force(BodyRecord& record, const Vec3& force_N) {
+    record.applied.force_N += force_N * record.traits.linear_factor;
+}
+
+inline void clear_forces(BodyRecord& record) {
+    record.applied = {};
 }
 
 inline bool by_id(const BodyRecord* a, const BodyRecord* b) {

@@ -7,8 +7,8 @@ namespace plumbline::physics {
 namespace {
 
 Vec3 velocity_before_at(const BodyRecord& record, const Vec3& point) {
-    const Vec3 arm = point - record.before.position_m;
-    return record.velocity_before + glm::cross(record.spin_before, arm);
+    const Vec3 arm = point - record.before.at.position_m;
+    return record.before.velocity_mps + glm::cross(record.before.spin_radps, arm);
 }
 
 /// The pair's line from one manifold; false when its points only come near.
@@ -101,7 +101,7 @@ bool PhysicsWorld::Impl::sleeps_on(const ContactEvent& event) const {
     const auto* a = bodies.find(event.a);
     const auto* b = bodies.find(event.b);
     if (a == nullptr || b == nullptr) return false;
-    return !(*a)->awake && !(*b)->awake && (*a)->in_world && (*b)->in_world &&
+    return !(*a)->small.awake && !(*b)->small.awake && (*a)->in_world && (*b)->in_world &&
            ((*a)->contact_events || (*b)->contact_events);
 }
 

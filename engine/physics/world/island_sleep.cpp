@@ -31,48 +31,49 @@ double slow_mps(double radius_m, double gravity_mps2) {
 
 /// Speed of a point mass with the body's kinetic energy.
 double speed_of_energy(const BodyRecord& record) {
-    const Vec3d v{linear_velocity(record)};
-    const Vec3d spin{unrotated(angular_velocity(record), rigid_transform(record).rotation)};
-    return std::sqrt(glm::dot(v, v) + glm::dot(record.inertia_kgm2, spin * spin) / record.mass_kg);
+    const Vec3d v{record.motion->velocity_mps};
+    const Vec3d spin{unrotated(record.motion->spin_radps, record.motion->at.rotation)};
+    return std::sqrt(glm::dot(v, v) +
+                     glm::dot(record.traits.inertia_kgm2, spin * spin) / record.traits.mass_kg);
 }
 
 Vec3d position_of(const BodyRecord& record) {
-    if (record.flight.going) return record.flight.position_m;
-    return Vec3d{rigid_position(record)};
+    if (record.motion->flight.going) return record.motion->flight.position_m;
+    return Vec3d{record.motion->at.position_m};
 }
 
 Quatd orientation_of(const BodyRecord& record) {
-    if (record.flight.going) return record.flight.orientation;
-    return double_quat_of(rigid_transform(record).rotation);
+    if (record.motion->flight.going) return record.motion->flight.orientation;
+    return double_quat_of(record.motion->at.rotation);
 }
 
 void start_stretch(BodyRecord& record) {
-    record.rest.position_m = position_of(record);
-    record.rest.orientation = orientation_of(record);
-    record.rest.stretch_s = 0;
+    record.small.rest.position_m = position_of(record);
+    record.small.rest.orientation = orientation_of(record);
+    record.small.rest.stretch_s = 0;
 }
 
 /// How far the body's farthest point went in this stretch.
 double way_m(const BodyRecord& record) {
-    const Quatd turn = orientation_of(record) * glm::conjugate(record.rest.orientation);
+    const Quatd turn = orientation_of(record) * glm::conjugate(record.small.rest.orientation);
     const double angle_rad = 2 * glm::length(Vec3d{turn.x, turn.y, turn.z});
-    return glm::distance(position_of(record), record.rest.position_m) +
-           static_cast<double>(record.radius_m) * angle_rad;
+    return glm::distance(position_of(record), record.small.rest.position_m) +
+           static_cast<double>(record.traits.radius_m) * angle_rad;
 }
 
 }  // namespace
 
 void break_rest(BodyRecord& record) {
-    record.rest.calm = 0;
-    record.rest.went_m = -1;
-    record.rest.stretch_s = -1;  // the next slow step starts a stretch
+    record.small.rest.calm = 0;
+    record.small.rest.went_m = -1;
+    record.small.rest.stretch_s = -1;  // the next slow step starts a stretch
 }
 
 void watch_rest(BodyRecord& record, double gravity_mps2, double step_s) {
-    const auto radius_m = static_cast<double>(record.radius_m);
+    const auto radius_m = static_cast<double>(record.traits.radius_m);
     const double slow = slow_mps(radius_m, gravity_mps2);
-    if (record.forced || speed_of_energy(record) > slow) return break_rest(record);
-    Rest& rest = record.rest;
+    if (record.applied.by_caller || speed_of_energy(record) > slow) return break_rest(record);
+    Rest& rest = record.small.rest;
     if (rest.stretch_s < 0) return start_stretch(record);
     rest.stretch_s += step_s;
     constexpr double kStretch_s = kSleepAfter_s / kStretches;
@@ -88,7 +89,7 @@ void watch_rest(BodyRecord& record, double gravity_mps2, double step_s) {
 bool is_at_rest(const Island& island) {
     if (!island.supported || island.carried) return false;
     return std::all_of(island.bodies.begin(), island.bodies.end(), [](const BodyRecord* record) {
-        return record->can_sleep && record->rest.calm >= kStretches;
+        return record->can_sleep && record->small.rest.calm >= kStretches;
     });
 }
 

@@ -71,9 +71,10 @@ std::string fault_of_numbers(const JointDef& joint) {
 
 /// Rigid transforms as the joints want them: what flies keeps double precision.
 MassPose mass_pose(const BodyRecord& record) {
-    if (record.flight.going)
-        return {.position_m = record.flight.position_m, .orientation = record.flight.orientation};
-    const Transform at = rigid_transform(record);
+    if (record.motion->flight.going)
+        return {.position_m = record.motion->flight.position_m,
+                .orientation = record.motion->flight.orientation};
+    const Transform at = record.motion->at;
     return {.position_m = Vec3d{at.position_m}, .orientation = double_quat_of(at.rotation)};
 }
 

@@ -92,12 +92,12 @@ Energy PhysicsWorld::energy() const {
     Energy sum;
     impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
         if (!pushable(*record)) return;
-        const Transform at = rigid_transform(*record);
-        const Vec3d v{linear_velocity(*record)};
-        const Vec3d spin{unrotated(angular_velocity(*record), at.rotation)};
-        sum.kinetic_J += 0.5 * record->mass_kg * glm::dot(v, v) +
-                         0.5 * glm::dot(record->inertia_kgm2, spin * spin);
-        sum.potential_J -= record->mass_kg * glm::dot(gravity, Vec3d{at.position_m});
+        const Transform at = record->motion->at;
+        const Vec3d v{record->motion->velocity_mps};
+        const Vec3d spin{unrotated(record->motion->spin_radps, at.rotation)};
+        sum.kinetic_J += 0.5 * record->traits.mass_kg * glm::dot(v, v) +
+                         0.5 * glm::dot(record->traits.inertia_kgm2, spin * spin);
+        sum.potential_J -= record->traits.mass_kg * glm::dot(gravity, Vec3d{at.position_m});
     });
     sum.potential_J += impl_->elastic_energy_J();
     return sum;
@@ -106,7 +106,7 @@ Energy PhysicsWorld::energy() const {
 Vec3d PhysicsWorld::momentum_kgmps() const {
     Vec3d sum{0, 0, 0};
     impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
-        if (pushable(*record)) sum += record->mass_kg * Vec3d{linear_velocity(*record)};
+        if (pushable(*record)) sum += record->traits.mass_kg * Vec3d{record->motion->velocity_mps};
     });
     return sum;
 }
@@ -115,11 +115,11 @@ Vec3d PhysicsWorld::angular_momentum_kgm2ps() const {
     Vec3d sum{0, 0, 0};
     impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
         if (!pushable(*record)) return;
-        const Transform at = rigid_transform(*record);
-        const Vec3d v{linear_velocity(*record)};
-        const Vec3d body_spin{unrotated(angular_velocity(*record), at.rotation)};
-        const Vec3 own = at.rotation * Vec3{record->inertia_kgm2 * body_spin};
-        sum += record->mass_kg * glm::cross(Vec3d{at.position_m}, v) + Vec3d{own};
+        const Transform at = record->motion->at;
+        const Vec3d v{record->motion->velocity_mps};
+        const Vec3d body_spin{unrotated(record->motion->spin_radps, at.rotation)};
+        const Vec3 own = at.rotation * Vec3{record->traits.inertia_kgm2 * body_spin};
+        sum += record->traits.mass_kg * glm::cross(Vec3d{at.position_m}, v) + Vec3d{own};
     });
     return sum;
 }

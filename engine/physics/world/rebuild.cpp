@@ -48,11 +48,11 @@ PhysicsWorld::Impl::~Impl() {
 
 void PhysicsWorld::Impl::suit_to_world(BodyRecord& record) const {
     const double duration_s = small ? def.step_s : def.step_s / def.substeps;
-    record.linear_keep = kept_after(record.linear_damping_per_s, duration_s);
-    record.angular_keep = kept_after(record.angular_damping_per_s, duration_s);
+    record.traits.linear_keep = kept_after(record.traits.linear_damping_per_s, duration_s);
+    record.traits.angular_keep = kept_after(record.traits.angular_damping_per_s, duration_s);
     if (record.kind == BodyKind::Dynamic) {
-        record.weight_N =
-            def.gravity_mps2 * record.linear_factor * static_cast<Real>(record.mass_kg);
+        record.traits.weight_N = def.gravity_mps2 * record.traits.linear_factor *
+                                 static_cast<Real>(record.traits.mass_kg);
     }
 }
 
@@ -86,17 +86,17 @@ void PhysicsWorld::reconfigure(const WorldDef& def) {
     impl.bodies.each([&](BodyId id, std::unique_ptr<BodyRecord>& record) {
         const BodyState& body_state = *kept++;
         impl.suit_to_world(*record);
-        record->substeps = record->substeps_held = 0;
-        record->rest = {};
+        record->small.substeps = record->small.substeps_held = 0;
+        record->small.rest = {};
         if (!record->in_world) return;
         record->in_world = false;
-        const Transform target = record->target;
-        const bool driven = record->driven;
+        const Transform target = record->drive.target;
+        const bool driven = record->drive.driven;
         impl.place(*record, impl.world_from_mass(*record, body_state.world_from_body));
         impl.enter_world(*record);
         set_velocity(id, body_state.velocity_mps, body_state.angular_velocity_radps);
-        if (record->has_target) record->target = target;
-        record->driven = driven;
+        if (record->drive.has_target) record->drive.target = target;
+        record->drive.driven = driven;
     });
     impl.joints.each([&impl](JointId, std::unique_ptr<JointRecord>& joint) {
         joint->solver.bounded_impulse = {};

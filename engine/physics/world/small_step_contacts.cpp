@@ -30,8 +30,8 @@ void SmallStepWorld::meet_pairs() {
 }
 
 void SmallStepWorld::look_at(BodyRecord& body) {
-    for (std::size_t i = 0; i < body.pairs.size();) {
-        Pair& pair = *body.pairs[i].pair;
+    for (std::size_t i = 0; i < body.small.pairs.size();) {
+        Pair& pair = *body.small.pairs[i].pair;
         if (pair.seen != walk_) {
             pair.seen = walk_;
             if (boxes_overlap(pair)) {
@@ -62,13 +62,13 @@ void SmallStepWorld::look(Pair& pair) {
 
 /// Every body hands its blow on once.
 void SmallStepWorld::strike(BodyRecord& record, const Jolt& blow) {
-    const Vec3& known = record.jolt.change_mps;
-    if (record.jolt.spread ||
+    const Vec3& known = record.small.jolt.change_mps;
+    if (record.small.jolt.spread ||
         glm::dot(blow.change_mps, blow.change_mps) <= glm::dot(known, known)) {
         return;
     }
     if (known == Vec3{0, 0, 0}) struck_.push_back(&record);
-    record.jolt = blow;
+    record.small.jolt = blow;
 }
 
 /// Looks again, farther, at the pairs of bodies that were struck. Whether any was.
@@ -79,9 +79,9 @@ bool SmallStepWorld::spread_blows() {
         std::swap(spreading_, struck_);
         struck_.clear();
         std::sort(spreading_.begin(), spreading_.end(), by_id);
-        for (BodyRecord* record : spreading_) record->jolt.spread = true;
+        for (BodyRecord* record : spreading_) record->small.jolt.spread = true;
         for (BodyRecord* record : spreading_) {
-            for (const PairLink& link : record->pairs) {
+            for (const PairLink& link : record->small.pairs) {
                 if (boxes_overlap(*link.pair) && meeting_.knows_less(*link.pair)) look(*link.pair);
             }
         }
@@ -95,7 +95,7 @@ void SmallStepWorld::list_touching() {
     if (!met_in_order_) {
         met_.clear();
         for (const BodyRecord* record : awake_) {
-            for (const PairLink& link : record->pairs) {
+            for (const PairLink& link : record->small.pairs) {
                 if (!link.pair->touches) continue;
                 const bool listed =
                     link.other < record->id && pushable(partner(*link.pair, *record));

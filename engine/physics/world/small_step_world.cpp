@@ -9,24 +9,6 @@
 #include <cmath>
 
 namespace plumbline::physics {
-namespace {
-
-void stand_still(BodyRecord& record) {
-    set_linear_velocity(record, {0, 0, 0});
-    set_angular_velocity(record, {0, 0, 0});
-    record.flight.velocity_mps = {0, 0, 0};
-    record.flight.spin_radps = {0, 0, 0};
-}
-
-void note_before(BodyRecord& record) {
-    record.before = rigid_transform(record);
-    record.velocity_before = linear_velocity(record);
-    record.spin_before = angular_velocity(record);
-    record.jolt = {};
-}
-
-}  // namespace
-
 SmallStepWorld::SmallStepWorld(const SmallStepParts& parts)
     : parts_(parts), sweep_(parts.joints), meeting_(parts.engine) {
     take_rate();
@@ -37,7 +19,7 @@ void SmallStepWorld::take_rate() {
     step_s_ = static_cast<Real>(parts_.def.step_s);
     // Boxes reach as far as a step takes a body.
     for (const auto* list : {&awake_, &fresh_}) {
-        for (BodyRecord* record : *list) record->box_stale = true;
+        for (BodyRecord* record : *list) record->small.box_stale = true;
     }
     const auto fall_m = static_cast<Real>(gravity_mps2_) * step_s_ * step_s_;
     meeting_.begin_step({.step_s = step_s_, .fall_m = fall_m});
@@ -46,9 +28,9 @@ void SmallStepWorld::take_rate() {
 // --- bookkeeping
 
 void SmallStepWorld::enter(BodyRecord& record) {
-    record.awake = false;
-    record.slumber = 0;
-    record.sweep_group = 0;
+    record.small.awake = false;
+    record.small.slumber = 0;
+    record.sweep.group = 0;
     if (pushable(record)) {
         rouse(record);
         return;
@@ -58,8 +40,8 @@ void SmallStepWorld::enter(BodyRecord& record) {
 }
 
 void SmallStepWorld::leave(BodyRecord& record) {
-    if (record.slumber != 0) wake(record);
-    record.awake = false;
+    if (record.small.slumber != 0) wake(record);
+    record.small.awake = false;
     std::erase(awake_, &record);
     std::erase(fresh_, &record);
     std::erase(carriers_, &record);
@@ -67,17 +49,17 @@ void SmallStepWorld::leave(BodyRecord& record) {
 
 void SmallStepWorld::wake(BodyRecord& record) {
     if (!pushable(record)) return;
-    record.box_stale = true;
+    record.small.box_stale = true;
     break_rest(record);
-    if (record.awake) return;
-    if (record.slumber == 0) return rouse(record);
-    for (BodyRecord* sleeper : slumbers_.end(record.slumber)) rouse(*sleeper);
+    if (record.small.awake) return;
+    if (record.small.slumber == 0) return rouse(record);
+    for (BodyRecord* sleeper : slumbers_.end(record.small.slumber)) rouse(*sleeper);
 }
 
 void SmallStepWorld::rouse(BodyRecord& record) {
-    record.awake = true;
-    record.slumber = 0;
-    record.box_stale = true;
+    record.small.awake = true;
+    record.small.slumber = 0;
+    record.small.box_stale = true;
     break_rest(record);
     note_before(record);
     set_activity(record, Activity::Awake);
@@ -85,21 +67,21 @@ void SmallStepWorld::rouse(BodyRecord& record) {
 }
 
 void SmallStepWorld::wake_touching(const BodyRecord& record) {
-    for (const PairLink& link : record.pairs) {
+    for (const PairLink& link : record.small.pairs) {
         if (link.pair->touches) wake(partner(*link.pair, record));
     }
 }
 
 void SmallStepWorld::wake_overlapping(const BodyRecord& record) {
-    for (const PairLink& link : record.pairs) {
+    for (const PairLink& link : record.small.pairs) {
         BodyRecord& other = partner(*link.pair, record);
         if (sleeps(other) && boxes_overlap(*link.pair)) wake(other);
     }
 }
 
 void SmallStepWorld::stir(BodyRecord& record) {
-    if (record.awake) return;
-    record.awake = true;
+    if (record.small.awake) return;
+    record.small.awake = true;
     carriers_.insert(std::upper_bound(carriers_.begin(), carriers_.end(), &record, by_id), &record);
 }
 
@@ -154,6 +136,7 @@ void SmallStepWorld::step(const WorldFeatures& features, bool want_contacts) {
 
     move_free_bodies();
     move_carriers();
+    show_poses();
     stop_swept_bodies();
     put_to_sleep();
     cost.integrate_ms += laps_.lap_ms();
@@ -164,9 +147,9 @@ void SmallStepWorld::step(const WorldFeatures& features, bool want_contacts) {
 
 void SmallStepWorld::drop_still_carriers() {
     std::erase_if(carriers_, [](BodyRecord* record) {
-        record->awake = is_active(*record);
-        if (!record->awake) note_before(*record);
-        return !record->awake;
+        record->small.awake = is_active(*record);
+        if (!record->small.awake) note_before(*record);
+        return !record->small.awake;
     });
 }
 
@@ -191,20 +174,22 @@ void SmallStepWorld::remember() {
 
 void SmallStepWorld::refresh_stale_boxes() {
     for (BodyRecord* record : awake_) {
-        if (record->box_stale) refresh_box(*record);
+        if (record->small.box_stale) refresh_box(*record);
     }
     for (BodyRecord* record : carriers_) refresh_box(*record);
 }
 
 /// A box round the body now and wherever it can be at the end of a step that nothing disturbs.
 void SmallStepWorld::refresh_box(BodyRecord& record) {
-    record.box_stale = false;
+    record.small.box_stale = false;
     auto [low, high] = box_of(record);
-    Vec3 way = linear_velocity(record) * step_s_;
-    if (record.forced) way += total_force_N(record) * (inverse_mass_of(record) * step_s_ * step_s_);
-    const Real turn_rad = glm::length(angular_velocity(record)) * step_s_;
+    Vec3 way = record.motion->velocity_mps * step_s_;
+    if (record.applied.by_caller)
+        way += record.applied.force_N * (record.motion->inverse_mass * step_s_ * step_s_);
+    const Real turn_rad = glm::length(record.motion->spin_radps) * step_s_;
     const auto fall_m = static_cast<Real>(gravity_mps2_) * step_s_ * step_s_;
-    const Real rim = record.touch_m + fall_m + std::min(turn_rad, Real{2}) * record.radius_m;
+    const Real rim =
+        record.traits.touch_m + fall_m + std::min(turn_rad, Real{2}) * record.traits.radius_m;
     for (int axis = 0; axis < 3; ++axis) {
         low[axis] += std::min(way[axis], Real{0}) - rim;
         high[axis] += std::max(way[axis], Real{0}) + rim;
@@ -238,12 +223,11 @@ void SmallStepWorld::move_free_bodies() {
     const Vec3d gravity{parts_.def.gravity_mps2};
     turning_.clear();
     for (BodyRecord* record : builder_.free_bodies()) {
-        if (record->angular_keep != 1)
-            set_angular_velocity(*record, angular_velocity(*record) * record->angular_keep);
-        const Vec3 torque_Nm = record->forced ? total_torque_Nm(*record) : Vec3{0, 0, 0};
-        if (torque_Nm != Vec3{0, 0, 0}) {
-            const Vec3 gained = angular_gain(*record, torque_Nm) * step_s_;
-            set_angular_velocity(*record, angular_velocity(*record) + gained);
+        if (record->traits.angular_keep != 1)
+            record->motion->spin_radps *= record->traits.angular_keep;
+        if (record->applied.torque_Nm != Vec3{0, 0, 0}) {
+            const Vec3 gain = angular_gain(*record->motion, record->applied.torque_Nm);
+            record->motion->spin_radps += gain * step_s_;
         }
         fly(*record, gravity, features_, parts_.def.step_s);
         if (feels_gyro(*record, features_)) turning_.push_back(record);
@@ -256,7 +240,13 @@ void SmallStepWorld::move_free_bodies() {
 }
 
 void SmallStepWorld::move_carriers() {
-    for (BodyRecord* record : carriers_) carry(*record, record->has_target, step_s_);
+    for (BodyRecord* record : carriers_) carry(*record, record->drive.has_target, step_s_);
+}
+
+/// Bullet's copies, for casts and for the next step's contacts.
+void SmallStepWorld::show_poses() {
+    for (const BodyRecord* record : awake_) write_rigid_pose(*record);
+    for (const BodyRecord* record : carriers_) write_rigid_pose(*record);
 }
 
 void SmallStepWorld::stop_swept_bodies() {
@@ -286,7 +276,7 @@ void SmallStepWorld::put_to_sleep() {
         lay_down(island);
         slept = true;
     }
-    if (slept) std::erase_if(awake_, [](const BodyRecord* record) { return !record->awake; });
+    if (slept) std::erase_if(awake_, [](const BodyRecord* record) { return !record->small.awake; });
 }
 
 /// Contact points keep their impulses: the pile wakes as it fell asleep.
@@ -295,10 +285,9 @@ void SmallStepWorld::lay_down(const Island& island) {
     for (BodyRecord* record : island.bodies) {
         stand_still(*record);
         clear_forces(*record);
-        record->forced = false;
         note_before(*record);
-        record->awake = false;
-        record->slumber = slumber;
+        record->small.awake = false;
+        record->small.slumber = slumber;
         set_activity(*record, Activity::Asleep);
         refresh_box(*record);
     }

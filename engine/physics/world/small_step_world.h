@@ -87,6 +87,7 @@ private:
     void solve_islands();
     void move_free_bodies();
     void move_carriers();
+    void show_poses();
     void stop_swept_bodies();
     void put_to_sleep();
     void lay_down(const Island& island);

@@ -24,58 +24,57 @@ Vec3 limited(const Vec3& v, Real limit) {
 /// Keeps a caller's force from driving the body past the speed limit within this step: Bullet
 /// would turn 1e9 N on a pebble into infinities that reach its neighbours.
 void limit_force(BodyRecord& record, Real step_s) {
-    const Real gain = inverse_mass_of(record) * step_s;
-    const Vec3 force = limited(total_force_N(record), kMaxSpeed_mps / gain);
+    const Real gain = record.motion->inverse_mass * step_s;
+    const Vec3 force = limited(record.applied.force_N, kMaxSpeed_mps / gain);
     // The smallest moment gives the most spin for a torque.
-    const Vec3 inverse_moments = inverse_moments_of(record);
+    const Vec3 inverse_moments = record.motion->inverse_moments;
     const Real turn_gain =
         std::max({inverse_moments.x, inverse_moments.y, inverse_moments.z}) * step_s;
-    const Vec3 torque = limited(total_torque_Nm(record), kMaxSpin_radps / turn_gain);
-    clear_forces(record);
-    add_force(record, force);
-    add_torque(record, torque);
+    const Vec3 torque = limited(record.applied.torque_Nm, kMaxSpin_radps / turn_gain);
+    record.applied.force_N = force;
+    record.applied.torque_Nm = torque;
 }
 
 bool is_sound(const BodyRecord& record) {
-    const Vec3 x = rigid_position(record);
-    const Vec3 v = linear_velocity(record);
-    const Vec3 w = angular_velocity(record);
+    const Vec3 x = record.motion->at.position_m;
+    const Vec3 v = record.motion->velocity_mps;
+    const Vec3 w = record.motion->spin_radps;
     // One comparison catches NaN, infinity and distance: a NaN makes it false.
     return glm::dot(x, x) <= kMaxDistance_m * kMaxDistance_m && std::isfinite(glm::dot(v, v)) &&
            std::isfinite(glm::dot(w, w));
 }
 
 void prepare_kinematic(BodyRecord& record, Real step_s) {
-    if (record.has_target) {
-        const SteadyMotion motion = motion_between(rigid_transform(record), record.target, step_s);
-        set_linear_velocity(record, motion.velocity_mps);
-        set_angular_velocity(record, motion.spin_radps);
-    } else if (record.driven) {
-        set_linear_velocity(record, {0, 0, 0});
-        set_angular_velocity(record, {0, 0, 0});
+    if (record.drive.has_target) {
+        const SteadyMotion motion = motion_between(record.motion->at, record.drive.target, step_s);
+        record.motion->velocity_mps = motion.velocity_mps;
+        record.motion->spin_radps = motion.spin_radps;
+    } else if (record.drive.driven) {
+        record.motion->velocity_mps = {0, 0, 0};
+        record.motion->spin_radps = {0, 0, 0};
     }
-    record.driven = record.has_target;
+    record.drive.driven = record.drive.has_target;
     // An awake kinematic body keeps all it touches awake.
     set_activity(record, stands_still(record) ? Activity::Asleep : Activity::Awake);
 }
 
 /// Whether the speed limit cut its motion.
 bool prepare_dynamic(BodyRecord& record, Real step_s) {
-    add_force(record, record.weight_N);
-    if (record.forced) limit_force(record, step_s);
+    add_force(record, record.traits.weight_N);
+    if (record.applied.by_caller) limit_force(record, step_s);
     bool was_limited = false;
-    const Vec3 v = linear_velocity(record);
+    const Vec3 v = record.motion->velocity_mps;
     const Vec3 velocity = limited(v, kMaxSpeed_mps);
     if (velocity != v) {
-        set_linear_velocity(record, velocity);
-        record.flight.going = false;
+        record.motion->velocity_mps = velocity;
+        record.motion->flight.going = false;
         was_limited = true;
     }
-    const Vec3 w = angular_velocity(record);
+    const Vec3 w = record.motion->spin_radps;
     const Vec3 spin = limited(w, kMaxSpin_radps);
     if (spin != w) {
-        set_angular_velocity(record, spin);
-        record.flight.going = false;
+        record.motion->spin_radps = spin;
+        record.motion->flight.going = false;
         was_limited = true;
     }
     return was_limited;
@@ -95,9 +94,9 @@ void PhysicsWorld::Impl::quarantine(BodyRecord& record) {
     remove_joints_of(record);
     leave_world(record);
     clear_forces(record);
-    set_linear_velocity(record, {0, 0, 0});
-    set_angular_velocity(record, {0, 0, 0});
-    record.flight.going = false;
+    record.motion->velocity_mps = {0, 0, 0};
+    record.motion->spin_radps = {0, 0, 0};
+    record.motion->flight.going = false;
     quarantined.push_back(record.id);
 }
 
@@ -128,9 +127,9 @@ void PhysicsWorld::step() {
 void PhysicsWorld::Impl::advance_bullet(bool want_contacts) {
     std::function<void()> after_solve;
     if (want_contacts) after_solve = [this] { gather_events(false, gathered); };
-    engine->begin_step(features, std::move(after_solve));
     prepare_bodies(static_cast<Real>(def.step_s));
     prepare_joints();
+    engine->begin_step(features, std::move(after_solve));
     for (int i = 0; i < def.substeps; ++i) {
         engine->advance(static_cast<Real>(def.step_s / def.substeps), i + 1 == def.substeps);
         gather_joint_loads(def.step_s / def.substeps);
@@ -188,14 +187,14 @@ void PhysicsWorld::Impl::settle_bodies() {
     std::vector<BodyRecord*> broken;
     each_moving([&broken](BodyRecord& record) {
         clear_forces(record);
-        record.forced = false;
-        record.has_target = false;
+        record.drive.has_target = false;
         if (!is_sound(record)) broken.push_back(&record);
     });
     for (BodyRecord* record : broken) {
-        const Transform last = record->before;
+        const Transform last = record->before.at;
         quarantine(*record);
-        set_rigid_transform(*record, last);
+        record->motion->at = last;
+        write_rigid_pose(*record);
     }
 }
 

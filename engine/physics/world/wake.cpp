@@ -9,7 +9,7 @@ namespace {
 
 /// Manifolds hold the numbers of the old material, and friction that it bore.
 void combine_anew(BodyRecord& record) {
-    for (const PairLink& link : record.pairs) {
+    for (const PairLink& link : record.small.pairs) {
         for (Manifold& manifold : link.pair->manifolds) {
             manifold.material = material_of(*manifold.a, *manifold.b);
             for (ManifoldPoint& point : manifold.points) point.load.friction_N = {};

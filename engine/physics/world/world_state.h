@@ -4,6 +4,7 @@
 #include "engine/physics/bullet/engine.h"
 #include "engine/physics/bullet/shape/shape_store.h"
 #include "engine/physics/physics_world.h"
+#include "engine/physics/world/body_motions.h"
 #include "engine/physics/world/body_record.h"
 #include "engine/physics/world/body_scope.h"
 #include "engine/physics/world/joint_record.h"
@@ -43,6 +44,7 @@ struct PhysicsWorld::Impl {
     std::unique_ptr<SmallStepWorld> small;  ///< steps the world; none: Bullet does
 
     ShapeStore shapes;
+    BodyMotions motions;  ///< outlive the bodies
     BodyTable bodies;
     JointTable joints;
     std::vector<BodyId> poisoned;  ///< to be taken out before the next step

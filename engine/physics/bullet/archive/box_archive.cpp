@@ -2,6 +2,7 @@
 #include "engine/physics/bullet/archive/box_archive.h"
 
 #include "engine/physics/bullet/archive/bullet_fields.h"
+#include "engine/physics/bullet/rigid_body.h"
 #include "engine/physics/world/body_record.h"
 
 #include <algorithm>

@@ -84,7 +84,7 @@ void serialize_small_pairs(Archive& archive,
     scope.bodies.each([&](BodyId id, const std::unique_ptr<BodyRecord>& record) {
         if (!scope.holds(id)) return;
         std::vector<BodyId> others;
-        for (const PairLink& link : record->pairs) {
+        for (const PairLink& link : record->small.pairs) {
             if (id < link.other && scope.holds(link.other)) others.push_back(link.other);
         }
         archive(others);
@@ -96,7 +96,7 @@ void serialize_small_pairs(Archive& archive,
                 add_pair(*parts.pairs, *record, **found);
             }
         }
-        for (const PairLink& link : record->pairs) {
+        for (const PairLink& link : record->small.pairs) {
             if (link.other < id || !scope.holds(link.other) || archive.failed()) continue;
             Pair& pair = *link.pair;
             archive(pair.reach_m, pair.touches);
@@ -143,27 +143,13 @@ void serialize_bullet_pairs(Archive& archive,
 
 void serialize_rigid(Archive& archive, BodyRecord& record) {
     btRigidBody& rigid = *record.rigid;
-    btTransform at = rigid.getWorldTransform();
-    btVector3 velocity = rigid.getLinearVelocity();
-    btVector3 spin = rigid.getAngularVelocity();
-    btVector3 force = rigid.getTotalForce();
-    btVector3 torque = rigid.getTotalTorque();
     btScalar friction = rigid.getFriction();
     btScalar restitution = rigid.getRestitution();
     btScalar idle_s = rigid.getDeactivationTime();
     int activation = rigid.getActivationState();
-    archive(at, velocity, spin, force, torque, friction, restitution, idle_s, activation);
+    archive(friction, restitution, idle_s, activation);
     if (!archive.reads()) return;
-    rigid.setCenterOfMassTransform(at);
-    rigid.setLinearVelocity(velocity);
-    rigid.setAngularVelocity(spin);
-    rigid.clearForces();
-    // Bullet scales what is applied along the axes that the body does not move along.
-    const btVector3 factor = rigid.getLinearFactor();
-    rigid.setLinearFactor({1, 1, 1});
-    rigid.applyCentralForce(force);
-    rigid.setLinearFactor(factor);
-    rigid.applyTorque(torque);
+    write_rigid_motion(record);
     rigid.setFriction(friction);
     rigid.setRestitution(restitution);
     rigid.setDeactivationTime(idle_s);

@@ -4,9 +4,8 @@
 // m_userPersistentData, which Bullet hands on when it finds the point again.
 #pragma once
 
+#include "engine/physics/bullet/rigid_body.h"
 #include "engine/physics/collision/pair.h"
-
-#include <btBulletCollisionCommon.h>
 
 namespace plumbline::physics {
 

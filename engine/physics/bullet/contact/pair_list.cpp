@@ -12,14 +12,14 @@ using Links = std::vector<PairLink>;
 
 /// Where the pair with `other` is or would be among the record's.
 Links::iterator place_of(BodyRecord& record, BodyId other) {
-    return std::lower_bound(
-        record.pairs.begin(), record.pairs.end(), other, [](const PairLink& link, BodyId id) {
-            return link.other < id;
-        });
+    return std::lower_bound(record.small.pairs.begin(),
+                            record.small.pairs.end(),
+                            other,
+                            [](const PairLink& link, BodyId id) { return link.other < id; });
 }
 
 bool is_pair_with(const BodyRecord& record, Links::iterator place, BodyId other) {
-    return place != record.pairs.end() && place->other == other;
+    return place != record.small.pairs.end() && place->other == other;
 }
 
 BodyRecord& record_behind(const btBroadphaseProxy& proxy) {
@@ -53,7 +53,7 @@ btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
     BodyRecord& a = record_behind(*first);
     BodyRecord& b = record_behind(*second);
     // Searching the shorter list: the ground has a pair with everybody.
-    BodyRecord& few = a.pairs.size() < b.pairs.size() ? a : b;
+    BodyRecord& few = a.small.pairs.size() < b.small.pairs.size() ? a : b;
     BodyRecord& many = &few == &a ? b : a;
     const auto place = place_of(few, many.id);
     if (is_pair_with(few, place, many.id)) return nullptr;
@@ -70,11 +70,11 @@ btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
     pair->b = &b;
     pair->box_a = static_cast<const btDbvtProxy*>(first);
     pair->box_b = static_cast<const btDbvtProxy*>(second);
-    pair->base_m = std::min(a.touch_m, b.touch_m);
+    pair->base_m = std::min(a.traits.touch_m, b.traits.touch_m);
     pair->round = (is_ball(a) && is_single(b)) || (is_ball(b) && is_single(a));
     pair->boxes = is_box(a) && is_box(b);
-    few.pairs.insert(place, {many.id, pair});
-    many.pairs.insert(place_of(many, few.id), {few.id, pair});
+    few.small.pairs.insert(place, {many.id, pair});
+    many.small.pairs.insert(place_of(many, few.id), {few.id, pair});
     ++size_;
     return nullptr;
 }
@@ -89,8 +89,8 @@ void PairList::forget_algorithm(BulletPair& pair) {
 void PairList::remove(Pair& pair) {
     forget_algorithm(bullet_side(pair));
     pair.manifolds.clear();
-    pair.a->pairs.erase(place_of(*pair.a, pair.b->id));
-    pair.b->pairs.erase(place_of(*pair.b, pair.a->id));
+    pair.a->small.pairs.erase(place_of(*pair.a, pair.b->id));
+    pair.b->small.pairs.erase(place_of(*pair.b, pair.a->id));
     free_.push_back(&bullet_side(pair));
     --size_;
 }
@@ -107,7 +107,7 @@ void* PairList::removeOverlappingPair(btBroadphaseProxy* first,
 
 void PairList::removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy, btDispatcher*) {
     BodyRecord& record = record_behind(*proxy);
-    while (!record.pairs.empty()) remove(*record.pairs.back().pair);
+    while (!record.small.pairs.empty()) remove(*record.small.pairs.back().pair);
 }
 
 }  // namespace plumbline::physics

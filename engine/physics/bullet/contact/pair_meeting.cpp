@@ -31,32 +31,32 @@ bool moves(const BodyRecord& record) {
 /// How far continuous collision lets a body go unswept in a step; a swept one stops at what it hits.
 btScalar unswept_m(const BodyRecord& record) {
     if (!moves(record)) return 0;
-    return record.smallest_core_m > 0 ? record.smallest_core_m : record.radius_m / 2;
+    return record.sweep.smallest_core_m > 0 ? record.sweep.smallest_core_m
+                                            : record.traits.radius_m / 2;
 }
 
 btScalar spin_mps(const BodyRecord& record) {
-    return moves(record) ? record.rigid->getAngularVelocity().length() * record.radius_m : 0;
+    return moves(record) ? glm::length(record.motion->spin_radps) * record.traits.radius_m : 0;
 }
 
 /// How much of a blow's change of speed `record` takes. What is backed gives way to nothing.
 btScalar share_of(const BodyRecord& record, const BodyRecord& other) {
-    const btScalar own = record.rigid->getInvMass();
-    const btScalar others = other.jolt.backed ? btScalar(0) : other.rigid->getInvMass();
+    const btScalar own = record.motion->inverse_mass;
+    const btScalar others = other.small.jolt.backed ? btScalar(0) : other.motion->inverse_mass;
     return own > 0 ? own / (own + others) : btScalar(0);
 }
 
 bool is_backing(const BodyRecord& record) {
-    return record.jolt.backed || record.rigid->getInvMass() <= 0;
+    return record.small.jolt.backed || record.motion->inverse_mass <= 0;
 }
 
 btScalar jolt_mps(const Pair& pair) {
-    return glm::length(pair.a->jolt.change_mps) + glm::length(pair.b->jolt.change_mps);
+    return glm::length(pair.a->small.jolt.change_mps) + glm::length(pair.b->small.jolt.change_mps);
 }
 
 Vec3 velocity_at(const BodyRecord& record, const Vec3& place_world) {
-    const btRigidBody& rigid = *record.rigid;
-    return from_bullet(rigid.getVelocityInLocalPoint(to_bullet(place_world) -
-                                                     rigid.getWorldTransform().getOrigin()));
+    const BodyMotion& motion = *record.motion;
+    return motion.velocity_mps + glm::cross(motion.spin_radps, place_world - motion.at.position_m);
 }
 
 /// How fast the bodies come together at a point, after whatever blows either may get.
@@ -65,8 +65,8 @@ Real closing_mps(const Manifold& manifold, const ManifoldPoint& point) {
         velocity_at(*manifold.b, point.b.surface_m) - velocity_at(*manifold.a, point.a.surface_m);
     const Vec3& normal = point.normal_world;
     return glm::dot(apart, normal) +
-           std::max(Real{0}, -glm::dot(manifold.a->jolt.change_mps, normal)) +
-           std::max(Real{0}, glm::dot(manifold.b->jolt.change_mps, normal));
+           std::max(Real{0}, -glm::dot(manifold.a->small.jolt.change_mps, normal)) +
+           std::max(Real{0}, glm::dot(manifold.b->small.jolt.change_mps, normal));
 }
 
 /// Radius of a body that is round all over or about an axis, 0 of others.
@@ -109,11 +109,9 @@ bool passes_edge(const btPersistentManifold& manifold,
         point.getDistance() < -kTouch * radius || is_face_of_box(*box, out))
         return false;
     const btVector3 center = edge + out * (radius + point.getDistance());
-    const auto& a = static_cast<const btRigidBody&>(*round);
-    const auto& b = static_cast<const btRigidBody&>(*box);
-    const btVector3 way = (a.getVelocityInLocalPoint(center - a.getWorldTransform().getOrigin()) -
-                           b.getVelocityInLocalPoint(edge - b.getWorldTransform().getOrigin())) *
-                          step_s;
+    const btVector3 way = to_bullet((velocity_at(record_of(*round), from_bullet(center)) -
+                                     velocity_at(record_of(*box), from_bullet(edge))) *
+                                    step_s);
     const btScalar length2 = way.length2();
     if (length2 < kFar * kFar * radius * radius) return false;
     const btVector3 apart = center - edge;
@@ -227,8 +225,8 @@ Real PairMeeting::reach_of(const Pair& pair) const {
     const MeetStep& step = impl_->step;
     const BodyRecord& a = *pair.a;
     const BodyRecord& b = *pair.b;
-    const btVector3 apart = a.rigid->getLinearVelocity() - b.rigid->getLinearVelocity();
-    const btScalar speed = apart.length() + spin_mps(a) + spin_mps(b) + jolt_mps(pair);
+    const Vec3 apart = a.motion->velocity_mps - b.motion->velocity_mps;
+    const btScalar speed = glm::length(apart) + spin_mps(a) + spin_mps(b) + jolt_mps(pair);
     const btScalar way = speed * step.step_s + step.fall_m;
     const btScalar unswept = unswept_m(a) + unswept_m(b);
     if (pair.boxes) return near_m(pair) + std::min(way, unswept);

@@ -22,18 +22,18 @@ void JointSweep::begin_step() {
 }
 
 std::vector<BodyRecord*>& JointSweep::group_of(BodyRecord& record) {
-    if (record.sweep_group >= first_of_step_) return groups_[record.sweep_group - first_of_step_];
+    if (record.sweep.group >= first_of_step_) return groups_[record.sweep.group - first_of_step_];
     std::vector<BodyRecord*>& group = groups_.emplace_back();
     const std::uint32_t number = ++groups_made_;
-    record.sweep_group = number;
+    record.sweep.group = number;
     group.push_back(&record);
     for (std::size_t next = 0; next < group.size(); ++next) {
         for (const JointId id : group[next]->joints) {
             const JointRecord& joint = *joints_.get(id);
             if (!holds(joint)) continue;
             BodyRecord& other = joint.a == group[next] ? *joint.b : *joint.a;
-            if (other.sweep_group == number) continue;
-            other.sweep_group = number;
+            if (other.sweep.group == number) continue;
+            other.sweep.group = number;
             group.push_back(&other);
         }
     }
@@ -42,11 +42,12 @@ std::vector<BodyRecord*>& JointSweep::group_of(BodyRecord& record) {
 
 void JointSweep::stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s) {
     if (record.joints.empty()) {
-        record.sweep_group = 0;
-        return physics::stop_at_hit(world, record, duration_s);
+        record.sweep.group = 0;
+        physics::stop_at_hit(world, record, duration_s);
+        return;
     }
     const std::vector<BodyRecord*>& group = group_of(record);
-    const Real share = way_to_hit(world, record, record.sweep_group).share;
+    const Real share = way_to_hit(world, record, record.sweep.group).share;
     if (share >= 1) return;
     for (BodyRecord* member : group) stop_part_way(*member, share);
 }
