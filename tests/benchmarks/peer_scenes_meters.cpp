@@ -2,6 +2,7 @@
 #include "tests/benchmarks/peer_scenes_meters.h"
 
 #include "engine/core/math.h"
+#include "engine/study/scenarios/families/rolling.h"
 
 #include <algorithm>
 #include <array>
@@ -180,29 +181,24 @@ private:
     std::vector<double> errors_pct_;
 };
 
-/// Against v = v0 - mu*g*t until it rolls at 5/7 v0; a ball that starts rolling just goes on.
+/// Against SlideToRoll; a ball that starts rolling just goes on.
 class RollMeter final : public Meter {
 public:
     explicit RollMeter(const PeerScene& scene)
-        : scene_(scene), ball_(only_dynamic(scene)), start_(start_views(scene)[ball_]) {
+        : ball_(only_dynamic(scene)), start_(start_views(scene)[ball_]) {
         const PeerBody& ball = scene.bodies[ball_];
         start_.velocity_mps = Vec3d(ball.body.velocity_mps);
-        speed_mps_ = glm::length(start_.velocity_mps);
-        along_ = start_.velocity_mps / speed_mps_;
+        law_.speed_mps = glm::length(start_.velocity_mps);
+        along_ = start_.velocity_mps / law_.speed_mps;
         const bool rolls = glm::length(ball.body.angular_velocity_radps) > 0;
-        slowing_mps2_ =
-            static_cast<double>(ball.body.friction.value_or(Real{0})) * gravity_of(scene);
-        rolls_at_s_ = rolls ? 0.0 : 2 * speed_mps_ / (7 * slowing_mps2_);
+        law_.mu = rolls ? 0 : static_cast<double>(ball.body.friction.value_or(Real{0}));
     }
 
     void sample(double time_s, const std::vector<BodyView>& views) override {
         const BodyView& now = views[ball_];
-        const double slid_s = std::min(time_s, rolls_at_s_);
-        const double speed_mps = speed_mps_ - slowing_mps2_ * slid_s;
-        const double way_m = speed_mps_ * slid_s - 0.5 * slowing_mps2_ * slid_s * slid_s +
-                             speed_mps * (time_s - slid_s);
+        const double speed_mps = law_.speed_at_mps(time_s);
         const Vec3d way = now.position - start_.position;
-        along_error_m_ = glm::dot(way, along_) - way_m;
+        along_error_m_ = glm::dot(way, along_) - law_.way_m(time_s);
         most_along_m_ = std::max(most_along_m_, std::abs(along_error_m_));
         speed_error_mps_ = glm::dot(now.velocity_mps, along_) - speed_mps;
         most_speed_mps_ = std::max(most_speed_mps_, std::abs(speed_error_mps_));
@@ -215,7 +211,7 @@ public:
 
     std::vector<Metric> results() const override {
         const double speed_pct = std::abs(speed_error_mps_) / expected_mps_ * 100;
-        if (rolls_at_s_ > 0) {
+        if (law_.mu > 0) {
             return {{"x_err_max_mm", most_along_m_ * 1e3},
                     {"v_err_max", most_speed_mps_},
                     {"v_final_err_pct", speed_pct}};
@@ -228,13 +224,10 @@ public:
     }
 
 private:
-    const PeerScene& scene_;
     std::size_t ball_;
     BodyView start_;
     Vec3d along_{1, 0, 0};
-    double speed_mps_{0};
-    double slowing_mps2_{0};
-    double rolls_at_s_{0};
+    study::SlideToRoll law_;  ///< without friction: it rolls from the start
     double expected_mps_{1};
     double along_error_m_{0};
     double most_along_m_{0};

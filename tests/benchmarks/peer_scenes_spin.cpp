@@ -1,5 +1,7 @@
 // A torque-free body against Euler's equations.
 #include "engine/core/math.h"
+#include "engine/study/angle_between.h"
+#include "engine/study/scenarios/families/tops.h"
 #include "tests/benchmarks/peer_scenes_meters.h"
 
 #include <algorithm>
@@ -10,57 +12,18 @@ namespace plumbline::bench {
 
 namespace {
 
-/// Orientation and spin about the body's own axes.
-struct Turning {
-    Quatd orientation{1, 0, 0, 0};
-    Vec3d spin{0, 0, 0};
-};
-
-Turning rate_of(const Turning& now, const Vec3d& inertia) {
-    const Quatd spin(0.0, now.spin.x, now.spin.y, now.spin.z);
-    return {0.5 * (now.orientation * spin), glm::cross(inertia * now.spin, now.spin) / inertia};
-}
-
-Turning moved(const Turning& from, const Turning& rate, double step_s) {
-    return {from.orientation + rate.orientation * step_s, from.spin + rate.spin * step_s};
-}
-
-/// Classic Runge-Kutta of fourth order, 1e-4 s a step.
-Turning reference_after(Turning turning, const Vec3d& inertia, double time_s) {
-    constexpr double kStep_s = 1e-4;
-    const auto steps = std::lround(time_s / kStep_s);
-    for (long i = 0; i < steps; ++i) {
-        const Turning k1 = rate_of(turning, inertia);
-        const Turning k2 = rate_of(moved(turning, k1, kStep_s / 2), inertia);
-        const Turning k3 = rate_of(moved(turning, k2, kStep_s / 2), inertia);
-        const Turning k4 = rate_of(moved(turning, k3, kStep_s), inertia);
-        const Turning mean{
-            (k1.orientation + 2.0 * k2.orientation + 2.0 * k3.orientation + k4.orientation) / 6.0,
-            (k1.spin + 2.0 * k2.spin + 2.0 * k3.spin + k4.spin) / 6.0};
-        turning = moved(turning, mean, kStep_s);
-        turning.orientation = glm::normalize(turning.orientation);
-    }
-    return turning;
-}
-
-double angle_between_deg(const Quatd& a, const Quatd& b) {
-    const Quatd apart = glm::conjugate(a) * b;
-    const double sine = std::sqrt(apart.x * apart.x + apart.y * apart.y + apart.z * apart.z);
-    return degrees_from_radians(2 * std::atan2(sine, std::abs(apart.w)));
-}
-
 class SpinMeter final : public Meter {
 public:
     explicit SpinMeter(const PeerScene& scene) : inertia_(scene.bodies[0].inertia_kgm2()) {
         const BodyView start = start_views(scene)[0];
-        const Turning turning{start.orientation,
-                              glm::conjugate(start.orientation) * start.angular_velocity_radps};
+        const Vec3d spin = glm::conjugate(start.orientation) * start.angular_velocity_radps;
         for (Moment& moment : moments_) {
-            moment.expected = reference_after(turning, inertia_, moment.at_s).orientation;
+            moment.expected =
+                study::turned_for({start.orientation, spin}, inertia_, moment.at_s).turn;
         }
-        energy_J_ = energy_of(turning.spin);
-        momentum_ = start.orientation * (inertia_ * turning.spin);
-        side_ = turning.spin.y;
+        energy_J_ = energy_of(spin);
+        momentum_ = start.orientation * (inertia_ * spin);
+        side_ = spin.y;
     }
 
     void sample(double time_s, const std::vector<BodyView>& views) override {
@@ -77,7 +40,8 @@ public:
         }
         for (Moment& moment : moments_) {
             if (std::abs(time_s - moment.at_s) < 1e-6) {
-                moment.error_deg = angle_between_deg(now.orientation, moment.expected);
+                moment.error_deg = degrees_from_radians(
+                    study::angle_between_rad(now.orientation, moment.expected));
             }
         }
     }

@@ -9,33 +9,33 @@ namespace {
 // Nothing in the scenarios moves nearly as fast, and what is stepped once does not get there.
 constexpr double kExploded_mps = 1e3;
 
-RunStatus status_of(const Rig& rig) {
-    if (rig.broken()) return RunStatus::NotFinite;
-    for (const physics::BodyId id : rig.movers) {
-        if (glm::length(rig.velocity(id)) > kExploded_mps) return RunStatus::Exploded;
+RunStatus status_of(const ScenarioWorld& world) {
+    if (world.broken()) return RunStatus::NotFinite;
+    for (const physics::BodyId id : world.movers) {
+        if (glm::length(world.velocity(id)) > kExploded_mps) return RunStatus::Exploded;
     }
     return RunStatus::Done;
 }
 
 }  // namespace
 
-void Course::run(Rig& rig, double seconds, const Hooks& hooks) {
-    const double step_s = rig.step_s();
+void Course::run(ScenarioWorld& world, double seconds, const Hooks& hooks) {
+    const double step_s = world.step_s();
     const int steps = static_cast<int>(std::lround(seconds / step_s));
     const bool looks = mode_ == Mode::Looked;
     if (!looks) meter_.resume();
     for (int i = 0; i < steps; ++i) {
         if (hooks.before) hooks.before(i);
-        rig.world.step();
+        world.physics.step();
         if (looks) {
             if (hooks.after) hooks.after(i);
         } else {
-            meter_.stepped(rig.world.cost(), step_s);
+            meter_.stepped(world.physics.cost(), step_s);
         }
         if (hooks.until && hooks.until()) break;
     }
     if (!looks) meter_.pause();
-    const RunStatus found = status_of(rig);
+    const RunStatus found = status_of(world);
     if (status_ == RunStatus::Done) status_ = found;
 }
 

@@ -4,7 +4,7 @@
 #include "engine/study/findings.h"
 #include "engine/study/measure.h"
 #include "engine/study/order.h"
-#include "engine/study/scenarios/rig.h"
+#include "engine/study/scenarios/world/scenario_world.h"
 
 #include <functional>
 #include <string>
@@ -27,8 +27,8 @@ public:
         std::function<bool()> until{};
     };
     /// Steps for so long, rounded to whole steps.
-    void run(Rig& rig, double seconds, const Hooks& hooks);
-    void run(Rig& rig, double seconds) { run(rig, seconds, Hooks{}); }
+    void run(ScenarioWorld& world, double seconds, const Hooks& hooks);
+    void run(ScenarioWorld& world, double seconds) { run(world, seconds, Hooks{}); }
 
     /// Of all worlds so far: the worst that became of one.
     RunStatus status() const { return status_; }

@@ -20,6 +20,19 @@ inline constexpr double kPiD = std::numbers::pi;
 /// What rounding of a single number of size 10 costs at Real's precision.
 inline constexpr double kRounding = sizeof(Real) == sizeof(float) ? 1e-6 : 1e-14;
 
+/// Of every bit of the bodies' states.
+inline std::uint64_t state_hash(const PhysicsWorld& world, const std::vector<BodyId>& ids) {
+    Hasher hasher;
+    for (const BodyId id : ids) {
+        const BodyState state = world.state(id);
+        hasher.add(&state.world_from_body.position, sizeof(Vec3));
+        hasher.add(&state.world_from_body.orientation, sizeof(Quat));
+        hasher.add(&state.velocity_mps, sizeof(Vec3));
+        hasher.add(&state.angular_velocity_radps, sizeof(Vec3));
+    }
+    return hasher.digest();
+}
+
 struct TestWorld {
     explicit TestWorld(const WorldDef& def = {}) : world(def) {}
 
@@ -48,18 +61,7 @@ struct TestWorld {
     Vec3d velocity(BodyId id) const { return Vec3d{world.state(id).velocity_mps}; }
     Vec3d spin(BodyId id) const { return Vec3d{world.state(id).angular_velocity_radps}; }
 
-    /// Of every bit of the bodies' states.
-    std::uint64_t hash(const std::vector<BodyId>& ids) const {
-        Hasher hasher;
-        for (const BodyId id : ids) {
-            const BodyState state = world.state(id);
-            hasher.add(&state.world_from_body.position, sizeof(Vec3));
-            hasher.add(&state.world_from_body.orientation, sizeof(Quat));
-            hasher.add(&state.velocity_mps, sizeof(Vec3));
-            hasher.add(&state.angular_velocity_radps, sizeof(Vec3));
-        }
-        return hasher.digest();
-    }
+    std::uint64_t hash(const std::vector<BodyId>& ids) const { return state_hash(world, ids); }
 
     PhysicsWorld world;
 };

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace plumbline::physics {
+namespace plumbline::study {
 namespace {
 
 constexpr auto kKnownRed = std::to_array<KnownRed>({
@@ -57,13 +57,20 @@ constexpr auto kKnownRed = std::to_array<KnownRed>({
      0.36,
      std::nullopt,
      "as the flip"},
+    {"Invariance.A40TheWorldMayBeTurned",
+     "A40 23 turns, sliding box",
+     0.0028,
+     0.0028,
+     "the two directions of a point's friction have masses of their own: where the slip lies "
+     "between "
+     "them, friction is not quite opposite to it"},
     {"Invariance.A43TheWorldMayBeLargerOrSmaller",
-     "A43 0.01 times as long, tower of 5",
+     "A43 0.01 times as long, tower of five",
      0.0015,
      0.0015,
      "sags by gravity times the sub-step squared, whatever its size"},
     {"Invariance.A43TheWorldMayBeLargerOrSmaller",
-     "A43 0.1 times as long, tower of 5",
+     "A43 0.1 times as long, tower of five",
      0.0015,
      0.0015,
      "sags by gravity times the sub-step squared, whatever its size"},
@@ -100,4 +107,4 @@ std::span<const KnownRed> known_red() {
     return kKnownRed;
 }
 
-}  // namespace plumbline::physics
+}  // namespace plumbline::study

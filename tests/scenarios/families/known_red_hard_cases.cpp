@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace plumbline::physics {
+namespace plumbline::study {
 namespace {
 
 constexpr auto kKnownRed = std::to_array<KnownRed>({
@@ -25,4 +25,4 @@ std::span<const KnownRed> known_red() {
     return kKnownRed;
 }
 
-}  // namespace plumbline::physics
+}  // namespace plumbline::study

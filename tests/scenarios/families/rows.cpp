@@ -10,7 +10,7 @@
 #include <fstream>
 #include <set>
 
-namespace plumbline::physics {
+namespace plumbline::study {
 namespace {
 
 constexpr bool kFloat32 = sizeof(Real) == sizeof(float);
@@ -94,4 +94,4 @@ void note(const std::string& row, double measured) {
     append(fmt::format("{} | {} | - | {:.3g} | -", kPrecisionName, row, measured));
 }
 
-}  // namespace plumbline::physics
+}  // namespace plumbline::study

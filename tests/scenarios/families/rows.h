@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace plumbline::physics {
+namespace plumbline::study {
 
 /// A row that is not reached.
 struct KnownRed {
@@ -43,4 +43,4 @@ void expect_at_most(const std::string& row, double measured, double asked);
 /// Notes a number that nothing is asked of.
 void note(const std::string& row, double measured);
 
-}  // namespace plumbline::physics
+}  // namespace plumbline::study

@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-namespace plumbline::physics {
+namespace plumbline::study {
 namespace {
 
 constexpr KnownRed kOne[]{{"Some.Test", "A99 way S=1", 0.3, 0.3, "a reason"}};
@@ -82,4 +82,4 @@ TEST(KnownRedRows, HaveATestAReasonAndOneLineEach) {
 }
 
 }  // namespace
-}  // namespace plumbline::physics
+}  // namespace plumbline::study

@@ -2,8 +2,9 @@
 // meaning: the names of their first metrics are those of report/peers.cpp.
 #include "engine/core/pose.h"
 #include "engine/study/angle_between.h"
-#include "engine/study/scenarios/integrate.h"
-#include "engine/study/scenarios/scenario.h"
+#include "engine/study/scenarios/families/bounces.h"
+#include "engine/study/scenarios/families/rolling.h"
+#include "engine/study/scenarios/families/tops.h"
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ struct Chain {
     Vec3d along;
     std::vector<BodyId> bodies;
 
-    Chain(Rig& rig, const Vec3d& direction) : along(direction) {
+    Chain(ScenarioWorld& world, const Vec3d& direction) : along(direction) {
         const Vec3d thin{0.1, 0.1, 0.1};
         const Vec3d size = thin + glm::abs(along) * (kLink_m - 0.1);
         const Vec3d from{0, kAnchor_m, 0};
@@ -35,43 +36,44 @@ struct Chain {
             const Vec3d joint = from + along * (kLink_m * i);
             bodies.push_back(
                 i < kLinks
-                    ? rig.box(joint + along * (kLink_m / 2), size, {.mass_kg = 1, .touches = false})
-                    : rig.ball(
+                    ? world.box(
+                          joint + along * (kLink_m / 2), size, {.mass_kg = 1, .touches = false})
+                    : world.ball(
                           joint + along * kBall_m, kBall_m, {.mass_kg = 100, .touches = false}));
-            rig.join({.kind = physics::JointKind::Ball,
-                      .a = bodies.back(),
-                      .b = i == 0 ? BodyId{} : bodies[static_cast<std::size_t>(i) - 1],
-                      .anchor_a_world = vec(joint),
-                      .anchor_b_world = vec(joint)});
+            world.join({.kind = physics::JointKind::Ball,
+                        .a = bodies.back(),
+                        .b = i == 0 ? BodyId{} : bodies[static_cast<std::size_t>(i) - 1],
+                        .anchor_a_world = vec(joint),
+                        .anchor_b_world = vec(joint)});
         }
     }
 
     /// Sum of the gaps at the joints, relative to the chain's length.
-    double stretch(const Rig& rig) const {
+    double stretch(const ScenarioWorld& world) const {
         double sum_m = 0;
         Vec3d before{0, kAnchor_m, 0};
         for (int i = 0; i <= kLinks; ++i) {
             const BodyId body = bodies[static_cast<std::size_t>(i)];
             const double half_m = i < kLinks ? kLink_m / 2 : kBall_m;
-            const Vec3d to_end = rig.turn(body) * (along * half_m);
-            sum_m += glm::length(rig.at(body) - to_end - before);
-            before = rig.at(body) + to_end;
+            const Vec3d to_end = world.turn(body) * (along * half_m);
+            sum_m += glm::length(world.at(body) - to_end - before);
+            before = world.at(body) + to_end;
         }
         return sum_m / kChain_m;
     }
 };
 
 Errors run_chain(const Setting& setting, Course& course, const Vec3d& along, bool at_end) {
-    Rig rig(setting);
-    const Chain chain(rig, along);
+    ScenarioWorld world(setting);
+    const Chain chain(world, along);
     constexpr double kTail_s = 2;
     double most = 0;
     double tail = 0;
     int in_tail = 0;
-    course.run(rig, kChain_s, {.after = [&](int i) {
-                   const double stretch = chain.stretch(rig);
+    course.run(world, kChain_s, {.after = [&](int i) {
+                   const double stretch = chain.stretch(world);
                    most = std::max(most, stretch);
-                   if ((i + 1) * rig.step_s() < kChain_s - kTail_s + 1e-9) return;
+                   if ((i + 1) * world.step_s() < kChain_s - kTail_s + 1e-9) return;
                    tail += stretch;
                    ++in_tail;
                }});
@@ -104,19 +106,15 @@ void add_chain(std::vector<Scenario>& all, const std::string& name, bool hangs) 
 constexpr double kDrop_m = 10;
 
 Errors run_bounce(const Setting& setting, Course& course) {
-    constexpr double kRadius_m = 0.5;
-    Rig rig(setting);
-    rig.floor(0, 1);
-    const BodyId ball = rig.ball(
-        {0, kDrop_m + kRadius_m, 0}, kRadius_m, {.mass_kg = 1000, .friction = 0, .restitution = 1});
+    DroppedBody falls(setting, {.height_m = kDrop_m, .e = 1, .radius_m = 0.5, .mass_kg = 1000});
     double height_m = kDrop_m;
     double rise_mps = 0;
     double apex_m = 0;
     // The apex lies between two steps: the energy of the nearer one says how high.
     const auto energy_height = [](double at_m, double v) { return at_m + v * v / (2 * kG_mps2); };
-    course.run(rig, 60, {.after = [&](int) {
-                   const double now_m = rig.at(ball).y - kRadius_m;
-                   const double now_mps = rig.velocity(ball).y;
+    course.run(falls.world, 60, {.after = [&](int) {
+                   const double now_m = falls.height_m();
+                   const double now_mps = falls.world.velocity(falls.body).y;
                    if (rise_mps > 0 && now_mps <= 0) {
                        apex_m = rise_mps < -now_mps ? energy_height(height_m, rise_mps)
                                                     : energy_height(now_m, now_mps);
@@ -131,84 +129,43 @@ Errors run_bounce(const Setting& setting, Course& course) {
 // --- a ball that slides until it rolls ---
 
 Errors run_slide_roll(const Setting& setting, Course& course) {
-    constexpr double kRadius_m = 0.5;
-    constexpr double kSpeed_mps = 5;
-    constexpr double kFriction = 0.3;
+    constexpr SlideToRoll kLaw{.speed_mps = 5, .mu = 0.3};
     constexpr double kEnd_s = 3;
-    constexpr double kSlowing_mps2 = kFriction * kG_mps2;
-    constexpr double kRolls_at_s = 2 * kSpeed_mps / (7 * kSlowing_mps2);
-    const auto speed_mps = [&](double t) {
-        return kSpeed_mps - kSlowing_mps2 * std::min(t, kRolls_at_s);
-    };
-    const auto way_m = [&](double t) {
-        const double slid_s = std::min(t, kRolls_at_s);
-        return (kSpeed_mps - kSlowing_mps2 * slid_s / 2) * slid_s + speed_mps(t) * (t - slid_s);
-    };
-    Rig rig(setting);
-    rig.floor(kFriction);
-    const BodyId ball =
-        rig.ball({0, kRadius_m, 0},
-                 kRadius_m,
-                 {.mass_kg = 500, .friction = kFriction, .velocity_mps = {kSpeed_mps, 0, 0}});
+    constexpr double kMass_kg = 500;
+    SlidingBall slides(setting, kLaw, 0, kMass_kg);
+    const ScenarioWorld& world = slides.world;
     double most_m = 0;
-    course.run(rig, kEnd_s, {.after = [&](int i) {
-                   const double t = (i + 1) * rig.step_s();
-                   most_m = std::max(most_m, std::abs(rig.at(ball).x - way_m(t)));
+    course.run(slides.world, kEnd_s, {.after = [&](int i) {
+                   const double t_s = (i + 1) * world.step_s();
+                   most_m = std::max(most_m, std::abs(world.at(slides.ball).x - kLaw.way_m(t_s)));
                }});
-    return {most_m / way_m(kEnd_s), rig.velocity(ball).x / speed_mps(kEnd_s) - 1};
+    return {most_m / kLaw.way_m(kEnd_s),
+            world.velocity(slides.ball).x / kLaw.speed_at_mps(kEnd_s) - 1};
 }
 
 // --- a T-handle that turns about its middle axis ---
 
-const Vec3d kHandle_kgm2{1.5619047619047621, 3.573333333333334, 4.761904761904763};
-const Vec3d kHandleSpin_radps{0.01, 5, 0.01};
-constexpr double kSeen_s = 10;
-
-/// Quaternion (w, x, y, z) and spin about the body's own axes (Euler's equations).
-State<7> turning_rate(double /*t*/, const State<7>& now) {
-    const Quatd turn(now[0], now[1], now[2], now[3]);
-    const Vec3d spin{now[4], now[5], now[6]};
-    const Quatd turning = 0.5 * (turn * Quatd(0, spin.x, spin.y, spin.z));
-    const Vec3d change = glm::cross(kHandle_kgm2 * spin, spin) / kHandle_kgm2;
-    return {turning.w, turning.x, turning.y, turning.z, change.x, change.y, change.z};
-}
-
-const Quatd& handle_at_10_s() {
-    static const Quatd turn = [] {
-        const Vec3d& w = kHandleSpin_radps;
-        const State<7> end =
-            reference(turning_rate, State<7>{1, 0, 0, 0, w.x, w.y, w.z}, 0, kSeen_s);
-        return glm::normalize(Quatd(end[0], end[1], end[2], end[3]));
-    }();
-    return turn;
-}
-
 Errors run_handle(const Setting& setting, Course& course) {
-    Rig rig(setting, {0, 0, 0});
-    const Result<physics::ShapeId> shape =
-        rig.world.create_shape(physics::BoxShape{.size_m = vec({1, 0.6, 0.2})});
-    PL_ASSERT(shape.ok(), "a box within the limits");
-    const BodyId handle = rig.world.create_body({.kind = physics::BodyKind::Dynamic,
-                                                 .shape = *shape,
-                                                 .mass_kg = real(56),
-                                                 .inertia_kgm2 = vec(kHandle_kgm2),
-                                                 .angular_velocity_radps = vec(kHandleSpin_radps),
-                                                 .can_sleep = false});
-    rig.movers.push_back(handle);
-    const Vec3d momentum = kHandle_kgm2 * kHandleSpin_radps;
-    const double energy = glm::dot(kHandleSpin_radps, momentum);
+    constexpr double kSeen_s = 10;
+    static const FreeBodyDef def = t_handle();
+    static const TurningBody expected =
+        turned_for({.own_spin_radps = def.spin_radps}, *def.inertia_kgm2, kSeen_s);
+    const Vec3d inertia = *def.inertia_kgm2;
+    FreeBody handle(setting, def);
+    const Vec3d momentum = inertia * def.spin_radps;
+    const double energy = glm::dot(def.spin_radps, momentum);
     double turned_rad = kPi_d;
     double most_energy = 0;
     double most_momentum = 0;
-    course.run(rig, 60, {.after = [&](int i) {
-                   const Quatd turn = rig.turn(handle);
-                   const Vec3d spin = glm::conjugate(turn) * rig.spin(handle);
-                   const Vec3d now = kHandle_kgm2 * spin;
+    const double step_s = handle.world.step_s();
+    course.run(handle.world, 60, {.after = [&](int i) {
+                   const auto [turn, spin] = handle.now();
+                   const Vec3d now = inertia * spin;
                    most_energy = std::max(most_energy, std::abs(glm::dot(spin, now) / energy - 1));
                    most_momentum = std::max(
                        most_momentum, glm::length(turn * now - momentum) / glm::length(momentum));
-                   if (std::abs((i + 1) * rig.step_s() - kSeen_s) < rig.step_s() / 4)
-                       turned_rad = angle_between_rad(turn, handle_at_10_s());
+                   if (std::abs((i + 1) * step_s - kSeen_s) < step_s / 4)
+                       turned_rad = angle_between_rad(turn, expected.turn);
                }});
     return {turned_rad / kPi_d, most_energy, most_momentum};
 }
@@ -216,16 +173,16 @@ Errors run_handle(const Setting& setting, Course& course) {
 // --- a heavy cube on a light one ---
 
 /// How deep corners of one cube of edge 1 m lie below the other's top.
-double depth_m(const Rig& rig, BodyId upper, BodyId lower) {
+double depth_m(const ScenarioWorld& world, BodyId upper, BodyId lower) {
     double deepest_m = 0;
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3d own{(corner & 1) != 0 ? 0.5 : -0.5,
                         (corner & 2) != 0 ? 0.5 : -0.5,
                         (corner & 4) != 0 ? 0.5 : -0.5};
-        const Vec3d world = rig.at(upper) + rig.turn(upper) * own;
-        deepest_m = std::max(deepest_m, -world.y);  // the ground
+        const Vec3d corner_m = world.at(upper) + world.turn(upper) * own;
+        deepest_m = std::max(deepest_m, -corner_m.y);  // the ground
         if (lower == upper) continue;
-        const Vec3d in_lower = glm::conjugate(rig.turn(lower)) * (world - rig.at(lower));
+        const Vec3d in_lower = glm::conjugate(world.turn(lower)) * (corner_m - world.at(lower));
         const bool is_above = std::max(std::abs(in_lower.x), std::abs(in_lower.z)) < 0.51;
         if (is_above && in_lower.y > -0.5) deepest_m = std::max(deepest_m, 0.5 - in_lower.y);
     }
@@ -235,21 +192,21 @@ double depth_m(const Rig& rig, BodyId upper, BodyId lower) {
 Errors run_heavy(const Setting& setting, Course& course, double ratio) {
     constexpr double kLight_kg = 1000;
     constexpr double kLandedAfter_s = 1;
-    Rig rig(setting);
-    rig.floor(0.6);
-    const BodyId lower = rig.box({0, 0.5, 0}, {1, 1, 1}, {.mass_kg = kLight_kg, .friction = 0.6});
+    ScenarioWorld world(setting);
+    world.floor(0.6);
+    const BodyId lower = world.box({0, 0.5, 0}, {1, 1, 1}, {.mass_kg = kLight_kg, .friction = 0.6});
     const BodyId upper =
-        rig.box({0, 1.5, 0}, {1, 1, 1}, {.mass_kg = ratio * kLight_kg, .friction = 0.6});
+        world.box({0, 1.5, 0}, {1, 1, 1}, {.mass_kg = ratio * kLight_kg, .friction = 0.6});
     double most_m = 0;
     course.run(
-        rig, 10, {.after = [&](int i) {
-            if ((i + 1) * rig.step_s() <= kLandedAfter_s) return;
-            most_m = std::max({most_m, depth_m(rig, lower, lower), depth_m(rig, upper, lower)});
+        world, 10, {.after = [&](int i) {
+            if ((i + 1) * world.step_s() <= kLandedAfter_s) return;
+            most_m = std::max({most_m, depth_m(world, lower, lower), depth_m(world, upper, lower)});
         }});
     // One that has fallen off sinks into nothing any more.
     constexpr double kFallen_m = 0.45;
-    if (1.5 - rig.at(upper).y > kFallen_m) most_m = std::max(most_m, 1.0);
-    return {most_m, (rig.at(upper).y - 1.5) / 1.5};
+    if (1.5 - world.at(upper).y > kFallen_m) most_m = std::max(most_m, 1.0);
+    return {most_m, (world.at(upper).y - 1.5) / 1.5};
 }
 
 void add_heavy(std::vector<Scenario>& all, int ratio) {

@@ -1,6 +1,6 @@
 // The same scenes turned, moved away, carried along, scaled, made in another order and run backwards:
 // A40 to A44. None needs a reference.
-#include "engine/study/scenarios/stage.h"
+#include "engine/study/scenarios/families/invariances.h"
 
 #include <fmt/format.h>
 
@@ -14,81 +14,123 @@ namespace {
 using physics::BodyId;
 using physics::BodyKind;
 
-/// A scene and the one place that it ends at, with the length that counts as 1.
-struct Scene {
-    const char* name;
-    double scale_m;
-    Vec3d (*end)(const Frame& frame, const Setting& setting, Course& course);
-};
-
 Vec3d pendulum_end(const Frame& frame, const Setting& setting, Course& course) {
-    Stage stage(frame, setting);
+    FramedWorld framed(frame, setting);
     const std::size_t nail =
-        stage.box(BodyKind::Static, {0, 0, 0}, {0.2, 0.2, 0.2}, {.touches = false});
-    const std::size_t ball = stage.ball({1, 0, 0}, 0.1, {.touches = false});
-    stage.build();
-    stage.join(ball, nail, {0, 0, 0});
-    stage.run(course, 2);
-    return stage.at(ball);
+        framed.box(BodyKind::Static, {0, 0, 0}, {0.2, 0.2, 0.2}, {.touches = false});
+    const std::size_t ball = framed.ball({1, 0, 0}, 0.1, {.touches = false});
+    framed.build();
+    framed.join(ball, nail, {0, 0, 0});
+    framed.run(course, 2);
+    return framed.at(ball);
 }
 
 Vec3d bounce_end(const Frame& frame, const Setting& setting, Course& course) {
-    Stage stage(frame, setting);
-    stage.floor(0.5, 0.8);
-    const std::size_t ball = stage.ball({0, 1.1, 0}, 0.1, {.restitution = 0.8});
-    stage.build();
-    stage.run(course, 0.9);  // about half-way between the first two contacts
-    const double speed = stage.velocity(ball).y;
-    const Vec3d at = stage.at(ball);
+    FramedWorld framed(frame, setting);
+    framed.floor(0.5, 0.8);
+    const std::size_t ball = framed.ball({0, 1.1, 0}, 0.1, {.restitution = 0.8});
+    framed.build();
+    framed.run(course, 0.9);  // about half-way between the first two contacts
+    const double speed = framed.velocity(ball).y;
+    const Vec3d at = framed.at(ball);
     return {at.x, at.y - 0.1 + speed * speed / (2 * kG_mps2), at.z};
 }
 
 Vec3d slide_end(const Frame& frame, const Setting& setting, Course& course) {
-    Stage stage(frame, setting);
-    stage.floor(0.3);
-    const std::size_t box = stage.box(
+    FramedWorld framed(frame, setting);
+    framed.floor(0.3);
+    const std::size_t box = framed.box(
         BodyKind::Dynamic, {0, 0.25, 0}, {1, 0.5, 1}, {.friction = 0.3, .velocity_mps = {5, 0, 0}});
-    stage.build();
-    stage.run(course, 2.5);
-    return stage.at(box);
+    framed.build();
+    framed.run(course, 2.5);
+    return framed.at(box);
 }
 
 Vec3d roll_end(const Frame& frame, const Setting& setting, Course& course) {
-    Stage stage(frame, setting);
-    stage.floor(0.2);
+    FramedWorld framed(frame, setting);
+    framed.floor(0.2);
     const std::size_t ball =
-        stage.ball({0, 0.5, 0}, 0.5, {.friction = 0.2, .velocity_mps = {5, 0, 0}});
-    stage.build();
-    stage.run(course, 3);
-    return stage.at(ball);
+        framed.ball({0, 0.5, 0}, 0.5, {.friction = 0.2, .velocity_mps = {5, 0, 0}});
+    framed.build();
+    framed.run(course, 3);
+    return framed.at(ball);
 }
 
 /// The top of five cubes that come down a centimetre each.
 Vec3d tower_end(const Frame& frame, const Setting& setting, Course& course) {
-    Stage stage(frame, setting);
-    stage.floor(0.5);
+    FramedWorld framed(frame, setting);
+    framed.floor(0.5);
     std::size_t top = 0;
     for (int i = 0; i < 5; ++i)
-        top = stage.box(BodyKind::Dynamic, {0, 0.51 + 1.01 * i, 0}, {1, 1, 1}, {});
-    stage.build();
-    stage.run(course, 3);
-    return stage.at(top);
+        top = framed.box(BodyKind::Dynamic, {0, 0.51 + 1.01 * i, 0}, {1, 1, 1}, {});
+    framed.build();
+    framed.run(course, 3);
+    return framed.at(top);
 }
 
-constexpr std::array<Scene, 5> kScenes{{{"sliding box", 4.25, slide_end},
-                                        {"pendulum", 1, pendulum_end},
-                                        {"bounce", 0.64, bounce_end},
-                                        {"slide to roll", 11.2, roll_end},
-                                        {"tower of five", 4.5, tower_end}}};
+constexpr std::array<FramedScene, 5> kScenes{{{"sliding box", 4.25, slide_end},
+                                              {"pendulum", 1, pendulum_end},
+                                              {"bounce", 0.64, bounce_end},
+                                              {"slide to roll", 11.2, roll_end},
+                                              {"tower of five", 4.5, tower_end}}};
+
+}  // namespace
+
+std::span<const FramedScene> framed_scenes() {
+    return kScenes;
+}
+
+std::vector<Frame> turned_frames() {
+    std::vector<Frame> frames;
+    for (int i = 1; i < 24; ++i) {
+        const Quatd yaw = glm::angleAxis(i * kPi_d / 12, Vec3d{0, 1, 0});
+        const Quatd tilt = glm::angleAxis(0.3 * i, Vec3d{0.6, 0, 0.8});
+        frames.push_back({.turn = tilt * yaw});
+    }
+    return frames;
+}
+
+Frame drifting_frame(double speed_mps) {
+    return {.drift_mps = Vec3d{0.6, 0, 0.8} * speed_mps};
+}
+
+Frame far_frame(double distance_m) {
+    return {.offset_m = {distance_m, 0, -distance_m}};
+}
+
+double back_in_time_m(double seconds, const Setting& setting, Course& course) {
+    ScenarioWorld world(setting);
+    const BodyProperties wall{.friction = 0, .restitution = 1};
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            Vec3d at{0, 0, 0};
+            at[axis] = side * 3;
+            Vec3d size{8, 8, 8};
+            size[axis] = 2;
+            world.fixed_box(at, size, wall);
+        }
+    }
+    BodyProperties properties = wall;
+    properties.velocity_mps = {3.1, 2.3, -1.7};
+    const BodyId ball = world.ball({0.3, 0.2, 0.1}, 0.25, properties);
+    const Vec3d start = world.at(ball);
+    course.run(world, seconds);
+    world.physics.set_velocity(ball, vec(-world.velocity(ball)), {0, 0, 0});
+    course.run(world, seconds);
+    return glm::distance(world.at(ball), start);
+}
+
+namespace {
 
 /// For every scene the furthest that any of the frames ends from the plain one.
 Errors furthest_by_scene(std::span<const Frame> frames, const Setting& setting, Course& course) {
     Errors errors;
-    for (const Scene& scene : kScenes) {
-        const Vec3d plain = scene.end({}, setting, course);
+    for (const FramedScene& scene : kScenes) {
+        const Vec3d plain = scene.end_m({}, setting, course);
         double furthest = 0;
         for (const Frame& frame : frames)
-            furthest = std::max(furthest, glm::distance(scene.end(frame, setting, course), plain));
+            furthest =
+                std::max(furthest, glm::distance(scene.end_m(frame, setting, course), plain));
         errors.push_back(furthest / scene.scale_m);
     }
     return errors;
@@ -97,10 +139,10 @@ Errors furthest_by_scene(std::span<const Frame> frames, const Setting& setting, 
 /// For every frame the furthest that any scene ends from the plain one, as a share of its way.
 Errors furthest_by_frame(std::span<const Frame> frames, const Setting& setting, Course& course) {
     Errors errors(frames.size(), 0.0);
-    for (const Scene& scene : kScenes) {
-        const Vec3d plain = scene.end({}, setting, course);
+    for (const FramedScene& scene : kScenes) {
+        const Vec3d plain = scene.end_m({}, setting, course);
         for (std::size_t i = 0; i < frames.size(); ++i) {
-            const double off = glm::distance(scene.end(frames[i], setting, course), plain);
+            const double off = glm::distance(scene.end_m(frames[i], setting, course), plain);
             errors[i] = std::max(errors[i], off / scene.scale_m);
         }
     }
@@ -114,7 +156,7 @@ constexpr Knobs kUpTo240Hz{.iterations = false, .most_hz = 240};
 
 std::vector<Metric> metrics_by_scene() {
     std::vector<Metric> metrics;
-    for (const Scene& scene : kScenes)
+    for (const FramedScene& scene : kScenes)
         metrics.push_back({scene.name, fmt::format("{:g} m", scene.scale_m)});
     return metrics;
 }
@@ -150,21 +192,15 @@ Scenario by_frame(std::string id,
 }
 
 Scenario turned() {
-    std::vector<Frame> frames;
-    for (int i = 1; i < 24; ++i) {
-        const Quatd yaw = glm::angleAxis(i * kPi_d / 12, Vec3d{0, 1, 0});
-        const Quatd tilt = glm::angleAxis(0.3 * i, Vec3d{0.6, 0, 0.8});
-        frames.push_back({.turn = tilt * yaw});
-    }
     return by_scene(
-        "A40", "The world is turned", "turned 23 ways, gravity with them.", std::move(frames));
+        "A40", "The world is turned", "turned 23 ways, gravity with them.", turned_frames());
 }
 
 Scenario far_away() {
     std::vector<Frame> frames;
     std::vector<Metric> metrics;
     for (const double far_m : {1e1, 1e2, 1e3, 1e4, 1e5}) {
-        frames.push_back({.offset_m = {far_m, 0, -far_m}});
+        frames.push_back(far_frame(far_m));
         metrics.push_back({fmt::format("{:g} m away", far_m), "the way of the scene"});
     }
     return by_frame("A41",
@@ -178,7 +214,7 @@ Scenario carried_along() {
     std::vector<Frame> frames;
     std::vector<Metric> metrics;
     for (const double speed : {1.0, 10.0, 100.0}) {
-        frames.push_back({.drift_mps = Vec3d{0.6, 0, 0.8} * speed});
+        frames.push_back(drifting_frame(speed));
         metrics.push_back({fmt::format("at {:g} m/s", speed), "the way of the scene"});
     }
     return by_frame("A42",
@@ -219,25 +255,7 @@ Scenario back_in_time() {
             .tier = Tier::Conserved,
             .metrics = {{"distance from the start", "the room, 4 m"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
-                Rig rig(setting);
-                const Stuff wall{.friction = 0, .restitution = 1};
-                for (int axis = 0; axis < 3; ++axis) {
-                    for (const double side : {-1.0, 1.0}) {
-                        Vec3d at{0, 0, 0};
-                        at[axis] = side * 3;
-                        Vec3d size{8, 8, 8};
-                        size[axis] = 2;
-                        rig.fixed_box(at, size, wall);
-                    }
-                }
-                Stuff stuff = wall;
-                stuff.velocity_mps = {3.1, 2.3, -1.7};
-                const BodyId ball = rig.ball({0.3, 0.2, 0.1}, 0.25, stuff);
-                const Vec3d start = rig.at(ball);
-                course.run(rig, 2);
-                rig.world.set_velocity(ball, vec(-rig.velocity(ball)), {0, 0, 0});
-                course.run(rig, 2);
-                return {glm::distance(rig.at(ball), start) / 4};
+                return {back_in_time_m(2, setting, course) / 4};
             },
             .knobs = {.iterations = false}};
 }

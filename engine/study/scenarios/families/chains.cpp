@@ -13,9 +13,9 @@ using physics::BodyId;
 using physics::JointId;
 using physics::JointKind;
 
-double widest_gap_m(const Rig& rig, const std::vector<JointId>& joints) {
+double widest_gap_m(const ScenarioWorld& world, const std::vector<JointId>& joints) {
     double widest = 0;
-    for (const JointId joint : joints) widest = std::max(widest, rig.joint(joint).error_m);
+    for (const JointId joint : joints) widest = std::max(widest, world.joint(joint).error_m);
     return widest;
 }
 
@@ -58,7 +58,7 @@ Scenario catenary() {
                     {"sag at 4 s", "0.5337 m"},
                     {"largest gap", "a rod, 0.2 m"}},
         .run = [](const Setting& setting, Course& course) -> Errors {
-            Rig rig(setting);
+            ScenarioWorld world(setting);
             std::vector<JointId> joints;
             Vec3d end{0, 0, 0};
             BodyId before{};
@@ -67,34 +67,34 @@ Scenario catenary() {
                 const double angle = rod_rad(i, pull_N);
                 const Vec3d along{std::cos(angle), std::sin(angle), 0};
                 const BodyId rod =
-                    rig.box(end + along * (kRod_m / 2),
-                            {kRod_m, 0.02, 0.02},
-                            {.turn = glm::angleAxis(angle, Vec3d{0, 0, 1}), .touches = false});
-                joints.push_back(rig.join({.kind = JointKind::Ball,
-                                           .a = rod,
-                                           .b = before,
-                                           .anchor_a_world = vec(end),
-                                           .anchor_b_world = vec(end)}));
+                    world.box(end + along * (kRod_m / 2),
+                              {kRod_m, 0.02, 0.02},
+                              {.turn = glm::angleAxis(angle, Vec3d{0, 0, 1}), .touches = false});
+                joints.push_back(world.join({.kind = JointKind::Ball,
+                                             .a = rod,
+                                             .b = before,
+                                             .anchor_a_world = vec(end),
+                                             .anchor_b_world = vec(end)}));
                 end += along * kRod_m;
                 sag_m = std::max(sag_m, -end.y);
                 before = rod;
             }
-            joints.push_back(rig.join({.kind = JointKind::Ball,
-                                       .a = before,
-                                       .anchor_a_world = vec(end),
-                                       .anchor_b_world = vec(end)}));
+            joints.push_back(world.join({.kind = JointKind::Ball,
+                                         .a = before,
+                                         .anchor_a_world = vec(end),
+                                         .anchor_b_world = vec(end)}));
             double sum_N = 0;
             int count = 0;
             double gap_m = 0;
-            course.run(rig, kSeconds, {.after = [&](int i) {
-                           gap_m = std::max(gap_m, widest_gap_m(rig, joints));
-                           if ((i + 1) * rig.step_s() <= kSeconds - 1) return;
-                           sum_N += static_cast<double>(rig.joint(joints.front()).force_N);
+            course.run(world, kSeconds, {.after = [&](int i) {
+                           gap_m = std::max(gap_m, widest_gap_m(world, joints));
+                           if ((i + 1) * world.step_s() <= kSeconds - 1) return;
+                           sum_N += static_cast<double>(world.joint(joints.front()).force_N);
                            ++count;
                        }});
             // The middle joint is the end of rod 5.
-            const BodyId middle = rig.movers[kRods / 2 - 1];
-            const Vec3d lowest = rig.at(middle) + rig.turn(middle) * Vec3d{kRod_m / 2, 0, 0};
+            const BodyId middle = world.movers[kRods / 2 - 1];
+            const Vec3d lowest = world.at(middle) + world.turn(middle) * Vec3d{kRod_m / 2, 0, 0};
             return {sum_N / std::max(1, count) / end_N - 1, -lowest.y / sag_m - 1, gap_m / kRod_m};
         },
         .notes = {"small_step and float64 start from rounding: what is left is how well the "
@@ -109,43 +109,43 @@ struct Hanging {
 };
 
 Errors hang(const Hanging& chain, double seconds, const Setting& setting, Course& course) {
-    Rig rig(setting);
+    ScenarioWorld world(setting);
     std::vector<JointId> joints;
     BodyId before{};
     for (int i = 0; i < chain.links; ++i) {
         const Vec3d top{0, -i * chain.link_m, 0};
-        const BodyId link = rig.box(
+        const BodyId link = world.box(
             top - Vec3d{0, chain.link_m / 2, 0}, {0.1, chain.link_m, 0.1}, {.touches = false});
-        joints.push_back(rig.join({.kind = JointKind::Ball,
-                                   .a = link,
-                                   .b = before,
-                                   .anchor_a_world = vec(top),
-                                   .anchor_b_world = vec(top)}));
+        joints.push_back(world.join({.kind = JointKind::Ball,
+                                     .a = link,
+                                     .b = before,
+                                     .anchor_a_world = vec(top),
+                                     .anchor_b_world = vec(top)}));
         before = link;
     }
     const double length_m = chain.links * chain.link_m;
     const Vec3d end{0, -length_m, 0};
     const BodyId ball =
-        rig.ball(end - Vec3d{0, 0.25, 0}, 0.25, {.mass_kg = chain.end_kg, .touches = false});
-    joints.push_back(rig.join({.kind = JointKind::Ball,
-                               .a = ball,
-                               .b = before,
-                               .anchor_a_world = vec(end),
-                               .anchor_b_world = vec(end)}));
+        world.ball(end - Vec3d{0, 0.25, 0}, 0.25, {.mass_kg = chain.end_kg, .touches = false});
+    joints.push_back(world.join({.kind = JointKind::Ball,
+                                 .a = ball,
+                                 .b = before,
+                                 .anchor_a_world = vec(end),
+                                 .anchor_b_world = vec(end)}));
     const double weight_N = (chain.links + chain.end_kg) * kG_mps2;
     double sum_N = 0;
     double squares_m2 = 0;
     double stretch_m = 0;
     int count = 0;
-    course.run(rig, seconds, {.after = [&](int i) {
-                   const double off_m = -rig.at(ball).y - length_m - 0.25;
+    course.run(world, seconds, {.after = [&](int i) {
+                   const double off_m = -world.at(ball).y - length_m - 0.25;
                    stretch_m = std::max(stretch_m, std::abs(off_m));
-                   if ((i + 1) * rig.step_s() <= seconds - 2) return;
-                   sum_N += static_cast<double>(rig.joint(joints.front()).force_N);
-                   squares_m2 += glm::dot(rig.velocity(ball), rig.velocity(ball));
+                   if ((i + 1) * world.step_s() <= seconds - 2) return;
+                   sum_N += static_cast<double>(world.joint(joints.front()).force_N);
+                   squares_m2 += glm::dot(world.velocity(ball), world.velocity(ball));
                    ++count;
                }});
-    const double off_m = -rig.at(ball).y - length_m - 0.25;
+    const double off_m = -world.at(ball).y - length_m - 0.25;
     return {off_m / length_m,
             stretch_m / length_m,
             sum_N / std::max(1, count) / weight_N - 1,

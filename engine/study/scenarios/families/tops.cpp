@@ -1,6 +1,7 @@
 // Bodies that turn freely, and tops on a pivot: A05 to A08.
-#include "engine/study/scenarios/integrate.h"
-#include "engine/study/scenarios/scenario.h"
+#include "engine/study/scenarios/families/tops.h"
+
+#include "engine/study/angle_between.h"
 
 #include <fmt/format.h>
 
@@ -8,59 +9,102 @@
 #include <cmath>
 
 namespace plumbline::study {
-namespace {
 
 using physics::BodyId;
 
-constexpr Knobs kFreeKnobs{.substeps = false, .iterations = false};
-
-double angle_between(const Quatd& a, const Quatd& b) {
-    const Quatd between = glm::conjugate(a) * b;
-    return 2 * std::asin(std::min(1.0, glm::length(Vec3d{between.x, between.y, between.z})));
+State<7> EulersEquations::operator()(double /*t_s*/, const State<7>& state) const {
+    const Quatd turn{state[0], state[1], state[2], state[3]};
+    const Vec3d w{state[4], state[5], state[6]};
+    const Quatd rate = turn * Quatd{0, w.x, w.y, w.z} * 0.5;
+    return {rate.w,
+            rate.x,
+            rate.y,
+            rate.z,
+            (inertia_kgm2.y - inertia_kgm2.z) * w.y * w.z / inertia_kgm2.x,
+            (inertia_kgm2.z - inertia_kgm2.x) * w.z * w.x / inertia_kgm2.y,
+            (inertia_kgm2.x - inertia_kgm2.y) * w.x * w.y / inertia_kgm2.z};
 }
 
-/// Euler's equations with the orientation: w x y z of the turn, then the spin about body axes.
-struct FreeBody {
-    Vec3d inertia;
+TurningBody turned_for(const TurningBody& start, const Vec3d& inertia_kgm2, double seconds) {
+    const Quatd& turn = start.turn;
+    const Vec3d& w = start.own_spin_radps;
+    const State<7> end = reference(EulersEquations{inertia_kgm2},
+                                   State<7>{turn.w, turn.x, turn.y, turn.z, w.x, w.y, w.z},
+                                   0,
+                                   seconds);
+    return {glm::normalize(Quatd{end[0], end[1], end[2], end[3]}), {end[4], end[5], end[6]}};
+}
 
-    State<7> operator()(double, const State<7>& s) const {
-        const Quatd turn{s[0], s[1], s[2], s[3]};
-        const Vec3d w{s[4], s[5], s[6]};
-        const Quatd rate = turn * Quatd{0, w.x, w.y, w.z} * 0.5;
-        return {rate.w,
-                rate.x,
-                rate.y,
-                rate.z,
-                (inertia.y - inertia.z) * w.y * w.z / inertia.x,
-                (inertia.z - inertia.x) * w.z * w.x / inertia.y,
-                (inertia.x - inertia.y) * w.x * w.y / inertia.z};
-    }
-};
+FreeBodyDef box_of_three_lengths() {
+    return {.shape = physics::BoxShape{.size_m = {1, 2, 3}}, .spin_radps = {0.01, 5, 0.01}};
+}
+FreeBodyDef wobbling_disc() {
+    constexpr double kTilt_rad = 20 * kPi_d / 180;
+    return {.shape = physics::CylinderShape{.radius_m = 0.5_r, .height_m = 0.1_r},
+            .spin_radps = {30 * std::sin(kTilt_rad), 30 * std::cos(kTilt_rad), 0}};
+}
+FreeBodyDef t_handle() {
+    return {.shape = physics::BoxShape{.size_m = vec(1, 0.6, 0.2)},
+            .spin_radps = {0.01, 5, 0.01},
+            .mass_kg = 56,
+            .inertia_kgm2 = Vec3d{1.5619047619047621, 3.573333333333334, 4.761904761904763}};
+}
 
-/// What a free body keeps, watched: largest relative errors.
-struct Kept {
-    double energy{0};
-    double momentum{0};
+FreeBody::FreeBody(const Setting& setting, const FreeBodyDef& def, Company company)
+    : world(setting, {0, 0, 0}) {
+    physics::BodyDef body_def{.kind = physics::BodyKind::Dynamic,
+                              .mass_kg = real(def.mass_kg),
+                              .angular_velocity_radps = vec(def.spin_radps),
+                              .can_sleep = false};
+    if (def.inertia_kgm2) body_def.inertia_kgm2 = vec(*def.inertia_kgm2);
+    body = world.add(def.shape, body_def);
+    if (company == Company::None) return;
+    const BodyId other = world.ball({5, 0, 0}, 0.1);
+    world.join({.kind = physics::JointKind::Spring,
+                .a = body,
+                .b = other,
+                .anchor_a_world = {0, 0, 0},
+                .anchor_b_world = {5, 0, 0}});
+}
 
-    static Kept run(Course& course, Rig& rig, double seconds) {
-        const double start_J = rig.world.energy().kinetic_J;
-        const Vec3d start = rig.world.angular_momentum_kgm2ps();
-        Kept kept;
-        course.run(rig, seconds, {.after = [&](int) {
-                       const double now_J = rig.world.energy().kinetic_J;
-                       const Vec3d now = rig.world.angular_momentum_kgm2ps();
-                       kept.energy = std::max(kept.energy, std::abs(now_J / start_J - 1));
-                       kept.momentum =
-                           std::max(kept.momentum, glm::distance(now, start) / glm::length(start));
-                   }});
-        return kept;
-    }
-};
+TurningBody FreeBody::now() const {
+    const Quatd turn = world.turn(body);
+    return {turn, glm::conjugate(turn) * world.spin(body)};
+}
+
+Vec3d Precession::axis_at(double t_s) const {
+    return glm::angleAxis(rate_radps * t_s, about()) * start;
+}
+
+Precession disc_precession() {
+    // The shape's own moments, in double: m (3 r^2 + h^2) / 12 and m r^2 / 2.
+    const Vec3d inertia{0.76 / 12, 0.125, 0.76 / 12};
+    const Vec3d momentum = inertia * wobbling_disc().spin_radps;
+    return {.momentum_kgm2ps = momentum,
+            .start = {0, 1, 0},
+            .rate_radps = glm::length(momentum) / inertia.x};
+}
+
+ConservedErrors conserved_errors(ScenarioWorld& world, double seconds, Course& course) {
+    const double start_J = world.physics.energy().kinetic_J;
+    const Vec3d start = world.physics.angular_momentum_kgm2ps();
+    ConservedErrors most;
+    course.run(world, seconds, {.after = [&](int) {
+                   const double now_J = world.physics.energy().kinetic_J;
+                   const Vec3d now = world.physics.angular_momentum_kgm2ps();
+                   most.energy = std::max(most.energy, std::abs(now_J / start_J - 1));
+                   most.momentum =
+                       std::max(most.momentum, glm::distance(now, start) / glm::length(start));
+               }});
+    return most;
+}
+
+namespace {
+
+constexpr Knobs kFreeKnobs{.substeps = false, .iterations = false};
 
 Scenario three_lengths() {
     static constexpr double kSeconds = 10;
-    static const FreeBody law{Vec3d{13, 10, 5} / 12.0};
-    static const State<7> start{1, 0, 0, 0, 0.01, 5, 0.01};
     return {.id = "A05",
             .title = "A box that turns about its middle axis",
             .set_up =
@@ -73,14 +117,15 @@ Scenario three_lengths() {
                         {"largest error of energy", "the energy"},
                         {"largest error of angular momentum", "the momentum"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
-                static const State<7> expected = reference(law, start, 0, kSeconds);
-                Rig rig(setting, {0, 0, 0});
-                const BodyId body = rig.box({0, 0, 0}, {1, 2, 3}, {.spin_radps = {0.01, 5, 0.01}});
-                const Kept kept = Kept::run(course, rig, kSeconds);
-                const Vec3d spin = glm::conjugate(rig.turn(body)) * rig.spin(body);
-                const Quatd turn{expected[0], expected[1], expected[2], expected[3]};
-                return {glm::distance(spin, {expected[4], expected[5], expected[6]}) / 5,
-                        angle_between(rig.turn(body), turn),
+                static const TurningBody expected =
+                    turned_for({.own_spin_radps = box_of_three_lengths().spin_radps},
+                               Vec3d{13, 10, 5} / 12.0,
+                               kSeconds);
+                FreeBody free(setting, box_of_three_lengths());
+                const ConservedErrors kept = conserved_errors(free.world, kSeconds, course);
+                const TurningBody now = free.now();
+                return {glm::distance(now.own_spin_radps, expected.own_spin_radps) / 5,
+                        angle_between_rad(now.turn, expected.turn),
                         kept.energy,
                         kept.momentum};
             },
@@ -90,7 +135,6 @@ Scenario three_lengths() {
 
 Scenario free_disc() {
     static constexpr double kSeconds = 20;
-    static constexpr double kTilt_rad = 20 * kPi_d / 180;
     return {.id = "A06",
             .title = "A disc that wobbles",
             .set_up =
@@ -101,31 +145,22 @@ Scenario free_disc() {
                         {"largest change of the cone's angle", "1 rad"},
                         {"largest error of angular momentum", "the momentum"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
-                Rig rig(setting, {0, 0, 0});
-                const Vec3d spin{30 * std::sin(kTilt_rad), 30 * std::cos(kTilt_rad), 0};
-                const BodyId body = rig.cylinder({0, 0, 0}, 0.5, 0.1, {.spin_radps = spin});
-                // The shape's own moments, in double: m (3 r^2 + h^2) / 12 and m r^2 / 2.
-                const Vec3d inertia{0.76 / 12, 0.125, 0.76 / 12};
-                const Vec3d momentum = inertia * spin;
-                const Vec3d up = glm::normalize(momentum);
-                const Vec3d first{0, 1, 0};
-                const double cone = std::acos(glm::dot(first, up));
-                const auto axis = [&] { return rig.turn(body) * first; };
+                const Precession expected = disc_precession();
+                const Vec3d momentum = expected.momentum_kgm2ps;
+                FreeBody disc(setting, wobbling_disc());
                 double cone_off = 0;
                 double momentum_off = 0;
-                course.run(rig, kSeconds, {.after = [&](int) {
-                               const double now = std::acos(std::min(1.0, glm::dot(axis(), up)));
-                               cone_off = std::max(cone_off, std::abs(now - cone));
-                               momentum_off = std::max(
-                                   momentum_off,
-                                   glm::distance(rig.world.angular_momentum_kgm2ps(), momentum) /
-                                       glm::length(momentum));
-                           }});
-                const double phase = glm::length(momentum) / inertia.x * kSeconds;
-                const Vec3d expected = glm::angleAxis(phase, up) * first;
-                return {std::acos(std::clamp(glm::dot(axis(), expected), -1.0, 1.0)),
-                        cone_off,
-                        momentum_off};
+                course.run(
+                    disc.world, kSeconds, {.after = [&](int) {
+                        const double up = glm::dot(disc.axis(), expected.about());
+                        const double cone_rad = std::acos(std::min(1.0, up));
+                        cone_off = std::max(cone_off, std::abs(cone_rad - expected.cone_rad()));
+                        const Vec3d now = disc.world.physics.angular_momentum_kgm2ps();
+                        momentum_off = std::max(
+                            momentum_off, glm::distance(now, momentum) / glm::length(momentum));
+                    }});
+                const double along = glm::dot(disc.axis(), expected.axis_at(kSeconds));
+                return {std::acos(std::clamp(along, -1.0, 1.0)), cone_off, momentum_off};
             },
             .knobs = kFreeKnobs,
             .theory = orders_in_step(2, std::nullopt)};
@@ -138,28 +173,28 @@ constexpr double kTopTilt_rad = 30 * kPi_d / 180;
 
 /// The top on its pivot at the origin, its axis tilted towards +x.
 struct HeavyTop {
-    Rig rig;
+    ScenarioWorld world;
     BodyId body;
     physics::JointId pivot;
 
     /// `around_radps` is the rate at which the axis goes round the vertical.
-    HeavyTop(const Setting& setting, double spin_radps, double around_radps) : rig(setting) {
+    HeavyTop(const Setting& setting, double spin_radps, double around_radps) : world(setting) {
         const Quatd turn = glm::angleAxis(-kTopTilt_rad, Vec3d{0, 0, 1});
         const Vec3d axis = turn * Vec3d{0, 1, 0};
         // Its component along the axis is spin_radps.
         const Vec3d up{0, 1, 0};
         const Vec3d spin =
             axis * (spin_radps - around_radps * std::cos(kTopTilt_rad)) + up * around_radps;
-        body = rig.cylinder(axis,
-                            0.5,
-                            0.1,
-                            {.velocity_mps = glm::cross(spin, axis),
-                             .spin_radps = spin,
-                             .turn = turn,
-                             .touches = false});
-        pivot = rig.join({.kind = physics::JointKind::Ball, .a = body});
+        body = world.cylinder(axis,
+                              0.5,
+                              0.1,
+                              {.velocity_mps = glm::cross(spin, axis),
+                               .spin_radps = spin,
+                               .turn = turn,
+                               .touches = false});
+        pivot = world.join({.kind = physics::JointKind::Ball, .a = body});
     }
-    Vec3d axis() const { return rig.turn(body) * Vec3d{0, 1, 0}; }
+    Vec3d axis() const { return world.turn(body) * Vec3d{0, 1, 0}; }
     double tilt_rad() const { return std::acos(std::clamp(axis().y, -1.0, 1.0)); }
 };
 
@@ -183,9 +218,9 @@ Scenario steady_top(double spin_radps) {
             HeavyTop top(setting, spin_radps, around_radps);
             double tilt_off = 0;
             double gap_m = 0;
-            course.run(top.rig, kSeconds, {.after = [&](int) {
+            course.run(top.world, kSeconds, {.after = [&](int) {
                            tilt_off = std::max(tilt_off, std::abs(top.tilt_rad() - kTopTilt_rad));
-                           gap_m = std::max(gap_m, top.rig.joint(top.pivot).error_m);
+                           gap_m = std::max(gap_m, top.world.joint(top.pivot).error_m);
                        }});
             const Vec3d start = glm::angleAxis(-kTopTilt_rad, Vec3d{0, 0, 1}) * Vec3d{0, 1, 0};
             const Vec3d expected = glm::angleAxis(around_radps * kSeconds, Vec3d{0, 1, 0}) * start;
@@ -244,11 +279,11 @@ Scenario nodding_top() {
                 HeavyTop top(setting, kSpin_radps, 0);
                 double gap_m = 0;
                 double last_tilt = 0;
-                const double step_s = top.rig.step_s();
-                course.run(top.rig, kSeconds, {.after = [&](int i) {
+                const double step_s = top.world.step_s();
+                course.run(top.world, kSeconds, {.after = [&](int i) {
                                if ((i + 1) * step_s > kSeconds - 1)
                                    last_tilt = std::max(last_tilt, top.tilt_rad());
-                               gap_m = std::max(gap_m, top.rig.joint(top.pivot).error_m);
+                               gap_m = std::max(gap_m, top.world.joint(top.pivot).error_m);
                            }});
                 const Vec3d tilted = glm::angleAxis(-expected[0], Vec3d{0, 0, 1}) * Vec3d{0, 1, 0};
                 const Vec3d axis = glm::angleAxis(expected[2], Vec3d{0, 1, 0}) * tilted;

@@ -46,25 +46,25 @@ struct Pendulum {
 /// Errors: angle at the end, energy, gap, and how far off the plane it is.
 Errors swing(const Pendulum& pendulum,
              JointKind kind,
-             const std::function<BodyId(Rig&, const Vec3d&, const Quatd&)>& hang,
+             const std::function<BodyId(ScenarioWorld&, const Vec3d&, const Quatd&)>& hang,
              double seconds,
              const Setting& setting,
              Course& course) {
-    Rig rig(setting);
+    ScenarioWorld world(setting);
     const Quatd turn = glm::angleAxis(pendulum.from_rad, Vec3d{0, 0, 1});
-    const BodyId body = hang(rig, turn * Vec3d{0, -pendulum.to_middle_m, 0}, turn);
-    const physics::JointId pivot = rig.join({.kind = kind, .a = body, .axis_world = {0, 0, 1}});
-    const double start_J = rig.energy_J();
+    const BodyId body = hang(world, turn * Vec3d{0, -pendulum.to_middle_m, 0}, turn);
+    const physics::JointId pivot = world.join({.kind = kind, .a = body, .axis_world = {0, 0, 1}});
+    const double start_J = world.energy_J();
     const double range_J = kG_mps2 * pendulum.to_middle_m * (1 - std::cos(pendulum.from_rad));
     double energy_off = 0;
     double gap_m = 0;
     double aside = 0;
-    course.run(rig, seconds, {.after = [&](int) {
-                   energy_off = std::max(energy_off, std::abs(rig.energy_J() - start_J));
-                   gap_m = std::max(gap_m, rig.joint(pivot).error_m);
-                   aside = std::max(aside, std::abs(rig.at(body).z));
+    course.run(world, seconds, {.after = [&](int) {
+                   energy_off = std::max(energy_off, std::abs(world.energy_J() - start_J));
+                   gap_m = std::max(gap_m, world.joint(pivot).error_m);
+                   aside = std::max(aside, std::abs(world.at(body).z));
                }});
-    const Vec3d at = rig.at(body);
+    const Vec3d at = world.at(body);
     const double off =
         std::atan2(at.x, -at.y) - pendulum_rad(pendulum.from_rad, pendulum.length_m, seconds);
     return {std::remainder(off, 2 * kPi_d) / pendulum.from_rad,
@@ -94,8 +94,8 @@ Scenario ball_pendulum(double from_deg) {
         .metrics = swing_metrics(kSeconds, from_deg, "the arm, 1 m"),
         .run =
             [=](const Setting& setting, Course& course) {
-                const auto hang = [](Rig& rig, const Vec3d& at, const Quatd& turn) {
-                    return rig.ball(at, kRadius_m, {.turn = turn, .touches = false});
+                const auto hang = [](ScenarioWorld& world, const Vec3d& at, const Quatd& turn) {
+                    return world.ball(at, kRadius_m, {.turn = turn, .touches = false});
                 };
                 return swing(pendulum, JointKind::Ball, hang, kSeconds, setting, course);
             },
@@ -115,8 +115,8 @@ Scenario rod_pendulum() {
         .metrics = swing_metrics(kSeconds, 90, "half the rod"),
         .run =
             [=](const Setting& setting, Course& course) {
-                const auto hang = [](Rig& rig, const Vec3d& at, const Quatd& turn) {
-                    return rig.box(at, {kThick_m, 1, kThick_m}, {.turn = turn, .touches = false});
+                const auto hang = [](ScenarioWorld& world, const Vec3d& at, const Quatd& turn) {
+                    return world.box(at, {kThick_m, 1, kThick_m}, {.turn = turn, .touches = false});
                 };
                 return swing(pendulum, JointKind::Hinge, hang, kSeconds, setting, course);
             },
@@ -140,27 +140,27 @@ Scenario conical_pendulum() {
                     {"largest change of the cone's angle", "1 rad"},
                     {"angular momentum about the vertical", "that at the start"}},
         .run = [](const Setting& setting, Course& course) -> Errors {
-            Rig rig(setting);
+            ScenarioWorld world(setting);
             const Vec3d spin{0, around_radps, 0};
             const Vec3d start{std::sin(kCone_rad), -std::cos(kCone_rad), 0};
-            const BodyId ball = rig.ball(start,
-                                         0.05,
-                                         {.velocity_mps = glm::cross(spin, start),
-                                          .spin_radps = spin,
-                                          .turn = glm::angleAxis(kCone_rad, Vec3d{0, 0, 1}),
-                                          .touches = false});
-            rig.join({.kind = JointKind::Ball, .a = ball});
-            const double start_L = rig.world.angular_momentum_kgm2ps().y;
+            const BodyId ball = world.ball(start,
+                                           0.05,
+                                           {.velocity_mps = glm::cross(spin, start),
+                                            .spin_radps = spin,
+                                            .turn = glm::angleAxis(kCone_rad, Vec3d{0, 0, 1}),
+                                            .touches = false});
+            world.join({.kind = JointKind::Ball, .a = ball});
+            const double start_L = world.physics.angular_momentum_kgm2ps().y;
             double cone_off = 0;
-            course.run(rig, kSeconds, {.after = [&](int) {
-                           const Vec3d at = rig.at(ball);
+            course.run(world, kSeconds, {.after = [&](int) {
+                           const Vec3d at = world.at(ball);
                            const double cone = std::atan2(std::hypot(at.x, at.z), -at.y);
                            cone_off = std::max(cone_off, std::abs(cone - kCone_rad));
                        }});
             const Vec3d expected = glm::angleAxis(around_radps * kSeconds, Vec3d{0, 1, 0}) * start;
-            return {glm::distance(rig.at(ball), expected) / 0.5,
+            return {glm::distance(world.at(ball), expected) / 0.5,
                     cone_off,
-                    rig.world.angular_momentum_kgm2ps().y / start_L - 1};
+                    world.physics.angular_momentum_kgm2ps().y / start_L - 1};
         },
         .theory = orders_in_step(2, std::nullopt)};
 }
@@ -179,21 +179,21 @@ Scenario damped_spring() {
                         {"phase at 5 s", "1 rad"},
                         {"place at 5 s", "0.5 m"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
-                Rig rig(setting, {0, 0, 0});
-                const BodyId ball = rig.ball({kRest_m + kOut_m, 0, 0}, 0.1, {.touches = false});
-                rig.join({.kind = JointKind::Spring,
-                          .a = ball,
-                          .anchor_a_world = vec({kRest_m + kOut_m, 0, 0}),
-                          .stiffness_Npm = 100,
-                          .damping_Nspm = 1,
-                          .rest_length_m = real(kRest_m)});
-                course.run(rig, kSeconds);
+                ScenarioWorld world(setting, {0, 0, 0});
+                const BodyId ball = world.ball({kRest_m + kOut_m, 0, 0}, 0.1, {.touches = false});
+                world.join({.kind = JointKind::Spring,
+                            .a = ball,
+                            .anchor_a_world = vec({kRest_m + kOut_m, 0, 0}),
+                            .stiffness_Npm = 100,
+                            .damping_Nspm = 1,
+                            .rest_length_m = real(kRest_m)});
+                course.run(world, kSeconds);
                 // x = A exp(-t/2) cos(w t - p): A and p from place and speed.
                 const auto parts = [](double x, double v) {
                     return glm::dvec2{x, -(v + kDecay * x) / rate};
                 };
-                const double place = rig.at(ball).x - kRest_m;
-                const glm::dvec2 found = parts(place, rig.velocity(ball).x);
+                const double place = world.at(ball).x - kRest_m;
+                const glm::dvec2 found = parts(place, world.velocity(ball).x);
                 const double shrunk = kOut_m * std::exp(-kDecay * kSeconds);
                 const double angle = rate * kSeconds;
                 const double x = shrunk * (std::cos(angle) + kDecay / rate * std::sin(angle));
@@ -218,19 +218,19 @@ Scenario motor() {
                         {"speed at 2 s", "the target"},
                         {"most above the target", "the target"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
-                Rig rig(setting, {0, 0, 0});
+                ScenarioWorld world(setting, {0, 0, 0});
                 // m r^2 / 2 = 0.5
                 const BodyId wheel =
-                    rig.cylinder({0, 0, 0}, 0.5, 0.2, {.mass_kg = 4, .touches = false});
-                rig.join({.kind = JointKind::Hinge,
-                          .a = wheel,
-                          .motor = physics::JointMotor{.target = 4, .max = 2}});
+                    world.cylinder({0, 0, 0}, 0.5, 0.2, {.mass_kg = 4, .touches = false});
+                world.join({.kind = JointKind::Hinge,
+                            .a = wheel,
+                            .motor = physics::JointMotor{.target = 4, .max = 2}});
                 double most = 0;
-                const auto look = [&](int) { most = std::max(most, rig.spin(wheel).y); };
-                course.run(rig, 0.5, {.after = look});
-                const double half_way = rig.spin(wheel).y;
-                course.run(rig, 1.5, {.after = look});
-                return {(half_way - 2) / 4, (rig.spin(wheel).y - 4) / 4, (most - 4) / 4};
+                const auto look = [&](int) { most = std::max(most, world.spin(wheel).y); };
+                course.run(world, 0.5, {.after = look});
+                const double half_way = world.spin(wheel).y;
+                course.run(world, 1.5, {.after = look});
+                return {(half_way - 2) / 4, (world.spin(wheel).y - 4) / 4, (most - 4) / 4};
             }};
 }
 

@@ -13,11 +13,11 @@ using physics::BodyId;
 constexpr double kThin_m = 0.02;
 
 /// A rod of 1 m that stands on its lower end at the origin, its upper end towards +x.
-BodyId leaning_rod(Rig& rig, double from_vertical_rad, double friction) {
+BodyId leaning_rod(ScenarioWorld& world, double from_vertical_rad, double friction) {
     const Quatd turn = glm::angleAxis(-from_vertical_rad, Vec3d{0, 0, 1});
     const Vec3d middle{0.5 * std::sin(from_vertical_rad), 0.5 * std::cos(from_vertical_rad), 0};
     // A capsule of nearly no thickness: its round end touches at one point.
-    return rig.add(
+    return world.add(
         physics::BodyKind::Dynamic,
         physics::CapsuleShape{.radius_m = real(kThin_m), .height_m = real(1 - 2 * kThin_m)},
         middle + Vec3d{0, kThin_m * (1 - std::cos(from_vertical_rad)), 0},
@@ -25,8 +25,8 @@ BodyId leaning_rod(Rig& rig, double from_vertical_rad, double friction) {
 }
 
 /// Angle of a body's y axis from the vertical, towards +x.
-double lean_rad(const Rig& rig, BodyId id) {
-    const Vec3d axis = rig.turn(id) * Vec3d{0, 1, 0};
+double lean_rad(const ScenarioWorld& world, BodyId id) {
+    const Vec3d axis = world.turn(id) * Vec3d{0, 1, 0};
     return std::atan2(axis.x, axis.y);
 }
 
@@ -61,18 +61,18 @@ Scenario smooth_floor_rod() {
             .metrics = {{"angle at 0.5 s", "90 degrees"},
                         {"way of its middle to the side", "half the rod"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
-                Rig rig(setting);
-                rig.floor(0);
-                const BodyId rod = leaning_rod(rig, kFrom_rad, 0);
-                const double start_m = rig.at(rod).x;
+                ScenarioWorld world(setting);
+                world.floor(0);
+                const BodyId rod = leaning_rod(world, kFrom_rad, 0);
+                const double start_m = world.at(rod).x;
                 // The moment that the world itself uses: the shape's is no part of the law.
                 const FallingRod law{
                     0.5 - kThin_m,
-                    static_cast<double>(rig.world.mass_properties(rod).inertia_kgm2.x)};
+                    static_cast<double>(world.physics.mass_properties(rod).inertia_kgm2.x)};
                 const State<2> expected = reference(law, State<2>{kFrom_rad, 0}, 0, kSeconds);
-                course.run(rig, kSeconds);
-                return {(lean_rad(rig, rod) - expected[0]) / (kPi_d / 2),
-                        (rig.at(rod).x - start_m) / 0.5};
+                course.run(world, kSeconds);
+                return {(lean_rad(world, rod) - expected[0]) / (kPi_d / 2),
+                        (world.at(rod).x - start_m) / 0.5};
             }};
 }
 
@@ -121,15 +121,15 @@ Scenario leaving_ball() {
                     out * kAround_m + velocity * free_s + fall * (free_s * free_s / 2);
                 const Vec3d speed = velocity + fall * free_s;
 
-                Rig rig(setting);
-                rig.fixed_ball({0, 0, 0}, kBig_m, {.friction = 0});
+                ScenarioWorld world(setting);
+                world.fixed_ball({0, 0, 0}, kBig_m, {.friction = 0});
                 const BodyId ball =
-                    rig.ball(Vec3d{std::sin(kFrom_rad), std::cos(kFrom_rad), 0} * kAround_m,
-                             kSmall_m,
-                             {.friction = 0});
-                course.run(rig, kSeconds);
-                return {glm::distance(rig.at(ball), expected) / kAround_m,
-                        glm::distance(rig.velocity(ball), speed) / glm::length(speed)};
+                    world.ball(Vec3d{std::sin(kFrom_rad), std::cos(kFrom_rad), 0} * kAround_m,
+                               kSmall_m,
+                               {.friction = 0});
+                course.run(world, kSeconds);
+                return {glm::distance(world.at(ball), expected) / kAround_m,
+                        glm::distance(world.velocity(ball), speed) / glm::length(speed)};
             }};
 }
 
@@ -146,29 +146,29 @@ Scenario ladder() {
         .metrics = {{"angle at 0.3 s", "90 degrees"},
                     {"place of its middle at 0.3 s", "half the rod"}},
         .run = [](const Setting& setting, Course& course) -> Errors {
-            Rig rig(setting);
-            rig.floor(0);
-            rig.fixed_box({-1 - kThin_m, 0, 0}, {2, 8, 8}, {.friction = 0});
+            ScenarioWorld world(setting);
+            world.floor(0);
+            world.fixed_box({-1 - kThin_m, 0, 0}, {2, 8, 8}, {.friction = 0});
             // Ends' centres at (0, y) and (x, 0) of a corner moved by the ends' radius.
             const double half_m = 0.5 - kThin_m;
             const double lean = 30 * kPi_d / 180;  // from the wall
-            const BodyId rod = rig.add(
+            const BodyId rod = world.add(
                 physics::BodyKind::Dynamic,
                 physics::CapsuleShape{.radius_m = real(kThin_m), .height_m = real(2 * half_m)},
                 {half_m * std::sin(lean), kThin_m + half_m * std::cos(lean), 0},
                 {.friction = 0, .turn = glm::angleAxis(lean, Vec3d{0, 0, 1})});
             const double inertia =
-                static_cast<double>(rig.world.mass_properties(rod).inertia_kgm2.x);
+                static_cast<double>(world.physics.mass_properties(rod).inertia_kgm2.x);
             const auto law = [&](double, const State<2>& s) {
                 return State<2>{s[1],
                                 kG_mps2 * half_m * std::sin(s[0]) / (inertia + half_m * half_m)};
             };
             const State<2> expected = reference(law, State<2>{lean, 0}, 0, kSeconds);
-            course.run(rig, kSeconds);
+            course.run(world, kSeconds);
             const Vec3d middle{
                 half_m * std::sin(expected[0]), kThin_m + half_m * std::cos(expected[0]), 0};
-            return {(-lean_rad(rig, rod) - expected[0]) / (kPi_d / 2),
-                    glm::distance(rig.at(rod), middle) / 0.5};
+            return {(-lean_rad(world, rod) - expected[0]) / (kPi_d / 2),
+                    glm::distance(world.at(rod), middle) / 0.5};
         }};
 }
 

@@ -16,13 +16,16 @@ struct Frame {
 };
 
 /// Parts first, then build(), then run() and what became of them, in the scene's own lengths.
-class Stage {
+class FramedWorld {
 public:
-    Stage(const Frame& frame, const Setting& setting);
+    FramedWorld(const Frame& frame, const Setting& setting);
 
     /// The index of the new part. Static ones are carried along by a frame that drifts.
-    std::size_t box(physics::BodyKind kind, const Vec3d& at, const Vec3d& size, const Stuff& stuff);
-    std::size_t ball(const Vec3d& at, double radius, const Stuff& stuff);
+    std::size_t box(physics::BodyKind kind,
+                    const Vec3d& at,
+                    const Vec3d& size,
+                    const BodyProperties& properties);
+    std::size_t ball(const Vec3d& at, double radius, const BodyProperties& properties);
     /// 90 m square, top at y = 0.
     void floor(double friction, double restitution = 0);
     void build();
@@ -38,14 +41,14 @@ private:
         physics::BodyKind kind;
         physics::ShapeDef shape;
         Vec3d at;
-        Stuff stuff;
+        BodyProperties properties;
     };
     Vec3d place(const Vec3d& at) const {
         return frame_.offset_m + frame_.turn * (at * frame_.scale);
     }
 
     Frame frame_;
-    Rig rig_;
+    ScenarioWorld world_;
     std::vector<Part> parts_;
     std::vector<physics::BodyId> ids_;
     double passed_s_{0};  ///< of the world's time

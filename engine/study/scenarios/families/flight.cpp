@@ -1,13 +1,32 @@
 // Bodies that nothing touches and that do not turn: A01 to A04.
+#include "engine/study/scenarios/families/flight.h"
+
 #include "engine/study/scenarios/scenario.h"
 
 #include <cmath>
-#include <memory>
 
 namespace plumbline::study {
-namespace {
 
 using physics::BodyId;
+
+namespace {
+
+constexpr Vec3d kThrow_mps{3, 10, 0};
+
+}  // namespace
+
+Vec3d thrown_m(const Vec3d& from_m, const Vec3d& velocity_mps, double t_s) {
+    return from_m + velocity_mps * t_s - Vec3d{0, 0.5 * kG_mps2 * t_s * t_s, 0};
+}
+
+ThrownBall::ThrownBall(const Setting& setting)
+    : world(setting), ball(world.ball({0, 0, 0}, 0.1, {.velocity_mps = kThrow_mps})) {}
+
+Vec3d ThrownBall::off_m(double t_s) const {
+    return world.at(ball) - thrown_m({0, 0, 0}, kThrow_mps, t_s);
+}
+
+namespace {
 
 constexpr Knobs kFlightKnobs{.substeps = false, .iterations = false, .most_hz = 1920};
 
@@ -24,12 +43,10 @@ Scenario projectile() {
             .reference = "x = v0 t - g t^2 / 2",
             .metrics = {{"height at 2 s", "the way fallen, 19.62 m"}, {"way along at 2 s", "6 m"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
-                Rig rig(setting);
-                const BodyId ball = rig.ball({0, 0, 0}, 0.1, {.velocity_mps = {3, 10, 0}});
-                course.run(rig, kSeconds);
-                const Vec3d expected{3 * kSeconds, 10 * kSeconds - kFallen_m, 0};
-                const Vec3d off = rig.at(ball) - expected;
-                return {off.y / kFallen_m, off.x / 6};
+                ThrownBall thrown(setting);
+                course.run(thrown.world, kSeconds);
+                const Vec3d off_m = thrown.off_m(kSeconds);
+                return {off_m.y / kFallen_m, off_m.x / 6};
             },
             // g T h / 2, of g T^2 / 2.
             .euler_floor = [](double step_s) { return step_s / kSeconds; },
@@ -50,14 +67,14 @@ Scenario along_a_wall() {
             .metrics = {{"height at 2 s", "the way fallen, 19.62 m"},
                         {"way into the wall at 2 s", "its radius, 0.1 m"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
-                Rig rig(setting);
-                rig.fixed_box({-1.1, 0, 0}, {2, 60, 20}, {.friction = 0});
+                ScenarioWorld world(setting);
+                world.fixed_box({-1.1, 0, 0}, {2, 60, 20}, {.friction = 0});
                 const BodyId ball =
-                    rig.ball({0, 0, 0}, 0.1, {.friction = 0, .velocity_mps = {0, 10, 0}});
-                const auto press = [&](int) { rig.world.apply_force(ball, {-10, 0, 0}); };
-                course.run(rig, kSeconds, {.before = press});
+                    world.ball({0, 0, 0}, 0.1, {.friction = 0, .velocity_mps = {0, 10, 0}});
+                const auto press = [&](int) { world.physics.apply_force(ball, {-10, 0, 0}); };
+                course.run(world, kSeconds, {.before = press});
                 const double expected_m = 10 * kSeconds - kFallen_m;
-                return {(rig.at(ball).y - expected_m) / kFallen_m, rig.at(ball).x / 0.1};
+                return {(world.at(ball).y - expected_m) / kFallen_m, world.at(ball).x / 0.1};
             },
             .euler_floor = [](double step_s) { return step_s / kSeconds; },
             .knobs = {.iterations = false, .most_hz = 1920},
@@ -76,10 +93,10 @@ Scenario damped_fall() {
             .reference = "v = (g/k)(1 - exp(-k t)), k = -ln 0.8",
             .metrics = {{"speed at 5 s", "29.6 m/s"}, {"way at 5 s", "the way fallen"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
-                Rig rig(setting);
-                const BodyId ball = rig.ball({0, 0, 0}, 0.1, {.linear_damping_per_s = rate});
-                course.run(rig, kSeconds);
-                return {-rig.velocity(ball).y / speed_mps - 1, -rig.at(ball).y / way_m - 1};
+                ScenarioWorld world(setting);
+                const BodyId ball = world.ball({0, 0, 0}, 0.1, {.linear_damping_per_s = rate});
+                course.run(world, kSeconds);
+                return {-world.velocity(ball).y / speed_mps - 1, -world.at(ball).y / way_m - 1};
             },
             // v <- (v + g h) exp(-k h), summed.
             .euler_floor =
@@ -121,14 +138,15 @@ Scenario quadratic_drag() {
         .reference = "v = vt tanh(g t / vt), y = (vt^2/g) ln cosh(g t / vt)",
         .metrics = {{"way at 2 s", "13.13 m"}, {"speed at 2 s", "9.612 m/s"}},
         .run = [](const Setting& setting, Course& course) -> Errors {
-            Rig rig(setting);
-            const BodyId ball = rig.ball({0, 0, 0}, 0.1);
+            ScenarioWorld world(setting);
+            const BodyId ball = world.ball({0, 0, 0}, 0.1);
             const auto drag = [&](int) {
-                const double share = rig.velocity(ball).y / kTerminal_mps;
-                rig.world.apply_force(ball, vec({0, kG_mps2 * share * std::abs(share) * -1, 0}));
+                const double share = world.velocity(ball).y / kTerminal_mps;
+                world.physics.apply_force(ball,
+                                          vec({0, kG_mps2 * share * std::abs(share) * -1, 0}));
             };
-            course.run(rig, kSeconds, {.before = drag});
-            return {-rig.at(ball).y / way_m - 1, -rig.velocity(ball).y / speed_mps - 1};
+            course.run(world, kSeconds, {.before = drag});
+            return {-world.at(ball).y / way_m - 1, -world.velocity(ball).y / speed_mps - 1};
         },
         .euler_floor =
             [](double step_s) { return std::abs(euler_drag(step_s, kSeconds).second / way_m - 1); },
@@ -174,22 +192,22 @@ Scenario orbit() {
                         {"largest error of energy", "the energy, 0.5 J"},
                         {"angular momentum at 60 s", "that at the start"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
-                Rig rig(setting, {0, 0, 0});
-                const BodyId body = rig.ball(kPericentre, 0.05, {.velocity_mps = kFastest_mps});
+                ScenarioWorld world(setting, {0, 0, 0});
+                const BodyId body = world.ball(kPericentre, 0.05, {.velocity_mps = kFastest_mps});
                 const auto pull = [&](int) {
-                    const Vec3d at = rig.at(body);
-                    rig.world.apply_force(body, vec(-at / std::pow(glm::length(at), 3)));
+                    const Vec3d at = world.at(body);
+                    world.physics.apply_force(body, vec(-at / std::pow(glm::length(at), 3)));
                 };
                 double energy_off = 0;
                 const auto look = [&](int) {
-                    const double speed = glm::length(rig.velocity(body));
-                    const double energy = speed * speed / 2 - 1 / glm::length(rig.at(body));
+                    const double speed = glm::length(world.velocity(body));
+                    const double energy = speed * speed / 2 - 1 / glm::length(world.at(body));
                     energy_off = std::max(energy_off, std::abs(energy + 0.5) / 0.5);
                 };
-                course.run(rig, kOrbit_s, {.before = pull, .after = look});
-                const Vec3d turned = glm::cross(rig.at(body), rig.velocity(body));
+                course.run(world, kOrbit_s, {.before = pull, .after = look});
+                const Vec3d turned = glm::cross(world.at(body), world.velocity(body));
                 const Vec3d start = glm::cross(kPericentre, kFastest_mps);
-                return {glm::distance(rig.at(body), kepler_at(kOrbit_s)),
+                return {glm::distance(world.at(body), kepler_at(kOrbit_s)),
                         energy_off,
                         glm::distance(turned, start) / glm::length(start)};
             },
