@@ -2,7 +2,7 @@
 // what the precision changes.
 
 #include "engine/core/log.h"
-#include "engine/study/worker.h"
+#include "engine/study/workers/worker.h"
 #include "game/command_line/parse_error.h"
 #include "game/command_line/program_words.h"
 #include "game/commands/simulate_cli.h"

@@ -1,7 +1,7 @@
 #include "engine/app/session.h"
 
 #include "engine/core/log.h"
-#include "engine/study/any_scene/auto_accuracy.h"
+#include "engine/study/auto_preset/auto_accuracy.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "engine/study/machine.h"
 
-#include "engine/study/job.h"
+#include "engine/study/workers/job.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "game/command_line/shard_option.h"
 
 #include "engine/core/io/files.h"
-#include "engine/study/shard.h"
+#include "engine/study/workers/shard.h"
 
 #include <CLI/CLI.hpp>
 

@@ -3,8 +3,8 @@
 #include "engine/core/log.h"
 #include "engine/core/process/interrupt.h"
 #include "engine/core/time/stopwatch.h"
-#include "engine/study/any_scene/effects_cost.h"
-#include "engine/study/job.h"
+#include "engine/study/scenes/effects_cost.h"
+#include "engine/study/workers/job.h"
 #include "game/offscreen/picture_studio.h"
 
 #include <fmt/format.h>

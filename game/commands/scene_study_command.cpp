@@ -2,7 +2,7 @@
 
 #include "engine/core/io/files.h"
 #include "engine/core/log.h"
-#include "engine/study/any_scene/study_cache.h"
+#include "engine/study/auto_preset/study_cache.h"
 #include "engine/study/machine.h"
 #include "engine/study/progress.h"
 

@@ -3,7 +3,7 @@
 
 #include "engine/core/process/exit_code.h"
 #include "engine/core/result.h"
-#include "engine/study/any_scene/scene_text.h"
+#include "engine/study/scenes/scene_text.h"
 
 #include <filesystem>
 #include <optional>

@@ -11,7 +11,7 @@
 #include "engine/scene/open_scene.h"
 #include "engine/scene/scene_file.h"
 #include "engine/scene/state_report.h"
-#include "engine/study/any_scene/auto_accuracy.h"
+#include "engine/study/auto_preset/auto_accuracy.h"
 #include "game/command_line/refuse.h"
 
 #include <fmt/format.h>

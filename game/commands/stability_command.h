@@ -3,7 +3,7 @@
 
 #include "engine/core/process/exit_code.h"
 #include "engine/physics/physics_world.h"
-#include "engine/study/findings.h"
+#include "engine/study/findings/findings.h"
 
 #include <filesystem>
 #include <optional>

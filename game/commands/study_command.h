@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/process/exit_code.h"
-#include "engine/study/findings.h"
+#include "engine/study/findings/findings.h"
 
 #include <filesystem>
 #include <optional>

@@ -42,9 +42,8 @@ CONFINED = {"bullet/": "engine/physics/bullet/", "bt": "engine/physics/bullet/",
 # Names of a library's types -> the same: not even declared outside.
 CONFINED_NAME = re.compile(r"\bbt[A-Z]\w+")
 COMMENT = re.compile(r"//.*")
-# Folders may hold this many files; those that hold more are not yet divided.
+# Folders may hold this many files.
 MOST_FILES = 25
-CROWDED = {"engine/study", "engine/study/report"}
 
 # Start of a third-party header -> modules that own it. GLM and fmt are everybody's.
 ANY = set(MAY_INCLUDE)
@@ -183,14 +182,12 @@ def problems_with_confined(includes):
 
 
 def problems_with_folders(files):
-    """Folders of too many files, and names of crowded ones that are so no more."""
+    """Folders of too many files."""
     folders = [str(pathlib.PurePosixPath(path).parent) for path in files]
     for folder in sorted(set(folders)):
         count = folders.count(folder)
-        if count > MOST_FILES and folder not in CROWDED:
+        if count > MOST_FILES:
             yield f"{folder}: {count} files; at most {MOST_FILES}"
-        if count <= MOST_FILES and folder in CROWDED:
-            yield f"{folder}: {count} files; strike it off CROWDED"
 
 
 def problems_of_tests(root):

@@ -4,7 +4,7 @@
 #include "engine/core/process/interrupt.h"
 #include "engine/core/process/process.h"
 #include "engine/study/gallery/stability.h"
-#include "engine/study/worker_pool.h"
+#include "engine/study/workers/worker_pool.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kPictureBytes = 4 * 1024 * 1024;
-constexpr double kLongestWait_s = 0.2;  // until the interrupt flag is looked at again
+constexpr double kLongestDrawing_s = 0.2;  // until the interrupt flag is looked at again
 
 /// A child that draws one case.
 struct Drawing {
@@ -53,7 +53,7 @@ bool wait_for_any(std::vector<Drawing>& drawings, std::size_t& which) {
     while (!interrupted()) {
         std::vector<const ChildProcess*> children;
         for (const Drawing& drawing : drawings) children.push_back(&drawing.process);
-        const std::vector<bool> ready = wait_for_output(children, kLongestWait_s);
+        const std::vector<bool> ready = wait_for_output(children, kLongestDrawing_s);
         for (which = 0; which < ready.size(); ++which) {
             std::string ignored;
             if (ready[which] && !drawings[which].process.receive(ignored)) return true;

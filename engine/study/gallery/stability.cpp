@@ -4,7 +4,7 @@
 #include "engine/core/text/text_case.h"
 #include "engine/scene/formats/json_text.h"
 #include "engine/scene/scene_file.h"
-#include "engine/study/job.h"
+#include "engine/study/workers/job.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "engine/core/result.h"
 #include "engine/scene/scene_description.h"
-#include "engine/study/findings.h"
+#include "engine/study/findings/findings.h"
 #include "engine/study/gallery/gallery.h"
 
 #include <filesystem>

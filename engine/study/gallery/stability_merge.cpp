@@ -1,7 +1,7 @@
 // Stability tables that several machines made, as one.
 #include "engine/scene/formats/json_read.h"
 #include "engine/study/gallery/stability.h"
-#include "engine/study/shard.h"
+#include "engine/study/workers/shard.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 #include "engine/study/ghost/ghost.h"
 
-#include "engine/study/job.h"
-#include "engine/study/worker.h"
-#include "engine/study/worker_pool.h"
+#include "engine/study/workers/job.h"
+#include "engine/study/workers/worker.h"
+#include "engine/study/workers/worker_pool.h"
 
 #include <fmt/format.h>
 

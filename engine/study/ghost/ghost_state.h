@@ -3,7 +3,7 @@
 
 #include "engine/core/result.h"
 #include "engine/study/setting.h"
-#include "engine/study/worker.h"
+#include "engine/study/workers/worker.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // What ways to draw a scene's picture are worth, as plain data: error beside cost.
 #pragma once
 
-#include "engine/study/difference.h"
+#include "engine/study/findings/difference.h"
 
 #include <cstdint>
 #include <string>

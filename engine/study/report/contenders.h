@@ -1,8 +1,8 @@
 // The runs of a subject by who made them: a solver in a precision.
 #pragma once
 
-#include "engine/study/findings.h"
-#include "engine/study/pareto.h"
+#include "engine/study/findings/findings.h"
+#include "engine/study/findings/pareto.h"
 
 #include <string>
 #include <vector>

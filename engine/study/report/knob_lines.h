@@ -1,7 +1,7 @@
 // Which points of a subject a diagram joins: those that one knob leads through.
 #pragma once
 
-#include "engine/study/findings.h"
+#include "engine/study/findings/findings.h"
 
 #include <span>
 #include <string>

@@ -1,6 +1,6 @@
 #include "engine/study/report/peers.h"
 
-#include "engine/study/findings.h"
+#include "engine/study/findings/findings.h"
 
 #include <fmt/format.h>
 

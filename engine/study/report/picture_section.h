@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/study/picture/picture_findings.h"
-#include "engine/study/report/plot.h"
+#include "engine/study/report/diagrams/plot.h"
 
 #include <optional>
 #include <string>

@@ -2,8 +2,8 @@
 
 #include "engine/core/io/files.h"
 #include "engine/core/io/output.h"
-#include "engine/study/report/diagrams.h"
-#include "engine/study/report/gnuplot.h"
+#include "engine/study/report/diagrams/diagrams.h"
+#include "engine/study/report/diagrams/gnuplot.h"
 #include "engine/study/report/html_text.h"
 #include "engine/study/report/page_parts.h"
 #include "engine/study/report/peers.h"

@@ -1,7 +1,7 @@
 // The sum of a study: who reaches what, how often, and at what price.
 #pragma once
 
-#include "engine/study/findings.h"
+#include "engine/study/findings/findings.h"
 
 #include <string>
 #include <vector>

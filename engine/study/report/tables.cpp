@@ -1,6 +1,6 @@
 #include "engine/study/report/tables.h"
 
-#include "engine/study/pareto.h"
+#include "engine/study/findings/pareto.h"
 #include "engine/study/report/contenders.h"
 #include "engine/study/report/html_text.h"
 #include "engine/study/report/setting_names.h"

@@ -1,7 +1,7 @@
 // The tables of the page, as HTML. Every table shows every run; those without an answer are red.
 #pragma once
 
-#include "engine/study/findings.h"
+#include "engine/study/findings/findings.h"
 #include "engine/study/report/peers.h"
 
 #include <span>

@@ -1,10 +1,10 @@
 // A scenario: a small world whose future is known, run at a setting and held against it.
 #pragma once
 
-#include "engine/study/findings.h"
-#include "engine/study/measure.h"
-#include "engine/study/order.h"
+#include "engine/study/findings/findings.h"
+#include "engine/study/findings/order.h"
 #include "engine/study/scenarios/world/scenario_world.h"
+#include "engine/study/stepping_cost.h"
 
 #include <functional>
 #include <string>

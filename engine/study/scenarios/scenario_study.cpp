@@ -2,8 +2,8 @@
 
 #include "engine/core/time/stopwatch.h"
 #include "engine/scene/formats/json_read.h"
-#include "engine/study/findings_json_impl.h"
-#include "engine/study/job.h"
+#include "engine/study/findings/findings_json_impl.h"
+#include "engine/study/workers/job.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // What a study of scenarios found, as a table for a terminal.
 #pragma once
 
-#include "engine/study/findings.h"
+#include "engine/study/findings/findings.h"
 
 #include <string>
 

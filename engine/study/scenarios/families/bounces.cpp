@@ -38,7 +38,7 @@ double DroppedBody::reach_m() const {
 
 namespace {
 
-constexpr double kSmall_m = 1e-3;
+constexpr double kLeastSeen_m = 1e-3;
 
 /// Root mean square over the steps of the energy's error, as a share of `range_J`.
 double energy_rms(ScenarioWorld& world, Course& course, double seconds, double range_J) {
@@ -57,7 +57,7 @@ double energy_rms(ScenarioWorld& world, Course& course, double seconds, double r
 
 BouncingEnd bouncing_end(double e) {
     int flights = 0;
-    while (std::pow(e, 2 * (flights + 1)) > kSmall_m) ++flights;
+    while (std::pow(e, 2 * (flights + 1)) > kLeastSeen_m) ++flights;
     return {flights, Drop{.height_m = 1, .e = e}.contact_s(flights + 1)};
 }
 
@@ -66,7 +66,7 @@ double bouncing_end_found_s(double e, const Setting& setting, Course& course) {
     const double longest_s = std::ceil(bouncing_end(e).expected_s * 1.5);
     double last_s = 0;
     course.run(dropped.world, longest_s, {.after = [&](int i) {
-                   if (dropped.reach_m() > kSmall_m) last_s = (i + 1) * dropped.world.step_s();
+                   if (dropped.reach_m() > kLeastSeen_m) last_s = (i + 1) * dropped.world.step_s();
                }});
     return last_s;
 }

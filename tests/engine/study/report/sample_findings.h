@@ -2,7 +2,7 @@
 // them must hold.
 #pragma once
 
-#include "engine/study/findings.h"
+#include "engine/study/findings/findings.h"
 
 #include <cmath>
 #include <string>

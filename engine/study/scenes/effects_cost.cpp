@@ -1,0 +1,239 @@
+#include "engine/study/scenes/effects_cost.h"
+
+#include "engine/core/io/files.h"
+#include "engine/core/time/stopwatch.h"
+#include "engine/effects/advance.h"
+#include "engine/scene/formats/json_read.h"
+#include "engine/scene/open_scene.h"
+#include "engine/study/findings/findings_json_impl.h"
+#include "engine/study/workers/job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::study {
+namespace {
+
+constexpr double kLimit_s = 120;
+
+/// CPU ms of a step and of a frame's sounds.
+struct Passed {
+    double step_ms{0};
+    double frame_ms{0};
+    std::vector<effects::LedgerLine> ledger;
+};
+
+/// One run from the start, a frame's sounds per step.
+Result<Passed> pass(const scene::OpenedScene& scene, std::string_view without, double seconds) {
+    assets::AssetLibrary library;
+    const Result<std::unique_ptr<scene::Simulation>> built = scene.build(library);
+    if (!built) return built.error();
+    scene::Simulation& simulation = **built;
+    scene::NoGame game(simulation.description().camera);
+    effects::EffectRuntime effects(simulation,
+                                   {.picture = false, .sound = true, .without = without});
+    const auto steps = std::max(1, static_cast<int>(std::lround(seconds / simulation.step_s())));
+    Passed passed;
+    for (int i = 0; i < steps; ++i) {
+        const CpuTimer step;
+        effects::advance(simulation, effects, game, {});
+        passed.step_ms += step.ms();
+        const CpuTimer frame;
+        effects.sound(simulation, game.view(simulation, Real{1}, 0.0F, 0.0F));
+        simulation.cues.clear();
+        passed.frame_ms += frame.ms();
+    }
+    passed.step_ms /= steps;
+    passed.frame_ms /= steps;
+    passed.ledger = effects.ledger();
+    return passed;
+}
+
+Json refusal(const std::string& why) {
+    return Json{{"refused", why}};
+}
+
+/// Whom the scene calls for at all: the names, from one run.
+Json list_effects(const scene::OpenedScene& scene, double seconds) {
+    const Result<Passed> passed = pass(scene, {}, seconds);
+    if (!passed) return refusal(passed.error().message);
+    Json effects = Json::array();
+    for (std::size_t row = 0; row < passed->ledger.size(); ++row) {
+        const effects::LedgerLine& line = passed->ledger[row];
+        if (line.constructions == 0) continue;
+        effects.push_back({{"name", line.name},
+                           {"caller", line.called_for_by.empty() ? "" : line.called_for_by.front()},
+                           {"domain", static_cast<int>(effects::effect_table()[row].domain)},
+                           {"calls", line.calls},
+                           {"bytes_cpu", line.bytes_cpu}});
+    }
+    return Json{{"refused", ""}, {"effects", std::move(effects)}};
+}
+
+/// Turn and turn about; what comes first changes from pair to pair.
+Json measure_pairs(const scene::OpenedScene& scene,
+                   const std::string& name,
+                   double seconds,
+                   int pairs) {
+    std::array<std::vector<double>, 2> step_ms;
+    std::array<std::vector<double>, 2> frame_ms;
+    if (const Result<Passed> warm = pass(scene, {}, seconds); !warm)
+        return refusal(warm.error().message);
+    for (int i = 0; i < 2 * pairs; ++i) {
+        const std::size_t without = static_cast<std::size_t>((i + i / 2) % 2);
+        const Result<Passed> passed =
+            pass(scene, without == 1 ? std::string_view(name) : std::string_view(), seconds);
+        if (!passed) return refusal(passed.error().message);
+        step_ms[without].push_back(passed->step_ms);
+        frame_ms[without].push_back(passed->frame_ms);
+    }
+    return Json{{"refused", ""},
+                {"step_ms", step_ms[0]},
+                {"step_ms_without", step_ms[1]},
+                {"frame_ms", frame_ms[0]},
+                {"frame_ms_without", frame_ms[1]}};
+}
+
+Json answer_effect_job(const Json& job) {
+    const std::filesystem::path file = job.at("scene").get<std::string>();
+    const Result<DataFolders> folders = find_data_folders();
+    if (!folders) return refusal(folders.error().message);
+    Diagnostics faults;
+    const Result<scene::OpenedScene> scene = scene::open_scene(file, {.folders = *folders}, faults);
+    if (!scene) return refusal(scene.error().message);
+    const std::string effect = job.at("effect");
+    if (effect.empty()) return list_effects(*scene, job.at("seconds"));
+    return measure_pairs(*scene, effect, job.at("seconds"), job.at("pairs"));
+}
+
+Job job_for(const EffectsRun& run, const std::string& effect) {
+    return {.kind = "effect",
+            .body = Json{{"scene", run.scene.string()},
+                         {"effect", effect},
+                         {"seconds", run.seconds},
+                         {"pairs", run.pairs}}
+                        .dump(-1, ' ', false, Json::error_handler_t::replace),
+            .limit_s = kLimit_s};
+}
+
+Result<Json> json_from(const Answer& answer) {
+    if (answer.status != AnswerStatus::Done) return Error{.message = answer.body};
+    Json json;
+    try {
+        json = scene::read_json<Json>(answer.body);
+    } catch (const std::exception&) {
+        json = nullptr;
+    }
+    if (!json.is_object() || !json.contains("refused"))
+        return Error{.message = "a worker's answer cannot be read"};
+    const std::string refused = json["refused"];
+    if (!refused.empty()) return Error{.message = refused, .exit_code = ExitCode::Refused};
+    return json;
+}
+
+Result<std::vector<EffectCost>> called_for(const EffectsRun& run) {
+    Result<Json> listed = Error{.message = "interrupted", .exit_code = ExitCode::Interrupted};
+    const Result<bool> all =
+        run_jobs(std::vector{job_for(run, {})}, 1, [&](std::size_t, const Answer& answer) {
+            listed = json_from(answer);
+        });
+    if (!all) return all.error();
+    if (!listed) return listed.error();
+    std::vector<EffectCost> costs;
+    for (const Json& effect : listed->at("effects")) {
+        costs.push_back({.name = effect.at("name"),
+                         .caller = effect.at("caller"),
+                         .domain = static_cast<effects::Domain>(effect.at("domain").get<int>()),
+                         .calls = effect.at("calls"),
+                         .bytes_cpu = effect.at("bytes_cpu")});
+    }
+    return costs;
+}
+
+std::string_view domain_name(effects::Domain domain) {
+    switch (domain) {
+        case effects::Domain::Step:
+            return "step";
+        case effects::Domain::Picture:
+            return "picture";
+        case effects::Domain::Sound:
+            return "sound";
+    }
+    return "";
+}
+
+std::string difference_text(const Difference& difference) {
+    if (difference.pairs == 0) return "-";
+    return fmt::format("{:+.4f} +- {:.4f}{}",
+                       difference.mean,
+                       difference.standard_error,
+                       difference.told_from_nothing() ? "" : " ~0");
+}
+
+}  // namespace
+
+std::string run_effect_job(const std::string& body) {
+    Json answer;
+    try {
+        answer = answer_effect_job(scene::read_json<Json>(body));
+    } catch (const std::exception& fault) {
+        answer = refusal(fmt::format("expected an effect to measure: {}", fault.what()));
+    }
+    return answer.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Result<std::vector<EffectCost>> measure_effects(const EffectsRun& run, int workers) {
+    Result<std::vector<EffectCost>> costs = called_for(run);
+    if (!costs) return costs;
+    std::vector<Job> jobs;
+    for (const EffectCost& cost : *costs) jobs.push_back(job_for(run, cost.name));
+    std::optional<Error> fault;
+    const Result<bool> all = run_jobs(jobs, workers, [&](std::size_t job, const Answer& answer) {
+        const Result<Json> measured = json_from(answer);
+        if (!measured) {
+            fault = measured.error();
+            return;
+        }
+        const auto list = [&](const char* key) {
+            return measured->at(key).get<std::vector<double>>();
+        };
+        EffectCost& cost = (*costs)[job];
+        cost.step_ms = paired_difference(list("step_ms"), list("step_ms_without"));
+        cost.frame_ms = paired_difference(list("frame_ms"), list("frame_ms_without"));
+    });
+    if (!all) return all.error();
+    if (fault) return *fault;
+    return costs;
+}
+
+std::string effects_text(const EffectsRun& run, std::span<const EffectCost> costs) {
+    std::string text = fmt::format(
+        "What switching an effect off saves: {:g} s of the scene with and without it, {} times in "
+        "turns;\nmean and standard error, \"~0\" within two of them. A scene without an effect may "
+        "move otherwise.\n{:<22}{:<9}{:>26}{:>26}{:>9}{:>11}{:>12}  called for by\n",
+        run.seconds,
+        run.pairs,
+        "effect",
+        "of the",
+        "ms a step",
+        "ms a frame",
+        "calls",
+        "CPU bytes",
+        "GPU bytes");
+    for (const EffectCost& cost : costs)
+        text += fmt::format("{:<22}{:<9}{:>26}{:>26}{:>9}{:>11}{:>12}  {}\n",
+                            cost.name,
+                            domain_name(cost.domain),
+                            difference_text(cost.step_ms),
+                            difference_text(cost.frame_ms),
+                            cost.calls,
+                            cost.bytes_cpu,
+                            cost.bytes_gpu,
+                            cost.caller);
+    if (costs.empty()) text += "This scene calls for no effect.\n";
+    return text;
+}
+
+}  // namespace plumbline::study

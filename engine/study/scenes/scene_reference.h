@@ -1,0 +1,49 @@
+// What a scene's runs are held against: float64 at rising step rates until they agree, or, where the
+// scene is chaotic, the statistics of many copies that start a millionth of a metre apart.
+#pragma once
+
+#include "engine/study/scenes/scene_errors.h"
+#include "engine/study/scenes/scene_plan.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline::study {
+
+/// How far apart copies start, m and m/s: enough where a scene is chaotic.
+inline constexpr double kShift_m = 1e-6;
+/// Where halving the step changes much and so small a shift does not: of a body's size.
+inline constexpr double kWideShift = 1e-3;
+
+struct SceneReference {
+    bool chaotic{false};
+    /// Chaotic: the copies. Else one trace, the finest.
+    SceneAnswer answer{};
+    Scales scales{};
+    double shift_m{0};  ///< of the copies
+    /// How well it is known, in the worst metric: the difference between the two finest, or, of
+    /// copies, the standard error of their medians. Errors below it are not told apart.
+    double uncertainty{0};
+    std::string text{};  ///< the method in one sentence
+    std::vector<std::string> notes{};
+};
+
+/// What is known of a scene before its reference is made.
+struct SceneProbe {
+    std::filesystem::path scene{};
+    std::vector<int> moments{};
+    double second_cpu_s{0};  ///< small_step at 60 Hz: CPU seconds per simulated one
+};
+
+/// Spends up to `share` of the plan's wall time. None: interrupted. Refused: every try ended early;
+/// the message says how.
+Result<std::optional<SceneReference>> make_reference(ScenePlan& plan,
+                                                     const SceneProbe& probe,
+                                                     double share);
+
+/// Errors of an answer's runs against the reference, in the order of metrics_of().
+std::vector<double> errors_against(const SceneReference& reference, const SceneAnswer& answer);
+std::vector<Metric> metrics_of(const SceneReference& reference);
+
+}  // namespace plumbline::study

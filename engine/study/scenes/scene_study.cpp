@@ -1,0 +1,318 @@
+#include "engine/study/scenes/scene_study.h"
+
+#include "engine/core/io/files.h"
+#include "engine/core/log.h"
+#include "engine/scene/scene_file.h"
+#include "engine/study/findings/order.h"
+#include "engine/study/scenes/scene_reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::study {
+namespace {
+
+constexpr double kSeconds = 3.0;
+constexpr int kLooksLeast = 6;  // 0.2 s
+constexpr int kMoments = 5;
+constexpr double kWall_s = 50.0;
+constexpr double kWallMany_s = 120.0;
+constexpr std::size_t kManyBodies = 500;
+constexpr double kReferenceShare = 0.45;
+/// What is kept free for runs that take longer than foretold.
+constexpr double kReserve = 0.85;
+constexpr int kRepeats = 5;
+constexpr double kRepeat_s = 0.4;
+constexpr int kCopies = 7;
+/// Measured even where the time is over.
+constexpr std::size_t kSettingsLeast = 4;
+
+/// Fixed times, in looks: a fifth of the run each.
+std::vector<int> moments_of(int looks) {
+    std::vector<int> moments;
+    for (int i = 1; i <= kMoments; ++i) {
+        const int look = std::max(1, looks * i / kMoments);
+        if (moments.empty() || look > moments.back()) moments.push_back(look);
+    }
+    return moments;
+}
+
+/// Of the runs that a study is not worth much without: the grid up to 120 Hz, and a reference.
+double sum_of_guesses(GridSize size) {
+    double sum = 6.0 * guessed_cost(reference_setting(120));
+    for (const Setting& setting : scene_grid(size)) {
+        if (setting.step_hz <= 120) sum += 1.3 * guessed_cost(setting);
+    }
+    return sum;
+}
+
+class SceneStudyMaker {
+public:
+    explicit SceneStudyMaker(const SceneStudyOptions& options)
+        : options_(options),
+          plan_(options.wall_s.value_or(kWall_s), options.workers, options.progress) {}
+
+    Result<SceneStudy> make() {
+        if (const Result<Done> there = check_worker_programs(); !there) return there.error();
+        if (const Result<Done> done = load_title(); !done) return done.error();
+        if (const Result<Done> done = probe(); !done) return done.error();
+        if (plan_.interrupted()) return finish();
+        Result<std::optional<SceneReference>> reference =
+            make_reference(plan_, probe_, kReferenceShare);
+        if (!reference) return Error{reference.error().message, ExitCode::Refused};
+        if (!*reference) return finish();
+        reference_ = std::move(**reference);
+        if (const Result<Done> done = measure_grid(); !done) return done.error();
+        return finish();
+    }
+
+private:
+    Result<Done> load_title() {
+        const Result<DataFolders> folders = find_data_folders();
+        if (!folders) return folders.error();
+        Diagnostics faults;
+        const Result<scene::SceneDescription> description =
+            scene::load_scene(options_.scene, folders->assets, faults);
+        if (!description) return description.error();
+        study_.subject.id = options_.scene.string();
+        study_.subject.title =
+            description->title.empty() ? options_.scene.stem().string() : description->title;
+        return Done{};
+    }
+
+    /// How much of the scene's time the plan has time for.
+    int affordable_looks(double second_cpu_s, int wanted) const {
+        const double affordable_s = plan_.cpu_left_s(kReserve) /
+                                    std::max(1e-9, second_cpu_s * sum_of_guesses(options_.grid));
+        const int looks = static_cast<int>(std::min(1e6, affordable_s / kLookEvery_s));
+        return std::clamp(looks, std::min(kLooksLeast, wanted), wanted);
+    }
+
+    /// One run at 60 Hz: what there is, and what a second of it costs.
+    Result<Done> probe() {
+        const double seconds = options_.seconds.value_or(kSeconds);
+        const int wanted = std::max(1, static_cast<int>(std::lround(seconds / kLookEvery_s)));
+        const SceneRun run{.scene = options_.scene,
+                           .moments = moments_of(wanted),
+                           .cpu_limit_s = 0.08 * plan_.left_s()};
+        SceneAnswer answer;
+        RunStatus status = RunStatus::Done;
+        const Result<Done> done =
+            plan_.run(std::vector{run}, [&](const ScenePlan::Finished& finished) {
+                answer = finished.answer;
+                status = finished.status;
+            });
+        if (!done || plan_.interrupted()) return done;
+        if (status == RunStatus::Refused)
+            return Error{.message = answer.refused, .exit_code = ExitCode::Refused};
+        if (status != RunStatus::Done)
+            return Error{.message = fmt::format("{}: the first run came to no end: {}",
+                                                options_.scene.string(),
+                                                answer.refused)};
+        if (!options_.wall_s && answer.bodies > kManyBodies) plan_.extend(kWallMany_s);
+        probe_.scene = options_.scene;
+        probe_.second_cpu_s = std::max(1e-6, answer.cost.ms_per_s_min * 1e-3);
+        const int looks = affordable_looks(probe_.second_cpu_s, wanted);
+        if (looks < wanted)
+            study_.subject.notes.push_back(fmt::format(
+                "{:.2f} s instead of {:.2f} s of the scene: {} bodies, {:.3g} ms of CPU "
+                "time for a second at 60 Hz",
+                looks * kLookEvery_s,
+                seconds,
+                answer.bodies,
+                answer.cost.ms_per_s_min));
+        probe_.moments = moments_of(looks);
+        study_.seconds = looks * kLookEvery_s;
+        set_up_ = fmt::format(
+            "{} bodies, {} joints, {:.2f} s", answer.bodies, answer.joints, study_.seconds);
+        return Done{};
+    }
+
+    SceneRun run_of(const Setting& setting) const {
+        SceneRun run{.scene = options_.scene, .setting = setting, .moments = probe_.moments};
+        if (reference_->chaotic) {
+            run.copies = copies_;
+            run.seed = 1001;  // others than the reference's
+            run.shift_m = reference_->shift_m;
+        } else {
+            run.repeats = repeats_;
+            run.repeat_s = kRepeat_s;
+        }
+        run.cpu_limit_s = std::max(2.0, 5.0 * cost_s(setting));
+        return run;
+    }
+
+    /// CPU time of one run: as its like at another rate took, else as guessed.
+    double cost_s(const Setting& setting) const {
+        for (const Point& point : study_.subject.points) {
+            if (point.status == RunStatus::Done && same_but_rate(point.setting, setting))
+                return point.cost.ms_per_s_median * 1e-3 * study_.seconds * setting.step_hz /
+                       point.setting.step_hz;
+        }
+        return guessed_cost(setting) * probe_.second_cpu_s * study_.seconds;
+    }
+    /// With its repeats or copies, and what loading and handing over take.
+    double whole_cost_s(const Setting& setting) const {
+        constexpr double kHandling_s = 0.02;
+        const double one_s = cost_s(setting);
+        if (reference_->chaotic) return copies_ * one_s + kHandling_s;
+        return one_s + std::min(repeats_ * one_s, kRepeat_s + one_s) + kHandling_s;
+    }
+
+    /// Those of `settings` that fit into the time that is left, cheapest first.
+    std::vector<Setting> fitting(std::vector<Setting> settings) {
+        std::ranges::stable_sort(
+            settings, {}, [&](const Setting& each) { return whole_cost_s(each); });
+        double sum_s = 0;
+        std::size_t fit = 0;
+        const double left_s = kReserve * plan_.cpu_left_s();
+        const std::size_t least = study_.subject.points.empty() ? kSettingsLeast : 0;
+        while (fit < settings.size() &&
+               (fit < least || sum_s + whole_cost_s(settings[fit]) <= left_s))
+            sum_s += whole_cost_s(settings[fit++]);
+        left_out_ += settings.size() - fit;
+        settings.resize(fit);
+        return settings;
+    }
+
+    /// A few at a time, so that a machine that turns slow ends it in time all the same.
+    Result<Done> measure(const std::vector<Setting>& settings) {
+        constexpr std::size_t kAtATime = 8;
+        for (std::size_t first = 0; first < settings.size(); first += kAtATime) {
+            const std::size_t end = std::min(first + kAtATime, settings.size());
+            if (plan_.left_s() <= 0 && !study_.subject.points.empty()) {
+                left_out_ += settings.size() - first;
+                break;
+            }
+            std::vector<SceneRun> runs;
+            for (std::size_t i = first; i < end; ++i) runs.push_back(run_of(settings[i]));
+            const Result<Done> done = plan_.run(runs, [&](const ScenePlan::Finished& finished) {
+                study_.subject.points.push_back(point_of(settings[first + finished.run], finished));
+            });
+            if (!done) return done;
+        }
+        return Done{};
+    }
+
+    Result<Done> measure_grid() {
+        choose_copies();
+        const std::vector<Setting> grid = scene_grid(options_.grid);
+        std::vector<Setting> first;
+        std::vector<Setting> rest;
+        for (const Setting& setting : grid)
+            (setting.step_hz == grid.front().step_hz ? first : rest).push_back(setting);
+        expect(grid);
+        if (const Result<Done> done = measure(fitting(first)); !done) return done;
+        rest = fitting(rest);
+        expect(rest);
+        return measure(rest);
+    }
+
+    void expect(const std::vector<Setting>& settings) { plan_.expect(sum_of_costs_s(settings)); }
+
+    double sum_of_costs_s(const std::vector<Setting>& settings) const {
+        double sum_s = 0;
+        for (const Setting& setting : settings) sum_s += whole_cost_s(setting);
+        return sum_s;
+    }
+
+    /// Fewer copies or repeats where the whole grid would not fit else.
+    void choose_copies() {
+        const std::vector<Setting> grid = scene_grid(options_.grid);
+        const double left_s = kReserve * plan_.cpu_left_s();
+        while (copies_ > 3 && sum_of_costs_s(grid) > left_s) copies_ -= 2;
+        while (repeats_ > 0 && !reference_->chaotic && sum_of_costs_s(grid) > left_s) --repeats_;
+    }
+
+    Point point_of(const Setting& setting, const ScenePlan::Finished& finished) const {
+        Point point;
+        point.setting = setting;
+        point.status = finished.status;
+        point.why = finished.answer.refused;
+        if (finished.status != RunStatus::Done) return point;
+        point.cost = finished.answer.cost;
+        for (const Trace& trace : finished.answer.traces) {
+            point.status = trace.status;
+            point.why = trace.why;
+            if (point.status == RunStatus::Done) {
+                point.why =
+                    explosion_in(trace, reference_->answer.traces.front(), reference_->scales);
+                if (!point.why.empty()) point.status = RunStatus::Exploded;
+            }
+            if (point.status != RunStatus::Done) return point;
+        }
+        point.errors = errors_against(*reference_, finished.answer);
+        return point;
+    }
+
+    /// A clock that other work disturbs shows in runs of the same thing.
+    void note_clock() {
+        std::vector<double> spreads;
+        for (const Point& point : study_.subject.points) {
+            if (point.cost.repeats < 2 || point.cost.ms_per_s_min <= 0) continue;
+            spreads.push_back(point.cost.ms_per_s_median / point.cost.ms_per_s_min - 1.0);
+        }
+        if (spreads.empty()) return;
+        std::ranges::sort(spreads);
+        const double middle = spreads[spreads.size() / 2];
+        if (middle > 0.1)
+            study_.subject.notes.push_back(
+                fmt::format("noisy clock: half of the settings had a median {:.0f} % or more above "
+                            "their least time",
+                            middle * 100.0));
+    }
+
+    SceneStudy finish() {
+        Subject& subject = study_.subject;
+        study_.complete = !plan_.interrupted();
+        if (reference_) {
+            study_.chaotic = reference_->chaotic;
+            study_.uncertainty = reference_->uncertainty;
+            subject.tier = reference_->chaotic ? Tier::Spread : Tier::SelfConverged;
+            subject.reference = reference_->text;
+            subject.metrics = metrics_of(*reference_);
+            subject.notes.insert(
+                subject.notes.begin(), reference_->notes.begin(), reference_->notes.end());
+            std::string times;
+            for (const int moment : probe_.moments)
+                times += fmt::format("{}{:.2f}", times.empty() ? "" : ", ", moment * kLookEvery_s);
+            subject.set_up = fmt::format("{}, compared at {} s", set_up_, times);
+        }
+        if (left_out_ > 0)
+            subject.notes.push_back(
+                fmt::format("{} settings left out: there was no time for them", left_out_));
+        note_clock();
+        std::ranges::stable_sort(subject.points, {}, [](const Point& point) {
+            return std::tuple(point.setting.precision,
+                              point.setting.solver,
+                              point.setting.step_hz,
+                              point.setting.iterations,
+                              point.setting.substeps == 0 ? 1000 : point.setting.substeps);
+        });
+        if (!study_.chaotic)
+            subject.verdicts = verdicts_of(subject.points, [](const Setting&, std::string_view) {
+                return std::optional<double>{};
+            });
+        return std::move(study_);
+    }
+
+    const SceneStudyOptions& options_;
+    ScenePlan plan_;
+    SceneProbe probe_;
+    std::string set_up_;
+    std::optional<SceneReference> reference_;
+    int copies_{kCopies};
+    int repeats_{kRepeats};
+    std::size_t left_out_{0};
+    SceneStudy study_;
+};
+
+}  // namespace
+
+Result<SceneStudy> study_scene(const SceneStudyOptions& options) {
+    return SceneStudyMaker(options).make();
+}
+
+}  // namespace plumbline::study

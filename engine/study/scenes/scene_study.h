@@ -1,0 +1,34 @@
+// What accuracy costs in a scene that nobody has a formula for: a reference made here and now, the
+// grid of settings held against it, and the table that comes of it.
+#pragma once
+
+#include "engine/study/scenes/scene_grid.h"
+#include "engine/study/scenes/scene_plan.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace plumbline::study {
+
+struct SceneStudyOptions {
+    std::filesystem::path scene{};    ///< a file; find_scene() makes one of a name
+    std::optional<double> seconds{};  ///< simulated; none: 3, fewer where that takes too long
+    GridSize grid{GridSize::Full};
+    std::optional<double> wall_s{};  ///< to be done within; none: 50, more for many bodies
+    int workers{1};
+    ReportProgress progress{};
+};
+
+struct SceneStudy {
+    Subject subject;
+    double seconds{0};      ///< simulated
+    double uncertainty{0};  ///< of the errors, as the reference has it
+    bool chaotic{false};
+    bool complete{true};  ///< false: interrupted; the points are those done by then
+};
+
+/// Refused (exit code 4): a scene that does not load, has no dynamic bodies, or goes through no
+/// reference. Where every setting of the grid ends early the points say how.
+Result<SceneStudy> study_scene(const SceneStudyOptions& options);
+
+}  // namespace plumbline::study

@@ -1,0 +1,35 @@
+// A study of a scene as people read it in a terminal.
+#pragma once
+
+#include "engine/study/scenes/scene_study.h"
+
+#include <string>
+
+namespace plumbline::study {
+
+/// The whole table, cost to reach, error at a budget, the settings that nothing beats, and what to
+/// paste.
+std::string scene_study_text(const SceneStudy& study);
+
+inline constexpr double kUsualTolerance = 0.01;
+
+/// What was asked for, at most one of them; neither: the usual tolerance.
+struct Wish {
+    std::optional<double> tolerance{};
+    std::optional<double> budget_ms{};  ///< CPU ms for 1/60 s
+};
+/// The setting to use. A tolerance is tightened by what the errors are uncertain by, to half of it at
+/// most. Only settings in the program's own precision. None: no setting has an error.
+struct Choice {
+    std::size_t point{0};
+    bool met{false};
+};
+std::optional<Choice> choose(const SceneStudy& study, const Wish& wish);
+
+/// Lines to paste under [accuracy], and above them as comments what they reach, or that nothing does.
+std::string wish_text(const SceneStudy& study, const Wish& wish);
+
+/// "small_step 60 Hz x 4, float32: 0.8 % off, 0.12 ms a frame".
+std::string point_text(const Point& point);
+
+}  // namespace plumbline::study

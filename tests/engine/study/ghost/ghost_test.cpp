@@ -1,0 +1,121 @@
+#include "engine/study/ghost/ghost.h"
+
+#include "engine/study/workers/worker_pool.h"
+#include "tests/scenarios/scene_run.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+namespace plumbline::study {
+namespace {
+
+using test::SceneRun;
+
+std::filesystem::path scene(const std::string& name) {
+    return test::repository() / "assets/scenes" / name;
+}
+
+GhostStart start_of(SceneRun& run, const std::string& name, const Setting& setting) {
+    GhostStart start{.scene = scene(name), .setting = setting, .time_s = run.simulation->time_s()};
+    for (const scene::MovingBody& moving : run.simulation->moving_bodies()) {
+        const physics::BodyState state = run.simulation->physics.state(moving.body);
+        start.bodies.push_back({.name = run.simulation->name_of_mark(scene::mark_of(moving.entity)),
+                                .position_m = Vec3d(state.world_from_body.position),
+                                .orientation = Quatd(state.world_from_body.orientation)});
+    }
+    Archive archive;
+    run.simulation->serialize_bodies_of_scene(archive);
+    start.state = archive.take();
+    return start;
+}
+
+double largest_m(const GhostState& ghost, const SceneRun& run) {
+    double largest = 0;
+    for (std::size_t i = 0; i < ghost.bodies.size(); ++i) {
+        const physics::BodyId body = run.simulation->moving_bodies()[i].body;
+        largest = std::max(
+            largest,
+            glm::distance(ghost.bodies[i].position_m,
+                          Vec3d(run.simulation->physics.state(body).world_from_body.position)));
+    }
+    return largest;
+}
+
+class GhostJob : public testing::Test {
+protected:
+    GhostJob() { ::setenv("PLUMBLINE_DATA", PL_SOURCE_DIR, 1); }
+    GhostState answer(const std::string& body) {
+        const Result<GhostState> state = parse_ghost_state(run_ghost_job(body));
+        EXPECT_TRUE(state.ok());
+        return state ? *state : GhostState{};
+    }
+
+    RunJob run_ghost_job{ghost_jobs()};
+};
+
+TEST_F(GhostJob, AGhostOfTheSameSettingGoesTheSameWay) {
+    const std::string name = "bench/peers/heavy10.toml";
+    SceneRun run(name);
+    run.step(30);
+    const GhostState start = answer(start_body(start_of(run, name, {})));
+    EXPECT_DOUBLE_EQ(start.time_s, 0.5);
+    EXPECT_EQ(largest_m(start, run), 0);
+    const GhostState later = answer(go_on_body(0.5));
+    run.step(30);
+    EXPECT_DOUBLE_EQ(later.time_s, 1.0);
+    // It starts from the visible world's impulses too.
+    EXPECT_EQ(largest_m(later, run), 0);
+    EXPECT_GT(later.cpu_ms, 0);
+}
+
+TEST_F(GhostJob, AFallIsTheSameAtEveryRate) {
+    SceneRun run("falling_cube.toml");
+    run.step(6);
+    answer(start_body(start_of(run, "falling_cube.toml", {.step_hz = 240, .substeps = 8})));
+    const GhostState later = answer(go_on_body(0.5));
+    run.step(30);
+    EXPECT_NEAR(later.time_s, run.simulation->time_s(), 1e-9);
+    EXPECT_LT(largest_m(later, run), 1e-5);
+}
+
+TEST_F(GhostJob, WhatTheSceneDoesNotHaveStaysAndWhatIsGoneGoes) {
+    SceneRun run("bench/peers/heavy10.toml");
+    run.step(30);
+    ASSERT_GE(run.simulation->moving_bodies().size(), 2U);
+    // Without what it carries the upper one falls; play drops a thing beside.
+    run.simulation->registry.destroy(run.simulation->moving_bodies()[0].entity);
+    scene::EntityDescription crate;
+    crate.name = "crate";
+    crate.world_from_body.position = {3, 2, 1};
+    crate.visual = scene::Primitive{physics::BoxShape{}};
+    crate.body.emplace();
+    crate.body->kind = physics::BodyKind::Dynamic;
+    run.simulation->spawn(crate);
+    run.step(1);
+    GhostStart start = start_of(run, "bench/peers/heavy10.toml", {});
+    const Vec3d there = start.bodies.back().position_m;
+    answer(start_body(start));
+    const GhostState later = answer(go_on_body(0.5));
+    ASSERT_EQ(later.bodies.size(), start.bodies.size());
+    EXPECT_EQ(start.bodies.back().name, "crate#1");
+    EXPECT_EQ(later.bodies.back().position_m, there);
+    run.step(30);
+    EXPECT_LT(
+        glm::distance(later.bodies[0].position_m,
+                      Vec3d(run.simulation->physics.state(run.simulation->moving_bodies()[0].body)
+                                .world_from_body.position)),
+        1e-3);
+}
+
+TEST_F(GhostJob, RefusesWhatItCannotDo) {
+    EXPECT_THROW(run_ghost_job("{}"), std::exception);
+    GhostStart nowhere{.scene = "/nowhere/at/all.toml"};
+    EXPECT_THROW(run_ghost_job(start_body(nowhere)), std::exception);
+    EXPECT_THROW(run_ghost_job(go_on_body(1)), std::exception);
+    EXPECT_FALSE(parse_ghost_state("[]").ok());
+}
+
+}  // namespace
+}  // namespace plumbline::study
