@@ -2,6 +2,7 @@
 
 #include "engine/core/log.h"
 #include "engine/study/auto_preset/auto_accuracy.h"
+#include "engine/study/gallery/case_events.h"
 
 #include <algorithm>
 #include <optional>
@@ -47,6 +48,7 @@ Result<Done> Session::build(const scene::OpenedScene& opened, const Prepare& pre
     Result<std::unique_ptr<scene::Simulation>> built = opened.build(library);
     if (!built) return built.error();
     if (def_.hour) (*built)->set_hour(*def_.hour);
+    study::play_case_events(**built);
     std::unique_ptr<study::HardCaseJudge> judge_made;
     if ((*built)->description().hard_case) {
         Result<study::HardCaseJudge> made = study::HardCaseJudge::create(**built);

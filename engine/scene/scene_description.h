@@ -320,7 +320,7 @@ enum class CaseEventKind {
     NotFinite,  ///< gives the body a velocity that is no number
 };
 
-/// `[[hard_case.event]]`: what is done to a scene while it runs. Simulation::step() does it.
+/// `[[hard_case.event]]`: what is done to a scene while it runs, by engine/study/gallery.
 struct HardCaseEvent {
     CaseEventKind kind{CaseEventKind::Teleport};
     std::string of;   ///< a body; MotorOff: a joint; Gravity: nothing

@@ -113,6 +113,12 @@ public:
     void step();            ///< kinematic paths, physics, new placements
     void destroy_marked();  ///< marked entities, bodies below kill_below_m
 
+    /// Called at the beginning of every step, when entities that went are forgotten: what is done to the
+    /// world from outside. Not saved: who builds a simulation sets it again.
+    std::function<void(Simulation&)> before_step;
+    /// What before_step added to the energy so far; saved.
+    double added_energy_J{0};
+
     // --- what is there
     ecs::Registry registry;
     physics::PhysicsWorld physics;
@@ -154,9 +160,6 @@ public:
     /// Joins bodies as the file says. Refused: bodies that are not there, and what
     /// PhysicsWorld::create_joint() refuses; the message names file and line.
     Result<Done> add_joint(const JointDescription& description);
-
-    /// What the events of [hard_case] added to the energy so far, but for forces' and impulses' work.
-    double event_energy_J() const { return event_energy_J_; }
 
     const std::vector<std::string>& warnings() const { return warnings_; }
     void add_warning(std::string text) { warnings_.push_back(std::move(text)); }
@@ -223,8 +226,6 @@ private:
     void serialize_moving(Archive& archive);
     void serialize_joints(Archive& archive);
     ecs::Entity remake_one(Archive& archive, const Remake& remake);
-    void run_events();
-    void do_event(const HardCaseEvent& event);
     void move_along_paths();
     void play_models();
     void move_parts(const PartBodies& bodies, const PlayingModel& playing, const Placement& whole);
@@ -249,7 +250,6 @@ private:
     std::uint64_t weighed_revision_{~std::uint64_t{0}};  ///< when masses were last compared
     bool masses_differ_widely_{false};
     bool mass_ratio_named_{false};
-    double event_energy_J_{0};
     std::vector<MovingBody> moving_;
     std::vector<SceneJoint> joints_;
     MotionDemand demand_{};

@@ -12,6 +12,7 @@
 #include "engine/scene/scene_file.h"
 #include "engine/scene/state_report.h"
 #include "engine/study/auto_preset/auto_accuracy.h"
+#include "engine/study/gallery/case_events.h"
 #include "game/command_line/refuse.h"
 
 #include <fmt/format.h>
@@ -57,6 +58,7 @@ Result<Done> load(const SimulateOptions& options, World& world) {
     Result<std::unique_ptr<scene::Simulation>> built = world.opened->build(world.library);
     if (!built) return built.error();
     world.simulation = std::move(*built);
+    study::play_case_events(*world.simulation);
     for (const std::string& warning : world.simulation->warnings()) log_warning("{}", warning);
     return Done{};
 }

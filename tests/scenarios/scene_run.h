@@ -4,6 +4,7 @@
 #include "engine/effects/advance.h"
 #include "engine/effects/saved_game.h"
 #include "engine/scene/open_scene.h"
+#include "engine/study/gallery/case_events.h"
 
 #include <gtest/gtest.h>
 
@@ -43,6 +44,7 @@ struct SceneRun {
         EXPECT_TRUE(built.ok()) << (built.ok() ? "" : built.error().message);
         if (!built) return;
         simulation = std::move(*built);
+        study::play_case_events(*simulation);
         effects = std::make_unique<effects::EffectRuntime>(*simulation, served);
     }
 

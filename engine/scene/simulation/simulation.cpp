@@ -81,7 +81,10 @@ void Simulation::remember_poses() {
 
 void Simulation::step() {
     forget_destroyed();
-    run_events();
+    if (before_step) {
+        before_step(*this);
+        forget_destroyed();
+    }
     move_along_paths();
     play_models();
     physics.step();

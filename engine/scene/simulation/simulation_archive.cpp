@@ -218,7 +218,7 @@ void Simulation::serialize_state(Archive& archive) {
             removed_,
             quarantined_reported_,
             mass_ratio_named_,
-            event_energy_J_,
+            added_energy_J,
             demand_.swept,
             demand_.spinning,
             spawned_by_name_,

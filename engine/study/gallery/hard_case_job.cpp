@@ -5,6 +5,7 @@
 #include "engine/scene/formats/json_text.h"
 #include "engine/scene/open_scene.h"
 #include "engine/scene/state_report.h"
+#include "engine/study/gallery/case_events.h"
 #include "engine/study/gallery/gallery.h"
 
 #include <fmt/format.h>
@@ -108,6 +109,7 @@ Result<CaseResult> run_case(const CaseRun& run) {
     assets::AssetLibrary library;
     const Result<std::unique_ptr<scene::Simulation>> simulation = opened->build(library);
     if (!simulation) return simulation.error();
+    play_case_events(**simulation);
     Result<HardCaseJudge> judge = HardCaseJudge::create(**simulation);
     if (!judge) return judge.error();
     return run_to_the_end(**simulation, *judge, run.cpu_limit_s);

@@ -267,7 +267,7 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
     if (const auto* of_world = std::get_if<WorldMeasure>(&value)) {
         take((*of_world)({.world = simulation.physics,
                           .start = start_,
-                          .event_energy_J = simulation.event_energy_J(),
+                          .added_energy_J = simulation.added_energy_J,
                           .braked_J = interventions_.braked_J,
                           .removed = simulation.removed_count()}),
              kNobody);

@@ -89,7 +89,7 @@ double energy_J(const WorldLook& look) {
     return energy.kinetic_J + energy.potential_J;
 }
 double energy_gain(const WorldLook& look) {
-    return (energy_J(look) - look.start.energy_J - look.event_energy_J) / look.start.energy_scale_J;
+    return (energy_J(look) - look.start.energy_J - look.added_energy_J) / look.start.energy_scale_J;
 }
 
 const std::array kMeasures{

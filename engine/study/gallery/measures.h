@@ -44,7 +44,7 @@ struct WorldStart {
 struct WorldLook {
     const physics::PhysicsWorld& world;
     const WorldStart& start;
-    double event_energy_J{0};  ///< what the case's events added
+    double added_energy_J{0};  ///< by the case's events
     double braked_J{0};        ///< what the energy guard has taken out so far
     std::uint32_t removed{0};
 };

@@ -2,6 +2,7 @@
 #include "engine/effects/advance.h"
 #include "engine/scene/formats/json_read.h"
 #include "engine/scene/open_scene.h"
+#include "engine/study/gallery/case_events.h"
 #include "engine/study/ghost/ghost_state.h"
 
 #include <nlohmann/json.hpp>
@@ -32,6 +33,7 @@ public:
         auto built = opened->build(library_);
         if (!built) throw std::runtime_error(built.error().message);
         simulation_ = std::move(*built);
+        play_case_events(*simulation_);
         take_up(start.state);
         simulation_->set_time(start.time_s);
         find_bodies(start.bodies);

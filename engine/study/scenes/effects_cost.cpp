@@ -6,6 +6,7 @@
 #include "engine/scene/formats/json_read.h"
 #include "engine/scene/open_scene.h"
 #include "engine/study/findings/findings_json_impl.h"
+#include "engine/study/gallery/case_events.h"
 #include "engine/study/workers/job.h"
 
 #include <fmt/format.h>
@@ -31,6 +32,7 @@ Result<Passed> pass(const scene::OpenedScene& scene, std::string_view without, d
     const Result<std::unique_ptr<scene::Simulation>> built = scene.build(library);
     if (!built) return built.error();
     scene::Simulation& simulation = **built;
+    play_case_events(simulation);
     scene::NoGame game(simulation.description().camera);
     effects::EffectRuntime effects(simulation,
                                    {.picture = false, .sound = true, .without = without});

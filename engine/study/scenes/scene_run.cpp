@@ -5,6 +5,7 @@
 #include "engine/core/time/stopwatch.h"
 #include "engine/effects/advance.h"
 #include "engine/scene/state_report.h"
+#include "engine/study/gallery/case_events.h"
 
 #include <fmt/format.h>
 
@@ -258,7 +259,9 @@ Result<Done> SceneRunner::open(const std::filesystem::path& file) {
 
 Result<std::unique_ptr<scene::Simulation>> SceneRunner::build(const Setting& setting) {
     opened_->overrides = overrides(setting);
-    return opened_->build(*library_);
+    Result<std::unique_ptr<scene::Simulation>> built = opened_->build(*library_);
+    if (built) play_case_events(**built);
+    return built;
 }
 
 Result<SceneAnswer> SceneRunner::run(const SceneRun& run) {

@@ -2,6 +2,7 @@
 #include "engine/study/gallery/hard_case_judge.h"
 
 #include "engine/core/io/files.h"
+#include "engine/study/gallery/case_events.h"
 #include "tests/support/scene_in_code.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,9 @@ struct Judged {
     HardCaseJudge judge;
 
     explicit Judged(const scene::SceneDescription& scene)
-        : run(scene), judge(made(*run.simulation)) {}
+        : run(scene), judge(made(*run.simulation)) {
+        play_case_events(*run.simulation);
+    }
     static HardCaseJudge made(const scene::Simulation& simulation) {
         Result<HardCaseJudge> judge = HardCaseJudge::create(simulation);
         EXPECT_TRUE(judge.ok()) << (judge.ok() ? "" : judge.error().message);
