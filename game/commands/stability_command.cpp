@@ -60,7 +60,7 @@ Result<study::StabilityTable> merged_of(const StabilityOptions& options,
 Result<study::StabilityTable> planned(const StabilityOptions& options) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
-    const Result<std::vector<study::CaseEntry>> all = study::find_cases(folders->assets);
+    const Result<std::vector<study::CaseEntry>> all = study::find_cases(*folders);
     if (!all) return all.error();
     if (!options.merge.empty()) return merged_of(options, *all);
     Result<std::vector<study::CaseEntry>> chosen =

@@ -49,7 +49,7 @@ struct CaseResult {
 };
 
 /// Runs it in this process, to the end of its time or to the first rule that fails for good.
-/// Refused: what load_scene(), build_simulation() and the judge refuse.
+/// Refused: what open_scene(), build() and the judge refuse.
 Result<CaseResult> run_case(const CaseRun& run);
 
 /// The job kind "hard_case" (job.h): a CaseRun as JSON in, a CaseResult as JSON out.

@@ -3,7 +3,7 @@
 #include "engine/core/text/nearest_name.h"
 #include "engine/core/text/text_case.h"
 #include "engine/scene/formats/json_text.h"
-#include "engine/scene/scene_file.h"
+#include "engine/scene/open_scene.h"
 #include "engine/study/workers/job.h"
 
 #include <fmt/format.h>
@@ -23,15 +23,16 @@ constexpr double kNightlyLimit_s = 600;
 constexpr double kWallPerCpu = 30;
 constexpr int kGameRate_hz = 60;
 
-Result<CaseEntry> load_entry(const fs::path& file, const fs::path& assets_folder) {
+Result<CaseEntry> load_entry(const fs::path& file, const DataFolders& folders) {
     Diagnostics faults;
-    Result<scene::SceneDescription> scene = scene::load_scene(file, assets_folder, faults);
-    if (!scene) return scene.error();
-    if (!scene->hard_case) {
+    Result<scene::OpenedScene> opened = scene::open_scene(file, {.folders = folders}, faults);
+    if (!opened) return opened.error();
+    scene::SceneDescription& scene = opened->description;
+    if (!scene.hard_case) {
         return Error{.message = fmt::format("{} has no [hard_case]", file.string()),
                      .exit_code = ExitCode::Refused};
     }
-    CaseEntry entry{.scene = file, .title = scene->title, .hard = std::move(*scene->hard_case)};
+    CaseEntry entry{.scene = file, .title = scene.title, .hard = std::move(*scene.hard_case)};
     if (entry.title.starts_with(entry.hard.id + " "))
         entry.title.erase(0, entry.hard.id.size() + 1);
     return entry;
@@ -95,14 +96,14 @@ std::string_view verdict_word(const CaseResult& result) {
     return result.passed ? "pass" : result.gave_up ? "slow" : "FAIL";
 }
 
-Result<std::vector<CaseEntry>> find_cases(const fs::path& assets_folder) {
-    const fs::path folder = assets_folder / "scenes" / "hard";
+Result<std::vector<CaseEntry>> find_cases(const DataFolders& folders) {
+    const fs::path folder = folders.assets / "scenes" / "hard";
     std::vector<CaseEntry> cases;
     std::error_code failed;
     for (fs::directory_iterator at(folder, failed), end; !failed && at != end;
          at.increment(failed)) {
         if (at->path().extension() != ".toml") continue;
-        Result<CaseEntry> entry = load_entry(at->path(), assets_folder);
+        Result<CaseEntry> entry = load_entry(at->path(), folders);
         if (!entry) return entry.error();
         cases.push_back(std::move(*entry));
     }

@@ -24,7 +24,7 @@ struct CaseEntry {
 
 /// All of them, by id. Refused: a folder that is not there, a scene that does not load or has no
 /// [hard_case].
-Result<std::vector<CaseEntry>> find_cases(const std::filesystem::path& assets_folder);
+Result<std::vector<CaseEntry>> find_cases(const DataFolders& folders);
 
 /// Those called `ids` (any case, "hard/H05" too), or with none of them all of the tier. Refused (exit
 /// code 2): an id that nothing has; the message names the nearest.

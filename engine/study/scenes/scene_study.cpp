@@ -2,7 +2,7 @@
 
 #include "engine/core/io/files.h"
 #include "engine/core/log.h"
-#include "engine/scene/scene_file.h"
+#include "engine/scene/open_scene.h"
 #include "engine/study/findings/order.h"
 #include "engine/study/scenes/scene_reference.h"
 
@@ -73,12 +73,12 @@ private:
         const Result<DataFolders> folders = find_data_folders();
         if (!folders) return folders.error();
         Diagnostics faults;
-        const Result<scene::SceneDescription> description =
-            scene::load_scene(options_.scene, folders->assets, faults);
-        if (!description) return description.error();
+        const Result<scene::OpenedScene> opened =
+            scene::open_scene(options_.scene, {.folders = *folders}, faults);
+        if (!opened) return opened.error();
+        const std::string& title = opened->description.title;
         study_.subject.id = options_.scene.string();
-        study_.subject.title =
-            description->title.empty() ? options_.scene.stem().string() : description->title;
+        study_.subject.title = title.empty() ? options_.scene.stem().string() : title;
         return Done{};
     }
 

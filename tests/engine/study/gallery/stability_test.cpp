@@ -14,10 +14,12 @@ namespace plumbline::study {
 namespace {
 
 const std::filesystem::path kAssets = std::filesystem::path(PL_SOURCE_DIR) / "assets";
+const DataFolders kFolders{
+    .assets = kAssets, .shaders = {}, .config = std::filesystem::path(PL_SOURCE_DIR) / "config"};
 
 const std::vector<CaseEntry>& shipped() {
     static const std::vector<CaseEntry> kCases = [] {
-        Result<std::vector<CaseEntry>> cases = find_cases(kAssets);
+        Result<std::vector<CaseEntry>> cases = find_cases(kFolders);
         EXPECT_TRUE(cases.ok()) << (cases.ok() ? "" : cases.error().message);
         return cases ? std::move(*cases) : std::vector<CaseEntry>{};
     }();
@@ -76,10 +78,7 @@ TEST(Gallery, HasTheRedCasesThatTheReadmeTellsOf) {
 TEST(Gallery, EveryCaseHasAJudge) {
     Diagnostics faults;
     for (const CaseEntry& each : shipped()) {
-        const auto opened = scene::open_scene(
-            each.scene,
-            {.folders = {.assets = kAssets, .shaders = {}, .config = PL_SOURCE_DIR "/config"}},
-            faults);
+        const auto opened = scene::open_scene(each.scene, {.folders = kFolders}, faults);
         ASSERT_TRUE(opened.ok()) << each.hard.id;
         assets::AssetLibrary library;
         const auto simulation = opened->build(library);
