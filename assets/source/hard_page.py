@@ -33,6 +33,7 @@ BRAKED = "braked_share at most 0.01"
 KNOWN_RED = {
     "H14": [("penetration_m at most 0.001", 0.0021,
              "the planks, exactly on each other, sink in before their springs carry them")],
+    "H14b": [("penetration_m at most 0.001", 0.0021, "as H14, of which it is ten times as long")],
     "H15": [("sag_m of card_38, card_39 at most 0.05", 1.7, "the house comes down within 6 s; so it does with Bullet"),
             ("penetration_m at most 0.002", 0.038, "cards of 2 mm fall through each other as it comes down")],
     "H17": [("penetration_m at most 0.005", 0.0091, "the last dominoes as they land")],
@@ -40,6 +41,8 @@ KNOWN_RED = {
     "H22": [("penetration_m at most 0.02", 0.0251, "the lowest boxes as the pile lands on them")],
     "H23": [(BRAKED, 0.0284, "as the lowest layer lands, all its balls at once")],
     "H30": [("penetration_m at most 0.05", 0.08, "the load as it lands on planks a hundredth of its mass")],
+    "H31b": [("max_joint_error_m at most 0.01", 0.0307,
+              "as the free edge cracks like a whip: 54 m/s at 6.1 s")],
     "H34": [("joint_gap_m at most 0.0873", 0.17, "a limit is passed by 10 degrees as the ragdolls land"),
             ("penetration_m at most 0.01", 0.15, "limbs as the pit fills; later 2.1 cm where others lie on them")],
     "H44": [("penetration_m at most 0.02", 0.091, "the chain as it comes back from 100 m"),
@@ -53,6 +56,10 @@ KNOWN_RED = {
             ("removed at most 0", 2, "the same"),
             ("penetration_m at most 0.004", 0.107, "the same"),
             (BRAKED, 0.04891, "plates that turn carry their points along")],
+    "H54b": [("lowest_m at least -2", None, "as H54"),
+             ("removed at most 0", 8, "the same"),
+             ("penetration_m at most 0.004", 0.1234, "the same"),
+             (BRAKED, 0.01477, "the same")],
     "H55": [("penetration_m at most 0.0012", 0.0046, "the slab as it lands at 10 m/s")],
     "H56": [("lowest_m at least 1.1", 0.047,
              "a cube that lands flat on the cylinder's end at 20 m/s gets points off centre from Bullet's detector "
