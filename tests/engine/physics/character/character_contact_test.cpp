@@ -183,7 +183,8 @@ TEST_P(CharacterAmongAtRate, ComesOutOfAWallItStartsIn) {
         ++steps;
     }
     EXPECT_LT(stage.seconds(steps), 0.5);
-    EXPECT_LT(fastest, 5);
+    // Out at 2.5 m/s, and what is then left of two skins at once: 6 mm at 240 Hz.
+    EXPECT_LT(fastest, GetParam() == 240 ? 4.05 : 3.5);
     stage.rest(0.5_r);
     EXPECT_NEAR(stage.feet().x, -0.1, 2e-3);
     EXPECT_NEAR(stage.feet().y, 0, 1e-3);
