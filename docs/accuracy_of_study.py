@@ -41,7 +41,7 @@ SETTINGS = [
 
 
 def error(point):
-    """Of the first metric; infinite where there was no answer."""
+    """Of the first metric; infinite where it failed."""
     if point["status"] != "done" or not point["errors"] or not isinstance(point["errors"][0], (int, float)):
         return math.inf
     return abs(point["errors"][0])
@@ -91,7 +91,7 @@ def made_with(findings):
 
 
 def settings_table(findings):
-    yield "| setting | subjects | no answer | within 5 % | 1 % | 0.1 % | median error | cost |"
+    yield "| setting | subjects | failed | within 5 % | 1 % | 0.1 % | median error | cost |"
     yield "|---|--:|--:|--:|--:|--:|--:|--:|"
     chosen = {name: {} for name, *_ in SETTINGS}
     for subject in findings["subjects"]:

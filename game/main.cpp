@@ -76,7 +76,7 @@ CLI::App* add_play(CLI::App& app, PlayOptions& options) {
         "--camera-path",
         options.camera_path,
         "Plays this path of the camera, as camera_record or the garden report wrote it");
-    play->add_option("--random-input", options.random_input, "A monkey with this seed plays")
+    play->add_option("--random-input", options.random_input, "Random input from this seed plays")
         ->excludes("--replay");
     play->add_option(
         "--expect-hash", options.expect_hash, "Exit code 5 unless the end state has this hash");

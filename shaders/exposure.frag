@@ -1,4 +1,4 @@
-// How bright the scene is: the mean of the logarithm of the luminance over one cell of the picture.
+// How bright the scene is: the mean of the logarithm of the luminance over one cell of the image.
 // Passes: post. Reads the scene's image.
 #include "include/color.glsl"
 #include "shared/limits.h"

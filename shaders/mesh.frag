@@ -121,7 +121,7 @@ vec2 below_relief(vec2 uv, vec3 to_eye, float eye_distance_m) {
     vec3 n = normalize(surface_normal_world);
     vec3 t = normalize(surface_tangent_world.xyz - n * dot(n, surface_tangent_world.xyz));
     vec3 b = cross(n, t) * surface_tangent_world.w;
-    // Green is up in the picture, where v is less.
+    // Green is up in the image, where v is less.
     vec2 way = vec2(-dot(to_eye, t), dot(to_eye, b)) * (depth / max(dot(to_eye, n), 0.15));
     const int kSteps = 12;
     float before = 0.0;

@@ -1,4 +1,4 @@
-// The finished picture in the size of the target. Passes: post. Reads codes.
+// The finished image in the size of the target. Passes: post. Reads codes.
 #include "include/blocks.glsl"
 
 in vec2 screen_uv;

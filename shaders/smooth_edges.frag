@@ -1,5 +1,5 @@
-// Smooths the stairs along edges of the finished picture, as FXAA does: finds which way an edge
-// runs from the brightness of the four diagonal neighbours and blurs along it. A picture that is
+// Smooths the stairs along edges of the finished image, as FXAA does: finds which way an edge
+// runs from the brightness of the four diagonal neighbours and blurs along it. An image that is
 // going to be scaled up is sharpened a little, too. Passes: post. Reads codes, brightness in alpha.
 #include "include/blocks.glsl"
 

@@ -359,7 +359,7 @@ def overlapped():
                   (4, 4, 9), (0.8, 2.5, 0), gravity=(0, 0, 0), penetration=0.01,
                   settled=5, unsettled="they start inside each other and have 5 s to part",
                   energy_scale=102 * 18.0,  # all of them at 6 m/s
-                  energy_from="the overlap at the start")
+                  energy_from="the penetration at the start")
     scene.ground()
     for i in range(100):
         scene.body(f"ball_{i}", ball(0.25), (-1.5, 2.5, 0),
@@ -375,14 +375,14 @@ def stuck():
                   "Boxes begin 80, 50 and 20 cm inside a static block, one 80 cm through a mesh: each "
                   "comes out slower than 5 m/s or stays.",
                   "expected", 4, (7, 5, 12), (0.5, 1.5, 0), penetration=1.0, kill=-20,
-                  removed=1, energy_from="the overlap at the start")
+                  removed=1, energy_from="the penetration at the start")
     scene.ground()
     scene.fixed("block", box(4, 4, 12), (-2, 2, 0), material="stone")
     for i, inside in enumerate((0.8, 0.5, 0.2)):
         scene.body(f"box_{i}", box(1, 1, 1), (0.5 - inside, 2, 3.0 * i - 3), material="paint_orange")
     scene.fixed("mesh", model("seams"), (20, 3, 0), material="flagstone")
     scene.body("through", box(1, 1, 1), (14.3, 2.7, 0.2))
-    scene.rule("speed_across_mps", "box_*", below=5)
+    scene.rule("horizontal_speed_mps", "box_*", below=5)
     scene.rule("up_speed_mps", "through", below=5)
     return scene
 
@@ -390,7 +390,7 @@ def stuck():
 def phantom():
     scene = Scene("H70", "a millimetre apart",
                   "Afloat, a box slides along a wall at 5 m/s, 1 mm away from it: no force may act.",
-                  "mujoco #3476; Bullet's boxes have no contact before they overlap (#2646)", 2, (2, 4, 8),
+                  "mujoco #3476; Bullet's boxes have no contact before they penetrate (#2646)", 2, (2, 4, 8),
                   (0, 1, 0), gravity=(0, 0, 0), energy_scale=12.5)
     scene.ground()
     scene.fixed("wall", box(14, 2, 0.4), (0, 1, -0.7), material="brick")

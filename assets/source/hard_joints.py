@@ -130,7 +130,7 @@ def ragdolls():
         add_ragdoll(scene, f"doll_{i}", (-0.5 + 1.0 * (i % 2), 2.2 + 1.9 * (i // 4), -0.5 + 1.0 * (i // 2 % 2)))
     add_ragdoll(scene, "struck", (4, 0.98, 0))
     scene.body("shot", ball(0.2), (4, 1.3, -6), 20.0, velocity=(0, 0.5, 30), material="iron")
-    scene.rule("joint_gap_m", below=0.0873)
+    scene.rule("joint_error_m", below=0.0873)
     scene.rule("speed_mps", below=60)
     return scene
 
@@ -232,8 +232,8 @@ def fast_limit():
     scene.body("rod", box(1, 0.1, 0.1), (4.5, 1.5, 0), velocity=(0, 25, 0), spin=(0, 0, 50),
                material="paint_orange")
     scene.joint("hinge", "rod", "world", (4, 1.5, 0), name="hinge", axis=(0, 0, 1), limits=(-60, 115))
-    scene.rule("joint_gap_m", "slider", below=0.01)
-    scene.rule("joint_gap_m", "hinge", below=math.radians(1))
+    scene.rule("joint_error_m", "slider", below=0.01)
+    scene.rule("joint_error_m", "hinge", below=math.radians(1))
     return scene
 
 
@@ -293,7 +293,7 @@ def stiff():
                 more="anchor_a_m = [1, 2, 0]\nanchor_b_m = [1, 3, 0]\nstiffness_Npm = 100\n"
                      "damping_Nspm = 1e5\n")
     way = 9.81 / 100 * (1 - math.exp(-100 / 1e5 * 10))
-    scene.rule("joint_way_m", "spring", near=(1, 0.101))
+    scene.rule("joint_displacement_m", "spring", near=(1, 0.101))
     scene.rule("sag_m", "creep", near=(way, 0.02 * way), from_s=10)
     return scene
 
@@ -311,7 +311,7 @@ def dragged():
                    more='ccd = "on"\n')
         if i:
             scene.joint("ball", f"part_{i}", f"part_{i - 1}", (-0.75 - 0.5 * i, 1, 0))
-    scene.event("force", "part_0", 0.5, value=(1e5, 0, 0), for_s=1)
+    scene.event("force", "part_0", 0.5, value=(1e5, 0, 0), duration_s=1)
     scene.rule("x_m", below=0.7)  # 10 cm past where the first one's centre meets the wall
     scene.rule("max_joint_error_m", below=0.05, from_s=2.5)
     return scene
@@ -367,8 +367,8 @@ def wheel():
     scene.joint("hinge", "wheel", "block", (0, 0.7, 0.6), name="axle", axis=(0, 0, 1),
                 more="motor = { target = 300, max = 5 }\n")
     scene.rule("spin_radps", "wheel", near=(300, 3), from_s=20)
-    scene.rule("joint_gap_m", "axle", below=math.radians(1), from_s=20)
-    scene.rule("speed_across_mps", "block", below=0.01, from_s=20)
+    scene.rule("joint_error_m", "axle", below=math.radians(1), from_s=20)
+    scene.rule("horizontal_speed_mps", "block", below=0.01, from_s=20)
     return scene
 
 

@@ -11,7 +11,7 @@ def crusher():
     scene = Scene("H74", "a crusher",
                   "A plate comes down until 5 cm too little room is left for the box, and goes up again: "
                   "nothing is shot out, not even afterwards.",
-                  "expected of any solver that puts overlap into speed", 9, (4, 3, 7), (0, 1.2, 0), shadow=15,
+                  "expected of any solver that turns penetration into speed", 9, (4, 3, 7), (0, 1.2, 0), shadow=15,
                   settled=5, unsettled="the plate leaves 5 cm less room than the box is high",
                   energy_from="the plate")
     scene.ground()
@@ -26,7 +26,7 @@ def crusher():
 
 def lift():
     scene = Scene("H75", "a lift that stops at once",
-                  "Five boxes ride up at 3 m/s, are stopped at once, hop and land, then sink at 5 m/s: the "
+                  "Five boxes ride up at 3 m/s, are stopped at once, hop and land, then go down at 5 m/s: the "
                   "stack stays.",
                   "expected: what a kinematic body's velocity means differs between engines", 6.9,
                   (10, 10, 16), (0, 8, 0), shadow=50, energy_from="the lift")
@@ -131,7 +131,7 @@ def confined():
                   "Box2D keeps Confined, Rush", 12, (5, 5, 9), (0, 2, 0), gravity=(0, 0, 0),
                   settled=10, unsettled="they start a tenth inside each other and have 10 s to part",
                   energy_scale=64 * 4.5,  # all of them at 3 m/s
-                  energy_from="the overlap at the start")
+                  energy_from="the penetration at the start")
     scene.ground(top=-0.21)
     room = 4.2
     for axis in range(3):

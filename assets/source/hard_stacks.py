@@ -104,7 +104,7 @@ def cards():
                   "each other.",
                   "PEEL and Box2D keep it as CardHouse", 10, (1.6, 1.2, 3.0), (0.85, 0.8, 0),
                   penetration=0.002, shadow=10,
-                  energy_from="the overlap of the cards at the start")
+                  energy_from="the penetration of the cards at the start")
     scene.ground(0.7)
     size = (0.002, 0.4, 0.3)
     scene.prefab("card", box(*size), 1000 * math.prod(size), friction=0.7, material="paint_cream")
@@ -202,7 +202,7 @@ def tube():
 def pile():
     scene = Scene("H22", "a pile of 512 boxes",
                   "Eight by eight by eight boxes fall by their gaps and come to rest.",
-                  "Bullet keeps 5.76 J and 4 cm of overlap; at 240 Hz 2.27 J [measured, 3.24]", 6,
+                  "Bullet keeps 5.76 J and 4 cm of penetration; at 240 Hz 2.27 J [measured, 3.24]", 6,
                   (13, 9, 16), (0, 3.5, 0))
     scene.ground()
     scene.prefab("cube", box(1, 1, 1))
@@ -216,7 +216,7 @@ def pile():
 def balls():
     scene = Scene("H23", "216 balls without friction",
                   "Six by six by six smooth balls of 10 kg fall and run apart. The sum of the squared "
-                  "overlaps may be 1e-3 m2; no single one may be more than the root of that.",
+                  "penetrations may be 1e-3 m2; no single one may be more than the root of that.",
                   "SimBenchmark at 100 Hz: Bullet 37 m2, MuJoCo 0.37 m2, DART endless", 5,
                   (3, 2, 4.4), (0, 0.6, 0.5), penetration=0.004, shadow=12,
                   settled=2.5, unsettled="the row's own limit holds: 0.0316 m")

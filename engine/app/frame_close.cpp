@@ -1,4 +1,4 @@
-// The end of a sitting: the files that were asked for, and the exit code.
+// The end of a session: the files that were asked for, and the exit code.
 #include "engine/app/frame_parts_impl.h"
 #include "engine/core/hash.h"
 #include "engine/core/io/output.h"
@@ -15,7 +15,7 @@ namespace plumbline::app {
 
 std::array<std::uint64_t, kActionCount> FrameParts::actions_seen() const {
     std::array<std::uint64_t, kActionCount> seen = latch.presses_seen();
-    // Replays and monkeys press no keys: what their steps were told counts.
+    // Replays and random input press no keys: what their steps were told counts.
     for (std::size_t i = 0; i < kActionCount; ++i)
         seen[i] = std::max(seen[i], stepper.presses()[i]);
     return seen;

@@ -50,7 +50,7 @@ void FrameParts::film_frame() {
         return;
     }
     const double now_s = window_.now_s();
-    // Where ffmpeg is slower than we are, the picture before stands longer.
+    // Where ffmpeg is slower than we are, the frame before stands longer.
     if (now_s < film_next_s_ || film_->is_full()) return;
     film_next_s_ = std::max(film_next_s_, now_s - kPeriod_s) + kPeriod_s;
     if (!film_->add(renderer->read_pixels(film_->spare()))) end_film();

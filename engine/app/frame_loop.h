@@ -16,15 +16,15 @@
 
 namespace plumbline::app {
 
-/// What a sitting is told on the command line, and by the scenes before in it.
+/// What a session is told on the command line, and by the scenes before in it.
 struct PlayDef {
     /// Opens what is chosen in the menu or dropped on the window.
     std::function<Result<std::unique_ptr<Session>>(const std::filesystem::path&)> open_scene;
     /// When the first frame of a scene is on the screen.
     std::function<void(const Session&, const render::GlInfo&)> after_first_frame{};
     std::filesystem::path shader_folder;
-    std::filesystem::path user_data_folder;  ///< pictures, recordings, what was said already
-    std::filesystem::path thumbnails;        ///< folder of pictures of scenes
+    std::filesystem::path user_data_folder;  ///< images, recordings, what was said already
+    std::filesystem::path thumbnails;        ///< folder of images of scenes
     bool start_page{false};                  ///< the menu first
     bool unattended{false};                  ///< nobody to say hints to
     std::string first_message;               ///< said at once; empty: nothing
@@ -50,7 +50,7 @@ struct PlayEnd {
     std::string report;  ///< empty where none was asked for
 };
 
-/// What holds for the next scene of the sitting: its time runs on, the report tells of both, a
+/// What holds for the next scene of the session: its time runs on, the report tells of both, a
 /// replay was of the scene before. A recording is of one scene, the first in which time went on.
 void go_on(PlayDef& def, const PlayEnd& end);
 

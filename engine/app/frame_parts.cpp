@@ -5,6 +5,7 @@
 #include "engine/core/log.h"
 #include "engine/core/process/interrupt.h"
 #include "engine/core/time/stopwatch.h"
+#include "engine/scene/environment/sun_hour.h"
 
 #include <fmt/format.h>
 
@@ -47,7 +48,7 @@ Result<std::unique_ptr<FrameParts>> FrameParts::create(platform::Window& window,
                                                        LiveBindings& bindings,
                                                        LiveConfig& config,
                                                        const PlayDef& def) {
-    // Reads a hundred files; meanwhile the first picture is made ready.
+    // Reads a hundred files; meanwhile the first frame is made ready.
     auto scenes = std::async(std::launch::async | std::launch::deferred,
                              [folders = scene::scene_folders(session.folders().assets)] {
                                  return scene::list_scenes(folders);
@@ -105,8 +106,8 @@ FrameParts::FrameParts(platform::Window& window,
       menu_(menu_world()),
       first_minute_(def.user_data_folder.empty() ? std::filesystem::path()
                                                  : def.user_data_folder / "first_minute"),
-      picture_wish_(picture_wish_of(config.current())),
-      picture_control_(picture_wish_, renderer->draws_in_software()),
+      quality_request_(quality_request_of(config.current())),
+      quality_control_(quality_request_, renderer->draws_in_software()),
       start_s_(window.now_s()) {
     stepper.after_step = [this] { accuracy_.after_step(); };
     latch.set_label_lookup(platform::printed_key_name);
@@ -157,8 +158,8 @@ ui::MenuWorld FrameParts::menu_world() {
                 const scene::FogDescription plain{.on = false};
                 return session_.simulation->description().fog.value_or(plain);
             },
-        .hour = [this] { return session_.simulation->hour(); },
-        .set_hour = [this](double hour) { session_.simulation->set_hour(hour); },
+        .hour = [this] { return hour_of(*session_.simulation); },
+        .set_hour = [this](double hour) { set_hour(*session_.simulation, hour); },
         .start_again = [this] { controls_.reset = true; },
         .save_slots = [this] { return save_slots(); },
         .save_game = [this](int slot) { controls_.save_slot = slot; },
@@ -179,10 +180,10 @@ void FrameParts::apply_config() {
         mixer_->set_mono(config.mono);
         mixer_->set_doppler(config.doppler);
     }
-    const PictureWish wish = picture_wish_of(config);
-    if (wish == picture_wish_) return;
-    picture_wish_ = wish;
-    picture_control_ = PictureControl(wish, renderer->draws_in_software());
+    const QualityRequest wish = quality_request_of(config);
+    if (wish == quality_request_) return;
+    quality_request_ = wish;
+    quality_control_ = QualityControl(wish, renderer->draws_in_software());
 }
 
 bool FrameParts::ended(double now_s) const {
@@ -248,7 +249,7 @@ void FrameParts::pause_under_menu() {
 
 void FrameParts::capture_pointer_if_playing(const InputSnapshot& input) {
     // The pointer is the person's while a menu or the accuracy panel is open or another window has
-    // the keyboard; a click into the picture gives it back to the game.
+    // the keyboard; a click into the image gives it back to the game.
     if (menu_.open() || controls_.parts.accuracy || session_.game->frees_pointer() ||
         pointer_is_free() || !input.focused || input.lost_focus) {
         window_.capture_pointer(false);
@@ -259,8 +260,8 @@ void FrameParts::capture_pointer_if_playing(const InputSnapshot& input) {
 }
 
 void FrameParts::run_steps(const FrameTime& time) {
-    if (time.steps > 0 && std::exchange(hand_was_full_, false) && session_.game->holds())
-        latch.engage(Action::Grab);
+    if (time.steps > 0 && std::exchange(resumes_toggles_, false))
+        resume_toggles(*session_.game, latch);
     const int run = stepper.run(time.steps, time.budget_s, latch, report);
     if (!stepper.ended()) clock.drop(time.steps - run);
     say_slow_motion();
@@ -298,10 +299,10 @@ void FrameParts::finish_frame(double frame_start_s, double present_s) {
         if (pass.gpu_ms >= 0.0) cost.gpu_ms = std::max(cost.gpu_ms, 0.0) + pass.gpu_ms;
     }
     if (!window_.iconified() && renderer->stats().new_programs == 0)
-        picture_control_.add_frame(cost);
-    report.set_picture({.level = name_of(picture_control_.level()),
-                        .is_automatic = picture_control_.is_automatic(),
-                        .quality = picture_control_.quality()});
+        quality_control_.add_frame(cost);
+    report.set_picture({.level = name_of(quality_control_.level()),
+                        .is_automatic = quality_control_.is_automatic(),
+                        .quality = quality_control_.quality()});
     // Hidden windows do not block in present(); without vsync nothing does.
     const double least_s = window_.iconified() ? 0.1 : 1.0 / config_.current().max_fps;
     const double left_s = least_s - (wall_s() - frame_start_s);

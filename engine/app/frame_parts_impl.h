@@ -1,4 +1,4 @@
-// What frame_loop.cpp steps through: the parts of a sitting, wired once. Private to it.
+// What frame_loop.cpp steps through: the parts of a session, wired once. Private to it.
 #pragma once
 
 #include "engine/app/capture/video_file.h"
@@ -10,7 +10,7 @@
 #include "engine/app/overlay/first_minute.h"
 #include "engine/app/overlay/overlay.h"
 #include "engine/app/scene_watch.h"
-#include "engine/app/settings/picture_control.h"
+#include "engine/app/settings/quality_control.h"
 #include "engine/app/slow_motion.h"
 #include "engine/app/ui/menu_control.h"
 #include "engine/audio/mixer.h"
@@ -25,6 +25,7 @@
 
 namespace plumbline::app {
 
+/// So many fields because each part of the frame is one: the frame is what joins them.
 class FrameParts {
 public:
     static Result<std::unique_ptr<FrameParts>> create(platform::Window& window,
@@ -35,13 +36,13 @@ public:
 
     bool ended(double now_s) const;
     void take_input(const InputSnapshot& input);
-    void do_requests();  ///< reset, reload, pictures, recordings: what frame actions asked for
+    void do_requests();  ///< reset, reload, images, recordings: what frame actions asked for
     void run_steps(const FrameTime& time);
     scene::ViewPoint view(Real blend);
     render::RenderFrame extract(const scene::ViewPoint& view);
     void draw_overlay(const render::RenderFrame& frame);
     void draw_opening();  ///< over the frame, while another scene is read
-    void film_frame();    ///< while a film is taken: hands the picture to its thread
+    void film_frame();    ///< while a film is taken: hands the image to its thread
     void play_sound(const scene::ViewPoint& view, double now_s);
     void finish_frame(double frame_start_s, double present_s);
     /// Writes what was asked for.
@@ -82,6 +83,7 @@ private:
     void save_game(int slot);
     void load_game(int slot);
     std::vector<ui::SaveSlot> save_slots() const;
+    std::filesystem::path file_of_slot(int slot) const;
     void save_recording_so_far();
     void start_or_end_film();
     void end_film();
@@ -123,8 +125,8 @@ private:
     ui::MenuControl menu_;
     FirstMinute first_minute_;
     InputSnapshot devices_;  ///< of this frame
-    PictureWish picture_wish_;
-    PictureControl picture_control_;
+    QualityRequest quality_request_;
+    QualityControl quality_control_;
     std::unique_ptr<audio::Mixer> mixer_;      ///< null with --no-sound
     std::vector<effects::LedgerLine> ledger_;  ///< refreshed for the statistics panel
     double start_s_;
@@ -134,9 +136,9 @@ private:
     double chosen_s_{0};
     std::string report_text_;
     std::unique_ptr<VideoFile> film_;  ///< null: none is taken
-    double film_next_s_{0};            ///< then the next picture is due
+    double film_next_s_{0};            ///< then the next frame is due
     int save_slot_{1};                 ///< used last
-    bool hand_was_full_{true};  ///< the next step begins with what a saved game had in the hand
+    bool resumes_toggles_{true};       ///< before the next step: after a start and a load
     bool closing_{false};
     ExitCode code_{ExitCode::Good};  ///< not good: why it cannot go on
     bool menu_was_open_{false};

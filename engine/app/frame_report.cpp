@@ -22,6 +22,38 @@ json to_json(const scene::Percentiles& values) {
         {"median", values.median}, {"p95", values.p95}, {"p99", values.p99}, {"max", values.max}};
 }
 
+nlohmann::json json_of_presses(const std::array<std::uint64_t, kActionCount>& presses) {
+    nlohmann::json seen = nlohmann::json::object();
+    for (std::size_t i = 0; i < kActionCount; ++i) {
+        if (presses[i] > 0) seen[std::string(action_name(static_cast<Action>(i)))] = presses[i];
+    }
+    return seen;
+}
+
+template <class MenuFrames>
+nlohmann::json json_of_menus(const MenuFrames& frames) {
+    nlohmann::json menus = nlohmann::json::array();
+    for (const auto& opened : frames)
+        menus.push_back(
+            {{"frame_ms", opened.frame_ms}, {"median_before_ms", opened.median_before_ms}});
+    return menus;
+}
+
+template <class LongFrames>
+nlohmann::json json_of_longest(const LongFrames& frames) {
+    nlohmann::json longest = nlohmann::json::array();
+    for (const auto& frame : frames) {
+        nlohmann::json passes = nlohmann::json::object();
+        for (const render::PassTiming& pass : frame.passes)
+            passes[std::string(pass.name)] = pass.cpu_ms;
+        longest.push_back({{"at_s", frame.at_s},
+                           {"frame_ms", frame.frame_ms},
+                           {"new_programs", frame.new_programs},
+                           {"cpu_ms", passes}});
+    }
+    return longest;
+}
+
 }  // namespace
 
 void FrameReport::add_frame(double wall_ms, const render::FrameStats& stats) {
@@ -80,25 +112,6 @@ std::string FrameReport::json(const ReportContext& context) const {
         gpu[name] =
             total.gpu_samples > 0 ? total.gpu_ms / static_cast<double>(total.gpu_samples) : -1.0;
     }
-    json seen = json::object();
-    for (std::size_t i = 0; i < kActionCount; ++i) {
-        if (context.presses_seen[i] > 0)
-            seen[std::string(action_name(static_cast<Action>(i)))] = context.presses_seen[i];
-    }
-    json menus = json::array();
-    for (const MenuFrame& opened : menu_frames_)
-        menus.push_back(
-            {{"frame_ms", opened.frame_ms}, {"median_before_ms", opened.median_before_ms}});
-    json longest = json::array();
-    for (const LongFrame& frame : long_frames_) {
-        json passes = json::object();
-        for (const render::PassTiming& pass : frame.passes)
-            passes[std::string(pass.name)] = pass.cpu_ms;
-        longest.push_back({{"at_s", frame.at_s},
-                           {"frame_ms", frame.frame_ms},
-                           {"new_programs", frame.new_programs},
-                           {"cpu_ms", passes}});
-    }
     const double between_frames = std::max(1.0, frames - 1.0);
     json report = {
         {"scene", context.simulation.description().file.filename().string()},
@@ -106,8 +119,8 @@ std::string FrameReport::json(const ReportContext& context) const {
         {"seconds", last_wall_s_ - first_frame_wall_s_},
         {"startup_ms", startup_ms_},
         {"frame_ms", to_json(scene::percentiles_of(frame_ms_))},
-        {"longest_frames", longest},
-        {"menu_opened", menus},
+        {"longest_frames", json_of_longest(long_frames_)},
+        {"menu_opened", json_of_menus(menu_frames_)},
         {"cpu_ms", cpu},
         {"gpu_ms", gpu},
         {"process_cpu_ms_per_frame", (last_cpu_s_ - first_frame_cpu_s_) * 1e3 / between_frames},
@@ -133,7 +146,7 @@ std::string FrameReport::json(const ReportContext& context) const {
           {"renderer", context.gl.renderer},
           {"version", context.gl.version}}},
         {"effects", json::parse(effects::ledger_json(context.ledger))},
-        {"actions_seen", seen}};
+        {"actions_seen", json_of_presses(context.presses_seen)}};
     if (!context.before.empty()) report["before"] = json::parse(context.before);
     // A file's name may be no text.
     return report.dump(2, ' ', false, json::error_handler_t::replace) + "\n";

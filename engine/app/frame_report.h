@@ -17,8 +17,8 @@
 
 namespace plumbline::app {
 
-/// How the picture is drawn.
-struct PictureInForce {
+/// How the image is drawn.
+struct QualityInForce {
     std::string_view level{"full"};  ///< "low", "medium", "high"; "full": none was asked for
     bool is_automatic{false};
     render::Quality quality{};
@@ -31,7 +31,7 @@ struct ReportContext {
     const render::GlInfo& gl;
     double lost_s{0};
     std::array<std::uint64_t, kActionCount> presses_seen{};
-    std::string before{};  ///< of the scene before this one in the sitting; empty: there was none
+    std::string before{};  ///< of the scene before this one in the session; empty: there was none
 };
 
 /// Collects frame by frame; ask for the JSON at the end.
@@ -47,8 +47,8 @@ public:
     /// This frame's input opened the menu, which the frame shows already.
     void note_menu_opened() { opens_menu_ = true; }
 
-    void set_picture(const PictureInForce& picture) { picture_ = picture; }
-    const PictureInForce& picture() const { return picture_; }
+    void set_picture(const QualityInForce& picture) { picture_ = picture; }
+    const QualityInForce& picture() const { return picture_; }
 
     std::uint64_t frames() const { return frames_; }
     /// Of the last 120 frames, for the HUD.
@@ -82,7 +82,7 @@ private:
     void keep_if_long(float frame_ms, const render::FrameStats& stats);
 
     std::optional<double> chosen_s_;
-    PictureInForce picture_;
+    QualityInForce picture_;
     bool opens_menu_{false};
     std::vector<MenuFrame> menu_frames_;
     scene::CostHistory physics_;

@@ -22,11 +22,15 @@ std::string other_slots(const std::vector<ui::SaveSlot>& slots, int refused) {
 
 }  // namespace
 
+fs::path FrameParts::file_of_slot(int slot) const {
+    return effects::save_slot(
+        def_.user_data_folder, session_.folders().assets, session_.description().file, slot);
+}
+
 void FrameParts::save_game(int slot) {
     if (slot > 0) save_slot_ = slot;
     if (def_.user_data_folder.empty()) return say("no folder of yours to save games in");
-    const fs::path file =
-        effects::save_slot(def_.user_data_folder, session_.description().file, save_slot_);
+    const fs::path file = file_of_slot(save_slot_);
     const Result<Done> saved = session_.save(file, stepper.steps());
     if (!saved) log_error("{}", saved.error().message);
     say(saved ? fmt::format("game saved in slot {}: {}", save_slot_, file.string())
@@ -36,8 +40,7 @@ void FrameParts::save_game(int slot) {
 void FrameParts::load_game(int slot) {
     if (stepper.replaying()) return say("a replay runs: the scene stays as it was recorded");
     if (slot > 0) save_slot_ = slot;
-    const fs::path file =
-        effects::save_slot(def_.user_data_folder, session_.description().file, save_slot_);
+    const fs::path file = file_of_slot(save_slot_);
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return say(fmt::format("slot {} is empty", save_slot_));
     const study::Setting before = accuracy_.setting();
@@ -54,7 +57,7 @@ void FrameParts::load_game(int slot) {
     }
     stepper.begin_anew(steps);
     accuracy_.after_load(before, clock);
-    hand_was_full_ = true;
+    resumes_toggles_ = true;
     say(fmt::format(
         "slot {}: {:.1f} s from the scene's start", save_slot_, session_.simulation->time_s()));
 }
@@ -63,8 +66,7 @@ std::vector<ui::SaveSlot> FrameParts::save_slots() const {
     std::vector<ui::SaveSlot> slots;
     for (int number = 1; number <= effects::kSaveSlots; ++number) {
         ui::SaveSlot slot{.number = number, .is_latest = number == save_slot_};
-        const fs::path file =
-            effects::save_slot(def_.user_data_folder, session_.description().file, number);
+        const fs::path file = file_of_slot(number);
         std::error_code failed;
         const auto written = fs::last_write_time(file, failed);
         if (!failed) {

@@ -1,4 +1,4 @@
-// Pictures without a window: `render` and the tour. The same step, extraction and passes as play.
+// Images without a window: `render` and the tour. The same step, extraction and passes as play.
 #pragma once
 
 #include "engine/app/frame_report.h"
@@ -19,7 +19,7 @@ struct OffscreenDef {
     std::uint32_t width_px{1280};
     std::uint32_t height_px{720};
     std::optional<assets::Shading> shading{};     ///< --shading: over every material's own
-    std::optional<render::PictureLevel> level{};  ///< absent: nothing is left out, full scale
+    std::optional<render::QualityLevel> level{};  ///< absent: nothing is left out, full scale
     float render_scale{0.0F};                     ///< with a level; 0: the level's own
 };
 

@@ -1,6 +1,7 @@
 #include "engine/app/session.h"
 
 #include "engine/core/log.h"
+#include "engine/scene/environment/sun_hour.h"
 #include "engine/study/auto_preset/auto_accuracy.h"
 #include "engine/study/gallery/case_events.h"
 
@@ -47,7 +48,7 @@ void Session::watch(const std::filesystem::path& file, scene::FileUse use) {
 Result<Done> Session::build(const scene::OpenedScene& opened, const Prepare& prepare) {
     Result<std::unique_ptr<scene::Simulation>> built = opened.build(library);
     if (!built) return built.error();
-    if (def_.hour) (*built)->set_hour(*def_.hour);
+    if (def_.hour) set_hour(**built, *def_.hour);
     study::play_case_events(**built);
     std::unique_ptr<study::HardCaseJudge> judge_made;
     if ((*built)->description().hard_case) {
@@ -70,7 +71,7 @@ Result<Done> Session::build(const scene::OpenedScene& opened, const Prepare& pre
     game = std::move(game_made);
     judge = std::move(judge_made);
     simulation = std::move(*built);
-    for (const std::string& warning : simulation->warnings()) log_line(LogLevel::Warning, warning);
+    for (const std::string& warning : simulation->warnings) log_line(LogLevel::Warning, warning);
     return Done{};
 }
 
@@ -119,7 +120,7 @@ Result<Done> Session::reload() {
     files_ = opened->files;
     library.doubt_models();
     if (const Result<Done> built = build(*opened); !built) return built;
-    // What models are made of shows when they are read: buffers, materials, pictures.
+    // What models are made of shows when they are read: buffers, materials, images.
     for (const std::filesystem::path& file : library.model_files())
         watch(file, scene::FileUse::Model);
     scene_ = std::move(*opened);

@@ -41,11 +41,11 @@ public:
     Result<Done> reset();
     /// Reads all files again. As reset().
     Result<Done> reload();
-    /// Written atomically; `steps`: of the sitting, for read_saved_game().
+    /// Written atomically; `steps`: of the session, for read_saved_game().
     Result<Done> save(const std::filesystem::path& file, std::uint64_t steps);
-    /// Builds the scene anew and goes on from a saved game; the steps of its sitting. As reset().
+    /// Builds the scene anew and goes on from a saved game; the steps of its session. As reset().
     Result<std::uint64_t> load(const std::filesystem::path& file);
-    /// Starts decoding what the first picture needs, on worker threads.
+    /// Starts decoding what the first frame needs, on worker threads.
     void prefetch_images();
     /// Starts decoding what bodies may sound like when they touch, on a thread.
     void prefetch_sounds();

@@ -3,6 +3,7 @@
 #include "engine/core/hash.h"
 #include "engine/core/log.h"
 #include "engine/core/time/stopwatch.h"
+#include "engine/scene/simulation/entity_lookup.h"
 
 #include <fmt/format.h>
 
@@ -65,7 +66,7 @@ std::string bodies_apart(const TapeState& there,
         if (!first.empty())
             ++more;
         else
-            first = simulation.describe(simulation.moving_bodies()[i].entity);
+            first = describe(simulation, simulation.moving_bodies()[i].entity);
     }
     if (first.empty()) return {};
     return fmt::format(
@@ -77,7 +78,7 @@ std::string bodies_apart(const TapeState& there,
 Stepper::Stepper(Session& session, const StepperDef& def)
     : session_(&session), seed_(def.seed), recorder_(header_of(session, def.seed)) {
     steps_ = def.first_step;
-    if (def.random_seed) monkey_.emplace(*def.random_seed);
+    if (def.random_seed) random_actions_.emplace(*def.random_seed);
 }
 
 Result<Stepper> Stepper::create(Session& session, const StepperDef& def) {
@@ -100,7 +101,7 @@ Actions Stepper::next_actions(input::ActionLatch& latch) {
         if (told.reset) rebuild();
         return told.actions;
     }
-    if (monkey_) return monkey_->next();
+    if (random_actions_) return random_actions_->next();
     return person;
 }
 

@@ -1,5 +1,5 @@
 // Runs the steps that a frame owes, whoever asks for their actions: the person at the keys, a
-// recording, or a random monkey; writes them down, and checks a replay's hashes as it goes.
+// recording, or random input; writes them down, and checks a replay's hashes as it goes.
 #pragma once
 
 #include "engine/app/controls/action_tape.h"
@@ -30,7 +30,7 @@ public:
     std::function<void()> after_step;
 
     /// Up to `count` fixed steps, no further one once they have taken `budget_s` of wall time; how
-    /// many there were. The latch gives the person's actions; replays and monkeys only drain it.
+    /// many there were. The latch gives the person's actions; replays and random input only drain it.
     int run(int count, double budget_s, input::ActionLatch& latch, FrameReport& report);
     /// Builds the scene anew and notes it. In a replay the recording alone resets.
     void reset();
@@ -60,7 +60,7 @@ private:
     std::uint64_t seed_;
     TapeRecorder recorder_;
     std::optional<TapePlayer> player_;
-    std::optional<RandomActions> monkey_;
+    std::optional<RandomActions> random_actions_;
     std::uint64_t steps_{0};  ///< since the start, across resets
     std::array<std::uint64_t, kActionCount> presses_{};
     std::vector<std::uint32_t> prints_;  ///< of the states since the last one that was noted

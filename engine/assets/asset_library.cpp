@@ -1,22 +1,18 @@
 #include "engine/assets/asset_library.h"
 
-#include "engine/assets/image/image_import.h"
+#include "engine/assets/asset_images_impl.h"
 #include "engine/assets/model/model_import.h"
-#include "engine/assets/skybox_files.h"
 #include "engine/assets/sound_import.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 
 #include <algorithm>
 #include <atomic>
-#include <condition_variable>
-#include <iterator>
 #include <mutex>
 #include <new>
 #include <optional>
 #include <set>
 #include <string_view>
-#include <system_error>
 #include <thread>
 
 namespace plumbline::assets {
@@ -24,128 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What stands in for an image that could not be read: hard to overlook, harmless to draw.
-ImageData checkerboard() {
-    constexpr std::uint32_t kSide = 64;
-    constexpr std::uint32_t kField = 8;
-    ImageData image{.width = kSide, .height = kSide, .format = PixelFormat::Rgb8, .bytes = {}};
-    image.bytes.reserve(std::size_t{kSide} * kSide * 3);
-    for (std::uint32_t y = 0; y < kSide; ++y) {
-        for (std::uint32_t x = 0; x < kSide; ++x) {
-            const bool light = ((x / kField) + (y / kField)) % 2 == 0;
-            const std::uint8_t value = light ? 200 : 60;
-            image.bytes.insert(image.bytes.end(), {value, value, value});
-        }
-    }
-    return image;
-}
-
-Error out_of_memory(std::string_view kind, const fs::path& file) {
-    return {.message = fmt::format("there is not enough memory for {} {}", kind, file.string()),
-            .exit_code = ExitCode::Refused};
-}
-
 std::uint32_t id_after(std::size_t index) {
     return static_cast<std::uint32_t>(index + 1);
 }
-
-}  // namespace
-
-/// Images being decoded, and the threads that do it. What stands before `workers` is guarded by
-/// `mutex`; the rest belongs to the library's own thread.
-struct AssetLibrary::Images {
-    using Pixels = std::shared_ptr<const Result<ImageData>>;
-
-    std::mutex mutex;
-    std::condition_variable work_added;
-    std::condition_variable image_ready;
-    std::deque<fs::path> waiting;
-    std::set<fs::path> in_work;
-    std::map<fs::path, Pixels> ready;
-    std::map<fs::path, std::shared_ptr<const std::string>> embedded;  // by EmbeddedImage::name
-    std::set<fs::path> warned;
-    bool closing{false};
-
-    std::map<fs::path, std::size_t> decoded_bytes;  // of every image decoded so far
-    std::size_t decoded_sum{0};
-
-    std::vector<std::thread> workers;
-    std::set<fs::path> prefetched;  // ever, so that a second call does not decode again
-
-    ~Images() {
-        {
-            const std::lock_guard lock(mutex);
-            closing = true;
-        }
-        work_added.notify_all();
-        for (std::thread& worker : workers) worker.join();
-    }
-
-    void work() {
-        std::unique_lock lock(mutex);
-        while (true) {
-            work_added.wait(lock, [this] { return closing || !waiting.empty(); });
-            if (closing) return;
-            const fs::path file = std::move(waiting.front());
-            waiting.pop_front();
-            in_work.insert(file);
-            lock.unlock();
-            Pixels pixels = decode(file);
-            lock.lock();
-            in_work.erase(file);
-            ready.emplace(file, std::move(pixels));
-            image_ready.notify_all();
-        }
-    }
-
-    /// Counts the image's bytes among the scene's; once, however often it is decoded. False when
-    /// there is no room for it.
-    bool count_bytes(const fs::path& file, std::size_t bytes) {
-        const std::lock_guard lock(mutex);
-        std::size_t& counted = decoded_bytes[file];
-        const std::size_t others = decoded_sum - counted;
-        const bool fits = bytes <= limits::kSceneImageBytes - others;
-        counted = fits ? bytes : 0;
-        decoded_sum = others + counted;
-        return fits;
-    }
-
-    /// From the model file that holds it, or from its own; without the lock.
-    Pixels decode(const fs::path& file) {
-        std::shared_ptr<const std::string> bytes;
-        {
-            const std::lock_guard lock(mutex);
-            const auto found = embedded.find(file);
-            if (found != embedded.end()) bytes = found->second;
-        }
-        const auto fits = [&](std::size_t decoded) { return count_bytes(file, decoded); };
-        Result<ImageData> image = out_of_memory("image", file);
-        try {
-            image = bytes ? decode_image(*bytes, file.string(), fits) : import_image(file, fits);
-        } catch (const std::bad_alloc&) {  // says so already
-        }
-        if (!image) count_bytes(file, 0);
-        return std::make_shared<const Result<ImageData>>(std::move(image));
-    }
-
-    /// The result if it is ready or being made; null if nobody has begun.
-    Pixels claim(const fs::path& file) {
-        std::unique_lock lock(mutex);
-        const auto place = std::find(waiting.begin(), waiting.end(), file);
-        if (place != waiting.end()) {
-            waiting.erase(place);  // whoever asks has time to decode it himself
-            return nullptr;
-        }
-        image_ready.wait(lock, [&] { return !in_work.contains(file); });
-        const auto found = ready.find(file);
-        if (found == ready.end()) return nullptr;
-        Pixels pixels = std::move(found->second);
-        ready.erase(found);
-        return pixels;
-    }
-};
-
-namespace {
 
 /// When a file was saved last, and how long it is.
 struct FileStamp {
@@ -367,52 +244,6 @@ const MaterialData& AssetLibrary::material(MaterialId id) const {
 const SoundData& AssetLibrary::sound(SoundId id) const {
     PL_ASSERT(id.value >= 1 && id.value <= sounds_.size(), "a sound of this library");
     return sounds_[id.value - 1];
-}
-
-void AssetLibrary::prefetch_images(const fs::path& sky) {
-    std::vector<fs::path> wished;
-    if (!sky.empty()) std::ranges::copy(skybox_files(sky), std::back_inserter(wished));
-    for (const MaterialData& material : materials_) {
-        wished.insert(wished.end(),
-                      {material.base_color_map, material.normal_map, material.orm_map});
-    }
-    std::size_t pending = 0;
-    {
-        const std::lock_guard lock(images_->mutex);
-        for (const fs::path& map : wished) {
-            const fs::path file = map.lexically_normal();
-            if (!file.empty() && images_->prefetched.insert(file).second) {
-                images_->waiting.push_back(file);
-            }
-        }
-        pending = images_->waiting.size();
-    }
-    images_->work_added.notify_all();
-    const std::size_t wanted =
-        std::min<std::size_t>(pending, std::max(1U, std::thread::hardware_concurrency()));
-    try {
-        while (images_->workers.size() < wanted) {
-            images_->workers.emplace_back([images = images_.get()] { images->work(); });
-        }
-    } catch (const std::system_error& fault) {
-        // What no worker has begun, take_image() decodes.
-        log_note("images are decoded with {} threads: {}", images_->workers.size(), fault.what());
-    }
-}
-
-std::shared_ptr<const ImageData> AssetLibrary::take_image(const fs::path& file) {
-    const fs::path key = file.lexically_normal();
-    Images::Pixels decoded = images_->claim(key);
-    if (decoded == nullptr) {
-        decoded = images_->decode(key);
-    }
-    if (decoded->ok()) return {decoded, &decoded->value()};  // shares ownership of the result
-    const bool is_new = [&] {
-        const std::lock_guard lock(images_->mutex);
-        return images_->warned.insert(key).second;
-    }();
-    if (is_new) log_warning("{}; a checkerboard is shown instead", decoded->error().message);
-    return std::make_shared<const ImageData>(checkerboard());
 }
 
 }  // namespace plumbline::assets

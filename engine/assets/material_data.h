@@ -13,7 +13,7 @@ enum class Shading : std::uint8_t { Pbr, BlinnPhong, Unlit };
 enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
 
 /// Maps are files, or the names of images that a model file holds; an empty path means no map. All
-/// colours linear.
+/// colours linear. So many fields because each property that a material may have is one.
 struct MaterialData {
     std::string name;
     Shading shading{Shading::Pbr};

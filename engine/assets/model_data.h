@@ -78,7 +78,7 @@ struct ModelAnimation {
     std::vector<AnimationChannel> channels;
 };
 
-/// A picture that lies in the model file itself: PNG, JPEG or EXR bytes.
+/// An image that lies in the model file itself: PNG, JPEG or EXR bytes.
 struct EmbeddedImage {
     std::filesystem::path name;  ///< what materials call it: below the model file's own path
     std::string bytes;

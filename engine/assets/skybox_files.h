@@ -1,4 +1,4 @@
-// The six pictures of a skybox, found by name.
+// The six images of a skybox, found by name.
 #pragma once
 
 #include <array>

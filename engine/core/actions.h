@@ -130,7 +130,7 @@ struct Actions {
     std::array<float, kActionCount> amount{};          ///< 0…1: stick travel; 1 for a key held
     float look_yaw_rad{0.0F};    ///< turned left is positive, since the last step
     float look_pitch_rad{0.0F};  ///< up is positive, since the last step
-    /// Where a free pointer is: right and up of the picture's middle, per unit that the camera looks
+    /// Where a free pointer is: right and up of the image's middle, per unit that the camera looks
     /// ahead. None: hands go where the camera looks.
     std::optional<std::array<float, 2>> pointer{};
 

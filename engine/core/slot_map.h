@@ -2,12 +2,11 @@
 #pragma once
 
 #include "engine/core/assert.h"
+#include "engine/core/slot_list.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace plumbline {
 
@@ -17,14 +16,7 @@ template <class IdType, class T>
 class SlotMap {
 public:
     IdType insert(T value) {
-        std::uint32_t index = 0;
-        if (free_.empty()) {
-            index = static_cast<std::uint32_t>(slots_.size());
-            slots_.push_back({});
-        } else {
-            index = free_.back();
-            free_.pop_back();
-        }
+        const std::uint32_t index = slots_.take();
         Slot& slot = slots_[index];
         slot.value.emplace(std::move(value));
         ++slot.generation;
@@ -36,7 +28,7 @@ public:
     void erase(IdType id) {
         if (!contains(id)) return;
         slots_[id.index].value.reset();
-        free_.push_back(id.index);
+        slots_.give_back(id.index);
         --size_;
     }
 
@@ -61,15 +53,7 @@ public:
     /// The next insert() returns this id, the first of those that are not alive. False where one of
     /// its index is, and for indices that no history gives.
     bool reserve(IdType id) {
-        constexpr std::uint32_t kMost = 1U << 22U;
-        if (id.generation == 0 || id.index >= kMost) return false;
-        while (slots_.size() <= id.index) {
-            free_.push_back(static_cast<std::uint32_t>(slots_.size()));
-            slots_.push_back({});
-        }
-        if (slots_[id.index].value) return false;
-        std::erase(free_, id.index);
-        free_.push_back(id.index);
+        if (id.generation == 0 || !slots_.reserve(id.index)) return false;
         slots_[id.index].generation = id.generation - 1;
         return true;
     }
@@ -77,24 +61,7 @@ public:
     /// Which ids come next, as fields of an archive. Those alive must be the same on both sides.
     template <class Archive>
     void serialize_slots(Archive& archive) {
-        std::vector<std::uint32_t> generations;
-        for (const Slot& slot : slots_) generations.push_back(slot.generation);
-        archive(generations, free_);
-        if (!archive.reads() || archive.failed()) return;
-        while (slots_.size() > generations.size() && !slots_.back().value) slots_.pop_back();
-        slots_.resize(std::max(generations.size(), slots_.size()));
-        std::size_t empty = 0;
-        for (std::size_t i = 0; i < slots_.size(); ++i) {
-            const bool same = i < generations.size() &&
-                              (!slots_[i].value || slots_[i].generation == generations[i]);
-            if (!archive.expect(same, "its ids are others")) return;
-            slots_[i].generation = generations[i];
-            if (!slots_[i].value) ++empty;
-        }
-        const bool sound = free_.size() == empty && std::ranges::all_of(free_, [&](auto index) {
-                               return index < slots_.size() && !slots_[index].value;
-                           });
-        if (!archive.expect(sound, "its ids are others")) free_.clear();
+        slots_.serialize(archive, "its ids are others");
     }
 
     /// Calls fn(id, value) in index order.
@@ -115,9 +82,11 @@ private:
     struct Slot {
         std::optional<T> value{};
         std::uint32_t generation{0};
+
+        bool used() const { return value.has_value(); }
+        bool reusable() const { return !used(); }
     };
-    std::vector<Slot> slots_;
-    std::vector<std::uint32_t> free_;
+    SlotList<Slot> slots_;
     std::size_t size_{0};
 };
 

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "engine/core/assert.h"
+#include "engine/core/slot_list.h"
 #include "engine/ecs/component_pool.h"
 
 #include <algorithm>
@@ -139,12 +140,7 @@ public:
     Registry& operator=(const Registry&) = delete;
 
     Entity create() {
-        if (free_.empty()) {
-            free_.push_back(static_cast<std::uint32_t>(slots_.size()));
-            slots_.push_back({});
-        }
-        const std::uint32_t index = free_.back();
-        free_.pop_back();
+        const std::uint32_t index = slots_.take();
         slots_[index].alive = true;
         ++alive_count_;
         return {index, slots_[index].generation};
@@ -159,8 +155,7 @@ public:
         slot.alive = false;
         --alive_count_;
         ++slot.generation;
-        // A slot whose generations are used up is never reused, so that no stale name comes alive.
-        if (slot.generation != 0) free_.push_back(entity.index);
+        if (slot.reusable()) slots_.give_back(entity.index);
     }
 
     /// The way to die while a view is walked: destroy_marked() does it. Once marked, it stays so.
@@ -183,15 +178,7 @@ public:
     /// The next create() gives this name, the first of those that nobody has. False where somebody has
     /// its place, and for places that no history gives.
     bool reserve(Entity entity) {
-        constexpr std::uint32_t kMost = 1U << 22U;
-        if (!entity || entity.index >= kMost) return false;
-        while (slots_.size() <= entity.index) {
-            free_.push_back(static_cast<std::uint32_t>(slots_.size()));
-            slots_.push_back({});
-        }
-        if (slots_[entity.index].alive) return false;
-        std::erase(free_, entity.index);
-        free_.push_back(entity.index);
+        if (!entity || !slots_.reserve(entity.index)) return false;
         slots_[entity.index].generation = entity.generation;
         return true;
     }
@@ -199,22 +186,7 @@ public:
     /// Which names come next, as fields of an archive. Those alive must be the same on both sides.
     template <class Archive>
     void serialize_slots(Archive& archive) {
-        std::vector<std::uint32_t> generations;
-        for (const Slot& slot : slots_) generations.push_back(slot.generation);
-        archive(generations, free_);
-        if (!archive.reads() || archive.failed()) return;
-        while (slots_.size() > generations.size() && !slots_.back().alive) slots_.pop_back();
-        slots_.resize(std::max(generations.size(), slots_.size()));
-        for (std::size_t i = 0; i < slots_.size(); ++i) {
-            const bool same = i < generations.size() &&
-                              (!slots_[i].alive || slots_[i].generation == generations[i]);
-            if (!archive.expect(same, "its entities are others")) return;
-            slots_[i].generation = generations[i];
-        }
-        const bool sound = std::ranges::all_of(free_, [&](std::uint32_t index) {
-            return index < slots_.size() && !slots_[index].alive;
-        });
-        if (!archive.expect(sound, "its entities are others")) free_.clear();
+        slots_.serialize(archive, "its entities are others");
     }
 
     /// The order in which views meet those that have a T. They must be the same on both sides.
@@ -298,6 +270,10 @@ private:
     struct Slot {
         std::uint32_t generation{1};
         bool alive{false};
+
+        bool used() const { return alive; }
+        /// Where generations are used up it is not, so that no stale name comes alive.
+        bool reusable() const { return !alive && generation != 0; }
     };
     static constexpr std::size_t kNoPool = std::numeric_limits<std::size_t>::max();
 
@@ -322,8 +298,7 @@ private:
         return *pool_of<T>();
     }
 
-    std::vector<Slot> slots_;
-    std::vector<std::uint32_t> free_;  ///< the slot freed last is reused first
+    SlotList<Slot> slots_;
     std::vector<Entity> marked_;
     std::size_t alive_count_{0};
     /// In the order of first use here. Type indices depend on what else the process has done, so

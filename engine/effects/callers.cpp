@@ -1,5 +1,7 @@
 #include "engine/effects/callers.h"
 
+#include "engine/scene/simulation/entity_lookup.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,13 +14,13 @@ constexpr std::size_t kCallersNamed = 8;
 
 }  // namespace
 
-std::string setting(std::string_view name, const scene::Origin& origin) {
-    if (origin.line <= 0) return std::string(name);
-    return fmt::format("{} ({})", name, scene::to_string(origin));
+std::string setting(std::string_view name, const SourceLocation& location) {
+    if (location.line <= 0) return std::string(name);
+    return fmt::format("{} ({})", name, to_string(location));
 }
 
 void EntityCallers::add(ecs::Entity entity) {
-    if (++count_ <= kCallersNamed) callers_.push_back(simulation_.describe(entity));
+    if (++count_ <= kCallersNamed) callers_.push_back(describe(simulation_, entity));
 }
 
 Callers EntityCallers::take() {

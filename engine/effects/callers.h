@@ -10,7 +10,7 @@
 namespace plumbline::effects {
 
 /// "[fog] (garden.toml:12)"; the name alone where it stands in no file.
-std::string setting(std::string_view name, const scene::Origin& origin);
+std::string setting(std::string_view name, const SourceLocation& location);
 
 /// Collects entities; names the first few.
 class EntityCallers {

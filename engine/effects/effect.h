@@ -32,7 +32,7 @@ public:
     virtual void after_step(scene::Simulation&, const scene::Game&) {
     }  ///< may read contacts, spawn, mark for destruction
     virtual void extract(const scene::Simulation&, const scene::ViewPoint&, render::RenderFrame&) {
-    }  ///< may add to the picture
+    }  ///< may add to the image
     virtual void sound(const scene::Simulation&, const scene::ViewPoint&, SoundFrame&) {
     }                                    ///< may add to the sound
     virtual void serialize(Archive&) {}  ///< what a saved game must keep of it

@@ -48,8 +48,8 @@ struct EffectRuntime::Impl {
         switch (domain) {
             case Domain::Step:
                 return true;
-            case Domain::Picture:
-                return served.picture;
+            case Domain::Frame:
+                return served.frame;
             case Domain::Sound:
                 return served.sound;
         }

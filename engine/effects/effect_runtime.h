@@ -26,7 +26,7 @@ struct LedgerLine {
 };
 
 struct ServedDomains {
-    bool picture{false};
+    bool frame{false};
     bool sound{false};
     /// Name of an effect that is not made, whoever calls for it: to see what it costs. Outlives us.
     std::string_view without{};

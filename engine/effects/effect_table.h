@@ -14,8 +14,8 @@
 namespace plumbline::effects {
 
 /// What a run serves; an effect of a domain that nobody serves is not made. `simulate` serves steps
-/// only, `render` steps and picture, `play` all three.
-enum class Domain : std::uint8_t { Step, Picture, Sound };
+/// only, `render` steps and image, `play` all three.
+enum class Domain : std::uint8_t { Step, Frame, Sound };
 
 /// One caller: "entity fountain (garden.toml:120)", "[sun] shadow (garden.toml:31)", "switch flashlight".
 using Callers = std::vector<std::string>;

@@ -28,15 +28,15 @@ public:
     void extract(const scene::Simulation& simulation,
                  const scene::ViewPoint& view,
                  render::RenderFrame& frame) override {
-        for (auto [entity, playing, visual, placement] :
+        for (auto [entity, playing, visual, transform] :
              simulation.registry
-                 .view<const scene::PlayingModel, const scene::Visual, const scene::Placement>()) {
+                 .view<const scene::PlayingModel, const scene::Visual, const scene::Transform>()) {
             const MovingModel* model = library_.moving(playing.model);
             if (model == nullptr) continue;
             Posed& posed = posed_of(entity, *model);
             take_pose(*model, playing, static_cast<double>(view.blend), posed);
-            const Pose pose = scene::drawn_pose(simulation, entity, placement, view.blend);
-            add_items(*model, visual, matrix_of(pose, placement.scale), posed, frame);
+            const Pose pose = scene::drawn_pose(simulation, entity, transform, view.blend);
+            add_items(*model, visual, matrix_of(pose, transform.scale), posed, frame);
             ++work_.calls;
         }
     }
@@ -124,7 +124,7 @@ std::unique_ptr<Effect> make_model_animation(scene::Simulation& simulation) {
 
 EffectRow model_animation() {
     return {.name = "model_animation",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_model_animation,
             .make = &make_model_animation};
 }

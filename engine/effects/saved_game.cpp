@@ -4,6 +4,7 @@
 #include "engine/core/io/archive.h"
 #include "engine/core/io/saved_file.h"
 #include "engine/core/limits.h"
+#include "engine/scene/simulation/simulation_archive.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr const char* kBuild = PL_VERSION;
 
-/// Pictures and sounds play no part in how a scene moves.
+/// Images and sounds play no part in how a scene moves.
 bool decides(const scene::FileStamp& file) {
     return file.use == scene::FileUse::Scene || file.use == scene::FileUse::Surfaces ||
            file.use == scene::FileUse::Model;
@@ -46,7 +47,7 @@ void serialize_head(Archive& archive, SavedGame& saved) {
 
 void serialize_state(Archive& archive, const RunningGame& running) {
     running.game.serialize(archive, running.simulation);
-    running.simulation.serialize_state(archive);
+    serialize_state(running.simulation, archive);
     if (archive.failed()) return;
     if (archive.reads()) running.effects.refresh(running.simulation);
     running.effects.serialize(archive);
@@ -81,6 +82,23 @@ std::string fault_of_files(const SavedGame& saved, const scene::OpenedScene& ope
     if (here.size() == saved.files.size()) return {};
     return fmt::format(
         "a saved game of {} with {} files; now it has {}", scene, saved.files.size(), here.size());
+}
+
+/// Below the folder of saves; none for what comes with the program, unless it is called as a scene above
+/// it. `scene`: canonical.
+fs::path folder_of_slots(const fs::path& assets, const fs::path& scene) {
+    std::error_code ignored;
+    const fs::path shipped = fs::weakly_canonical(assets / "scenes", ignored);
+    const fs::path inside = scene.lexically_relative(shipped);
+    if (inside.empty() || *inside.begin() == "..") {
+        const std::string folder = scene.parent_path().generic_string();
+        Hasher hasher;
+        hasher.add(folder.data(), folder.size());
+        return hex_of(hasher.digest());
+    }
+    const bool has_twin =
+        inside.has_parent_path() && fs::exists(shipped / inside.filename(), ignored);
+    return has_twin ? inside.parent_path() : fs::path();
 }
 
 Error refusal(const fs::path& file, const std::string& why) {
@@ -141,8 +159,16 @@ Result<Done> put_back(const SavedGame& saved, const fs::path& file, const Runnin
     return refusal(file, "a saved game that this build cannot go on from: " + archive.fault());
 }
 
-fs::path save_slot(const fs::path& user_data, const fs::path& scene, int slot) {
-    return user_data / "saves" / fmt::format("{}-{}.save", scene.stem().string(), slot);
+fs::path save_slot(const fs::path& user_data,
+                   const fs::path& assets,
+                   const fs::path& scene,
+                   int slot) {
+    std::error_code ignored;
+    const fs::path file = fs::weakly_canonical(scene, ignored);
+    const bool is_toml = file.extension() == ".toml";
+    const std::string name = (is_toml ? file.stem() : file.filename()).string();
+    return user_data / "saves" / folder_of_slots(assets, file) /
+           fmt::format("{}-{}.save", name, slot);
 }
 
 }  // namespace plumbline::effects

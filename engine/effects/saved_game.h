@@ -28,7 +28,7 @@ struct SavedGame {
     std::string build;            ///< of the program
     std::string game;             ///< Game::kind()
     double time_s{0};
-    std::uint64_t steps{0};  ///< of the sitting, across resets: where its recording stood
+    std::uint64_t steps{0};  ///< of the session, across resets: where its recording stood
     /// Every file that decides how the scene moves, and the hash of its bytes.
     struct File {
         std::string name;
@@ -54,9 +54,11 @@ Result<Done> put_back(const SavedGame& saved,
                       const std::filesystem::path& file,
                       const RunningGame& running);
 
-/// Where slot 1 to kSaveSlots of a scene is kept, below the user's data folder.
 inline constexpr int kSaveSlots = 9;
+/// Where slot 1 to kSaveSlots of a scene is kept, below the user's data folder: two scenes share none,
+/// whatever they are called. `assets`: the folder of the scenes that come with the program.
 std::filesystem::path save_slot(const std::filesystem::path& user_data,
+                                const std::filesystem::path& assets,
                                 const std::filesystem::path& scene,
                                 int slot);
 

@@ -45,7 +45,7 @@ public:
     /// call for this action. Independent of take().
     int take_frame_presses(Action action);
 
-    /// Look that no step has taken yet, so that the picture can turn at once.
+    /// Look that no step has taken yet, so that the frame can turn at once.
     float pending_yaw_rad() const;
     float pending_pitch_rad() const;
 

@@ -95,17 +95,20 @@ private:
     struct Accepted {
         Action action;
         Input input;
-        Place place;
+        SourceLocation location;
     };
 
-    std::string origin_of(Place place) const {
-        return place.line > 0 ? fmt::format("{}:{}", layer_, place.line) : layer_;
+    std::string origin_of(const SourceLocation& location) const {
+        return location.line > 0 ? fmt::format("{}:{}", layer_, location.line) : layer_;
     }
 
     /// `message` ends where the words that `action` keeps follow.
-    void report(Severity severity, Place place, std::string message, Action action) {
+    void report(Severity severity,
+                const SourceLocation& location,
+                std::string message,
+                Action action) {
         reports_.push_back(
-            {{severity, layer_, place.line, place.column, {}, std::move(message)}, action});
+            {{severity, layer_, location.line, location.column, {}, std::move(message)}, action});
     }
 
     const Accepted* clashing(const Input& input, Action action) const {
@@ -123,7 +126,7 @@ private:
             return fmt::format("\"{}\" stands twice in this list", input.word);
         if (const Accepted* other = clashing(input, action)) {
             const std::string place =
-                other->place.line > 0 ? fmt::format("line {}", other->place.line) : layer_;
+                other->location.line > 0 ? fmt::format("line {}", other->location.line) : layer_;
             return fmt::format("\"{}\" already drives \"{}\" ({}, same group)",
                                input.word,
                                action_name(other->action),
@@ -140,28 +143,28 @@ private:
         std::vector<EntryFault> faults = line.faults;
         std::vector<Input> taken;
         std::vector<Accepted> accepted;
-        for (const PlacedInput& entry : line.inputs) {
+        for (const LocatedInput& entry : line.inputs) {
             std::string fault = fault_of(entry.input, line.action, taken);
             if (!fault.empty()) {
-                faults.push_back({entry.place, std::move(fault)});
+                faults.push_back({entry.location, std::move(fault)});
                 continue;
             }
             taken.push_back(entry.input);
-            taken.back().origin = origin_of(line.place);
-            accepted.push_back({line.action, entry.input, line.place});
+            taken.back().origin = origin_of(line.location);
+            accepted.push_back({line.action, entry.input, line.location});
         }
         std::vector<Input>& kept = bindings_.inputs[index_of(line.action)];
         const bool is_unbound_on_purpose = line.inputs.empty() && line.faults.empty();
         const bool is_used = !taken.empty() || is_unbound_on_purpose;
         if (is_used) {
             kept = std::move(taken);
-            bindings_.origin[index_of(line.action)] = origin_of(line.place);
+            bindings_.origin[index_of(line.action)] = origin_of(line.location);
             bindings_.notes[index_of(line.action)].clear();
             accepted_.insert(accepted_.end(), accepted.begin(), accepted.end());
         }
         for (const EntryFault& fault : faults)
             report(Severity::Error,
-                   fault.place,
+                   fault.location,
                    fmt::format("{}. {}; \"{}\" keeps: ",
                                with_action(fault.message, line.action),
                                is_used ? "This entry is left out" : "Line ignored",
@@ -195,9 +198,9 @@ private:
             bindings_.notes[i].push_back(fmt::format("\"{}\" taken by {} ({})",
                                                      entry.input.word,
                                                      action_name(entry.action),
-                                                     origin_of(entry.place)));
+                                                     origin_of(entry.location)));
             report(Severity::Warning,
-                   entry.place,
+                   entry.location,
                    fmt::format("\"{}\" now drives \"{}\" and no longer \"{}\" ({}), which keeps: ",
                                entry.input.word,
                                action_name(entry.action),

@@ -36,8 +36,10 @@ constexpr auto kTopKeys = std::to_array<std::string_view>({"format",
                                                            "time",
                                                            "menu"});
 
-Place place_of(const toml::source_region& region) {
-    return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+SourceLocation location_of(const toml::source_region& region) {
+    return {.file = {},
+            .line = static_cast<int>(region.begin.line),
+            .column = static_cast<int>(region.begin.column)};
 }
 
 std::string quote_nearest(std::string_view word, std::span<const std::string_view> known) {
@@ -73,15 +75,15 @@ public:
     LayerContent read(const toml::table& root) {
         for (const auto& [key, node] : root) read_top(key, node);
         std::ranges::sort(content_.lines, [](const LayerLine& a, const LayerLine& b) {
-            return std::pair{a.place.line, a.place.column} <
-                   std::pair{b.place.line, b.place.column};
+            return std::pair{a.location.line, a.location.column} <
+                   std::pair{b.location.line, b.location.column};
         });
         return std::move(content_);
     }
 
 private:
-    void report(Severity severity, Place place, std::string message) {
-        faults_.add({severity, file_, place.line, place.column, {}, std::move(message)});
+    void report(Severity severity, SourceLocation location, std::string message) {
+        faults_.add({severity, file_, location.line, location.column, {}, std::move(message)});
     }
 
     void read_top(const toml::key& key, const toml::node& node) {
@@ -92,7 +94,7 @@ private:
         const bool is_known = group != kGroups.end() || name == "tuning" || name == "hold";
         if (!is_known) {
             report(Severity::Warning,
-                   place_of(key.source()),
+                   location_of(key.source()),
                    node.is_table()
                        ? fmt::format(
                              "no table [{}].{} Table ignored.", name, quote_nearest(name, kTopKeys))
@@ -104,7 +106,7 @@ private:
         const toml::table* table = node.as_table();
         if (table == nullptr) {
             report(Severity::Error,
-                   place_of(node.source()),
+                   location_of(node.source()),
                    fmt::format("[{}] is a table, not {}. Ignored.", name, words_for(node)));
             return;
         }
@@ -123,11 +125,11 @@ private:
         const auto* number = node.as_integer();
         if (number == nullptr || number->get() < 1) {
             report(Severity::Error,
-                   place_of(node.source()),
+                   location_of(node.source()),
                    fmt::format("format = {}: 1 is expected. Read as 1.", words_for(node)));
         } else if (number->get() > kFormat) {
             report(Severity::Warning,
-                   place_of(node.source()),
+                   location_of(node.source()),
                    fmt::format("format {} is newer than {}: what this program knows is read.",
                                number->get(),
                                kFormat));
@@ -139,7 +141,7 @@ private:
             content_.profile = name->get();
         } else {
             report(Severity::Error,
-                   place_of(node.source()),
+                   location_of(node.source()),
                    fmt::format("profile = {}: a name in quotes is expected. Ignored.",
                                words_for(node)));
         }
@@ -149,7 +151,7 @@ private:
         const TuningKey* entry = find_tuning_key(key.str());
         if (entry == nullptr) {
             report(Severity::Warning,
-                   place_of(key.source()),
+                   location_of(key.source()),
                    fmt::format("no key \"{}\" in [tuning].{} Line ignored.",
                                key.str(),
                                quote_nearest(key.str(), tuning_key_names())));
@@ -162,7 +164,7 @@ private:
                 return;
             }
             report(Severity::Error,
-                   place_of(node.source()),
+                   location_of(node.source()),
                    fmt::format("{} = {}: true or false is expected. {} is used.",
                                key.str(),
                                words_for(node),
@@ -177,7 +179,7 @@ private:
             return;
         }
         report(Severity::Error,
-               place_of(node.source()),
+               location_of(node.source()),
                fmt::format("{} = {}: a number from {} to {} is expected. {} is used.",
                            key.str(),
                            words_for(node),
@@ -190,7 +192,7 @@ private:
         const std::optional<Action> action = action_from_name(key.str());
         if (!action || *action == Action::Look) {
             report(Severity::Warning,
-                   place_of(key.source()),
+                   location_of(key.source()),
                    fmt::format("no action \"{}\" in [hold].{} Line ignored.",
                                key.str(),
                                quote_nearest(key.str(), action_names({}))));
@@ -202,7 +204,7 @@ private:
             return;
         }
         report(Severity::Error,
-               place_of(node.source()),
+               location_of(node.source()),
                fmt::format("{} = {}: \"hold\" or \"toggle\" is expected. Line ignored.",
                            key.str(),
                            words_for(node)));
@@ -214,7 +216,7 @@ private:
             std::string nearest = quote_nearest(key.str(), action_names(group));
             if (nearest.empty()) nearest = quote_nearest(key.str(), action_names({}));
             report(Severity::Warning,
-                   place_of(key.source()),
+                   location_of(key.source()),
                    fmt::format("no action \"{}\" in [{}].{} Line ignored.",
                                key.str(),
                                group_name(group),
@@ -223,14 +225,14 @@ private:
         }
         if (group_of(*action) != group) {
             report(Severity::Warning,
-                   place_of(key.source()),
+                   location_of(key.source()),
                    fmt::format("action \"{}\" belongs in [{}], not [{}]. It is taken all the same.",
                                key.str(),
                                group_name(group_of(*action)),
                                group_name(group)));
         }
         LayerLine line{
-            .action = *action, .place = place_of(key.source()), .inputs = {}, .faults = {}};
+            .action = *action, .location = location_of(key.source()), .inputs = {}, .faults = {}};
         if (const toml::array* list = node.as_array()) {
             for (const toml::node& entry : *list) read_entry(line, entry);
         } else {
@@ -240,25 +242,25 @@ private:
     }
 
     void read_entry(LayerLine& line, const toml::node& node) {
-        const Place place = place_of(node.source());
+        const SourceLocation location = location_of(node.source());
         const auto* word = node.as_string();
         if (word == nullptr) {
             line.faults.push_back(
-                {place, fmt::format("an input is a word in quotes, not {}", words_for(node))});
+                {location, fmt::format("an input is a word in quotes, not {}", words_for(node))});
             return;
         }
         Result<Input> input = parse_input(word->get());
         if (!input) {
-            line.faults.push_back({place, input.error().message});
+            line.faults.push_back({location, input.error().message});
             return;
         }
         if (input->word != word->get())
             content_.aliases.push_back(fmt::format("{}:{}: \"{}\" is called \"{}\" here",
                                                    file_,
-                                                   place.line,
+                                                   location.line,
                                                    word->get(),
                                                    input->word));
-        line.inputs.push_back({*input, place});
+        line.inputs.push_back({*input, location});
     }
 
     const std::string& file_;
@@ -272,11 +274,11 @@ private:
 std::optional<LayerContent> read_layer(const BindingLayer& layer,
                                        Tuning& tuning,
                                        Diagnostics& faults) {
-    const auto refuse = [&](Place place, std::string_view why) {
+    const auto refuse = [&](SourceLocation location, std::string_view why) {
         faults.add({Severity::Error,
                     layer.name,
-                    place.line,
-                    place.column,
+                    location.line,
+                    location.column,
                     {},
                     fmt::format("{}. The whole file is left out.", why)});
     };
@@ -285,14 +287,14 @@ std::optional<LayerContent> read_layer(const BindingLayer& layer,
         return std::nullopt;
     }
     if (const std::optional<TextFault> fault = prescan_toml(layer.text)) {
-        refuse({fault->line, fault->column}, fault->message);
+        refuse({.file = {}, .line = fault->line, .column = fault->column}, fault->message);
         return std::nullopt;
     }
     try {
         const toml::table root = toml::parse(layer.text);
         return LayerReader(layer.name, tuning, faults).read(root);
     } catch (const toml::parse_error& error) {
-        refuse(place_of(error.source()), error.description());
+        refuse(location_of(error.source()), error.description());
     }
     return std::nullopt;
 }
@@ -313,7 +315,7 @@ std::optional<LayerLine> read_bind_option(std::string_view option, Diagnostics& 
             "no action \"{}\".{} Ignored.", name, quote_nearest(name, action_names({}))));
         return std::nullopt;
     }
-    LayerLine line{.action = *action, .place = {}, .inputs = {}, .faults = {}};
+    LayerLine line{.action = *action, .location = {}, .inputs = {}, .faults = {}};
     std::string_view rest = option.substr(equals + 1);
     while (!rest.empty()) {
         const auto comma = rest.find(',');

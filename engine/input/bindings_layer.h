@@ -1,34 +1,29 @@
 // One bindings file as it was written: read and checked line by line, not yet laid over anything.
 #pragma once
 
+#include "engine/core/text/source_location.h"
 #include "engine/input/bindings.h"
 
 #include <optional>
 
 namespace plumbline::input {
 
-/// A place in the layer's text.
-struct Place {
-    int line{0};  ///< from 1; 0 where there is no text (--bind)
-    int column{0};
-};
-
-struct PlacedInput {
+struct LocatedInput {
     Input input;
-    Place place;
+    SourceLocation location;
 };
 
 /// Something in a list that is no input; what happens instead is for the merge to say.
 struct EntryFault {
-    Place place;
+    SourceLocation location;
     std::string message;
 };
 
 /// `forward = ["w", "up"]`.
 struct LayerLine {
     Action action{Action::Count};
-    Place place;
-    std::vector<PlacedInput> inputs;
+    SourceLocation location;  ///< without a file; line 0 where there is no text (--bind)
+    std::vector<LocatedInput> inputs;
     std::vector<EntryFault> faults;
 };
 

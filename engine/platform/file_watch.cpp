@@ -25,29 +25,29 @@ constexpr std::uint32_t kFolderEvents = IN_CLOSE_WRITE | IN_MODIFY | IN_CREATE |
 constexpr std::uint32_t kFolderGone = IN_DELETE_SELF | IN_MOVE_SELF | IN_IGNORED;
 
 /// What a file looks like from outside: enough to know that it is another one now.
-struct Look {
+struct Observation {
     bool exists{false};
     std::uintmax_t bytes{0};
     fs::file_time_type written{};
 
-    friend bool operator==(const Look&, const Look&) = default;
+    friend bool operator==(const Observation&, const Observation&) = default;
 };
 
-Look look_at(const fs::path& path) {
+Observation observe(const fs::path& path) {
     std::error_code error;
-    Look look;
-    look.exists = fs::exists(path, error);
-    if (!look.exists) return look;
-    if (fs::is_regular_file(path, error)) look.bytes = fs::file_size(path, error);
-    look.written = fs::last_write_time(path, error);
-    return look;
+    Observation observed;
+    observed.exists = fs::exists(path, error);
+    if (!observed.exists) return observed;
+    if (fs::is_regular_file(path, error)) observed.bytes = fs::file_size(path, error);
+    observed.written = fs::last_write_time(path, error);
+    return observed;
 }
 
 struct WatchedFile {
     fs::path path;    ///< as it was asked for
     fs::path folder;  ///< absolute
     std::string name;
-    Look seen;
+    Observation seen;
     double changed_s{0.0};
     bool changed{false};
 };
@@ -129,7 +129,7 @@ void FileWatch::Impl::look_around(double now_s) {
     next_look_s = now_s + kLook_s;
     watch_folders();
     for (WatchedFile& file : files)
-        if (!file.changed && !(look_at(file.path) == file.seen)) mark(file, now_s);
+        if (!file.changed && !(observe(file.path) == file.seen)) mark(file, now_s);
 }
 
 FileWatch::FileWatch(const std::vector<fs::path>& files) : impl_(std::make_unique<Impl>()) {
@@ -142,7 +142,7 @@ FileWatch::FileWatch(const std::vector<fs::path>& files) : impl_(std::make_uniqu
         impl_->files.push_back({.path = path,
                                 .folder = absolute.parent_path(),
                                 .name = absolute.filename().string(),
-                                .seen = look_at(path)});
+                                .seen = observe(path)});
     }
     impl_->watch_folders();
 }
@@ -158,7 +158,7 @@ std::vector<fs::path> FileWatch::take_changed(double now_s) {
     for (WatchedFile& file : impl_->files) {
         if (!file.changed || now_s - file.changed_s < kSettle_s) continue;
         file.changed = false;
-        const Look now = look_at(file.path);
+        const Observation now = observe(file.path);
         // Touched and put back the same, or gone before it was there: nothing to read again.
         if (now == file.seen) continue;
         file.seen = now;

@@ -58,6 +58,28 @@ FeatureSet frame_features_of(const RenderFrame& frame) {
     return features;
 }
 
+void Renderer::Impl::choose_features(const RenderFrame& new_frame) {
+    features = frame_features_of(new_frame);
+    if (has_occlusion()) features |= feature::kOcclusion;
+    if (has_refraction()) {
+        features |= feature::kRefraction;
+        if (new_frame.refraction->caustics) features |= feature::kCaustics;
+    }
+    if (scene_target.samples() > 1) features |= feature::kCoverage;
+    if (!sun) features &= ~(feature::kSun | feature::kSunShadow | feature::kCaustics);
+    if (sun) features |= feature::kSun;
+}
+
+void Renderer::Impl::choose_shadow_filter() {
+    if ((features & kShadowFeatures) != 0) {
+        if (!quality.shadow_filter) {
+            features |= feature::kHardShadows;
+        } else if (!is_software_gl) {
+            features |= feature::kSoftShadows;
+        }
+    }
+}
+
 void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     frame = &new_frame;
     width_px = new_frame.width_px;
@@ -75,15 +97,7 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
                             .textures = new_frame.textures,
                             .surface_maps = quality.surface_maps,
                             .parallax = quality.parallax != Drawn::Never});
-    features = frame_features_of(new_frame);
-    if (has_occlusion()) features |= feature::kOcclusion;
-    if (has_refraction()) {
-        features |= feature::kRefraction;
-        if (new_frame.refraction->caustics) features |= feature::kCaustics;
-    }
-    if (scene_target.samples() > 1) features |= feature::kCoverage;
-    if (!sun) features &= ~(feature::kSun | feature::kSunShadow | feature::kCaustics);
-    if (sun) features |= feature::kSun;
+    choose_features(new_frame);
     const Camera& camera = new_frame.camera;
     const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
     const Mat4f world_from_view = glm::mat4_cast(camera.orientation);
@@ -112,13 +126,7 @@ void Renderer::Impl::set_up(const RenderFrame& new_frame) {
     block.clusters.y = PL_CLUSTERS_Y / static_cast<float>(post_view.scene_px.height);
     set_up_light();
     choose_light_shadows();
-    if ((features & kShadowFeatures) != 0) {
-        if (!quality.shadow_filter) {
-            features |= feature::kHardShadows;
-        } else if (!is_software_gl) {
-            features |= feature::kSoftShadows;
-        }
-    }
+    choose_shadow_filter();
     beam.reset();
     flashlight_view.reset();
     if (new_frame.flashlight) set_up_flashlight(*new_frame.flashlight);
@@ -159,7 +167,7 @@ void Renderer::Impl::size_targets() {
             quality.anti_aliasing = AntiAliasing::Off;
         if (given_up_ == 1) quality.render_scale *= 0.5F;
         if (given_up_ == 2) {
-            quality = quality_of(PictureLevel::Low);
+            quality = quality_of(QualityLevel::Low);
             quality.render_scale = kSmallestRenderScale;
         }
         const Result<Done> sized = try_scene_targets();
@@ -235,7 +243,7 @@ void Renderer::Impl::set_up_sky() {
         if (const float visibility_m = frame->sky->model->visibility_m; visibility_m > 0.0F) {
             features |= feature::kAerial;
             const std::array<Vec3f, 3> horizon = computed->horizon();
-            const Vec2f way = computed->light_way();
+            const Vec2f way = computed->light_heading();
             // Koschmieder: a fiftieth of the contrast is left there.
             block.aerial = {Vec4f{horizon[0], 3.912F / visibility_m},
                             Vec4f{horizon[1], way.x},

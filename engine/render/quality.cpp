@@ -6,9 +6,9 @@
 
 namespace plumbline::render {
 
-Quality quality_of(PictureLevel level) {
+Quality quality_of(QualityLevel level) {
     switch (level) {
-        case PictureLevel::Low:
+        case QualityLevel::Low:
             return {.render_scale = 0.6F,
                     .anti_aliasing = AntiAliasing::Fxaa,
                     .surface_maps = false,
@@ -22,7 +22,7 @@ Quality quality_of(PictureLevel level) {
                     .lod_error_px = 2.0F,
                     .ground_cover = 0.5F,
                     .smallest_px = 4.0F};
-        case PictureLevel::Medium:
+        case QualityLevel::Medium:
             return {.render_scale = 0.8F,
                     .anti_aliasing = AntiAliasing::Fxaa,
                     .shadowed_lights = 2,
@@ -33,7 +33,7 @@ Quality quality_of(PictureLevel level) {
                     .lod_error_px = 1.2F,
                     .ground_cover = 0.75F,
                     .smallest_px = 2.0F};
-        case PictureLevel::High:
+        case QualityLevel::High:
             return {.anti_aliasing = AntiAliasing::Fxaa,
                     .far_shadows = true,
                     .shadowed_lights = 6,
@@ -74,9 +74,9 @@ std::uint32_t samples_of(AntiAliasing way) {
     return 1;
 }
 
-std::optional<PictureLevel> picture_level_named(std::string_view name) {
+std::optional<QualityLevel> quality_level_named(std::string_view name) {
     for (std::size_t i = 0; i < kPictureLevelNames.size(); ++i) {
-        if (kPictureLevelNames[i] == name) return static_cast<PictureLevel>(i);
+        if (kPictureLevelNames[i] == name) return static_cast<QualityLevel>(i);
     }
     return std::nullopt;
 }

@@ -1,4 +1,4 @@
-// What a picture may cost, as plain data: part of every RenderFrame.
+// What an image may cost, as plain data: part of every RenderFrame.
 #pragma once
 
 #include "shaders/shared/limits.h"
@@ -11,11 +11,11 @@
 
 namespace plumbline::render {
 
-enum class PictureLevel : std::uint8_t { Low, Medium, High };
+enum class QualityLevel : std::uint8_t { Low, Medium, High };
 
 inline constexpr std::array<std::string_view, 3> kPictureLevelNames{"low", "medium", "high"};
 
-/// How the edges of things are smoothed. Fxaa: in the finished picture. Msaa: the scene's image keeps
+/// How the edges of things are smoothed. Fxaa: in the finished image. Msaa: the scene's image keeps
 /// so many samples of each pixel that an edge crosses: little on a GPU, much on a CPU. Ssaa4: the scene
 /// is drawn twice as wide and high.
 enum class AntiAliasing : std::uint8_t { Off, Fxaa, Msaa2, Msaa4, Msaa8, Ssaa4 };
@@ -55,18 +55,18 @@ struct Quality {
 };
 
 /// Low is for drawing on the CPU; High leaves out nothing that can be seen at 1280x720.
-Quality quality_of(PictureLevel level);
+Quality quality_of(QualityLevel level);
 
 /// Where a CPU draws: OnGpu is Never.
 Quality without_gpu(Quality quality);
 
 /// "low", "medium", "high"; nothing for other words.
-std::optional<PictureLevel> picture_level_named(std::string_view name);
-inline std::string_view name_of(PictureLevel level) {
+std::optional<QualityLevel> quality_level_named(std::string_view name);
+inline std::string_view name_of(QualityLevel level) {
     return kPictureLevelNames[static_cast<std::size_t>(level)];
 }
 
-/// What such a picture lacks, for the statistics: "render scale 60 %, surface maps"; empty: nothing.
+/// What such an image lacks, for the statistics: "render scale 60 %, surface maps"; empty: nothing.
 std::string what_gave_way(const Quality& quality);
 
 }  // namespace plumbline::render

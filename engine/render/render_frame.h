@@ -98,7 +98,7 @@ struct SkyModel {
 
 struct Sky {
     std::filesystem::path folder;  ///< six faces px nx py ny pz nz; with a model: the clouds' five
-    float brightness{1.0F};        ///< 1: as the picture is; below: dusk. Of the six faces
+    float brightness{1.0F};        ///< 1: as the image is; below: dusk. Of the six faces
     std::optional<SkyModel> model{};
 };
 
@@ -116,10 +116,10 @@ struct Wind {
 struct Post {
     float exposure{1.0F};
     float bloom{0.0F};   ///< 0: no bloom targets, no bloom passes
-    bool adapts{false};  ///< times what the picture's brightness asks for: more at night
+    bool adapts{false};  ///< times what the image's brightness asks for: more at night
 };
 
-/// The share of the ambient light that corners and narrow places do not get: what is in the picture
+/// The share of the ambient light that corners and narrow places do not get: what is in the image
 /// hides the rest of the sky from its neighbours. Light of lamps and sun is not taken away.
 struct AmbientOcclusion {
     float radius_m{
@@ -157,7 +157,7 @@ struct MovedMesh {
     Mat4f world_from_body_before{1.0F};  ///< as the shutter opened
 };
 
-/// Where the camera was when the shutter opened; what its way since then takes across the picture
+/// Where the camera was when the shutter opened; what its way since then takes across the image
 /// is drawn as a streak, and so are things that moved. The camera of the frame is where it closes.
 struct MotionBlur {
     Vec3f position_before_world{0.0F};
@@ -170,7 +170,7 @@ struct MotionBlur {
 struct DropStreak {
     Vec3f position_world{0.0F};
     float radius_m{0.003F};
-    Vec3f trail_m{0.0F};  ///< the way that it moves while the picture is taken
+    Vec3f trail_m{0.0F};  ///< the way that it moves while the image is taken
     float opacity{1.0F};
 };
 
@@ -195,6 +195,7 @@ constexpr DepthTest next(DepthTest test, int times) {
     return static_cast<DepthTest>((static_cast<int>(test) + times) % 5);
 }
 
+/// So many fields because each effect has its own, absent where nobody called for it.
 struct RenderFrame {
     std::uint32_t width_px{0};
     std::uint32_t height_px{0};

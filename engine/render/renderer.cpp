@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 
 namespace plumbline::render {
@@ -99,7 +98,7 @@ ResetStatus reset_status_of(GlLoader loader) {
 constexpr double kFirstPrograms_s = 0.3;
 constexpr double kNewPrograms_s = 0.008;
 
-// More than a window has pixels; larger pictures only cost a software driver its memory.
+// More than a window has pixels; larger images only cost a software driver its memory.
 constexpr std::uint32_t kSoftwareMap_px = 4096;
 
 GpuLimits within_driver(GpuLimits limits, bool is_software_gl) {
@@ -282,13 +281,13 @@ void Renderer::post() {
     }
     r.adapt_exposure();
     const gl::PassTimers::Scope timed(r.timers, "picture");
-    r.post.render_picture(light,
-                          r.scene_target.depth(),
-                          r.post_view,
-                          r.present_framebuffer(),
-                          r.triangle,
-                          r.scene,
-                          r.stats);
+    r.post.render_image(light,
+                        r.scene_target.depth(),
+                        r.post_view,
+                        r.present_framebuffer(),
+                        r.triangle,
+                        r.scene,
+                        r.stats);
 }
 
 void Renderer::lines() {
@@ -307,7 +306,7 @@ void Renderer::end() {
     r.drew_a_frame = r.drew_a_frame || !r.nothing_to_draw;
     r.frame = nullptr;
     if (r.reset_status != nullptr && r.reset_status() != GL_NO_ERROR) r.device_lost = true;
-    // Nobody presents an off-screen picture: without this, frames would pile up in the driver,
+    // Nobody presents an off-screen image: without this, frames would pile up in the driver,
     // with their memory, and the time of a frame would be that of asking for it.
     if (r.target == PresentTarget::Offscreen) glFinish();
 }
@@ -383,7 +382,7 @@ std::vector<GpuBytes> Renderer::gpu_bytes() const {
             {"textures", r.scene.textures.bytes()},
             {"targets",
              r.color_image.bytes() + r.depth_image.bytes() + r.scene_target.bytes() +
-                 r.post.picture_bytes()}};
+                 r.post.image_bytes()}};
 }
 
 bool Renderer::device_lost() const {

@@ -51,7 +51,7 @@ struct GpuBytes {
     std::uint64_t bytes{0};
 };
 
-/// Where the finished picture goes: the window's own framebuffer, or one of the renderer's.
+/// Where the finished image goes: the window's own framebuffer, or one of the renderer's.
 enum class PresentTarget : std::uint8_t { Window, Offscreen };
 
 /// Entry points of the GL that the context was made with, e.g. eglGetProcAddress.
@@ -97,7 +97,7 @@ public:
     /// Empty when all are. What such a shader draws is missing, or as before the reload.
     const std::string& shader_fault() const;
 
-    /// The picture as shown, rows from the top, Rgb8; from the present target. In the memory of `spare`,
+    /// The image as shown, rows from the top, Rgb8; from the present target. In the memory of `spare`,
     /// where that has enough: new memory of this size costs as much as reading.
     assets::ImageData read_pixels(assets::ImageData spare = {}) const;
 
@@ -107,7 +107,7 @@ public:
     /// The driver has told, at the end of a frame, that the device was reset: nothing is drawn any more.
     /// Never where the driver cannot tell.
     bool device_lost() const;
-    /// By the driver's name: pictures are drawn on the CPU.
+    /// By the driver's name: images are drawn on the CPU.
     bool draws_in_software() const;
 
 private:

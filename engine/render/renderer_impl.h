@@ -31,6 +31,7 @@ namespace plumbline::render {
 /// 0: the device works.
 using ResetStatus = unsigned int (*)();
 
+/// So many fields because each pass, each kind of resource and each number that passes share is one.
 struct Renderer::Impl {
     Impl(PresentTarget present,
          const std::filesystem::path& shaders,
@@ -81,7 +82,7 @@ struct Renderer::Impl {
     LightShadowPass light_shadow;
     gl::SamplerObject depth_sampler;  ///< reads depths that textures compare; made when asked for
     gl::SamplerObject
-        base_sampler;  ///< of base colour maps in pictures that are scaled up; made when needed
+        base_sampler;  ///< of base colour maps in images that are scaled up; made when needed
     MeshPass opaque_pass;
     MeshPass translucent_pass;
     PostPass post;
@@ -132,7 +133,7 @@ struct Renderer::Impl {
     void adapt_exposure();
     /// The sun's map as depths, where the frame's shaders ask for those.
     void bind_sun_depth();
-    /// For meshes in a picture that is scaled up: base colours as fine as in the picture shown.
+    /// For meshes in an image that is scaled up: base colours as fine as in the image shown.
     void bind_base_sampler();
     void bind_present_target() const;
     unsigned int present_framebuffer() const;
@@ -164,6 +165,8 @@ private:
     void set_up_wind(const Wind& wind);
     void set_up_sky();
     void choose_light_shadows();
+    void choose_features(const RenderFrame& new_frame);
+    void choose_shadow_filter();
     void set_up_light();
     void set_up_flashlight(const Flashlight& flashlight);
 

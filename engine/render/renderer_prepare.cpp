@@ -26,7 +26,7 @@ void Renderer::prepare(const RenderFrame& frame, const std::function<void(float 
             has_mask = has_mask || material.alpha_mode == assets::AlphaMode::Mask;
         }
     }
-    // Each mesh, shader and picture counts alike.
+    // Each mesh, shader and image counts alike.
     float done = 0.0F;
     const auto total = static_cast<float>(meshes.size() + 2 * looks.size() + textures.size());
     const auto on_each = [&] {

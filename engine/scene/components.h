@@ -4,6 +4,7 @@
 
 #include "engine/assets/asset_library.h"
 #include "engine/core/pose.h"
+#include "engine/core/text/source_location.h"
 #include "engine/ecs/registry.h"
 #include "engine/physics/body.h"
 #include "engine/scene/environment/live_light.h"
@@ -21,20 +22,17 @@ struct Name {
     std::string label;  ///< what a person reads: "oak crate"; empty: the text stands for it
 };
 
-/// Where the scene file describes it: "garden.toml", 14. Empty for what play made.
-struct Source {
-    std::string file;
-    int line{0};
-};
+/// Where the scene file describes it; absent on what play made.
+using DescribedAt = SourceLocation;
 
 /// Where the entity is now: world_from_body after the latest step.
-struct Placement {
+struct Transform {
     Pose world_from_body{};
     Vec3 scale{1, 1, 1};
 };
 
 /// world_from_body before the latest step; drawing blends the two. Only on things that can move.
-struct PreviousPlacement {
+struct PreviousTransform {
     Pose world_from_body{};
 };
 
@@ -56,7 +54,7 @@ struct PlayingModel {
     assets::ModelId model{};
     std::uint32_t animation{0};  ///< of the file's
     double time_s{0};            ///< since the animation's start; it repeats
-    double latest_step_s{0};     ///< what the latest step added to it: pictures lie in between
+    double latest_step_s{0};     ///< what the latest step added to it: frames lie in between
     bool paused{false};
 };
 

@@ -28,17 +28,17 @@ void add_items(const Simulation& simulation,
                Real blend_share,
                float dark,
                render::RenderFrame& frame) {
-    for (auto [entity, visual, placement] :
-         simulation.registry.view<const Visual, const Placement>()) {
+    for (auto [entity, visual, transform] :
+         simulation.registry.view<const Visual, const Transform>()) {
         if (simulation.registry.has<PlayingModel>(entity)) continue;  // an effect draws its parts
-        const Pose pose = drawn_pose(simulation, entity, placement, blend_share);
+        const Pose pose = drawn_pose(simulation, entity, transform, blend_share);
         const LampLook* lamp = simulation.registry.find<LampLook>(entity);
         const bool is_off =
             lamp != nullptr &&
             lamp_share(simulation.registry.get<PointLight>(entity).on, dark) < 0.05F;
         render::add_item(frame,
                          {.mesh = visual.mesh,
-                          .world_from_body = matrix_of(pose, placement.scale),
+                          .world_from_body = matrix_of(pose, transform.scale),
                           .tint = visual.tint,
                           .casts_shadow = visual.casts_shadow,
                           .is_static = visual.is_static},
@@ -50,11 +50,11 @@ void add_lights(const Simulation& simulation,
                 Real blend_share,
                 float dark,
                 render::RenderFrame& frame) {
-    for (auto [entity, light, placement] :
-         simulation.registry.view<const PointLight, const Placement>()) {
+    for (auto [entity, light, transform] :
+         simulation.registry.view<const PointLight, const Transform>()) {
         const float share = lamp_share(light.on, dark);
         if (share <= 0.0F) continue;
-        const Pose pose = drawn_pose(simulation, entity, placement, blend_share);
+        const Pose pose = drawn_pose(simulation, entity, transform, blend_share);
         const Quatf orientation(pose.orientation);
         frame.lights.push_back(
             {.position_world = Vec3f(pose.position) + orientation * light.offset_body,
@@ -79,12 +79,12 @@ void add_lights(const Simulation& simulation,
 
 Pose drawn_pose(const Simulation& simulation,
                 ecs::Entity entity,
-                const Placement& placement,
+                const Transform& transform,
                 Real blend_share) {
-    const auto* previous = simulation.registry.find<PreviousPlacement>(entity);
-    if (previous == nullptr) return placement.world_from_body;
+    const auto* previous = simulation.registry.find<PreviousTransform>(entity);
+    if (previous == nullptr) return transform.world_from_body;
     const Pose& from = previous->world_from_body;
-    const Pose& to = placement.world_from_body;
+    const Pose& to = transform.world_from_body;
     // Most bodies rest most of the time; they need no interpolation.
     if (from.position == to.position && from.orientation == to.orientation) return to;
     return blend(from, to, blend_share);

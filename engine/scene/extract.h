@@ -15,10 +15,10 @@ render::RenderFrame extract(const Simulation& simulation,
                             std::uint32_t width_px,
                             std::uint32_t height_px);
 
-/// Where a picture of that instant shows the entity: between its last two poses if it can move.
+/// Where an image of that instant shows the entity: between its last two poses if it can move.
 Pose drawn_pose(const Simulation& simulation,
                 ecs::Entity entity,
-                const Placement& placement,
+                const Transform& transform,
                 Real blend);
 
 }  // namespace plumbline::scene

@@ -5,7 +5,7 @@ namespace plumbline::scene {
 Pose camera_pose(const CameraDescription& camera) {
     const Vec3 direction =
         normalize_or(camera.target_m - camera.position_m, Vec3{Real{0}, Real{0}, Real{-1}});
-    // Straight up or down, any direction may serve as the picture's top.
+    // Straight up or down, any direction may serve as the image's top.
     const bool is_steep = std::abs(glm::dot(direction, camera.up)) > kSteepUp;
     const Vec3 up = is_steep ? Vec3{0, 0, -1} : camera.up;
     return {.position = camera.position_m, .orientation = glm::quatLookAt(direction, up)};

@@ -4,6 +4,7 @@
 #include "engine/core/actions.h"
 #include "engine/core/pose.h"
 #include "engine/scene/simulation.h"
+#include "engine/scene/simulation/simulation_archive.h"
 
 #include <optional>
 #include <string>
@@ -12,14 +13,14 @@
 
 namespace plumbline::scene {
 
-/// Where the picture is taken from, and where the flashlight is held.
+/// Where the frame is seen from, and where the flashlight is held.
 struct ViewPoint {
     Pose world_from_camera{};
     Pose world_from_hand{};  ///< the flashlight's; looks down -Z
     Real fov_y_rad{radians_from_degrees(70.0_r)};
     Vec3 velocity_mps{0, 0, 0};
     bool has_player{false};
-    Real blend{1};  ///< the picture's instant: this share of the way from the last step but one
+    Real blend{1};  ///< the frame's instant: this share of the way from the last step but one
 };
 
 /// Where a scene's camera stands, and how it is turned.
@@ -70,6 +71,8 @@ public:
     virtual std::span<const FootstepEvent> footsteps() const { return {}; }
     /// Something is in the player's hand: a toggled grab that finds or keeps nothing is let go.
     virtual bool holds() const { return false; }
+    /// The player crouches: a toggled crouch goes on after a load.
+    virtual bool crouches() const { return false; }
     /// The pointer stays the person's: the view follows it while a button is down.
     virtual bool frees_pointer() const { return false; }
     virtual HudContent hud(const Simulation&) { return {}; }
@@ -79,7 +82,7 @@ public:
     /// The simulation's entities and all that the game decides by, for saved games. When read: the
     /// simulation is freshly built, and so is this.
     virtual void serialize(Archive& archive, Simulation& simulation) {
-        simulation.serialize_entities(archive, {});
+        serialize_entities(simulation, archive, {});
     }
 };
 

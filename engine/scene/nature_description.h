@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/core/math.h"
-#include "engine/scene/formats/origin.h"
-#include "engine/scene/picture_description.h"
+#include "engine/core/text/source_location.h"
+#include "engine/scene/screen_effects_description.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -36,7 +36,7 @@ struct FountainDescription {
     Real drop_mm{6};                               ///< diameter
     bool drag{true};                               ///< of the air
     std::vector<PoolDescription> pools;            ///< that any fountain's drops fall into
-    Origin origin{};
+    SourceLocation location{};
 };
 
 /// `[wind]`: a mean, and gusts that it carries over the land.
@@ -47,7 +47,7 @@ struct WindDescription {
     Real gust_size_m{9};          ///< from crest to crest
     std::filesystem::path sound;  ///< a loop, heard at the ear; empty: none
     float sound_gain{0.3F};       ///< in the mean wind
-    Origin origin{};
+    SourceLocation location{};
 };
 
 /// `[grass]`: tufts near the eye.
@@ -57,7 +57,7 @@ struct GrassDescription {
     Real height_m{0.09_r};
     Real density_perm2{7};
     Real distance_m{11};  ///< none grows farther from the eye
-    Origin origin{};
+    SourceLocation location{};
 };
 
 enum class FlockKind : std::uint8_t { Birds, Butterflies };
@@ -69,7 +69,7 @@ struct FlockDescription {
     Vec3 center_m{0, 10, 0};
     Real radius_m{15};  ///< they stay so near the middle, seen from above
     Real height_m{4};   ///< from the lowest to the highest
-    Origin origin{};
+    SourceLocation location{};
 };
 
 }  // namespace plumbline::scene

@@ -77,7 +77,7 @@ Result<std::unique_ptr<Simulation>> OpenedScene::build(assets::AssetLibrary& lib
     Result<std::unique_ptr<Simulation>> built =
         build_simulation(description, overrides, library, surfaces);
     if (!built) return built;
-    for (const std::string& warning : warnings) (*built)->add_warning(warning);
+    for (const std::string& warning : warnings) (*built)->warnings.push_back(warning);
     return built;
 }
 

@@ -4,10 +4,6 @@
 
 namespace plumbline::scene {
 
-std::string to_string(const Origin& origin) {
-    return fmt::format("{}:{}", origin.file, origin.line);
-}
-
 Quat upright(const Vec3& up) {
     constexpr Real kSame = 1 - 1e-6_r;
     if (up.y > kSame) return kNoRotation;

@@ -6,14 +6,15 @@
 #include "engine/assets/mesh_data.h"
 #include "engine/core/math.h"
 #include "engine/core/pose.h"
+#include "engine/core/text/source_location.h"
 #include "engine/physics/body.h"
 #include "engine/physics/joint.h"
 #include "engine/physics/physics_world.h"
 #include "engine/physics/shape.h"
 #include "engine/scene/environment/live_light.h"
-#include "engine/scene/formats/origin.h"
+#include "engine/scene/hard_case_description.h"
 #include "engine/scene/nature_description.h"
-#include "engine/scene/picture_description.h"
+#include "engine/scene/screen_effects_description.h"
 
 #include <array>
 #include <cstdint>
@@ -47,7 +48,7 @@ struct PlayerDescription {
     Vec3 feet_position_m{0, 0, 0};
     Real yaw_rad{0};
     Real pitch_rad{0};
-    Origin origin{};
+    SourceLocation location{};
 };
 
 /// `[camera] orbit`: play begins by turning about the target, a step a press of a key.
@@ -67,7 +68,7 @@ struct CameraDescription {
     std::optional<FocusDescription> focus{};
 };
 
-/// Views whose cosine with the camera's up is above this leave the picture's top open.
+/// Views whose cosine with the camera's up is above this leave the image's top open.
 inline constexpr Real kSteepUp = 0.9999_r;
 /// The shortest turn that takes +Y to `up`, which is unit.
 Quat upright(const Vec3& up);
@@ -77,7 +78,7 @@ struct ShadowDescription {
     int size_px{2048};
     Real distance_m{80};
     float angular_size_deg{0.0F};  ///< of the sun; 0: edges as soft as the map's filter makes them
-    Origin origin{};
+    SourceLocation location{};
 };
 
 struct SunDescription {
@@ -89,7 +90,7 @@ struct SunDescription {
     Real rotation_radps{0};
     float cube_m{0.0F};  ///< edge of the cube that shows where the light comes from; 0: none
     float cube_distance_m{20.0F};  ///< of that from the world's origin
-    Origin origin{};
+    SourceLocation location{};
 };
 
 /// `model = "atmosphere"`: computed from where the sun stands.
@@ -102,7 +103,7 @@ struct SkyModelDescription {
 struct SkyDescription {
     std::filesystem::path folder;  ///< of a model: its clouds; empty: none
     std::optional<SkyModelDescription> model{};
-    Origin origin{};
+    SourceLocation location{};
 };
 
 /// `[time]`: the sun stands as at that hour, and turns about the earth's axis.
@@ -111,14 +112,14 @@ struct TimeDescription {
     double latitude_rad{radians_from_degrees(48.0)};
     int day_of_year{172};
     double north_rad{0};  ///< where north is: so far about +Y from -Z
-    Origin origin{};
+    SourceLocation location{};
 };
 
 struct FogDescription {
     Vec3f color{0.486F, 0.737F, 0.8F};
     float density_per_m{0.02F};
     bool on{true};  ///< at the start
-    Origin origin{};
+    SourceLocation location{};
 };
 
 struct FlashlightDescription {
@@ -131,15 +132,15 @@ struct FlashlightDescription {
     bool at_eye{
         false};  ///< instead of in the hand: its shadows fall where the eye does not see them
     float cube_m{0.0F};  ///< edge of the cube that shows where the light is; 0: none
-    Origin origin{};
+    SourceLocation location{};
 };
 
 struct PostDescription {
     float bloom{0.0F};
     float exposure{1.0F};
-    bool adapts{false};  ///< exposure goes by how bright the picture is
+    bool adapts{false};  ///< exposure goes by how bright the image is
     std::optional<ShutterDescription> shutter{};
-    Origin origin{};
+    SourceLocation location{};
 };
 
 // What an entity looks like.
@@ -200,7 +201,7 @@ struct LightDescription {
     float inner_deg{20.0F};
     float outer_deg{30.0F};
     bool shadow{false};
-    Origin origin{};
+    SourceLocation location{};
 };
 
 struct SoundDescription {
@@ -210,14 +211,14 @@ struct SoundDescription {
     float radius_m{12.0F};
     bool by_wind{false};  ///< as loud as the wind is strong there
     bool by_flow{false};  ///< as loud as the fountains within its radius are strong
-    Origin origin{};
+    SourceLocation location{};
 };
 
 /// `[sound]`: how what stands round source and listener changes what is heard.
 struct AcousticsDescription {
     bool paths{false};   ///< walls muffle, distance delays
     bool reverb{false};  ///< rooms reverberate
-    Origin origin{};
+    SourceLocation location{};
 };
 
 /// Extra key `motion` (kinematic bodies): { points_m = [[x,y,z], …], period_s, spin_degps = [x,y,z] }.
@@ -249,7 +250,7 @@ struct EntityDescription {
     std::optional<SoundDescription> sound{};
     std::optional<MotionDescription> motion{};
     std::optional<TriggerDescription> trigger{};
-    Origin origin{};
+    SourceLocation location{};
 };
 
 struct ArrayDescription {
@@ -280,85 +281,18 @@ struct JointDescription {
     bool collide{false};
     Real break_N{0};
     float creak{0.0F};  ///< how loudly it creaks as it turns; 0: not at all
-    Origin origin{};
+    SourceLocation location{};
 };
 
-/// Extra table `[[view]]`: a place worth a picture; the tour stops there.
+/// Extra table `[[view]]`: a place worth an image; the tour stops there.
 struct ViewDescription {
     std::string name;
     Vec3 position_m{0, 0, 0};
     Vec3 target_m{0, 0, -1};
-    Real wait_s{0};  ///< simulated before the picture, after the stop before
+    Real wait_s{0};  ///< simulated before the image, after the stop before
     bool flashlight{false};
     float light_scale{1.0F};       ///< of sun and sky: below 1 is dusk
     std::optional<double> hour{};  ///< with [time]; none: the scene's own
-};
-
-/// `[[hard_case.pass]]`: one number that is watched while the scene runs.
-struct HardCaseRule {
-    std::string measure;          ///< a name in engine/study/gallery/measures.cpp
-    std::vector<std::string> of;  ///< bodies or joints, "cube.*" is all that begin so; none: all
-    std::string relative_to;      ///< a body, or empty
-    double from_s{0};
-    std::optional<double> to_s{};  ///< none: to the end
-    // One of the three.
-    std::optional<double> below{};
-    std::optional<double> above{};
-    std::optional<double> near{};  ///< not further from it than `within`
-    double within{0};
-    Origin origin{};
-};
-
-enum class CaseEventKind {
-    Teleport,   ///< `value` m
-    Velocity,   ///< `value` m/s, and `spin_radps`; kinematic bodies keep it
-    Force,      ///< `value` N
-    Impulse,    ///< `value` N s
-    Gravity,    ///< `value` m/s2
-    Remove,     ///< the body goes
-    MotorOff,   ///< of a joint
-    NotFinite,  ///< gives the body a velocity that is no number
-};
-
-/// `[[hard_case.event]]`: what is done to a scene while it runs, by engine/study/gallery.
-struct HardCaseEvent {
-    CaseEventKind kind{CaseEventKind::Teleport};
-    std::string of;   ///< a body; MotorOff: a joint; Gravity: nothing
-    double at_s{0};   ///< before the step that begins then
-    double for_s{0};  ///< Force: so long, and one step at least
-    Vec3 value{0, 0, 0};
-    Vec3 spin_radps{0, 0, 0};
-    Vec3 point_m{0, 0, 0};  ///< Force, Impulse: where, from the body's origin along world axes
-};
-
-/// `[[hard_case.known_red]]`: a rule that small_step breaks at 60 Hz.
-struct HardCaseRed {
-    std::string rule;   ///< its text, as the table shows it
-    double reached{0};  ///< the worst value that is accepted
-    bool gone{false};   ///< instead: a body of it is gone
-    std::string why;
-    Origin origin{};
-};
-
-/// `[hard_case]`: a scene that is hard to keep stable, and what passes (docs/GALLERY.md).
-struct HardCase {
-    std::string id;             ///< "H05"
-    std::string shows;          ///< one or two sentences
-    std::string known_to_fail;  ///< who, with the source
-    double seconds{10};
-    bool nightly{false};         ///< tier = "nightly": too long for every change
-    double settled_s{0};         ///< from then on `penetration_m` holds
-    std::string unsettled;       ///< why not before
-    double penetration_m{0.02};  ///< 2 % of the smallest edge, unless the case says otherwise
-    double energy_gain{0.01};    ///< above the start's and what events did, as a share of its scale
-    double energy_scale_J{0};    ///< 0: the start's own size
-    std::string energy_from;     ///< what feeds energy in: the energy is not judged then
-    int non_finite{0};           ///< bodies that may be taken out for not being finite
-    int removed{0};              ///< bodies that may fall below kill_below_m
-    std::vector<HardCaseRed> known_red;  ///< what small_step fails; no others
-    std::vector<HardCaseRule> rules;
-    std::vector<HardCaseEvent> events;  ///< by time
-    Origin origin{};
 };
 
 /// A box along the world's axes.
@@ -379,7 +313,7 @@ struct GoalDescription {
     std::optional<int> throws{};       ///< things that may be thrown or dropped
     std::string with;                  ///< the prefab that they are; empty: anyone's choice
     bool hands_off{false};             ///< the goal's things cannot be taken, frozen or removed
-    Origin origin{};
+    SourceLocation location{};
 };
 
 /// What a JSON scene is: only looked at, unlit and as large as it says, flown through relative to
@@ -392,6 +326,7 @@ struct ViewerDescription {
     Vec3 up{0, 1, 0};  ///< unit; as the file has it, if not the camera's own
 };
 
+/// All that a scene file may say. So many fields because each table of the file is one, and most are absent.
 struct SceneDescription {
     std::filesystem::path file;
     std::string title;
@@ -431,8 +366,8 @@ struct SceneDescription {
     std::vector<FlockDescription> flocks;
     std::vector<FountainDescription> fountains;
     Fidelity fountain_fidelity{Fidelity::Balanced};  ///< [effects.fountain]
-    PictureFidelity picture_fidelity{};
-    std::map<std::string, Origin> effect_settings;  ///< [effects.NAME] tables seen
+    ScreenFidelity screen_fidelity{};
+    std::map<std::string, SourceLocation> effect_settings;  ///< [effects.NAME] tables seen
 };
 
 }  // namespace plumbline::scene

@@ -12,6 +12,8 @@
 #include "engine/scene/accuracy.h"
 #include "engine/scene/components.h"
 #include "engine/scene/scene_description.h"
+#include "engine/scene/simulation/contact_listeners.h"
+#include "engine/scene/simulation/motion_demand.h"
 #include "engine/scene/surfaces.h"
 
 #include <cstdint>
@@ -80,25 +82,17 @@ struct SceneJoint {
     physics::JointId joint{};
     Vec3 anchor_a_body{0, 0, 0};  ///< where it holds a, in a's frame
     float creak{0.0F};            ///< how loudly it creaks; 0: not at all
-    Origin origin{};
+    SourceLocation location{};
 };
 
-/// Bodies that need an optional part of the physics in the next step: one of each, or null.
-struct MotionDemand {
-    /// Asks for sweeps, or may move more than its inner radius in a substep: by its own speed, or
-    /// struck by the fastest of the others.
-    ecs::Entity swept{};
-    ecs::Entity spinning{};  ///< turns, and its inertia is not the same about every axis
-
-    friend bool operator==(const MotionDemand&, const MotionDemand&) = default;
-};
-
-/// A thing of the game's that a saved game had: made again under this name. Null where there is no
-/// such description.
-using Remake = std::function<ecs::Entity(const std::string& description, const std::string& name)>;
-
+/// So many fields because effects, game and study each keep beside the world what they tell each other.
 class Simulation {
 public:
+    struct Tally {
+        std::uint32_t removed{0};  ///< bodies below kill_below_m, or too far out
+        std::size_t quarantined_reported{0};
+    };
+
     /// An empty world with the description's settings; build_simulation() fills it.
     Simulation(SceneDescription description,
                const SimulationOverrides& overrides,
@@ -110,7 +104,7 @@ public:
 
     // --- the parts of one fixed step, in this order; effects/advance.h calls them
     void remember_poses();  ///< so that drawing can blend
-    void step();            ///< kinematic paths, physics, new placements
+    void step();            ///< kinematic paths, physics, new transforms
     void destroy_marked();  ///< marked entities, bodies below kill_below_m
 
     /// Called at the beginning of every step, when entities that went are forgotten: what is done to the
@@ -125,20 +119,18 @@ public:
     LiveSwitches switches;
     Random random;
     std::vector<audio::SoundCue> cues;  ///< asked for since the last frame took them
+    std::vector<std::string> warnings;
+    ContactListeners contact_listeners;  ///< contact events are made while there are any
+    MotionDemand motion_demand;          ///< for the step that comes
 
     const SceneDescription& description() const { return description_; }
-    void set_camera(const CameraDescription& camera) { description_.camera = camera; }
     const SurfaceTable& surfaces() const { return surfaces_; }
     assets::AssetLibrary& library() { return library_; }
     const assets::AssetLibrary& library() const { return library_; }
 
-    double step_s() const { return step_s_; }
-    std::uint64_t steps() const { return steps_; }
-    double time_s() const { return time_at(steps_); }
-    /// Of the beginning of a step, at the present step's length.
-    double time_at(std::uint64_t step) const {
-        return since_s_ + static_cast<double>(step - since_step_) * step_s_;
-    }
+    double step_s() const { return clock_.step_s; }
+    std::uint64_t steps() const { return clock_.steps; }
+    double time_s() const { return time_at(clock_.steps); }
     /// The first step that begins at `time_s` or later, to rounding; not before the last change of
     /// the step's length.
     std::uint64_t step_at(double time_s) const;
@@ -146,90 +138,71 @@ public:
     void set_accuracy(const physics::WorldDef& def);
     /// Says that the state is that of another time: what moves along paths goes on from there.
     void set_time(double time_s);
-    /// With [time], the sun stands as at that hour, 0 to 24; else nothing happens.
-    void set_hour(double hour);
-    /// By where the sun stands; none without [time].
-    std::optional<double> hour() const;
-    std::uint32_t removed_count() const { return removed_; }
+    /// What was counted since the start.
+    const Tally& tally() const { return tally_; }
     /// Dynamic and kinematic bodies in file order, then in the order in which play made them. Those
     /// destroyed since the latest step may still be listed: ask physics.contains().
-    std::span<const MovingBody> moving_bodies() const { return moving_; }
+    std::span<const MovingBody> moving_bodies() const { return bodies_.moving; }
 
     /// In file order. Those whose bodies went are still listed: ask physics.contains().
-    std::span<const SceneJoint> joints() const { return joints_; }
+    std::span<const SceneJoint> joints() const { return bodies_.joints; }
     /// Joins bodies as the file says. Refused: bodies that are not there, and what
     /// PhysicsWorld::create_joint() refuses; the message names file and line.
     Result<Done> add_joint(const JointDescription& description);
-
-    const std::vector<std::string>& warnings() const { return warnings_; }
-    void add_warning(std::string text) { warnings_.push_back(std::move(text)); }
 
     /// Makes an entity as a scene file would; dropped things come this way. Its name is numbered:
     /// "crate#1". Null on refusal, with a warning in warnings().
     ecs::Entity spawn(const EntityDescription& description);
     /// Makes again what a saved game says was spawned, under its old name.
     ecs::Entity respawn(const EntityDescription& description, const std::string& name);
-    /// Entity of a body, or null.
-    ecs::Entity entity_of(physics::BodyId body) const;
-    /// As entity_of, from the mark that hits and contact events carry.
-    ecs::Entity entity_of_mark(std::uint64_t user) const;
     ecs::Entity find(std::string_view name) const;
-    /// "cube", or "player" for a body that is no entity's.
-    std::string name_of_mark(std::uint64_t user) const;
-    /// "entity fountain (garden.toml:120)"; things made in play have no place in a file.
-    std::string describe(ecs::Entity entity) const;
 
     /// Over every dynamic and kinematic body's pose and velocity bits, in file order.
     std::uint64_t state_hash() const;
 
-    // --- for saved games (saved_game.h), in this order
-    /// Which entities there are. When read: those of the scene that were gone go, and what play had made
-    /// of the scene's prefabs, or `remake` of others, is made again, all under their old ids.
-    void serialize_entities(Archive& archive, const Remake& remake);
-    /// Everything else that decides how the world goes on. When read: into a world with the same
-    /// entities; what fails leaves it fit only to be thrown away.
-    void serialize_state(Archive& archive);
-
-    /// Where the scene's own bodies are and what they carry, without what play made: for a ghost. When
-    /// read: into a freshly built world; its definition becomes that of the archive.
-    void serialize_bodies_of_scene(Archive& archive);
-
     // --- for effects
-    /// Whether things of that surface sound when they hit. The default surface does not: a scene
-    /// whose materials name no surface has asked for no sound.
-    bool is_heard(std::uint16_t surface) const {
-        return surface != 0 && !surfaces_.get(surface).impact_sounds.empty();
-    }
-    /// Changes whenever an entity comes or goes, and with the requests below.
-    std::uint64_t revision() const { return revision_; }
+    /// Changes whenever an entity comes or goes, and with the contact listeners.
+    std::uint64_t revision() const { return revision_ + contact_listeners.revision(); }
     /// Optional parts of the physics; all on until an EffectRuntime takes them over.
     const physics::WorldFeatures& features() const { return features_; }
     void set_features(const physics::WorldFeatures& features);
-    /// Looks which bodies need continuous collision or gyroscopic torque in the next step. A
-    /// function of the state alone.
-    void update_motion_demand();
-    const MotionDemand& motion_demand() const { return demand_; }
-    /// Contact events are made while somebody asks: "effect impact_sounds".
-    void request_contact_events(const std::string& who);
-    void release_contact_events(const std::string& who);
-    const std::vector<std::string>& contact_listeners() const { return contact_listeners_; }
 
     /// Used by build_simulation(); in play use spawn().
     EntityBuilder& builder() { return *builder_; }
 
 private:
     friend class EntityBuilder;
+    friend class SimulationArchive;
 
-    std::vector<ecs::Entity> entities_of_scene() const;
-    void serialize_entities_of_scene(Archive& archive);
-    void serialize_components(Archive& archive);
-    void serialize_moving(Archive& archive);
-    void serialize_joints(Archive& archive);
-    ecs::Entity remake_one(Archive& archive, const Remake& remake);
+    /// Time as steps: since the last change of their length, and before.
+    struct Clock {
+        double step_s{0};
+        std::uint64_t steps{0};
+        double since_s{0};            ///< time at the last change of the step's length
+        std::uint64_t since_step{0};  ///< ... and the step
+    };
+    struct Names {
+        std::map<std::string, ecs::Entity, std::less<>> entities;
+        std::map<std::string, std::uint32_t> spawned;  ///< how many of each description
+    };
+    struct Bodies {
+        std::vector<MovingBody> moving;
+        std::vector<SceneJoint> joints;
+        bool any_destroyed{false};  ///< since `moving` was cleared of them
+    };
+    struct MassRatio {
+        std::uint64_t weighed_revision{~std::uint64_t{0}};  ///< when masses were last compared
+        bool differ_widely{false};
+        bool named{false};
+    };
+    /// Of the beginning of a step, at the present step's length.
+    double time_at(std::uint64_t step) const {
+        return clock_.since_s + static_cast<double>(step - clock_.since_step) * clock_.step_s;
+    }
     void move_along_paths();
     void play_models();
-    void move_parts(const PartBodies& bodies, const PlayingModel& playing, const Placement& whole);
-    void sync_placements();
+    void move_parts(const PartBodies& bodies, const PlayingModel& playing, const Transform& whole);
+    void sync_transforms();
     void report_quarantined();
     void report_broken_joints();
     void warn_of_mass_ratio();
@@ -239,25 +212,13 @@ private:
     SceneDescription description_;
     assets::AssetLibrary& library_;
     SurfaceTable surfaces_;
-    double step_s_;
-    std::uint64_t steps_{0};
-    double since_s_{0};            ///< time at the last change of the step's length
-    std::uint64_t since_step_{0};  ///< ... and the step
-    std::uint32_t removed_{0};
+    Clock clock_;
     std::uint64_t revision_{0};
-    std::size_t quarantined_reported_{0};
-    bool bodies_destroyed_{false};
-    std::uint64_t weighed_revision_{~std::uint64_t{0}};  ///< when masses were last compared
-    bool masses_differ_widely_{false};
-    bool mass_ratio_named_{false};
-    std::vector<MovingBody> moving_;
-    std::vector<SceneJoint> joints_;
-    MotionDemand demand_{};
+    Bodies bodies_;
+    Names names_;
+    MassRatio mass_ratio_;
+    Tally tally_;
     physics::WorldFeatures features_{};
-    std::vector<std::string> warnings_;
-    std::vector<std::string> contact_listeners_;
-    std::map<std::string, ecs::Entity, std::less<>> entities_by_name_;
-    std::map<std::string, std::uint32_t> spawned_by_name_;
     std::unique_ptr<EntityBuilder> builder_;
     std::shared_ptr<bool> open_;  ///< false once the destructor runs: listeners then stay silent
 };

@@ -2,6 +2,7 @@
 
 #include "engine/core/hash.h"
 #include "engine/scene/formats/json_text.h"
+#include "engine/scene/simulation/entity_lookup.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +31,7 @@ void add_bodies(JsonText& json, const Simulation& simulation) {
         const physics::BodyState state = simulation.physics.state(moving.body);
         const Quat& q = state.world_from_body.orientation;
         json.begin_object();
-        json.key("name").text(simulation.name_of_mark(simulation.physics.user(moving.body)));
+        json.key("name").text(name_of_mark(simulation, simulation.physics.user(moving.body)));
         json.key("position_m").vector(state.world_from_body.position);
         json.key("orientation").begin_array();
         json.number(q.w).number(q.x).number(q.y).number(q.z);
@@ -47,8 +48,8 @@ void add_contacts(JsonText& json, const Simulation& simulation) {
     json.key("contacts").begin_array();
     for (const physics::ContactEvent& contact : simulation.physics.all_contacts()) {
         json.begin_object();
-        json.key("a").text(simulation.name_of_mark(contact.user_a));
-        json.key("b").text(simulation.name_of_mark(contact.user_b));
+        json.key("a").text(name_of_mark(simulation, contact.user_a));
+        json.key("b").text(name_of_mark(simulation, contact.user_b));
         json.key("impulse_Ns").number(contact.impulse_Ns);
         json.end_object();
     }
@@ -77,7 +78,7 @@ void add_islands(JsonText& json, const Simulation& simulation) {
     json.key("islands").begin_array();
     for (const physics::IslandReport& island : simulation.physics.islands()) {
         json.begin_object();
-        json.key("first").text(simulation.name_of_mark(island.user));
+        json.key("first").text(name_of_mark(simulation, island.user));
         json.key("bodies").number(island.bodies);
         json.key("contacts").number(island.contacts);
         json.key("joints").number(island.joints);
@@ -172,10 +173,10 @@ std::string state_json(const Simulation& simulation,
     json.key("hash").text(hex_of(simulation.state_hash()));
     add_totals(json, simulation);
     json.key("lost_time_s").number(lost_time_s);
-    json.key("removed").number(simulation.removed_count());
+    json.key("removed").number(simulation.tally().removed);
     json.key("non_finite").number(simulation.physics.quarantined().size());
     json.key("warnings").begin_array();
-    for (const std::string& warning : simulation.warnings()) json.text(warning);
+    for (const std::string& warning : simulation.warnings) json.text(warning);
     json.end_array();
     add_bodies(json, simulation);
     add_contacts(json, simulation);

@@ -106,15 +106,15 @@ SurfaceTable load_surfaces(const fs::path& file, const fs::path& assets_folder, 
     SurfaceTable table;
     table.surfaces.push_back(Surface{.name = "default"});
     FaultList faults(out);
-    const std::string name = file.string();
+    const SourceLocation whole = in_file(file.string());
     const Result<std::string> text = read_file(file, limits::kConfigFileBytes);
     if (!text) {
-        faults.error({&name, 0, 0}, {}, text.error().message + "; every surface is the default");
+        faults.error(whole, {}, text.error().message + "; every surface is the default");
         return table;
     }
-    const auto parsed = parse_toml(*text, name);
+    const auto parsed = parse_toml(*text, whole.file);
     if (const auto* fault = std::get_if<TextFault>(&parsed)) {
-        faults.error({&name, fault->line, fault->column},
+        faults.error({whole.file, fault->line, fault->column},
                      {},
                      fault->message + "; every surface is the default");
         return table;
@@ -122,13 +122,13 @@ SurfaceTable load_surfaces(const fs::path& file, const fs::path& assets_folder, 
     const TomlNode& root = *std::get_if<TomlNode>(&parsed);
     for (const TomlEntry& entry : *root.table()) {
         if (entry.node.table() == nullptr) {
-            faults.error(entry.key_place,
+            faults.error(entry.key_location,
                          shown(entry.key),
                          found(entry.node) + "; expected a table, [NAME], for each surface");
             continue;
         }
         if (table.surfaces.size() >= kSurfaces) {
-            faults.error(entry.key_place,
+            faults.error(entry.key_location,
                          shown(entry.key),
                          fmt::format("more than {} surfaces; left out", kSurfaces));
             break;

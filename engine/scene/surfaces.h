@@ -34,6 +34,11 @@ struct SurfaceTable {
 
     std::uint16_t find(std::string_view name) const;  ///< 0 when unknown
     const Surface& get(std::uint16_t index) const { return surfaces[index]; }
+    /// Whether things of that surface sound when they hit. The default surface does not: a scene
+    /// whose materials name no surface has asked for no sound.
+    bool is_heard(std::uint16_t index) const {
+        return index != 0 && !get(index).impact_sounds.empty();
+    }
 };
 
 /// Missing file: a table with the default surface only and a fault. Bad entries cost only themselves.

@@ -1,6 +1,7 @@
 // The option --hour of play and render.
 #pragma once
 
+#include "engine/scene/environment/sun_hour.h"
 #include "engine/scene/simulation.h"
 #include "game/command_line/refuse.h"
 
@@ -11,10 +12,10 @@ namespace plumbline::game {
 /// Sets the sun as the option says; without one it stands as the scene has it.
 inline Result<Done> set_hour(const std::optional<double>& hour, scene::Simulation& simulation) {
     if (!hour) return Done{};
-    if (!simulation.hour())
+    if (!hour_of(simulation))
         return Error{.message = "--hour: the scene has no [time]; its sun stands still",
                      .exit_code = ExitCode::BadUsage};
-    simulation.set_hour(*hour);
+    set_hour(simulation, *hour);
     return Done{};
 }
 

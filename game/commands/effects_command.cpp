@@ -5,7 +5,7 @@
 #include "engine/core/time/stopwatch.h"
 #include "engine/study/scenes/effects_cost.h"
 #include "engine/study/workers/job.h"
-#include "game/offscreen/picture_studio.h"
+#include "game/offscreen/offscreen_studio.h"
 
 #include <fmt/format.h>
 
@@ -19,19 +19,19 @@ namespace {
 constexpr int kFramesOfAPass = 6;
 constexpr int kFramesToWarmUp = 2;
 
-/// Draws the scene with and without an effect of the picture, in turns.
+/// Draws the scene with and without an effect of the image, in turns.
 class EffectPictures {
 public:
-    explicit EffectPictures(PictureStudio studio) : studio_(std::move(studio)) {}
+    explicit EffectPictures(OffscreenStudio studio) : studio_(std::move(studio)) {}
 
-    /// One line for each effect of the picture that something calls for.
+    /// One line for each effect of the image that something calls for.
     std::vector<study::EffectCost> measure(int pairs) {
         frames({});
         const std::vector<effects::LedgerLine> ledger = session().effects->ledger();
         std::vector<study::EffectCost> costs;
         for (std::size_t row = 0; row < ledger.size(); ++row) {
             const effects::EffectRow& definition = effects::effect_table()[row];
-            if (definition.domain != effects::Domain::Picture || ledger[row].constructions == 0)
+            if (definition.domain != effects::Domain::Frame || ledger[row].constructions == 0)
                 continue;
             if (interrupted()) break;
             costs.push_back({.name = std::string(definition.name),
@@ -57,11 +57,11 @@ private:
         return study::paired_difference(ms[0], ms[1]);
     }
 
-    /// CPU ms of a frame, of all threads: software GL draws in several. The picture is read back at
+    /// CPU ms of a frame, of all threads: software GL draws in several. The image is read back at
     /// the end so that it is really there.
     double frames(std::string_view without) {
         session().effects = std::make_unique<effects::EffectRuntime>(
-            *session().simulation, effects::ServedDomains{.picture = true, .without = without});
+            *session().simulation, effects::ServedDomains{.frame = true, .without = without});
         for (int i = 0; i < kFramesToWarmUp; ++i) draw();
         studio_.run->pixels();
         double drawing_s = 0;
@@ -78,7 +78,7 @@ private:
     void draw() { static_cast<void>(studio_.run->draw()); }
     app::Session& session() { return *studio_.session; }
 
-    PictureStudio studio_;
+    OffscreenStudio studio_;
 };
 
 }  // namespace
@@ -92,7 +92,7 @@ ExitCode run_effects_study(const std::filesystem::path& scene, std::optional<dou
         return costs.error().exit_code;
     }
     if (!interrupted()) {
-        Result<PictureStudio> studio = PictureStudio::open(scene);
+        Result<OffscreenStudio> studio = OffscreenStudio::open(scene);
         if (studio) {
             std::vector<study::EffectCost> picture =
                 EffectPictures(std::move(*studio)).measure(run.pairs);

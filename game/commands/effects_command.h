@@ -8,7 +8,7 @@
 
 namespace plumbline::game {
 
-/// Prints a table. Without a usable GL the effects of the picture are left out, and a line says so.
+/// Prints a table. Without a usable GL the effects of the image are left out, and a line says so.
 ExitCode run_effects_study(const std::filesystem::path& scene, std::optional<double> seconds);
 
 }  // namespace plumbline::game

@@ -61,7 +61,7 @@ ExitCode run_explain(const std::string& scene_name, bool as_json) {
     Result<std::unique_ptr<app::Session>> session = app::Session::open(
         {.scene = *scene,
          .folders = *folders,
-         .served = {.picture = true, .sound = true},
+         .served = {.frame = true, .sound = true},
          .make_game = [](scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
              return std::make_unique<scene::NoGame>(simulation.description().camera);
          }});

@@ -9,7 +9,7 @@
 
 namespace plumbline::game {
 
-/// Runs one simulated second (and one picture, where GL is to be had), then prints the ledger.
+/// Runs one simulated second (and one image, where GL is to be had), then prints the ledger.
 ExitCode run_explain(const std::string& scene, bool as_json);
 ExitCode run_controls(const CommonOptions& common);
 /// One line for each fault of each scene or config file; 0 clean, 2 config faults, 4 scene faults.

@@ -2,7 +2,7 @@
 
 #include "engine/app/frame_loop.h"
 #include "engine/app/overlay/loading_screen.h"
-#include "engine/app/settings/picture_control.h"
+#include "engine/app/settings/quality_control.h"
 #include "engine/core/io/files.h"
 #include "engine/core/io/output.h"
 #include "engine/core/process/crash_report.h"
@@ -35,7 +35,7 @@ app::LiveConfig read_config(const CommonOptions& common, const DataFolders& fold
     return config;
 }
 
-/// Opens scenes, and remembers the last one between sittings.
+/// Opens scenes, and remembers the last one between sessions.
 class Sessions {
 public:
     Sessions(const DataFolders& folders, bool sound) : folders_(folders), sound_(sound) {}
@@ -51,7 +51,7 @@ public:
         }
     }
 
-    /// The scene of the last sitting; the first one where there is none, or none any more.
+    /// The scene of the last session; the first one where there is none, or none any more.
     Result<std::unique_ptr<app::Session>> open_last(std::optional<double> hour) const {
         constexpr std::size_t kLongestPath = 4096;
         const std::filesystem::path file = memory();
@@ -85,7 +85,7 @@ private:
             {.scene = *scene,
              .folders = folders_,
              .hour = hour,
-             .served = {.picture = true, .sound = sound_},
+             .served = {.frame = true, .sound = sound_},
              .make_game = [assets = folders_.assets](
                               scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
                  return std::make_unique<PlaygroundGame>(simulation, assets);
@@ -166,6 +166,30 @@ void tidy_up() {
                 report.string());
 }
 
+/// Scene after scene, until the person leaves.
+ExitCode play_on(platform::Window& window,
+                 std::unique_ptr<app::Session> session,
+                 const Sessions& sessions,
+                 app::LiveBindings& bindings,
+                 app::LiveConfig& config,
+                 app::PlayDef play) {
+    ShadersAhead shaders;
+    play.after_first_frame = [&](const app::Session& open, const render::GlInfo& gl) {
+        shaders.start(open, play.shader_folder, gl);
+    };
+    ExitCode code = ExitCode::Good;
+    for (;;) {
+        sessions.remember(*session);
+        bindings.use_usual_profile(session->description().controls);
+        app::PlayEnd end = app::run(window, *session, bindings, config, play);
+        if (code == ExitCode::Good) code = end.code;
+        if (!end.next) return code;
+        app::go_on(play, end);
+        session = std::move(end.next);
+        window.set_title(title_of(*session));
+    }
+}
+
 }  // namespace
 
 ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
@@ -180,7 +204,7 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return refuse(folders.error());
     app::LiveConfig config = read_config(common, *folders);
-    if (const auto level = app::picture_level_named(options.level)) config.put_level(*level);
+    if (const auto level = app::quality_level_named(options.level)) config.put_level(*level);
     int width = config.current().width;
     int height = config.current().height;
     if (!options.size.empty() && !parse_size(options.size, width, height)) {
@@ -222,21 +246,7 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
     play.open_scene = [&](const std::filesystem::path& file) {
         return sessions.open(file.string());
     };
-    ShadersAhead shaders;
-    play.after_first_frame = [&](const app::Session& open, const render::GlInfo& gl) {
-        shaders.start(open, play.shader_folder, gl);
-    };
-    ExitCode code = ExitCode::Good;
-    for (;;) {
-        sessions.remember(**session);
-        bindings.use_usual_profile((*session)->description().controls);
-        app::PlayEnd end = app::run(**window, **session, bindings, config, play);
-        if (code == ExitCode::Good) code = end.code;
-        if (!end.next) return code;
-        app::go_on(play, end);
-        session = std::move(end.next);
-        (*window)->set_title(title_of(**session));
-    }
+    return play_on(**window, std::move(*session), sessions, bindings, config, std::move(play));
 }
 
 }  // namespace plumbline::game

@@ -16,7 +16,7 @@ struct PlayOptions {
     std::filesystem::path replay;
     std::filesystem::path report;
     std::filesystem::path camera_path;
-    std::string level;             ///< of the picture; empty: as the settings say
+    std::string level;             ///< of the image; empty: as the settings say
     std::optional<double> hour{};  ///< of the day, for the first scene
     std::optional<double> seconds{};
     std::optional<std::uint64_t> random_input{};

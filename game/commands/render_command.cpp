@@ -6,6 +6,7 @@
 #include "engine/core/io/output.h"
 #include "engine/core/text/printable.h"
 #include "engine/scene/camera_path.h"
+#include "engine/scene/environment/sun_hour.h"
 #include "engine/scene/scene_file.h"
 #include "game/command_line/camera_text.h"
 #include "game/command_line/hour_option.h"
@@ -52,7 +53,7 @@ Result<Studio> open_studio(const std::string& scene_name,
     Result<std::unique_ptr<app::Session>> session = app::Session::open(
         {.scene = *scene,
          .folders = *folders,
-         .served = {.picture = true, .sound = false},
+         .served = {.frame = true, .sound = false},
          .make_game = [](scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
              return std::make_unique<scene::NoGame>(simulation.description().camera);
          }});
@@ -107,7 +108,7 @@ scene::ViewPoint turned(scene::ViewPoint view,
     return view;
 }
 
-/// Where the picture goes; empty when only a report, a film or all frames are asked for. Found to be writable.
+/// Where the image goes; empty when only a report, a film or all frames are asked for. Found to be writable.
 Result<std::filesystem::path> picture_file(const RenderOptions& options) {
     std::filesystem::path file = wants_folder(options) ? std::filesystem::path() : options.out;
     if (options.out.empty() && options.report.empty() && options.video.empty()) {
@@ -182,7 +183,7 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
                                         options.size,
                                         {.shader_folder = {},
                                          .shading = *shading,
-                                         .level = render::picture_level_named(options.level),
+                                         .level = render::quality_level_named(options.level),
                                          .render_scale = options.render_scale});
     if (!studio) return refuse(studio.error());
 
@@ -224,7 +225,8 @@ ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
         scene::LiveSwitches& switches = studio->session->simulation->switches;
         switches.turn("flashlight", stop.flashlight);
         switches.light_scale = stop.light_scale;
-        if (scene.time) studio->session->simulation->set_hour(stop.hour.value_or(scene.time->hour));
+        if (scene.time)
+            set_hour(*studio->session->simulation, stop.hour.value_or(scene.time->hour));
         studio->run->simulate(
             steps_in(static_cast<double>(stop.wait_s), *studio->session->simulation));
         const Result<Done> drawn =

@@ -1,4 +1,4 @@
-// `plumbline render` and `plumbline tour`: pictures without a window.
+// `plumbline render` and `plumbline tour`: images without a window.
 #pragma once
 
 #include "game/command_line/command_line.h"
@@ -12,7 +12,7 @@ struct RenderOptions {
     std::string scene;
     std::filesystem::path out;
     std::string size;
-    double at_s{0};      ///< simulated seconds before the picture
+    double at_s{0};      ///< simulated seconds before the image
     std::string camera;  ///< x,y,z,yaw,pitch; degrees
     std::filesystem::path camera_path;
     std::string shading;
@@ -24,7 +24,7 @@ struct RenderOptions {
     double sun_degps{0};          ///< the sun turns
     std::optional<double> hour;   ///< of the day
     std::filesystem::path report;
-    std::string level;         ///< of the picture; empty: nothing is left out
+    std::string level;         ///< of the image; empty: nothing is left out
     float render_scale{0.0F};  ///< with a level; 0: the level's own
     bool textures{false};      ///< of a JSON scene, whose colours hold otherwise
     bool shadows{false};       ///< in a JSON scene, which has none otherwise
@@ -40,7 +40,7 @@ struct TourOptions {
     std::string size{"1280x720"};
 };
 
-/// A short walk through a scene as pictures and one contact sheet, for machines without a display.
+/// A short walk through a scene as images and one contact sheet, for machines without a display.
 ExitCode run_tour(const TourOptions& options, const CommonOptions& common);
 
 }  // namespace plumbline::game

@@ -5,7 +5,7 @@
 #include "engine/core/log.h"
 #include "engine/render/resources/gpu_materials.h"
 #include "game/command_line/refuse.h"
-#include "game/offscreen/picture_studio.h"
+#include "game/offscreen/offscreen_studio.h"
 
 #include <algorithm>
 #include <array>
@@ -94,13 +94,13 @@ render::RenderFrame picture_of(const render::RenderFrame& scene,
     return frame;
 }
 
-Result<Done> draw_all(PictureStudio& studio) {
+Result<Done> draw_all(OffscreenStudio& studio) {
     const render::RenderFrame scene = studio.run->frame();
     const assets::AssetLibrary& library = studio.session->library;
     const std::vector<const render::DrawItem*> looks = looks_of(scene, library);
     for (const auto level :
-         {render::PictureLevel::Low, render::PictureLevel::Medium, render::PictureLevel::High}) {
-        const bool is_low = level == render::PictureLevel::Low;
+         {render::QualityLevel::Low, render::QualityLevel::Medium, render::QualityLevel::High}) {
+        const bool is_low = level == render::QualityLevel::Low;
         for (const Light& light :
              std::span{kLights}.first(is_low ? kLights.size() : kLightsOfAll)) {
             // Only the driver keeps them.
@@ -145,7 +145,7 @@ std::filesystem::path done_file(const app::Session& session,
 
 ExitCode run_shader_worker(const std::filesystem::path& scene, const std::filesystem::path& done) {
     end_with_parent();  // nobody would draw with them
-    Result<PictureStudio> studio = PictureStudio::open_undrawn(scene);
+    Result<OffscreenStudio> studio = OffscreenStudio::open_undrawn(scene);
     if (!studio) return refuse(studio.error());
     if (const Result<Done> drawn = draw_all(*studio); !drawn) return refuse(drawn.error());
     if (const Result<Done> written = write_file_and_folder(done, ""); !written)
@@ -166,7 +166,7 @@ void ShadersAhead::start(const app::Session& session,
          .arguments = {"shader-worker", session.description().file.string(), done.string()},
          .own_group = true,
          .silent = true,
-         .gives_way = true});
+         .low_priority = true});
     if (started) worker_ = std::move(*started);
 }
 

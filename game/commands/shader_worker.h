@@ -13,7 +13,7 @@
 namespace plumbline::game {
 
 /// `shader-worker SCENE DONE`: draws all that the scene shows in every light that play may switch on, at
-/// every picture level; then makes the file DONE.
+/// every quality level; then makes the file DONE.
 ExitCode run_shader_worker(const std::filesystem::path& scene, const std::filesystem::path& done);
 
 /// The worker of the scene that is played: at most one.

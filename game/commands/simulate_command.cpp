@@ -59,7 +59,7 @@ Result<Done> load(const SimulateOptions& options, World& world) {
     if (!built) return built.error();
     world.simulation = std::move(*built);
     study::play_case_events(*world.simulation);
-    for (const std::string& warning : world.simulation->warnings()) log_warning("{}", warning);
+    for (const std::string& warning : world.simulation->warnings) log_warning("{}", warning);
     return Done{};
 }
 
@@ -71,7 +71,7 @@ public:
           opened_(*world.opened),
           simulation_(*world.simulation),
           game_(simulation_.description().camera),
-          effects_(simulation_, {.picture = false, .sound = false}) {}
+          effects_(simulation_, {.frame = false, .sound = false}) {}
 
     Result<Done> go_on_from(const fs::path& file) {
         const Result<effects::SavedGame> saved = effects::read_saved_game(file);
@@ -167,7 +167,7 @@ void print_summary(std::ostream& out,
         kPrecisionName,
         simulation.moving_bodies().size(),
         awake,
-        simulation.removed_count(),
+        simulation.tally().removed,
         simulation.physics.quarantined().size(),
         energy.kinetic_J,
         energy.potential_J,

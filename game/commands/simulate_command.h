@@ -1,4 +1,4 @@
-// `plumbline simulate`: a scene without window, picture or sound, for numbers. Also the whole of
+// `plumbline simulate`: a scene without window, image or sound, for numbers. Also the whole of
 // plumbline-f64, so nothing here may need more than scene and effects.
 #pragma once
 

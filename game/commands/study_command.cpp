@@ -22,7 +22,7 @@
 #include "game/command_line/refuse.h"
 #include "game/command_line/shard_option.h"
 #include "game/commands/effects_command.h"
-#include "game/commands/picture_command.h"
+#include "game/commands/image_study_command.h"
 #include "game/commands/scene_study_command.h"
 
 #include <CLI/CLI.hpp>
@@ -196,14 +196,14 @@ ExitCode study_effects(const StudyOptions& options) {
     return ExitCode::Good;
 }
 
-/// The pictures' part of the findings, printed; each reference beside the page.
+/// The images' part of the findings, printed; each reference beside the page.
 Result<Done> add_pictures(const StudyOptions& options,
                           const std::vector<fs::path>& scenes,
                           const fs::path& folder,
                           study::Findings& findings) {
     for (const fs::path& scene : scenes) {
         if (!findings.complete) break;
-        Result<PictureStudy> made = study_picture(scene, options.seconds);
+        Result<ImageStudy> made = study_picture(scene, options.seconds);
         if (!made) return made.error();
         std::cout << study::picture_text(made->findings) << std::flush;
         findings.complete = made->complete;
@@ -270,7 +270,7 @@ ExitCode merge_study(const StudyOptions& options) {
     return finish_study(*whole, *folder);
 }
 
-ExitCode run_picture_study(const StudyOptions& options) {
+ExitCode run_image_study(const StudyOptions& options) {
     const Result<std::vector<fs::path>> scenes = scenes_for("--picture", options);
     if (!scenes) return refuse(scenes.error());
     const Result<fs::path> folder = output_folder(options);
@@ -327,7 +327,7 @@ ExitCode run_study(const StudyOptions& options) {
     if (!options.merge.empty()) return merge_study(options);
     catch_interrupts();
     if (options.effects) return study_effects(options);
-    if (options.picture) return run_picture_study(options);
+    if (options.picture) return run_image_study(options);
     const Result<Chosen> chosen = chosen_by(options);
     if (!chosen) return refuse(chosen.error());
     if (const Result<Done> there = study::check_worker_programs(); !there)

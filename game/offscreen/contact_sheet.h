@@ -1,4 +1,4 @@
-// Many pictures on one.
+// Many images on one.
 #pragma once
 
 #include "engine/assets/image_data.h"
@@ -8,7 +8,7 @@
 
 namespace plumbline::game {
 
-/// Rgb8 pictures of one size, each at a third of its sides, three in a row on dark ground.
+/// Rgb8 images of one size, each at a third of its sides, three in a row on dark ground.
 assets::ImageData contact_sheet(const std::vector<assets::ImageData>& pictures);
 
 /// The scene's own [[view]] list; without one its first view and a round trip about what it sees.

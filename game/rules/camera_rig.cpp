@@ -25,7 +25,7 @@ Quat orientation_of(Real yaw_rad, Real pitch_rad) {
 }
 
 Real clamped_pitch(Real pitch_rad) {
-    return std::clamp(pitch_rad, -Look::kSteepest_rad, Look::kSteepest_rad);
+    return std::clamp(pitch_rad, -CameraLook::kSteepest_rad, CameraLook::kSteepest_rad);
 }
 
 /// The largest share of a step that `is_free`, which its start is.
@@ -73,19 +73,19 @@ int KeyRepeat::acts(int presses, int direction, Real step_s) {
     return direction;
 }
 
-void Look::set(Real yaw_rad, Real pitch_rad) {
+void CameraLook::set(Real yaw_rad, Real pitch_rad) {
     yaw_rad_ = std::remainder(yaw_rad, 2 * kPi);
     pitch_rad_ = clamped_pitch(pitch_rad);
     smooth_yaw_rad_ = 0;
     smooth_pitch_rad_ = 0;
 }
 
-void Look::start_from(const Quat& orientation) {
+void CameraLook::start_from(const Quat& orientation) {
     start_ = orientation;
     set(0, 0);
 }
 
-Vec3 Look::right() const {
+Vec3 CameraLook::right() const {
     return start_ * level_right(yaw_rad_);
 }
 
@@ -96,38 +96,38 @@ int notches_of(const Actions& actions, Action more, Action less) {
     return steps(more) - steps(less);
 }
 
-void Look::aim_along(const Vec3& direction) {
+void CameraLook::aim_along(const Vec3& direction) {
     const Vec3 unit = normalize_or(direction, Vec3{0, 0, -1});
     set(std::atan2(-unit.x, -unit.z), std::asin(std::clamp(unit.y, Real{-1}, Real{1})));
 }
 
-void Look::begin_step() {
+void CameraLook::begin_step() {
     smooth_yaw_rad_ = 0;
     smooth_pitch_rad_ = 0;
 }
 
-void Look::turn(Real yaw_rad, Real pitch_rad) {
+void CameraLook::turn(Real yaw_rad, Real pitch_rad) {
     if (!std::isfinite(yaw_rad) || !std::isfinite(pitch_rad)) return;
     yaw_rad_ = std::remainder(yaw_rad_ + yaw_rad, 2 * kPi);
     pitch_rad_ = clamped_pitch(pitch_rad_ + pitch_rad);
 }
 
-void Look::turn_smoothly(Real yaw_rad, Real pitch_rad) {
+void CameraLook::turn_smoothly(Real yaw_rad, Real pitch_rad) {
     const Real before = pitch_rad_;
     turn(yaw_rad, pitch_rad);
     smooth_yaw_rad_ += yaw_rad;
     smooth_pitch_rad_ += pitch_rad_ - before;
 }
 
-Quat Look::orientation() const {
+Quat CameraLook::orientation() const {
     return orientation_at(yaw_rad_, pitch_rad_);
 }
 
-Quat Look::orientation_at(Real yaw_rad, Real pitch_rad) const {
+Quat CameraLook::orientation_at(Real yaw_rad, Real pitch_rad) const {
     return start_ * orientation_of(yaw_rad, pitch_rad);
 }
 
-Quat Look::orientation(Real blend, Real pending_yaw_rad, Real pending_pitch_rad) const {
+Quat CameraLook::orientation(Real blend, Real pending_yaw_rad, Real pending_pitch_rad) const {
     const Real rest = 1 - blend;
     return start_ *
            orientation_of(yaw_rad_ - smooth_yaw_rad_ * rest + pending_yaw_rad,
@@ -154,7 +154,7 @@ void FlyCamera::suit(Real radius_m) {
 }
 
 void FlyCamera::act(const Actions& actions,
-                    const Look& look,
+                    const CameraLook& look,
                     const GroundBelow& ground,
                     Real step_s) {
     const Vec3 forward = look.orientation() * Vec3{0, 0, -1};
@@ -203,11 +203,11 @@ void OrbitCamera::pan(const Quat& orientation, Real yaw_rad, Real pitch_rad) {
     target_m_ += orientation * Vec3{yaw_rad, -pitch_rad, 0} * distance_m_;
 }
 
-void OrbitCamera::go_by_steps(Real turn_rad, Real way_m) {
-    steps_ = Steps{.turn_rad = turn_rad, .way_m = way_m};
+void OrbitCamera::go_by_steps(Real turn_rad, Real zoom_m) {
+    steps_ = Steps{.turn_rad = turn_rad, .zoom_m = zoom_m};
 }
 
-void OrbitCamera::act_smoothly(const Actions& actions, Look& look, Real step_s) {
+void OrbitCamera::act_smoothly(const Actions& actions, CameraLook& look, Real step_s) {
     const Real turn = kOrbitTurn_radps * step_s;
     const Real left = travel_of(actions, Action::RotateLeft) + travel_of(actions, Action::Left);
     const Real right = travel_of(actions, Action::RotateRight) + travel_of(actions, Action::Right);
@@ -222,7 +222,7 @@ void OrbitCamera::act_smoothly(const Actions& actions, Look& look, Real step_s) 
                    std::pow(kOrbitNotch, static_cast<Real>(notches));
 }
 
-void OrbitCamera::act_by_steps(const Actions& actions, Look& look, Real step_s) {
+void OrbitCamera::act_by_steps(const Actions& actions, CameraLook& look, Real step_s) {
     const auto acts = [&](KeyRepeat& repeat,
                           std::initializer_list<Action> more,
                           std::initializer_list<Action> less) {
@@ -244,11 +244,14 @@ void OrbitCamera::act_by_steps(const Actions& actions, Look& look, Real step_s) 
     const Real down = acts(steps.pitch, {Action::Back}, {Action::Forward});
     look.turn_smoothly(right * steps.turn_rad, down * steps.turn_rad);
     const Real out =
-        acts(steps.way, {Action::ZoomOut, Action::Pull}, {Action::ZoomIn, Action::Push});
-    distance_m_ += out * steps.way_m;
+        acts(steps.zoom, {Action::ZoomOut, Action::Pull}, {Action::ZoomIn, Action::Push});
+    distance_m_ += out * steps.zoom_m;
 }
 
-void OrbitCamera::act(const Actions& actions, Look& look, const GroundBelow& ground, Real step_s) {
+void OrbitCamera::act(const Actions& actions,
+                      CameraLook& look,
+                      const GroundBelow& ground,
+                      Real step_s) {
     previous_distance_m_ = distance_m_;
     if (steps_) {
         act_by_steps(actions, look, step_s);
@@ -260,7 +263,7 @@ void OrbitCamera::act(const Actions& actions, Look& look, const GroundBelow& gro
     steady_pitch_rad_ = look.pitch_rad();
 }
 
-void OrbitCamera::stay_above(const GroundBelow& ground, Look& look) {
+void OrbitCamera::stay_above(const GroundBelow& ground, CameraLook& look) {
     const Real pitch = look.pitch_rad() - steady_pitch_rad_;
     const Real zoom = distance_m_ - previous_distance_m_;
     const auto is_above = [&](Real part, Real clearance_share) {
@@ -279,7 +282,7 @@ void OrbitCamera::stay_above(const GroundBelow& ground, Look& look) {
 
 void OrbitCamera::serialize(Archive& archive) {
     archive(target_m_, distance_m_, previous_distance_m_, steady_pitch_rad_);
-    if (steps_) archive(steps_->yaw, steps_->pitch, steps_->way);
+    if (steps_) archive(steps_->yaw, steps_->pitch, steps_->zoom);
 }
 
 Vec3 OrbitCamera::position_m(const Quat& orientation, Real blend) const {

@@ -1,6 +1,6 @@
 // The direction of view, and the two cameras that are not a person: free flight and orbit.
 //
-// Cameras move in fixed steps like everything else; the picture blends between two of them. What the
+// Cameras move in fixed steps like everything else; the frame blends between two of them. What the
 // mouse turns is applied at once and never blended.
 #pragma once
 
@@ -35,7 +35,7 @@ private:
 };
 
 /// Yaw about +Y (left is positive), pitch (up is positive).
-class Look {
+class CameraLook {
 public:
     static constexpr Real kSteepest_rad = radians_from_degrees(89.0_r);
 
@@ -43,9 +43,9 @@ public:
     /// From now on yaw and pitch turn this orientation, about its own axes, and begin at 0.
     void start_from(const Quat& orientation);
     void aim_along(const Vec3& direction);
-    /// From the mouse or stick: the picture has shown it already.
+    /// From the mouse or stick: the frame has shown it already.
     void turn(Real yaw_rad, Real pitch_rad);
-    /// From keys or a turning floor: the picture blends it in.
+    /// From keys or a turning floor: the frame blends it in.
     void turn_smoothly(Real yaw_rad, Real pitch_rad);
     void begin_step();
 
@@ -64,7 +64,7 @@ private:
     Quat start_{kNoRotation};
     Real yaw_rad_{0};
     Real pitch_rad_{0};
-    Real smooth_yaw_rad_{0};  ///< part of the latest step that the picture still has to show
+    Real smooth_yaw_rad_{0};  ///< part of the latest step that the frame still has to show
     Real smooth_pitch_rad_{0};
 };
 
@@ -83,7 +83,10 @@ struct GroundBelow {
 class FlyCamera {
 public:
     void place(const Vec3& position_m);
-    void act(const Actions& actions, const Look& look, const GroundBelow& ground, Real step_s);
+    void act(const Actions& actions,
+             const CameraLook& look,
+             const GroundBelow& ground,
+             Real step_s);
     /// One notch of the wheel: +1 faster, -1 slower.
     void change_speed(int notches);
     /// For a model of another size than gardens: one radius a second at first, and bounds around it.
@@ -118,12 +121,12 @@ public:
     void place(const Vec3& target_m, Real distance_m, Real pitch_rad);
     /// For things of another size than gardens: how near and far it goes for that radius.
     void suit(Real radius_m);
-    /// Moves what it turns around across the picture, by angles as the pointer gives them.
+    /// Moves what it turns around across the image, by angles as the pointer gives them.
     void pan(const Quat& orientation, Real yaw_rad, Real pitch_rad);
     /// From now on keys turn and zoom by steps: one a press, and while held ten a second.
-    void go_by_steps(Real turn_rad, Real way_m);
+    void go_by_steps(Real turn_rad, Real zoom_m);
     /// Turns `look` by the keys as well, and back where that would take the eye under the ground.
-    void act(const Actions& actions, Look& look, const GroundBelow& ground, Real step_s);
+    void act(const Actions& actions, CameraLook& look, const GroundBelow& ground, Real step_s);
 
     Vec3 position_m(const Quat& orientation, Real blend) const;
     Real distance_m() const { return distance_m_; }
@@ -133,14 +136,14 @@ public:
 private:
     struct Steps {
         Real turn_rad;
-        Real way_m;
+        Real zoom_m;
         KeyRepeat yaw{10};
         KeyRepeat pitch{10};
-        KeyRepeat way{10};
+        KeyRepeat zoom{10};
     };
-    void act_smoothly(const Actions& actions, Look& look, Real step_s);
-    void act_by_steps(const Actions& actions, Look& look, Real step_s);
-    void stay_above(const GroundBelow& ground, Look& look);
+    void act_smoothly(const Actions& actions, CameraLook& look, Real step_s);
+    void act_by_steps(const Actions& actions, CameraLook& look, Real step_s);
+    void stay_above(const GroundBelow& ground, CameraLook& look);
 
     Vec3 target_m_{0, 0, 0};
     Real distance_m_{5};

@@ -1,5 +1,6 @@
 #include "game/rules/grab.h"
 
+#include "engine/scene/simulation/entity_lookup.h"
 #include "game/components.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ std::optional<Looked> looked_at(const scene::Simulation& simulation, const Aim& 
     const auto hit = simulation.physics.cast_ray(
         aim.eye_m, aim.eye_m + aim.forward * aim.reach_m(arm_m), {.ignored = aim.own_body});
     if (!hit) return std::nullopt;
-    return Looked{.entity = simulation.entity_of(hit->body),
+    return Looked{.entity = entity_of(simulation, hit->body),
                   .body = hit->body,
                   .point_m = hit->point_world,
                   .distance_m = hit->distance_m};

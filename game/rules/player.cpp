@@ -1,5 +1,6 @@
 #include "game/rules/player.h"
 
+#include "engine/scene/simulation/entity_lookup.h"
 #include "game/rules/aim.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr Real kSlowestPace = 0.25_r;
 constexpr Real kFastestPace = 3;
 
 std::uint16_t surface_under(const scene::Simulation& simulation, physics::BodyId ground) {
-    const ecs::Entity entity = simulation.entity_of(ground);
+    const ecs::Entity entity = entity_of(simulation, ground);
     if (!simulation.registry.alive(entity)) return 0;
     const auto* surface = simulation.registry.find<scene::SurfaceRef>(entity);
     return surface == nullptr ? std::uint16_t{0} : surface->surface;
@@ -32,7 +33,10 @@ Player::Player(scene::Simulation& simulation, const Vec3& feet_m) {
     previous_eye_m_ = character_->state().eye_position_m;
 }
 
-void Player::act(scene::Simulation& simulation, const Actions& actions, Look& look, bool walks) {
+void Player::act(scene::Simulation& simulation,
+                 const Actions& actions,
+                 CameraLook& look,
+                 bool walks) {
     previous_eye_m_ = character_->state().eye_position_m;
     physics::CharacterInput input;
     if (walks) {

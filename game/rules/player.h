@@ -19,7 +19,7 @@ public:
     Player(scene::Simulation& simulation, const Vec3& feet_m);
 
     /// One step of walking where `look` points; `walks` false: stands still (another camera is on).
-    void act(scene::Simulation& simulation, const Actions& actions, Look& look, bool walks);
+    void act(scene::Simulation& simulation, const Actions& actions, CameraLook& look, bool walks);
     void teleport(const Vec3& feet_m);
     /// One notch of the wheel: +1 faster, -1 slower. Returns the walking speed, m/s.
     Real change_pace(int notches);

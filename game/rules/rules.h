@@ -17,6 +17,7 @@
 
 namespace plumbline::game {
 
+/// So many fields because each thing that a person can do in the playground keeps its own state here.
 class PlaygroundGame final : public scene::Game {
 public:
     /// For a freshly built simulation, which must outlive it. Things come from
@@ -34,6 +35,7 @@ public:
     scene::HudContent hud(const scene::Simulation& simulation) override;
 
     bool holds() const override { return grab_.holding(); }
+    bool crouches() const override { return player_ && player_->state().crouched; }
     bool frees_pointer() const override { return views_model(); }
     std::string_view kind() const override { return "the playground"; }
     void serialize(Archive& archive, scene::Simulation& simulation) override;
@@ -92,7 +94,7 @@ private:
 
     Real step_s_;
     MoveMode mode_{MoveMode::Walk};
-    Look look_;
+    CameraLook look_;
     FlyCamera fly_;
     OrbitCamera orbit_;
     std::optional<Player> player_;

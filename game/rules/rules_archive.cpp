@@ -1,4 +1,5 @@
 // What the playground decides by, as fields of an archive.
+#include "engine/scene/simulation/simulation_archive.h"
 #include "game/rules/rules.h"
 
 namespace plumbline::game {
@@ -7,7 +8,7 @@ void PlaygroundGame::serialize(Archive& archive, scene::Simulation& simulation) 
     // The person's body first gives up its place: a thing may have had it.
     bool walks = player_.has_value();
     if (archive.reads()) player_.reset();
-    simulation.serialize_entities(archive, [&](const std::string& kind, const std::string& name) {
+    serialize_entities(simulation, archive, [&](const std::string& kind, const std::string& name) {
         return things_.make_again(simulation, kind, name);
     });
     archive(walks, start_feet_m_);

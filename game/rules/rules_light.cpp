@@ -1,5 +1,6 @@
 // Flashlight, fog, sun, the spotlight.
 #include "engine/scene/environment/live_light.h"
+#include "engine/scene/environment/sun_hour.h"
 #include "game/rules/rules.h"
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ void PlaygroundGame::light(scene::Simulation& simulation, const Actions& actions
     switches.sun_rotation_radps +=
         kSunNotch_radps * static_cast<float>(actions.presses(Action::SunFaster));
     if (actions.presses(Action::SunStop) > 0) switches.sun_rotation_radps = 0.0F;
-    if (const auto hour = simulation.hour(); hour && wants_sun) {
+    if (const auto hour = hour_of(simulation); hour && wants_sun) {
         const auto minutes = static_cast<int>(*hour * 60);
         say(fmt::format("{}:{:02}, {:.0f} minutes a second",
                         minutes / 60,
@@ -79,9 +80,9 @@ void PlaygroundGame::aim_spot(scene::Simulation& simulation, const Actions& acti
     const Aim now = aim();
     ecs::Entity nearest{};
     Real least_m = 0;
-    for (auto [entity, light, placement] :
-         simulation.registry.view<const scene::PointLight, const scene::Placement>()) {
-        const Real distance_m = glm::distance(placement.world_from_body.position, now.eye_m);
+    for (auto [entity, light, transform] :
+         simulation.registry.view<const scene::PointLight, const scene::Transform>()) {
+        const Real distance_m = glm::distance(transform.world_from_body.position, now.eye_m);
         if (!light.is_spot || (nearest && distance_m >= least_m)) continue;
         nearest = entity;
         least_m = distance_m;
@@ -92,7 +93,7 @@ void PlaygroundGame::aim_spot(scene::Simulation& simulation, const Actions& acti
     }
     const Vec3 far_point = now.eye_m + now.forward * kSpotReach_m;
     const auto seen = simulation.physics.cast_ray(now.eye_m, far_point, {.ignored = now.own_body});
-    const Pose& stand = simulation.registry.get<scene::Placement>(nearest).world_from_body;
+    const Pose& stand = simulation.registry.get<scene::Transform>(nearest).world_from_body;
     const Vec3 way = (seen ? seen->point_world : far_point) - stand.position;
     auto& light = simulation.registry.get<scene::PointLight>(nearest);
     const Vec3 direction =

@@ -214,8 +214,8 @@ Result<ecs::Entity> Things::put(scene::Simulation& simulation,
     }
     const Pose pose{.position = *place - turn * middle, .orientation = turn};
     simulation.physics.set_pose(body, pose);
-    simulation.registry.get<scene::Placement>(entity).world_from_body = pose;
-    if (auto* previous = simulation.registry.find<scene::PreviousPlacement>(entity)) {
+    simulation.registry.get<scene::Transform>(entity).world_from_body = pose;
+    if (auto* previous = simulation.registry.find<scene::PreviousTransform>(entity)) {
         previous->world_from_body = pose;
     }
     ++serial_;

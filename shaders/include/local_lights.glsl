@@ -50,7 +50,7 @@ float local_light_lit(Surface s, LocalLight light) {
 // The exponent of a power of two is the number of its bit.
 int bit_of(uint power) { return (floatBitsToInt(float(int(power))) >> 23 & 255) - 127; }
 
-// The lights whose bits this part of the picture has; light_clusters.h says how they lie.
+// The lights whose bits this part of the image has; light_clusters.h says how they lie.
 vec3 local_lights_light(Surface s) {
     ivec2 tile = min(ivec2(gl_FragCoord.xy * frame.clusters.xy),
                      ivec2(PL_CLUSTERS_X - 1, PL_CLUSTERS_Y - 1));

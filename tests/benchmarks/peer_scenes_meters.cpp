@@ -198,7 +198,7 @@ public:
         const BodyView& now = views[ball_];
         const double speed_mps = law_.speed_at_mps(time_s);
         const Vec3d way = now.position - start_.position;
-        along_error_m_ = glm::dot(way, along_) - law_.way_m(time_s);
+        along_error_m_ = glm::dot(way, along_) - law_.path_m(time_s);
         most_along_m_ = std::max(most_along_m_, std::abs(along_error_m_));
         speed_error_mps_ = glm::dot(now.velocity_mps, along_) - speed_mps;
         most_speed_mps_ = std::max(most_speed_mps_, std::abs(speed_error_mps_));

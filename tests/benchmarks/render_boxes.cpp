@@ -150,7 +150,7 @@ int run(const Options& options) {
         if (i == -kWarmUp) renderer.prepare(frame);
         draw(renderer, frame);
         if (i == -kWarmUp) {
-            renderer.read_pixels();  // waits for the picture
+            renderer.read_pixels();  // waits for the image
             fmt::print("first frame after {:.0f} ms\n", seconds_since_process_start() * 1e3);
         }
         for (const auto& pass : renderer.stats().passes) {

@@ -46,7 +46,7 @@ def a_scene_is_saved_while_it_runs(folder):
     """EXPERIENCE F21; then the X server goes (EXPERIENCE A6)."""
     scene = folder / "cube.toml"
     scene.write_text(SCENE)
-    tape = folder / "sitting.tape"
+    tape = folder / "session.tape"
     report = folder / "report.json"
     with virtual_screen() as screen:
         game = Program([program_file, "play", str(scene), "--size", "320x180", "--no-sound",

@@ -61,7 +61,7 @@ def bind_a_key(folder, environment):
         game.wait(10)
     finally:
         game.stop()
-    wait_for(folder / "config/plumbline/app.ui.toml", 'level = "low"', "kept over the next sitting")
+    wait_for(folder / "config/plumbline/app.ui.toml", 'level = "low"', "kept over the next session")
     shown = controls(environment)
     expect("bindings.ui.toml:" in shown.split("forward =")[1].split("\n")[0], shown)
     expect("bindings.ui.toml" not in controls(environment, "--safe"), "--safe reads nobody's files")

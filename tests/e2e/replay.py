@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A recording of a random sitting plays back bit for bit, at another frame rate; a recording of
+"""A recording of a random session plays back bit for bit, at another frame rate; a recording of
 another scene is refused."""
 import subprocess
 import sys
@@ -22,7 +22,7 @@ def state_of(run):
 
 with virtual_screen() as screen, home() as folder:
     environment = settings_in(folder, screen)
-    tape = str(folder / "sitting.tape")
+    tape = str(folder / "session.tape")
     first = play(environment, "playroom", "--size", "320x180", "--random-input", "7", "--seconds", "8", "--record", tape)
     expect(first.returncode == 0, first.stderr)
     expected = state_of(first)

@@ -133,7 +133,7 @@ def play_with_a_crate_in_hand(folder, environment, tape, slot, falls_s):
 
 
 def a_crate_in_hand_stays_there(folder, environment):
-    tape = folder / "sitting.tape"
+    tape = folder / "session.tape"
     slot = folder / "data" / "plumbline" / "saves" / "garden-1.save"
     # The hand must be on the crate before it has fallen, which takes another time on every machine.
     for falls_s in (0.15, 0.3, 0.1, 0.5, 0.2, 0.7, 0.05):

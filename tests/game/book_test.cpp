@@ -94,7 +94,7 @@ TEST(Book, AHeldArrowGoesOnTenTimesASecond) {
     EXPECT_NEAR(std::abs(orbit_place(play).yaw_deg), 55, 1e-2);
 }
 
-// SOURCES A8: the up vector stands upright in the picture.
+// SOURCES A8: the up vector stands upright in the image.
 TEST(Book, TheUpVectorIsUpInThePicture) {
     for (const Vec3 up :
          {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0, -1, 0}, glm::normalize(Vec3{1, 2, 3})}) {

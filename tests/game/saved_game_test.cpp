@@ -1,4 +1,5 @@
 // The playground put back from its fields: what is in the hand, in the air, on the floor and in mind.
+#include "engine/scene/simulation/simulation_archive.h"
 #include "tests/game/rules/playground.h"
 
 namespace plumbline::game {
@@ -7,7 +8,7 @@ namespace {
 std::string saved(Playground& world) {
     Archive archive;
     world.game->serialize(archive, *world.simulation);
-    world.simulation->serialize_state(archive);
+    serialize_state(*world.simulation, archive);
     EXPECT_FALSE(archive.failed()) << archive.fault();
     return archive.take();
 }
@@ -15,7 +16,7 @@ std::string saved(Playground& world) {
 void put_back(const std::string& bytes, Playground& world) {
     Archive archive(bytes);
     world.game->serialize(archive, *world.simulation);
-    world.simulation->serialize_state(archive);
+    serialize_state(*world.simulation, archive);
     EXPECT_FALSE(archive.failed()) << archive.fault();
     EXPECT_EQ(archive.left(), 0U);
 }
@@ -117,6 +118,17 @@ TEST_F(SavedPlayground, APersonWhoCrouchesOnAFrozenThing) {
     both(1, hold({Action::Forward}));
 }
 
+TEST_F(SavedPlayground, WhoCrouchesStillDoes) {
+    EXPECT_FALSE(there_.game->crouches());
+    there_.run(0.5, hold({Action::Crouch}));
+    EXPECT_TRUE(there_.game->crouches());
+    go_on_from_here();
+    EXPECT_TRUE(here_.game->crouches());
+    both(0.5, hold({Action::Crouch, Action::Left}));
+    both(0.5);
+    EXPECT_FALSE(here_.game->crouches());
+}
+
 TEST_F(SavedPlayground, WhileEverythingSleeps) {
     there_.run(4);
     ASSERT_EQ(there_.simulation->physics.awake_count(), 0U);
@@ -149,7 +161,7 @@ TEST_F(SavedPlayground, CutAnywhereItIsRefused) {
         Playground fresh(crates());
         Archive archive(std::string_view(bytes).substr(0, size));
         fresh.game->serialize(archive, *fresh.simulation);
-        fresh.simulation->serialize_state(archive);
+        serialize_state(*fresh.simulation, archive);
         EXPECT_TRUE(archive.failed()) << size;
     }
 }

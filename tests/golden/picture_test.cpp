@@ -1,4 +1,4 @@
-// Small pictures against stored ones, for what no closed form predicts: how it all looks together.
+// Small images against stored ones, for what no closed form predicts: how it all looks together.
 // PL_UPDATE_GOLDEN=1 writes the stored ones anew; look at them before committing.
 #include "engine/assets/image/image_import.h"
 #include "tests/engine/render/gl_fixture.h"

@@ -1,4 +1,5 @@
 // The book's stages: what their comments promise.
+#include "engine/scene/simulation/entity_lookup.h"
 #include "tests/scenarios/scene_run.h"
 
 #include <cmath>
@@ -72,8 +73,8 @@ TEST(BookStages, BoxesAndBallsPassThroughEachOtherAndBallsStayInThePlane) {
     for (int step = 0; step < 60 * 5; ++step) {
         run.step(1);
         for (const physics::ContactEvent& touch : run.simulation->physics.all_contacts()) {
-            const std::string a = run.simulation->name_of_mark(touch.user_a);
-            const std::string b = run.simulation->name_of_mark(touch.user_b);
+            const std::string a = name_of_mark(*run.simulation, touch.user_a);
+            const std::string b = name_of_mark(*run.simulation, touch.user_b);
             const bool mixed = (a.starts_with("box") && b.starts_with("ball")) ||
                                (a.starts_with("ball") && b.starts_with("box"));
             ASSERT_FALSE(mixed) << a << " touches " << b << " in step " << step;

@@ -51,7 +51,7 @@ TEST(FallingCubeScene, ASimulationOfItPaysForNoEffect) {
 }
 
 TEST(FallingCubeScene, PlayingItPaysForWhatTheFileNames) {
-    SceneRun run("falling_cube.toml", {}, {.picture = true, .sound = true});
+    SceneRun run("falling_cube.toml", {}, {.frame = true, .sound = true});
     ASSERT_TRUE(run.simulation);
     const scene::SceneDescription& scene = run.simulation->description();
     run.step(120);

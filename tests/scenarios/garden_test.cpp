@@ -1,6 +1,7 @@
 // The garden keeps its promises: its house is closed, its doors turn, its things stand still.
 
 #include "engine/physics/character.h"
+#include "engine/scene/simulation/entity_lookup.h"
 #include "tests/scenarios/scene_run.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ protected:
         return run_.simulation->registry.get<scene::BodyRef>(entity).body;
     }
     std::string name_of(physics::BodyId hit) const {
-        return run_.simulation->registry.get<scene::Name>(run_.simulation->entity_of(hit)).text;
+        return run_.simulation->registry.get<scene::Name>(entity_of(*run_.simulation, hit)).text;
     }
     /// How far a hinged leaf has turned about +Y since it was built as drawn in the file.
     Real turned_deg(const std::string& leaf) const {
@@ -109,9 +110,9 @@ TEST_F(Garden, ThingsStandStillAndFallAsleep) {
         EXPECT_LT(glm::distance(end, start[i]), 0.002_r) << name;
         EXPECT_GT(end.y, -0.001_r) << name << " sank into the ground";
     }
-    EXPECT_EQ(run_.simulation->removed_count(), 0U);
+    EXPECT_EQ(run_.simulation->tally().removed, 0U);
     EXPECT_LT(world().max_penetration_m(), 0.002);
-    EXPECT_TRUE(run_.simulation->warnings().empty());
+    EXPECT_TRUE(run_.simulation->warnings.empty());
 }
 
 TEST_F(Garden, EveryThingHasANameThatAPersonReads) {

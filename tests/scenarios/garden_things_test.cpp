@@ -210,7 +210,7 @@ TEST_F(GardenThings, TheLanternSwingsOnItsChainAndComesToRest) {
 
 // 1 N s on 0.3 kg is 3.3 m/s: the clapper meets tubes, and tubes ring, until all hang still.
 TEST_F(GardenThings, TheChimesRingWhenTheirTubesMeetAndComeToRest) {
-    SceneRun heard("garden.toml", {}, {.picture = false, .sound = true});
+    SceneRun heard("garden.toml", {}, {.frame = false, .sound = true});
     ASSERT_TRUE(heard.simulation);
     heard.step(60 * 4);
     const auto near_chimes = [&] {

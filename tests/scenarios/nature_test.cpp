@@ -13,7 +13,7 @@ using test::SceneRun;
 TEST(Nature, TheMillPushesTheCratesAway) {
     SceneRun run("nature.toml");
     ASSERT_TRUE(run.simulation);
-    EXPECT_TRUE(run.simulation->warnings().empty()) << run.simulation->warnings().front();
+    EXPECT_TRUE(run.simulation->warnings.empty()) << run.simulation->warnings.front();
     const Vec3 first = run.state("mill_crate_1").world_from_body.position;
     const Vec3 second = run.state("mill_crate_2").world_from_body.position;
     const Quat start = run.state("mill/sail_1").world_from_body.orientation;

@@ -21,7 +21,7 @@ TEST(Pile, ComesDownWithoutGainingEnergy) {
         EXPECT_LT(energy_J(), start_J) << "in second " << second;
     }
     EXPECT_EQ(world.quarantined().size(), 0U);
-    EXPECT_EQ(run.simulation->removed_count(), 0U);
+    EXPECT_EQ(run.simulation->tally().removed, 0U);
     EXPECT_LT(world.max_penetration_m(), 0.01);
 }
 

@@ -27,7 +27,7 @@ inline scene::EntityDescription box(const std::string& name,
     entity.world_from_body.position = position_m;
     entity.visual = scene::Primitive{physics::BoxShape{.size_m = size_m}};
     entity.body = scene::BodyDescription{.kind = kind};
-    entity.origin = {.file = "test.toml", .line = 10};
+    entity.location = in_file("test.toml", 10);
     return entity;
 }
 

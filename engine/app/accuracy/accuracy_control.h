@@ -42,7 +42,7 @@ public:
     /// `recorded`: a recording or a replay runs, which holds no change of accuracy.
     AccuracyControl(Session& session, bool recorded);
 
-    /// Gauges are read only while somebody looks: energy and overlap walk all bodies.
+    /// Gauges are read only while somebody looks: energy and penetration walk all bodies.
     void watch(bool shown);
     /// After each fixed step.
     void after_step();

@@ -101,7 +101,7 @@ void draw_gauges(const AccuracyGauges& gauges) {
                      gauges.lost_s));
     text(fmt::format(
         "energy {:.4g} J, {:+.2g} J in a second", gauges.energy_J, gauges.energy_change_J));
-    text(fmt::format("deepest overlap {:.3f} mm, widest joint gap {:.3f} mm",
+    text(fmt::format("deepest penetration {:.3f} mm, largest joint error {:.3f} mm",
                      gauges.max_penetration_m * 1e3,
                      gauges.max_joint_error_m * 1e3));
     const std::string done = scene::interventions_text(gauges.cost.interventions);

@@ -1,4 +1,4 @@
-// Pictures of the program's own screen, as files.
+// Images of the program's own screen, as files.
 #pragma once
 
 #include "engine/core/result.h"
@@ -9,7 +9,7 @@
 
 namespace plumbline::app {
 
-/// Writes the presented picture to FOLDER/SCENE_DATE_TIME_N.png; the folder is made when missing.
+/// Writes the presented frame to FOLDER/SCENE_DATE_TIME_N.png; the folder is made when missing.
 Result<std::filesystem::path> save_screenshot(const render::Renderer& renderer,
                                               const std::filesystem::path& folder,
                                               const std::string& scene);

@@ -34,7 +34,7 @@ bool is_installed(std::string_view program) {
 
 std::vector<std::string> words_for(const VideoDef& def) {
     const std::string rate = fmt::format("{}", def.frames_per_s);
-    // What comes: bare pictures, one after the other; by the clock, or at an even pace.
+    // What comes: bare images, one after the other; by the clock, or at an even pace.
     std::vector<std::string> words{"-loglevel", "error", "-y", "-f", "rawvideo"};
     const auto add = [&](std::initializer_list<std::string> more) {
         words.insert(words.end(), more);

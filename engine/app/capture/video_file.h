@@ -1,4 +1,4 @@
-// Pictures to a film, by ffmpeg where it is installed, on a thread of its own.
+// Images to a film, by ffmpeg where it is installed, on a thread of its own.
 #pragma once
 
 #include "engine/assets/image_data.h"
@@ -21,7 +21,7 @@ struct VideoDef {
     std::uint32_t width_px{0};
     std::uint32_t height_px{0};
     int frames_per_s{60};
-    /// Pictures come as they are drawn, frames_per_s at most, and each is shown until the next one came.
+    /// Images come as they are drawn, frames_per_s at most, and each is shown until the next one came.
     /// Else each is shown for 1 / frames_per_s.
     bool live{false};
 };
@@ -37,11 +37,11 @@ public:
     VideoFile& operator=(const VideoFile&) = delete;
 
     const VideoDef& def() const { return def_; }
-    /// A few pictures wait at most; then this one has to, or be left out.
+    /// A few images wait at most; then this one has to, or be left out.
     bool is_full() const;
     /// One that was shown, for its memory; an empty one where there is none.
     assets::ImageData spare();
-    /// Shows an RGB picture of the film's size. False, without waiting, once nobody reads them any
+    /// Shows an RGB image of the film's size. False, without waiting, once nobody reads them any
     /// more: finish() says why.
     bool add(assets::ImageData picture);
     /// Waits for what is still to be written. The error tells what went wrong, and that what was

@@ -43,7 +43,7 @@ struct TapeState {
     std::vector<std::uint16_t> bodies;  ///< one a moving body, in the simulation's order
 };
 
-/// Collects what steps were told, in a temporary file without a name: however long the sitting, it
+/// Collects what steps were told, in a temporary file without a name: however long the session, it
 /// takes no memory, and a killed program leaves nothing behind.
 class TapeRecorder {
 public:
@@ -118,7 +118,7 @@ private:
     std::vector<std::uint16_t> bodies_;
 };
 
-/// A monkey: any action at any time, the same ones for the same seed (--random-input).
+/// Random input: any action at any time, the same ones for the same seed (--random-input).
 class RandomActions {
 public:
     explicit RandomActions(std::uint64_t seed) : random_(seed) {}

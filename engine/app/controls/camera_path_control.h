@@ -1,4 +1,4 @@
-// The camera's path in play: recorded, played and read again. It moves the picture alone; the world and
+// The camera's path in play: recorded, played and read again. It moves the image alone; the world and
 // whoever walks in it know nothing of it.
 #pragma once
 
@@ -27,7 +27,7 @@ public:
 
     /// Once a frame, before see(): what was pressed. Walking ends a path that plays.
     void apply(input::ActionLatch& latch, double now_s);
-    /// Where the picture is taken from: from the path while one plays. Keeps the view while one is
+    /// Where the frame is seen from: from the path while one plays. Keeps the view while one is
     /// recorded. Time that passes while `held` is none.
     scene::ViewPoint see(const scene::ViewPoint& view, double now_s, bool held);
     /// "recording the camera: 3.2 s", or empty.

@@ -76,4 +76,16 @@ void apply_frame_actions(input::ActionLatch& latch,
     refuse_unbuilt_actions(latch, say);
 }
 
+void resume_toggles(const scene::Game& game, input::ActionLatch& latch) {
+    const auto put = [&](Action action, bool engaged) {
+        if (engaged) {
+            latch.engage(action);
+        } else {
+            latch.release(action);
+        }
+    };
+    put(Action::Grab, game.holds());
+    put(Action::Crouch, game.crouches());
+}
+
 }  // namespace plumbline::app

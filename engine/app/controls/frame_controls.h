@@ -7,6 +7,7 @@
 #include "engine/input/action_latch.h"
 #include "engine/platform/window.h"
 #include "engine/render/render_frame.h"
+#include "engine/scene/game.h"
 
 #include <filesystem>
 #include <functional>
@@ -48,5 +49,8 @@ void apply_frame_actions(input::ActionLatch& latch,
                          FrameClock& clock,
                          platform::Window& window,
                          const std::function<void(std::string)>& say);
+
+/// Puts what is toggled (grab, crouch) where a saved game has it: its keys need not be pressed again.
+void resume_toggles(const scene::Game& game, input::ActionLatch& latch);
 
 }  // namespace plumbline::app

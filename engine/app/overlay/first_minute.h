@@ -45,7 +45,7 @@ public:
     /// empty ones.
     explicit FirstMinute(std::filesystem::path file);
 
-    /// Presses since the start of the sitting, as the latch counts them. Stores what is new.
+    /// Presses since the start of the session, as the latch counts them. Stores what is new.
     void see(const std::array<std::uint64_t, kActionCount>& presses);
     /// The step to say; nothing when all has been done.
     std::optional<FirstStep> now(const HintScene& scene) const;

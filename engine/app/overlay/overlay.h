@@ -1,4 +1,4 @@
-// Everything drawn over the picture: crosshair, hints, messages, statistics, the accuracy panel and
+// Everything drawn over the image: crosshair, hints, messages, statistics, the accuracy panel and
 // the menu. With ui/ the only user of Dear ImGui. Reads; what was chosen in it is returned or, on
 // the pages of the menu, done by what the pages were given.
 #pragma once

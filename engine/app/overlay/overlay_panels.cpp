@@ -117,6 +117,19 @@ std::vector<HudLine> model_lines(const scene::Simulation& simulation) {
     return lines;
 }
 
+/// Of each pass and each effect.
+void add_costs(const OverlayInput& input, std::vector<HudLine>& lines) {
+    const auto add = [&](std::string line) { lines.push_back({.text = std::move(line)}); };
+    for (const render::PassTiming& pass : input.report.last_stats().passes) {
+        const std::string gpu = pass.gpu_ms >= 0.0 ? fmt::format("{:.2f}", pass.gpu_ms) : "-";
+        add(fmt::format("{}: cpu {:.2f}  gpu {} ms", pass.name, pass.cpu_ms, gpu));
+    }
+    for (const effects::LedgerLine& line : input.ledger) {
+        if (line.exists)
+            add(fmt::format("{}: {} calls  {:.2f} ms", line.name, line.calls, line.cpu_ms));
+    }
+}
+
 std::vector<HudLine> stats_lines(const OverlayInput& input) {
     const scene::Percentiles frame = input.report.recent_frame_ms();
     const physics::StepCost& cost = input.simulation.physics.cost();
@@ -148,7 +161,7 @@ std::vector<HudLine> stats_lines(const OverlayInput& input) {
     if (const std::string done = scene::interventions_text(input.report.interventions());
         !done.empty())
         add(fmt::format("beside solving: {}", done));
-    const PictureInForce& picture = input.report.picture();
+    const QualityInForce& picture = input.report.picture();
     const std::string without = render::what_gave_way(picture.quality);
     add(fmt::format("picture {}{}  {} x {}{}",
                     picture.level,
@@ -166,14 +179,7 @@ std::vector<HudLine> stats_lines(const OverlayInput& input) {
         add(fmt::format("shadows of {} lamps, {} in sight go without",
                         stats.shadowed_lights,
                         stats.unshadowed_lights));
-    for (const render::PassTiming& pass : stats.passes) {
-        const std::string gpu = pass.gpu_ms >= 0.0 ? fmt::format("{:.2f}", pass.gpu_ms) : "-";
-        add(fmt::format("{}: cpu {:.2f}  gpu {} ms", pass.name, pass.cpu_ms, gpu));
-    }
-    for (const effects::LedgerLine& line : input.ledger) {
-        if (line.exists)
-            add(fmt::format("{}: {} calls  {:.2f} ms", line.name, line.calls, line.cpu_ms));
-    }
+    add_costs(input, lines);
     add(fmt::format("memory {:.0f} MiB at most",
                     static_cast<double>(peak_resident_bytes()) / 1048576.0));
     return lines;

@@ -20,7 +20,7 @@ constexpr std::string_view stem_of(std::string_view text) {
     return text.substr(0, text.find_first_of("0123456789"));
 }
 
-/// All that is written over the picture in play, but for messages.
+/// All that is written over the image in play, but for messages.
 ui::HudTexts hud_texts(const OverlayInput& input);
 std::vector<ui::HudLine> message_lines(const std::deque<Message>& messages,
                                        double now_s,

@@ -188,7 +188,7 @@ std::vector<Setting> settings_of(AppConfig& config) {
         {"window", "pause_on_focus_loss", &config.pause_on_focus_loss, "Pause in the background"},
         {"picture",
          "level",
-         WordSetting{place_of(config.picture_level), kPictureLevelNames},
+         WordSetting{place_of(config.quality_level), kPictureLevelNames},
          "Level of detail"},
         {"picture", "target_ms", FloatSetting{&config.target_ms, 4, 200}, "Auto: ms a frame"},
         {"picture", "render_scale", FloatSetting{&config.render_scale, 0, 1}, "Render scale"},

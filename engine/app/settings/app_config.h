@@ -16,7 +16,7 @@
 
 namespace plumbline::app {
 
-enum class PictureLevel : std::uint8_t { Auto, Low, Medium, High };
+enum class QualityLevel : std::uint8_t { Auto, Low, Medium, High };
 inline constexpr std::array<std::string_view, 4> kPictureLevelNames{
     "auto", "low", "medium", "high"};
 
@@ -24,16 +24,17 @@ enum class EdgeWish : std::uint8_t { Auto, Off, Fxaa, Msaa2, Msaa4, Msaa8 };
 inline constexpr std::array<std::string_view, 6> kEdgeWishNames{
     "auto", "off", "fxaa", "msaa2", "msaa4", "msaa8"};
 
+/// So many fields because each key of app.toml is one.
 struct AppConfig {
     int width{1280};  ///< [window]
     int height{720};
     bool vsync{true};
     int max_fps{240};  ///< when vsync does not hold the loop back
     bool pause_on_focus_loss{false};
-    PictureLevel picture_level{PictureLevel::Auto};  ///< [picture]
+    QualityLevel quality_level{QualityLevel::Auto};  ///< [picture]
     float target_ms{33.0F};                          ///< of a frame: what the level `auto` aims at
-    float render_scale{0.0F};                ///< of each side of the picture; 0: by the level
-    EdgeWish anti_aliasing{EdgeWish::Auto};  ///< auto: by the level, and by what draws
+    float render_scale{0.0F};                        ///< of each side of the image; 0: by the level
+    EdgeWish anti_aliasing{EdgeWish::Auto};          ///< auto: by the level, and by what draws
     float fov_deg{70.0F};  ///< upright field of view of a walker; other cameras follow
     float ui_scale{0.0F};  ///< [hud] 0: from window and screen
     bool hints{true};

@@ -49,11 +49,11 @@ void LiveConfig::load() {
     if (files_there_ > 0 && (faults_.has_errors() || there < files_there_)) return;
     files_there_ = there;
     below_ = below;
-    const PictureLevel put = current_.picture_level;
+    const QualityLevel put = current_.quality_level;
     current_ = read;
     if (!stored_level_) return;
-    stored_level_ = read.picture_level;
-    current_.picture_level = put;
+    stored_level_ = read.quality_level;
+    current_.quality_level = put;
 }
 
 bool LiveConfig::reload_if_changed(double now_s) {
@@ -66,16 +66,16 @@ bool LiveConfig::reload_if_changed(double now_s) {
 
 Result<Done> LiveConfig::change(const AppConfig& wanted) {
     if (wanted == current_) return Done{};
-    if (wanted.picture_level != current_.picture_level) stored_level_.reset();
+    if (wanted.quality_level != current_.quality_level) stored_level_.reset();
     current_ = wanted;
     AppConfig stored = wanted;
-    stored.picture_level = stored_level_.value_or(wanted.picture_level);
+    stored.quality_level = stored_level_.value_or(wanted.quality_level);
     return write_user_setting(user_folder_, kSettingsFile, ui_config_text(below_, stored));
 }
 
-void LiveConfig::put_level(PictureLevel level) {
-    stored_level_ = current_.picture_level;
-    current_.picture_level = level;
+void LiveConfig::put_level(QualityLevel level) {
+    stored_level_ = current_.quality_level;
+    current_.quality_level = level;
 }
 
 Result<Done> write_user_setting(const std::filesystem::path& user_folder,

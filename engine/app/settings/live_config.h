@@ -31,7 +31,7 @@ public:
     /// they hold for this session all the same.
     Result<Done> change(const AppConfig& wanted);
     /// The command line's: in force until change() brings another, and never stored.
-    void put_level(PictureLevel level);
+    void put_level(QualityLevel level);
 
 private:
     void load();
@@ -41,7 +41,7 @@ private:
     Diagnostics faults_;
     AppConfig below_;
     AppConfig current_;
-    std::optional<PictureLevel> stored_level_;  ///< while the command line's is in force
+    std::optional<QualityLevel> stored_level_;  ///< while the command line's is in force
     std::size_t files_there_{0};                ///< when they were read last
     std::unique_ptr<platform::FileWatch> watch_;
 };

@@ -149,13 +149,13 @@ void Canvas::Impl::build_atlas() {
     apply_style(font_px);
 }
 
-std::optional<PictureUv> Canvas::Impl::picture(const std::string& name) const {
+std::optional<ImageUv> Canvas::Impl::picture(const std::string& name) const {
     const auto found = pictures.find(name);
     if (found == pictures.end() || found->second.place < 0) return std::nullopt;
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     const ImFontAtlasCustomRect* at = atlas.GetCustomRectByIndex(found->second.place);
     if (at == nullptr || !at->IsPacked()) return std::nullopt;
-    PictureUv uv;
+    ImageUv uv;
     atlas.CalcCustomRectUV(at, &uv.from, &uv.to);
     return uv;
 }
@@ -240,17 +240,6 @@ void Canvas::draw(const HudPanel& panel, float opacity, Layer layer) {
 
 void Canvas::end() {
     ImGui::Render();
-}
-
-std::vector<Canvas::ShownWindow> Canvas::windows() const {
-    std::vector<ShownWindow> shown;
-    for (const ImGuiWindow* window : impl_->context->Windows) {
-        if (!window->WasActive && !window->Active) continue;
-        if (window->Hidden || (window->Flags & ImGuiWindowFlags_NoBackground) != 0) continue;
-        shown.push_back(
-            {window->Name, {window->Pos.x, window->Pos.y, window->Size.x, window->Size.y}});
-    }
-    return shown;
 }
 
 const std::vector<std::string>& Canvas::cut_texts() const {

@@ -1,4 +1,4 @@
-// Text, boxes and small pictures in pixels: Dear ImGui's drawing without its back ends' input, so
+// Text, boxes and small images in pixels: Dear ImGui's drawing without its back ends' input, so
 // that frames can be built, and looked at, without a window.
 #pragma once
 
@@ -25,7 +25,7 @@ public:
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
 
-    /// Names of pictures and their files, for cards. Each is read when a page first shows it.
+    /// Names of images and their files, for cards. Each is read when a page first shows it.
     void set_pictures(std::map<std::string, std::filesystem::path> files);
 
     /// For the size of the window and the setting; letters are made anew when theirs changes. True
@@ -45,12 +45,6 @@ public:
     void draw(const Menu& menu);
     void end();
 
-    /// Windows shown in the last frame, for tests: each name and its box.
-    struct ShownWindow {
-        std::string name;
-        Box box;
-    };
-    std::vector<ShownWindow> windows() const;
     /// Texts of the last frame that did not fit the box they were drawn into.
     const std::vector<std::string>& cut_texts() const;
 

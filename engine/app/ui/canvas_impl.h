@@ -10,7 +10,7 @@
 
 namespace plumbline::app::ui {
 
-struct PictureUv {
+struct ImageUv {
     ImVec2 from;
     ImVec2 to;
 };
@@ -32,7 +32,7 @@ struct Canvas::Impl {
 
     bool load_picture(const std::string& name);  ///< false: there is none, or it was read before
     void build_atlas();
-    std::optional<PictureUv> picture(const std::string& name) const;
+    std::optional<ImageUv> picture(const std::string& name) const;
     /// Wrapped into the box; notes it when it does not fit.
     /// `scale`: of the font.
     void text(ImDrawList& list,

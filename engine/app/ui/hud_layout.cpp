@@ -78,6 +78,50 @@ HudPanel columns_of(const std::vector<HudLine>& lines,
     }
 }
 
+/// Where captions and messages may be, px.
+struct MessageRoom {
+    float middle_x;
+    float width;
+    float height;  ///< of the window
+    float above_hint;
+    float gap;
+    float font;
+};
+
+/// Messages grow upwards from the captions and stay clear of what the crosshair names. Where there is
+/// no room the oldest go, of the messages first.
+void place_messages(const HudTexts& texts,
+                    const Placer& place,
+                    const MessageRoom& room,
+                    HudLayout& out) {
+    std::vector<HudLine> captions = texts.captions;
+    std::vector<HudLine> messages = texts.messages;
+    const float top =
+        texts.side.empty() ? room.height * 0.5F + room.font * 3.4F : room.height * 0.72F;
+    float bottom = 0.0F;
+    for (;;) {
+        out.captions = place.stack(captions,
+                                   std::min(room.width, room.font * 40.0F),
+                                   std::max(1.0F, kLeastCaption_px / room.font));
+        Placer::move(out.captions,
+                     room.middle_x - out.captions.box.width * 0.5F,
+                     room.above_hint - out.captions.box.height);
+        const float above_captions =
+            captions.empty() ? room.height * 0.86F : out.captions.box.y - room.gap;
+        bottom = texts.hint.empty() || !captions.empty()
+                     ? std::min(above_captions, room.height * 0.86F)
+                     : out.hint.box.y - room.gap;
+        out.messages = place.stack(messages, std::min(room.width, room.font * 56.0F));
+        if (out.messages.box.height <= bottom - top) break;
+        std::vector<HudLine>& longer = messages.size() > 1 ? messages : captions;
+        if (longer.size() <= 1) break;
+        longer.erase(longer.begin());
+    }
+    Placer::move(out.messages,
+                 room.middle_x - out.messages.box.width * 0.5F,
+                 bottom - out.messages.box.height);
+}
+
 }  // namespace
 
 HudLayout layout_of(const HudTexts& texts,
@@ -105,32 +149,15 @@ HudLayout layout_of(const HudTexts& texts,
 
     const float above_hint =
         texts.hint.empty() ? height_px - margin - font_px : out.hint.box.y - gap;
-    // Messages grow upwards from the captions and stay clear of what the crosshair names. Where there is
-    // no room the oldest go, of the messages first.
-    std::vector<HudLine> captions = texts.captions;
-    std::vector<HudLine> messages = texts.messages;
-    const float top = texts.side.empty() ? height_px * 0.5F + font_px * 3.4F : height_px * 0.72F;
-    float bottom = 0.0F;
-    for (;;) {
-        out.captions = place.stack(captions,
-                                   std::min(free_width, font_px * 40.0F),
-                                   std::max(1.0F, kLeastCaption_px / font_px));
-        Placer::move(out.captions,
-                     middle_x - out.captions.box.width * 0.5F,
-                     above_hint - out.captions.box.height);
-        const float above_captions =
-            captions.empty() ? height_px * 0.86F : out.captions.box.y - gap;
-        bottom = texts.hint.empty() || !captions.empty()
-                     ? std::min(above_captions, height_px * 0.86F)
-                     : out.hint.box.y - gap;
-        out.messages = place.stack(messages, std::min(free_width, font_px * 56.0F));
-        if (out.messages.box.height <= bottom - top) break;
-        std::vector<HudLine>& longer = messages.size() > 1 ? messages : captions;
-        if (longer.size() <= 1) break;
-        longer.erase(longer.begin());
-    }
-    Placer::move(
-        out.messages, middle_x - out.messages.box.width * 0.5F, bottom - out.messages.box.height);
+    place_messages(texts,
+                   place,
+                   {.middle_x = middle_x,
+                    .width = free_width,
+                    .height = height_px,
+                    .above_hint = above_hint,
+                    .gap = gap,
+                    .font = font_px},
+                   out);
 
     const float below_status = texts.status.empty() ? margin : out.status.box.bottom() + gap;
     out.verdict = place.stack(texts.verdict, std::min(free_width, font_px * 34.0F));

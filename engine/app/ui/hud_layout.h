@@ -17,7 +17,7 @@ struct HudLine {
     float alpha{1.0F};
 };
 
-/// What is written over the picture; an empty list: nothing of it.
+/// What is written over the image; an empty list: nothing of it.
 struct HudTexts {
     std::vector<HudLine> status;    ///< top left: what is not as usual
     std::vector<HudLine> verdict;   ///< below it: how a hard case stands

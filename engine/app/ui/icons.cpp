@@ -1,4 +1,4 @@
-// Small pictures of lines and circles: sharp at any size, the same in every language.
+// Small images of lines and circles: sharp at any size, the same in every language.
 #include "engine/app/ui/canvas_impl.h"
 
 #include <array>

@@ -10,6 +10,20 @@
 
 namespace plumbline::app::ui {
 
+Line MenuPages::fog_colors() {
+    Line colors{.kind = LineKind::Cells, .label = "Its colour"};
+    for (std::size_t i = 0; i < scene::kFogColors.size(); ++i) {
+        colors.cells.push_back({.text = std::string(scene::kFogColors[i].name),
+                                .activate =
+                                    [this, i] {
+                                        world_.switches().turn("fog", true);
+                                        world_.switches().fog_color = i;
+                                    },
+                                .marked = world_.switches().fog_color == i});
+    }
+    return colors;
+}
+
 void MenuPages::add_light(Page& page) {
     const scene::LiveSwitches& now = world_.switches();
     const scene::FogDescription fog = world_.scene_fog();
@@ -47,19 +61,7 @@ void MenuPages::add_light(Page& page) {
                               s.turn("fog", true);  // who changes it wants to see it
                               s.fog_density_scale = value;
                           })}});
-    Line colors{.kind = LineKind::Cells, .label = "Its colour"};
-    for (std::size_t i = 0; i < scene::kFogColors.size(); ++i) {
-        colors.cells.push_back({.text = std::string(scene::kFogColors[i].name),
-                                .activate =
-                                    [change, i] {
-                                        change([i](scene::LiveSwitches& s) {
-                                            s.turn("fog", true);
-                                            s.fog_color = i;
-                                        });
-                                    },
-                                .marked = now.fog_color == i});
-    }
-    page.lines.push_back(std::move(colors));
+    page.lines.push_back(fog_colors());
     page.lines.push_back(
         {.kind = LineKind::Cells,
          .label = "Sun and sky",

@@ -9,7 +9,7 @@
 
 namespace plumbline::app::ui {
 
-/// Small pictures that need no words.
+/// Small images that need no words.
 enum class Icon : std::uint8_t {
     None,
     Play,
@@ -49,7 +49,7 @@ enum class LineKind : std::uint8_t {
     Text,   ///< wrapped, not chosen
     Cells,  ///< cells side by side as wide as their text, wrapped; label before them, if any
     List,   ///< cells below each other over the whole width
-    Cards,  ///< cells with pictures, as many beside each other as fit
+    Cards,  ///< cells with images, as many beside each other as fit
     Keys,   ///< label and value in two columns, not chosen; as many such beside each other as fit
 };
 

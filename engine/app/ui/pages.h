@@ -24,7 +24,8 @@ struct SaveSlot {
     bool is_latest{false};  ///< what the keys save to and load from
 };
 
-/// What the pages read and do. All of it must outlive them.
+/// What the pages read and do. All of it must outlive them. So many fields because each thing that can be
+/// chosen in the menu is one.
 struct MenuWorld {
     const LiveConfig& config;
     const LiveBindings& bindings;
@@ -94,6 +95,7 @@ private:
 
     // light_page.cpp
     void add_light(Page& page);
+    Line fog_colors();
     void add_hour(Page& page, double hour);
 
     // controls_pages.cpp

@@ -1,6 +1,6 @@
 // Fields to bytes and back by one list of them: what saved games are written and read with.
 //
-//     void serialize(Archive& archive, Rest& rest) { archive(rest.position_m, rest.calm); }
+//     void serialize(Archive& archive, Rest& rest) { archive(rest.position_m, rest.at_rest_s); }
 //
 // A type says its fields once, in such a function beside it or in a member `serialize(Archive&)`;
 // the archive then writes them or reads them. Integers keep their size, lowest byte first; every

@@ -54,7 +54,7 @@ bool is_inside(const std::filesystem::path& root, const std::filesystem::path& p
 /// $XDG_CONFIG_HOME/plumbline, or ~/.config/plumbline; relative and empty values count as unset.
 /// Empty when there is no home either.
 std::filesystem::path user_config_folder();
-/// $XDG_DATA_HOME/plumbline, or ~/.local/share/plumbline: pictures, recordings, saves.
+/// $XDG_DATA_HOME/plumbline, or ~/.local/share/plumbline: images, recordings, saves.
 std::filesystem::path user_data_folder();
 /// $XDG_STATE_HOME/plumbline, or ~/.local/state/plumbline: what a crash leaves.
 std::filesystem::path user_state_folder();

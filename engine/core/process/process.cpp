@@ -122,7 +122,7 @@ Result<ChildProcess> ChildProcess::start(const ChildDef& def) {
                                    pointers.data(),
                                    environ);
     if (error != 0) return refused(error);
-    if (def.gives_way) setpriority(PRIO_PROCESS, static_cast<id_t>(pid), kLowPriority);
+    if (def.low_priority) setpriority(PRIO_PROCESS, static_cast<id_t>(pid), kLowPriority);
     return ChildProcess(pid, input.release(kWriteEnd), output.release(kReadEnd));
 }
 

@@ -17,10 +17,10 @@ namespace plumbline {
 struct ChildDef {
     std::filesystem::path program;  ///< without a slash it is looked for along PATH
     std::vector<std::string> arguments;
-    bool own_group{false};  ///< Ctrl-C on the terminal is for us alone, who end the child
-    bool silent{false};     ///< its messages go nowhere; else where ours go,
-    bool tells_us{false};   ///< or to us, with its output
-    bool gives_way{false};  ///< takes the processor's time that others leave
+    bool own_group{false};     ///< Ctrl-C on the terminal is for us alone, who end the child
+    bool silent{false};        ///< its messages go nowhere; else where ours go,
+    bool tells_us{false};      ///< or to us, with its output
+    bool low_priority{false};  ///< takes the processor's time that others leave
 };
 
 struct ChildEnd {

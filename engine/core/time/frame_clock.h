@@ -6,12 +6,12 @@ namespace plumbline {
 /// What one frame owes the simulation.
 struct FrameTime {
     int steps{0};        ///< whole fixed steps to run now
-    float blend{0};      ///< 0…1: how far the picture stands between the last two poses
+    float blend{0};      ///< 0…1: how far the frame stands between the last two poses
     double lost_s{0};    ///< dropped in this frame because nobody was there to see it
     double budget_s{0};  ///< wall time that stepping may take in this frame
 };
 
-/// Turns uneven frames into even steps (Fiedler 2004, "Fix Your Timestep!"). A slow picture loses no
+/// Turns uneven frames into even steps (Fiedler 2004, "Fix Your Timestep!"). A slow frame loses no
 /// time: however long a frame took, all of its steps are due. Time is dropped in two cases only, and
 /// counted:
 /// - a hole of more than kHole_s (a suspended machine, a debugger) is no slow frame: kAfterHole_s

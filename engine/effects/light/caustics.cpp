@@ -32,7 +32,7 @@ std::unique_ptr<Effect> make_caustics(scene::Simulation&) {
 
 EffectRow caustics() {
     return {.name = "caustics",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_caustics,
             .make = &make_caustics};
 }

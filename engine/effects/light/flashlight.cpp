@@ -38,7 +38,7 @@ std::unique_ptr<Effect> make_flashlight(scene::Simulation&) {
 
 EffectRow flashlight() {
     return {.name = "flashlight",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_flashlight,
             .make = &make_flashlight,
             .gpu_owner = "flashlight",

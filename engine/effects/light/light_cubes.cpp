@@ -8,7 +8,7 @@
 namespace plumbline::effects {
 namespace {
 
-/// Along the beam, away from the eye: there it is seen at the picture's rim.
+/// Along the beam, away from the eye: there it is seen at the image's rim.
 constexpr float kBeforeHand_m = 0.8F;
 
 bool shows_flashlight(const scene::Simulation& simulation) {
@@ -57,10 +57,10 @@ private:
 Callers callers_of_light_cubes(const scene::Simulation& simulation) {
     Callers callers;
     const auto& sun = simulation.description().sun;
-    if (sun && sun->cube_m > 0.0F) callers.push_back(setting("[sun] cube_m", sun->origin));
+    if (sun && sun->cube_m > 0.0F) callers.push_back(setting("[sun] cube_m", sun->location));
     if (shows_flashlight(simulation)) {
         callers.push_back(
-            setting("[flashlight] cube_m", simulation.description().flashlight->origin));
+            setting("[flashlight] cube_m", simulation.description().flashlight->location));
     }
     return callers;
 }
@@ -77,7 +77,7 @@ std::unique_ptr<Effect> make_light_cubes(scene::Simulation& simulation) {
 
 EffectRow light_cubes() {
     return {.name = "light_cubes",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_light_cubes,
             .make = &make_light_cubes,
             .key = &key_of_light_cubes};

@@ -33,7 +33,7 @@ std::unique_ptr<Effect> make_light_shadows(scene::Simulation&) {
 
 EffectRow light_shadows() {
     return {.name = "light_shadows",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_light_shadows,
             .make = &make_light_shadows,
             .gpu_owner = "light_shadows",

@@ -1,4 +1,4 @@
-// The sky behind everything: six pictures, or computed from where the sun stands.
+// The sky behind everything: six images, or computed from where the sun stands.
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/scene/environment/sun_path.h"
@@ -30,7 +30,7 @@ public:
 Callers callers_of_skybox(const scene::Simulation& simulation) {
     const auto& sky = simulation.description().sky;
     if (!sky) return {};
-    return {setting(sky->model ? "[sky] model" : "[sky] skybox", sky->origin)};
+    return {setting(sky->model ? "[sky] model" : "[sky] skybox", sky->location)};
 }
 
 std::unique_ptr<Effect> make_skybox(scene::Simulation&) {
@@ -41,7 +41,7 @@ std::unique_ptr<Effect> make_skybox(scene::Simulation&) {
 
 EffectRow skybox() {
     return {.name = "skybox",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_skybox,
             .make = &make_skybox,
             .gpu_owner = "sky",

@@ -26,7 +26,7 @@ Callers callers_of_sun_shadow(const scene::Simulation& simulation) {
     if (!sun || !sun->shadow) return {};
     // In a scene that is only looked at they are there when asked for.
     if (!simulation.switches.is_on("sun_shadow", !simulation.description().viewer)) return {};
-    return {setting("[sun] shadow", sun->shadow->origin)};
+    return {setting("[sun] shadow", sun->shadow->location)};
 }
 
 std::unique_ptr<Effect> make_sun_shadow(scene::Simulation&) {
@@ -37,7 +37,7 @@ std::unique_ptr<Effect> make_sun_shadow(scene::Simulation&) {
 
 EffectRow sun_shadow() {
     return {.name = "sun_shadow",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_sun_shadow,
             .make = &make_sun_shadow,
             .gpu_owner = "sun_shadow",

@@ -26,7 +26,7 @@ public:
         const scene::ShaftsDescription& shafts = *scene.sun->shafts;
         frame.shafts = render::SunShafts{.density_per_m = shafts.density_per_m,
                                          .distance_m = shafts.distance_m,
-                                         .steps = shaft_samples(scene.picture_fidelity.shafts)};
+                                         .steps = shaft_samples(scene.screen_fidelity.shafts)};
         ++work_.calls;
     }
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }
@@ -35,7 +35,7 @@ public:
 Callers callers_of_shafts(const scene::Simulation& simulation) {
     const auto& sun = simulation.description().sun;
     if (!sun || !sun->shafts || !simulation.switches.is_on("sun_shafts", true)) return {};
-    return {setting("[sun] shafts", sun->shafts->origin)};
+    return {setting("[sun] shafts", sun->shafts->location)};
 }
 
 std::unique_ptr<Effect> make_shafts(scene::Simulation&) {
@@ -46,7 +46,7 @@ std::unique_ptr<Effect> make_shafts(scene::Simulation&) {
 
 EffectRow sun_shafts() {
     return {.name = "sun_shafts",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_shafts,
             .make = &make_shafts,
             .gpu_owner = "sun_shafts",

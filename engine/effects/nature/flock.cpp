@@ -226,7 +226,7 @@ Callers callers_of_flock(const scene::Simulation& simulation) {
     if (!simulation.switches.is_on("flock", true)) return {};
     Callers callers;
     for (const scene::FlockDescription& flock : simulation.description().flocks)
-        callers.push_back(setting("[[flock]]", flock.origin));
+        callers.push_back(setting("[[flock]]", flock.location));
     return callers;
 }
 
@@ -238,7 +238,7 @@ std::unique_ptr<Effect> make_flock(scene::Simulation& simulation) {
 
 EffectRow flock() {
     return {.name = "flock",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_flock,
             .make = &make_flock};
 }

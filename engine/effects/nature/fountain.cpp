@@ -1,4 +1,4 @@
-// The drops of fountains, as the picture shows them.
+// The drops of fountains, as the image shows them.
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/effects/nature/drops.h"
@@ -12,9 +12,9 @@ namespace {
 
 /// A fountain has been running for so long when it is first seen.
 constexpr float kRunning_s = 2.0F;
-/// A picture sees drops drawn out over the time for which an eye holds them.
+/// An image sees drops drawn out over the time for which an eye holds them.
 constexpr float kExposure_s = 1.0F / 40.0F;
-/// From here on fewer drops are drawn, as many as would fill the same share of the picture.
+/// From here on fewer drops are drawn, as many as would fill the same share of the image.
 constexpr float kFewerFrom_m = 7.0F;
 constexpr float kUnseenFrom_m = 110.0F;
 constexpr float kRingSpeed_mps = 0.35F;
@@ -92,7 +92,7 @@ Callers callers_of_fountain(const scene::Simulation& simulation) {
     if (fountains.empty() || !simulation.switches.is_on("fountain", true)) return {};
     Callers callers;
     for (const scene::FountainDescription& fountain : fountains)
-        callers.push_back(setting("[[fountain]]", fountain.origin));
+        callers.push_back(setting("[[fountain]]", fountain.location));
     return callers;
 }
 
@@ -104,7 +104,7 @@ std::unique_ptr<Effect> make_fountain(scene::Simulation& simulation) {
 
 EffectRow fountain() {
     return {.name = "fountain",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_fountain,
             .make = &make_fountain,
             .gpu_owner = "drops",

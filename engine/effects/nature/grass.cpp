@@ -106,7 +106,7 @@ private:
 Callers callers_of_grass(const scene::Simulation& simulation) {
     const auto& grass = simulation.description().grass;
     if (!grass || !simulation.switches.is_on("grass", true)) return {};
-    return {setting("[grass]", grass->origin)};
+    return {setting("[grass]", grass->location)};
 }
 
 std::unique_ptr<Effect> make_grass(scene::Simulation& simulation) {
@@ -117,7 +117,7 @@ std::unique_ptr<Effect> make_grass(scene::Simulation& simulation) {
 
 EffectRow grass() {
     return {.name = "grass",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_grass,
             .make = &make_grass};
 }

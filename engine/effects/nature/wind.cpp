@@ -1,4 +1,4 @@
-// The wind as the picture shows it: what has wind weights sways.
+// The wind as the image shows it: what has wind weights sways.
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/scene/environment/wind_field.h"
@@ -29,7 +29,7 @@ public:
 Callers callers_of_wind(const scene::Simulation& simulation) {
     const auto& wind = simulation.description().wind;
     if (!wind || !simulation.switches.is_on("wind", true)) return {};
-    return {setting("[wind]", wind->origin)};
+    return {setting("[wind]", wind->location)};
 }
 
 std::unique_ptr<Effect> make_wind(scene::Simulation&) {
@@ -40,7 +40,7 @@ std::unique_ptr<Effect> make_wind(scene::Simulation&) {
 
 EffectRow wind() {
     return {.name = "wind",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_wind,
             .make = &make_wind};
 }

@@ -10,7 +10,7 @@ using ContactEvents = PhysicsPart<&physics::WorldFeatures::contact_events,
                                   &physics::FeatureUse::events_ms>;
 
 Callers callers_of_contact_events(const scene::Simulation& simulation) {
-    return simulation.contact_listeners();
+    return simulation.contact_listeners.names();
 }
 
 std::unique_ptr<Effect> make_contact_events(scene::Simulation& simulation) {

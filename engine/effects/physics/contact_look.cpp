@@ -10,9 +10,9 @@ namespace {
 class ContactLookEffect final : public Effect {
 public:
     explicit ContactLookEffect(scene::Simulation& simulation) : simulation_(simulation) {
-        simulation_.request_contact_events(kWho);
+        simulation_.contact_listeners.add(kWho);
     }
-    ~ContactLookEffect() override { simulation_.release_contact_events(kWho); }
+    ~ContactLookEffect() override { simulation_.contact_listeners.remove(kWho); }
     ContactLookEffect(const ContactLookEffect&) = delete;
     ContactLookEffect& operator=(const ContactLookEffect&) = delete;
 
@@ -63,7 +63,7 @@ std::unique_ptr<Effect> make_contact_look(scene::Simulation& simulation) {
 
 EffectRow contact_look() {
     return {.name = "contact_look",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_contact_look,
             .make = &make_contact_look};
 }

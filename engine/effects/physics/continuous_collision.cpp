@@ -1,6 +1,7 @@
 // Sweeps bodies that are fast enough to pass through others.
 #include "engine/effects/effect_table.h"
 #include "engine/effects/physics/physics_part.h"
+#include "engine/scene/simulation/entity_lookup.h"
 
 namespace plumbline::effects {
 namespace {
@@ -10,13 +11,13 @@ using ContinuousCollision = PhysicsPart<&physics::WorldFeatures::continuous_coll
                                         &physics::FeatureUse::sweep_ms>;
 
 Callers callers_of_continuous_collision(const scene::Simulation& simulation) {
-    const ecs::Entity swept = simulation.motion_demand().swept;
+    const ecs::Entity swept = simulation.motion_demand.swept;
     if (!simulation.registry.alive(swept)) return {};
-    return {simulation.describe(swept)};
+    return {describe(simulation, swept)};
 }
 
 std::uint64_t key_of_continuous_collision(const scene::Simulation& simulation) {
-    return scene::mark_of(simulation.motion_demand().swept);
+    return scene::mark_of(simulation.motion_demand.swept);
 }
 
 std::unique_ptr<Effect> make_continuous_collision(scene::Simulation& simulation) {

@@ -1,6 +1,7 @@
 // Volumes in which a prefab appears when a body comes in. They stop nothing.
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
+#include "engine/scene/simulation/entity_lookup.h"
 
 #include <algorithm>
 
@@ -11,10 +12,10 @@ class Triggers final : public Effect {
 public:
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
         std::vector<scene::EntityDescription> wanted;
-        for (auto [entity, volume, placement] :
-             simulation.registry.view<scene::TriggerVolume, const scene::Placement>()) {
+        for (auto [entity, volume, transform] :
+             simulation.registry.view<scene::TriggerVolume, const scene::Transform>()) {
             std::vector<physics::BodyId> inside =
-                bodies_in(simulation, volume, placement.world_from_body);
+                bodies_in(simulation, volume, transform.world_from_body);
             for (const physics::BodyId body : inside) {
                 if (volume.times_left == 0) break;
                 if (std::ranges::binary_search(volume.inside, body)) continue;
@@ -38,7 +39,7 @@ private:
                        const scene::TriggerVolume& volume,
                        physics::BodyId body) {
         if (simulation.physics.kind(body) != physics::BodyKind::Dynamic) return false;
-        const ecs::Entity entity = simulation.entity_of(body);
+        const ecs::Entity entity = entity_of(simulation, body);
         if (!simulation.registry.alive(entity)) return false;
         const std::string& name = simulation.registry.get<scene::Name>(entity).text;
         return volume.of.empty() || std::ranges::find(volume.of, name) != volume.of.end();

@@ -28,7 +28,7 @@ public:
                  const scene::ViewPoint&,
                  render::RenderFrame& frame) override {
         const scene::SceneDescription& scene = simulation.description();
-        const Looks looks = looks_of(scene.picture_fidelity.occlusion);
+        const Looks looks = looks_of(scene.screen_fidelity.occlusion);
         frame.occlusion = render::AmbientOcclusion{.radius_m = scene.occlusion->radius_m,
                                                    .strength = scene.occlusion->strength,
                                                    .slices = looks.slices,
@@ -41,7 +41,7 @@ public:
 Callers callers_of_occlusion(const scene::Simulation& simulation) {
     const auto& occlusion = simulation.description().occlusion;
     if (!occlusion || !simulation.switches.is_on("ambient_occlusion", true)) return {};
-    return {setting("[ambient] occlusion", occlusion->origin)};
+    return {setting("[ambient] occlusion", occlusion->location)};
 }
 
 std::unique_ptr<Effect> make_occlusion(scene::Simulation&) {
@@ -52,7 +52,7 @@ std::unique_ptr<Effect> make_occlusion(scene::Simulation&) {
 
 EffectRow ambient_occlusion() {
     return {.name = "ambient_occlusion",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_occlusion,
             .make = &make_occlusion,
             .gpu_owner = "ambient_occlusion",

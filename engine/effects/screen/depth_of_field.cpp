@@ -27,7 +27,7 @@ public:
         frame.depth_of_field =
             render::DepthOfField{.focus_m = focus.distance_m,
                                  .aperture_m = focus.aperture_m,
-                                 .samples = lens_samples(scene.picture_fidelity.focus)};
+                                 .samples = lens_samples(scene.screen_fidelity.focus)};
         ++work_.calls;
     }
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }
@@ -36,7 +36,7 @@ public:
 Callers callers_of_depth_of_field(const scene::Simulation& simulation) {
     const auto& focus = simulation.description().camera.focus;
     if (!focus || !simulation.switches.is_on("depth_of_field", true)) return {};
-    return {setting("[camera] focus", focus->origin)};
+    return {setting("[camera] focus", focus->location)};
 }
 
 std::unique_ptr<Effect> make_depth_of_field(scene::Simulation&) {
@@ -47,7 +47,7 @@ std::unique_ptr<Effect> make_depth_of_field(scene::Simulation&) {
 
 EffectRow depth_of_field() {
     return {.name = "depth_of_field",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_depth_of_field,
             .make = &make_depth_of_field,
             .gpu_owner = "depth_of_field",

@@ -26,7 +26,7 @@ public:
 Callers callers_of_fog(const scene::Simulation& simulation) {
     const auto& fog = simulation.description().fog;
     if (!simulation.switches.is_on("fog", fog && fog->on)) return {};
-    return {fog ? setting("[fog]", fog->origin) : "switch fog"};
+    return {fog ? setting("[fog]", fog->location) : "switch fog"};
 }
 
 std::unique_ptr<Effect> make_fog(scene::Simulation&) {
@@ -37,7 +37,7 @@ std::unique_ptr<Effect> make_fog(scene::Simulation&) {
 
 EffectRow fog() {
     return {.name = "fog",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_fog,
             .make = &make_fog};
 }

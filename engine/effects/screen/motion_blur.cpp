@@ -22,7 +22,7 @@ constexpr std::uint32_t streak_samples(scene::Fidelity fidelity) {
     return 16;
 }
 
-// A longer gap between two pictures, or a faster way, is a cut to another view.
+// A longer gap between two frames, or a faster way, is a cut to another view.
 constexpr double kLongestGap_s = 0.1;
 constexpr Real kFastest_mps = 100;
 
@@ -40,18 +40,18 @@ std::vector<render::MovedMesh> moved_meshes(const scene::Simulation& simulation,
                                             Real open_s) {
     std::vector<render::MovedMesh> moved;
     const auto steps = open_s / static_cast<Real>(simulation.step_s());
-    for (auto [entity, visual, placement, previous] :
+    for (auto [entity, visual, transform, previous] :
          simulation.registry
-             .view<const scene::Visual, const scene::Placement, const scene::PreviousPlacement>()) {
-        const Pose& to = placement.world_from_body;
+             .view<const scene::Visual, const scene::Transform, const scene::PreviousTransform>()) {
+        const Pose& to = transform.world_from_body;
         const Pose& from = previous.world_from_body;
         if (from.position == to.position && from.orientation == to.orientation) continue;
         if (simulation.registry.has<scene::PlayingModel>(entity)) continue;
-        const Pose now = scene::drawn_pose(simulation, entity, placement, blend);
+        const Pose now = scene::drawn_pose(simulation, entity, transform, blend);
         const Pose opened = back_along(from, to, Real{1} - blend + steps);
         moved.push_back({.mesh = visual.mesh,
-                         .world_from_body = matrix_of(now, placement.scale),
-                         .world_from_body_before = matrix_of(opened, placement.scale)});
+                         .world_from_body = matrix_of(now, transform.scale),
+                         .world_from_body_before = matrix_of(opened, transform.scale)});
     }
     return moved;
 }
@@ -82,7 +82,7 @@ private:
              render::RenderFrame& frame) {
         const scene::SceneDescription& scene = simulation.description();
         const auto open_s = static_cast<Real>(scene.post->shutter->open_s);
-        // Where it was when the shutter opened, as it moved between the two pictures.
+        // Where it was when the shutter opened, as it moved between the two frames.
         const Pose& now = view.world_from_camera;
         const Pose opened = back_along(before_, now, open_s / gap_s);
         std::vector<render::MovedMesh> moved = moved_meshes(simulation, view.blend, open_s);
@@ -92,7 +92,7 @@ private:
         frame.motion_blur =
             render::MotionBlur{.position_before_world = Vec3f(opened.position),
                                .orientation_before = Quatf(opened.orientation),
-                               .samples = streak_samples(scene.picture_fidelity.shutter),
+                               .samples = streak_samples(scene.screen_fidelity.shutter),
                                .moved = std::move(moved)};
         ++work_.calls;
     }
@@ -104,7 +104,7 @@ private:
 Callers callers_of_motion_blur(const scene::Simulation& simulation) {
     const auto& post = simulation.description().post;
     if (!post || !post->shutter || !simulation.switches.is_on("motion_blur", true)) return {};
-    return {setting("[post] shutter_s", post->shutter->origin)};
+    return {setting("[post] shutter_s", post->shutter->location)};
 }
 
 std::unique_ptr<Effect> make_motion_blur(scene::Simulation&) {
@@ -115,7 +115,7 @@ std::unique_ptr<Effect> make_motion_blur(scene::Simulation&) {
 
 EffectRow motion_blur() {
     return {.name = "motion_blur",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_motion_blur,
             .make = &make_motion_blur,
             .gpu_owner = "motion_blur",

@@ -21,7 +21,7 @@ public:
 Callers callers_of_post(const scene::Simulation& simulation) {
     const auto& post = simulation.description().post;
     if (!post) return {};
-    return {setting("[post]", post->origin)};
+    return {setting("[post]", post->location)};
 }
 
 std::unique_ptr<Effect> make_post(scene::Simulation&) {
@@ -32,7 +32,7 @@ std::unique_ptr<Effect> make_post(scene::Simulation&) {
 
 EffectRow post() {
     return {.name = "post",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_post,
             .make = &make_post,
             .gpu_owner = "post",

@@ -31,7 +31,7 @@ std::unique_ptr<Effect> make_refraction(scene::Simulation&) {
 
 EffectRow refraction() {
     return {.name = "refraction",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_refraction,
             .make = &make_refraction,
             .gpu_owner = "refraction",

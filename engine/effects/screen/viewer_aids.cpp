@@ -35,11 +35,11 @@ public:
         const Vec3f center(simulation.description().camera.target_m);
         float floor_m = 0.0F;
         assets::MeshId ground{};
-        for (auto [entity, name, visual, placement] :
+        for (auto [entity, name, visual, transform] :
              simulation.registry
-                 .view<const scene::Name, const scene::Visual, const scene::Placement>()) {
+                 .view<const scene::Name, const scene::Visual, const scene::Transform>()) {
             if (name.text != kGroundName) continue;
-            floor_m = static_cast<float>(placement.world_from_body.position.y);
+            floor_m = static_cast<float>(transform.world_from_body.position.y);
             ground = visual.mesh;
         }
         if (!switches.ground) hide(ground, frame);
@@ -67,7 +67,7 @@ public:
 
 private:
     /// For the sake of what is far, to half the distance of the nearest thing: the corners of the
-    /// picture lie closer to the plane of the eye than to the eye.
+    /// image lie closer to the plane of the eye than to the eye.
     static void push_near_plane(const assets::AssetLibrary& library,
                                 float floor_m,
                                 render::RenderFrame& frame) {
@@ -134,7 +134,7 @@ std::unique_ptr<Effect> make_viewer_aids(scene::Simulation&) {
 
 EffectRow viewer_aids() {
     return {.name = "viewer_aids",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = &callers_of_viewer_aids,
             .make = &make_viewer_aids};
 }

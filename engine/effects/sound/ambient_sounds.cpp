@@ -25,19 +25,19 @@ public:
                const scene::ViewPoint&,
                SoundFrame& frame) override {
         const auto view =
-            simulation.registry.view<const scene::AmbientSound, const scene::Placement>();
-        for (auto [entity, ambient, placement] : view) {
+            simulation.registry.view<const scene::AmbientSound, const scene::Transform>();
+        for (auto [entity, ambient, transform] : view) {
             const auto known = sounds_.find(ambient.file);
             if (known == sounds_.end() || known->second == assets::SoundId{}) continue;
-            const Vec3f position(placement.world_from_body.position);
+            const Vec3f position(transform.world_from_body.position);
             const std::uint64_t key = scene::mark_of(entity);
             if (ambient.loop) {
                 frame.loops.push_back(
                     {.key = key,
                      .sound = known->second,
                      .position_world = position,
-                     .gain = ambient.gain * share_of_wind(simulation, ambient, placement) *
-                             share_of_water(simulation, ambient, placement),
+                     .gain = ambient.gain * share_of_wind(simulation, ambient, transform) *
+                             share_of_water(simulation, ambient, transform),
                      .radius_m = ambient.radius_m,
                      .velocity_mps = velocity_of(simulation, entity),
                      .made_by = {key, 0}});
@@ -59,12 +59,12 @@ private:
     /// What rustles does so as the square of the wind, up to four times as loud as in the mean of it.
     static float share_of_wind(const scene::Simulation& simulation,
                                const scene::AmbientSound& ambient,
-                               const scene::Placement& placement) {
+                               const scene::Transform& transform) {
         if (!ambient.by_wind) return 1.0F;
         const auto& wind = simulation.description().wind;
         if (!wind || wind->speed_mps <= 0) return 0.0F;
         const Vec3 air =
-            scene::wind_at(*wind, placement.world_from_body.position, simulation.time_s());
+            scene::wind_at(*wind, transform.world_from_body.position, simulation.time_s());
         const Real share = glm::length(air) / wind->speed_mps;
         const Real loudness = std::min(share * share, Real{4});
         return static_cast<float>(loudness);
@@ -73,7 +73,7 @@ private:
     /// Water that lands sounds as the root of its power: 5 W are a garden's fountain.
     static float share_of_water(const scene::Simulation& simulation,
                                 const scene::AmbientSound& ambient,
-                                const scene::Placement& placement) {
+                                const scene::Transform& transform) {
         if (!ambient.by_flow) return 1.0F;
         constexpr float kUsual_W = 5.0F;
         constexpr float kLoudest = 2.0F;
@@ -82,7 +82,7 @@ private:
         float power_W = 0.0F;
         for (const scene::FountainDescription& fountain : scene.fountains) {
             const Vec3& nozzle = fountain.position_m;
-            const Vec3& here = placement.world_from_body.position;
+            const Vec3& here = transform.world_from_body.position;
             if (glm::distance(nozzle, here) > Real{ambient.radius_m}) continue;
             power_W += power_of(fountain, scene);
         }

@@ -3,6 +3,7 @@
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/effects/sound/sound_bank.h"
+#include "engine/scene/simulation/entity_lookup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,7 @@ struct CreakingJoint {
 const std::filesystem::path& creak_file(const scene::Simulation& simulation, physics::BodyId body) {
     static const std::filesystem::path kNone;
     if (!body || !simulation.physics.contains(body)) return kNone;
-    const ecs::Entity entity = simulation.entity_of(body);
+    const ecs::Entity entity = entity_of(simulation, body);
     const auto* surface = simulation.registry.alive(entity)
                               ? simulation.registry.find<scene::SurfaceRef>(entity)
                               : nullptr;
@@ -37,7 +38,7 @@ const std::filesystem::path& creak_file(const scene::Simulation& simulation, phy
 
 /// "garden gate: creaking"
 std::string creak_caption(const scene::Simulation& simulation, physics::BodyId body) {
-    const ecs::Entity entity = simulation.entity_of(body);
+    const ecs::Entity entity = entity_of(simulation, body);
     const auto* name =
         simulation.registry.alive(entity) ? simulation.registry.find<scene::Name>(entity) : nullptr;
     return name == nullptr || name->label.empty() ? "creaking" : name->label + ": creaking";
@@ -132,7 +133,7 @@ Callers callers_of_creak_sounds(const scene::Simulation& simulation) {
     Callers callers;
     for (const scene::SceneJoint& joint : simulation.joints()) {
         if (joint.creak > 0.0F && simulation.physics.contains(joint.joint))
-            callers.push_back(setting("joint " + joint.name, joint.origin));
+            callers.push_back(setting("joint " + joint.name, joint.location));
     }
     return callers;
 }

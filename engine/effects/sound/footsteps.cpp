@@ -48,7 +48,7 @@ Callers callers_of_footsteps(const scene::Simulation& simulation) {
         return !surface.step_sounds.empty();
     });
     if (!player || !any_sound) return {};
-    return {setting("[player]", player->origin)};
+    return {setting("[player]", player->location)};
 }
 
 std::unique_ptr<Effect> make_footsteps(scene::Simulation&) {

@@ -1,6 +1,7 @@
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/effects/sound/sound_bank.h"
+#include "engine/scene/simulation/entity_lookup.h"
 
 #include <algorithm>
 #include <map>
@@ -33,9 +34,9 @@ std::uint64_t merge_key_of(std::uint16_t surface, const Vec3& point) {
 class ImpactSounds final : public Effect {
 public:
     explicit ImpactSounds(scene::Simulation& simulation) : simulation_(simulation) {
-        simulation_.request_contact_events(kWho);
+        simulation_.contact_listeners.add(kWho);
     }
-    ~ImpactSounds() override { simulation_.release_contact_events(kWho); }
+    ~ImpactSounds() override { simulation_.contact_listeners.remove(kWho); }
     ImpactSounds(const ImpactSounds&) = delete;
     ImpactSounds& operator=(const ImpactSounds&) = delete;
 
@@ -80,7 +81,7 @@ private:
     }
 
     static std::uint16_t surface_of(const scene::Simulation& simulation, std::uint64_t user) {
-        const ecs::Entity entity = simulation.entity_of_mark(user);
+        const ecs::Entity entity = entity_of_mark(simulation, user);
         const auto* surface = simulation.registry.alive(entity)
                                   ? simulation.registry.find<scene::SurfaceRef>(entity)
                                   : nullptr;
@@ -92,7 +93,7 @@ private:
         std::uint16_t softer = surface_of(simulation, contact.user_b);
         const scene::SurfaceTable& table = simulation.surfaces();
         const auto loudness = [&](std::uint16_t index) {
-            return simulation.is_heard(index) ? table.get(index).loudness : 0.0F;
+            return simulation.surfaces().is_heard(index) ? table.get(index).loudness : 0.0F;
         };
         if (loudness(softer) > loudness(louder)) std::swap(louder, softer);
         if (loudness(louder) <= 0.0F) return;
@@ -160,7 +161,7 @@ Callers callers_of_impact_sounds(const scene::Simulation& simulation) {
         if (moving.kind != physics::BodyKind::Dynamic) continue;
         if (!simulation.registry.alive(moving.entity)) continue;
         const auto& surface = simulation.registry.get<scene::SurfaceRef>(moving.entity);
-        if (simulation.is_heard(surface.surface)) callers.add(moving.entity);
+        if (simulation.surfaces().is_heard(surface.surface)) callers.add(moving.entity);
     }
     return callers.take();
 }

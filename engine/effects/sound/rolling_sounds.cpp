@@ -3,6 +3,7 @@
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/effects/sound/sound_bank.h"
+#include "engine/scene/simulation/entity_lookup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,9 +62,9 @@ float rolling_mps(const physics::PhysicsWorld& world,
 class RollingSounds final : public Effect {
 public:
     explicit RollingSounds(scene::Simulation& simulation) : simulation_(simulation) {
-        simulation_.request_contact_events(kWho);
+        simulation_.contact_listeners.add(kWho);
     }
-    ~RollingSounds() override { simulation_.release_contact_events(kWho); }
+    ~RollingSounds() override { simulation_.contact_listeners.remove(kWho); }
     RollingSounds(const RollingSounds&) = delete;
     RollingSounds& operator=(const RollingSounds&) = delete;
 
@@ -127,7 +128,7 @@ private:
     }
 
     const scene::Surface& surface_of(std::uint64_t mark) const {
-        const ecs::Entity entity = simulation_.entity_of_mark(mark);
+        const ecs::Entity entity = entity_of_mark(simulation_, mark);
         const auto* surface = simulation_.registry.alive(entity)
                                   ? simulation_.registry.find<scene::SurfaceRef>(entity)
                                   : nullptr;

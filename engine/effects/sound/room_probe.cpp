@@ -2,6 +2,7 @@
 
 #include "engine/effects/sound/acoustics.h"
 #include "engine/effects/sound/sound_obstacles.h"
+#include "engine/scene/simulation/entity_lookup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,7 @@ Vec3 direction_of(std::size_t index) {
 }
 
 float absorption_of(const scene::Simulation& simulation, std::uint64_t user) {
-    const ecs::Entity entity = simulation.entity_of_mark(user);
+    const ecs::Entity entity = entity_of_mark(simulation, user);
     const auto* surface = simulation.registry.alive(entity)
                               ? simulation.registry.find<scene::SurfaceRef>(entity)
                               : nullptr;

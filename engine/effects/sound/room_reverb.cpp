@@ -56,7 +56,7 @@ private:
 Callers callers_of_room_reverb(const scene::Simulation& simulation) {
     const auto& acoustics = simulation.description().acoustics;
     if (!acoustics || !simulation.switches.is_on("room_reverb", acoustics->reverb)) return {};
-    return {setting("[sound] reverb", acoustics->origin)};
+    return {setting("[sound] reverb", acoustics->location)};
 }
 
 std::unique_ptr<Effect> make_room_reverb(scene::Simulation&) {

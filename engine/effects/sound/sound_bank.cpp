@@ -10,7 +10,7 @@ assets::SoundId SoundBank::get(scene::Simulation& simulation, const std::filesys
         sound = *loaded;
         bytes_ += simulation.library().sound(sound).samples.size() * sizeof(std::int16_t);
     } else {
-        simulation.add_warning(loaded.error().message);
+        simulation.warnings.push_back(loaded.error().message);
     }
     sounds_.emplace(file, sound);
     return sound;

@@ -1,6 +1,7 @@
 #include "engine/effects/sound/sound_obstacles.h"
 
 #include "engine/effects/sound/acoustics.h"
+#include "engine/scene/simulation/entity_lookup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,7 +85,7 @@ physics::QueryFilter rays_from_ear(const scene::Simulation& simulation, const Ve
     for (const Vec3& way : kWays) {
         const auto hit = simulation.physics.cast_ray(ear_world, ear_world + way);
         if (hit && hit->distance_m <= kAtOnce_m &&
-            !simulation.registry.alive(simulation.entity_of_mark(hit->user)))
+            !simulation.registry.alive(entity_of_mark(simulation, hit->user)))
             return {.ignored = hit->body};
     }
     return {};
@@ -105,7 +106,7 @@ std::vector<SoundObstacle> obstacles_between(const scene::Simulation& simulation
             crossings, [&](const Crossing& c) { return c.obstacle.body == hit.body; });
         if (known != crossings.end()) return &*known;
         const bool is_maker = std::ranges::find(made_by, hit.user) != made_by.end();
-        if (is_maker || !simulation.registry.alive(simulation.entity_of_mark(hit.user)))
+        if (is_maker || !simulation.registry.alive(entity_of_mark(simulation, hit.user)))
             return nullptr;
         crossings.push_back({.obstacle = {.body = hit.body, .user = hit.user}});
         return &crossings.back();
@@ -151,7 +152,7 @@ SoundPath path_between(const scene::Simulation& simulation,
     std::array<float, 2> arrives{1.0F, 1.0F};
     for (const SoundObstacle& obstacle :
          obstacles_between(simulation, source_world, ear_world, made_by)) {
-        const ecs::Entity entity = simulation.entity_of_mark(obstacle.user);
+        const ecs::Entity entity = entity_of_mark(simulation, obstacle.user);
         const auto* surface = simulation.registry.find<scene::SurfaceRef>(entity);
         const auto index = surface == nullptr ? std::uint16_t{0} : surface->surface;
         const auto density = static_cast<float>(simulation.surfaces().get(index).density_kgpm3);

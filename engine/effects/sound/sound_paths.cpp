@@ -117,7 +117,7 @@ private:
 Callers callers_of_sound_paths(const scene::Simulation& simulation) {
     const auto& acoustics = simulation.description().acoustics;
     if (!acoustics || !simulation.switches.is_on("sound_paths", acoustics->paths)) return {};
-    return {setting("[sound] paths", acoustics->origin)};
+    return {setting("[sound] paths", acoustics->location)};
 }
 
 std::unique_ptr<Effect> make_sound_paths(scene::Simulation&) {

@@ -92,7 +92,7 @@ private:
 Callers callers_of_wind_sound(const scene::Simulation& simulation) {
     const auto& wind = simulation.description().wind;
     if (!wind || wind->sound.empty() || !simulation.switches.is_on("wind_sound", true)) return {};
-    return {setting("[wind] sound", wind->origin)};
+    return {setting("[wind] sound", wind->location)};
 }
 
 std::unique_ptr<Effect> make_wind_sound(scene::Simulation& simulation) {

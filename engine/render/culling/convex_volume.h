@@ -9,19 +9,19 @@
 
 namespace plumbline::render {
 
-/// A part of the picture; x and y from -1 to 1. Empty: left above right.
+/// A part of the image; x and y from -1 to 1. Empty: left above right.
 struct ClipRect {
     Vec2f min{1.0F};
     Vec2f max{-1.0F};
 
     bool empty() const { return min.x >= max.x || min.y >= max.y; }
-    /// Of the picture's area, 0…1.
+    /// Of the image's area, 0…1.
     float share() const { return empty() ? 0.0F : (max.x - min.x) * (max.y - min.y) * 0.25F; }
 };
 
 ClipRect intersection(const ClipRect& a, const ClipRect& b);
 
-/// The smallest part of the picture that shows all of the box before the camera's near plane.
+/// The smallest part of the image that shows all of the box before the camera's near plane.
 ClipRect part_seen(const Aabb& box_world, const Mat4f& clip_from_world);
 
 class ConvexVolume {
@@ -38,7 +38,7 @@ public:
 
     /// False only if no point of the box lies in it.
     bool reaches(const Aabb& box_world) const;
-    /// The smallest part of the picture that shows all places that lie both in the box and in the
+    /// The smallest part of the image that shows all places that lie both in the box and in the
     /// volume, before the camera's near plane.
     ClipRect part_seen(const Aabb& box_world, const Mat4f& clip_from_world) const;
 

@@ -1,4 +1,4 @@
-// Which local lights reach which part of the picture. Pure arithmetic: tested without GL.
+// Which local lights reach which part of the image. Pure arithmetic: tested without GL.
 //
 // The view is cut into clusters: tiles of the screen times slices of depth. Each has a bit for every
 // light, set where that light may reach into it, so a surface is lit by any number of lights and pays

@@ -54,9 +54,9 @@ std::vector<LightShadowChoice::Candidate> LightShadowChoice::candidates(
         float nearest_m = kLongestWay_m;
         for (std::uint32_t row = 0; row < places_world_.size(); ++row) {
             if (taken[row] || !places_world_[row]) continue;
-            const float way_m = glm::distance(*places_world_[row], light.position_world);
-            if (way_m >= nearest_m) continue;
-            nearest_m = way_m;
+            const float path_m = glm::distance(*places_world_[row], light.position_world);
+            if (path_m >= nearest_m) continue;
+            nearest_m = path_m;
             candidate.row = row;
         }
         if (candidate.row) {

@@ -1,4 +1,4 @@
-// Debug lines over the finished picture: solid where they are in sight, faint where they are hidden.
+// Debug lines over the finished image: solid where they are in sight, faint where they are hidden.
 #pragma once
 
 #include "engine/core/lines.h"

@@ -42,8 +42,8 @@ bool is_reached(const Aabb& box, std::span<const LocalLight> lights) {
 // Lights and shadows are dear. A large thing of few triangles, as the ground is, is drawn in parts:
 // first where the flashlight's beam and the sun's shadows can reach, then the rest without.
 constexpr std::uint64_t kFewTriangles = 1000;
-constexpr float kMostLit = 0.7F;     // of the picture: more is not worth two draws
-constexpr float kLeastSplit = 0.1F;  // of the picture: less is not worth a look at all that casts
+constexpr float kMostLit = 0.7F;     // of the image: more is not worth two draws
+constexpr float kLeastSplit = 0.1F;  // of the image: less is not worth a look at all that casts
 constexpr FeatureSet kSunShadowFeatures = feature::kSunShadow | feature::kCascades;
 
 std::uint64_t triangles(const DrawRun& run) {

@@ -36,7 +36,7 @@ public:
                 FrameStats& stats);
 
 private:
-    /// Shader code that only a part of the picture needs.
+    /// Shader code that only a part of the image needs.
     struct Local {
         ClipRect part;
         FeatureSet features{0};

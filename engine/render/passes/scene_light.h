@@ -8,7 +8,7 @@
 
 namespace plumbline::render {
 
-/// What passes over the whole picture know of the camera.
+/// What passes over the whole image know of the camera.
 struct ScreenView {
     Vec2f tan_half{1.0F};          ///< of half the angles of view
     Vec2f depth_line{1.0F, 0.0F};  ///< 1 / metres along the line of sight = x + y * depth

@@ -19,10 +19,10 @@ void FullscreenTriangle::draw() const {
 
 namespace {
 
-void render_picture(const FullscreenTriangle& triangle,
-                    FeatureSet features,
-                    SceneResources& resources,
-                    FrameStats& stats) {
+void render_image(const FullscreenTriangle& triangle,
+                  FeatureSet features,
+                  SceneResources& resources,
+                  FrameStats& stats) {
     const gl::Program* program = resources.shaders.find(kSkyShader, features);
     if (program == nullptr) return;
     program->use();
@@ -69,7 +69,7 @@ void render_sky(const FullscreenTriangle& triangle,
         render_computed(features, resources, stats);
     } else {
         if (resources.sky.is_srgb()) features |= feature::kSkyCodes;
-        render_picture(triangle, features, resources, stats);
+        render_image(triangle, features, resources, stats);
     }
     glDepthMask(GL_TRUE);
 }

@@ -192,7 +192,7 @@ std::vector<MeshLod> add_lods(MeshData& mesh, const std::vector<bool>& is_foliag
     for (const Detail& detail : kDetails) {
         const float error_m = diagonal_m * detail.error_share;
         std::vector<SubMesh> parts = coarser.add(detail, kOwnShare * error_m);
-        // A version that saves little is not worth a change of picture.
+        // A version that saves little is not worth a change of image.
         if (index_count(parts) * 10 > before * 9) continue;
         before = index_count(parts);
         lods.push_back({.error_m = error_m, .sub_meshes = std::move(parts)});

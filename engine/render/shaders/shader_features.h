@@ -56,7 +56,7 @@ inline constexpr FeatureSet kCaustics = 1ULL << 51U;          ///< with kRefract
 // of the passes after the scene
 inline constexpr FeatureSet kToneMap = 1ULL << 24U;  ///< exposure and tone curve
 inline constexpr FeatureSet kBloom = 1ULL << 25U;
-inline constexpr FeatureSet kKeepDepth = 1ULL << 26U;  ///< lines will be drawn over the picture
+inline constexpr FeatureSet kKeepDepth = 1ULL << 26U;  ///< lines will be drawn over the image
 inline constexpr FeatureSet kFxaa = 1ULL << 27U;
 inline constexpr FeatureSet kSharpen = 1ULL << 28U;
 inline constexpr FeatureSet kFourSamples = 1ULL << 31U;  ///< two by two make a pixel

@@ -26,7 +26,7 @@ constexpr std::size_t kOftenAltitudes = 12;
 constexpr std::size_t kOftenSines = 32;
 
 /// How far a ray from `altitude_m` runs to the top of the air; `meets_ground` ends it there.
-float way_m(float altitude_m, float sin_height, bool& meets_ground) {
+float path_m(float altitude_m, float sin_height, bool& meets_ground) {
     const float r = kGround_m + altitude_m;
     // r sin, and what is left of a sphere's radius squared; by differences, for r is large.
     const float b = r * sin_height;
@@ -146,7 +146,7 @@ Atmosphere::Atmosphere(float haze) : haze_(std::clamp(haze, 0.0F, 20.0F)) {
 Vec3f Atmosphere::transmittance_along(float altitude_m, float sin_height) const {
     constexpr int kSteps = 40;
     bool meets_ground = false;
-    const float whole_m = way_m(altitude_m, sin_height, meets_ground);
+    const float whole_m = path_m(altitude_m, sin_height, meets_ground);
     Vec3f depth{0.0F};
     float before = 0.0F;
     for (int i = 1; i <= kSteps; ++i) {
@@ -191,7 +191,7 @@ Vec3f Atmosphere::often_from(float altitude_m, float light_sin_height) const {
         const float turn = glm::pi<float>() * (static_cast<float>(i % kTurns) + 0.5F) / kTurns;
         const float cosine = std::sqrt(1.0F - sine * sine);
         bool meets_ground = false;
-        const float whole_m = way_m(altitude_m, sine, meets_ground);
+        const float whole_m = path_m(altitude_m, sine, meets_ground);
         Vec3f through{1.0F};
         for (int k = 0; k < kSteps; ++k) {
             const float step_m = whole_m / kSteps;
@@ -229,7 +229,7 @@ Atmosphere::Scattered Atmosphere::scattered(float sin_height,
     const float cosine = std::sqrt(std::max(1.0F - sine * sine, 0.0F));
     const float light_cos = std::sqrt(std::max(1.0F - light_sin_height * light_sin_height, 0.0F));
     bool meets_ground = false;
-    const float whole_m = way_m(kEye_m, sine, meets_ground);
+    const float whole_m = path_m(kEye_m, sine, meets_ground);
     Scattered sum{};
     Vec3f through{1.0F};
     float before = 0.0F;

@@ -12,7 +12,7 @@ constexpr std::size_t kRows = 40;
 constexpr std::size_t kDirections = 33;
 constexpr float kMoved = 0.99999962F;  // cosine of a twentieth of a degree
 
-// Scenes give lamps in the units of a picture of the day, some thousand times too bright beside the
+// Scenes give lamps in the units of an image of the day, some thousand times too bright beside the
 // sun. So that they shine at dusk and not at noon, the fall of the evening's light, which is true in
 // itself, is flattened as eyes flatten it: what the sky sends down goes as this power of what it
 // truly would.
@@ -89,10 +89,10 @@ Vec3f ComputedSky::LitAir::at(const Vec3f& direction) const {
     if (table.empty()) return Vec3f{0.0F};
     const float sine = std::clamp(direction.y, 0.0F, 1.0F);
     const Vec2f way{direction.x, direction.z};
-    const Vec2f light_way{to_light.x, to_light.z};
-    const float lengths = std::sqrt(glm::dot(way, way) * glm::dot(light_way, light_way));
+    const Vec2f light_heading{to_light.x, to_light.z};
+    const float lengths = std::sqrt(glm::dot(way, way) * glm::dot(light_heading, light_heading));
     const float cosine =
-        lengths > 1e-6F ? std::clamp(glm::dot(way, light_way) / lengths, -1.0F, 1.0F) : 0.0F;
+        lengths > 1e-6F ? std::clamp(glm::dot(way, light_heading) / lengths, -1.0F, 1.0F) : 0.0F;
     const float row = std::sqrt(sine) * static_cast<float>(kRows - 1);
     const float column = std::sqrt(0.5F * (1.0F - cosine)) * static_cast<float>(kDirections - 1);
     const auto i = std::min(static_cast<std::size_t>(row), kRows - 2);
@@ -177,7 +177,7 @@ ComputedSky::CloudLight ComputedSky::cloud_light(const Vec3f& direction) const {
             .light = cloud_key_.irradiance * (silver * met * glm::one_over_pi<float>())};
 }
 
-Vec2f ComputedSky::light_way() const {
+Vec2f ComputedSky::light_heading() const {
     const Vec3f& to = sun_.table.empty() ? moon_.to_light : sun_.to_light;
     const float length = std::sqrt(to.x * to.x + to.z * to.z);
     return length > 1e-4F ? Vec2f{to.x, to.z} / length : Vec2f{1.0F, 0.0F};
@@ -186,7 +186,7 @@ Vec2f ComputedSky::light_way() const {
 std::array<Vec3f, 3> ComputedSky::horizon() const {
     // Not at the light itself: its glow is much narrower than a square of the cosine can be.
     constexpr float kBeside = 0.64F;  // 50 degrees
-    const Vec2f way = light_way();
+    const Vec2f way = light_heading();
     const auto seen = [&](float cosine) {
         const float sine = std::sqrt(1.0F - cosine * cosine);
         const Vec2f flat = way * cosine + Vec2f{-way.y, way.x} * sine;

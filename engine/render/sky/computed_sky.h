@@ -57,7 +57,7 @@ public:
     /// the horizon's radiance is [0] + cosine [1] + cosine^2 [2].
     std::array<Vec3f, 3> horizon() const;
     /// Of sun or moon, whichever is the brighter in the sky: x and z, unit.
-    Vec2f light_way() const;
+    Vec2f light_heading() const;
 
     /// With clouds: the faces of a small cube map.
     std::vector<RadianceImage> faces() const;

@@ -29,7 +29,7 @@ public:
     /// The background holds sRGB code values (8-bit faces), not radiance.
     bool is_srgb() const { return is_srgb_; }
     bool ready() const { return computed() != nullptr || static_cast<bool>(background_); }
-    /// Null: the sky is a picture.
+    /// Null: the sky is an image.
     const ComputedSky* computed() const { return dome_ ? &dome_->sky : nullptr; }
     const GpuSkyDome& dome() const { return dome_->gpu; }
     const gl::Texture& background() const { return background_; }

@@ -18,10 +18,6 @@ float narrow(const Real& value) {
     return static_cast<float>(value);
 }
 
-physics::ShapeDef shape_of_primitive(const Primitive& primitive) {
-    return std::visit([](const auto& shape) { return physics::ShapeDef{shape}; }, primitive);
-}
-
 struct MeshOfPrimitive {
     std::string name;
     assets::MeshData mesh;
@@ -57,19 +53,8 @@ MeshOfPrimitive mesh_of_primitive(const Primitive& primitive) {
 }
 
 std::string place_of(const EntityDescription& description, const std::string& name) {
-    if (description.origin.line <= 0) return "entity " + name;
-    return fmt::format("{}: entity {}", to_string(description.origin), name);
-}
-
-LampLook dark_look_of(assets::AssetLibrary& library,
-                      const std::vector<assets::MaterialId>& materials) {
-    LampLook look;
-    for (const assets::MaterialId id : materials) {
-        assets::MaterialData dark = library.material(id);
-        dark.emissive = Vec3f{0.0F};
-        look.off.push_back(library.add_material(std::move(dark)));
-    }
-    return look;
+    if (description.location.line <= 0) return "entity " + name;
+    return fmt::format("{}: entity {}", to_string(description.location), name);
 }
 
 PointLight light_of(const LightDescription& light) {
@@ -111,8 +96,9 @@ Result<std::uint32_t> EntityBuilder::group_bit(const std::string& name) {
 }
 
 void EntityBuilder::warn_once(const std::string& text) {
-    const std::vector<std::string>& known = simulation_.warnings();
-    if (std::find(known.begin(), known.end(), text) == known.end()) simulation_.add_warning(text);
+    const std::vector<std::string>& known = simulation_.warnings;
+    if (std::find(known.begin(), known.end(), text) == known.end())
+        simulation_.warnings.push_back(text);
 }
 
 void EntityBuilder::lend_materials(const std::map<std::string, assets::MaterialData>& materials) {
@@ -136,7 +122,7 @@ assets::MaterialId EntityBuilder::material_named(const std::string& name) {
     return id;
 }
 
-EntityBuilder::Look EntityBuilder::placeholder_for(const EntityDescription& description) {
+EntityBuilder::Appearance EntityBuilder::placeholder_for(const EntityDescription& description) {
     Vec3 min{-0.5_r};
     Vec3 max{0.5_r};
     if (description.body) {
@@ -160,20 +146,20 @@ EntityBuilder::Look EntityBuilder::placeholder_for(const EntityDescription& desc
     return {.mesh = simulation_.library().add_mesh(name, std::move(mesh)), .materials = {material}};
 }
 
-EntityBuilder::Look EntityBuilder::look_of_model(const EntityDescription& description,
-                                                 const ModelVisual& visual) {
+EntityBuilder::Appearance EntityBuilder::appearance_of_model(const EntityDescription& description,
+                                                             const ModelVisual& visual) {
     if (refused_models_.contains(visual.file)) return placeholder_for(description);
     const Result<assets::Model> model = simulation_.library().model(visual.file, visual.root);
     if (!model) {
         refused_models_.insert(visual.file);
-        simulation_.add_warning(fmt::format("{}: a box stands for its model: {}",
-                                            place_of(description, description.name),
-                                            model.error().message));
+        simulation_.warnings.push_back(fmt::format("{}: a box stands for its model: {}",
+                                                   place_of(description, description.name),
+                                                   model.error().message));
         return placeholder_for(description);
     }
-    Look look{
+    Appearance appearance{
         .mesh = model->mesh, .materials = model->materials, .model = model->id, .is_model = true};
-    for (assets::MaterialId& material : look.materials) {
+    for (assets::MaterialId& material : appearance.materials) {
         const std::string& own_name = simulation_.library().material(material).name;
         if (!description.material.empty()) {
             material = material_named(description.material);
@@ -181,12 +167,12 @@ EntityBuilder::Look EntityBuilder::look_of_model(const EntityDescription& descri
             material = material_named(own_name);
         }
     }
-    return look;
+    return appearance;
 }
 
-EntityBuilder::Look EntityBuilder::look_of(const EntityDescription& description) {
+EntityBuilder::Appearance EntityBuilder::appearance_of(const EntityDescription& description) {
     if (const auto* model = std::get_if<ModelVisual>(&description.visual)) {
-        return look_of_model(description, *model);
+        return appearance_of_model(description, *model);
     }
     if (const auto* visual = std::get_if<MeshVisual>(&description.visual)) {
         return {.mesh = simulation_.library().add_mesh(visual->key, *visual->mesh),
@@ -201,15 +187,16 @@ EntityBuilder::Look EntityBuilder::look_of(const EntityDescription& description)
 }
 
 std::uint16_t EntityBuilder::surface_of(const EntityDescription& description,
-                                        const Look& look) const {
+                                        const Appearance& appearance) const {
     if (const assets::MaterialData* named = described_material(description.material))
         return simulation_.surfaces().find(named->surface);
-    if (look.materials.empty()) return 0;
+    if (appearance.materials.empty()) return 0;
     return simulation_.surfaces().find(
-        simulation_.library().material(look.materials.front()).surface);
+        simulation_.library().material(appearance.materials.front()).surface);
 }
 
-Result<BuiltShape> EntityBuilder::shape_of(const EntityDescription& description, const Look& look) {
+Result<BuiltShape> EntityBuilder::shape_of(const EntityDescription& description,
+                                           const Appearance& appearance) {
     const BodyDescription& body = *description.body;
     std::vector<std::string> notes;
     const auto make = [&]() -> Result<BuiltShape> {
@@ -219,12 +206,12 @@ Result<BuiltShape> EntityBuilder::shape_of(const EntityDescription& description,
         if (const auto* primitive = std::get_if<Primitive>(&description.visual)) {
             return shapes_.make(scaled(shape_of_primitive(*primitive), description.scale), notes);
         }
-        if (look.is_model) {
+        if (appearance.is_model) {
             const bool as_hull = std::holds_alternative<ModelHullShape>(body.shape) ||
                                  (std::holds_alternative<FitShape>(body.shape) &&
                                   body.kind == physics::BodyKind::Dynamic);
-            const assets::MovingModel* moving = moving_parts_of(description, look);
-            const assets::MeshId mesh = moving != nullptr ? moving->still : look.mesh;
+            const assets::MovingModel* moving = moving_parts_of(description, appearance);
+            const assets::MeshId mesh = moving != nullptr ? moving->still : appearance.mesh;
             return shapes_.make_from_model(
                 simulation_.library().mesh(mesh), mesh.value, as_hull, description.scale, notes);
         }
@@ -242,11 +229,11 @@ Result<BuiltShape> EntityBuilder::shape_of(const EntityDescription& description,
 }
 
 Result<physics::BodyId> EntityBuilder::body_of(const EntityDescription& description,
-                                               const Look& look,
+                                               const Appearance& appearance,
                                                std::uint16_t surface_index,
                                                ecs::Entity entity) {
     const BodyDescription& body = *description.body;
-    const Result<BuiltShape> shape = shape_of(description, look);
+    const Result<BuiltShape> shape = shape_of(description, appearance);
     if (!shape) return shape.error();
     const Result<std::uint32_t> group = group_bit(body.group);
     if (!group) return group.error();
@@ -286,7 +273,7 @@ Result<physics::BodyId> EntityBuilder::body_of(const EntityDescription& descript
          .linear_factor = body.linear_factor,
          .can_sleep = body.can_sleep,
          .ccd = body.ccd,
-         .contact_events = (is_dynamic && simulation_.is_heard(surface_index)) ||
+         .contact_events = (is_dynamic && simulation_.surfaces().is_heard(surface_index)) ||
                            !description.contact_material.empty(),
          .group = *group,
          .collides_with = collides_with,
@@ -301,16 +288,17 @@ void EntityBuilder::track(const EntityDescription& description,
                           const BuiltShape& shape) {
     ecs::Registry& registry = simulation_.registry;
     const Pose& start = description.world_from_body;
-    registry.add<PreviousPlacement>(entity, PreviousPlacement{.world_from_body = start});
+    registry.add<PreviousTransform>(entity, PreviousTransform{.world_from_body = start});
     const physics::MassProperties mass = simulation_.physics.mass_properties(body);
-    simulation_.moving_.push_back({.entity = entity,
-                                   .body = body,
-                                   .kind = description.body->kind,
-                                   .shape = shape.id,
-                                   .convex = shape.convex,
-                                   .inner_radius_m = shape.inner_radius_m,
-                                   .ccd = description.body->ccd,
-                                   .spherical_inertia = has_even_inertia(mass.inertia_kgm2)});
+    simulation_.bodies_.moving.push_back(
+        {.entity = entity,
+         .body = body,
+         .kind = description.body->kind,
+         .shape = shape.id,
+         .convex = shape.convex,
+         .inner_radius_m = shape.inner_radius_m,
+         .ccd = description.body->ccd,
+         .spherical_inertia = has_even_inertia(mass.inertia_kgm2)});
     if (!description.motion || description.body->kind != physics::BodyKind::Kinematic) return;
     MotionPath path{.points_m = {},
                     .period_s = description.motion->period_s,
@@ -326,31 +314,15 @@ void EntityBuilder::track(const EntityDescription& description,
     registry.add<MotionPath>(entity, std::move(path));
 }
 
-void EntityBuilder::add_trigger(const EntityDescription& description, ecs::Entity entity) {
-    const auto* primitive = std::get_if<Primitive>(&description.visual);
-    if (primitive == nullptr) return;
-    std::vector<std::string> notes;
-    const Result<BuiltShape> shape =
-        shapes_.make(scaled(shape_of_primitive(*primitive), description.scale), notes);
-    if (!shape) return warn_once(shape.error().message);
-    const TriggerDescription& trigger = *description.trigger;
-    simulation_.registry.add<TriggerVolume>(entity,
-                                            TriggerVolume{.shape = shape->id,
-                                                          .spawn = trigger.spawn,
-                                                          .at_m = trigger.at_m,
-                                                          .of = trigger.of,
-                                                          .times_left = trigger.times});
-}
-
 Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
                                          const std::string& name) {
-    const Look look = look_of(description);
-    const std::uint16_t surface = surface_of(description, look);
+    const Appearance appearance = appearance_of(description);
+    const std::uint16_t surface = surface_of(description, appearance);
     ecs::Registry& registry = simulation_.registry;
     const ecs::Entity entity = registry.create();
-    const assets::MovingModel* moving = moving_parts_of(description, look);
+    const assets::MovingModel* moving = moving_parts_of(description, appearance);
     if (description.body && (moving == nullptr || moving->still != assets::MeshId{})) {
-        const Result<physics::BodyId> body = body_of(description, look, surface, entity);
+        const Result<physics::BodyId> body = body_of(description, appearance, surface, entity);
         if (!body) {
             registry.destroy(entity);
             return Error{fmt::format("{}: {}", place_of(description, name), body.error().message),
@@ -359,43 +331,20 @@ Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
         registry.add<BodyRef>(entity, BodyRef{.body = *body});
     }
     registry.add<Name>(entity, Name{.text = name, .label = description.label});
-    registry.add<Placement>(
+    registry.add<Transform>(
         entity,
-        Placement{.world_from_body = description.world_from_body, .scale = description.scale});
+        Transform{.world_from_body = description.world_from_body, .scale = description.scale});
     registry.add<SurfaceRef>(entity, SurfaceRef{.surface = surface});
-    if (description.origin.line > 0) {
-        registry.add<Source>(
-            entity, Source{.file = description.origin.file, .line = description.origin.line});
+    if (description.location.line > 0) {
+        registry.add<DescribedAt>(entity, description.location);
     }
-    if (look.mesh != assets::MeshId{}) {
-        const bool is_static =
-            !description.body || description.body->kind == physics::BodyKind::Static;
-        registry.add<Visual>(entity,
-                             Visual{.mesh = look.mesh,
-                                    .materials = look.materials,
-                                    .casts_shadow = description.casts_shadow,
-                                    .is_static = is_static});
-        if (description.light && description.light->on != LampOn::Always)
-            registry.add<LampLook>(entity, dark_look_of(simulation_.library(), look.materials));
-    }
-    if (!description.contact_material.empty()) {
-        registry.add<ContactLook>(
-            entity, ContactLook{.material = material_named(description.contact_material)});
-    }
+    add_visual(description, appearance, entity);
     if (description.trigger) add_trigger(description, entity);
-    if (simulation_.library().moving(look.model) != nullptr) {
-        registry.add<PlayingModel>(entity, PlayingModel{.model = look.model});
+    if (simulation_.library().moving(appearance.model) != nullptr) {
+        registry.add<PlayingModel>(entity, PlayingModel{.model = appearance.model});
     }
     if (description.light) registry.add<PointLight>(entity, light_of(*description.light));
-    if (description.sound) {
-        registry.add<AmbientSound>(entity,
-                                   AmbientSound{.file = description.sound->file,
-                                                .gain = description.sound->gain,
-                                                .radius_m = description.sound->radius_m,
-                                                .loop = description.sound->loop,
-                                                .by_wind = description.sound->by_wind,
-                                                .by_flow = description.sound->by_flow});
-    }
+    if (description.sound) add_sound(*description.sound, entity);
     if (moving != nullptr) {
         const Result<Done> made = build_parts(description, name, *moving, surface, entity);
         if (!made) {
@@ -403,7 +352,7 @@ Result<ecs::Entity> EntityBuilder::build(const EntityDescription& description,
             return made.error();
         }
     }
-    simulation_.entities_by_name_.insert_or_assign(name, entity);
+    simulation_.names_.entities.insert_or_assign(name, entity);
     ++simulation_.revision_;
     return entity;
 }

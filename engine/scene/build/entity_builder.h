@@ -25,37 +25,42 @@ public:
     Result<ecs::Entity> build(const EntityDescription& description, const std::string& name);
 
 private:
-    struct Look {
+    struct Appearance {
         assets::MeshId mesh{};
         std::vector<assets::MaterialId> materials;
         assets::ModelId model{};
         bool is_model{false};  ///< `mesh` is the model's own, fit for shapes
     };
 
-    Look look_of(const EntityDescription& description);
-    Look look_of_model(const EntityDescription& description, const ModelVisual& visual);
-    Look placeholder_for(const EntityDescription& description);
+    Appearance appearance_of(const EntityDescription& description);
+    Appearance appearance_of_model(const EntityDescription& description, const ModelVisual& visual);
+    Appearance placeholder_for(const EntityDescription& description);
     /// The scene's own, else a lent one, else null.
     const assets::MaterialData* described_material(const std::string& name) const;
     assets::MaterialId material_named(const std::string& name);
-    std::uint16_t surface_of(const EntityDescription& description, const Look& look) const;
+    std::uint16_t surface_of(const EntityDescription& description,
+                             const Appearance& appearance) const;
     /// Null unless its parts are to collide one by one as they move.
     const assets::MovingModel* moving_parts_of(const EntityDescription& description,
-                                               const Look& look) const;
+                                               const Appearance& appearance) const;
     Result<Done> build_parts(const EntityDescription& whole,
                              const std::string& name,
                              const assets::MovingModel& model,
                              std::uint16_t surface,
                              ecs::Entity entity);
-    Result<BuiltShape> shape_of(const EntityDescription& description, const Look& look);
+    Result<BuiltShape> shape_of(const EntityDescription& description, const Appearance& appearance);
     Result<physics::BodyId> body_of(const EntityDescription& description,
-                                    const Look& look,
+                                    const Appearance& appearance,
                                     std::uint16_t surface,
                                     ecs::Entity entity);
     void track(const EntityDescription& description,
                ecs::Entity entity,
                physics::BodyId body,
                const BuiltShape& shape);
+    void add_visual(const EntityDescription& description,
+                    const Appearance& appearance,
+                    ecs::Entity entity);
+    void add_sound(const SoundDescription& sound, ecs::Entity entity);
     void add_trigger(const EntityDescription& description, ecs::Entity entity);
     void warn_once(const std::string& text);
 

@@ -9,11 +9,11 @@
 namespace plumbline::scene {
 
 const assets::MovingModel* EntityBuilder::moving_parts_of(const EntityDescription& description,
-                                                          const Look& look) const {
+                                                          const Appearance& appearance) const {
     if (!description.body || description.body->kind != physics::BodyKind::Kinematic) return nullptr;
-    if (!look.is_model || !std::holds_alternative<FitShape>(description.body->shape))
+    if (!appearance.is_model || !std::holds_alternative<FitShape>(description.body->shape))
         return nullptr;
-    return simulation_.library().moving(look.model);
+    return simulation_.library().moving(appearance.model);
 }
 
 Result<Done> EntityBuilder::build_parts(const EntityDescription& whole,

@@ -2,6 +2,7 @@
 #include "engine/scene/build/entity_builder.h"
 #include "engine/scene/sections/scene_parts.h"
 #include "engine/scene/simulation.h"
+#include "engine/scene/simulation/entity_lookup.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +13,7 @@ namespace plumbline::scene {
 
 namespace {
 
-/// Looking for overlaps costs a query a body; beyond this many it would be felt at the start.
+/// Looking for penetration costs a query a body; beyond this many it would be felt at the start.
 constexpr std::size_t kOverlapChecks = 2'000;
 
 std::size_t copies_of(const ArrayDescription& array) {
@@ -72,13 +73,13 @@ void warn_of_overlaps(Simulation& simulation) {
             if (hit.depth_m <= deepest_m) continue;
             deepest_m = hit.depth_m;
             deepest = fmt::format("{} and {}",
-                                  simulation.describe(body.entity),
-                                  simulation.describe(simulation.entity_of(hit.body)));
+                                  describe(simulation, body.entity),
+                                  describe(simulation, entity_of(simulation, hit.body)));
         }
     }
     if (pairs == 0) return;
-    simulation.add_warning(
-        fmt::format("{} {} overlapped; deepest: {}, by {:.3f} m",
+    simulation.warnings.push_back(
+        fmt::format("{} {} interpenetrating; deepest: {}, by {:.3f} m",
                     pairs,
                     pairs == 1 ? "pair of bodies starts" : "pairs of bodies start",
                     deepest,
@@ -90,9 +91,9 @@ void warn_of_joints(Simulation& simulation) {
     if (simulation.joints().empty()) return;
     const physics::Solver solver = simulation.physics.def().solver;
     if (solver == physics::Solver::BulletNncg)
-        simulation.add_warning("bullet_nncg throws some joints between free bodies apart");
+        simulation.warnings.push_back("bullet_nncg throws some joints between free bodies apart");
     if (solver == physics::Solver::BulletDantzig && simulation.joints().size() > 1)
-        simulation.add_warning(
+        simulation.warnings.push_back(
             "bullet_dantzig throws off bodies that are held twice over, as by two hinges");
 }
 
@@ -101,7 +102,7 @@ void warn_of_lights(Simulation& simulation) {
     simulation.registry.view<const PointLight>().each(
         [&](ecs::Entity, const PointLight&) { ++lights; });
     if (lights > limits::kLights) {
-        simulation.add_warning(fmt::format(
+        simulation.warnings.push_back(fmt::format(
             "{} lights: only the {} nearest to the camera shine", lights, limits::kLights));
     }
 }
@@ -129,7 +130,7 @@ Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& des
     }
     auto simulation = std::make_unique<Simulation>(description, overrides, library, surfaces);
     if (bodies > limits::kBodiesWarn) {
-        simulation->add_warning(
+        simulation->warnings.push_back(
             fmt::format("{} bodies: more than {} may be slow", bodies, limits::kBodiesWarn));
     }
     for (const EntityDescription& entity : description.entities) {

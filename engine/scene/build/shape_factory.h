@@ -33,6 +33,9 @@ std::vector<Vec3> points_of(const physics::ShapeDef& shape);
 /// Volume of the convex hull of the points; 0 for fewer than 4 and for flat sets.
 Real hull_volume_m3(const std::vector<Vec3>& points_m);
 
+inline physics::ShapeDef shape_of_primitive(const Primitive& primitive) {
+    return std::visit([](const auto& shape) { return physics::ShapeDef{shape}; }, primitive);
+}
 physics::ShapeDef hull_of(const assets::MeshData& mesh);
 physics::ShapeDef mesh_of(const assets::MeshData& mesh);
 

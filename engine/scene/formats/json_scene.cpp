@@ -65,8 +65,8 @@ struct ReadFile {
 
 class JsonSceneReader {
 public:
-    JsonSceneReader(const fs::path& assets_folder, const Place& place, FaultList& list)
-        : assets_folder_(assets_folder), list_(list), faults_{list, place} {}
+    JsonSceneReader(const fs::path& assets_folder, const SourceLocation& location, FaultList& list)
+        : assets_folder_(assets_folder), list_(list), faults_{list, location} {}
 
     std::optional<SceneDescription> read(const fs::path& file) {
         scene_.file = file;
@@ -309,12 +309,12 @@ private:
         entity.world_from_body.position = Vec3(glm::dvec3{matrix[3]});
         entity.visual = MeshVisual{.key = "json " + hex_of(key.digest()), .mesh = mesh};
         entity.material = material_for(source.picture, brightest);
-        entity.origin = Origin{.file = scene_.file.filename().string()};
+        entity.location = in_file(scene_.file.filename().string());
         scene_.entities.push_back(std::move(entity));
     }
 
     void finish() {
-        const Origin origin{.file = scene_.file.filename().string()};
+        const SourceLocation location = in_file(scene_.file.filename().string());
         const Sphere sphere = sphere_around(bounds_);
         viewer_.center_m = Vec3{sphere.center};
         viewer_.radius_m = sphere.radius > 0.0F ? Real{sphere.radius} : Real{1};
@@ -329,8 +329,8 @@ private:
             SunDescription{.direction = -glm::normalize(Vec3{1, 1, 1}),
                            .color = Vec3f{1.0F},
                            .intensity = kLightIntensity,
-                           .shadow = ShadowDescription{.distance_m = reach_m, .origin = origin},
-                           .origin = origin};
+                           .shadow = ShadowDescription{.distance_m = reach_m, .location = location},
+                           .location = location};
         scene_.content_hash = hasher_.digest();
     }
 
@@ -353,9 +353,9 @@ std::optional<SceneDescription> read_json_scene(const fs::path& file,
                                                 const fs::path& assets_folder,
                                                 Diagnostics& faults) {
     const std::string name = file.string();
-    const Place place{&name, 0, 0};
+    const SourceLocation location = in_file(name);
     FaultList list(faults);
-    return JsonSceneReader(assets_folder, place, list).read(file);
+    return JsonSceneReader(assets_folder, location, list).read(file);
 }
 
 }  // namespace plumbline::scene

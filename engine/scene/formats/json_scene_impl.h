@@ -20,7 +20,7 @@ namespace plumbline::scene {
 /// Where faults of one JSON file go. JSON values do not know their lines: the path tells them apart.
 struct JsonFaults {
     FaultList& list;
-    const Place& file;
+    const SourceLocation& file;
 
     void error(std::string path, std::string message) const {
         list.error(file, std::move(path), std::move(message));

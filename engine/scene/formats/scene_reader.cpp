@@ -47,22 +47,27 @@ FaultList::~FaultList() {
                   "further faults are not listed"});
 }
 
-void FaultList::add(Severity severity, const Place& place, std::string key, std::string message) {
+void FaultList::add(Severity severity,
+                    const SourceLocation& location,
+                    std::string key,
+                    std::string message) {
     if (severity == Severity::Error) any_error_ = true;
-    const std::string file = place.file != nullptr ? *place.file : std::string{};
+    const std::string& file = file_of(location);
     if (seen_.size() > kFaultsListed) return;
-    if (!seen_.insert(fmt::format("{}:{}:{}:{}", file, place.line, place.column, message)).second)
+    if (!seen_.insert(fmt::format("{}:{}:{}:{}", file, location.line, location.column, message))
+             .second)
         return;
     if (seen_.size() > kFaultsListed) return;
-    list_.push_back({severity, file, place.line, place.column, std::move(key), std::move(message)});
+    list_.push_back(
+        {severity, file, location.line, location.column, std::move(key), std::move(message)});
 }
 
-void FaultList::error(const Place& place, std::string key, std::string message) {
-    add(Severity::Error, place, std::move(key), std::move(message));
+void FaultList::error(const SourceLocation& location, std::string key, std::string message) {
+    add(Severity::Error, location, std::move(key), std::move(message));
 }
 
-void FaultList::warning(const Place& place, std::string key, std::string message) {
-    add(Severity::Warning, place, std::move(key), std::move(message));
+void FaultList::warning(const SourceLocation& location, std::string key, std::string message) {
+    add(Severity::Warning, location, std::move(key), std::move(message));
 }
 
 std::string shown(std::string_view text) {
@@ -104,17 +109,6 @@ std::string listed(const std::vector<std::string>& names) {
                        names.size() - kListed);
 }
 
-Origin origin_of(const Place& place) {
-    Origin origin;
-    if (place.file != nullptr) origin.file = std::filesystem::path(*place.file).filename().string();
-    origin.line = place.line;
-    return origin;
-}
-
-std::string brief(const Place& place) {
-    return to_string(origin_of(place));
-}
-
 std::optional<double> number_of(const TomlNode& node,
                                 const std::string& path,
                                 const Range& range,
@@ -125,11 +119,13 @@ std::optional<double> number_of(const TomlNode& node,
     } else if (const auto* number = std::get_if<double>(&node.value)) {
         value = *number;
     } else {
-        faults.error(node.place, path, fmt::format("{}; expected {}", found(node), range.expected));
+        faults.error(
+            node.location, path, fmt::format("{}; expected {}", found(node), range.expected));
         return {};
     }
     if (!std::isfinite(value) || value < range.min || value > range.max) {
-        faults.error(node.place, path, fmt::format("{}; expected {}", found(node), range.expected));
+        faults.error(
+            node.location, path, fmt::format("{}; expected {}", found(node), range.expected));
         return {};
     }
     return value;
@@ -141,7 +137,7 @@ std::optional<Vec3d> vector_of(const TomlNode& node,
                                FaultList& faults) {
     const TomlArray* array = node.array();
     if (array == nullptr || array->size() != 3) {
-        faults.error(node.place, path, fmt::format("{}; expected [x, y, z]", found(node)));
+        faults.error(node.location, path, fmt::format("{}; expected [x, y, z]", found(node)));
         return {};
     }
     Vec3d value{0, 0, 0};
@@ -164,8 +160,8 @@ TableReader::TableReader(std::vector<const TomlNode*> layers, std::string path, 
 TableReader::TableReader(const TomlNode& table, std::string path, FaultList& faults)
     : TableReader(std::vector<const TomlNode*>{&table}, std::move(path), faults) {}
 
-const Place& TableReader::place() const {
-    return layers_.front()->place;
+const SourceLocation& TableReader::location() const {
+    return layers_.front()->location;
 }
 
 std::string TableReader::path_of(std::string_view key) const {
@@ -193,7 +189,7 @@ std::string_view TableReader::either(std::string_view a, std::string_view b) {
         const bool has_a = find_key(*layer->table(), a) != nullptr;
         const TomlNode* second = find_key(*layer->table(), b);
         if (has_a && second != nullptr) {
-            faults_->error(second->place,
+            faults_->error(second->location,
                            path_of(b),
                            fmt::format("given beside {}; they say the same thing, keep one", a));
         }
@@ -325,7 +321,7 @@ std::vector<std::string> TableReader::texts(std::string_view key) {
         if (const std::string* value = (*array)[i].text()) {
             values.push_back(*value);
         } else {
-            faults_->error((*array)[i].place,
+            faults_->error((*array)[i].location,
                            fmt::format("{}[{}]", path_of(key), i),
                            found((*array)[i]) + "; expected a text in quotes");
         }
@@ -340,7 +336,7 @@ std::optional<TableReader> TableReader::table(std::string_view key) {
         const TomlNode* node = find_key(*layer->table(), key);
         if (node == nullptr) continue;
         if (node->table() == nullptr) {
-            faults_->error(node->place, path_of(key), found(*node) + "; expected a table");
+            faults_->error(node->location, path_of(key), found(*node) + "; expected a table");
             continue;
         }
         parts.push_back(node);
@@ -363,14 +359,14 @@ std::span<const TomlNode> TableReader::tables(std::string_view key) {
 
 void TableReader::error(std::string_view key, std::string message) {
     const TomlNode* node = key.empty() ? nullptr : find(key);
-    faults_->error(node != nullptr ? node->place : place(),
+    faults_->error(node != nullptr ? node->location : location(),
                    key.empty() ? path_ : path_of(key),
                    std::move(message));
 }
 
 void TableReader::warning(std::string_view key, std::string message) {
     const TomlNode* node = key.empty() ? nullptr : find(key);
-    faults_->warning(node != nullptr ? node->place : place(),
+    faults_->warning(node != nullptr ? node->location : location(),
                      key.empty() ? path_ : path_of(key),
                      std::move(message));
 }
@@ -379,8 +375,9 @@ void TableReader::finish() {
     for (const TomlNode* layer : layers_) {
         for (const TomlEntry& entry : *layer->table()) {
             if (std::ranges::find(known_, std::string_view(entry.key)) != known_.end()) continue;
-            faults_->error(
-                entry.key_place, path_of(entry.key), "unknown key" + suggestion(entry.key, known_));
+            faults_->error(entry.key_location,
+                           path_of(entry.key),
+                           "unknown key" + suggestion(entry.key, known_));
         }
     }
 }

@@ -26,12 +26,15 @@ public:
     FaultList(const FaultList&) = delete;
     FaultList& operator=(const FaultList&) = delete;
 
-    void error(const Place& place, std::string key, std::string message);
-    void warning(const Place& place, std::string key, std::string message);
+    void error(const SourceLocation& location, std::string key, std::string message);
+    void warning(const SourceLocation& location, std::string key, std::string message);
     bool any_error() const { return any_error_; }
 
 private:
-    void add(Severity severity, const Place& place, std::string key, std::string message);
+    void add(Severity severity,
+             const SourceLocation& location,
+             std::string key,
+             std::string message);
 
     Diagnostics& out_;
     std::vector<Diagnostic> list_;
@@ -64,7 +67,7 @@ public:
     TableReader(const TomlNode& table, std::string path, FaultList& faults);
 
     /// Where the table itself starts.
-    const Place& place() const;
+    const SourceLocation& location() const;
     const std::string& path() const { return path_; }
     std::string path_of(std::string_view key) const;
     FaultList& faults() const { return *faults_; }
@@ -137,9 +140,5 @@ std::string shown(std::string_view text);
 
 /// "a, b, c", and how many more when there are very many.
 std::string listed(const std::vector<std::string>& names);
-
-Origin origin_of(const Place& place);
-/// "garden.toml:14"
-std::string brief(const Place& place);
 
 }  // namespace plumbline::scene

@@ -6,26 +6,30 @@
 #include <tuple>
 
 namespace plumbline::scene {
+using FileName = std::shared_ptr<const std::string>;
+
 namespace {
 
-Place place_of(const toml::source_region& region, const std::string& file) {
-    return {&file, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+SourceLocation location_of(const toml::source_region& region, const FileName& file) {
+    return {.file = file,
+            .line = static_cast<int>(region.begin.line),
+            .column = static_cast<int>(region.begin.column)};
 }
 
 // The pre-scan limits how deep this can go.
-TomlNode copy_of(const toml::node& node, const std::string& file) {
+TomlNode copy_of(const toml::node& node, const FileName& file) {
     TomlNode copy;
-    copy.place = place_of(node.source(), file);
+    copy.location = location_of(node.source(), file);
     if (const toml::table* table = node.as_table()) {
         TomlTable entries;
         entries.reserve(table->size());
         for (const auto& [key, value] : *table) {
             entries.push_back(
-                {std::string(key.str()), place_of(key.source(), file), copy_of(value, file)});
+                {std::string(key.str()), location_of(key.source(), file), copy_of(value, file)});
         }
         std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
-            return std::tie(a.key_place.line, a.key_place.column) <
-                   std::tie(b.key_place.line, b.key_place.column);
+            return std::tie(a.key_location.line, a.key_location.column) <
+                   std::tie(b.key_location.line, b.key_location.column);
         });
         copy.value = std::move(entries);
     } else if (const toml::array* array = node.as_array()) {
@@ -61,7 +65,7 @@ const TomlNode* find_key(const TomlTable& table, std::string_view key) {
 
 TomlNode laid_over(TomlNode below, const TomlNode& above) {
     auto& entries = std::get<TomlTable>(below.value);
-    below.place = above.place;
+    below.location = above.location;
     for (const TomlEntry& entry : *above.table()) {
         const auto known = std::ranges::find(entries, entry.key, &TomlEntry::key);
         if (known == entries.end()) {
@@ -78,7 +82,7 @@ TomlNode laid_over(TomlNode below, const TomlNode& above) {
     return below;
 }
 
-std::variant<TomlNode, TextFault> parse_toml(std::string_view text, const std::string& file) {
+std::variant<TomlNode, TextFault> parse_toml(std::string_view text, const FileName& file) {
     if (auto fault = prescan_toml(text)) return *fault;
     // The packaged parser throws; its exceptions end here.
     try {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/core/text/source_location.h"
 #include "engine/core/text/toml_prescan.h"
 
 #include <cstdint>
@@ -12,13 +13,6 @@
 #include <vector>
 
 namespace plumbline::scene {
-
-/// A spot in a file. `file` belongs to whoever asked for the parse.
-struct Place {
-    const std::string* file{nullptr};
-    int line{0};
-    int column{0};
-};
 
 struct TomlNode;
 struct TomlEntry;
@@ -32,7 +26,7 @@ struct TomlDate {};
 struct TomlNode {
     // No initialiser: it would need TomlEntry, which needs TomlNode. Starts as false all the same.
     std::variant<bool, std::int64_t, double, std::string, TomlDate, TomlArray, TomlTable> value;
-    Place place{};
+    SourceLocation location{};
 
     const TomlTable* table() const { return std::get_if<TomlTable>(&value); }
     const TomlArray* array() const { return std::get_if<TomlArray>(&value); }
@@ -41,7 +35,7 @@ struct TomlNode {
 
 struct TomlEntry {
     std::string key;
-    Place key_place{};
+    SourceLocation key_location{};
     TomlNode node;
 };
 
@@ -52,8 +46,9 @@ const TomlNode* find_key(const TomlTable& table, std::string_view key);
 /// after the other, of the rest the upper one's.
 TomlNode laid_over(TomlNode below, const TomlNode& above);
 
-/// The whole text as one table, or the first fault: of the pre-scan, then of the parser. `file`
-/// must outlive the tree.
-std::variant<TomlNode, TextFault> parse_toml(std::string_view text, const std::string& file);
+/// The whole text as one table, or the first fault: of the pre-scan, then of the parser. `file` is what
+/// the text is called.
+std::variant<TomlNode, TextFault> parse_toml(std::string_view text,
+                                             const std::shared_ptr<const std::string>& file);
 
 }  // namespace plumbline::scene

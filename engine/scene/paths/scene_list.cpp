@@ -86,7 +86,7 @@ bool read_heading(ListedScene& scene) {
     }
     const Result<std::string> text = read_file(scene.file, limits::kSceneFileBytes);
     if (!text) return true;
-    const std::string name = scene.file.string();
+    const auto name = std::make_shared<const std::string>(scene.file.string());
     const std::string_view start = start_of(*text);
     bool is_scene = start.size() < text->size();
     auto parsed = parse_toml(start, name);

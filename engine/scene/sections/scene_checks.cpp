@@ -26,13 +26,13 @@ template <class Visit>
 void for_each_kind(const SceneDescription& scene, const LoadContext& context, Visit visit) {
     for (std::size_t i = 0; i < scene.entities.size(); ++i) {
         visit(scene.entities[i],
-              context.entity_places[i],
+              context.entity_locations[i],
               fmt::format("entity[{}]", i),
               std::uint64_t{1});
     }
     for (std::size_t i = 0; i < scene.arrays.size(); ++i) {
         visit(scene.arrays[i].prefab,
-              context.array_places[i],
+              context.array_locations[i],
               fmt::format("array[{}]", i),
               copies_in(scene.arrays[i]));
     }
@@ -42,22 +42,25 @@ void check_counts(const SceneDescription& scene, LoadContext& context) {
     std::uint64_t things = 0;
     std::uint64_t lights = 0;
     bool refused = false;
-    for_each_kind(
-        scene,
-        context,
-        [&](const EntityDescription& entity, const Place& place, const std::string& path, auto n) {
-            things += n;
-            if (entity.light) lights += n;
-            if (things <= limits::kBodies || refused) return;
-            refused = true;
-            context.faults.error(place,
-                                 path,
-                                 fmt::format("brings the scene to {} things; at most {} are built",
-                                             things,
-                                             limits::kBodies));
-        });
+    for_each_kind(scene,
+                  context,
+                  [&](const EntityDescription& entity,
+                      const SourceLocation& location,
+                      const std::string& path,
+                      auto n) {
+                      things += n;
+                      if (entity.light) lights += n;
+                      if (things <= limits::kBodies || refused) return;
+                      refused = true;
+                      context.faults.error(
+                          location,
+                          path,
+                          fmt::format("brings the scene to {} things; at most {} are built",
+                                      things,
+                                      limits::kBodies));
+                  });
     if (refused || scene.file.empty()) return;
-    const Place whole = context.scene_place;
+    const SourceLocation whole = context.scene_location;
     if (things > limits::kBodiesWarn) {
         context.faults.warning(
             whole, {}, fmt::format("{} things; expect fewer than 30 frames a second", things));
@@ -76,26 +79,28 @@ void check_groups(const SceneDescription& scene, LoadContext& context) {
         });
     if (groups.size() > kGroups) {
         context.faults.error(
-            context.scene_place,
+            context.scene_location,
             {},
             fmt::format(
                 "{} collision groups; at most {} can be told apart", groups.size(), kGroups));
     }
     std::vector<std::string_view> known(groups.begin(), groups.end());
-    for_each_kind(
-        scene,
-        context,
-        [&](const EntityDescription& entity, const Place& place, const std::string& path, auto) {
-            if (!entity.body) return;
-            for (const std::string& group : entity.body->collides_with) {
-                if (group == kNoGroup || groups.contains(group)) continue;
-                context.faults.warning(
-                    place,
-                    path + ".body.collides_with",
-                    fmt::format(
-                        "no body is in group \"{}\"{}", shown(group), suggestion(group, known)));
-            }
-        });
+    for_each_kind(scene,
+                  context,
+                  [&](const EntityDescription& entity,
+                      const SourceLocation& location,
+                      const std::string& path,
+                      auto) {
+                      if (!entity.body) return;
+                      for (const std::string& group : entity.body->collides_with) {
+                          if (group == kNoGroup || groups.contains(group)) continue;
+                          context.faults.warning(location,
+                                                 path + ".body.collides_with",
+                                                 fmt::format("no body is in group \"{}\"{}",
+                                                             shown(group),
+                                                             suggestion(group, known)));
+                      }
+                  });
 }
 
 /// Solvers lose their grip where very unlike masses touch.
@@ -104,31 +109,35 @@ void check_mass_ratio(const SceneDescription& scene, LoadContext& context) {
     struct Extreme {
         double mass_kg{0};
         std::string name;
-        Place place{};
+        SourceLocation location{};
     };
     Extreme light;
     Extreme heavy;
-    for_each_kind(scene,
-                  context,
-                  [&](const EntityDescription& entity, const Place& place, const auto& path, auto) {
-                      if (!entity.body || entity.body->kind != physics::BodyKind::Dynamic ||
-                          !entity.body->mass_kg)
-                          return;
-                      const auto mass_kg = static_cast<double>(*entity.body->mass_kg);
-                      const Extreme here{mass_kg, entity.name.empty() ? path : entity.name, place};
-                      if (light.mass_kg == 0 || mass_kg < light.mass_kg) light = here;
-                      if (mass_kg > heavy.mass_kg) heavy = here;
-                  });
+    for_each_kind(
+        scene,
+        context,
+        [&](const EntityDescription& entity,
+            const SourceLocation& location,
+            const auto& path,
+            auto) {
+            if (!entity.body || entity.body->kind != physics::BodyKind::Dynamic ||
+                !entity.body->mass_kg)
+                return;
+            const auto mass_kg = static_cast<double>(*entity.body->mass_kg);
+            const Extreme here{mass_kg, entity.name.empty() ? path : entity.name, location};
+            if (light.mass_kg == 0 || mass_kg < light.mass_kg) light = here;
+            if (mass_kg > heavy.mass_kg) heavy = here;
+        });
     if (light.mass_kg == 0 || heavy.mass_kg <= light.mass_kg * kRatio * 1.000001) return;
     context.faults.warning(
-        heavy.place,
+        heavy.location,
         {},
         fmt::format("\"{}\" weighs {:.3g} times as much as \"{}\" ({}); if they touch, the lighter "
                     "one may sink in",
                     shown(heavy.name),
                     heavy.mass_kg / light.mass_kg,
                     shown(light.name),
-                    brief(light.place)));
+                    to_string(light.location)));
 }
 
 /// A name that nothing has never comes in. Things made in play are numbered: "crate#1".
@@ -142,7 +151,7 @@ void check_triggers(const SceneDescription& scene, LoadContext& context) {
         for (const std::string& name : trigger->of) {
             if (names.find(name) || name.find('#') != std::string::npos) continue;
             context.faults.warning(
-                context.entity_places[i],
+                context.entity_locations[i],
                 fmt::format("entity[{}].trigger.of", i),
                 fmt::format("no entity is called \"{}\"{}", shown(name), names.hint(name)));
         }
@@ -157,8 +166,9 @@ void check_ground(const SceneDescription& scene, LoadContext& context) {
             stands = stands || (entity.body && entity.body->kind != physics::BodyKind::Dynamic);
         });
     if (!stands)
-        context.faults.warning(
-            context.scene_place, {}, "no static body: there is nothing for the player to stand on");
+        context.faults.warning(context.scene_location,
+                               {},
+                               "no static body: there is nothing for the player to stand on");
 }
 
 }  // namespace
@@ -172,7 +182,7 @@ void check_whole_scene(SceneDescription& scene, LoadContext& context) {
     check_ground(scene, context);
     if (context.not_built.empty()) return;
     context.faults.warning(
-        context.not_built_place,
+        context.not_built_location,
         {},
         fmt::format("checked but not built yet: {}", fmt::join(context.not_built, "; ")));
 }

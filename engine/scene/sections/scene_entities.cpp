@@ -31,7 +31,7 @@ std::optional<SoundDescription> read_sound(TableReader& entity, const LoadContex
     if (!table) return {};
     constexpr Range kGain{0, 10, "a factor from 0 to 10"};
     SoundDescription sound;
-    sound.origin = origin_of(table->place());
+    sound.location = table->location();
     if (!table->has("file")) table->error("file", "missing; expected a sound file");
     const auto file =
         read_file_reference(*table, "file", kSoundExtensions, "it stays silent", context);
@@ -109,7 +109,7 @@ void check_trigger(TableReader& table, const EntityDescription& entity) {
 
 std::string material_names_hint(const std::string& name, const LoadContext& context) {
     std::vector<std::string_view> known;
-    for (const auto& [material, place] : context.material_places) known.push_back(material);
+    for (const auto& [material, location] : context.material_locations) known.push_back(material);
     return suggestion(name, known);
 }
 
@@ -117,7 +117,7 @@ std::string read_material_name(TableReader& table,
                                std::string_view key,
                                const LoadContext& context) {
     std::string name = table.text(key, {});
-    if (table.has(key) && !context.material_places.contains(name)) {
+    if (table.has(key) && !context.material_locations.contains(name)) {
         table.error(
             key,
             fmt::format(
@@ -171,7 +171,7 @@ std::array<int, 3> read_count(TableReader& table) {
             count[i] = static_cast<int>(*value);
             continue;
         }
-        table.faults().error((*array)[i].place,
+        table.faults().error((*array)[i].location,
                              fmt::format("{}[{}]", table.path_of("count"), i),
                              fmt::format("{}; expected {}", found((*array)[i]), kExpected));
     }
@@ -201,7 +201,7 @@ std::string read_name(TableReader& table) {
 
 EntityDescription read_entity(TableReader& table, EntityUse use, LoadContext& context) {
     EntityDescription entity;
-    entity.origin = origin_of(table.place());
+    entity.location = table.location();
     table.find("prefab");
     table.find("name");
     entity.label = read_short_text(table, "label");
@@ -238,7 +238,7 @@ Layered layered(const TomlNode& table, const std::string& path, LoadContext& con
     while (const TomlNode* named = find_key(*layers.back()->table(), "prefab")) {
         const auto refuse = [&](std::string message) {
             complete = false;
-            context.faults.error(named->place, path + ".prefab", std::move(message));
+            context.faults.error(named->location, path + ".prefab", std::move(message));
         };
         const std::string* name = named->text();
         if (name == nullptr) {
@@ -290,7 +290,8 @@ void read_entities(TableReader& root, SceneDescription& scene, LoadContext& cont
         const EntityUse use = source.complete ? EntityUse::Entity : EntityUse::Prefab;
         EntityDescription entity = read_entity(source.table, use, context);
         entity.name = name.empty() ? path : name;
-        context.entity_places.push_back(own.has("name") ? own.find("name")->place : own.place());
+        context.entity_locations.push_back(own.has("name") ? own.find("name")->location
+                                                           : own.location());
         scene.entities.push_back(std::move(entity));
     }
 }
@@ -316,7 +317,7 @@ void read_arrays(TableReader& root, SceneDescription& scene, LoadContext& contex
             if (turn) array.prefab.world_from_body.orientation = *turn;
         }
         table.finish();
-        context.array_places.push_back(table.place());
+        context.array_locations.push_back(table.location());
         scene.arrays.push_back(std::move(array));
     }
 }

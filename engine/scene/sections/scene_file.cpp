@@ -4,6 +4,7 @@
 #include "engine/core/hash.h"
 #include "engine/core/io/files.h"
 #include "engine/core/limits.h"
+#include "engine/scene/formats/renamed_keys.h"
 #include "engine/scene/paths/scene_list.h"
 #include "engine/scene/sections/scene_parts.h"
 
@@ -25,9 +26,9 @@ constexpr std::array<std::string_view, 23> kSceneOnly{
     "flashlight", "post",     "goal",   "entity", "array", "joint", "effects", "view",
     "hard_case",  "fountain", "wind",   "grass",  "flock", "time",  "sound"};
 
-/// One file of the load. Places point at its name, so it stays where it is.
+/// One file of the load.
 struct SourceFile {
-    std::string name;  ///< as messages show it
+    std::shared_ptr<const std::string> name;  ///< as messages show it; what is said in it shares it
     TomlNode root;
 };
 
@@ -51,9 +52,9 @@ public:
     /// Nothing when there is an error among the faults.
     std::optional<SceneDescription> load(const fs::path& file) {
         scene_.file = file;
-        const SourceFile* source = open(file, Place{}, {});
+        const SourceFile* source = open(file, SourceLocation{}, {});
         if (source == nullptr) return {};
-        context_.scene_place = Place{&source->name, 0, 0};
+        context_.scene_location = SourceLocation{.file = source->name};
         collect(*source, file);
         const TomlNode whole = with_base(*source);
         TableReader root(whole, {}, faults_);
@@ -77,11 +78,13 @@ public:
 
 private:
     /// Reads and parses one file; faults are reported at `asked_by` unless they lie in the text.
-    const SourceFile* open(const fs::path& file, const Place& asked_by, const std::string& key) {
+    const SourceFile* open(const fs::path& file,
+                           const SourceLocation& asked_by,
+                           const std::string& key) {
         auto source = std::make_unique<SourceFile>();
-        source->name = file.string();
-        const Place whole{&source->name, 0, 0};
-        const Place& blamed = asked_by.file != nullptr ? asked_by : whole;
+        source->name = std::make_shared<const std::string>(file.string());
+        const SourceLocation whole{.file = source->name};
+        const SourceLocation& blamed = asked_by.file != nullptr ? asked_by : whole;
         const Result<std::string> text = read_file(file, limits::kSceneFileBytes);
         if (!text) {
             faults_.error(blamed, key, text.error().message);
@@ -91,10 +94,11 @@ private:
         scene_.source_files.push_back(file);
         auto parsed = parse_toml(*text, source->name);
         if (const auto* fault = std::get_if<TextFault>(&parsed)) {
-            faults_.error({&source->name, fault->line, fault->column}, {}, fault->message);
+            faults_.error({source->name, fault->line, fault->column}, {}, fault->message);
             return nullptr;
         }
         source->root = std::move(*std::get_if<TomlNode>(&parsed));
+        rename_keys(source->root, faults_);
         sources_.push_back(std::move(source));
         return sources_.back().get();
     }
@@ -107,7 +111,7 @@ private:
         if (auto table = root.table("scene")) {
             if (const std::string base = table->text("base", {}); !base.empty()) {
                 const Part part =
-                    bring(base, table->find("base")->place, "scene.base", file, PartUse::Base);
+                    bring(base, table->find("base")->location, "scene.base", file, PartUse::Base);
                 bases_[&source] = part.source;
                 below = part.files;
             } else if (table->has("without")) {
@@ -119,7 +123,7 @@ private:
             for (std::size_t i = 0; i < names.size(); ++i) {
                 const Part part =
                     bring(names[i],
-                          (*node->array())[std::min(i, node->array()->size() - 1)].place,
+                          (*node->array())[std::min(i, node->array()->size() - 1)].location,
                           fmt::format("scene.include[{}]", i),
                           file,
                           PartUse::Include);
@@ -129,7 +133,7 @@ private:
         take_materials(root, below);
         take_prefabs(root, below);
         chain_.pop_back();
-        below.insert(&source.name);
+        below.insert(source.name.get());
         return below;
     }
 
@@ -155,19 +159,19 @@ private:
 
     /// A file that another one names, with the materials and prefabs of its own and its parts'.
     Part bring(const std::string& name,
-               const Place& place,
+               const SourceLocation& location,
                const std::string& key,
                const fs::path& including,
                PartUse use) {
         Result<Reference> reference = find_reference(including, context_.assets_folder, name);
         if (!reference) {
-            faults_.error(place, key, reference.error().message);
+            faults_.error(location, key, reference.error().message);
             return {};
         }
         if (!reference->exists)  // what is shipped is at hand by its bare name
             reference = find_reference(including, context_.assets_folder, "scenes/" + name);
         if (!reference || !reference->exists) {
-            faults_.error(place,
+            faults_.error(location,
                           key,
                           fmt::format("\"{}\" does not exist beside this file, in assets or in "
                                       "assets/scenes",
@@ -185,21 +189,21 @@ private:
             std::string way;
             for (const fs::path& link : chain_) way += link.filename().string() + " -> ";
             faults_.error(
-                place, key, fmt::format("includes itself: {}{}", way, file.filename().string()));
+                location, key, fmt::format("includes itself: {}{}", way, file.filename().string()));
             return {};
         }
         // Two ways to the same file bring it once.
         if (const auto known = included_.find(real); known != included_.end()) return known->second;
         if (chain_.size() >= kIncludeDepth || sources_.size() >= limits::kReferencedFiles) {
             faults_.error(
-                place,
+                location,
                 key,
                 fmt::format("too many files include one another; at most {} deep, {} in all",
                             kIncludeDepth,
                             limits::kReferencedFiles));
             return {};
         }
-        const SourceFile* source = open(file, place, key);
+        const SourceFile* source = open(file, location, key);
         if (source == nullptr) return {};
         if (use == PartUse::Include) warn_of_scene_keys(*source);
         return included_.emplace(real, Part{source, collect(*source, file)}).first->second;
@@ -225,13 +229,14 @@ private:
     bool may_define(TableReader& table,
                     std::string_view what,
                     const std::string& name,
-                    const Place* earlier,
+                    const SourceLocation* earlier,
                     const std::set<const std::string*>& below) {
-        if (earlier == nullptr || below.contains(earlier->file)) return true;
-        table.error(
-            "name",
-            fmt::format(
-                "\"{}\" is the name of the {} at {} already", shown(name), what, brief(*earlier)));
+        if (earlier == nullptr || below.contains(earlier->file.get())) return true;
+        table.error("name",
+                    fmt::format("\"{}\" is the name of the {} at {} already",
+                                shown(name),
+                                what,
+                                to_string(*earlier)));
         return false;
     }
 
@@ -243,11 +248,11 @@ private:
             if (!table.has("name")) table.error("name", "missing; expected the material's name");
             assets::MaterialData material = read_material(table, context_);
             if (name.empty()) continue;
-            const auto earlier = context_.material_places.find(name);
-            const Place* place =
-                earlier == context_.material_places.end() ? nullptr : &earlier->second;
-            if (!may_define(table, "material", name, place, below)) continue;
-            context_.material_places[name] = table.place();
+            const auto earlier = context_.material_locations.find(name);
+            const SourceLocation* location =
+                earlier == context_.material_locations.end() ? nullptr : &earlier->second;
+            if (!may_define(table, "material", name, location, below)) continue;
+            context_.material_locations[name] = table.location();
             scene_.materials[name] = std::move(material);
         }
     }
@@ -260,9 +265,9 @@ private:
             if (!table.has("name")) table.error("name", "missing; expected the prefab's name");
             if (name.empty()) continue;
             const auto earlier = context_.prefabs.find(name);
-            const Place* place =
-                earlier == context_.prefabs.end() ? nullptr : &earlier->second.node->place;
-            if (!may_define(table, "prefab", name, place, below)) continue;
+            const SourceLocation* location =
+                earlier == context_.prefabs.end() ? nullptr : &earlier->second.node->location;
+            if (!may_define(table, "prefab", name, location, below)) continue;
             context_.prefabs[name] = PrefabSource{&nodes[i], table.path()};
         }
     }

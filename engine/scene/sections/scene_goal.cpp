@@ -84,7 +84,7 @@ void read_goal(TableReader& root, SceneDescription& scene, LoadContext& context)
     auto table = root.table("goal");
     if (!table) return;
     GoalDescription goal;
-    goal.origin = origin_of(table->place());
+    goal.location = table->location();
     goal.text = table->text("text", {});
     if (goal.text.empty() || goal.text.size() > kTextBytes)
         table->error("text",

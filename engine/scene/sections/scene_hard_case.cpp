@@ -37,7 +37,7 @@ void check_name(TableReader& table,
 
 HardCaseRule read_rule(TableReader& table, const Known& known) {
     HardCaseRule rule;
-    rule.origin = origin_of(table.place());
+    rule.location = table.location();
     if (!table.has("measure")) table.error("measure", "missing; expected the name of a measure");
     rule.measure = table.text("measure", {});
     rule.of = table.texts("of");
@@ -64,7 +64,7 @@ HardCaseRule read_rule(TableReader& table, const Known& known) {
 
 HardCaseRed read_red(TableReader& table) {
     HardCaseRed red;
-    red.origin = origin_of(table.place());
+    red.location = table.location();
     for (const std::string_view key : {"rule", "why"}) {
         if (!table.has(key)) table.error(key, "missing; expected text");
     }
@@ -103,11 +103,12 @@ HardCaseEvent read_event(TableReader& table, const Known& known) {
         table.error("value", "missing; expected [x, y, z]");
     event.value = table.vector("value", event.value, kValue);
     if (event.kind == CaseEventKind::Velocity)
-        event.spin_radps = table.vector("spin_radps", event.spin_radps, kValue);
+        event.angular_velocity_radps =
+            table.vector("angular_velocity_radps", event.angular_velocity_radps, kValue);
     if (event.kind == CaseEventKind::Force || event.kind == CaseEventKind::Impulse)
         event.point_m = table.vector("point_m", event.point_m, kCoordinate_m);
     if (event.kind == CaseEventKind::Force)
-        event.for_s = static_cast<double>(table.number("for_s", Real{0}, kTime_s));
+        event.duration_s = static_cast<double>(table.number("duration_s", Real{0}, kTime_s));
     table.finish();
     return event;
 }
@@ -136,7 +137,7 @@ void read_hard_case(TableReader& root, SceneDescription& scene, LoadContext& con
     auto table = root.table("hard_case");
     if (!table) return;
     HardCase hard;
-    hard.origin = origin_of(table->place());
+    hard.location = table->location();
     for (const std::string_view key : {"id", "shows"}) {
         if (!table->has(key)) table->error(key, "missing; expected text");
     }

@@ -63,14 +63,14 @@ End read_end(TableReader& table, std::string_view key, const SceneNames& names, 
                                 nearest.empty() ? ""
                                                 : fmt::format("; did you mean \"{}\" ({})?",
                                                               nearest,
-                                                              brief(names.place(nearest)))));
+                                                              to_string(names.location(nearest)))));
         return {};
     }
     if (!found_entity->entity->body) {
-        table.error(
-            key,
-            fmt::format(
-                "\"{}\" ({}) has no body to hold on to", shown(name), brief(names.place(name))));
+        table.error(key,
+                    fmt::format("\"{}\" ({}) has no body to hold on to",
+                                shown(name),
+                                to_string(names.location(name))));
         return {};
     }
     return {.entity = found_entity->entity, .position_m = found_entity->position_m, .good = true};
@@ -214,7 +214,7 @@ void warn_of_unused(TableReader& table, JointKind kind) {
 
 JointDescription read_joint(TableReader& table, const SceneNames& names) {
     JointDescription joint;
-    joint.origin = origin_of(table.place());
+    joint.location = table.location();
     joint.name = read_name(table);
     if (!table.has("kind"))
         table.error("kind", fmt::format("missing; expected one of {}", fmt::join(kKinds, ", ")));
@@ -240,18 +240,18 @@ void read_joints(TableReader& root, SceneDescription& scene, LoadContext& contex
     const auto nodes = root.tables("joint");
     if (nodes.empty()) return;
     const SceneNames names(scene, context);
-    std::map<std::string, Place> places;
+    std::map<std::string, SourceLocation> locations;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const std::string path = fmt::format("joint[{}]", i);
         TableReader table(nodes[i], path, context.faults);
         JointDescription joint = read_joint(table, names);
         if (joint.name.empty()) joint.name = path;
-        const auto [other, is_new] = places.emplace(joint.name, table.place());
+        const auto [other, is_new] = locations.emplace(joint.name, table.location());
         if (!is_new) {
             table.error("name",
                         fmt::format("\"{}\" is the name of the joint at {} already",
                                     shown(joint.name),
-                                    brief(other->second)));
+                                    to_string(other->second)));
         }
         scene.joints.push_back(std::move(joint));
     }

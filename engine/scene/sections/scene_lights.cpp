@@ -34,7 +34,7 @@ std::optional<ShadowDescription> read_sun_shadow(TableReader& sun) {
     Wish wish = read_wish(sun, "shadow");
     if (!wish.is_made) return {};
     ShadowDescription shadow;
-    shadow.origin = wish.origin;
+    shadow.location = wish.location;
     if (!wish.numbers) return shadow;
     shadow.cascades = wish.numbers->integer("cascades", shadow.cascades, 1, 4);
     shadow.size_px = wish.numbers->integer("size_px", shadow.size_px, 64, 8192);
@@ -51,7 +51,7 @@ void read_sun(TableReader& root, SceneDescription& scene) {
     auto table = root.table("sun");
     if (!table) return;
     SunDescription sun;
-    sun.origin = origin_of(table->place());
+    sun.location = table->location();
     sun.direction = Vec3(table->direction("direction", Vec3d(sun.direction)));
     sun.color = table->color("color", sun.color);
     sun.intensity = table->single("intensity", sun.intensity, kIntensity);
@@ -70,7 +70,7 @@ void read_time(TableReader& root, SceneDescription& scene) {
     auto table = root.table("time");
     if (!table) return;
     TimeDescription time;
-    time.origin = origin_of(table->place());
+    time.location = table->location();
     constexpr Range kLatitude_deg{-90, 90, "degrees from -90 to 90"};
     constexpr Range kTurn_deg{-360, 360, "degrees from -360 to 360"};
     const auto angle = [&](std::string_view key, double fallback_rad, const Range& range) {
@@ -132,7 +132,7 @@ SkyDescription read_sky_model(TableReader& table,
     model.clouds = table.single("clouds", model.clouds, kFraction);
     const fs::path clouds = read_faces(table, "cloud_map", "there are no clouds", context);
     if (!scene.sun) table.warning("model", "there is no [sun]; the sky is that of a night");
-    return {.folder = clouds, .model = model, .origin = origin_of(table.place())};
+    return {.folder = clouds, .model = model, .location = table.location()};
 }
 
 void read_sky(TableReader& root, SceneDescription& scene, const LoadContext& context) {
@@ -149,14 +149,14 @@ void read_sky(TableReader& root, SceneDescription& scene, const LoadContext& con
     const fs::path folder = read_faces(*table, "skybox", "the clear colour is used", context);
     table->finish();
     if (!folder.empty())
-        scene.sky = SkyDescription{.folder = folder, .origin = origin_of(table->place())};
+        scene.sky = SkyDescription{.folder = folder, .location = table->location()};
 }
 
 void read_fog(TableReader& root, SceneDescription& scene) {
     auto table = root.table("fog");
     if (!table) return;
     FogDescription fog;
-    fog.origin = origin_of(table->place());
+    fog.location = table->location();
     fog.color = table->color("color", fog.color);
     constexpr Range kDensity{0, 10, "a density from 0 to 10 per m"};
     fog.density_per_m = table->single("density_per_m", fog.density_per_m, kDensity);
@@ -171,7 +171,7 @@ void read_flashlight(TableReader& root, SceneDescription& scene) {
     auto table = root.table("flashlight");
     if (!table) return;
     FlashlightDescription light;
-    light.origin = origin_of(table->place());
+    light.location = table->location();
     light.color = table->color("color", light.color);
     light.intensity = table->single("intensity", light.intensity, kIntensity);
     light.radius_m = table->single("radius_m", light.radius_m, kReach_m);
@@ -187,7 +187,7 @@ void read_post(TableReader& root, SceneDescription& scene) {
     auto table = root.table("post");
     if (!table) return;
     PostDescription post;
-    post.origin = origin_of(table->place());
+    post.location = table->location();
     constexpr Range kExposure{1e-3, 1e3, "a factor from 0.001 to 1000"};
     post.bloom = table->single("bloom", post.bloom, kFraction);
     post.adapts = table->flag("adapts", post.adapts);
@@ -214,7 +214,7 @@ std::optional<LightDescription> read_light(TableReader& entity) {
     if (!table) return {};
     constexpr std::array<std::string_view, 2> kLightKinds{"point", "spot"};
     LightDescription light;
-    light.origin = origin_of(table->place());
+    light.location = table->location();
     light.is_spot = table->choice("kind", 0, kLightKinds) == 1;
     light.color = table->color("color", light.color);
     light.intensity = table->single("intensity", light.intensity, kIntensity);

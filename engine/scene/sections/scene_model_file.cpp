@@ -23,7 +23,7 @@ constexpr Real kLeastRadius_m = 1e-5_r;
 
 SceneDescription scene_of_model(const std::filesystem::path& file,
                                 const std::filesystem::path& root) {
-    const Origin origin{.file = file.filename().string()};
+    const SourceLocation location = in_file(file.filename().string());
     SceneDescription scene;
     scene.shows_model = true;
     scene.file = file;
@@ -35,8 +35,8 @@ SceneDescription scene_of_model(const std::filesystem::path& file,
     scene.ambient = Vec3f{0.2F, 0.215F, 0.24F};
     scene.sun = SunDescription{.direction = glm::normalize(Vec3{-0.4_r, Real{-1}, -0.3_r}),
                                .intensity = 2.4F,
-                               .shadow = ShadowDescription{.origin = origin},
-                               .origin = origin};
+                               .shadow = ShadowDescription{.location = location},
+                               .location = location};
 
     assets::MaterialData floor;
     floor.name = "plumbline.floor";
@@ -49,14 +49,14 @@ SceneDescription scene_of_model(const std::filesystem::path& file,
     ground.visual = Primitive{physics::PlaneShape{.size_m = Vec2{200, 200}}};
     ground.material = floor.name;
     ground.body = BodyDescription{.kind = physics::BodyKind::Static};
-    ground.origin = origin;
+    ground.location = location;
     scene.entities.push_back(std::move(ground));
 
     EntityDescription model;
     model.name = "model";
     model.visual = ModelVisual{.file = file, .root = root};
     model.body = BodyDescription{.kind = physics::BodyKind::Static, .shape = ModelMeshShape{}};
-    model.origin = origin;
+    model.location = location;
     scene.entities.push_back(std::move(model));
     return scene;
 }
@@ -114,8 +114,8 @@ void check_models(const SceneDescription& scene, Diagnostics& faults) {
         const Result<assets::ModelData> model = assets::import_model(visual->file, visual->root);
         if (model) return;
         faults.add({Severity::Error,
-                    entity.origin.file,
-                    entity.origin.line,
+                    file_of(entity.location),
+                    entity.location.line,
                     0,
                     scene.shows_model ? "" : "model",
                     model.error().message});

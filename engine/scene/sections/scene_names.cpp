@@ -64,45 +64,48 @@ std::string SceneNames::hint(std::string_view name) const {
     return near.empty() ? near : fmt::format("; did you mean \"{}\"?", near);
 }
 
-Place SceneNames::place(std::string_view name) const {
+SourceLocation SceneNames::location(std::string_view name) const {
     const auto entity = entities_.find(std::string(name));
-    if (entity != entities_.end()) return context_.entity_places[entity->second];
-    return copy_place(name).value_or(Place{});
+    if (entity != entities_.end()) return context_.entity_locations[entity->second];
+    return copy_location(name).value_or(SourceLocation{});
 }
 
-std::optional<Place> SceneNames::copy_place(std::string_view name) const {
+std::optional<SourceLocation> SceneNames::copy_location(std::string_view name) const {
     const auto copy = copy_of(name);
     if (!copy) return {};
-    return context_.array_places[copy->array];
+    return context_.array_locations[copy->array];
 }
 
 void check_names(const SceneDescription& scene, LoadContext& context) {
-    std::unordered_map<std::string, Place> taken;
-    const auto take = [&](const std::string& name, const Place& place, std::string path) {
-        if (name == "world") {
-            context.faults.error(place, path, "\"world\" means the world itself; use another name");
-        }
-        const auto [other, is_new] = taken.emplace(name, place);
-        if (is_new) return;
-        context.faults.error(place,
-                             std::move(path),
-                             fmt::format("\"{}\" is the name of what stands at {} already",
-                                         shown(name),
-                                         brief(other->second)));
-    };
+    std::unordered_map<std::string, SourceLocation> taken;
+    const auto take =
+        [&](const std::string& name, const SourceLocation& location, std::string path) {
+            if (name == "world") {
+                context.faults.error(
+                    location, path, "\"world\" means the world itself; use another name");
+            }
+            const auto [other, is_new] = taken.emplace(name, location);
+            if (is_new) return;
+            context.faults.error(location,
+                                 std::move(path),
+                                 fmt::format("\"{}\" is the name of what stands at {} already",
+                                             shown(name),
+                                             to_string(other->second)));
+        };
     const SceneNames names(scene, context);
     for (std::size_t i = 0; i < scene.entities.size(); ++i) {
-        take(scene.entities[i].name, context.entity_places[i], fmt::format("entity[{}].name", i));
+        take(
+            scene.entities[i].name, context.entity_locations[i], fmt::format("entity[{}].name", i));
     }
     for (std::size_t i = 0; i < scene.arrays.size(); ++i)
-        take(scene.arrays[i].name, context.array_places[i], fmt::format("array[{}].name", i));
+        take(scene.arrays[i].name, context.array_locations[i], fmt::format("array[{}].name", i));
     for (std::size_t i = 0; i < scene.entities.size(); ++i) {
-        if (const auto copy = names.copy_place(scene.entities[i].name)) {
-            context.faults.error(context.entity_places[i],
+        if (const auto copy = names.copy_location(scene.entities[i].name)) {
+            context.faults.error(context.entity_locations[i],
                                  fmt::format("entity[{}].name", i),
                                  fmt::format("\"{}\" is the name of a copy of the array at {}",
                                              shown(scene.entities[i].name),
-                                             brief(*copy)));
+                                             to_string(*copy)));
         }
     }
 }

@@ -26,9 +26,9 @@ public:
     /// `; did you mean "crate"?`, or empty with nothing near.
     std::string hint(std::string_view name) const;
     /// Where a found name is given.
-    Place place(std::string_view name) const;
+    SourceLocation location(std::string_view name) const;
     /// Where the array stands that a copy of that name belongs to.
-    std::optional<Place> copy_place(std::string_view name) const;
+    std::optional<SourceLocation> copy_location(std::string_view name) const;
 
 private:
     /// The array and the three indices that a name like "pile.3.0.7" means.

@@ -48,7 +48,7 @@ std::vector<PoolDescription> read_pools(TableReader& fountain) {
 
 FountainDescription read_fountain(TableReader& table) {
     FountainDescription fountain;
-    fountain.origin = origin_of(table.place());
+    fountain.location = table.location();
     if (!table.has("position_m")) table.error("position_m", "missing; expected [x, y, z] in m");
     fountain.position_m = table.vector("position_m", fountain.position_m, kCoordinate_m);
     fountain.direction = Vec3(table.direction("direction", Vec3d(fountain.direction)));
@@ -89,7 +89,7 @@ void read_wind(TableReader& root, SceneDescription& scene, const LoadContext& co
     constexpr Range kSpeed_mps{0, 1000, "metres a second from 0 to 1000"};
     constexpr Range kGustSize_m{0.5, 1000, "a length from 0.5 to 1000 m"};
     WindDescription wind;
-    wind.origin = origin_of(table->place());
+    wind.location = table->location();
     const Vec3 direction(table->direction("direction", Vec3d(wind.direction)));
     if (std::hypot(direction.x, direction.z) < 1e-6_r)
         table->error("direction", "is upright; expected a direction along the ground");
@@ -105,7 +105,7 @@ void read_wind(TableReader& root, SceneDescription& scene, const LoadContext& co
 FlockDescription read_flock(TableReader& table) {
     constexpr std::array<std::string_view, 2> kFlockKinds{"birds", "butterflies"};
     FlockDescription flock;
-    flock.origin = origin_of(table.place());
+    flock.location = table.location();
     flock.kind = static_cast<FlockKind>(table.choice("kind", 0, kFlockKinds));
     flock.count = table.integer("count", flock.count, 1, kFlyers);
     if (!table.has("center_m")) table.error("center_m", "missing; expected [x, y, z] in m");
@@ -123,7 +123,7 @@ void read_grass(TableReader& root, SceneDescription& scene) {
     constexpr Range kDensity_perm2{0, 100, "tufts a square metre from 0 to 100"};
     constexpr Range kDistance_m{1, 60, "a length from 1 to 60 m"};
     GrassDescription grass;
-    grass.origin = origin_of(table->place());
+    grass.location = table->location();
     grass.on = table->texts("on");
     if (grass.on.empty())
         table->error("on", "missing; expected names of entities that it grows on");

@@ -34,18 +34,18 @@ struct PrefabSource {
 struct LoadContext {
     std::filesystem::path assets_folder;
     FaultList& faults;
-    std::map<std::string, PrefabSource> prefabs{};   ///< by name
-    std::map<std::string, Place> material_places{};  ///< by name
-    std::vector<Place> entity_places{};              ///< of their names, in the scene's order
-    std::vector<Place> array_places{};
-    Place scene_place{};  ///< the file as a whole
+    std::map<std::string, PrefabSource> prefabs{};               ///< by name
+    std::map<std::string, SourceLocation> material_locations{};  ///< by name
+    std::vector<SourceLocation> entity_locations{};  ///< of their names, in the scene's order
+    std::vector<SourceLocation> array_locations{};
+    SourceLocation scene_location{};  ///< the file as a whole
     /// What is checked now and built when its system exists: one warning names it all.
     std::vector<std::string> not_built{};
-    Place not_built_place{};
+    SourceLocation not_built_location{};
     /// By naming file and name: many entities name the same, and finding out asks the disk often.
     mutable std::map<std::pair<std::string, std::string>, Result<Reference>> references{};
 
-    void note_not_built(const Place& place, std::string what);
+    void note_not_built(const SourceLocation& location, std::string what);
     /// find_reference() of what stands at `node`, a text.
     const Result<Reference>& reference(const TomlNode& node) const;
 };
@@ -67,12 +67,12 @@ Accuracy read_accuracy(TableReader& table);
 void read_lights_and_air(TableReader& root, SceneDescription& scene, LoadContext& context);
 std::optional<LightDescription> read_light(TableReader& entity);
 
-// --- scene_picture.cpp
+// --- scene_screen_effects.cpp
 /// `KEY = { … }`, or true for one with the usual numbers; false or absent: none.
 struct Wish {
     bool is_made{false};
     std::optional<TableReader> numbers{};
-    Origin origin{};
+    SourceLocation location{};
 };
 Wish read_wish(TableReader& table, std::string_view key);
 std::optional<OcclusionDescription> read_occlusion(TableReader& ambient);

@@ -62,7 +62,7 @@ void read_player(TableReader& root, SceneDescription& scene) {
     auto table = root.table("player");
     if (!table) return;
     PlayerDescription player;
-    player.origin = origin_of(table->place());
+    player.location = table->location();
     player.feet_position_m = table->vector("position_m", player.feet_position_m, kCoordinate_m);
     player.yaw_rad = radians_from_degrees(table->number("yaw_deg", Real{0}, kYaw_deg));
     player.pitch_rad = radians_from_degrees(table->number("pitch_deg", Real{0}, kPitch_deg));
@@ -137,7 +137,7 @@ void read_acoustics(TableReader& root, SceneDescription& scene) {
     auto table = root.table("sound");
     if (!table) return;
     AcousticsDescription acoustics;
-    acoustics.origin = origin_of(table->place());
+    acoustics.location = table->location();
     acoustics.paths = table->flag("paths", acoustics.paths);
     acoustics.reverb = table->flag("reverb", acoustics.reverb);
     table->finish();
@@ -151,37 +151,38 @@ void read_effects(TableReader& root, SceneDescription& scene, LoadContext& conte
         auto settings = table->table(name);
         if (!settings) continue;
         settings->finish();  // none of them has settings so far
-        scene.effect_settings.emplace(name, origin_of(settings->place()));
+        scene.effect_settings.emplace(name, settings->location());
     }
     const std::array<std::pair<std::string_view, Fidelity*>, 5> with_fidelity{
         {{"fountain", &scene.fountain_fidelity},
-         {"ambient_occlusion", &scene.picture_fidelity.occlusion},
-         {"sun_shafts", &scene.picture_fidelity.shafts},
-         {"depth_of_field", &scene.picture_fidelity.focus},
-         {"motion_blur", &scene.picture_fidelity.shutter}}};
+         {"ambient_occlusion", &scene.screen_fidelity.occlusion},
+         {"sun_shafts", &scene.screen_fidelity.shafts},
+         {"depth_of_field", &scene.screen_fidelity.focus},
+         {"motion_blur", &scene.screen_fidelity.shutter}}};
     for (const auto& [name, fidelity] : with_fidelity) {
         auto settings = table->table(name);
         if (!settings) continue;
         *fidelity = read_fidelity(*settings);
         settings->finish();
-        scene.effect_settings.emplace(name, origin_of(settings->place()));
+        scene.effect_settings.emplace(name, settings->location());
     }
     for (const std::string_view name : kEffectsToCome) {
         auto settings = table->table(name);
-        if (settings) context.note_not_built(settings->place(), fmt::format("[effects.{}]", name));
+        if (settings)
+            context.note_not_built(settings->location(), fmt::format("[effects.{}]", name));
     }
     table->finish();
 }
 
 }  // namespace
 
-void LoadContext::note_not_built(const Place& place, std::string what) {
-    if (not_built.empty()) not_built_place = place;
+void LoadContext::note_not_built(const SourceLocation& location, std::string what) {
+    if (not_built.empty()) not_built_location = location;
     not_built.push_back(std::move(what));
 }
 
 const Result<Reference>& LoadContext::reference(const TomlNode& node) const {
-    const std::pair<std::string, std::string> key(*node.place.file, *node.text());
+    const std::pair<std::string, std::string> key(file_of(node.location), *node.text());
     const auto known = references.find(key);
     if (known != references.end()) return known->second;
     return references.emplace(key, find_reference(key.first, assets_folder, key.second))

@@ -87,7 +87,7 @@ std::optional<physics::MeshShape> read_mesh(TableReader& table) {
             if (good) triangle[i] = static_cast<std::uint32_t>(*index);
         }
         if (!good) {
-            table.faults().error(triangles[t].place,
+            table.faults().error(triangles[t].location,
                                  fmt::format("{}[{}]", table.path_of("triangles"), t),
                                  fmt::format("expected {}", expected));
             return {};
@@ -105,7 +105,7 @@ std::optional<physics::CompoundChild> read_compound_part(const TomlNode& node,
                                                          const std::string& path,
                                                          FaultList& faults) {
     if (node.table() == nullptr) {
-        faults.error(node.place, path, found(node) + "; expected a table with a shape");
+        faults.error(node.location, path, found(node) + "; expected a table with a shape");
         return {};
     }
     TableReader part(node, path, faults);

@@ -1,4 +1,4 @@
-// [[view]]: places worth a picture.
+// [[view]]: places worth an image.
 #include "engine/scene/sections/scene_parts.h"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kViews = 200;
 
-/// The name becomes part of a picture's file name.
+/// The name becomes part of an image's file name.
 bool is_file_name(std::string_view name) {
     return std::ranges::all_of(name, [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||

@@ -1,5 +1,5 @@
 // A running scene as fields of an archive, for saved games.
-#include "engine/scene/simulation.h"
+#include "engine/scene/simulation/simulation_archive.h"
 
 #include <algorithm>
 #include <set>
@@ -46,10 +46,10 @@ void serialize_orders(Archive& archive, ecs::Registry& registry) {
 }
 
 /// What steps and play change of each component.
-void serialize_fields(Archive& archive, Placement& placement) {
-    archive(placement.world_from_body, placement.scale);
+void serialize_fields(Archive& archive, Transform& transform) {
+    archive(transform.world_from_body, transform.scale);
 }
-void serialize_fields(Archive& archive, PreviousPlacement& previous) {
+void serialize_fields(Archive& archive, PreviousTransform& previous) {
     archive(previous.world_from_body);
 }
 void serialize_fields(Archive& archive, PlayingModel& playing) {
@@ -75,90 +75,116 @@ void serialize_values(Archive& archive, ecs::Registry& registry) {
 
 }  // namespace
 
-ecs::Entity Simulation::remake_one(Archive& archive, const Remake& remake) {
+/// The archive of one world; reaches into it, so that nothing else need.
+class SimulationArchive {
+public:
+    SimulationArchive(Simulation& simulation, Archive& archive)
+        : simulation_(simulation), archive_(archive) {}
+
+    void serialize_entities(const Remake& remake);
+    void serialize_state();
+    void serialize_bodies_of_scene();
+
+private:
+    ecs::Entity remake_one(const Remake& remake);
+    std::vector<ecs::Entity> entities_of_scene() const;
+    void serialize_entities_of_scene();
+    void serialize_components();
+    void serialize_moving();
+    void serialize_joints();
+
+    Simulation& simulation_;
+    Archive& archive_;
+};
+
+ecs::Entity SimulationArchive::remake_one(const Remake& remake) {
     std::vector<Made> made;
     std::string description;
     std::string name;
     bool is_dropped = false;
-    archive(made, description, name, is_dropped);
-    if (archive.failed() || !archive.expect(!made.empty() && reserve(*this, made), kOtherThings))
+    archive_(made, description, name, is_dropped);
+    if (archive_.failed() ||
+        !archive_.expect(!made.empty() && reserve(simulation_, made), kOtherThings))
         return {};
     ecs::Entity entity{};
     if (is_dropped) {
         if (remake) entity = remake(description, name);
-    } else if (const auto prefab = description_.prefabs.find(description);
-               prefab != description_.prefabs.end()) {
-        entity = respawn(prefab->second, name);
+    } else if (const auto prefab = simulation_.description_.prefabs.find(description);
+               prefab != simulation_.description_.prefabs.end()) {
+        entity = simulation_.respawn(prefab->second, name);
     }
-    archive.expect(entity == made.front().entity, kOtherThings);
+    archive_.expect(entity == made.front().entity, kOtherThings);
     return entity;
 }
 
 /// By their names, without what play made.
-std::vector<ecs::Entity> Simulation::entities_of_scene() const {
+std::vector<ecs::Entity> SimulationArchive::entities_of_scene() const {
     std::set<ecs::Entity> made_in_play;
-    for (auto [entity, mark] : registry.view<const Spawned>()) {
-        for (const Made& part : all_of(registry, entity)) made_in_play.insert(part.entity);
+    for (auto [entity, mark] : simulation_.registry.view<const Spawned>()) {
+        for (const Made& part : all_of(simulation_.registry, entity))
+            made_in_play.insert(part.entity);
     }
     std::vector<ecs::Entity> of_scene;
-    for (auto [entity, name] : registry.view<const Name>()) {
+    for (auto [entity, name] : simulation_.registry.view<const Name>()) {
         if (!made_in_play.contains(entity)) of_scene.push_back(entity);
     }
     std::ranges::sort(of_scene);
     return of_scene;
 }
 
-void Simulation::serialize_entities_of_scene(Archive& archive) {
-    forget_destroyed();
+void SimulationArchive::serialize_entities_of_scene() {
+    simulation_.forget_destroyed();
     const std::vector<ecs::Entity> here = entities_of_scene();
     std::vector<ecs::Entity> saved = here;
-    archive(saved);
-    if (!archive.reads() || archive.failed()) return;
+    archive_(saved);
+    if (!archive_.reads() || archive_.failed()) return;
     for (const ecs::Entity entity : here) {
-        if (!std::ranges::binary_search(saved, entity)) registry.destroy(entity);
+        if (!std::ranges::binary_search(saved, entity)) simulation_.registry.destroy(entity);
     }
-    forget_destroyed();
+    simulation_.forget_destroyed();
 }
 
-void Simulation::serialize_bodies_of_scene(Archive& archive) {
-    serialize_entities_of_scene(archive);
+void SimulationArchive::serialize_bodies_of_scene() {
+    serialize_entities_of_scene();
     std::set<physics::BodyId> bodies;
     for (const ecs::Entity entity : entities_of_scene()) {
-        if (const auto* ref = registry.find<BodyRef>(entity)) bodies.insert(ref->body);
+        if (const auto* ref = simulation_.registry.find<BodyRef>(entity)) bodies.insert(ref->body);
     }
-    if (archive.failed()) return;
-    physics.serialize(archive, [&](physics::BodyId body) { return bodies.contains(body); });
-    if (!archive.reads() || archive.failed()) return;
-    for (MovingBody& moving : moving_) {
-        const physics::BodyState state = physics.state(moving.body);
+    if (archive_.failed()) return;
+    simulation_.physics.serialize(archive_,
+                                  [&](physics::BodyId body) { return bodies.contains(body); });
+    if (!archive_.reads() || archive_.failed()) return;
+    for (MovingBody& moving : simulation_.bodies_.moving) {
+        const physics::BodyState state = simulation_.physics.state(moving.body);
         moving.awake = state.awake;
-        registry.get<Placement>(moving.entity).world_from_body = state.world_from_body;
+        simulation_.registry.get<Transform>(moving.entity).world_from_body = state.world_from_body;
     }
 }
 
-void Simulation::serialize_entities(Archive& archive, const Remake& remake) {
-    serialize_entities_of_scene(archive);
+void SimulationArchive::serialize_entities(const Remake& remake) {
+    serialize_entities_of_scene();
     std::vector<ecs::Entity> spawned;
-    for (auto [entity, mark] : registry.view<const Spawned>()) spawned.push_back(entity);
-    const std::size_t count = archive.count(spawned.size());
-    for (std::size_t i = 0; i < count && !archive.failed(); ++i) {
-        if (archive.reads()) {
-            remake_one(archive, remake);
+    for (auto [entity, mark] : simulation_.registry.view<const Spawned>())
+        spawned.push_back(entity);
+    const std::size_t count = archive_.count(spawned.size());
+    for (std::size_t i = 0; i < count && !archive_.failed(); ++i) {
+        if (archive_.reads()) {
+            remake_one(remake);
             continue;
         }
-        std::vector<Made> made = all_of(registry, spawned[i]);
-        std::string description = registry.get<Spawned>(spawned[i]).description;
-        std::string name = registry.get<Name>(spawned[i]).text;
-        bool is_dropped = registry.has<Dropped>(spawned[i]);
-        archive(made, description, name, is_dropped);
+        std::vector<Made> made = all_of(simulation_.registry, spawned[i]);
+        std::string description = simulation_.registry.get<Spawned>(spawned[i]).description;
+        std::string name = simulation_.registry.get<Name>(spawned[i]).text;
+        bool is_dropped = simulation_.registry.has<Dropped>(spawned[i]);
+        archive_(made, description, name, is_dropped);
     }
 }
 
-void Simulation::serialize_components(Archive& archive) {
+void SimulationArchive::serialize_components() {
     serialize_orders<Name,
-                     Source,
-                     Placement,
-                     PreviousPlacement,
+                     DescribedAt,
+                     Transform,
+                     PreviousTransform,
                      BodyRef,
                      Visual,
                      PlayingModel,
@@ -171,64 +197,77 @@ void Simulation::serialize_components(Archive& archive) {
                      TriggerVolume,
                      MotionPath,
                      Spawned,
-                     Dropped>(archive, registry);
-    if (archive.failed()) return;
-    serialize_values<Placement,
-                     PreviousPlacement,
+                     Dropped>(archive_, simulation_.registry);
+    if (archive_.failed()) return;
+    serialize_values<Transform,
+                     PreviousTransform,
                      PlayingModel,
                      PointLight,
                      TriggerVolume,
-                     Dropped>(archive, registry);
-    registry.serialize_slots(archive);
+                     Dropped>(archive_, simulation_.registry);
+    simulation_.registry.serialize_slots(archive_);
 }
 
 /// In the order of the saved game.
-void Simulation::serialize_moving(Archive& archive) {
-    const std::size_t count = archive.count(moving_.size());
-    if (!archive.expect(count == moving_.size(), kOtherThings)) return;
+void SimulationArchive::serialize_moving() {
+    const std::size_t count = archive_.count(simulation_.bodies_.moving.size());
+    if (!archive_.expect(count == simulation_.bodies_.moving.size(), kOtherThings)) return;
     std::map<ecs::Entity, MovingBody> known;
-    for (const MovingBody& moving : moving_) known.emplace(moving.entity, moving);
-    for (MovingBody& moving : moving_) {
+    for (const MovingBody& moving : simulation_.bodies_.moving)
+        known.emplace(moving.entity, moving);
+    for (MovingBody& moving : simulation_.bodies_.moving) {
         ecs::Entity entity = moving.entity;
         bool awake = moving.awake;
-        archive(entity, awake);
+        archive_(entity, awake);
         const auto found = known.find(entity);
-        if (!archive.expect(found != known.end(), kOtherThings)) return;
+        if (!archive_.expect(found != known.end(), kOtherThings)) return;
         moving = found->second;
         moving.awake = awake;
     }
 }
 
-void Simulation::serialize_joints(Archive& archive) {
-    const std::size_t count = archive.count(joints_.size());
-    if (!archive.expect(count == joints_.size(), kOtherThings)) return;
-    for (SceneJoint& joint : joints_) archive(joint.joint);
+void SimulationArchive::serialize_joints() {
+    const std::size_t count = archive_.count(simulation_.bodies_.joints.size());
+    if (!archive_.expect(count == simulation_.bodies_.joints.size(), kOtherThings)) return;
+    for (SceneJoint& joint : simulation_.bodies_.joints) archive_(joint.joint);
 }
 
-void Simulation::serialize_state(Archive& archive) {
-    serialize_components(archive);
-    serialize_moving(archive);
-    serialize_joints(archive);
-    if (archive.failed()) return;
-    physics.serialize(archive);
-    step_s_ = physics.def().step_s;
-    archive(steps_,
-            since_s_,
-            since_step_,
-            removed_,
-            quarantined_reported_,
-            mass_ratio_named_,
-            added_energy_J,
-            demand_.swept,
-            demand_.spinning,
-            spawned_by_name_,
-            random,
-            switches,
-            description_.camera.position_m,
-            description_.camera.target_m,
-            description_.camera.up,
-            description_.camera.fov_y_rad);
-    ++revision_;
+void SimulationArchive::serialize_state() {
+    serialize_components();
+    serialize_moving();
+    serialize_joints();
+    if (archive_.failed()) return;
+    simulation_.physics.serialize(archive_);
+    simulation_.clock_.step_s = simulation_.physics.def().step_s;
+    archive_(simulation_.clock_.steps,
+             simulation_.clock_.since_s,
+             simulation_.clock_.since_step,
+             simulation_.tally_.removed,
+             simulation_.tally_.quarantined_reported,
+             simulation_.mass_ratio_.named,
+             simulation_.added_energy_J,
+             simulation_.motion_demand.swept,
+             simulation_.motion_demand.spinning,
+             simulation_.names_.spawned,
+             simulation_.random,
+             simulation_.switches,
+             simulation_.description_.camera.position_m,
+             simulation_.description_.camera.target_m,
+             simulation_.description_.camera.up,
+             simulation_.description_.camera.fov_y_rad);
+    ++simulation_.revision_;
+}
+
+void serialize_entities(Simulation& simulation, Archive& archive, const Remake& remake) {
+    SimulationArchive(simulation, archive).serialize_entities(remake);
+}
+
+void serialize_state(Simulation& simulation, Archive& archive) {
+    SimulationArchive(simulation, archive).serialize_state();
+}
+
+void serialize_bodies_of_scene(Simulation& simulation, Archive& archive) {
+    SimulationArchive(simulation, archive).serialize_bodies_of_scene();
 }
 
 }  // namespace plumbline::scene

@@ -15,7 +15,7 @@ Result<physics::BodyId> Simulation::end_of_joint(const std::string& name) const 
 Result<Done> Simulation::add_joint(const JointDescription& description) {
     const auto refuse = [&description](const std::string& why) {
         return Error{
-            fmt::format("{}: joint {}: {}", to_string(description.origin), description.name, why),
+            fmt::format("{}: joint {}: {}", to_string(description.location), description.name, why),
             ExitCode::Refused};
     };
     const Result<physics::BodyId> a = end_of_joint(description.a);
@@ -39,14 +39,15 @@ Result<Done> Simulation::add_joint(const JointDescription& description) {
                               .rest_length_m = description.rest_length_m,
                               .collide = description.collide,
                               .break_N = description.break_N,
-                              .user = joints_.size()});
+                              .user = bodies_.joints.size()});
     if (!made) return refuse(made.error().message);
     const Pose body_from_world = invert(physics.state(*a).world_from_body);
-    joints_.push_back({.name = description.name,
-                       .joint = *made,
-                       .anchor_a_body = transform_point(body_from_world, description.anchor_a_m),
-                       .creak = description.creak,
-                       .origin = description.origin});
+    bodies_.joints.push_back(
+        {.name = description.name,
+         .joint = *made,
+         .anchor_a_body = transform_point(body_from_world, description.anchor_a_m),
+         .creak = description.creak,
+         .location = description.location});
     return Done{};
 }
 
@@ -54,12 +55,13 @@ void Simulation::report_broken_joints() {
     for (const physics::JointId joint : physics.broken_joints()) {
         const physics::JointDef& def = physics.joint_def(joint);
         // What the game joins carries marks of its own.
-        const bool named = def.user < joints_.size() && joints_[def.user].joint == joint;
-        add_warning(fmt::format("joint {} broke at {:.3f} s: {:.0f} N > {:.0f} N",
-                                named ? joints_[def.user].name : "of the game",
-                                time_s(),
-                                physics.joint_state(joint).force_N,
-                                def.break_N));
+        const bool named =
+            def.user < bodies_.joints.size() && bodies_.joints[def.user].joint == joint;
+        warnings.push_back(fmt::format("joint {} broke at {:.3f} s: {:.0f} N > {:.0f} N",
+                                       named ? bodies_.joints[def.user].name : "of the game",
+                                       time_s(),
+                                       physics.joint_state(joint).force_N,
+                                       def.break_N));
     }
 }
 

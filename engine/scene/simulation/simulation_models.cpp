@@ -30,8 +30,8 @@ bool is_a_jump(const Pose& from, const Pose& to) {
 }  // namespace
 
 void Simulation::set_time(double time_s) {
-    since_s_ = time_s;
-    since_step_ = steps_;
+    clock_.since_s = time_s;
+    clock_.since_step = clock_.steps;
     for (auto [entity, playing] : registry.view<PlayingModel>()) {
         const assets::MovingModel* model = library_.moving(playing.model);
         if (model != nullptr) playing.time_s = std::fmod(time_s, length_of(*model, playing));
@@ -44,26 +44,26 @@ void Simulation::play_models() {
         playing.latest_step_s = 0;
         if (model == nullptr) continue;
         if (!playing.paused) {
-            playing.latest_step_s = step_s_;
-            playing.time_s = std::fmod(playing.time_s + step_s_, length_of(*model, playing));
+            playing.latest_step_s = clock_.step_s;
+            playing.time_s = std::fmod(playing.time_s + clock_.step_s, length_of(*model, playing));
         }
         const auto* bodies = registry.find<PartBodies>(entity);
         if (bodies == nullptr) continue;
-        Placement whole = registry.get<Placement>(entity);
+        Transform whole = registry.get<Transform>(entity);
         if (const auto* path = registry.find<MotionPath>(entity))
-            whole.world_from_body = pose_on_path(*path, time_at(steps_ + 1));
+            whole.world_from_body = pose_on_path(*path, time_at(clock_.steps + 1));
         move_parts(*bodies, playing, whole);
     }
 }
 
 void Simulation::move_parts(const PartBodies& bodies,
                             const PlayingModel& playing,
-                            const Placement& whole) {
+                            const Transform& whole) {
     const assets::MovingModel& model = *library_.moving(playing.model);
     const assets::ModelPose pose = assets::pose_at(
         model.data, animation_of(model, playing), static_cast<float>(playing.time_s));
     // Where an animation that does not close begins anew, its parts are elsewhere: nothing is struck.
-    const bool begins_anew = playing.time_s <= step_s_;
+    const bool begins_anew = playing.time_s <= clock_.step_s;
     for (const PartBodies::Part& part : bodies.parts) {
         if (!registry.alive(part.entity)) continue;
         const physics::BodyId body = registry.get<BodyRef>(part.entity).body;

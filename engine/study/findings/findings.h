@@ -2,7 +2,7 @@
 // `preset = "auto"`.
 #pragma once
 
-#include "engine/study/picture/picture_findings.h"
+#include "engine/study/image/image_findings.h"
 #include "engine/study/setting.h"
 
 #include <cstdint>
@@ -116,7 +116,7 @@ struct Findings {
     std::optional<Shard> shard{};  ///< none: it is whole
     double clock_spread{0};        ///< (median-min)/min over all points' repeats, median of them
     std::vector<Subject> subjects;
-    std::vector<PictureFindings> pictures;
+    std::vector<ImageFindings> pictures;
 };
 
 }  // namespace plumbline::study

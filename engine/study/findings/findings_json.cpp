@@ -120,7 +120,7 @@ Json json_of(const Difference& difference) {
             {"pairs", difference.pairs}};
 }
 
-Json json_of(const PictureRow& row) {
+Json json_of(const ImageRow& row) {
     return {{"name", row.name},
             {"rms_error", study::json_of(row.error.rms)},
             {"mean_error", study::json_of(row.error.mean)},
@@ -130,7 +130,7 @@ Json json_of(const PictureRow& row) {
             {"verdict", row.verdict}};
 }
 
-PictureRow picture_row_from(const Json& json) {
+ImageRow picture_row_from(const Json& json) {
     const Json& more = json.at("more_ms");
     return {.name = json.at("name"),
             .error = {.mean = number_from(json.at("mean_error")),
@@ -143,7 +143,7 @@ PictureRow picture_row_from(const Json& json) {
             .verdict = json.at("verdict")};
 }
 
-Json json_of(const PictureFindings& findings);
+Json json_of(const ImageFindings& findings);
 
 template <class T>
 Json array_of(const std::vector<T>& values) {
@@ -152,7 +152,7 @@ Json array_of(const std::vector<T>& values) {
     return array;
 }
 
-Json json_of(const PictureFindings& findings) {
+Json json_of(const ImageFindings& findings) {
     return {{"scene", findings.scene},
             {"width_px", findings.width_px},
             {"height_px", findings.height_px},
@@ -161,7 +161,7 @@ Json json_of(const PictureFindings& findings) {
             {"rows", array_of(findings.rows)}};
 }
 
-PictureFindings picture_from(const Json& json) {
+ImageFindings picture_from(const Json& json) {
     return {.scene = json.at("scene"),
             .width_px = json.at("width_px"),
             .height_px = json.at("height_px"),

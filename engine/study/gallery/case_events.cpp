@@ -18,7 +18,7 @@ void do_to_body(scene::Simulation& simulation, ecs::Entity entity, const HardCas
             physics.set_pose(body, {event.value, pose.orientation});
             break;
         case CaseEventKind::Velocity:
-            physics.set_velocity(body, event.value, event.spin_radps);
+            physics.set_velocity(body, event.value, event.angular_velocity_radps);
             break;
         case CaseEventKind::Force:
             physics.apply_force_at(body, event.value, pose.position + event.point_m);
@@ -74,7 +74,7 @@ void do_what_is_due(scene::Simulation& simulation) {
         const bool is_past = event.at_s < simulation.time_s() - simulation.step_s() / 2;
         const bool begins = now == first && !is_past;
         const bool lasts = event.kind == CaseEventKind::Force &&
-                           now < simulation.step_at(event.at_s + event.for_s);
+                           now < simulation.step_at(event.at_s + event.duration_s);
         if (!begins && !lasts) continue;
         const double before_J = energy_J(simulation);
         do_event(simulation, event);

@@ -62,7 +62,7 @@ std::vector<RuleResult> results_of(const HardCaseJudge& judge) {
 /// Steps until the judge has seen the case's whole time.
 CaseResult run_to_the_end(scene::Simulation& simulation, HardCaseJudge& judge, double cpu_limit_s) {
     scene::NoGame game(simulation.description().camera);
-    effects::EffectRuntime effects(simulation, {.picture = false, .sound = false});
+    effects::EffectRuntime effects(simulation, {.frame = false, .sound = false});
     CaseResult result{.ran = true};
     double cpu_ms = 0;
     double work = 0;

@@ -21,8 +21,8 @@ bool matches(std::string_view pattern, std::string_view name) {
     return name.starts_with(pattern.substr(0, pattern.size() - 1));
 }
 
-Error fault_at(const scene::Origin& origin, const std::string& message) {
-    return {.message = fmt::format("{}: {}", to_string(origin), message),
+Error fault_at(const SourceLocation& location, const std::string& message) {
+    return {.message = fmt::format("{}: {}", to_string(location), message),
             .exit_code = ExitCode::Refused};
 }
 
@@ -30,7 +30,7 @@ Error unknown_measure(const scene::HardCaseRule& rule) {
     std::vector<std::string_view> names;
     for (const Measure& measure : measures()) names.push_back(measure.name);
     const std::string_view nearest = nearest_name(rule.measure, names);
-    return fault_at(rule.origin,
+    return fault_at(rule.location,
                     fmt::format("\"{}\" is no measure; {}",
                                 rule.measure,
                                 nearest.empty() ? fmt::format("known: {}", fmt::join(names, ", "))
@@ -41,7 +41,7 @@ Error unknown_rule(const scene::HardCaseRed& red, std::span<const RuleState> rul
     std::vector<std::string_view> texts;
     for (const RuleState& rule : rules) texts.push_back(rule.text);
     return fault_at(
-        red.origin,
+        red.location,
         fmt::format("no rule is called \"{}\"; there are: {}", red.rule, fmt::join(texts, " | ")));
 }
 
@@ -167,7 +167,7 @@ Result<Done> HardCaseJudge::add_rule(const scene::Simulation& simulation,
         if (!rule.relative_to.empty()) {
             watched.relative_to = body_index(simulation, rule.relative_to);
             if (watched.relative_to == kNone)
-                return fault_at(rule.origin, fmt::format("\"{}\" has no body", rule.relative_to));
+                return fault_at(rule.location, fmt::format("\"{}\" has no body", rule.relative_to));
         }
     }
     needs_contacts_ = needs_contacts_ || rule.measure == "impulse_Ns";
@@ -208,9 +208,9 @@ Result<std::vector<std::size_t>> HardCaseJudge::bodies_called(const scene::Simul
     if (rule.of.empty()) add_matching("*");
     for (const std::string& name : rule.of) {
         if (!add_matching(name))
-            return fault_at(rule.origin, fmt::format("no moving body is called \"{}\"", name));
+            return fault_at(rule.location, fmt::format("no moving body is called \"{}\"", name));
     }
-    if (found.empty()) return fault_at(rule.origin, "the scene has no dynamic bodies to watch");
+    if (found.empty()) return fault_at(rule.location, "the scene has no dynamic bodies to watch");
     return found;
 }
 
@@ -225,7 +225,7 @@ Result<std::vector<std::size_t>> HardCaseJudge::joints_called(
         if (rule.of.empty() || std::ranges::any_of(rule.of, is_meant)) found.push_back(i);
     }
     if (found.empty())
-        return fault_at(rule.origin,
+        return fault_at(rule.location,
                         fmt::format("no joint is called \"{}\"", fmt::join(rule.of, "\", \"")));
     return found;
 }
@@ -269,7 +269,7 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
                           .start = start_,
                           .added_energy_J = simulation.added_energy_J,
                           .braked_J = interventions_.braked_J,
-                          .removed = simulation.removed_count()}),
+                          .removed = simulation.tally().removed}),
              kNobody);
         return;
     }

@@ -121,7 +121,7 @@ const std::array kMeasures{
     Measure{"speed_x_mps", "speed along x", +[](const BodyLook& body) { return velocity(body).x; }},
     Measure{
         "up_speed_mps", "speed upwards", +[](const BodyLook& body) { return velocity(body).y; }},
-    Measure{"speed_across_mps",
+    Measure{"horizontal_speed_mps",
             "speed across the vertical",
             +[](const BodyLook& body) { return across(velocity(body)); }},
     Measure{"speed_change",
@@ -155,7 +155,7 @@ const std::array kMeasures{
     Measure{"mean_height_m", "mean height", &mean_height_m},
     Measure{"heap_slope_deg", "slope of the heap", &heap_slope_deg},
     // --- of joints
-    Measure{"joint_gap_m",
+    Measure{"joint_error_m",
             "how far the joint is from what it forbids",
             +[](const physics::JointState& joint) { return joint.error_m; }},
     Measure{"joint_force_N",
@@ -166,7 +166,7 @@ const std::array kMeasures{
             +[](const physics::JointState& joint) {
                 return kDegrees * static_cast<double>(joint.position);
             }},
-    Measure{"joint_way_m",
+    Measure{"joint_displacement_m",
             "way or length of the joint",
             +[](const physics::JointState& joint) { return static_cast<double>(joint.position); }},
     // --- of the world

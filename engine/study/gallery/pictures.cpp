@@ -1,5 +1,5 @@
-// Small pictures of end states, by `plumbline render` in child processes: a machine without OpenGL, or
-// a driver that crashes, costs the pictures and nothing else.
+// Small images of end states, by `plumbline render` in child processes: a machine without OpenGL, or
+// a driver that crashes, costs the images and nothing else.
 #include "engine/core/io/files.h"
 #include "engine/core/process/interrupt.h"
 #include "engine/core/process/process.h"

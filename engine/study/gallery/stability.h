@@ -83,7 +83,7 @@ Result<bool> run_table(StabilityTable& table,
 Result<StabilityTable> merged_tables(std::span<const std::string> jsons,
                                      const std::vector<CaseEntry>& all);
 
-/// A picture of small_step's end state of each case, `width_px` x `height_px`, by `plumbline render`
+/// An image of small_step's end state of each case, `width_px` x `height_px`, by `plumbline render`
 /// in child processes. Where the first fails, none is made and no_pictures says why.
 void take_pictures(StabilityTable& table, int workers, int width_px, int height_px);
 

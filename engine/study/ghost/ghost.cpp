@@ -1,5 +1,7 @@
 #include "engine/study/ghost/ghost.h"
 
+#include "engine/scene/simulation/entity_lookup.h"
+#include "engine/scene/simulation/simulation_archive.h"
 #include "engine/study/workers/job.h"
 #include "engine/study/workers/worker.h"
 #include "engine/study/workers/worker_pool.h"
@@ -15,15 +17,15 @@ namespace {
 
 constexpr double kHistory_s = 20;
 /// Simulated time between two questions: fine enough to be drawn, coarse enough to cost nothing.
-constexpr double kGhostLookEvery_s = 1.0 / 30;
+constexpr double kGhostObservedEvery_s = 1.0 / 30;
 /// A ghost so far behind will not come back.
-constexpr double kLongestWay_s = 30;
+constexpr double kLongestLag_s = 30;
 
 }  // namespace
 
 struct Ghost::Impl {
     /// The visible world at an instant that the ghost has yet to reach.
-    struct Look {
+    struct Observation {
         double time_s{0};
         double cpu_ms{0};  ///< of the steps since the look before
         std::vector<Vec3d> positions_m;
@@ -33,8 +35,8 @@ struct Ghost::Impl {
     std::optional<ChildProcess> worker;
     std::string received;
     bool waiting{false};  ///< for an answer
-    std::deque<Look> looks;
-    double looked_s{0};
+    std::deque<Observation> observations;
+    double observed_s{0};
     double cpu_ms{0};
     double asked_s{0};  ///< where the ghost is or is on its way to
     GhostState latest;
@@ -47,15 +49,15 @@ struct Ghost::Impl {
         if (!waiting) fail(fmt::format("its process {}", worker->end().words));
     }
     void ask_next() {
-        if (waiting || looks.empty() || !failure.empty()) return;
-        const double seconds = looks.front().time_s - asked_s;
-        asked_s = looks.front().time_s;
+        if (waiting || observations.empty() || !failure.empty()) return;
+        const double seconds = observations.front().time_s - asked_s;
+        asked_s = observations.front().time_s;
         ask(go_on_body(seconds));
     }
     void fail(const std::string& why) {
         failure = why;
         worker.reset();
-        looks.clear();
+        observations.clear();
     }
     void take(GhostState state);
 };
@@ -63,20 +65,22 @@ struct Ghost::Impl {
 void Ghost::Impl::take(GhostState state) {
     latest = std::move(state);
     // The answer to the start belongs to no look.
-    if (looks.empty() || latest.time_s < looks.front().time_s - kGhostLookEvery_s / 4) return;
-    const Look look = std::move(looks.front());
-    looks.pop_front();
-    GhostDistance distance{.time_s = look.time_s};
-    const std::size_t count = std::min(look.positions_m.size(), latest.bodies.size());
+    if (observations.empty() ||
+        latest.time_s < observations.front().time_s - kGhostObservedEvery_s / 4)
+        return;
+    const Observation observed = std::move(observations.front());
+    observations.pop_front();
+    GhostDistance distance{.time_s = observed.time_s};
+    const std::size_t count = std::min(observed.positions_m.size(), latest.bodies.size());
     for (std::size_t i = 0; i < count; ++i) {
-        const double apart = glm::distance(look.positions_m[i], latest.bodies[i].position_m);
+        const double apart = glm::distance(observed.positions_m[i], latest.bodies[i].position_m);
         distance.largest_m = std::max(distance.largest_m, apart);
         distance.mean_m += apart / static_cast<double>(count);
     }
-    distance.visible_ms_per_s = look.cpu_ms / kGhostLookEvery_s;
-    distance.ghost_ms_per_s = latest.cpu_ms / kGhostLookEvery_s;
+    distance.visible_ms_per_s = observed.cpu_ms / kGhostObservedEvery_s;
+    distance.ghost_ms_per_s = latest.cpu_ms / kGhostObservedEvery_s;
     history.push_back(distance);
-    if (history.front().time_s < look.time_s - kHistory_s) history.erase(history.begin());
+    if (history.front().time_s < observed.time_s - kHistory_s) history.erase(history.begin());
 }
 
 Ghost::Ghost() : impl_(std::make_unique<Impl>()) {}
@@ -98,15 +102,15 @@ Result<std::unique_ptr<Ghost>> Ghost::start(scene::Simulation& simulation, const
         if (!simulation.physics.contains(moving.body)) continue;
         const physics::BodyState state = simulation.physics.state(moving.body);
         impl.bodies.push_back(moving.body);
-        start.bodies.push_back({.name = simulation.name_of_mark(scene::mark_of(moving.entity)),
+        start.bodies.push_back({.name = name_of_mark(simulation, scene::mark_of(moving.entity)),
                                 .position_m = Vec3d(state.world_from_body.position),
                                 .orientation = Quatd(state.world_from_body.orientation)});
     }
     Archive archive;
-    simulation.serialize_bodies_of_scene(archive);
+    serialize_bodies_of_scene(simulation, archive);
     start.state = archive.take();
     impl.latest = {.time_s = start.time_s, .bodies = start.bodies};
-    impl.looked_s = impl.asked_s = start.time_s;
+    impl.observed_s = impl.asked_s = start.time_s;
     impl.ask(start_body(start));
     return ghost;
 }
@@ -115,19 +119,20 @@ void Ghost::follow(const scene::Simulation& simulation) {
     Impl& impl = *impl_;
     if (!impl.failure.empty()) return;
     impl.cpu_ms += simulation.physics.cost().total_ms;
-    if (simulation.time_s() < impl.looked_s + kGhostLookEvery_s - simulation.step_s() / 4) return;
-    impl.looked_s = simulation.time_s();
-    Impl::Look look{.time_s = impl.looked_s, .cpu_ms = impl.cpu_ms};
+    if (simulation.time_s() < impl.observed_s + kGhostObservedEvery_s - simulation.step_s() / 4)
+        return;
+    impl.observed_s = simulation.time_s();
+    Impl::Observation observed{.time_s = impl.observed_s, .cpu_ms = impl.cpu_ms};
     impl.cpu_ms = 0;
     for (std::size_t i = 0; i < impl.bodies.size(); ++i) {
         const bool there = simulation.physics.contains(impl.bodies[i]);
-        look.positions_m.push_back(
+        observed.positions_m.push_back(
             there ? Vec3d(simulation.physics.state(impl.bodies[i]).world_from_body.position)
                   : impl.latest.bodies[i].position_m);
     }
-    impl.looks.push_back(std::move(look));
-    if (behind_s() > kLongestWay_s)
-        impl.fail(fmt::format("it fell {:g} s behind: too fine for this machine", kLongestWay_s));
+    impl.observations.push_back(std::move(observed));
+    if (behind_s() > kLongestLag_s)
+        impl.fail(fmt::format("it fell {:g} s behind: too fine for this machine", kLongestLag_s));
     impl.ask_next();
 }
 
@@ -167,7 +172,8 @@ const Setting& Ghost::setting() const {
     return impl_->setting;
 }
 double Ghost::behind_s() const {
-    return impl_->looks.empty() ? 0 : impl_->looks.back().time_s - impl_->latest.time_s;
+    return impl_->observations.empty() ? 0
+                                       : impl_->observations.back().time_s - impl_->latest.time_s;
 }
 const std::string& Ghost::failure() const {
     return impl_->failure;

@@ -2,6 +2,7 @@
 #include "engine/effects/advance.h"
 #include "engine/scene/formats/json_read.h"
 #include "engine/scene/open_scene.h"
+#include "engine/scene/simulation/simulation_archive.h"
 #include "engine/study/gallery/case_events.h"
 #include "engine/study/ghost/ghost_state.h"
 
@@ -38,7 +39,7 @@ public:
         simulation_->set_time(start.time_s);
         find_bodies(start.bodies);
         game_.emplace(simulation_->description().camera);
-        effects_.emplace(*simulation_, effects::ServedDomains{.picture = false, .sound = false});
+        effects_.emplace(*simulation_, effects::ServedDomains{.frame = false, .sound = false});
     }
 
     GhostState go_on(double seconds) {
@@ -65,7 +66,7 @@ private:
     void take_up(const std::string& state) {
         physics::WorldDef own = simulation_->physics.def();
         Archive archive(state);
-        simulation_->serialize_bodies_of_scene(archive);
+        serialize_bodies_of_scene(*simulation_, archive);
         if (archive.failed()) throw std::runtime_error("its state: " + archive.fault());
         own.gravity_mps2 = simulation_->physics.def().gravity_mps2;
         simulation_->set_accuracy(own);

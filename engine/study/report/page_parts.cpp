@@ -59,7 +59,7 @@ dotted lines across are errors of 5 %, 1 % and 0.1 %; the dotted lines upwards a
 each frame at 60 frames a second, which is what a game counts in. Small scenes cost less than the first
 of them, and then it is not in sight. Grey points are other engines on the same scene, measured
 elsewhere (their label says which; <code>assets/data/README.md</code> says when and on what). A red
-cross at the top is a run that gave no answer: it exploded, hung or crashed.</p>
+cross at the top is a run that failed: it exploded, hung or crashed.</p>
 <p>The second diagram of a subject has the step on the axis instead of the cost: the time that the solver
 moves the world forward at once. Its grey lines show how steep a method of first order is (half the step,
 half the error) and one of second order (half the step, a quarter). The thick dashed line, where there

@@ -5,9 +5,9 @@
 #include "engine/study/report/diagrams/diagrams.h"
 #include "engine/study/report/diagrams/gnuplot.h"
 #include "engine/study/report/html_text.h"
+#include "engine/study/report/image_section.h"
 #include "engine/study/report/page_parts.h"
 #include "engine/study/report/peers.h"
-#include "engine/study/report/picture_section.h"
 #include "engine/study/report/scores.h"
 #include "engine/study/report/tables.h"
 
@@ -146,7 +146,7 @@ std::string section(const Subject& subject, std::size_t index, const Tools& tool
     return html + "</section>\n";
 }
 
-std::string section(const PictureFindings& findings, std::size_t index, const Tools& tools) {
+std::string section(const ImageFindings& findings, std::size_t index, const Tools& tools) {
     const std::string anchor = fmt::format("picture{}", index);
     std::string html = fmt::format(
         "<section>\n<h2 id=\"{}\">The picture of {}</h2>\n", anchor, escape_html(findings.scene));

@@ -10,7 +10,7 @@
 namespace plumbline::study {
 
 /// Writes `folder`/report.html: what was asked, how to read it, and for each subject its set-up,
-/// reference, diagrams and tables. Runs that gave no answer are shown in red, never left out.
+/// reference, diagrams and tables. Runs that failed are shown in red, never left out.
 /// Diagrams are drawn by gnuplot (the program that PLUMBLINE_GNUPLOT names, or `gnuplot`); without it
 /// the page has all tables and one line that says what is missing. The same for assets/data/peers.csv.
 /// Refused: what write_file_atomically refuses.

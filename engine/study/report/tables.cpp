@@ -300,7 +300,7 @@ std::string failure_line(const Subject& subject) {
         total += count;
         kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, name);
     }
-    return fmt::format("<p class=\"bad\">{} of {} runs gave no answer: {}.</p>\n",
+    return fmt::format("<p class=\"bad\">{} of {} runs failed: {}.</p>\n",
                        total,
                        subject.points.size(),
                        escape_html(kinds));

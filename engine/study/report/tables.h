@@ -32,7 +32,7 @@ std::string points_table(const Subject& subject);
 /// Every peer of a diagram, by rising cost, folded in. Empty where there are none.
 std::string peer_table(std::span<const PeerPoint> peers);
 
-/// "3 of 40 runs gave no answer: 2 exploded, 1 timed out." in red; empty when all did.
+/// "3 of 40 runs failed: 2 exploded, 1 timed out." in red; empty when all did.
 std::string failure_line(const Subject& subject);
 
 /// What T1 to T5 mean, in words.

@@ -34,8 +34,7 @@ Result<Passed> pass(const scene::OpenedScene& scene, std::string_view without, d
     scene::Simulation& simulation = **built;
     play_case_events(simulation);
     scene::NoGame game(simulation.description().camera);
-    effects::EffectRuntime effects(simulation,
-                                   {.picture = false, .sound = true, .without = without});
+    effects::EffectRuntime effects(simulation, {.frame = false, .sound = true, .without = without});
     const auto steps = std::max(1, static_cast<int>(std::lround(seconds / simulation.step_s())));
     Passed passed;
     for (int i = 0; i < steps; ++i) {
@@ -158,7 +157,7 @@ std::string_view domain_name(effects::Domain domain) {
     switch (domain) {
         case effects::Domain::Step:
             return "step";
-        case effects::Domain::Picture:
+        case effects::Domain::Frame:
             return "picture";
         case effects::Domain::Sound:
             return "sound";

@@ -1,6 +1,6 @@
 // What each effect of a scene costs: the same seconds of it with and without, in turns.
 //
-// Here the effects of the steps and of the sound. Those of the picture need a GL context, which the
+// Here the effects of the steps and of the sound. Those of the image need a GL context, which the
 // game has (game/commands/effects_command.h); both fill EffectCost.
 #pragma once
 
@@ -21,7 +21,7 @@ struct EffectCost {
     std::string caller{};  ///< the first one that called for it
     effects::Domain domain{effects::Domain::Step};
     Difference step_ms{};   ///< CPU of a step, by switching it off
-    Difference frame_ms{};  ///< CPU of a frame's sound or picture, likewise
+    Difference frame_ms{};  ///< CPU of a frame's sound or image, likewise
     std::uint64_t calls{0};
     std::uint64_t bytes_cpu{0};
     std::uint64_t bytes_gpu{0};

@@ -4,6 +4,7 @@
 #include "engine/core/random.h"
 #include "engine/core/time/stopwatch.h"
 #include "engine/effects/advance.h"
+#include "engine/scene/simulation/entity_lookup.h"
 #include "engine/scene/state_report.h"
 #include "engine/study/gallery/case_events.h"
 
@@ -36,7 +37,7 @@ public:
         : run_(run),
           simulation_(simulation),
           game_(simulation.description().camera),
-          effects_(simulation, {.picture = false, .sound = false}),
+          effects_(simulation, {.frame = false, .sound = false}),
           steps_per_look_(
               std::max(1, static_cast<int>(std::lround(kLookEvery_s / simulation.step_s())))) {
         for (const scene::MovingBody& moving : simulation.moving_bodies()) {
@@ -132,10 +133,11 @@ private:
         cpu_ms_ += timer.ms();
         if (!simulation_.physics.quarantined().empty()) {
             trace.status = RunStatus::NotFinite;
-            trace.why = fmt::format("{} had no finite state by {:.2f} s",
-                                    simulation_.name_of_mark(simulation_.physics.user(
-                                        simulation_.physics.quarantined().front())),
-                                    simulation_.time_s());
+            trace.why = fmt::format(
+                "{} had no finite state by {:.2f} s",
+                name_of_mark(simulation_,
+                             simulation_.physics.user(simulation_.physics.quarantined().front())),
+                simulation_.time_s());
             return false;
         }
         if (cpu_ms_ > run_.cpu_limit_s * 1e3) {

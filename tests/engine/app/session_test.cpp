@@ -1,5 +1,6 @@
 #include "engine/app/session.h"
 
+#include "engine/scene/environment/sun_hour.h"
 #include "tests/engine/app/session_fixture.h"
 
 #include <sys/resource.h>
@@ -37,12 +38,12 @@ TEST_F(SessionTest, TheHourThatWasAskedForIsThatOfEveryStart) {
         const auto session = open(hour);
         ASSERT_TRUE(session);
         const double expected = hour.value_or(9.0);
-        EXPECT_NEAR(session->simulation->hour().value_or(-1.0), expected, 0.01);
-        session->simulation->set_hour(3.0);
+        EXPECT_NEAR(hour_of(*session->simulation).value_or(-1.0), expected, 0.01);
+        set_hour(*session->simulation, 3.0);
         ASSERT_TRUE(session->reset().ok());
-        EXPECT_NEAR(session->simulation->hour().value_or(-1.0), expected, 0.01);
+        EXPECT_NEAR(hour_of(*session->simulation).value_or(-1.0), expected, 0.01);
         ASSERT_TRUE(session->reload().ok());
-        EXPECT_NEAR(session->simulation->hour().value_or(-1.0), expected, 0.01);
+        EXPECT_NEAR(hour_of(*session->simulation).value_or(-1.0), expected, 0.01);
     }
 }
 

@@ -24,7 +24,7 @@ std::string worn(test::Running& run, const std::string& name) {
 // SOURCES A35: from the step in which the pair begins to touch to that in which it ends.
 TEST(ContactLook, IsWornFromTheBeginOfAContactToItsEnd) {
     test::Running run(touchy());
-    EffectRuntime effects(*run, {.picture = true});
+    EffectRuntime effects(*run, {.frame = true});
     // It falls 1.5 m: sqrt(2 * 1.5 / 9.81) = 0.553 s.
     run.step(32, effects);
     EXPECT_EQ(worn(run, "a"), "red");
@@ -44,7 +44,7 @@ TEST(ContactLook, IsWornFromTheBeginOfAContactToItsEnd) {
 
 TEST(ContactLook, CostsNothingWhereNobodyCallsForIt) {
     test::Running run(test::scene_of({test::ground(), test::cube("a", {0, 2, 0})}));
-    EffectRuntime effects(*run, {.picture = true});
+    EffectRuntime effects(*run, {.frame = true});
     run.step(60, effects);
     for (const char* name : {"contact_look", "triggers", "contact_events"}) {
         const LedgerLine line = line_of(effects, name);

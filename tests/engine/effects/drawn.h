@@ -12,7 +12,7 @@
 namespace plumbline::effects {
 
 /// What `render` serves.
-inline constexpr ServedDomains kPicture{.picture = true};
+inline constexpr ServedDomains kPicture{.frame = true};
 
 /// One frame as the window makes it.
 inline render::RenderFrame draw(test::Running& run, EffectRuntime& effects, Real blend = 1) {

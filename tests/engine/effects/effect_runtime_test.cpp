@@ -20,7 +20,7 @@ using test::Running;
 using test::scene_of;
 
 constexpr ServedDomains kStepsOnly{};
-constexpr ServedDomains kAll{.picture = true, .sound = true};
+constexpr ServedDomains kAll{.frame = true, .sound = true};
 
 void expect_nothing(const LedgerLine& line) {
     EXPECT_TRUE(line.called_for_by.empty()) << line.name;
@@ -82,7 +82,7 @@ struct Lamp final : Effect {
 };
 EffectRow lamp() {
     return {.name = "lamp",
-            .domain = Domain::Picture,
+            .domain = Domain::Frame,
             .called_for_by = [](const scene::Simulation& simulation) -> Callers {
                 const bool by_time = simulation.steps() >= 3;
                 if (!simulation.switches.is_on("lamp", by_time)) return {};
@@ -133,8 +133,8 @@ TEST(EffectRuntime, TheOneLeftOutIsNeverMade) {
     scene.fog.emplace();
     Running with(scene);
     Running without(scene);
-    EffectRuntime all(*with, {.picture = true});
-    EffectRuntime left_out(*without, {.picture = true, .without = "fog"});
+    EffectRuntime all(*with, {.frame = true});
+    EffectRuntime left_out(*without, {.frame = true, .without = "fog"});
     EXPECT_TRUE(draw(with, all).fog);
     EXPECT_FALSE(draw(without, left_out).fog);
     EXPECT_TRUE(line_of(all, "fog").exists);
@@ -159,10 +159,11 @@ TEST(EffectRuntime, AFallingCubePaysForNothing) {
 TEST(EffectRuntime, SaysWhichSettingCalls) {
     SceneDescription scene = scene_of({});
     scene.sun = scene::SunDescription{
-        .shadow = scene::ShadowDescription{.size_px = 512, .origin = {"garden.toml", 31}}};
-    scene.fog = scene::FogDescription{.density_per_m = 0.5F, .origin = {"garden.toml", 40}};
-    scene.sky = scene::SkyDescription{.folder = "skies/x", .origin = {"garden.toml", 50}};
-    scene.post = scene::PostDescription{.bloom = 0.1F, .origin = {"garden.toml", 60}};
+        .shadow = scene::ShadowDescription{.size_px = 512, .location = in_file("garden.toml", 31)}};
+    scene.fog =
+        scene::FogDescription{.density_per_m = 0.5F, .location = in_file("garden.toml", 40)};
+    scene.sky = scene::SkyDescription{.folder = "skies/x", .location = in_file("garden.toml", 50)};
+    scene.post = scene::PostDescription{.bloom = 0.1F, .location = in_file("garden.toml", 60)};
     Running run(scene);
     EffectRuntime effects(*run, kAll);
     const render::RenderFrame frame = draw(run, effects);

@@ -43,9 +43,9 @@ std::vector<float> places_x(const render::RenderFrame& frame) {
 TEST(ModelAnimation, MovesItsPartsWithTheStepsAndRepeats) {
     const TempFolder folder;
     test::Running run(model_scene(folder, sliding_model()));
-    EffectRuntime effects(*run, {.picture = true});
+    EffectRuntime effects(*run, {.frame = true});
     const float ground_x =
-        run->registry.get<scene::Placement>(run->find("ground")).world_from_body.position.x;
+        run->registry.get<scene::Transform>(run->find("ground")).world_from_body.position.x;
     run.step(15, effects);  // a quarter of the second
     render::RenderFrame frame = draw(run, effects);
     ASSERT_EQ(frame.items.size(), 3U) << "ground, what stands, what slides; not the model at rest";
@@ -66,7 +66,7 @@ TEST(ModelAnimation, MovesItsPartsWithTheStepsAndRepeats) {
 TEST(ModelAnimation, StandsBetweenTwoStepsAsTheFrameDoes) {
     const TempFolder folder;
     test::Running run(model_scene(folder, sliding_model()));
-    EffectRuntime effects(*run, {.picture = true});
+    EffectRuntime effects(*run, {.frame = true});
     const auto sled_x = [&](Real blend) {
         return draw(run, effects, blend).items.back().world_from_body[3].x;
     };
@@ -92,7 +92,7 @@ TEST(ViewerAids, ShowNormalsAsThePoseOfTheFrameHasThem) {
     for (const bool skinned : {false, true}) {
         const TempFolder folder;
         test::Running run(model_scene(folder, skinned ? turning_model() : sliding_model()));
-        EffectRuntime effects(*run, {.picture = true});
+        EffectRuntime effects(*run, {.frame = true});
         run->switches.normals = true;
         run.step(15, effects);
         const LineList lines = draw(run, effects).lines;
@@ -113,7 +113,7 @@ TEST(ViewerAids, ShowNormalsAsThePoseOfTheFrameHasThem) {
 TEST(ViewerAids, PushTheNearPlaneUpToWhatIsNearest) {
     const TempFolder folder;
     test::Running run(model_scene(folder, TriangleFile{}.glb()));
-    EffectRuntime effects(*run, {.picture = true});
+    EffectRuntime effects(*run, {.frame = true});
     run->switches.ground = false;
     const auto near_m_at = [&](const Vec3& eye_m) {
         effects.refresh(*run);
@@ -134,7 +134,7 @@ TEST(ViewerAids, PushTheNearPlaneUpToWhatIsNearest) {
 TEST(ViewerAids, AreOnlyWhereAModelIsByItselfAndDoWhatTheirSwitchesSay) {
     const TempFolder folder;
     test::Running run(model_scene(folder, TriangleFile{}.glb()));
-    EffectRuntime effects(*run, {.picture = true});
+    EffectRuntime effects(*run, {.frame = true});
     const render::RenderFrame plain = draw(run, effects);
     EXPECT_TRUE(plain.lines.vertices.empty());
     EXPECT_EQ(plain.items.size(), 2U);
@@ -151,7 +151,7 @@ TEST(ViewerAids, AreOnlyWhereAModelIsByItselfAndDoWhatTheirSwitchesSay) {
 
     test::Running other(test::scene_of({test::ground()}));
     other->switches.grid = true;
-    EffectRuntime none(*other, {.picture = true});
+    EffectRuntime none(*other, {.frame = true});
     EXPECT_TRUE(draw(other, none).lines.vertices.empty());
 }
 

@@ -1,11 +1,11 @@
 // What the book's lessons show, against closed forms: depth tests, flat shading, the parts of the
 // textbook's light.
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 namespace plumbline::render {
 namespace {
 
-class BookGl : public PictureGl {
+class BookGl : public ImageGl {
 protected:
     /// Looks along -Z at a small red box, a large blue one behind it and a green ball behind both, of
     /// which a part stands out; drawn in this order.

@@ -1,4 +1,4 @@
-// What the shaders make of light, computed with the standard's own curves: pictures are predicted
+// What the shaders make of light, computed with the standard's own curves: images are predicted
 // with it.
 #pragma once
 

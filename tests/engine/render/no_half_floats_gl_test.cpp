@@ -1,12 +1,12 @@
 // A driver that draws into no half floats: as GpuLimits says, for there is hardly one left to try.
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 #include <cstdlib>
 
 namespace plumbline::render {
 namespace {
 
-class NoHalfFloatsGl : public PictureGl {
+class NoHalfFloatsGl : public ImageGl {
 protected:
     RenderFrame ball_under_the_sun() {
         RenderFrame frame = empty_frame(64, 48);

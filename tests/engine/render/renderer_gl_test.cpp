@@ -1,4 +1,4 @@
-// What a renderer promises besides pretty pictures: sizes, caching, freeing, errors.
+// What a renderer promises besides pretty images: sizes, caching, freeing, errors.
 #include "engine/assets/image/image_import.h"
 #include "engine/core/io/files.h"
 #include "tests/engine/render/gl_fixture.h"

@@ -1,6 +1,7 @@
 #include "engine/scene/extract.h"
 
 #include "engine/core/limits.h"
+#include "engine/scene/environment/sun_hour.h"
 #include "tests/support/near.h"
 #include "tests/support/scene_in_code.h"
 
@@ -133,12 +134,12 @@ TEST(Extract, TheDayGoesOnAboutTheEarthsAxis) {
     scene.sun = SunDescription{};
     scene.time = TimeDescription{.hour = 9};
     Running run(scene);
-    run->set_hour(9);
-    ASSERT_TRUE(run->hour());
-    EXPECT_NEAR(*run->hour(), 9.0, 1e-3);
+    set_hour(*run, 9);
+    ASSERT_TRUE(hour_of(*run));
+    EXPECT_NEAR(*hour_of(*run), 9.0, 1e-3);
     run->switches.sun_rotation_radps = radians_from_degrees(15.0F);
     run.step(60);
-    EXPECT_NEAR(*run->hour(), 10.0, 5e-3);
+    EXPECT_NEAR(*hour_of(*run), 10.0, 5e-3);
     EXPECT_NEAR(glm::length(run->switches.sun_direction), 1.0F, 1e-5F);
 }
 
@@ -159,8 +160,8 @@ TEST(Extract, KeepsTheNearestLights) {
     for (const render::LocalLight& light : frame.lights) {
         EXPECT_LE(light.position_world.x, static_cast<float>(limits::kLights));
     }
-    ASSERT_FALSE(run->warnings().empty());
-    EXPECT_EQ(run->warnings().front(), "266 lights: only the 256 nearest to the camera shine");
+    ASSERT_FALSE(run->warnings.empty());
+    EXPECT_EQ(run->warnings.front(), "266 lights: only the 256 nearest to the camera shine");
 }
 
 TEST(NoGame, LooksAtTheTarget) {

@@ -143,7 +143,7 @@ TEST_F(OpenScene, WarningsOfTheFilesAreTheSimulationsToo) {
     assets::AssetLibrary library;
     const auto simulation = scene.build(library);
     ASSERT_TRUE(simulation.ok());
-    EXPECT_EQ((*simulation)->warnings(), scene.warnings);
+    EXPECT_EQ((*simulation)->warnings, scene.warnings);
 }
 
 TEST_F(OpenScene, TheFirstFaultRefusesItAndAllAreKept) {

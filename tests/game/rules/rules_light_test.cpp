@@ -22,7 +22,7 @@ scene::SceneDescription lit_meadow() {
 Vec3 spot_direction(const Playground& play, const char* name) {
     const ecs::Entity entity = play.simulation->find(name);
     const auto& light = play.simulation->registry.get<scene::PointLight>(entity);
-    return play.simulation->registry.get<scene::Placement>(entity).world_from_body.orientation *
+    return play.simulation->registry.get<scene::Transform>(entity).world_from_body.orientation *
            Vec3(light.direction_body);
 }
 

@@ -1,4 +1,5 @@
 // Walking, looking, dropping, throwing, switching: what actions do, with numbers.
+#include "engine/scene/simulation/entity_lookup.h"
 #include "tests/game/rules/playground.h"
 
 #include <algorithm>
@@ -99,7 +100,7 @@ TEST(Rules, EveryThingCanBeDropped) {
 TEST(Rules, TheShippedThingsAreDroppedInScenesThatDoNotKnowThem) {
     Playground play(meadow(), 60, PL_SOURCE_DIR "/assets");
     for (std::size_t i = 0; i < kThingCount; ++i) {
-        ASSERT_FALSE(play.game->things().thing(i).description.origin.file.empty())
+        ASSERT_FALSE(play.game->things().thing(i).description.location.file == nullptr)
             << kThingNames[i] << " is not in things.toml";
         play.step(press({static_cast<Action>(static_cast<std::size_t>(Action::Select1) + i)}));
         play.step(press({Action::Drop}));
@@ -110,19 +111,19 @@ TEST(Rules, TheShippedThingsAreDroppedInScenesThatDoNotKnowThem) {
     play.run(3);
     for (auto [entity, dropped, place, visual] :
          play.simulation->registry
-             .view<const scene::Dropped, const scene::Placement, const scene::Visual>()) {
+             .view<const scene::Dropped, const scene::Transform, const scene::Visual>()) {
         static_cast<void>(dropped);
         EXPECT_GT(place.world_from_body.position.y, -0.01);
         EXPECT_LT(place.world_from_body.position.y, 1) << "at rest on the ground";
-        EXPECT_FALSE(visual.materials.empty()) << play.simulation->describe(entity);
+        EXPECT_FALSE(visual.materials.empty()) << describe(*play.simulation, entity);
         for (const assets::MaterialId id : visual.materials) {
             const assets::MaterialData& material = play.simulation->library().material(id);
             EXPECT_FALSE(material.base_color_map.empty() && material.surface.empty())
-                << play.simulation->describe(entity) << " is grey: nobody knows its "
+                << describe(*play.simulation, entity) << " is grey: nobody knows its "
                 << material.name;
         }
     }
-    EXPECT_TRUE(play.simulation->warnings().empty()) << play.simulation->warnings().front();
+    EXPECT_TRUE(play.simulation->warnings.empty()) << play.simulation->warnings.front();
 }
 
 TEST(Rules, AHeldKeyDropsSixASecond) {
@@ -153,7 +154,7 @@ TEST(Rules, DoesNotDropIntoOrBehindAWall) {
     play.step(press({Action::Select1}));
     play.step(press({Action::Drop}));
     for (auto [entity, dropped, place] :
-         play.simulation->registry.view<const scene::Dropped, const scene::Placement>()) {
+         play.simulation->registry.view<const scene::Dropped, const scene::Transform>()) {
         static_cast<void>(entity);
         static_cast<void>(dropped);
         EXPECT_GT(place.world_from_body.position.z, -0.5);

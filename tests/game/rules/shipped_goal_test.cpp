@@ -44,7 +44,7 @@ protected:
     }
     scene::GoalState state() const { return game_->goal()->state(*simulation_); }
     Vec3 place(const std::string& name) const {
-        return simulation_->registry.get<scene::Placement>(simulation_->find(name))
+        return simulation_->registry.get<scene::Transform>(simulation_->find(name))
             .world_from_body.position;
     }
     /// As hard as it goes, after a second of charging: a little high, for what gravity takes, and

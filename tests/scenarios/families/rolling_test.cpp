@@ -16,7 +16,7 @@ TEST(Rolling, A30ASlidingBallComesToRoll) {
             const std::string row = fmt::format("A30 {} Hz {} ", hz, name_of(setting));
             const double x_m = slides.world.at(slides.ball).x;
             const double speed_mps = slides.world.velocity(slides.ball).x;
-            expect_at_most(row + "x(3 s)", std::abs(x_m / law.way_m(3) - 1), 5e-3);
+            expect_at_most(row + "x(3 s)", std::abs(x_m / law.path_m(3) - 1), 5e-3);
             expect_at_most(row + "speed", std::abs(speed_mps / law.rolling_mps() - 1), 5e-3);
         }
     }
@@ -29,7 +29,8 @@ TEST(Rolling, SlideToRollIsExactAllTheWay) {
         double off_m = 0;
         for (int i = 1; i <= 180; ++i) {
             slides.world.physics.step();
-            off_m = std::max(off_m, std::abs(slides.world.at(slides.ball).x - law.way_m(i / 60.0)));
+            off_m =
+                std::max(off_m, std::abs(slides.world.at(slides.ball).x - law.path_m(i / 60.0)));
         }
         expect_at_most("slide to roll, largest x error m " + name_of(setting), off_m, 5e-4);
     }

@@ -23,7 +23,7 @@ const Vec3 kInTheHouse{-1.6_r, 1.7_r, -5.2_r};
 
 class GardenHeard : public testing::Test {
 protected:
-    test::SceneRun run_{"garden.toml", {}, {.picture = false, .sound = true}};
+    test::SceneRun run_{"garden.toml", {}, {.frame = false, .sound = true}};
     audio::Mixer mixer_{{.offline = true}, run_.library};
     double now_s_{1.0};
 

@@ -1,4 +1,4 @@
-// How far the picture is opened: eyes that get used to the dark and to the sun. Exists while a frame's
+// How far the image is opened: eyes that get used to the dark and to the sun. Exists while a frame's
 // post asks for it.
 #pragma once
 
@@ -24,7 +24,7 @@ float adapted(float now, float wanted, float seconds);
 class ExposureMeter {
 public:
     enum class Reading {
-        Now,    ///< of this frame, waited for: each picture by itself, the same every time
+        Now,    ///< of this frame, waited for: each image by itself, the same every time
         Later,  ///< of the frame before, and eyes take their time
     };
 

@@ -9,7 +9,7 @@
 namespace plumbline::render {
 namespace {
 
-// Of the picture's height: more samples than there are would be seen one by one.
+// Of the image's height: more samples than there are would be seen one by one.
 constexpr float kLargestRadius = 1.0F / 36.0F;
 
 }  // namespace

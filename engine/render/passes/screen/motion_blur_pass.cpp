@@ -8,7 +8,7 @@
 namespace plumbline::render {
 namespace {
 
-// Of the picture's width: a streak's samples must stay close.
+// Of the image's width: a streak's samples must stay close.
 constexpr float kLongestStreak = 1.0F / 12.0F;
 
 }  // namespace
@@ -19,7 +19,7 @@ const gl::Texture* MotionBlurPass::render(const MotionBlur& blur,
                                           const FullscreenTriangle& triangle,
                                           SceneResources& resources,
                                           FrameStats& stats) {
-    const gl::Texture* ways = moved_ways_.render(blur, view, *light.depth, resources, stats);
+    const gl::Texture* ways = motion_vectors_.render(blur, view, *light.depth, resources, stats);
     const FeatureSet features = light.features | (ways != nullptr ? feature::kMoved : 0);
     const gl::Program* program = resources.shaders.find(kMotionBlurShader, features);
     if (program == nullptr) return nullptr;

@@ -3,7 +3,7 @@
 
 #include "engine/render/passes/scene_light.h"
 #include "engine/render/passes/scene_resources.h"
-#include "engine/render/passes/screen/moved_ways.h"
+#include "engine/render/passes/screen/motion_vectors.h"
 #include "engine/render/passes/screen/pass_image.h"
 #include "engine/render/passes/sky_pass.h"
 
@@ -20,12 +20,12 @@ public:
                               const FullscreenTriangle& triangle,
                               SceneResources& resources,
                               FrameStats& stats);
-    std::size_t bytes() const { return blurred_.image.bytes() + moved_ways_.bytes(); }
+    std::size_t bytes() const { return blurred_.image.bytes() + motion_vectors_.bytes(); }
     void free() { *this = {}; }
 
 private:
     PassImage blurred_;
-    MovedWays moved_ways_;
+    MotionVectors motion_vectors_;
 };
 
 }  // namespace plumbline::render

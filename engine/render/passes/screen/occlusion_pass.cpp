@@ -8,7 +8,7 @@
 namespace plumbline::render {
 namespace {
 
-// Of the picture's height: near things would look up half of it.
+// Of the image's height: near things would look up half of it.
 constexpr float kMostReach = 0.12F;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Which share of the light from everywhere reaches each place of the picture, from its depth image.
+// Which share of the light from everywhere reaches each place of the image, from its depth image.
 #pragma once
 
 #include "engine/render/passes/scene_light.h"

@@ -99,13 +99,13 @@ void PostPass::render_bloom(const SceneLight& light,
     glDisable(GL_BLEND);
 }
 
-void PostPass::render_picture(const SceneLight& light,
-                              const gl::Texture& depth,
-                              const PostView& view,
-                              unsigned int present_framebuffer,
-                              const FullscreenTriangle& triangle,
-                              SceneResources& resources,
-                              FrameStats& stats) const {
+void PostPass::render_image(const SceneLight& light,
+                            const gl::Texture& depth,
+                            const PostView& view,
+                            unsigned int present_framebuffer,
+                            const FullscreenTriangle& triangle,
+                            SceneResources& resources,
+                            FrameStats& stats) const {
     struct Step {
         ShaderPair shader;
         FeatureSet features;

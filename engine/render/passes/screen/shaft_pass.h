@@ -1,4 +1,4 @@
-// Which share of the sun's light the air sends to each place of the picture.
+// Which share of the sun's light the air sends to each place of the image.
 #pragma once
 
 #include "engine/render/passes/scene_light.h"

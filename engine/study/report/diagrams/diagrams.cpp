@@ -125,10 +125,10 @@ void add_rings(Plot& plot, const Subject& subject) {
     if (!rings.points.empty()) plot.curves.push_back(std::move(rings));
 }
 
-/// Runs that cost something and gave no answer, along the top.
+/// Runs that cost something and failed, along the top.
 void add_failures(Plot& plot, const Subject& subject) {
     Curve crosses;
-    crosses.name = "no answer";
+    crosses.name = "failed";
     crosses.color = kWrong;
     crosses.dash = Dash::None;
     crosses.symbol = static_cast<int>(Symbol::Cross);

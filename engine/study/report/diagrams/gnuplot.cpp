@@ -13,7 +13,7 @@ namespace plumbline::study {
 
 namespace {
 
-constexpr std::size_t kMostBytes = 64ULL * 1024 * 1024;  // of a picture
+constexpr std::size_t kMostBytes = 64ULL * 1024 * 1024;  // of an image
 
 std::string replaced(std::string text, std::string_view from, std::string_view to) {
     for (std::size_t at = text.find(from); at != std::string::npos;

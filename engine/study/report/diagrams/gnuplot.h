@@ -12,7 +12,7 @@ std::string gnuplot_program();
 
 /// What `program -d -` writes to its standard output for `script`, without anybody's own start-up
 /// files. Refused: no such program, an exit code other than 0, nothing written or more
-/// than any picture has, or no end within `limit_s` (it is killed).
+/// than any image has, or no end within `limit_s` (it is killed).
 Result<std::string> run_gnuplot(const std::string& program,
                                 const std::string& script,
                                 double limit_s);

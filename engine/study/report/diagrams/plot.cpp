@@ -165,7 +165,7 @@ std::string axis_lines(const Axis& axis, char letter) {
     return range + fmt::format("set {}tics nomirror ({})\n", letter, ticks);
 }
 
-/// At fixed places: gnuplot would push the upright one out of the picture by long ticks.
+/// At fixed places: gnuplot would push the upright one out of the image by long ticks.
 std::string axis_names(const Plot& plot) {
     const double height = height_of(plot);
     return fmt::format(

@@ -86,7 +86,7 @@ Scenario damped_fall() {
     static constexpr double kSeconds = 5;
     static const double kept = std::exp(-rate * kSeconds);
     static const double speed_mps = kG_mps2 / rate * (1 - kept);
-    static const double way_m = kG_mps2 / rate * (kSeconds - (1 - kept) / rate);
+    static const double path_m = kG_mps2 / rate * (kSeconds - (1 - kept) / rate);
     return {.id = "A02",
             .title = "A fall with linear damping",
             .set_up = "A ball falls from rest for 5 s; damping takes 20 % of its speed a second.",
@@ -96,7 +96,7 @@ Scenario damped_fall() {
                 ScenarioWorld world(setting);
                 const BodyId ball = world.ball({0, 0, 0}, 0.1, {.linear_damping_per_s = rate});
                 course.run(world, kSeconds);
-                return {-world.velocity(ball).y / speed_mps - 1, -world.at(ball).y / way_m - 1};
+                return {-world.velocity(ball).y / speed_mps - 1, -world.at(ball).y / path_m - 1};
             },
             // v <- (v + g h) exp(-k h), summed.
             .euler_floor =
@@ -127,31 +127,32 @@ std::pair<double, double> euler_drag(double step_s, double seconds) {
 Scenario quadratic_drag() {
     static constexpr double kSeconds = 2;
     static const double speed_mps = kTerminal_mps * std::tanh(kG_mps2 * kSeconds / kTerminal_mps);
-    static const double way_m = kTerminal_mps * kTerminal_mps / kG_mps2 *
-                                std::log(std::cosh(kG_mps2 * kSeconds / kTerminal_mps));
-    return {
-        .id = "A03",
-        .title = "A fall with quadratic drag",
-        .set_up =
-            "A force m g (v/10 m/s)^2 against the motion is applied before every step, as a "
-            "game would.",
-        .reference = "v = vt tanh(g t / vt), y = (vt^2/g) ln cosh(g t / vt)",
-        .metrics = {{"way at 2 s", "13.13 m"}, {"speed at 2 s", "9.612 m/s"}},
-        .run = [](const Setting& setting, Course& course) -> Errors {
-            ScenarioWorld world(setting);
-            const BodyId ball = world.ball({0, 0, 0}, 0.1);
-            const auto drag = [&](int) {
-                const double share = world.velocity(ball).y / kTerminal_mps;
-                world.physics.apply_force(ball,
-                                          vec({0, kG_mps2 * share * std::abs(share) * -1, 0}));
-            };
-            course.run(world, kSeconds, {.before = drag});
-            return {-world.at(ball).y / way_m - 1, -world.velocity(ball).y / speed_mps - 1};
-        },
-        .euler_floor =
-            [](double step_s) { return std::abs(euler_drag(step_s, kSeconds).second / way_m - 1); },
-        .knobs = kFlightKnobs,
-        .theory = orders_in_step(1, 1)};
+    static const double path_m = kTerminal_mps * kTerminal_mps / kG_mps2 *
+                                 std::log(std::cosh(kG_mps2 * kSeconds / kTerminal_mps));
+    return {.id = "A03",
+            .title = "A fall with quadratic drag",
+            .set_up =
+                "A force m g (v/10 m/s)^2 against the motion is applied before every step, as a "
+                "game would.",
+            .reference = "v = vt tanh(g t / vt), y = (vt^2/g) ln cosh(g t / vt)",
+            .metrics = {{"way at 2 s", "13.13 m"}, {"speed at 2 s", "9.612 m/s"}},
+            .run = [](const Setting& setting, Course& course) -> Errors {
+                ScenarioWorld world(setting);
+                const BodyId ball = world.ball({0, 0, 0}, 0.1);
+                const auto drag = [&](int) {
+                    const double share = world.velocity(ball).y / kTerminal_mps;
+                    world.physics.apply_force(ball,
+                                              vec({0, kG_mps2 * share * std::abs(share) * -1, 0}));
+                };
+                course.run(world, kSeconds, {.before = drag});
+                return {-world.at(ball).y / path_m - 1, -world.velocity(ball).y / speed_mps - 1};
+            },
+            .euler_floor =
+                [](double step_s) {
+                    return std::abs(euler_drag(step_s, kSeconds).second / path_m - 1);
+                },
+            .knobs = kFlightKnobs,
+            .theory = orders_in_step(1, 1)};
 }
 
 constexpr double kEccentricity = 0.5;

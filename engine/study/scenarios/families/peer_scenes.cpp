@@ -137,9 +137,9 @@ Errors run_slide_roll(const Setting& setting, Course& course) {
     double most_m = 0;
     course.run(slides.world, kEnd_s, {.after = [&](int i) {
                    const double t_s = (i + 1) * world.step_s();
-                   most_m = std::max(most_m, std::abs(world.at(slides.ball).x - kLaw.way_m(t_s)));
+                   most_m = std::max(most_m, std::abs(world.at(slides.ball).x - kLaw.path_m(t_s)));
                }});
-    return {most_m / kLaw.way_m(kEnd_s),
+    return {most_m / kLaw.path_m(kEnd_s),
             world.velocity(slides.ball).x / kLaw.speed_at_mps(kEnd_s) - 1};
 }
 

@@ -18,7 +18,7 @@ double SlideToRoll::speed_at_mps(double t_s) const {
     return speed_mps - slowing_mps2() * std::min(t_s, rolls_at_s());
 }
 
-double SlideToRoll::way_m(double t_s) const {
+double SlideToRoll::path_m(double t_s) const {
     const double slid_s = std::min(t_s, rolls_at_s());
     return speed_mps * slid_s - slowing_mps2() * slid_s * slid_s / 2 +
            rolling_mps() * (t_s - slid_s);
@@ -94,7 +94,7 @@ Scenario slide_to_roll() {
             course.run(slides.world, kSeconds);
             const double speed = slides.world.velocity(slides.ball).x;
             const double spin = slides.world.spin(slides.ball).z;
-            return {slides.world.at(slides.ball).x / kLaw.way_m(kSeconds) - 1,
+            return {slides.world.at(slides.ball).x / kLaw.path_m(kSeconds) - 1,
                     speed / kLaw.rolling_mps() - 1,
                     (speed + 0.5 * spin) / kLaw.rolling_mps()};
         },
@@ -102,7 +102,7 @@ Scenario slide_to_roll() {
         .euler_floor =
             [](double step_s) {
                 const double lost_mps = kLaw.slowing_mps2() * kLaw.rolls_at_s();
-                return lost_mps * step_s / 2 / kLaw.way_m(kSeconds);
+                return lost_mps * step_s / 2 / kLaw.path_m(kSeconds);
             }};
 }
 

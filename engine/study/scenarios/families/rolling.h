@@ -16,7 +16,7 @@ struct SlideToRoll {
     double rolls_at_s() const { return 2 * speed_mps / (7 * slowing_mps2()); }
     double rolling_mps() const { return 5.0 / 7 * speed_mps; }
     double speed_at_mps(double t_s) const;
-    double way_m(double t_s) const;
+    double path_m(double t_s) const;
 };
 
 /// A30: that ball, of radius 0.5 m, from above the origin.

@@ -84,7 +84,7 @@ double even_pressure_radps2() {
 namespace {
 
 Scenario sliding_stop() {
-    static const double way_m = sliding_way_m();
+    static const double path_m = sliding_way_m();
     return {
         .id = "A28",
         .title = "A box slides to a stop",
@@ -107,10 +107,10 @@ Scenario sliding_stop() {
                 least = std::min(least, along);
                 most = std::max(most, along);
             }
-            return {first.x / way_m - 1, aside_m / way_m, (most - least) / way_m};
+            return {first.x / path_m - 1, aside_m / path_m, (most - least) / path_m};
         },
         // Slowed by mu g at the start of every step: it falls short by v0 h / 2.
-        .euler_floor = [](double step_s) { return 2.5 * step_s / way_m; },
+        .euler_floor = [](double step_s) { return 2.5 * step_s / path_m; },
         .knobs = {.most_hz = 240}};
 }
 

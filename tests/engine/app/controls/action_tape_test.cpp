@@ -38,12 +38,12 @@ TapeState state(std::uint64_t hash, std::vector<std::uint16_t> bodies = {}) {
 }
 
 TEST(ActionTape, GivesBackEveryBitOfARandomSitting) {
-    RandomActions monkey(11);
+    RandomActions random_input(11);
     std::vector<Actions> made;
     TapeRecorder recorder(kHeader);
     for (std::uint64_t step = 0; step < 500; ++step) {
         if (step == 100) recorder.add_reset(step);
-        made.push_back(monkey.next());
+        made.push_back(random_input.next());
         recorder.add_step(step, made.back());
         if ((step + 1) % 60 == 0) recorder.add_state(step + 1, state(step * 7919));
     }
@@ -120,11 +120,11 @@ TEST(ActionTape, AFreePointerIsWrittenWhereItMoves) {
 
 // Twenty minutes of random play were 55 MB.
 TEST(ActionTape, TwentyMinutesOfRandomPlayAreBelowFifteenMegabytes) {
-    RandomActions monkey(5);
+    RandomActions random_input(5);
     TapeRecorder recorder(kHeader);
     constexpr std::uint64_t kSteps = 7'200;  // two minutes stand for them
     for (std::uint64_t step = 0; step < kSteps; ++step) {
-        recorder.add_step(step, monkey.next());
+        recorder.add_step(step, random_input.next());
         if ((step + 1) % 60 == 0) recorder.add_state(step + 1, state(step));
     }
     ASSERT_TRUE(recorder.save(tape_file(), kSteps, 1).ok());
@@ -133,9 +133,9 @@ TEST(ActionTape, TwentyMinutesOfRandomPlayAreBelowFifteenMegabytes) {
 
 TEST(ActionTape, AFullTapeEndsAtItsLatestStateAndIsGoodUpToThere) {
     TapeRecorder recorder(kHeader, 20'000);
-    RandomActions monkey(5);
+    RandomActions random_input(5);
     for (std::uint64_t step = 0; step < 6'000; ++step) {
-        recorder.add_step(step, monkey.next());
+        recorder.add_step(step, random_input.next());
         if ((step + 1) % 60 == 0) recorder.add_state(step + 1, state(step + 1));
     }
     ASSERT_TRUE(recorder.save(tape_file(), 6'000, 1).ok());
@@ -203,9 +203,9 @@ TEST(ActionTape, RefusesANewerFormatAndAnotherSceneByName) {
 
 // EXPERIENCE E6
 TEST(ActionTape, AFlippedByteIsRefused) {
-    RandomActions monkey(2);
+    RandomActions random_input(2);
     TapeRecorder recorder(kHeader);
-    for (std::uint64_t step = 0; step < 30; ++step) recorder.add_step(step, monkey.next());
+    for (std::uint64_t step = 0; step < 30; ++step) recorder.add_step(step, random_input.next());
     ASSERT_TRUE(recorder.save(tape_file(), 30, 1).ok());
     const std::string whole = *read_file(tape_file(), 1 << 20);
     for (std::size_t at = 0; at < whole.size() - 1; at += 11) {
@@ -286,9 +286,9 @@ TEST(ActionTape, RefusesWhatBelongsElsewhereAndNamesBothSides) {
 }
 
 TEST(ActionTape, EveryTruncationIsRefusedNotCrashedOn) {
-    RandomActions monkey(2);
+    RandomActions random_input(2);
     TapeRecorder recorder(kHeader);
-    for (std::uint64_t step = 0; step < 20; ++step) recorder.add_step(step, monkey.next());
+    for (std::uint64_t step = 0; step < 20; ++step) recorder.add_step(step, random_input.next());
     ASSERT_TRUE(recorder.save(tape_file(), 20, 1).ok());
     const std::string whole = *read_file(tape_file(), 1 << 20);
     for (std::size_t size = 0; size + 1 < whole.size(); size += 7) {

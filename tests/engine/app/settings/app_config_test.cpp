@@ -96,10 +96,10 @@ TEST_F(AppConfigTest, MissingFilesMeanDefaults) {
 }
 
 TEST_F(AppConfigTest, ALevelIsAWord) {
-    EXPECT_EQ(load("[picture]\nlevel = \"low\"\n").picture_level, PictureLevel::Low);
+    EXPECT_EQ(load("[picture]\nlevel = \"low\"\n").quality_level, QualityLevel::Low);
     EXPECT_TRUE(faults_.list().empty());
     EXPECT_EQ(load("[picture]\nanti_aliasing = \"msaa4\"\n").anti_aliasing, EdgeWish::Msaa4);
-    EXPECT_EQ(load("[picture]\nlevel = \"best\"\n").picture_level, PictureLevel::Auto);
+    EXPECT_EQ(load("[picture]\nlevel = \"best\"\n").quality_level, QualityLevel::Auto);
     EXPECT_EQ(only_fault(),
               "app.toml:2:9: warning: picture.level: expected one of auto, low, medium, high; the "
               "value before it stands");
@@ -107,7 +107,7 @@ TEST_F(AppConfigTest, ALevelIsAWord) {
 
 TEST_F(AppConfigTest, TheWrittenTextHoldsOnlyWhatDiffersAndReadsBack) {
     AppConfig wanted;
-    wanted.picture_level = PictureLevel::Medium;
+    wanted.quality_level = QualityLevel::Medium;
     wanted.fov_deg = 92.5F;
     wanted.mute = true;
     wanted.max_fps = 60;
@@ -236,17 +236,17 @@ TEST_F(LiveConfigTest, NothingIsWrittenUntilAChange) {
 
 TEST_F(LiveConfigTest, TheCommandLinesLevelHoldsUntilAnotherIsChosenAndIsNotStored) {
     LiveConfig config = open();
-    config.put_level(PictureLevel::High);
+    config.put_level(QualityLevel::High);
     AppConfig wanted = config.current();
-    EXPECT_EQ(wanted.picture_level, PictureLevel::High);
+    EXPECT_EQ(wanted.quality_level, QualityLevel::High);
     wanted.mute = true;
     ASSERT_TRUE(config.change(wanted));
-    EXPECT_EQ(config.current().picture_level, PictureLevel::High);
-    EXPECT_EQ(open().current().picture_level, PictureLevel::Auto) << "another setting was changed";
-    wanted.picture_level = PictureLevel::Low;
+    EXPECT_EQ(config.current().quality_level, QualityLevel::High);
+    EXPECT_EQ(open().current().quality_level, QualityLevel::Auto) << "another setting was changed";
+    wanted.quality_level = QualityLevel::Low;
     ASSERT_TRUE(config.change(wanted));
-    EXPECT_EQ(config.current().picture_level, PictureLevel::Low);
-    EXPECT_EQ(open().current().picture_level, PictureLevel::Low);
+    EXPECT_EQ(config.current().quality_level, QualityLevel::Low);
+    EXPECT_EQ(open().current().quality_level, QualityLevel::Low);
 }
 
 // EXPERIENCE D16: a file stands where the folder should be, so that root cannot make it either.

@@ -39,7 +39,7 @@ TEST_F(PagesTest, SettingsAreStoredAtOnceAndKeptOverARestart) {
     keys({kEscape});
     choose("Settings");
     choose("low", "Level of detail");
-    EXPECT_EQ(config_->current().picture_level, PictureLevel::Low);
+    EXPECT_EQ(config_->current().quality_level, QualityLevel::Low);
     EXPECT_NE(written("app.ui.toml").find("level = \"low\""), std::string::npos);
     ASSERT_TRUE(point_at("70", "Field of view"));
     keys({262, 262, 262});
@@ -48,14 +48,14 @@ TEST_F(PagesTest, SettingsAreStoredAtOnceAndKeptOverARestart) {
     choose("off", "Mute");
 
     start();
-    EXPECT_EQ(config_->current().picture_level, PictureLevel::Low);
+    EXPECT_EQ(config_->current().quality_level, QualityLevel::Low);
     EXPECT_EQ(config_->current().fov_deg, 85.0F);
     EXPECT_TRUE(config_->current().mute);
 
     keys({kEscape});
     choose("Settings");
     choose("Reset these");
-    EXPECT_EQ(config_->current().picture_level, PictureLevel::Auto);
+    EXPECT_EQ(config_->current().quality_level, QualityLevel::Auto);
     EXPECT_EQ(config_->current().fov_deg, 70.0F);
     EXPECT_TRUE(config_->current().mute);  // another page's
 }

@@ -16,7 +16,7 @@ TEST_F(PagesTest, ASceneIsChosenByItsCard) {
     EXPECT_EQ(opened_.filename(), "H01.toml");
 }
 
-// Whoever adopted a copy finds it again; each scene has its picture, the hard ones too.
+// Whoever adopted a copy finds it again; each scene has its image, the hard ones too.
 TEST_F(PagesTest, TheGardenStandsFirstAndOwnScenesHaveAPlace) {
     fs::create_directories(user_ / "scenes");
     std::ofstream(user_ / "scenes" / "pile-adopted.toml") << "[scene]\ntitle = \"A pile\"\n"

@@ -79,13 +79,13 @@ TEST(ChildProcess, WhatItSaidLastComesWithItsEnd) {
 
 TEST(ChildProcess, GivesWayWhereThatIsAskedFor) {
     const int own = getpriority(PRIO_PROCESS, 0);
-    for (const bool gives_way : {false, true}) {
+    for (const bool low_priority : {false, true}) {
         ChildDef def = shell("read go; nice");
-        def.gives_way = gives_way;
+        def.low_priority = low_priority;
         Result<ChildProcess> child = ChildProcess::start(def);
         ASSERT_TRUE(child) << child.error().message;
         ASSERT_TRUE(child->send_line("now"));
-        EXPECT_EQ(all_of(*child), std::to_string(gives_way ? std::max(own, 10) : own) + "\n");
+        EXPECT_EQ(all_of(*child), std::to_string(low_priority ? std::max(own, 10) : own) + "\n");
     }
 }
 

@@ -17,7 +17,7 @@ SceneDescription sunny() {
     scene.sun = scene::SunDescription{.direction = {0, -1, 0},
                                       .color = {1.0F, 0.5F, 0.25F},
                                       .intensity = 2.0F,
-                                      .origin = {"garden.toml", 21}};
+                                      .location = in_file("garden.toml", 21)};
     scene.flashlight = scene::FlashlightDescription{.color = {1.0F, 0.9F, 0.8F}};
     return scene;
 }
@@ -74,7 +74,7 @@ TEST(LightCubes, TheFlashlightsIsInTheBeamWhileItIsOnAndNotInTheFace) {
     const render::DrawItem& cube = frame.items.front();
     EXPECT_TRUE(test::near(cube.tint, Vec3f{1.0F, 0.9F, 0.8F}, 1e-6));
     EXPECT_FALSE(cube.casts_shadow) << "it would darken its own beam";
-    // On the axis of the beam, and in the picture away from its middle.
+    // On the axis of the beam, and in the image away from its middle.
     ASSERT_TRUE(frame.flashlight);
     const Vec3f middle{cube.world_from_body[3]};
     const Vec3f way = middle - frame.flashlight->position_world;

@@ -13,7 +13,7 @@ scene::EntityDescription lamp(bool casts_shadow) {
     entity.world_from_body.position = {0, 3, 0};
     entity.world_from_body.orientation = glm::angleAxis(glm::half_pi<Real>(), Vec3{0, 0, 1});
     entity.light = scene::LightDescription{.offset_m = {1, 0, 0}, .shadow = casts_shadow};
-    entity.origin = {.file = "test.toml", .line = 7};
+    entity.location = in_file("test.toml", 7);
     return entity;
 }
 

@@ -24,7 +24,7 @@ FountainDescription jet(const Vec3& direction, Real speed_mps) {
             .speed_mps = speed_mps,
             .spread_rad = 0,
             .drag = false,
-            .origin = {.file = "garden.toml", .line = 7}};
+            .location = in_file("garden.toml", 7)};
 }
 
 Drops running(const FountainDescription& fountain, float seconds, const Obstacles& obstacles = {}) {
@@ -217,7 +217,7 @@ TEST(Fountain, IsTheSameAfterTheSameStepsHoweverManyPicturesAreDrawn) {
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i)
         ASSERT_EQ(a[i].position_world, b[i].position_world) << i;
-    // Paused, nothing moves from picture to picture.
+    // Paused, nothing moves from image to image.
     const auto later = draw(often, often_effects).drops;
     EXPECT_EQ(later.front().position_world, a.front().position_world);
 }

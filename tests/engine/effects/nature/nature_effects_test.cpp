@@ -32,8 +32,10 @@ TEST(NatureEffects, NobodyWhoDoesNotCallForThemPays) {
 
 TEST(NatureEffects, TheWindOfTheSceneIsTheWindOfTheFrame) {
     SceneDescription scene = test::scene_of({});
-    scene.wind = scene::WindDescription{
-        .direction = {0, 0, -1}, .speed_mps = 6, .gusts = 0.5_r, .origin = {"garden.toml", 30}};
+    scene.wind = scene::WindDescription{.direction = {0, 0, -1},
+                                        .speed_mps = 6,
+                                        .gusts = 0.5_r,
+                                        .location = in_file("garden.toml", 30)};
     Running run(scene);
     EffectRuntime effects(*run, kPicture);
     const render::RenderFrame frame = draw(run, effects);
@@ -135,7 +137,7 @@ TEST(Flock, StaysWhereItIsToldAndFliesOn) {
                      .center_m = {1, 10, 2},
                      .radius_m = 20,
                      .height_m = 4,
-                     .origin = {"garden.toml", 50}}};
+                     .location = in_file("garden.toml", 50)}};
     Running run(scene);
     EffectRuntime effects(*run, kPicture);
     const render::RenderFrame first = draw(run, effects);
@@ -154,10 +156,10 @@ TEST(Flock, StaysWhereItIsToldAndFliesOn) {
     run.step(1, effects);
     const auto after = draw(run, effects).items;
     for (std::size_t i = 0; i < before.size(); ++i) {
-        const float way_m =
+        const float path_m =
             glm::distance(Vec3f{before[i].world_from_body[3]}, Vec3f{after[i].world_from_body[3]});
-        EXPECT_LT(way_m, 0.5F) << "no jumps";
-        EXPECT_GT(way_m, 0.0F);
+        EXPECT_LT(path_m, 0.5F) << "no jumps";
+        EXPECT_GT(path_m, 0.0F);
     }
 }
 

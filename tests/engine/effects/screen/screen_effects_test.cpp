@@ -1,4 +1,4 @@
-// What is added to the picture's light after the scene: by whom, with which numbers, and that nobody
+// What is added to the image's light after the scene: by whom, with which numbers, and that nobody
 // pays who does not call.
 #include "tests/engine/effects/drawn.h"
 
@@ -34,8 +34,8 @@ TEST(ScreenEffects, NobodyWhoDoesNotCallForThemPays) {
 TEST(ScreenEffects, OcclusionHasTheScenesNumbersAndItsFidelitysLooks) {
     SceneDescription scene = test::scene_of({});
     scene.occlusion = scene::OcclusionDescription{
-        .radius_m = 0.5F, .strength = 0.75F, .origin = {"garden.toml", 30}};
-    scene.picture_fidelity.occlusion = scene::Fidelity::Draft;
+        .radius_m = 0.5F, .strength = 0.75F, .location = in_file("garden.toml", 30)};
+    scene.screen_fidelity.occlusion = scene::Fidelity::Draft;
     Running run(scene);
     EffectRuntime effects(*run, kPicture);
     const render::RenderFrame frame = draw(run, effects);
@@ -53,9 +53,9 @@ TEST(ScreenEffects, ShaftsAndLensHaveTheScenesNumbers) {
     SceneDescription scene = test::scene_of({});
     scene.sun = scene::SunDescription{};
     scene.sun->shafts = scene::ShaftsDescription{
-        .density_per_m = 0.03F, .distance_m = 25.0F, .origin = {"garden.toml", 4}};
+        .density_per_m = 0.03F, .distance_m = 25.0F, .location = in_file("garden.toml", 4)};
     scene.camera.focus = scene::FocusDescription{
-        .distance_m = 3.0F, .aperture_m = 0.01F, .origin = {"garden.toml", 9}};
+        .distance_m = 3.0F, .aperture_m = 0.01F, .location = in_file("garden.toml", 9)};
     Running run(scene);
     EffectRuntime effects(*run, kPicture);
     const render::RenderFrame frame = draw(run, effects);
@@ -96,7 +96,7 @@ TEST(ScreenEffects, WaterThatIsSeenIntoCallsForRefractionAndItsCaustics) {
     row_of(2.0F, 3.0F);
 }
 
-/// Pictures of a camera that goes its way, one a step of 1/60 s; the shutter is open for half of it.
+/// Images of a camera that goes its way, one a step of 1/60 s; the shutter is open for half of it.
 class Shutter : public testing::Test {
 protected:
     static SceneDescription scene() {

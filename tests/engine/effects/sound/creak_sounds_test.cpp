@@ -11,7 +11,7 @@ using physics::BodyKind;
 using test::box;
 using test::Running;
 
-constexpr ServedDomains kListening{.picture = false, .sound = true};
+constexpr ServedDomains kListening{.frame = false, .sound = true};
 
 scene::SurfaceTable creaking_surfaces() {
     scene::SurfaceTable surfaces = test::plain_surfaces();
@@ -37,7 +37,7 @@ scene::SceneDescription gate(float creak, Real mass_kg = 14) {
                             .axis = {0, 1, 0},
                             .motor = physics::JointMotor{.target = 0, .max = 1.5_r},
                             .creak = creak,
-                            .origin = {"garden.toml", 50}});
+                            .location = in_file("garden.toml", 50)});
     return scene;
 }
 

@@ -12,7 +12,7 @@ namespace {
 using scene::EntityDescription;
 using test::Running;
 
-constexpr ServedDomains kHeard{.picture = false, .sound = true};
+constexpr ServedDomains kHeard{.frame = false, .sound = true};
 constexpr Real kWeight_N = 9.81_r;  // of 1 kg
 
 std::filesystem::path loop_file(const char* name) {

@@ -14,7 +14,7 @@ using physics::BodyKind;
 using test::box;
 using test::Running;
 
-constexpr ServedDomains kInside{.picture = false, .sound = true};
+constexpr ServedDomains kInside{.frame = false, .sound = true};
 constexpr Real kThick_m = 0.2_r;
 
 /// A closed room about the origin, its measures those of the air in it.
@@ -41,7 +41,8 @@ scene::SurfaceTable absorbing(float share) {
 
 scene::SceneDescription with_reverb(std::vector<scene::EntityDescription> entities) {
     scene::SceneDescription scene = test::scene_of(std::move(entities));
-    scene.acoustics = scene::AcousticsDescription{.reverb = true, .origin = {"house.toml", 3}};
+    scene.acoustics =
+        scene::AcousticsDescription{.reverb = true, .location = in_file("house.toml", 3)};
     return scene;
 }
 

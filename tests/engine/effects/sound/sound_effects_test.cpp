@@ -18,7 +18,7 @@ using test::Running;
 using test::scene_of;
 
 constexpr ServedDomains kSilent{};
-constexpr ServedDomains kWithSound{.picture = false, .sound = true};
+constexpr ServedDomains kWithSound{.frame = false, .sound = true};
 
 std::filesystem::path sound_file(const char* name) {
     return std::filesystem::path(PL_SOURCE_DIR) / "assets/sounds" / name;
@@ -111,7 +111,7 @@ TEST(ImpactSounds, AMissingFileIsToldOnce) {
     EffectRuntime effects(*run, kWithSound);
     run.step(120, effects);
     EXPECT_TRUE(effects.sound(*run, {}).cues.empty());
-    EXPECT_EQ(run->warnings().size(), 1U);
+    EXPECT_EQ(run->warnings.size(), 1U);
 }
 
 TEST(Sound, NeverChangesWhatHappens) {
@@ -141,7 +141,7 @@ TEST(AmbientSounds, LoopWhereTheirEntitiesAre) {
     EntityDescription fountain;
     fountain.name = "fountain";
     fountain.world_from_body.position = {3, 1, 2};
-    fountain.origin = {"garden.toml", 120};
+    fountain.location = in_file("garden.toml", 120);
     fountain.sound = scene::SoundDescription{
         .file = sound_file("loop_leaves.ogg"), .gain = 0.6F, .radius_m = 9.0F};
     Running run(scene_of({fountain}));
@@ -236,7 +236,7 @@ TEST(WindSound, FollowsTheGustsAtTheEarAndIsLessInTheLee) {
                                         .gusts = 0.6_r,
                                         .sound = sound_file("loop_wind.ogg"),
                                         .sound_gain = 0.2F,
-                                        .origin = {"garden.toml", 30}};
+                                        .location = in_file("garden.toml", 30)};
     scene::ViewPoint ear;
     ear.world_from_camera.position = {3, 1.7_r, 2};
     Running run(scene);
@@ -268,7 +268,7 @@ TEST(AmbientSounds, ReadNoFileWhereNobodyListens) {
     Running run(scene_of({fountain}));
     EffectRuntime effects(*run, kSilent);
     run.step(1, effects);
-    EXPECT_TRUE(run->warnings().empty());
+    EXPECT_TRUE(run->warnings.empty());
 }
 
 class Walker final : public scene::Game {
@@ -282,7 +282,7 @@ public:
 
 TEST(Footsteps, SoundByTheGroundWalkedOn) {
     SceneDescription scene = scene_of({ground()});
-    scene.player = scene::PlayerDescription{.origin = {"garden.toml", 5}};
+    scene.player = scene::PlayerDescription{.location = in_file("garden.toml", 5)};
     Running run(scene, loud_surfaces());
     EffectRuntime effects(*run, kWithSound);
     EXPECT_EQ(line_of(effects, "footsteps").called_for_by, Callers{"[player] (garden.toml:5)"});

@@ -15,7 +15,7 @@ using test::box;
 using test::Running;
 using test::scene_of;
 
-constexpr ServedDomains kWithPaths{.picture = false, .sound = true};
+constexpr ServedDomains kWithPaths{.frame = false, .sound = true};
 
 /// Between x = -0.1 and 0.1.
 scene::EntityDescription wall(const std::string& name, const Vec3& size_m, Real x_m = 0) {
@@ -34,7 +34,8 @@ scene::EntityDescription sounding(const std::string& name, const Vec3& position_
 
 scene::SceneDescription with_paths(std::vector<scene::EntityDescription> entities) {
     scene::SceneDescription scene = scene_of(std::move(entities));
-    scene.acoustics = scene::AcousticsDescription{.paths = true, .origin = {"garden.toml", 7}};
+    scene.acoustics =
+        scene::AcousticsDescription{.paths = true, .location = in_file("garden.toml", 7)};
     return scene;
 }
 

@@ -19,7 +19,7 @@ ConvexVolume beam() {
     return ConvexVolume::cone(Vec3f{0.0F}, Vec3f{0.0F, 0.0F, -1.0F}, kHalfAngle_rad, 50.0F);
 }
 
-/// A camera at the origin that looks down -Z, 90 degrees each way: at 10 m, 10 m are a half picture.
+/// A camera at the origin that looks down -Z, 90 degrees each way: at 10 m, 10 m are a half image.
 Mat4f camera() {
     return glm::perspective(glm::half_pi<float>(), 1.0F, 0.1F, 100.0F);
 }
@@ -57,7 +57,7 @@ TEST(ConvexVolume, LightsNothingOfABoxBesideIt) {
     EXPECT_TRUE(beam().part_seen(lit_box({0.0F, 0.0F, 10.0F}), camera()).empty());
 }
 
-/// Whatever the beam, the box and the camera: a place in the cone, in the box and in the picture
+/// Whatever the beam, the box and the camera: a place in the cone, in the box and in the image
 /// lies in the part that is told.
 TEST(ConvexVolume, MissesNoLitPlace) {
     std::mt19937 random(7);

@@ -1,5 +1,5 @@
 // The sun's shadows in several cascades, near and far, where geometry puts them. SOURCES B32.
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 #include <optional>
 
@@ -11,10 +11,10 @@ constexpr std::uint32_t kHeight_px = 640;
 
 /// A plain seen from 8 m up, over which the sun shines from the left at 45 degrees: what is h high
 /// shades the ground from its foot to h to the right of it.
-class CascadesGl : public PictureGl {
+class CascadesGl : public ImageGl {
 protected:
     void SetUp() override {
-        PictureGl::SetUp();
+        ImageGl::SetUp();
         frame_ = empty_frame(kWidth_px, kHeight_px);
         frame_.camera = camera_at(kEye, {0.0F, 0.0F, -10.0F});
         add_box(frame_, {900.0F, 1.0F, 900.0F}, {0.0F, -0.5F, 0.0F}, matt(Vec3f{0.8F}));
@@ -80,7 +80,7 @@ TEST_F(CascadesGl, ShadowsHangAtTheFeetOfBoxesNearAndFar) {
 }
 
 TEST_F(CascadesGl, AWallsShadowRunsOnOverTheBorders) {
-    // Out of the picture to beyond the last cascade's start.
+    // Out of the image to beyond the last cascade's start.
     add_box(frame_, {1.0F, 4.0F, 400.0F}, {-0.5F, 2.0F, -170.0F}, matt({0.8F, 0.1F, 0.1F}));
     for (const std::uint32_t cascades : {2U, 3U, 4U}) {
         frame_.sun_shadow->cascades = cascades;

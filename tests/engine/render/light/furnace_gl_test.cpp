@@ -1,19 +1,19 @@
 // The furnace: what loses no light cannot be seen before a sky of one radiance all over.
 #include "engine/assets/image/image_import.h"
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 #include <filesystem>
 
 namespace plumbline::render {
 namespace {
 
-class FurnaceGl : public PictureGl {
+class FurnaceGl : public ImageGl {
 protected:
     static constexpr std::uint32_t kSide_px = 96;
     static constexpr std::uint8_t kSkyCode = 188;  // half the light
 
     void SetUp() override {
-        PictureGl::SetUp();
+        ImageGl::SetUp();
         folder_ = std::filesystem::temp_directory_path() /
                   (std::string{"plumbline_furnace_"} +
                    testing::UnitTest::GetInstance()->current_test_info()->name());
@@ -62,7 +62,7 @@ protected:
     std::filesystem::path folder_;
 };
 
-// A step of the picture's codes is 1.2 % of this light: not one pixel is a step off.
+// A step of the image's codes is 1.2 % of this light: not one pixel is a step off.
 TEST_F(FurnaceGl, AWhiteMattSphereIsNotSeen) {
     EXPECT_LT(largest_error(0.0F, 1.0F), 0.0095F);
     EXPECT_LT(largest_error(0.0F, 0.5F), 0.0095F);

@@ -1,5 +1,5 @@
 // One floor under many lamps, pixel by pixel against the closed form. SOURCES B30.
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 namespace plumbline::render {
 namespace {
@@ -15,7 +15,7 @@ struct Rows {
     float reach_m{1.0F};  ///< of each lamp
 };
 
-class LampsGl : public PictureGl {
+class LampsGl : public ImageGl {
 protected:
     static constexpr std::uint32_t kSide_px = 320;
 

@@ -1,10 +1,10 @@
 // What flashlights, lamps and their shadows do, against closed forms.
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 namespace plumbline::render {
 namespace {
 
-TEST_F(PictureGl, FlashlightLightsItsConeAndCastsItsOwnShadow) {
+TEST_F(ImageGl, FlashlightLightsItsConeAndCastsItsOwnShadow) {
     RenderFrame frame = wall(matt(Vec3f{0.8F}), 6.0F);
     frame.width_px = 301;
     frame.height_px = 301;
@@ -37,7 +37,7 @@ TEST_F(PictureGl, FlashlightLightsItsConeAndCastsItsOwnShadow) {
     EXPECT_GT(pixel_at(image, 150, below).r, 60);
 }
 
-TEST_F(PictureGl, AFlashlightAtTheEyeNeedsNoShadowMap) {
+TEST_F(ImageGl, AFlashlightAtTheEyeNeedsNoShadowMap) {
     RenderFrame frame = wall(matt(Vec3f{0.8F}), 6.0F);
     frame.width_px = 301;
     frame.height_px = 301;
@@ -64,7 +64,7 @@ TEST_F(PictureGl, AFlashlightAtTheEyeNeedsNoShadowMap) {
     EXPECT_GT(pixel_at(without, 150, 150).r, 100);
 }
 
-TEST_F(PictureGl, LightAtTheEyeMakesNoSpecks) {
+TEST_F(ImageGl, LightAtTheEyeMakesNoSpecks) {
     // V = H exactly: the power in Schlick's term would see a negative number.
     const auto shiny = library_.add_material(
         {.name = "shiny", .base_color = Vec3f{0.9F}, .roughness = 0.05F, .metallic = 1.0F});
@@ -81,7 +81,7 @@ TEST_F(PictureGl, LightAtTheEyeMakesNoSpecks) {
     }
 }
 
-TEST_F(PictureGl, PointLightFallsWithTheSquareAndEndsAtItsRadius) {
+TEST_F(ImageGl, PointLightFallsWithTheSquareAndEndsAtItsRadius) {
     RenderFrame frame = wall(matt(Vec3f{1.0F}), 2.0F);
     frame.lights.push_back(
         {.position_world = {0.0F, 0.0F, 0.0F}, .intensity = Vec3f{4.0F}, .radius_m = 100.0F});
@@ -91,7 +91,7 @@ TEST_F(PictureGl, PointLightFallsWithTheSquareAndEndsAtItsRadius) {
     EXPECT_EQ(center(frame).r, 0);
 }
 
-TEST_F(PictureGl, FarLightsBeyondTheFirst256AreLeftOut) {
+TEST_F(ImageGl, FarLightsBeyondTheFirst256AreLeftOut) {
     RenderFrame frame = wall(matt(Vec3f{1.0F}), 2.0F);
     for (int i = 0; i < 300; ++i) {
         frame.lights.push_back({.position_world = {0.0F, 0.0F, 500.0F + static_cast<float>(i)},

@@ -1,7 +1,7 @@
 // Shadows of lamps against exact rays, pixel by pixel; what stands between keeps light out; who does not
 // ask pays nothing.
 #include "engine/render/light/light_shadows.h"
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 #include <cmath>
 
@@ -39,7 +39,7 @@ struct Off {
     int lit{0};
 };
 
-class LightShadowsGl : public PictureGl {
+class LightShadowsGl : public ImageGl {
 protected:
     assets::MaterialId chalk() {
         return library_.add_material({.name = "chalk",

@@ -1,17 +1,17 @@
 // Shadows of the sun, where geometry puts them.
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 namespace plumbline::render {
 namespace {
 
 /// Ground, a box of 2 m on it, and a sun whose shadow of the box can be computed.
-class ShadowGl : public PictureGl {
+class ShadowGl : public ImageGl {
 protected:
     static constexpr std::uint32_t kSide_px = 300;
     static constexpr float kHalf_m = 6.0F;
 
     void SetUp() override {
-        PictureGl::SetUp();
+        ImageGl::SetUp();
         frame_ = empty_frame(kSide_px, kSide_px);
         // From high above with a narrow lens: nearly a map.
         frame_.camera = camera_at({0.0F, 60.0F, 0.0F}, Vec3f{0.0F});

@@ -1,7 +1,7 @@
 // Shadows of the sun against exact rays, pixel by pixel, from a grazing sun to one overhead: no specks
 // of shade on what is lit (acne), no light at the foot of what casts (detachment).
 #include "engine/render/light/shadow_fit.h"
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 #include <cmath>
 
@@ -36,10 +36,10 @@ struct Wrong {
     int compared{0};
 };
 
-class ShadowRaysGl : public PictureGl {
+class ShadowRaysGl : public ImageGl {
 protected:
     void SetUp() override {
-        PictureGl::SetUp();
+        ImageGl::SetUp();
         frame_ = empty_frame(kSide_px, kSide_px);
         frame_.camera = camera_at({0.0F, kEye_m, 0.0F}, Vec3f{0.0F});
         frame_.camera.fov_y_rad = 2.0F * std::atan(kHalf_m / kEye_m);

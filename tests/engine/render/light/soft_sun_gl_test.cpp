@@ -1,5 +1,5 @@
 // How wide the edges of the sun's shadows are: as its disc makes them, sharp where things touch.
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 #include <cmath>
 #include <vector>
@@ -14,7 +14,7 @@ constexpr float kSunPixel_m = 2.0F * kSunHalf_m / kSunSide_px;
 constexpr float kSunReach_m = 0.35F;    // either side of an edge
 constexpr float kSunTexel_m = 0.0075F;  // about, of a map of 2048 over 12 m from the eye
 
-class SoftSunGl : public PictureGl {
+class SoftSunGl : public ImageGl {
 protected:
     /// What casts: a box in z > 0.
     struct Caster {

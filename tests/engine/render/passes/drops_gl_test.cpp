@@ -1,12 +1,12 @@
-// Drops and rings in pictures that are known beforehand.
-#include "tests/engine/render/picture_fixture.h"
+// Drops and rings in images that are known beforehand.
+#include "tests/engine/render/image_fixture.h"
 
 #include <algorithm>
 
 namespace plumbline::render {
 namespace {
 
-class DropsGl : public PictureGl {
+class DropsGl : public ImageGl {
 protected:
     /// Looks down -Z from the origin into the dark; light from everywhere shows drops.
     RenderFrame dark() {

@@ -1,7 +1,7 @@
 // What lies below water: where Snell's law puts it, as dark as the way through the water makes it, and lit
 // by what the ripples gather.
 #include "engine/core/color.h"
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t kPoolSide_px = 400;
 constexpr float kIndex = 1.33F;
 
-class RefractionGl : public PictureGl {
+class RefractionGl : public ImageGl {
 protected:
     assets::MaterialId water(const Vec3f& color, float slope = 1e-6F, float caustics = 0.0F) {
         return library_.add_material({.name = "water",

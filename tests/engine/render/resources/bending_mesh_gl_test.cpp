@@ -1,4 +1,4 @@
-// Meshes that change from frame to frame, as skins and cloth do: picture and shadow follow at once.
+// Meshes that change from frame to frame, as skins and cloth do: image and shadow follow at once.
 #include "tests/engine/render/gl_fixture.h"
 
 namespace plumbline::render {

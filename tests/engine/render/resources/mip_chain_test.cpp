@@ -56,7 +56,7 @@ TEST(MipChain, KeepsTheShareOfPixelsThatPassTheCutoff) {
 }
 
 // Crowns stay as dense with distance: of our twigs each level down to eight pixels a side covers what
-// the picture itself covers, to 2 % of the square.
+// the image itself covers, to 2 % of the square.
 TEST(MipChain, OurTwigsCoverTheSameAtEveryLevel) {
     for (const char* name : {"twig_oak_base.png", "twig_oval_base.png"}) {
         const auto image =

@@ -1,6 +1,6 @@
 // Height maps and glass: where a mark on sunken ground is seen, and what a pane mirrors and lets through.
 #include "engine/assets/image/image_import.h"
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace plumbline::render {
 namespace {
 
-class ReliefGl : public PictureGl {
+class ReliefGl : public ImageGl {
 protected:
     static constexpr std::uint32_t kSide_px = 400;
     static constexpr int kTexels = 128;
@@ -58,7 +58,7 @@ protected:
                                       .roughness = 1.0F});
     }
 
-    /// The middle of the line in the row or column through the picture's middle.
+    /// The middle of the line in the row or column through the image's middle.
     static float line_px(const assets::ImageData& picture, bool across) {
         double sum = 0.0;
         double weight = 0.0;
@@ -126,7 +126,7 @@ TEST_F(ReliefGl, WhiteIsTheMeshItselfAndFarOffAllIsFlat) {
     EXPECT_EQ(draw(frame).bytes, far.bytes);
 }
 
-class GlassGl : public PictureGl {
+class GlassGl : public ImageGl {
 protected:
     assets::MaterialId pane(float ior, float alpha) {
         return library_.add_material({.name = "pane",

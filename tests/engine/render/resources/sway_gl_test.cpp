@@ -1,13 +1,13 @@
-// What the wind moves, and water that mirrors: pictures that are known beforehand.
+// What the wind moves, and water that mirrors: images that are known beforehand.
 #include "engine/assets/image/image_import.h"
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 #include <filesystem>
 
 namespace plumbline::render {
 namespace {
 
-class SwayGl : public PictureGl {
+class SwayGl : public ImageGl {
 protected:
     /// A white strip 0.2 m wide before the dark, 2 m ahead: its foot stands, its top sways.
     RenderFrame strip(const assets::WindWeights& top) {
@@ -30,7 +30,7 @@ protected:
                  glm::translate(Mat4f{1.0F}, Vec3f{0.0F, 0.0F, -2.0F}));
         return frame;
     }
-    /// Middle of what is lit in a row, px right of the picture's middle.
+    /// Middle of what is lit in a row, px right of the image's middle.
     static float middle_of_row(const assets::ImageData& image, std::uint32_t y) {
         float sum = 0.0F;
         float count = 0.0F;
@@ -89,7 +89,7 @@ TEST_F(SwayGl, GustsPassOverTime) {
     EXPECT_NEAR(weak, 0.0F, 0.6F) << "calm";
 }
 
-class WaterGl : public PictureGl {
+class WaterGl : public ImageGl {
 protected:
     void SetUp() override {
         GlTest::SetUp();

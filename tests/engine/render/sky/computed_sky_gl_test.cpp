@@ -1,7 +1,7 @@
 // The computed sky as it is drawn: its colours are the model's, and what it lights is lit by it.
 #include "engine/assets/image/image_import.h"
 #include "engine/render/sky/computed_sky.h"
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cmath>
@@ -15,7 +15,7 @@ Vec3f at_height(float height_deg, float turn_deg) {
     return {std::cos(height) * std::cos(turn), std::sin(height), std::cos(height) * std::sin(turn)};
 }
 
-class ComputedSkyGl : public PictureGl {
+class ComputedSkyGl : public ImageGl {
 protected:
     RenderFrame under(float sun_height_deg, float strength = 3.0F) {
         RenderFrame frame = empty_frame(33, 33);
@@ -135,7 +135,7 @@ TEST_F(ComputedSkyGl, DistanceGoesOverIntoTheHorizon) {
     };
     EXPECT_EQ(seen_at(15.0F).g, 0);
     const auto horizon = sky_.horizon();
-    const float cosine = glm::dot(Vec2f{0.0F, -1.0F}, sky_.light_way());
+    const float cosine = glm::dot(Vec2f{0.0F, -1.0F}, sky_.light_heading());
     const Vec3f behind = horizon[0] + cosine * (horizon[1] + cosine * horizon[2]);
     // 100 m beyond the first 20: exp(-3.912 / 2) of the black is left.
     const float left = std::exp(-3.912F * 100.0F / 200.0F);

@@ -195,7 +195,7 @@ TEST_F(JsonScene, ColoursOfBytesAndOfFloatsAreWhatTheSourceSays) {
     EXPECT_EQ(material.specular, 0.5F);
 }
 
-// SOURCES C8 C17: one mesh for all places; the picture whose name begins as the mesh's does.
+// SOURCES C8 C17: one mesh for all places; the image whose name begins as the mesh's does.
 TEST_F(JsonScene, MeshesAreSharedAndPicturesFoundByName) {
     const std::string uv = "property float s\nproperty float t\n";
     const std::string body = "0 0 0 0.25 0.75\n1 0 0 1 1\n0 1 0 0 0\n3 0 1 2\n";

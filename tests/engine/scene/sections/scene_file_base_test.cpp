@@ -63,8 +63,8 @@ target_m = [0, 0, 0]
     ASSERT_EQ(scene.entities.size(), 2U);
     EXPECT_EQ(scene.entities[0].name, "a");
     EXPECT_EQ(scene.entities[1].name, "b");
-    EXPECT_EQ(to_string(scene.entities[0].origin), "base.toml:19");
-    EXPECT_EQ(to_string(scene.entities[1].origin), "scene.toml:9");
+    EXPECT_EQ(to_string(scene.entities[0].location), "base.toml:19");
+    EXPECT_EQ(to_string(scene.entities[1].location), "scene.toml:9");
     ASSERT_EQ(scene.views.size(), 2U);
     EXPECT_EQ(scene.views[1].name, "second");
     EXPECT_EQ(scene.source_files.size(), 2U) << "both are watched";

@@ -38,7 +38,7 @@ collides_with = ["default", "movers"]
     EXPECT_TRUE(outcome.faults.empty());
     const EntityDescription& cube = outcome.scene->entities.at(0);
     EXPECT_EQ(cube.name, "cube");
-    EXPECT_EQ(to_string(cube.origin), "scene.toml:3");
+    EXPECT_EQ(to_string(cube.location), "scene.toml:3");
     expect_near(cube.world_from_body.position, {1, 2, 3});
     // A quarter turn about y takes +x to -z.
     expect_near(cube.world_from_body.orientation * Vec3{1, 0, 0}, {0, 0, -1});

@@ -73,7 +73,7 @@ body = { kind = "static" }
     expect_near(scene.player->feet_position_m, {1, 2, 3});
     EXPECT_NEAR(scene.player->yaw_rad, kPi / 2, kSlack);
     EXPECT_NEAR(scene.player->pitch_rad, -kPi / 6, kSlack);
-    EXPECT_EQ(to_string(scene.player->origin), "scene.toml:7");
+    EXPECT_EQ(to_string(scene.player->location), "scene.toml:7");
     EXPECT_TRUE(scene.has_camera);
     expect_near(scene.camera.position_m, {4, 5, 6});
     expect_near(scene.camera.target_m, {0, 1, 0});
@@ -168,7 +168,7 @@ exposure = 2
     EXPECT_EQ(scene.sun->shadow->size_px, 1024);
     EXPECT_NEAR(scene.sun->shadow->distance_m, Real{40}, kSlack);
     EXPECT_EQ(scene.sky->folder, assets() / "skies/day");
-    EXPECT_EQ(to_string(scene.sky->origin), "scene.toml:9");
+    EXPECT_EQ(to_string(scene.sky->location), "scene.toml:9");
     expect_near_f(scene.ambient, {0.2F, 0.3F, 0.4F});
     // sRGB 0.5 is 0.21404 linear.
     EXPECT_NEAR(scene.fog->color.y, 0.21404F, 1e-5F);

@@ -40,7 +40,7 @@ known_to_fail = "one"
 seconds = 60
 tier = "nightly"
 settled_s = 7
-unsettled = "they overlap"
+unsettled = "they interpenetrate"
 penetration_m = 0.25
 energy_gain = 0.5
 energy_scale_J = 8
@@ -54,7 +54,7 @@ from_s = 1
 to_s = 2
 below = 0.125
 [[hard_case.pass]]
-measure = "joint_gap_m"
+measure = "joint_error_m"
 of = ["pin"]
 relative_to = "box_1"
 near = 4
@@ -69,7 +69,7 @@ of = "box_1"
 at_s = 3
 value = [1, 2, 4]
 point_m = [0, 1, 0]
-for_s = 0.5
+duration_s = 0.5
 [[hard_case.event]]
 do = "gravity"
 at_s = 2
@@ -88,7 +88,7 @@ value = [0, 1, 0]
     EXPECT_EQ(hard.seconds, 60);
     EXPECT_TRUE(hard.nightly);
     EXPECT_EQ(hard.settled_s, 7);
-    EXPECT_EQ(hard.unsettled, "they overlap");
+    EXPECT_EQ(hard.unsettled, "they interpenetrate");
     EXPECT_EQ(hard.penetration_m, 0.25);
     EXPECT_EQ(hard.energy_gain, 0.5);
     EXPECT_EQ(hard.energy_scale_J, 8);
@@ -109,7 +109,7 @@ value = [0, 1, 0]
     EXPECT_EQ(hard.events[1].kind, CaseEventKind::Force);
     EXPECT_EQ(hard.events[1].value, (Vec3{1, 2, 4}));
     EXPECT_EQ(hard.events[1].point_m, (Vec3{0, 1, 0}));
-    EXPECT_EQ(hard.events[1].for_s, 0.5);
+    EXPECT_EQ(hard.events[1].duration_s, 0.5);
 }
 
 TEST_F(HardCaseTest, DefaultsAreThoseOfThePage) {

@@ -36,7 +36,7 @@ fidelity = "draft"
     ASSERT_EQ(fountain.pools.size(), 1U);
     expect_near(fountain.pools.front().center_m, {1, 0.5_r, 3});
     EXPECT_EQ(fountain.pools.front().radius_m, 1.5_r);
-    EXPECT_EQ(to_string(fountain.origin).substr(to_string(fountain.origin).rfind('/') + 1),
+    EXPECT_EQ(to_string(fountain.location).substr(to_string(fountain.location).rfind('/') + 1),
               "scene.toml:1");
 }
 

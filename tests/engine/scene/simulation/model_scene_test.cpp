@@ -39,7 +39,7 @@ TEST(ModelScene, FitsCameraGroundAndShadowsFromAMillimetreToTenKilometres) {
         EXPECT_LT(set.camera.near_m, distance - set.model_radius_m);
         EXPECT_GT(set.camera.far_m, distance + set.model_radius_m);
         EXPECT_GT(set.sun->shadow->distance_m, distance + set.model_radius_m);
-        const auto& ground = run->registry.get<Placement>(run->find("ground"));
+        const auto& ground = run->registry.get<Transform>(run->find("ground"));
         EXPECT_NEAR(static_cast<double>(ground.world_from_body.position.y) / size, -1, 1e-4);
     }
 }

@@ -22,7 +22,7 @@ JointDescription hung(const std::string& name, const std::string& a, const Vec3&
             .b = "world",
             .anchor_a_m = anchor_m,
             .anchor_b_m = anchor_m,
-            .origin = {.file = "test.toml", .line = 40}};
+            .location = in_file("test.toml", 40)};
 }
 
 json state_of(const Running& run) {
@@ -64,7 +64,7 @@ TEST(SimulationJoints, HoldWhatTheyName) {
         most_m = std::max(most_m, joint["error_m"].get<double>());
     }
     EXPECT_EQ(state["max_joint_error_m"].get<double>(), most_m);
-    EXPECT_TRUE(run->warnings().empty());
+    EXPECT_TRUE(run->warnings.empty());
 }
 
 TEST(SimulationJoints, PassOnEverythingTheFileSays) {
@@ -111,12 +111,12 @@ TEST(SimulationJoints, SayOnceWhenTheyBreak) {
     scene.joints[0].break_N = 9000;  // the cube weighs 9810 N
     Running run(scene);
     run.step(60);
-    ASSERT_EQ(run->warnings().size(), 1U);
-    EXPECT_EQ(run->warnings()[0], "joint hook broke at 0.017 s: 9810 N > 9000 N");
+    ASSERT_EQ(run->warnings.size(), 1U);
+    EXPECT_EQ(run->warnings[0], "joint hook broke at 0.017 s: 9810 N > 9000 N");
     const json state = state_of(run);
     EXPECT_TRUE(state["joints"][0]["broken"].get<bool>());
     EXPECT_EQ(state["max_joint_error_m"], 0.0);
-    EXPECT_EQ(state["warnings"][0], run->warnings()[0]);
+    EXPECT_EQ(state["warnings"][0], run->warnings[0]);
     EXPECT_LT(run.state("lamp").world_from_body.position.y, Real{46});
 }
 
@@ -151,7 +151,7 @@ TEST(SimulationJoints, WarnOfSolversThatLoseThem) {
     SceneDescription scene = scene_of({cube("a", {0, 5, 0}), cube("b", {2, 5, 0})});
     const auto warnings = [&scene](physics::Solver solver) {
         Running run(scene, test::plain_surfaces(), {.solver = solver});
-        return run->warnings().size();
+        return run->warnings.size();
     };
     EXPECT_EQ(warnings(physics::Solver::BulletNncg), 0U);
     scene.joints = {hung("first", "a", {0, 6, 0})};

@@ -1,6 +1,8 @@
 #include "engine/scene/simulation.h"
 
 #include "engine/core/limits.h"
+#include "engine/scene/simulation/entity_lookup.h"
+#include "engine/scene/simulation/motion_demand.h"
 #include "tests/support/near.h"
 #include "tests/support/scene_in_code.h"
 #include "tests/support/temporary_folder.h"
@@ -110,7 +112,7 @@ TEST(Simulation, ScaleIsVisualAndShape) {
     Vec3 max;
     run->physics.bounds(run.body("tall"), min, max);
     EXPECT_NEAR(static_cast<double>(max.y - min.y), 4.0, 0.1);
-    EXPECT_EQ(run->registry.get<Placement>(run->find("tall")).scale, (Vec3{1, 4, 1}));
+    EXPECT_EQ(run->registry.get<Transform>(run->find("tall")).scale, (Vec3{1, 4, 1}));
 }
 
 TEST(Simulation, RemovesAndCountsWhatFallsBelowTheKillHeight) {
@@ -122,7 +124,7 @@ TEST(Simulation, RemovesAndCountsWhatFallsBelowTheKillHeight) {
     run.step(10);  // 6.49 m
     EXPECT_FALSE(run->find("doomed"));
     EXPECT_TRUE(run->find("high"));
-    EXPECT_EQ(run->removed_count(), 1U);
+    EXPECT_EQ(run->tally().removed, 1U);
     EXPECT_EQ(run->physics.body_count(), 1U);
     EXPECT_EQ(run->moving_bodies().size(), 1U);
 }
@@ -133,28 +135,28 @@ TEST(Simulation, DestroyingAnEntityDestroysItsBody) {
     run->registry.mark_for_destruction(run->find("a"));
     run.step(1);
     EXPECT_FALSE(run->physics.contains(body));
-    EXPECT_FALSE(run->entity_of(body));
+    EXPECT_FALSE(entity_of(*run, body));
     EXPECT_EQ(run->moving_bodies().size(), 1U);
     EXPECT_FALSE(run->find("a"));
 }
 
 TEST(Simulation, FindsEntitiesByBodyAndName) {
     Running run(scene_of({ground(), cube("a", {0, 10, 0})}));
-    EXPECT_EQ(run->entity_of(run.body("a")), run->find("a"));
-    EXPECT_EQ(run->entity_of(run.body("ground")), run->find("ground"));
+    EXPECT_EQ(entity_of(*run, run.body("a")), run->find("a"));
+    EXPECT_EQ(entity_of(*run, run.body("ground")), run->find("ground"));
     EXPECT_FALSE(run->find("nobody"));
-    EXPECT_EQ(run->describe(run->find("a")), "entity a (test.toml:10)");
+    EXPECT_EQ(describe(*run, run->find("a")), "entity a (test.toml:10)");
 }
 
 TEST(Simulation, NumbersWhatPlayMakes) {
     Running run(scene_of({ground()}));
     EntityDescription crate = cube("crate", {0, 5, 0});
-    crate.origin = {};
+    crate.location = {};
     const ecs::Entity first = run->spawn(crate);
     const ecs::Entity second = run->spawn(crate);
     EXPECT_EQ(run->registry.get<Name>(first).text, "crate#1");
     EXPECT_EQ(run->registry.get<Name>(second).text, "crate#2");
-    EXPECT_EQ(run->describe(second), "entity crate#2");
+    EXPECT_EQ(describe(*run, second), "entity crate#2");
     EXPECT_EQ(run->moving_bodies().size(), 2U);
 }
 
@@ -163,7 +165,7 @@ TEST(Simulation, RefusesToSpawnABodyWithoutAShape) {
     EntityDescription shapeless = cube("ghost", {0, 5, 0});
     shapeless.visual = std::monostate{};
     EXPECT_FALSE(run->spawn(shapeless));
-    EXPECT_TRUE(mentions(run->warnings(), "needs a model or a primitive"));
+    EXPECT_TRUE(mentions(run->warnings, "needs a model or a primitive"));
     EXPECT_EQ(run->registry.alive_count(), 0U);
 }
 
@@ -187,8 +189,7 @@ TEST(Simulation, StandsABoxInForAMissingModel) {
     statue.body->shape = physics::ShapeDef{physics::SphereShape{.radius_m = 2}};
     Running run(scene_of({statue}));
     ASSERT_TRUE(run.simulation);
-    EXPECT_TRUE(
-        mentions(run->warnings(), "test.toml:10: entity statue: a box stands for its model"));
+    EXPECT_TRUE(mentions(run->warnings, "test.toml:10: entity statue: a box stands for its model"));
     Vec3 min;
     Vec3 max;
     run->physics.bounds(run.body("statue"), min, max);
@@ -223,10 +224,10 @@ TEST(Simulation, SceneMaterialsWinByName) {
 
 TEST(Simulation, WarnsOfBodiesThatStartInsideEachOther) {
     Running apart(scene_of({ground(), cube("a", {0, 0.5_r, 0}), cube("b", {0, 1.5_r, 0})}));
-    EXPECT_TRUE(apart->warnings().empty()) << apart->warnings().front();
+    EXPECT_TRUE(apart->warnings.empty()) << apart->warnings.front();
     Running inside(scene_of({ground(), cube("a", {0, 0.5_r, 0}), cube("b", {0.5_r, 0.5_r, 0})}));
-    EXPECT_TRUE(mentions(inside->warnings(), "1 pair of bodies starts overlapped"));
-    EXPECT_TRUE(mentions(inside->warnings(), "entity a (test.toml:10)"));
+    EXPECT_TRUE(mentions(inside->warnings, "1 pair of bodies starts interpenetrating"));
+    EXPECT_TRUE(mentions(inside->warnings, "entity a (test.toml:10)"));
 }
 
 TEST(Simulation, RefusesMoreBodiesThanItHolds) {
@@ -279,10 +280,10 @@ TEST(Simulation, TakesOutWhatIsNotFiniteAndGoesOn) {
     run->physics.set_velocity(run.body("sick"), {nan, 0, 0}, {0, 0, 0});
     run.step(50);
     EXPECT_EQ(run->physics.quarantined().size(), 1U);
-    EXPECT_TRUE(mentions(run->warnings(), "entity sick (test.toml:10): taken out"));
+    EXPECT_TRUE(mentions(run->warnings, "entity sick (test.toml:10): taken out"));
     EXPECT_NEAR(
         static_cast<double>(run.state("well").world_from_body.position.y), 50.0 - 0.5 * 9.81, 1e-4);
-    EXPECT_TRUE(is_finite(run->registry.get<Placement>(run->find("sick")).world_from_body));
+    EXPECT_TRUE(is_finite(run->registry.get<Transform>(run->find("sick")).world_from_body));
 }
 
 TEST(Simulation, CarriesWhatStandsOnALift) {
@@ -292,7 +293,7 @@ TEST(Simulation, CarriesWhatStandsOnALift) {
     run.step(240);  // half the tour: at the top
     EXPECT_NEAR(static_cast<double>(run.state("lift").world_from_body.position.y), 3.0, 1e-5);
     EXPECT_NEAR(static_cast<double>(run.state("rider").world_from_body.position.y), 3.6, 0.02);
-    const Placement& drawn = run->registry.get<Placement>(run->find("lift"));
+    const Transform& drawn = run->registry.get<Transform>(run->find("lift"));
     EXPECT_NEAR(static_cast<double>(drawn.world_from_body.position.y), 3.0, 1e-5);
 }
 
@@ -300,18 +301,18 @@ TEST(MotionDemand, NamesFastBodiesAndThoseTheyMayStrike) {
     EntityDescription bullet = ball("bullet", {0, 50, 0}, 0.1_r);
     bullet.body->velocity_mps = {20, 0, 0};  // 0.33 m a step
     Running fast(scene_of({bullet}));
-    fast->update_motion_demand();
-    EXPECT_EQ(fast->motion_demand().swept, fast->find("bullet"));
+    fast->motion_demand = motion_demand_of(*fast);
+    EXPECT_EQ(fast->motion_demand.swept, fast->find("bullet"));
 
     EntityDescription crate = cube("crate", {0, 50, 0});
     crate.body->velocity_mps = {20, 0, 0};  // less than its own 0.5 m
     Running alone(scene_of({crate}));
-    alone->update_motion_demand();
-    EXPECT_FALSE(alone->motion_demand().swept);
+    alone->motion_demand = motion_demand_of(*alone);
+    EXPECT_FALSE(alone->motion_demand.swept);
 
     Running together(scene_of({crate, ball("pebble", {0, 10, 0}, 0.1_r)}));
-    together->update_motion_demand();
-    EXPECT_EQ(together->motion_demand().swept, together->find("pebble"));
+    together->motion_demand = motion_demand_of(*together);
+    EXPECT_EQ(together->motion_demand.swept, together->find("pebble"));
 }
 
 TEST(MotionDemand, NamesSpinningBodiesOfUnevenInertiaOnly) {
@@ -319,12 +320,12 @@ TEST(MotionDemand, NamesSpinningBodiesOfUnevenInertiaOnly) {
     EntityDescription die = cube("die", {9, 50, 0});
     die.body->angular_velocity_radps = {1, 2, 3};
     Running still(scene_of({plank, die}));
-    still->update_motion_demand();
-    EXPECT_FALSE(still->motion_demand().spinning);
+    still->motion_demand = motion_demand_of(*still);
+    EXPECT_FALSE(still->motion_demand.spinning);
     plank.body->angular_velocity_radps = {0, 0.1_r, 0};
     Running turning(scene_of({plank, die}));
-    turning->update_motion_demand();
-    EXPECT_EQ(turning->motion_demand().spinning, turning->find("plank"));
+    turning->motion_demand = motion_demand_of(*turning);
+    EXPECT_EQ(turning->motion_demand.spinning, turning->find("plank"));
 }
 
 TEST(MassRatio, IsNamedOnceWhereTheTwoTouch) {
@@ -336,7 +337,7 @@ TEST(MassRatio, IsNamedOnceWhereTheTwoTouch) {
         anvil.world_from_body.position.y = above_m;
         Running run(scene_of({ground(), feather, anvil}));
         run.step(10);
-        return std::ranges::count_if(run->warnings(), [](const std::string& text) {
+        return std::ranges::count_if(run->warnings, [](const std::string& text) {
             return text.find("mass ratio") != std::string::npos;
         });
     };

@@ -59,7 +59,7 @@ TEST(CaseEvents, WhatIsPastDoesNotHappenAgain) {
     PlayedCase run(afloat({.kind = CaseEventKind::Force,
                            .of = "cube",
                            .at_s = 0.5,
-                           .for_s = 1,
+                           .duration_s = 1,
                            .value = {6000, 0, 0}}));
     run->set_time(1);
     run.step(60);
@@ -72,7 +72,7 @@ TEST(CaseEvents, AForceActsForItsTimeAndOneStepAtLeast) {
         PlayedCase run(afloat({.kind = CaseEventKind::Force,
                                .of = "cube",
                                .at_s = 0.1,
-                               .for_s = for_s,
+                               .duration_s = for_s,
                                .value = {6000, 0, 0}}));
         run.step(60);
         const double expected = 6000 / kMass_kg * std::max(for_s, step_s);
@@ -97,7 +97,7 @@ TEST(CaseEvents, VelocityGravityAndRemoval) {
         PlayedCase run(afloat({.kind = CaseEventKind::Velocity,
                                .of = "cube",
                                .value = {1, 2, 3},
-                               .spin_radps = {0, 1, 0}}));
+                               .angular_velocity_radps = {0, 1, 0}}));
         run.step(1);
         EXPECT_NEAR(glm::distance(velocity(run), Vec3d{1, 2, 3}), 0, 1e-5);
         EXPECT_NEAR(static_cast<double>(run.state("cube").angular_velocity_radps.y), 1, 1e-5);

@@ -157,7 +157,7 @@ TEST(HardCaseJudge, RefusesWhatIsNotThere) {
               std::string::npos);
     EXPECT_NE(refusal(falling({{.measure = "sag_m", .of = {"crate*"}, .below = 1}})).find("crate*"),
               std::string::npos);
-    EXPECT_NE(refusal(falling({{.measure = "joint_gap_m", .below = 1}})).find("no joint"),
+    EXPECT_NE(refusal(falling({{.measure = "joint_error_m", .below = 1}})).find("no joint"),
               std::string::npos);
     scene::SceneDescription struck = falling({{.measure = "sag_m", .below = 1}});
     struck.hard_case->known_red = {{.rule = "sag_m at most 1", .reached = 2, .why = "a reason"}};
@@ -197,7 +197,7 @@ TEST(Measures, OfAThrownCube) {
     EXPECT_NEAR(measured("from_axis_m", scene), 1.5, 1e-5);
     EXPECT_NEAR(measured("speed_mps", scene), std::hypot(3, up), 1e-5);
     EXPECT_NEAR(measured("up_speed_mps", scene), up, 1e-5);
-    EXPECT_NEAR(measured("speed_across_mps", scene), 3, 1e-5);
+    EXPECT_NEAR(measured("horizontal_speed_mps", scene), 3, 1e-5);
     EXPECT_NEAR(measured("speed_change", scene), std::abs(std::hypot(3, up) - 5) / 5, 1e-5);
     EXPECT_NEAR(measured("heading_deg", scene), 0, 1e-3);
     EXPECT_NEAR(measured("reach_m", scene), 5 + 16 / (2 * kG), 1e-4);

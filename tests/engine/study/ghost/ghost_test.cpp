@@ -1,5 +1,7 @@
 #include "engine/study/ghost/ghost.h"
 
+#include "engine/scene/simulation/entity_lookup.h"
+#include "engine/scene/simulation/simulation_archive.h"
 #include "engine/study/workers/worker_pool.h"
 #include "tests/scenarios/scene_run.h"
 
@@ -21,12 +23,13 @@ GhostStart start_of(SceneRun& run, const std::string& name, const Setting& setti
     GhostStart start{.scene = scene(name), .setting = setting, .time_s = run.simulation->time_s()};
     for (const scene::MovingBody& moving : run.simulation->moving_bodies()) {
         const physics::BodyState state = run.simulation->physics.state(moving.body);
-        start.bodies.push_back({.name = run.simulation->name_of_mark(scene::mark_of(moving.entity)),
-                                .position_m = Vec3d(state.world_from_body.position),
-                                .orientation = Quatd(state.world_from_body.orientation)});
+        start.bodies.push_back(
+            {.name = name_of_mark(*run.simulation, scene::mark_of(moving.entity)),
+             .position_m = Vec3d(state.world_from_body.position),
+             .orientation = Quatd(state.world_from_body.orientation)});
     }
     Archive archive;
-    run.simulation->serialize_bodies_of_scene(archive);
+    serialize_bodies_of_scene(*run.simulation, archive);
     start.state = archive.take();
     return start;
 }

@@ -41,7 +41,7 @@ TEST(Tables, RunsWithoutAnswerAreRedAndSayWhy) {
     EXPECT_TRUE(test::holds(table, "crashed: signal 11 &lt;segv&gt;"));
     EXPECT_TRUE(test::holds(table, "<td class=\"n bad\">not a number</td>"));
     EXPECT_EQ(failure_line(subject),
-              "<p class=\"bad\">2 of 36 runs gave no answer: 1 crashed, 1 timed out.</p>\n");
+              "<p class=\"bad\">2 of 36 runs failed: 1 crashed, 1 timed out.</p>\n");
     EXPECT_EQ(failure_line(test::sample_subject("A01")), "");
 }
 

@@ -1,13 +1,13 @@
-// Exposure that follows the picture.
+// Exposure that follows the image.
 #include "engine/render/passes/screen/exposure_meter.h"
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 namespace plumbline::render {
 namespace {
 
 TEST(Exposure, FollowsDarknessButNotAllTheWay) {
     EXPECT_FLOAT_EQ(exposure_for(0.2F), 1.0F);
-    // A fifth of the light: 5^0.6 times the exposure, so the picture is darker by 5^0.4.
+    // A fifth of the light: 5^0.6 times the exposure, so the image is darker by 5^0.4.
     EXPECT_NEAR(exposure_for(0.04F), std::pow(5.0F, 0.6F), 1e-3F);
     EXPECT_EQ(exposure_for(1e-5F), 5.0F);
     EXPECT_EQ(exposure_for(0.0F), 5.0F);
@@ -24,7 +24,7 @@ TEST(Exposure, EyesTakeTheirTimeWhateverTheFramesAre) {
     EXPECT_GT(std::log(4.0F / adapted(4.0F, 1.0F, 0.3F)), std::log(adapted(1.0F, 4.0F, 0.3F)));
 }
 
-class ExposureGl : public PictureGl {
+class ExposureGl : public ImageGl {
 protected:
     /// A wall that shines by itself, seen through eyes that adapt or do not.
     Pixel shown(float light, bool adapts, float exposure = 1.0F) {

@@ -1,6 +1,6 @@
 // Depth of field against the thin lens, motion blur against the camera's way.
 #include "engine/core/color.h"
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 #include <cmath>
 #include <vector>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kLensSide_px = 480;
 
-class LensGl : public PictureGl {
+class LensGl : public ImageGl {
 protected:
     /// Black; a white board right of the middle, `distance_m` ahead.
     RenderFrame edge(float distance_m) {

@@ -1,6 +1,6 @@
 // Ambient occlusion against closed forms.
 #include "engine/core/color.h"
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@ namespace {
 
 constexpr float kWallHeight_m = 0.4F;
 
-class OcclusionGl : public PictureGl {
+class OcclusionGl : public ImageGl {
 protected:
     /// A floor at y = 0 and, where there is one, a wall on it whose face is at z = 0; both go on beyond
-    /// the picture. Lit from everywhere.
+    /// the image. Lit from everywhere.
     RenderFrame room(bool with_wall) {
         RenderFrame frame = empty_frame(960, 720);
         frame.camera = camera_at({0.0F, 5.5F, 5.5F}, {0.0F, 0.0F, 0.0F});
@@ -29,7 +29,7 @@ protected:
         frame.occlusion = AmbientOcclusion{.radius_m = 3.0F, .slices = 3, .steps = 24};
         return frame;
     }
-    /// The share of its light that a place keeps in the second picture.
+    /// The share of its light that a place keeps in the second image.
     static float kept(const RenderFrame& frame,
                       const assets::ImageData& without,
                       const assets::ImageData& with,

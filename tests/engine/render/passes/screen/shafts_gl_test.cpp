@@ -1,6 +1,6 @@
 // Light from air in the sun against closed forms.
 #include "engine/core/color.h"
-#include "tests/engine/render/picture_fixture.h"
+#include "tests/engine/render/image_fixture.h"
 
 #include <cmath>
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kDensity_perm = 0.02F;
 
-class ShaftsGl : public PictureGl {
+class ShaftsGl : public ImageGl {
 protected:
     /// A black wall 20 m ahead; the sun stands overhead.
     RenderFrame dusty() {

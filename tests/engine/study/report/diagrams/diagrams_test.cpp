@@ -66,7 +66,7 @@ TEST(WorkPrecision, RunsWithoutAnswerAreCrossesAtTheTop) {
     subject.points[0].errors.clear();
     subject.points[1].errors = {std::nan("")};
     const auto plot = work_precision_plot(subject, {});
-    const Curve* crosses = curve_named(*plot, "no answer");
+    const Curve* crosses = curve_named(*plot, "failed");
     ASSERT_NE(crosses, nullptr);
     EXPECT_EQ(crosses->points.size(), 2U);
     EXPECT_GT(crosses->points[0].y, 0.9 * plot->y.most);

@@ -101,8 +101,8 @@ TEST(Laws, A30ABallRollsAfterTheTimeOfTheCatalogue) {
     const SlideToRoll law{.speed_mps = 5, .mu = 0.2};
     EXPECT_NEAR(law.rolls_at_s(), 0.7281200, 1e-7);
     EXPECT_NEAR(law.rolling_mps(), 3.5714286, 1e-7);
-    EXPECT_NEAR(law.way_m(law.rolls_at_s()), 3.1205143, 1e-7);
-    EXPECT_NEAR(law.way_m(3), 3.1205143 + 3.5714286 * (3 - 0.7281200), 1e-6);
+    EXPECT_NEAR(law.path_m(law.rolls_at_s()), 3.1205143, 1e-7);
+    EXPECT_NEAR(law.path_m(3), 3.1205143 + 3.5714286 * (3 - 0.7281200), 1e-6);
     EXPECT_NEAR(law.speed_at_mps(law.rolls_at_s()), law.rolling_mps(), 1e-12);
 }
 

@@ -1,0 +1,68 @@
+// What of an entity is seen and heard.
+#include "engine/scene/build/entity_builder.h"
+
+namespace plumbline::scene {
+namespace {
+
+LampLook dark_look_of(assets::AssetLibrary& library,
+                      const std::vector<assets::MaterialId>& materials) {
+    LampLook look;
+    for (const assets::MaterialId id : materials) {
+        assets::MaterialData dark = library.material(id);
+        dark.emissive = Vec3f{0.0F};
+        look.off.push_back(library.add_material(std::move(dark)));
+    }
+    return look;
+}
+
+}  // namespace
+
+void EntityBuilder::add_visual(const EntityDescription& description,
+                               const Appearance& appearance,
+                               ecs::Entity entity) {
+    ecs::Registry& registry = simulation_.registry;
+    if (appearance.mesh != assets::MeshId{}) {
+        const bool is_static =
+            !description.body || description.body->kind == physics::BodyKind::Static;
+        registry.add<Visual>(entity,
+                             Visual{.mesh = appearance.mesh,
+                                    .materials = appearance.materials,
+                                    .casts_shadow = description.casts_shadow,
+                                    .is_static = is_static});
+        if (description.light && description.light->on != LampOn::Always)
+            registry.add<LampLook>(entity,
+                                   dark_look_of(simulation_.library(), appearance.materials));
+    }
+    if (!description.contact_material.empty()) {
+        registry.add<ContactLook>(
+            entity, ContactLook{.material = material_named(description.contact_material)});
+    }
+}
+
+void EntityBuilder::add_sound(const SoundDescription& sound, ecs::Entity entity) {
+    simulation_.registry.add<AmbientSound>(entity,
+                                           AmbientSound{.file = sound.file,
+                                                        .gain = sound.gain,
+                                                        .radius_m = sound.radius_m,
+                                                        .loop = sound.loop,
+                                                        .by_wind = sound.by_wind,
+                                                        .by_flow = sound.by_flow});
+}
+
+void EntityBuilder::add_trigger(const EntityDescription& description, ecs::Entity entity) {
+    const auto* primitive = std::get_if<Primitive>(&description.visual);
+    if (primitive == nullptr) return;
+    std::vector<std::string> notes;
+    const Result<BuiltShape> shape =
+        shapes_.make(scaled(shape_of_primitive(*primitive), description.scale), notes);
+    if (!shape) return warn_once(shape.error().message);
+    const TriggerDescription& trigger = *description.trigger;
+    simulation_.registry.add<TriggerVolume>(entity,
+                                            TriggerVolume{.shape = shape->id,
+                                                          .spawn = trigger.spawn,
+                                                          .at_m = trigger.at_m,
+                                                          .of = trigger.of,
+                                                          .times_left = trigger.times});
+}
+
+}  // namespace plumbline::scene

@@ -1,0 +1,214 @@
+#include "engine/study/image/ray_scene.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <deque>
+#include <filesystem>
+#include <limits>
+#include <map>
+
+namespace plumbline::study {
+namespace {
+
+using assets::AlphaMode;
+using assets::ImageData;
+
+/// One part of one thing, as the filters see it.
+struct Surface {
+    std::vector<Vec2f> uv;                  ///< three a triangle; empty without a mask
+    std::shared_ptr<const ImageData> mask;  ///< its fourth channel; null: no mask
+    float cutoff{0.5F};
+    bool two_sided{false};
+};
+
+std::uint32_t wrapped(float at, std::uint32_t size) {
+    const auto whole = static_cast<std::int64_t>(std::floor(at));
+    const auto count = static_cast<std::int64_t>(size);
+    return static_cast<std::uint32_t>(((whole % count) + count) % count);
+}
+
+/// Between the four nearest texels, repeated.
+float alpha_at(const ImageData& image, const Vec2f& uv) {
+    const float x = uv.x * static_cast<float>(image.width) - 0.5F;
+    const float y = uv.y * static_cast<float>(image.height) - 0.5F;
+    const auto texel = [&](float at_x, float at_y) {
+        const std::size_t index =
+            std::size_t{wrapped(at_y, image.height)} * image.width + wrapped(at_x, image.width);
+        return static_cast<float>(image.bytes[index * 4 + 3]) / 255.0F;
+    };
+    const float right = x - std::floor(x);
+    const float down = y - std::floor(y);
+    return glm::mix(glm::mix(texel(x, y), texel(x + 1.0F, y), right),
+                    glm::mix(texel(x, y + 1.0F), texel(x + 1.0F, y + 1.0F), right),
+                    down);
+}
+
+bool is_hole(const Surface& surface, std::uint32_t triangle, float u, float v) {
+    if (surface.mask == nullptr) return false;
+    const Vec2f* corner = &surface.uv[std::size_t{triangle} * 3];
+    return alpha_at(*surface.mask, (1.0F - u - v) * corner[0] + u * corner[1] + v * corner[2]) <
+           surface.cutoff;
+}
+
+/// Embree asks for one ray at a time here.
+const Surface& surface_of(const RTCFilterFunctionNArguments& asked) {
+    return *static_cast<const Surface*>(asked.geometryUserPtr);
+}
+
+void let_through_holes(const RTCFilterFunctionNArguments* asked) {
+    if (is_hole(surface_of(*asked),
+                RTCHitN_primID(asked->hit, asked->N, 0),
+                RTCHitN_u(asked->hit, asked->N, 0),
+                RTCHitN_v(asked->hit, asked->N, 0)))
+        asked->valid[0] = 0;
+}
+
+void let_through_holes_and_backs(const RTCFilterFunctionNArguments* asked) {
+    const Vec3f normal{RTCHitN_Ng_x(asked->hit, asked->N, 0),
+                       RTCHitN_Ng_y(asked->hit, asked->N, 0),
+                       RTCHitN_Ng_z(asked->hit, asked->N, 0)};
+    const Vec3f direction{RTCRayN_dir_x(asked->ray, asked->N, 0),
+                          RTCRayN_dir_y(asked->ray, asked->N, 0),
+                          RTCRayN_dir_z(asked->ray, asked->N, 0)};
+    if (!surface_of(*asked).two_sided && glm::dot(normal, direction) > 0.0F) asked->valid[0] = 0;
+    let_through_holes(asked);
+}
+
+RTCRay ray_of(const Vec3f& origin, const Vec3f& direction) {
+    RTCRay ray{};
+    ray.org_x = origin.x;
+    ray.org_y = origin.y;
+    ray.org_z = origin.z;
+    ray.dir_x = direction.x;
+    ray.dir_y = direction.y;
+    ray.dir_z = direction.z;
+    ray.tfar = std::numeric_limits<float>::infinity();
+    ray.mask = ~0U;
+    return ray;
+}
+
+}  // namespace
+
+struct RayScene::Impl {
+    RTCDevice device{rtcNewDevice(nullptr)};
+    RTCScene seen{new_scene()};
+    RTCScene casters{new_scene()};
+    std::deque<Surface> surfaces;
+    std::map<std::filesystem::path, std::shared_ptr<const ImageData>> masks;
+
+    ~Impl() {
+        rtcReleaseScene(seen);
+        rtcReleaseScene(casters);
+        rtcReleaseDevice(device);
+    }
+    RTCScene new_scene() const {
+        RTCScene scene = rtcNewScene(device);
+        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+        return scene;
+    }
+    std::shared_ptr<const ImageData> mask_of(const assets::MaterialData& material,
+                                             assets::AssetLibrary& library) {
+        if (material.alpha_mode != AlphaMode::Mask || material.base_color_map.empty()) return {};
+        auto& mask = masks[material.base_color_map];
+        if (!mask) mask = library.take_image(material.base_color_map);
+        return mask && mask->format == assets::PixelFormat::Rgba8 ? mask : nullptr;
+    }
+    void add(const render::DrawItem& item,
+             const assets::MeshData& mesh,
+             const assets::SubMesh& part,
+             const assets::MaterialData& material,
+             assets::AssetLibrary& library);
+};
+
+void RayScene::Impl::add(const render::DrawItem& item,
+                         const assets::MeshData& mesh,
+                         const assets::SubMesh& part,
+                         const assets::MaterialData& material,
+                         assets::AssetLibrary& library) {
+    const std::size_t triangles = part.index_count / 3;
+    if (triangles == 0) return;
+    surfaces.push_back({.mask = mask_of(material, library),
+                        .cutoff = material.alpha_cutoff / std::max(material.alpha, 1e-4F),
+                        .two_sided = material.two_sided});
+    Surface& surface = surfaces.back();
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), triangles * 3));
+    auto* corners = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry,
+                                                                        RTC_BUFFER_TYPE_INDEX,
+                                                                        0,
+                                                                        RTC_FORMAT_UINT3,
+                                                                        3 * sizeof(std::uint32_t),
+                                                                        triangles));
+    for (std::uint32_t i = 0; i < triangles * 3; ++i) {
+        const assets::Vertex& vertex = mesh.vertices[mesh.indices[part.first_index + i]];
+        const Vec3f place{item.world_from_body * Vec4f{vertex.position_body, 1.0F}};
+        std::memcpy(positions + std::size_t{i} * 3, &place, sizeof(place));
+        corners[i] = i;
+        if (surface.mask) surface.uv.push_back(vertex.uv);
+    }
+    rtcSetGeometryUserData(geometry, &surface);
+    rtcSetGeometryIntersectFilterFunction(geometry, let_through_holes_and_backs);
+    if (surface.mask) rtcSetGeometryOccludedFilterFunction(geometry, let_through_holes);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(seen, geometry);
+    if (item.casts_shadow) rtcAttachGeometry(casters, geometry);
+    rtcReleaseGeometry(geometry);
+}
+
+RayScene::RayScene(const render::RenderFrame& frame, assets::AssetLibrary& library)
+    : impl_(std::make_unique<Impl>()) {
+    for (const render::DrawItem& item : frame.items) {
+        if (item.mesh.value == 0) continue;
+        const assets::MeshData& mesh = library.mesh(item.mesh);
+        const auto materials = render::materials_of(frame, item);
+        for (const assets::SubMesh& part : mesh.sub_meshes) {
+            const bool has_one =
+                part.material < materials.size() && materials[part.material].value != 0;
+            const assets::MaterialData material =
+                has_one ? library.material(materials[part.material]) : assets::MaterialData{};
+            if (material.alpha_mode != AlphaMode::Blend)
+                impl_->add(item, mesh, part, material, library);
+        }
+    }
+    rtcCommitScene(impl_->seen);
+    rtcCommitScene(impl_->casters);
+}
+
+RayScene::~RayScene() = default;
+
+std::optional<RayHit> RayScene::first_hit(const Vec3f& origin_world,
+                                          const Vec3f& direction_world) const {
+    RTCRayHit found{};
+    found.ray = ray_of(origin_world, direction_world);
+    found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(impl_->seen, &context, &found);
+    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    Vec3f normal = glm::normalize(Vec3f{found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z});
+    if (glm::dot(normal, direction_world) > 0.0F) normal = -normal;
+    const auto* surface = static_cast<const Surface*>(
+        rtcGetGeometryUserData(rtcGetGeometry(impl_->seen, found.hit.geomID)));
+    return RayHit{.position_world = origin_world + found.ray.tfar * direction_world,
+                  .normal_world = normal,
+                  .distance_m = found.ray.tfar,
+                  .two_sided = surface->two_sided};
+}
+
+bool RayScene::is_shaded(const RayHit& place, const Vec3f& to_light_world) const {
+    // Off the surface by more than a float can be wrong about the place.
+    const float off_m = 1e-4F + 2e-6F * (place.distance_m + glm::length(place.position_world));
+    const bool from_behind = place.two_sided && glm::dot(place.normal_world, to_light_world) < 0.0F;
+    const Vec3f side = from_behind ? -place.normal_world : place.normal_world;
+    RTCRay ray = ray_of(place.position_world + side * off_m, to_light_world);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(impl_->casters, &context, &ray);
+    return ray.tfar < 0.0F;
+}
+
+}  // namespace plumbline::study
