@@ -11,8 +11,6 @@ import pathlib
 
 from sources import ROOT, finish, own_files
 
-LONGEST_FILE = 450  # lines
-
 # Module -> engine modules that it may include, besides itself.
 FOUNDATION = {"core"}
 WORLD = FOUNDATION | {"ecs", "assets", "physics", "audio", "render", "scene"}
@@ -42,8 +40,6 @@ CONFINED = {"bullet/": "engine/physics/bullet/", "bt": "engine/physics/bullet/",
 # Names of a library's types -> the same: not even declared outside.
 CONFINED_NAME = re.compile(r"\bbt[A-Z]\w+")
 COMMENT = re.compile(r"//.*")
-# Folders may hold this many files.
-MOST_FILES = 25
 
 # Start of a third-party header -> modules that own it. GLM and fmt are everybody's.
 ANY = set(MAY_INCLUDE)
@@ -181,15 +177,6 @@ def problems_with_confined(includes):
                 yield f"{path}:{number}: {name} shows what only {folder} may see"
 
 
-def problems_with_folders(files):
-    """Folders of too many files."""
-    folders = [str(pathlib.PurePosixPath(path).parent) for path in files]
-    for folder in sorted(set(folders)):
-        count = folders.count(folder)
-        if count > MOST_FILES:
-            yield f"{folder}: {count} files; at most {MOST_FILES}"
-
-
 def problems_of_tests(root):
     """Tests of other modules that include what is private to one."""
     for path in own_files(root, "tests", suffixes=(".h", ".cpp")):
@@ -208,12 +195,10 @@ def problems_of_tests(root):
 def check(root):
     """Every problem in the tree at `root`, and how many files were read."""
     files = own_files(root, "engine", "game", suffixes=(".h", ".cpp"))
-    problems = [*problems_with_folders(files), *problems_of_tests(root)]
+    problems = list(problems_of_tests(root))
     includes = {}
     for path in files:
         lines = (root / path).read_text(encoding="utf-8").splitlines()
-        if len(lines) > LONGEST_FILE:
-            problems.append(f"{path}:1: {len(lines)} lines; at most {LONGEST_FILE}")
         for number, line in enumerate(lines, start=1):
             found = INCLUDE.match(line)
             if not found:
