@@ -131,7 +131,9 @@ TEST(FreeFlightSpin, TumblingBoxFollowsEuler) {
     EXPECT_NEAR(spin.y, 4.771933, 2e-3);
     EXPECT_NEAR(spin.z, -1.292900, 2e-3);
     const Vec3d change = test.world.angular_momentum_kgm2ps() - momentum;
-    EXPECT_NEAR(glm::length(change) / glm::length(momentum), 0.0, 20 * kRounding);
+    // In float64 600 steps add up to more of its roundings.
+    const int roundings = sizeof(Real) == sizeof(double) ? 100 : 20;
+    EXPECT_NEAR(glm::length(change) / glm::length(momentum), 0.0, roundings * kRounding);
     EXPECT_NEAR(test.world.energy().kinetic_J / energy, 1.0, 1e-5);
     EXPECT_EQ(test.world.feature_use().gyro_bodies, 1U);
 }
