@@ -112,6 +112,8 @@ struct Energy {
     double kinetic_J{0};
     /// m*g*h above the plane through the origin, against gravity, and what springs hold.
     double potential_J{0};
+
+    double total_J() const { return kinetic_J + potential_J; }
 };
 
 class PhysicsWorld {
@@ -158,8 +160,6 @@ public:
         BodyId id,
         bool frozen);  ///< a frozen body stands as if static and keeps its mass for later
     bool frozen(BodyId id) const;
-    void set_friction(BodyId id, Real friction);        ///< wakes it and what touches it
-    void set_restitution(BodyId id, Real restitution);  ///< 0…1; wakes likewise
     void set_contact_events(BodyId id, bool listed);
     void wake(BodyId id);
 
@@ -168,7 +168,6 @@ public:
     /// could ever move, a body and itself, an axis without direction, limits that cross, numbers
     /// that are not finite or of the wrong sign.
     Result<JointId> create_joint(const JointDef& def);
-    void destroy_joint(JointId id);  ///< both bodies wake
     bool contains(JointId id) const;
     std::size_t joint_count() const;  ///< broken ones included
     /// As asked for, with the motor as it is now.

@@ -14,7 +14,7 @@ TEST(Pile, ComesDownWithoutGainingEnergy) {
     ASSERT_TRUE(run.simulation);
     const physics::PhysicsWorld& world = run.simulation->physics;
     EXPECT_EQ(run.simulation->moving_bodies().size(), 1000U);
-    const auto energy_J = [&] { return world.energy().kinetic_J + world.energy().potential_J; };
+    const auto energy_J = [&] { return world.energy().total_J(); };
     const double start_J = energy_J();
     for (int second = 0; second < 3; ++second) {
         run.step(60);

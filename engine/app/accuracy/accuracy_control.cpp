@@ -23,10 +23,6 @@ bool looks_the_same(const Pose& a, const Pose& b) {
     return glm::distance(a.position, b.position) < kApart_m && turned < kTurned;
 }
 
-double total_J(const physics::Energy& energy) {
-    return energy.kinetic_J + energy.potential_J;
-}
-
 }  // namespace
 
 AccuracyControl::AccuracyControl(Session& session, bool recorded)
@@ -44,7 +40,7 @@ void AccuracyControl::after_step() {
     const physics::PhysicsWorld& world = simulation.physics;
     samples_.push_back({.time_s = simulation.time_s(),
                         .cost = world.cost(),
-                        .energy_J = total_J(world.energy()),
+                        .energy_J = world.energy().total_J(),
                         .max_penetration_m = world.max_penetration_m(),
                         .max_joint_error_m = world.max_joint_error_m(),
                         .most_substeps = physics::most_substeps(world)});

@@ -157,14 +157,4 @@ Box box_of(const BodyRecord& record) {
     return {.low = from_bullet(low), .high = from_bullet(high)};
 }
 
-void set_rigid_friction(BodyRecord& record, Real friction) {
-    record.rigid->setFriction(friction);
-}
-void set_rigid_restitution(BodyRecord& record, Real restitution) {
-    record.rigid->setRestitution(restitution);
-}
-PairMaterial material_of(const BodyRecord& a, const BodyRecord& b) {
-    return material_of(*a.rigid, *b.rigid);
-}
-
 }  // namespace plumbline::physics

@@ -4,7 +4,6 @@
 
 #include "engine/core/pose.h"
 #include "engine/physics/body.h"
-#include "engine/physics/collision/manifold.h"
 #include "engine/physics/dynamics/transform.h"
 
 namespace plumbline::physics {
@@ -40,10 +39,5 @@ struct Box {
     Vec3 high{0, 0, 0};
 };
 Box box_of(const BodyRecord& record);
-
-void set_rigid_friction(BodyRecord& record, Real friction);
-void set_rigid_restitution(BodyRecord& record, Real restitution);
-/// What the materials of the two bodies make.
-PairMaterial material_of(const BodyRecord& a, const BodyRecord& b);
 
 }  // namespace plumbline::physics

@@ -199,12 +199,4 @@ void BulletEngine::each_moving(const std::function<void(BodyRecord&)>& visit) co
     for (int i = 0; i < moving.size(); ++i) visit(record_of(*moving[i]));
 }
 
-void BulletEngine::combine_materials(const BodyRecord& record) {
-    for (int i = 0; i < parts_->dispatcher->getNumManifolds(); ++i) {
-        btPersistentManifold& manifold = *parts_->dispatcher->getManifoldByIndexInternal(i);
-        if (manifold.getBody0() == record.rigid.get() || manifold.getBody1() == record.rigid.get())
-            physics::combine_materials(manifold);
-    }
-}
-
 }  // namespace plumbline::physics

@@ -46,8 +46,6 @@ public:
     const StepCost& cost() const;
     const FeatureUse& use() const;
     void each_moving(const std::function<void(BodyRecord&)>& visit) const;
-    /// After a body's material changed.
-    void combine_materials(const BodyRecord& record);
 
     struct Parts;
     Parts& parts() const { return *parts_; }

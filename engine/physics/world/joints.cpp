@@ -230,10 +230,6 @@ Result<JointId> PhysicsWorld::create_joint(const JointDef& joint) {
     return impl_->add_joint(joint);
 }
 
-void PhysicsWorld::destroy_joint(JointId id) {
-    if (impl_->joints.contains(id)) impl_->remove_joint(id);
-}
-
 bool PhysicsWorld::contains(JointId id) const {
     return impl_->joints.contains(id);
 }

@@ -2,22 +2,7 @@
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/world/world_state.h"
 
-#include <algorithm>
-
 namespace plumbline::physics {
-namespace {
-
-/// Manifolds hold the numbers of the old material, and friction that it bore.
-void combine_anew(BodyRecord& record) {
-    for (const PairLink& link : record.small.pairs) {
-        for (Manifold& manifold : link.pair->manifolds) {
-            manifold.material = material_of(*manifold.a, *manifold.b);
-            for (ManifoldPoint& point : manifold.points) point.load.friction_N = {};
-        }
-    }
-}
-
-}  // namespace
 
 void PhysicsWorld::Impl::wake(BodyRecord& record) {
     if (!pushable(record)) return;
@@ -50,29 +35,6 @@ std::size_t PhysicsWorld::awake_count() const {
         if (pushable(*record) && is_active(*record)) ++count;
     });
     return count;
-}
-
-void PhysicsWorld::set_friction(BodyId id, Real friction) {
-    BodyRecord& record = impl_->body(id);
-    if (!std::isfinite(friction) || friction < 0) return;
-    set_rigid_friction(record, friction);
-    impl_->change_material(record);
-}
-
-void PhysicsWorld::set_restitution(BodyId id, Real restitution) {
-    BodyRecord& record = impl_->body(id);
-    if (!std::isfinite(restitution)) return;
-    set_rigid_restitution(record, std::clamp(restitution, Real{0}, Real{1}));
-    impl_->change_material(record);
-}
-
-void PhysicsWorld::Impl::change_material(BodyRecord& record) {
-    if (small)
-        combine_anew(record);
-    else
-        engine->combine_materials(record);
-    wake_neighbours(record);
-    wake(record);
 }
 
 }  // namespace plumbline::physics

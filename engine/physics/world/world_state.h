@@ -32,7 +32,6 @@ struct PhysicsWorld::Impl {
     void wake(BodyRecord& record);
     /// What touches the body or is joined to it.
     void wake_neighbours(const BodyRecord& record);
-    void change_material(BodyRecord& record);
     void quarantine(BodyRecord& record);
     void poison(BodyRecord& record);
     void place(BodyRecord& record, const Transform& world_from_mass);

@@ -60,11 +60,6 @@ void do_event(scene::Simulation& simulation, const HardCaseEvent& event) {
         do_to_body(simulation, entity, event);
 }
 
-double energy_J(const scene::Simulation& simulation) {
-    const physics::Energy energy = simulation.physics.energy();
-    return energy.kinetic_J + energy.potential_J;
-}
-
 void do_what_is_due(scene::Simulation& simulation) {
     for (const HardCaseEvent& event : simulation.description().hard_case->events) {
         const std::uint64_t now = simulation.steps();
@@ -76,9 +71,9 @@ void do_what_is_due(scene::Simulation& simulation) {
         const bool lasts = event.kind == CaseEventKind::Force &&
                            now < simulation.step_at(event.at_s + event.duration_s);
         if (!begins && !lasts) continue;
-        const double before_J = energy_J(simulation);
+        const double before_J = simulation.physics.energy().total_J();
         do_event(simulation, event);
-        const double added_J = energy_J(simulation) - before_J;
+        const double added_J = simulation.physics.energy().total_J() - before_J;
         if (std::isfinite(added_J)) simulation.added_energy_J += added_J;
     }
 }

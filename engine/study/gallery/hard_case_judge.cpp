@@ -107,8 +107,7 @@ std::string margin_text(double margin) {
 HardCaseJudge::HardCaseJudge(const scene::Simulation& simulation)
     : seconds_(simulation.description().hard_case->seconds) {
     const scene::HardCase& hard = *simulation.description().hard_case;
-    const physics::Energy energy = simulation.physics.energy();
-    start_.energy_J = energy.kinetic_J + energy.potential_J;
+    start_.energy_J = simulation.physics.energy().total_J();
     start_.energy_scale_J =
         hard.energy_scale_J > 0 ? hard.energy_scale_J : std::max(std::abs(start_.energy_J), 1e-9);
     start_.momentum_kgmps = simulation.physics.momentum_kgmps();

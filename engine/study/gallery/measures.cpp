@@ -85,8 +85,7 @@ double heap_slope_deg(std::span<const BodyLook> bodies) {
 }
 
 double energy_J(const WorldLook& look) {
-    const physics::Energy energy = look.world.energy();
-    return energy.kinetic_J + energy.potential_J;
+    return look.world.energy().total_J();
 }
 double energy_gain(const WorldLook& look) {
     return (energy_J(look) - look.start.energy_J - look.added_energy_J) / look.start.energy_scale_J;

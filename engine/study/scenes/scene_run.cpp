@@ -158,8 +158,7 @@ private:
             poses_[i].orientation = Quatd(pose.orientation);
         }
         Moment moment{.time_s = simulation_.time_s(), .layout = layout()};
-        const physics::Energy energy = simulation_.physics.energy();
-        moment.energy_J = energy.kinetic_J + energy.potential_J;
+        moment.energy_J = simulation_.physics.energy().total_J();
         const std::size_t every = bodies_.size() / kBodiesTold + 1;
         for (std::size_t i = 0; i < bodies_.size(); i += every) moment.bodies.push_back(poses_[i]);
         return moment;

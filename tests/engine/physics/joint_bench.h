@@ -137,8 +137,7 @@ inline double torque_Nm(const TestWorld& test, JointId joint) {
     return static_cast<double>(test.world.joint_state(joint).torque_Nm);
 }
 inline double total_energy_J(const TestWorld& test) {
-    const Energy energy = test.world.energy();
-    return energy.kinetic_J + energy.potential_J;
+    return test.world.energy().total_J();
 }
 
 /// Times at which `value` crosses zero upwards, by the straight line between steps.

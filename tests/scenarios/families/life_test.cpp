@@ -93,8 +93,6 @@ TEST(Life, H87SleepersWakeWithinAFrame) {
              def.gravity_mps2 = {0, 0, 0};
              at.world.physics.reconfigure(def);
          }},
-        {"friction",
-         [](Sleepers& at) { at.world.physics.set_friction(at.world.movers[0], 0.1_r); }},
         {"support moved",
          [](Sleepers& at) {
              at.world.physics.set_pose(at.block, {vec(10, 0.5, 0), kNoRotation});

@@ -122,19 +122,6 @@ PairMaterial material_of(const btCollisionObject& a, const btCollisionObject& b)
             .spinning_m = std::max(a.getSpinningFriction(), b.getSpinningFriction())};
 }
 
-void combine_materials(btPersistentManifold& manifold) {
-    const PairMaterial material = material_of(*manifold.getBody0(), *manifold.getBody1());
-    for (int i = 0; i < manifold.getNumContacts(); ++i) {
-        btManifoldPoint& point = manifold.getContactPoint(i);
-        point.m_combinedFriction = material.friction;
-        point.m_combinedRestitution = material.restitution;
-        point.m_combinedRollingFriction = material.rolling_m;
-        point.m_combinedSpinningFriction = material.spinning_m;
-        point.m_appliedImpulseLateral1 = 0;
-        point.m_appliedImpulseLateral2 = 0;
-    }
-}
-
 void match_manifolds(const btManifoldArray& from, Pair& pair) {
     std::vector<Manifold>& to = pair.manifolds;
     const auto count = static_cast<std::size_t>(from.size());

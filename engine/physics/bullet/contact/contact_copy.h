@@ -33,7 +33,5 @@ void find_again(btManifoldPoint& point, const btManifoldPoint& old);
 
 /// What the materials of the two bodies make.
 PairMaterial material_of(const btCollisionObject& a, const btCollisionObject& b);
-/// bullet_*: puts it into points that were found before it changed, and forgets their friction.
-void combine_materials(btPersistentManifold& manifold);
 
 }  // namespace plumbline::physics

@@ -231,14 +231,11 @@ void JointSystem::finish() {
         impl.iterative.finish(impl.group);
     }
     impl.work.row_solves = impl.group.row_solves;
+    impl.work.method = impl.method;
 }
 
 bool JointSystem::solves_before_motion() const {
     return !impl_->is_direct() || !impl_->group.bounds.empty();
-}
-
-JointMethod JointSystem::method_used() const {
-    return impl_->method;
 }
 
 const JointWork& JointSystem::work() const {

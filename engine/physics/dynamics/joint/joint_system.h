@@ -54,6 +54,8 @@ struct JointWork {
     /// How many times too long a sub-step was for the fastest swinging of light bodies that joints
     /// pull hard: such bodies were slowed down and lost energy. 0: nothing was too fast.
     double unresolved{0};
+    /// Direct becomes Iterative where the factor would fill in too much: nets of thousands.
+    JointMethod method{JointMethod::Direct};
 };
 
 /// One island's joints through the sub-steps of one step. Reused from step to step: what depends
@@ -95,8 +97,6 @@ public:
     /// If not, correct_positions() finds the same impulses, and the solve may be left out.
     bool solves_before_motion() const;
 
-    /// Direct becomes Iterative where the factor would fill in too much: nets of thousands.
-    JointMethod method_used() const;
     const JointWork& work() const;
 
 private:

@@ -109,8 +109,7 @@ physics::JointState ScenarioWorld::joint(physics::JointId id) const {
 }
 
 double ScenarioWorld::energy_J() const {
-    const physics::Energy energy = physics.energy();
-    return energy.kinetic_J + energy.potential_J;
+    return physics.energy().total_J();
 }
 
 bool ScenarioWorld::broken() const {

@@ -269,7 +269,7 @@ struct Net : JointRig {
 TEST(JointMethods, SmallNetIsSolvedDirectly) {
     Net net(6);
     net.run(2, kFrame_s, 4);
-    EXPECT_EQ(net.system.method_used(), JointMethod::Direct);
+    EXPECT_EQ(net.system.work().method, JointMethod::Direct);
     EXPECT_LT(net.max_error(), 1e-5);
 }
 
@@ -277,7 +277,7 @@ TEST(JointMethods, LargeNetFallsBackToSweepsAndStaysTogether) {
     Net net(40);
     net.kick = Kick::Steady;
     net.run(2, kFrame_s, 4);
-    EXPECT_EQ(net.system.method_used(), JointMethod::Iterative);
+    EXPECT_EQ(net.system.work().method, JointMethod::Iterative);
     EXPECT_LT(net.max_speed(), 100);
     EXPECT_LT(net.max_error(), 0.35);
 }
