@@ -43,9 +43,11 @@ Vec3 angular_gain(const BodyMotion& motion, const Vec3& torque_Nm) {
 }
 
 bool feels_gyro(const BodyRecord& record, const WorldFeatures& features) {
+    // A tenth of an island's kLeastGyroSpin_radps: recorded states of bullet_* tell the two apart.
+    constexpr Real kLeastSpin_radps = 1e-3_r;
     const Vec3 spin = record.motion->spin_radps;
     return features.gyroscopic_torque && !record.traits.round_inertia &&
-           glm::dot(spin, spin) > static_cast<Real>(kLeastGyroSpin_radps * kLeastGyroSpin_radps);
+           glm::dot(spin, spin) > kLeastSpin_radps * kLeastSpin_radps;
 }
 
 void fly(BodyRecord& record, const Vec3d& gravity_mps2, const WorldFeatures& features, double h) {
