@@ -42,7 +42,7 @@ protected:
 };
 
 // 0.96 m by 0.905 m and 14 kg: m w^2 / 3 about the hinge (and its thickness), against the 1.5 N m that
-// hold it. A blow J at 0.8 m from the hinge: w = J r / I, and it turns by I w^2 / (2 * 1.5) rad.
+// hold it. An impulse J at 0.8 m from the hinge: w = J r / I, and it turns by I w^2 / (2 * 1.5) rad.
 TEST_F(GardenThings, TheGateTurnsAsFarAsItsFrictionLetsItAndRestsAtItsLimit) {
     const Real width_m = 0.905_r;
     const Real thick_m = 0.045_r;

@@ -37,7 +37,7 @@ void weigh(BodyRecord& record, const BodyDef& def, const ShapeRecord& shape) {
     if (def.center_of_mass_m) record.traits.body_from_mass.position = *def.center_of_mass_m;
     record.traits.mass_frame_is_body = record.traits.body_from_mass.position == Vec3{0, 0, 0} &&
                                        record.traits.body_from_mass.orientation == kNoRotation;
-    record.traits.round_inertia = nearly_equal(record.traits.inertia_kgm2);
+    record.traits.isotropic_inertia = nearly_equal(record.traits.inertia_kgm2);
 }
 
 /// The shape as seen from the body's mass frame, as a compound of one; none where the two agree.
@@ -46,11 +46,13 @@ std::unique_ptr<btCompoundShape> wrapper_of(BodyRecord& record, const ShapeRecor
     const bool same_frame = own.position == shape.body_from_mass.position &&
                             own.orientation == shape.body_from_mass.orientation;
     const Pose mass_from_shape = same_frame ? Pose{} : compose(invert(own), shape.body_from_mass);
-    record.sweep.cores = shape.cores;
-    record.sweep.smallest_core_m = shape.cores.empty() ? 0 : shape.cores.front().radius_m;
-    for (Core& core : record.sweep.cores) {
-        core.center_m = transform_point(mass_from_shape, core.center_m);
-        record.sweep.smallest_core_m = std::min(record.sweep.smallest_core_m, core.radius_m);
+    record.sweep.ccd_spheres = shape.ccd_spheres;
+    record.sweep.smallest_ccd_radius_m =
+        shape.ccd_spheres.empty() ? 0 : shape.ccd_spheres.front().radius_m;
+    for (CcdSphere& sphere : record.sweep.ccd_spheres) {
+        sphere.center_m = transform_point(mass_from_shape, sphere.center_m);
+        record.sweep.smallest_ccd_radius_m =
+            std::min(record.sweep.smallest_ccd_radius_m, sphere.radius_m);
     }
     if (same_frame) return nullptr;
     auto wrapper = std::make_unique<btCompoundShape>();
@@ -103,7 +105,8 @@ void give_rigid_body(BodyRecord& record, const BodyDef& def, const ShapeRecord& 
     if (record.traits.held_along_axes())
         record.rigid->setLinearFactor(to_bullet(def.linear_factor));
     record.traits.radius_m = collision->getAngularMotionDisc();
-    record.traits.touch_m = collision->getContactBreakingThreshold(gContactBreakingThreshold);
+    record.traits.contact_margin_m =
+        collision->getContactBreakingThreshold(gContactBreakingThreshold);
 }
 
 void set_rigid_mass(BodyRecord& record, bool frozen) {

@@ -107,7 +107,7 @@ void cast_at(const btConvexShape& moving,
 bool BodyFilter::sees(const BodyRecord& record) const {
     return &record != ignored && &record != also_ignored && (record.group & collides_with) != 0 &&
            (group & record.collides_with) != 0 &&
-           (ignored == nullptr || !kept_apart(*ignored, record)) &&
+           (ignored == nullptr || !collision_excluded(*ignored, record)) &&
            (unseen_group == 0 || record.sweep.group != unseen_group);
 }
 

@@ -18,7 +18,7 @@ namespace plumbline::physics {
 struct ClosestPoints {
     btVector3 normal{0, 1, 0};
     btVector3 point_on_b{0, 0, 0};
-    btScalar distance{0};  ///< negative: overlap
+    btScalar distance{0};  ///< negative: penetration
 };
 
 /// What a cast met first.

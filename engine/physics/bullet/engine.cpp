@@ -54,7 +54,8 @@ public:
         const BodyRecord& record_a = record_of(object_a);
         const BodyRecord& record_b = record_of(object_b);
         return (record_a.group & record_b.collides_with) != 0 &&
-               (record_b.group & record_a.collides_with) != 0 && !kept_apart(record_a, record_b);
+               (record_b.group & record_a.collides_with) != 0 &&
+               !collision_excluded(record_a, record_b);
     }
 };
 

@@ -44,11 +44,13 @@ void StepWorld::predictUnconstraintMotion(btScalar) {
         BodyRecord& record = record_of(rigid);
         note_before(record);
         if (rigid.isKinematicObject()) continue;
-        if (record.traits.linear_keep != 1) {
-            rigid.setLinearVelocity(rigid.getLinearVelocity() * record.traits.linear_keep);
+        if (record.traits.linear_damping_factor != 1) {
+            rigid.setLinearVelocity(rigid.getLinearVelocity() *
+                                    record.traits.linear_damping_factor);
         }
-        if (record.traits.angular_keep != 1) {
-            rigid.setAngularVelocity(rigid.getAngularVelocity() * record.traits.angular_keep);
+        if (record.traits.angular_damping_factor != 1) {
+            rigid.setAngularVelocity(rigid.getAngularVelocity() *
+                                     record.traits.angular_damping_factor);
         }
     }
     cost.integrate_ms += laps_.lap_ms();
@@ -79,7 +81,7 @@ void StepWorld::solveConstraints(btContactSolverInfo& info) {
 bool StepWorld::flew_free(const BodyRecord& record, btScalar step_s) const {
     const BodyMotion& motion = *record.motion;
     const Vec3 from_forces = record.applied.force_N * (motion.inverse_mass * step_s);
-    const Vec3 started = record.before.velocity_mps * record.traits.linear_keep;
+    const Vec3 started = record.before.velocity_mps * record.traits.linear_damping_factor;
     const Vec3 change = motion.velocity_mps - (started + from_forces);
     // A few roundings of the numbers compared; a push this small moves nothing that we can show.
     const Real slack = 4 * SIMD_EPSILON * (glm::length(started) + glm::length(from_forces));
@@ -90,7 +92,7 @@ bool StepWorld::flew_free(const BodyRecord& record, btScalar step_s) const {
 /// Semi-implicit Euler, as Bullet has it, for bodies that the solver pushed.
 void StepWorld::slide(BodyRecord& record, btScalar h) {
     BodyMotion& motion = *record.motion;
-    motion.flight.going = false;
+    motion.ballistic.going = false;
     motion.at.position_m += motion.velocity_mps * h;
     if (!feels_gyro(record, features) && motion.spin_radps != Vec3{0, 0, 0})
         motion.at.rotation = turned(motion.at.rotation, motion.spin_radps, h);
@@ -98,7 +100,7 @@ void StepWorld::slide(BodyRecord& record, btScalar h) {
 
 void StepWorld::move(BodyRecord& record, btScalar step_s) {
     if (flew_free(record, step_s)) {
-        fly(record, gravity_mps2_, features, static_cast<double>(step_s));
+        integrate_ballistic(record, gravity_mps2_, features, static_cast<double>(step_s));
     } else {
         slide(record, step_s);
     }
@@ -112,7 +114,7 @@ void StepWorld::integrateTransforms(btScalar step_s) {
     for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
         BodyRecord& record = record_of(*m_nonStaticRigidBodies[i]);
         if (record.kind == BodyKind::Kinematic) {
-            carry(record, record.drive.has_target && last_substep, step_s);
+            integrate_kinematic(record, record.drive.has_target && last_substep, step_s);
         } else {
             read_rigid_motion(record);
             if (is_active(record)) move(record, step_s);
@@ -144,7 +146,7 @@ void StepWorld::updateActivationState(btScalar step_s) {
         btRigidBody& rigid = *m_nonStaticRigidBodies[i];
         if (rigid.isKinematicObject()) continue;
         BodyRecord& record = record_of(rigid);
-        if (record.motion->flight.going) {
+        if (record.motion->ballistic.going) {
             // In the air nothing rests, however slow: the top of a throw, a balloon, no gravity.
             rigid.setDeactivationTime(0);
             rigid.setActivationState(ACTIVE_TAG);

@@ -1,4 +1,4 @@
-// Bullet's world with our clock, our flight and our phases.
+// Bullet's world with our clock, our integration and our phases.
 //
 // One advance() is one whole step of Bullet's pipeline. What differs from the stock world:
 // - nothing interpolates: a pose is where the body is, not where a motion state thinks it is

@@ -100,7 +100,7 @@ void Character::Impl::press_down() {
     push(ground.body, -kUp * impulse, ground.point);
 }
 
-/// As a force all through the step; for Bullet's solvers as a blow, because their friction does not
+/// As a force all through the step; for Bullet's solvers as an impact, because their friction does not
 /// see the torque of forces off centre, and a crate with a person at its edge would creep away.
 void Character::Impl::push(BodyId pushed, const Vec3& impulse_Ns, const Vec3& point_world) {
     if (world.def().solver == Solver::SmallStep) {

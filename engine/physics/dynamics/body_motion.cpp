@@ -46,74 +46,78 @@ bool feels_gyro(const BodyRecord& record, const WorldFeatures& features) {
     // A tenth of an island's kLeastGyroSpin_radps: recorded states of bullet_* tell the two apart.
     constexpr Real kLeastSpin_radps = 1e-3_r;
     const Vec3 spin = record.motion->spin_radps;
-    return features.gyroscopic_torque && !record.traits.round_inertia &&
+    return features.gyroscopic_torque && !record.traits.isotropic_inertia &&
            glm::dot(spin, spin) > kLeastSpin_radps * kLeastSpin_radps;
 }
 
-void fly(BodyRecord& record, const Vec3d& gravity_mps2, const WorldFeatures& features, double h) {
-    Flight& flight = record.motion->flight;
-    if (!flight.going) {
-        flight.position_m = Vec3d(record.before.at.position_m);
-        flight.velocity_mps = Vec3d(record.before.velocity_mps);
-        flight.orientation = double_quat_of(record.before.at.rotation);
-        flight.spin_radps = Vec3d(record.before.spin_radps);
-        flight.going = true;
+void integrate_ballistic(BodyRecord& record,
+                         const Vec3d& gravity_mps2,
+                         const WorldFeatures& features,
+                         double h) {
+    BallisticState& ballistic = record.motion->ballistic;
+    if (!ballistic.going) {
+        ballistic.position_m = Vec3d(record.before.at.position_m);
+        ballistic.velocity_mps = Vec3d(record.before.velocity_mps);
+        ballistic.orientation = double_quat_of(record.before.at.rotation);
+        ballistic.spin_radps = Vec3d(record.before.spin_radps);
+        ballistic.going = true;
     }
     Vec3d acceleration = gravity_mps2 * Vec3d(record.traits.linear_factor);
     if (record.applied.by_caller) {
         acceleration +=
             Vec3d(record.applied.force_N - record.traits.weight_N) / record.traits.mass_kg;
     }
-    const Vec3d v = flight.velocity_mps;
+    const Vec3d v = ballistic.velocity_mps;
     const double k = record.traits.linear_damping_per_s;
     if (k > 0) {
         const double lost = -std::expm1(-k * h);  // 1 - exp(-k h), exact for small k h too
         const Vec3d terminal = acceleration / k;
-        flight.position_m += terminal * h + (v - terminal) * (lost / k);
-        flight.velocity_mps = v + (terminal - v) * lost;
+        ballistic.position_m += terminal * h + (v - terminal) * (lost / k);
+        ballistic.velocity_mps = v + (terminal - v) * lost;
     } else {
-        flight.position_m += v * h + acceleration * (0.5 * h * h);
-        flight.velocity_mps = v + acceleration * h;
+        ballistic.position_m += v * h + acceleration * (0.5 * h * h);
+        ballistic.velocity_mps = v + acceleration * h;
     }
-    record.motion->velocity_mps = Vec3(flight.velocity_mps);
+    record.motion->velocity_mps = Vec3(ballistic.velocity_mps);
 
     // A torque went through the solver; without one the spin just decays.
     const Vec3 spin = record.motion->spin_radps;
-    const bool torque_free = spin == record.before.spin_radps * record.traits.angular_keep;
+    const bool torque_free =
+        spin == record.before.spin_radps * record.traits.angular_damping_factor;
     const double angular_k = record.traits.angular_damping_per_s;
     double turning_s = h;
-    const Vec3d turning = torque_free ? flight.spin_radps : Vec3d(spin);
-    flight.spin_radps = turning;
+    const Vec3d turning = torque_free ? ballistic.spin_radps : Vec3d(spin);
+    ballistic.spin_radps = turning;
     if (torque_free && angular_k > 0) {
         turning_s = -std::expm1(-angular_k * h) / angular_k;
-        flight.spin_radps *= std::exp(-angular_k * h);
-        record.motion->spin_radps = Vec3(flight.spin_radps);
+        ballistic.spin_radps *= std::exp(-angular_k * h);
+        record.motion->spin_radps = Vec3(ballistic.spin_radps);
     }
 
     Transform to = record.before.at;
-    to.position_m = Vec3(flight.position_m);
+    to.position_m = Vec3(ballistic.position_m);
     if (!feels_gyro(record, features) && turning != Vec3d{0, 0, 0}) {
-        flight.orientation = glm::normalize(turn_by(turning, turning_s) * flight.orientation);
-        to.rotation = matrix_of(flight.orientation);
+        ballistic.orientation = glm::normalize(turn_by(turning, turning_s) * ballistic.orientation);
+        to.rotation = matrix_of(ballistic.orientation);
     }
     record.motion->at = to;
 }
 
 void turn_freely(BodyRecord& record, double h) {
-    Flight& flight = record.motion->flight;
+    BallisticState& ballistic = record.motion->ballistic;
     Transform to = record.motion->at;
     const FreeTurn start =
-        flight.going ? FreeTurn{flight.orientation, flight.spin_radps}
-                     : FreeTurn{double_quat_of(to.rotation), Vec3d(record.motion->spin_radps)};
+        ballistic.going ? FreeTurn{ballistic.orientation, ballistic.spin_radps}
+                        : FreeTurn{double_quat_of(to.rotation), Vec3d(record.motion->spin_radps)};
     const FreeTurn end = turned_freely(start, record.traits.inertia_kgm2, h);
-    flight.orientation = end.orientation;
-    flight.spin_radps = end.spin_radps;
-    to.rotation = matrix_of(flight.orientation);
+    ballistic.orientation = end.orientation;
+    ballistic.spin_radps = end.spin_radps;
+    to.rotation = matrix_of(ballistic.orientation);
     record.motion->at = to;
-    record.motion->spin_radps = Vec3(flight.spin_radps);
+    record.motion->spin_radps = Vec3(ballistic.spin_radps);
 }
 
-void carry(BodyRecord& record, bool to_target, Real h) {
+void integrate_kinematic(BodyRecord& record, bool to_target, Real h) {
     if (stands_still(record)) return;
     Transform to = record.motion->at;
     if (to_target) {
@@ -129,24 +133,28 @@ void carry(BodyRecord& record, bool to_target, Real h) {
 constexpr Real kStuckShare = 0.02_r;
 
 bool moves_past_itself(const BodyRecord& record) {
-    if (record.sweep.cores.empty() || record.sweep.ccd == ContinuousCollision::Off) return false;
+    if (record.sweep.ccd_spheres.empty() || record.sweep.ccd == ContinuousCollision::Off)
+        return false;
     if (record.sweep.ccd == ContinuousCollision::On) return true;
     const Vec3 path = record.motion->at.position_m - record.before.at.position_m;
-    return glm::dot(path, path) > record.sweep.smallest_core_m * record.sweep.smallest_core_m;
+    return glm::dot(path, path) >
+           record.sweep.smallest_ccd_radius_m * record.sweep.smallest_ccd_radius_m;
 }
 
-WayToHit way_to_hit(const StepWorld& world, const BodyRecord& record, std::uint32_t unseen_group) {
+SweepResult swept_fraction(const StepWorld& world,
+                           const BodyRecord& record,
+                           std::uint32_t unseen_group) {
     // Smaller than the core, so that a body sliding fast over a floor is not stopped by it.
     constexpr Real kShare = 0.8_r;
     constexpr Real kInside = 1e-3_r;
     const Transform to = record.motion->at;
-    WayToHit way;
-    for (const Core& core : record.sweep.cores) {
-        const Vec3 from = record.before.at(core.center_m);
-        const Vec3 motion = to(core.center_m) - from;
+    SweepResult swept;
+    for (const CcdSphere& sphere : record.sweep.ccd_spheres) {
+        const Vec3 from = record.before.at(sphere.center_m);
+        const Vec3 motion = to(sphere.center_m) - from;
         const auto hit = cast_sphere(
             world,
-            {.from_world = from, .motion_m = motion, .radius_m = core.radius_m * kShare},
+            {.from_world = from, .motion_m = motion, .radius_m = sphere.radius_m * kShare},
             {.group = record.group,
              .collides_with = record.collides_with,
              .ignored = &record,
@@ -154,31 +162,31 @@ WayToHit way_to_hit(const StepWorld& world, const BodyRecord& record, std::uint3
         if (!hit) continue;
         const Real approach = -glm::dot(hit->normal_world, motion);
         // A hair inside: what is found by touch alone has no contact before it overlaps.
-        const Real back = core.radius_m * (1 - kShare - kInside) / approach;
+        const Real back = sphere.radius_m * (1 - kShare - kInside) / approach;
         const Real share = std::max(Real{0}, hit->fraction - back);
-        if (share < way.share) way = {share, hit->normal_world};
+        if (share < swept.share) swept = {share, hit->normal_world};
     }
-    return way;
+    return swept;
 }
 
 bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s) {
-    const WayToHit way = way_to_hit(world, record, 0);
-    if (way.share >= 1) return false;
-    record.motion->flight.going = false;
+    const SweepResult swept = swept_fraction(world, record, 0);
+    if (swept.share >= 1) return false;
+    record.motion->ballistic.going = false;
     Transform stopped = record.before.at;
-    stopped.position_m += (record.motion->at.position_m - stopped.position_m) * way.share;
+    stopped.position_m += (record.motion->at.position_m - stopped.position_m) * swept.share;
     // What stands at the hit already and still heads for it has contacts elsewhere, about which it
     // turns. It goes on turning; the speed that it cannot have would grow from step to step.
-    const bool stuck = way.share < kStuckShare;
+    const bool stuck = swept.share < kStuckShare;
     stopped.rotation = turned(record.before.at.rotation,
                               record.motion->spin_radps,
-                              stuck ? duration_s : duration_s * way.share);
+                              stuck ? duration_s : duration_s * swept.share);
     // Less the speed of the fall that it did not make.
     Vec3 velocity = record.motion->velocity_mps - record.traits.weight_N *
                                                       record.motion->inverse_mass *
-                                                      (duration_s * (1 - way.share));
-    const Real into = glm::dot(velocity, way.normal);
-    if (stuck && into < 0) velocity -= way.normal * into;
+                                                      (duration_s * (1 - swept.share));
+    const Real into = glm::dot(velocity, swept.normal);
+    if (stuck && into < 0) velocity -= swept.normal * into;
     record.motion->velocity_mps = velocity;
     record.motion->at = stopped;
     write_rigid_pose(record);
@@ -187,7 +195,7 @@ bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s) {
 
 void stop_part_way(BodyRecord& record, Real share) {
     const Transform to = record.motion->at;
-    record.motion->flight.going = false;
+    record.motion->ballistic.going = false;
     Transform stopped = record.before.at;
     stopped.position_m += (to.position_m - stopped.position_m) * share;
     stopped.rotation = turned_part_way(record.before.at.rotation, to.rotation, share);

@@ -15,7 +15,7 @@ struct BodyRecord;
 
 /// The state of a body carried in double precision from step to step: rounding each to float32
 /// would cost 1e-5 m within a second at 240 Hz.
-struct Flight {
+struct BallisticState {
     Vec3d position_m{0, 0, 0};
     Vec3d velocity_mps{0, 0, 0};
     Quatd orientation{1, 0, 0, 0};
@@ -31,7 +31,7 @@ struct BodyMotion {
     Vec3 spin_radps{0, 0, 0};
     Real inverse_mass{0};           ///< 1/kg; 0: gives way to nothing
     Vec3 inverse_moments{0, 0, 0};  ///< 1/(kg m2), principal
-    Flight flight{};                ///< the same pose and velocities, with more digits
+    BallisticState ballistic{};     ///< the same pose and velocities, with more digits
 };
 
 /// Along the world's axes.
@@ -45,28 +45,30 @@ bool feels_gyro(const BodyRecord& record, const WorldFeatures& features);
 /// Moves a body that nothing touches along the closed form of v' = g + f/m - k v, from where
 /// record.before says. Its spin must already hold its share of damping, and torques. Leaves the
 /// turning of bodies that feel the gyroscopic torque to turn_freely().
-void fly(BodyRecord& record,
-         const Vec3d& gravity_mps2,
-         const WorldFeatures& features,
-         double duration_s);
+void integrate_ballistic(BodyRecord& record,
+                         const Vec3d& gravity_mps2,
+                         const WorldFeatures& features,
+                         double duration_s);
 
 /// Torque-free turning; the momentum is kept.
 void turn_freely(BodyRecord& record, double duration_s);
 
 /// Moves a kinematic body by its velocities, or to its target.
-void carry(BodyRecord& record, bool to_target, Real duration_s);
+void integrate_kinematic(BodyRecord& record, bool to_target, Real duration_s);
 
 /// Whether the body went so far since record.before that it is to be swept.
 bool moves_past_itself(const BodyRecord& record);
 
 /// How far a body gets on its path.
-struct WayToHit {
+struct SweepResult {
     Real share{1};  ///< up to where its surface touches something; 1: nothing
     Vec3 normal{0, 1, 0};
 };
 /// Sweeps the balls inside the body along its path since record.before. Bodies of the group are
 /// passed through.
-WayToHit way_to_hit(const StepWorld& world, const BodyRecord& record, std::uint32_t unseen_group);
+SweepResult swept_fraction(const StepWorld& world,
+                           const BodyRecord& record,
+                           std::uint32_t unseen_group);
 /// On a hit the body stops there and keeps its velocity, so that the next step's contact bounces it
 /// as it should. Whether there was one.
 bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s);

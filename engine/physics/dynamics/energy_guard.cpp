@@ -37,8 +37,8 @@ double kinetic_J(std::span<const SolverBody> bodies, const Vec3d& center_mps) {
     for (const SolverBody& body : bodies) {
         if (!body.movable()) continue;
         const Vec3d v = Vec3d(body.velocity_mps) - center_mps;
-        const Vec3d spin =
-            glm::conjugate(Quatd(body.turned) * body.start_orientation) * Vec3d(body.spin_radps);
+        const Vec3d spin = glm::conjugate(Quatd(body.delta_rotation) * body.start_orientation) *
+                           Vec3d(body.spin_radps);
         sum += 0.5 * (mass_kg(body) * glm::dot(v, v) + glm::dot(body.inertia_kgm2 * spin, spin));
     }
     return sum;
@@ -49,7 +49,8 @@ double work_J(std::span<const SolverBody> bodies, double step_s) {
     double sum = 0;
     for (const SolverBody& body : bodies) {
         if (!body.movable()) continue;
-        sum += mass_kg(body) * glm::dot(Vec3d(body.acceleration_mps2), Vec3d(body.moved_m));
+        sum +=
+            mass_kg(body) * glm::dot(Vec3d(body.acceleration_mps2), Vec3d(body.delta_position_m));
         if (body.angular_acceleration_radps2 == Vec3{0, 0, 0}) continue;
         // At most: the torque all along the fastest turn.
         const double most =
@@ -65,15 +66,15 @@ double work_J(std::span<const SolverBody> bodies, double step_s) {
 }  // namespace
 
 void EnergyGuard::begin(std::span<const SolverBody> bodies,
-                        std::span<const ContactBlock> contacts,
+                        std::span<const ContactConstraint> contacts,
                         std::span<const SolverJoint> joints,
                         Real h) {
     watches_ = false;
     grounded_ = false;
     if (contacts.empty() && joints.empty()) return;
-    for (const ContactBlock& block : contacts) {
-        if (moves_by_itself(bodies[block.b])) return;
-        grounded_ = grounded_ || !bodies[block.b].movable();
+    for (const ContactConstraint& constraint : contacts) {
+        if (moves_by_itself(bodies[constraint.b])) return;
+        grounded_ = grounded_ || !bodies[constraint.b].movable();
     }
     for (const SolverJoint& joint : joints) {
         if (joint.motor || joint.kind == JointKind::Spring) return;
@@ -112,8 +113,8 @@ double EnergyGuard::end(std::span<SolverBody> bodies, double step_s) const {
         const double most_mps = static_cast<double>(body.start_speed_mps) +
                                 std::sqrt(2 * allowed_J / mass_kg(body)) + glm::length(center_mps);
         const auto most_m = static_cast<Real>(most_mps * step_s);
-        const Real way_m = glm::length(body.moved_m);
-        if (way_m > most_m) body.moved_m *= most_m / way_m;
+        const Real way_m = glm::length(body.delta_position_m);
+        if (way_m > most_m) body.delta_position_m *= most_m / way_m;
     }
     return now_J - allowed_J;
 }

@@ -1,7 +1,7 @@
 // No contact gives more motion than gravity, forces and what was there can have given.
 #pragma once
 
-#include "engine/physics/dynamics/contact/contact_block.h"
+#include "engine/physics/dynamics/contact/contact_constraint.h"
 #include "engine/physics/dynamics/joint/joint_system.h"
 
 #include <span>
@@ -18,7 +18,7 @@ class EnergyGuard {
 public:
     /// Before the step's first sub-step. `h`: the sub-step, s.
     void begin(std::span<const SolverBody> bodies,
-               std::span<const ContactBlock> contacts,
+               std::span<const ContactConstraint> contacts,
                std::span<const SolverJoint> joints,
                Real h);
     /// After the last: what was too much and was taken out, J; 0: nothing.

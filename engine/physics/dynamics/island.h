@@ -44,7 +44,7 @@ struct IslandStep {
 };
 
 /// Solves islands that touch or are joined: moves the bodies (Bullet's transforms and
-/// BodyRecord::flight), leaves velocities, loads on the manifolds and joint states.
+/// BodyRecord::ballistic), leaves velocities, loads on the manifolds and joint states.
 class IslandSolver {
 public:
     IslandSolver();

@@ -7,14 +7,14 @@
 namespace plumbline::physics {
 namespace {
 
-/// Without gravity slower blows do not bounce.
+/// Without gravity slower impacts do not bounce.
 constexpr Real kSlowestBounce_mps = 1e-3_r;
 
 }  // namespace
 
 void IslandLoop::clear() {
     bodies.assign(1, SolverBody{});
-    contacts.blocks.clear();
+    contacts.constraints.clear();
     joints.clear();
     held.clear();
 }
@@ -29,9 +29,10 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     impacts_.begin_step(contacts, bodies, bounce_mps);
     if (!joints.empty()) joint_system_.start(bodies, joints, h, settings.joint_method);
     for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
-    guard_.begin(bodies, contacts.blocks, joints, h_);
+    guard_.begin(bodies, contacts.constraints, joints, h_);
     for (int i = 0; i < settings.substeps; ++i) substep();
-    for (SolverBody& body : bodies) report_.clamped_bodies += calm(body) ? 1U : 0U;
+    for (SolverBody& body : bodies)
+        report_.clamped_bodies += clamp_depenetration_velocity(body) ? 1U : 0U;
     report_.braked_J = guard_.end(bodies, settings.step_s);
     if (!joints.empty()) {
         joint_system_.finish();
@@ -45,8 +46,8 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
 
 /// Many bodies in one place push each other in rows, and what each pair may give adds up: none
 /// leaves faster than one pair may push, or than it came. Whether that slowed it.
-bool IslandLoop::calm(SolverBody& body) const {
-    if (!body.shoved || !body.movable()) return false;
+bool IslandLoop::clamp_depenetration_velocity(SolverBody& body) const {
+    if (!body.depenetrated || !body.movable()) return false;
     const Real most = std::max(settings_.push_mps, body.start_speed_mps);
     const Real speed = glm::length(body.velocity_mps);
     if (speed > most) body.velocity_mps *= most / speed;
@@ -73,25 +74,26 @@ void IslandLoop::substep() {
 void IslandLoop::hold() {
     for (const HeldBody& each : held) {
         bodies[each.body].velocity_mps *= each.linear_factor;
-        bodies[each.body].moved_m *= each.linear_factor;
+        bodies[each.body].delta_position_m *= each.linear_factor;
     }
 }
 
 void IslandLoop::apply_steady_forces() {
     for (SolverBody& body : bodies) {
-        body.steady_mps = body.acceleration_mps2 * h_;
-        body.steady_radps = body.angular_acceleration_radps2 * h_;
+        body.velocity_increment_mps = body.acceleration_mps2 * h_;
+        body.spin_increment_radps = body.angular_acceleration_radps2 * h_;
     }
     contacts.warm_start();
     for (SolverBody& body : bodies) {
         if (!body.movable()) continue;
-        body.velocity_mps = body.velocity_mps * body.linear_keep + body.steady_mps;
-        body.spin_radps = body.spin_radps * body.angular_keep + body.steady_radps;
+        body.velocity_mps =
+            body.velocity_mps * body.linear_damping_factor + body.velocity_increment_mps;
+        body.spin_radps = body.spin_radps * body.angular_damping_factor + body.spin_increment_radps;
     }
 }
 
 void IslandLoop::solve_velocities() {
-    if (contacts.blocks.empty() && !joint_system_.solves_before_motion()) return;
+    if (contacts.constraints.empty() && !joint_system_.solves_before_motion()) return;
     for (int i = 0; i < settings_.iterations; ++i) {
         contacts.solve_with_bias();
         if (!joints.empty()) joint_system_.solve_velocities();
@@ -112,24 +114,26 @@ void IslandLoop::relax() {
 void IslandLoop::move() {
     const Real half = h_ / 2;
     for (SolverBody& body : bodies) {
-        body.moved_m += body.velocity_mps * h_ - body.steady_mps * half;
+        body.delta_position_m += body.velocity_mps * h_ - body.velocity_increment_mps * half;
         turn(body);
     }
     hold();
 }
 
 void IslandLoop::turn(SolverBody& body) const {
-    const bool gyroscopic = settings_.gyroscopic_torque && body.movable() && !body.round_inertia &&
+    const bool gyroscopic = settings_.gyroscopic_torque && body.movable() &&
+                            !body.isotropic_inertia &&
                             glm::dot(body.spin_radps, body.spin_radps) >
                                 static_cast<Real>(kLeastGyroSpin_radps * kLeastGyroSpin_radps);
     if (!gyroscopic) {
-        const Vec3 mean = body.spin_radps - body.steady_radps * Real{0.5};
-        body.turned = glm::normalize(turn_by(mean, h_) * body.turned);
+        const Vec3 mean = body.spin_radps - body.spin_increment_radps * Real{0.5};
+        body.delta_rotation = glm::normalize(turn_by(mean, h_) * body.delta_rotation);
         return;
     }
-    const FreeTurn start{Quatd(body.turned) * body.start_orientation, Vec3d(body.spin_radps)};
+    const FreeTurn start{Quatd(body.delta_rotation) * body.start_orientation,
+                         Vec3d(body.spin_radps)};
     const FreeTurn end = turned_freely(start, body.inertia_kgm2, static_cast<double>(h_));
-    body.turned = Quat(end.orientation * glm::conjugate(body.start_orientation));
+    body.delta_rotation = Quat(end.orientation * glm::conjugate(body.start_orientation));
     body.spin_radps = Vec3(end.spin_radps);
 }
 

@@ -48,12 +48,12 @@ public:
 
     /// Empties the island; keeps the memory.
     void clear();
-    /// Moves bodies for one step. Velocities, `moved_m`, `turned`, impulses and joints are left as
+    /// Moves bodies for one step. Velocities, `delta_position_m`, `turned`, impulses and joints are left as
     /// the step ends.
     LoopReport run(const LoopSettings& settings);
 
 private:
-    bool calm(SolverBody& body) const;
+    bool clamp_depenetration_velocity(SolverBody& body) const;
     void substep();
     void apply_steady_forces();
     void move();

@@ -24,9 +24,9 @@ SolverBody posed_body(const BodyRecord& record) {
     SolverBody body;
     body.velocity_mps = record.motion->velocity_mps;
     body.spin_radps = record.motion->spin_radps;
-    if (record.motion->flight.going) {
-        body.start_position_m = record.motion->flight.position_m;
-        body.start_orientation = record.motion->flight.orientation;
+    if (record.motion->ballistic.going) {
+        body.start_position_m = record.motion->ballistic.position_m;
+        body.start_orientation = record.motion->ballistic.orientation;
         return body;
     }
     const Transform at = record.motion->at;
@@ -40,7 +40,7 @@ SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double
     body.inverse_mass = record.motion->inverse_mass;
     body.inverse_inertia = inverse_inertia_of(*record.motion);
     body.inertia_kgm2 = record.traits.inertia_kgm2;
-    body.round_inertia = record.traits.round_inertia;
+    body.isotropic_inertia = record.traits.isotropic_inertia;
     body.acceleration_mps2 = Vec3(step.gravity_mps2) * record.traits.linear_factor;
     if (record.applied.by_caller) {
         body.acceleration_mps2 +=
@@ -48,9 +48,11 @@ SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double
         body.angular_acceleration_radps2 = angular_gain(*record.motion, record.applied.torque_Nm);
     }
     if (record.traits.linear_damping_per_s > 0)
-        body.linear_keep = static_cast<Real>(std::exp(-record.traits.linear_damping_per_s * h));
+        body.linear_damping_factor =
+            static_cast<Real>(std::exp(-record.traits.linear_damping_per_s * h));
     if (record.traits.angular_damping_per_s > 0)
-        body.angular_keep = static_cast<Real>(std::exp(-record.traits.angular_damping_per_s * h));
+        body.angular_damping_factor =
+            static_cast<Real>(std::exp(-record.traits.angular_damping_per_s * h));
     return body;
 }
 
@@ -116,15 +118,15 @@ void IslandSolver::Impl::write_bodies() {
         if (records[i] == nullptr) continue;
         BodyRecord& record = *records[i];
         const SolverBody& body = loop.bodies[i];
-        Flight& flight = record.motion->flight;
-        flight.position_m = body.start_position_m + Vec3d(body.moved_m);
-        flight.orientation = glm::normalize(Quatd(body.turned) * body.start_orientation);
-        flight.velocity_mps = Vec3d(body.velocity_mps);
-        flight.spin_radps = Vec3d(body.spin_radps);
-        flight.going = true;
+        BallisticState& ballistic = record.motion->ballistic;
+        ballistic.position_m = body.start_position_m + Vec3d(body.delta_position_m);
+        ballistic.orientation = glm::normalize(Quatd(body.delta_rotation) * body.start_orientation);
+        ballistic.velocity_mps = Vec3d(body.velocity_mps);
+        ballistic.spin_radps = Vec3d(body.spin_radps);
+        ballistic.going = true;
         record.motion->velocity_mps = body.velocity_mps;
         record.motion->spin_radps = body.spin_radps;
-        record.motion->at = transform_of({Vec3(flight.position_m), Quat(flight.orientation)});
+        record.motion->at = transform_of({Vec3(ballistic.position_m), Quat(ballistic.orientation)});
     }
 }
 
@@ -170,8 +172,8 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
             if (!pushable(record)) continue;
             inverse_mass += record.motion->inverse_mass;
             heaviest_kg = std::max(heaviest_kg, 1 / record.motion->inverse_mass);
-            if (record.sweep.smallest_core_m > 0)
-                size_m = std::min(size_m, 2 * record.sweep.smallest_core_m);
+            if (record.sweep.smallest_ccd_radius_m > 0)
+                size_m = std::min(size_m, 2 * record.sweep.smallest_ccd_radius_m);
         }
         if (load_N == 0) load_N = heaviest_kg * gravity_mps2;
         chooser.add_contact(
@@ -179,10 +181,10 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
     }
     for (const JointRecord* joint : island.joints) {
         Real spin_radps = glm::length(joint->a->motion->spin_radps);
-        Real size_m = std::max(2 * joint->a->sweep.smallest_core_m, 1e-3_r);
+        Real size_m = std::max(2 * joint->a->sweep.smallest_ccd_radius_m, 1e-3_r);
         if (joint->b != nullptr) {
             spin_radps = std::max(spin_radps, glm::length(joint->b->motion->spin_radps));
-            size_m = std::max(size_m, 2 * joint->b->sweep.smallest_core_m);
+            size_m = std::max(size_m, 2 * joint->b->sweep.smallest_ccd_radius_m);
         }
         chooser.add_joint(spin_radps, static_cast<Real>(joint->state.error_m) / size_m);
     }

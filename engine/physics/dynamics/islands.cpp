@@ -17,12 +17,12 @@ bool is_member(const BodyRecord* record) {
 }
 
 /// What bounds an island and moves by itself.
-bool is_carrier(const BodyRecord& record) {
+bool moves_by_itself(const BodyRecord& record) {
     return record.kind == BodyKind::Kinematic && record.small.awake;
 }
 
 /// Nothing that callers may do makes bodies faster than this; comparisons with NaN are false.
-bool is_sane(const BodyRecord& record) {
+bool is_valid(const BodyRecord& record) {
     constexpr Real kSpeed = 4 * kMaxSpeed_mps;
     constexpr Real kSpin = 4 * kMaxSpin_radps;
     const Vec3 v = record.motion->velocity_mps;
@@ -39,7 +39,7 @@ Real speed_before(const BodyRecord& record) {
 }
 
 void stand_as_before(BodyRecord& record) {
-    record.motion->flight.going = false;
+    record.motion->ballistic.going = false;
     record.motion->at = record.before.at;
     record.motion->velocity_mps = record.before.velocity_mps;
     record.motion->spin_radps = record.before.spin_radps;
@@ -47,9 +47,9 @@ void stand_as_before(BodyRecord& record) {
 
 }  // namespace
 
-bool take_back_if_insane(const Island& island) {
+bool roll_back_if_invalid(const Island& island) {
     const bool sound = std::all_of(
-        island.bodies.begin(), island.bodies.end(), [](auto* record) { return is_sane(*record); });
+        island.bodies.begin(), island.bodies.end(), [](auto* record) { return is_valid(*record); });
     if (sound) return false;
     BodyRecord* fastest = island.bodies.front();
     for (BodyRecord* record : island.bodies) {
@@ -79,7 +79,7 @@ void IslandBuilder::note_partner(std::uint32_t body, const BodyRecord* partner) 
     if (is_member(partner)) return;
     Island& island = island_of(body);
     island.supported = true;
-    if (partner != nullptr && is_carrier(*partner)) island.carried = true;
+    if (partner != nullptr && moves_by_itself(*partner)) island.carried = true;
 }
 
 void IslandBuilder::build(std::span<BodyRecord* const> bodies,

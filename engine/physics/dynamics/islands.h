@@ -39,6 +39,6 @@ private:
 /// When a step left an island with numbers that are not finite, or faster than anything may be: all
 /// its bodies stand as they did, nothing presses any more, and the one that was fastest is left for
 /// quarantine. Returns whether that was so.
-bool take_back_if_insane(const Island& island);
+bool roll_back_if_invalid(const Island& island);
 
 }  // namespace plumbline::physics

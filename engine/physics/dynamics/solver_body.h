@@ -27,25 +27,25 @@ struct alignas(64) SolverBody {
     Vec3 spin_radps{0, 0, 0};
     SymmetricMat3 inverse_inertia{};  ///< world axes, 1/(kg m2)
 
-    Vec3 moved_m{0, 0, 0};            ///< centre of mass, since the step's start
-    Quat turned{kNoRotation};         ///< since the step's start: world_from_body = turned * start
-    Vec3 acceleration_mps2{0, 0, 0};  ///< gravity and the callers' forces
+    Vec3 delta_position_m{0, 0, 0};    ///< centre of mass, since the step's start
+    Quat delta_rotation{kNoRotation};  ///< since the step's start: world_from_body = turned * start
+    Vec3 acceleration_mps2{0, 0, 0};   ///< gravity and the callers' forces
     Vec3 angular_acceleration_radps2{0, 0, 0};  ///< the callers' torques
 
     /// What gravity, callers' forces and the impulses of the sub-step before (warm start) change in
     /// this sub-step: forces that act all along it, so that positions take half of their effect.
-    Vec3 steady_mps{0, 0, 0};
-    Vec3 steady_radps{0, 0, 0};
-    Real linear_keep{1};  ///< share of speed that damping leaves after a sub-step
-    Real angular_keep{1};
+    Vec3 velocity_increment_mps{0, 0, 0};
+    Vec3 spin_increment_radps{0, 0, 0};
+    Real linear_damping_factor{1};  ///< share of speed that damping leaves after a sub-step
+    Real angular_damping_factor{1};
 
     /// The pose at the step's start and what the inertia is made from, in double precision.
     Vec3d start_position_m{0, 0, 0};
     Quatd start_orientation{1, 0, 0, 0};
     Vec3d inertia_kgm2{0, 0, 0};  ///< principal, body axes; 0: immovable
-    bool shoved{false};           ///< deep overlap pushed it in this step
+    bool depenetrated{false};     ///< deep overlap pushed it in this step
     Real start_speed_mps{0};
-    bool round_inertia{true};  ///< all three moments equal: inverse_inertia never changes
+    bool isotropic_inertia{true};  ///< all three moments equal: inverse_inertia never changes
 
     bool movable() const { return inverse_mass > 0; }
     Vec3 velocity_at(const Vec3& arm) const { return velocity_mps + glm::cross(spin_radps, arm); }

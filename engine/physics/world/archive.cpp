@@ -24,14 +24,14 @@ void serialize_body(Archive& archive, BodyRecord& record) {
             record.small.box_stale,
             record.small.substeps,
             record.small.substeps_held,
-            record.small.slumber,
+            record.small.sleeping_island,
             record.joints,
             record.small.rest,
             record.drive.target,
             record.before.at,
             record.before.velocity_mps,
             record.before.spin_radps,
-            record.motion->flight,
+            record.motion->ballistic,
             record.motion->at,
             record.motion->velocity_mps,
             record.motion->spin_radps,
@@ -105,9 +105,9 @@ void PhysicsWorld::Impl::abandon() {
     if (engine) take_engine_down();
     bodies.each([](BodyId, std::unique_ptr<BodyRecord>& record) {
         record->in_world = record->small.awake = false;
-        record->small.slumber = 0;
+        record->small.sleeping_island = 0;
         record->joints.clear();
-        record->apart.clear();
+        record->excluded.clear();
         record->small.pairs.clear();
     });
     joints = {};
@@ -125,7 +125,7 @@ void PhysicsWorld::Impl::serialize_bodies(Archive& archive, const BodyScope& sco
         if (archive.reads()) {
             if (record->contact_events) ++event_bodies;
             if (was_frozen != record->frozen) set_rigid_mass(*record, record->frozen);
-            record->apart.clear();
+            record->excluded.clear();
             record->sweep.group = 0;
         }
         serialize_rigid(archive, *record);

@@ -28,16 +28,16 @@ inline void serialize(Archive& archive, WorldFeatures& features) {
     archive(features.continuous_collision, features.gyroscopic_torque, features.contact_events);
 }
 
-inline void serialize(Archive& archive, Flight& flight) {
-    archive(flight.position_m,
-            flight.velocity_mps,
-            flight.orientation,
-            flight.spin_radps,
-            flight.going);
+inline void serialize(Archive& archive, BallisticState& ballistic) {
+    archive(ballistic.position_m,
+            ballistic.velocity_mps,
+            ballistic.orientation,
+            ballistic.spin_radps,
+            ballistic.going);
 }
 
 inline void serialize(Archive& archive, Rest& rest) {
-    archive(rest.position_m, rest.orientation, rest.stretch_s, rest.went_m, rest.calm);
+    archive(rest.position_m, rest.orientation, rest.stretch_s, rest.went_m, rest.slow_stretches);
 }
 
 inline void serialize(Archive& archive, ContactEvent& event) {

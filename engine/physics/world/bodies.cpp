@@ -18,7 +18,7 @@ void set_velocity_of_origin(BodyRecord& record, const Vec3& velocity, const Vec3
     if (!record.traits.mass_frame_is_body) v -= glm::cross(spin, arm_of_origin(record));
     record.motion->velocity_mps = v * record.traits.linear_factor;
     record.motion->spin_radps = spin;
-    record.motion->flight.going = false;
+    record.motion->ballistic.going = false;
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ void PhysicsWorld::Impl::place(BodyRecord& record, const Transform& to) {
     write_rigid_motion(record);
     record.before.at = to;
     record.drive.target = to;
-    record.motion->flight.going = false;
+    record.motion->ballistic.going = false;
     if (record.in_world) engine->refresh_box(record);
 }
 
@@ -82,7 +82,7 @@ BodyId PhysicsWorld::create_body(const BodyDef& def) {
     impl_->enter_world(record);
     if (sound && def.kind != BodyKind::Static) {
         set_velocity_of_origin(record, def.velocity_mps, def.angular_velocity_radps);
-        if (impl_->small && def.kind == BodyKind::Kinematic) impl_->small->stir(record);
+        if (impl_->small && def.kind == BodyKind::Kinematic) impl_->small->wake_kinematic(record);
     }
     if (!sound) {
         record.poisoned = true;
@@ -170,7 +170,7 @@ void PhysicsWorld::move_kinematic(BodyId id, const Pose& world_from_body) {
     if (!is_finite(world_from_body)) return impl_->poison(record);
     record.drive.target = impl_->world_from_mass(record, world_from_body);
     record.drive.has_target = true;
-    if (impl_->small) impl_->small->stir(record);
+    if (impl_->small) impl_->small->wake_kinematic(record);
 }
 
 void PhysicsWorld::set_velocity(BodyId id,
@@ -182,7 +182,7 @@ void PhysicsWorld::set_velocity(BodyId id,
     if (record.kind == BodyKind::Static || !record.in_world || record.frozen) return;
     set_velocity_of_origin(record, velocity_mps, angular_velocity_radps);
     record.drive.driven = false;
-    if (impl_->small && record.kind == BodyKind::Kinematic) impl_->small->stir(record);
+    if (impl_->small && record.kind == BodyKind::Kinematic) impl_->small->wake_kinematic(record);
     wake(id);
 }
 
@@ -224,7 +224,7 @@ void PhysicsWorld::apply_impulse_at(BodyId id, const Vec3& impulse_Ns, const Vec
     const Vec3 arm = point_world - motion.at.position_m;
     motion.velocity_mps += impulse * motion.inverse_mass;
     motion.spin_radps += angular_gain(motion, glm::cross(arm, impulse));
-    record.motion->flight.going = false;
+    record.motion->ballistic.going = false;
     wake(id);
 }
 
@@ -233,7 +233,7 @@ void PhysicsWorld::set_frozen(BodyId id, bool frozen) {
     if (record.kind != BodyKind::Dynamic || record.frozen == frozen || !record.in_world) return;
     impl_->leave_world(record);
     record.frozen = frozen;
-    record.motion->flight.going = false;
+    record.motion->ballistic.going = false;
     set_rigid_mass(record, frozen);
     clear_forces(record);
     record.motion->velocity_mps = {0, 0, 0};

@@ -24,7 +24,7 @@ inline constexpr Real kMaxSpin_radps = 1e4_r;
 inline constexpr Real kMaxDistance_m = 1e6_r;
 
 /// A ball inside a shape; continuous collision sweeps these.
-struct Core {
+struct CcdSphere {
     Vec3 center_m{0, 0, 0};  ///< mass frame
     Real radius_m{0};
 };
@@ -36,15 +36,15 @@ struct BodyTraits {
     bool mass_frame_is_body{true};
     double mass_kg{0};
     Vec3d inertia_kgm2{0, 0, 0};
-    bool round_inertia{true};  ///< all three moments equal: no gyroscopic torque
+    bool isotropic_inertia{true};  ///< all three moments equal: no gyroscopic torque
     double linear_damping_per_s{0};
     double angular_damping_per_s{0};
     Vec3 linear_factor{1, 1, 1};  ///< 0 along world axes that the body does not move along
     Vec3 weight_N{0, 0, 0};
-    Real linear_keep{1};  ///< share of speed left after a substep
-    Real angular_keep{1};
-    Real radius_m{0};  ///< of the farthest point from the centre of mass
-    Real touch_m{0};   ///< points count as near up to this distance
+    Real linear_damping_factor{1};  ///< share of speed left after a substep
+    Real angular_damping_factor{1};
+    Real radius_m{0};          ///< of the farthest point from the centre of mass
+    Real contact_margin_m{0};  ///< points count as near up to this distance
 
     bool held_along_axes() const { return linear_factor != Vec3{1, 1, 1}; }
 };
@@ -73,21 +73,21 @@ struct KinematicDrive {
 /// What continuous collision knows of a body.
 struct SweptBody {
     ContinuousCollision ccd{ContinuousCollision::Auto};
-    std::vector<Core> cores;  ///< mass frame; empty: never swept
-    Real smallest_core_m{0};
+    std::vector<CcdSphere> ccd_spheres;  ///< mass frame; empty: never swept
+    Real smallest_ccd_radius_m{0};
     std::uint32_t group{0};  ///< bodies that stop together share it; 0: stops alone
 };
 
 /// What small_step keeps of a body.
 struct SmallStepBody {
-    bool awake{false};         ///< steps move it
-    bool box_stale{false};     ///< somebody changed its motion since the last step
-    std::uint32_t slumber{0};  ///< bodies that fell asleep together share it; 0: awake
+    bool awake{false};                 ///< steps move it
+    bool box_stale{false};             ///< somebody changed its motion since the last step
+    std::uint32_t sleeping_island{0};  ///< bodies that fell asleep together share it; 0: awake
     Rest rest{};
     int substeps{0};              ///< of its island in the latest step
     int substeps_held{0};         ///< steps since its island really asked for as many
     std::uint32_t row{0};         ///< among the awake bodies, while islands are built
-    Jolt jolt{};                  ///< within a step
+    PredictedChange predicted{};  ///< within a step
     std::vector<PairLink> pairs;  ///< by the other body's id
 };
 
@@ -118,7 +118,7 @@ struct BodyRecord {
     SmallStepBody small{};
     std::vector<JointId> joints;  ///< that hold it, broken ones included, in order of creation
     /// Bodies that joints keep it from touching, once for each such joint.
-    std::vector<const BodyRecord*> apart;
+    std::vector<const BodyRecord*> excluded;
     std::unique_ptr<RigidBody> rigid;  ///< Bullet's side: bullet/body.h
 };
 
@@ -140,14 +140,14 @@ inline bool stands_still(const BodyRecord& record) {
 inline void stand_still(BodyRecord& record) {
     BodyMotion& motion = *record.motion;
     motion.velocity_mps = motion.spin_radps = {0, 0, 0};
-    motion.flight.velocity_mps = motion.flight.spin_radps = {0, 0, 0};
+    motion.ballistic.velocity_mps = motion.ballistic.spin_radps = {0, 0, 0};
 }
 
 /// A step or substep starts.
 inline void note_before(BodyRecord& record) {
     const BodyMotion& motion = *record.motion;
     record.before = {motion.at, motion.velocity_mps, motion.spin_radps};
-    record.small.jolt = {};
+    record.small.predicted = {};
 }
 
 inline void add_force(BodyRecord& record, const Vec3& force_N) {
@@ -163,9 +163,9 @@ inline bool by_id(const BodyRecord* a, const BodyRecord* b) {
 }
 
 /// Whether a joint keeps the two from touching.
-inline bool kept_apart(const BodyRecord& a, const BodyRecord& b) {
-    const bool a_has_fewer = a.apart.size() < b.apart.size();
-    const auto& list = a_has_fewer ? a.apart : b.apart;
+inline bool collision_excluded(const BodyRecord& a, const BodyRecord& b) {
+    const bool a_has_fewer = a.excluded.size() < b.excluded.size();
+    const auto& list = a_has_fewer ? a.excluded : b.excluded;
     return std::find(list.begin(), list.end(), a_has_fewer ? &b : &a) != list.end();
 }
 

@@ -11,13 +11,13 @@
 namespace plumbline::physics {
 namespace {
 
-/// Stretches of time that must be calm, one after the other.
+/// Stretches of time that must be slow, one after the other.
 constexpr int kStretches = 2;
 /// Slow: below this share of the speed of a fall by the radius, sqrt(2 g r).
 constexpr double kSlowShare = 0.0141;
 /// ... and without gravity below this many radii per second.
 constexpr double kSlowRadii_per_s = 1e-3;
-/// A calm body's mean speed over a stretch, as a share of what is slow.
+/// The mean speed of a body at rest over a stretch, as a share of what is slow.
 constexpr double kDriftShare = 0.08;
 /// A body that goes farther in each stretch is tipping over or has been let go.
 constexpr double kGrowth = 1.5;
@@ -38,12 +38,12 @@ double speed_of_energy(const BodyRecord& record) {
 }
 
 Vec3d position_of(const BodyRecord& record) {
-    if (record.motion->flight.going) return record.motion->flight.position_m;
+    if (record.motion->ballistic.going) return record.motion->ballistic.position_m;
     return Vec3d{record.motion->at.position_m};
 }
 
 Quatd orientation_of(const BodyRecord& record) {
-    if (record.motion->flight.going) return record.motion->flight.orientation;
+    if (record.motion->ballistic.going) return record.motion->ballistic.orientation;
     return double_quat_of(record.motion->at.rotation);
 }
 
@@ -64,7 +64,7 @@ double way_m(const BodyRecord& record) {
 }  // namespace
 
 void break_rest(BodyRecord& record) {
-    record.small.rest.calm = 0;
+    record.small.rest.slow_stretches = 0;
     record.small.rest.went_m = -1;
     record.small.rest.stretch_s = -1;  // the next slow step starts a stretch
 }
@@ -81,7 +81,8 @@ void watch_rest(BodyRecord& record, double gravity_mps2, double step_s) {
     const double way = way_m(record);
     const bool grows =
         rest.went_m >= 0 && way > kGrowth * rest.went_m && way > kNoiseShare * radius_m;
-    rest.calm = way <= kDriftShare * slow * rest.stretch_s && !grows ? rest.calm + 1 : 0;
+    rest.slow_stretches =
+        way <= kDriftShare * slow * rest.stretch_s && !grows ? rest.slow_stretches + 1 : 0;
     rest.went_m = way;
     start_stretch(record);
 }
@@ -89,27 +90,27 @@ void watch_rest(BodyRecord& record, double gravity_mps2, double step_s) {
 bool is_at_rest(const Island& island) {
     if (!island.supported || island.carried) return false;
     return std::all_of(island.bodies.begin(), island.bodies.end(), [](const BodyRecord* record) {
-        return record->can_sleep && record->small.rest.calm >= kStretches;
+        return record->can_sleep && record->small.rest.slow_stretches >= kStretches;
     });
 }
 
-std::uint32_t Slumbers::add(std::span<BodyRecord* const> bodies) {
+std::uint32_t SleepingIslands::add(std::span<BodyRecord* const> bodies) {
     if (free_.empty()) {
         bodies_.emplace_back();
         free_.push_back(static_cast<std::uint32_t>(bodies_.size()));
     }
-    const std::uint32_t slumber = free_.back();
+    const std::uint32_t sleeping_island = free_.back();
     free_.pop_back();
-    bodies_[slumber - 1].assign(bodies.begin(), bodies.end());
-    return slumber;
+    bodies_[sleeping_island - 1].assign(bodies.begin(), bodies.end());
+    return sleeping_island;
 }
 
-std::vector<BodyRecord*> Slumbers::end(std::uint32_t slumber) {
-    free_.push_back(slumber);
-    return std::exchange(bodies_[slumber - 1], {});
+std::vector<BodyRecord*> SleepingIslands::end(std::uint32_t sleeping_island) {
+    free_.push_back(sleeping_island);
+    return std::exchange(bodies_[sleeping_island - 1], {});
 }
 
-void Slumbers::serialize(Archive& archive, const BodyScope& scope) {
+void SleepingIslands::serialize(Archive& archive, const BodyScope& scope) {
     bodies_.resize(archive.count(bodies_.size()));
     for (std::vector<BodyRecord*>& together : bodies_) physics::serialize(archive, together, scope);
     archive(free_);

@@ -1,8 +1,8 @@
 // When bodies come to rest, and who wakes together.
 //
 // A body is slow while its kinetic energy would lift it by less than a 5000th of its radius. It is
-// calm once it was slow for half a second and hardly went anywhere meanwhile: what creeps, swings
-// over or turns slowly is not at rest. An island sleeps when all its bodies are calm.
+// at rest once it was slow for half a second and hardly went anywhere meanwhile: what creeps, swings
+// over or turns slowly is not at rest. An island sleeps when all its bodies are at rest.
 #pragma once
 
 #include "engine/physics/dynamics/island.h"
@@ -22,9 +22,9 @@ inline constexpr double kSleepAfter_s = 0.5;
 struct Rest {
     Vec3d position_m{0, 0, 0};  ///< at the start of the present stretch of time
     Quatd orientation{1, 0, 0, 0};
-    double stretch_s{0};  ///< how long it lasts so far
-    double went_m{-1};    ///< in the stretch before; negative: there is none
-    int calm{0};          ///< stretches in a row
+    double stretch_s{0};    ///< how long it lasts so far
+    double went_m{-1};      ///< in the stretch before; negative: there is none
+    int slow_stretches{0};  ///< stretches in a row
 };
 
 /// Takes note of a step of `step_s` that ends now.
@@ -35,11 +35,11 @@ void break_rest(BodyRecord& record);
 bool is_at_rest(const Island& island);
 
 /// Bodies that fell asleep together. Numbers start at 1 and are used again.
-class Slumbers {
+class SleepingIslands {
 public:
     std::uint32_t add(std::span<BodyRecord* const> bodies);
-    /// The bodies of a slumber, by their ids; it ends.
-    std::vector<BodyRecord*> end(std::uint32_t slumber);
+    /// The bodies of a sleeping island, by their ids; it ends.
+    std::vector<BodyRecord*> end(std::uint32_t sleeping_island);
     void serialize(Archive& archive, const BodyScope& scope);
 
 private:

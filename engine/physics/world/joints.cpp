@@ -71,9 +71,9 @@ std::string fault_of_numbers(const JointDef& joint) {
 
 /// Rigid transforms as the joints want them: what flies keeps double precision.
 MassPose mass_pose(const BodyRecord& record) {
-    if (record.motion->flight.going)
-        return {.position_m = record.motion->flight.position_m,
-                .orientation = record.motion->flight.orientation};
+    if (record.motion->ballistic.going)
+        return {.position_m = record.motion->ballistic.position_m,
+                .orientation = record.motion->ballistic.orientation};
     const Transform at = record.motion->at;
     return {.position_m = Vec3d{at.position_m}, .orientation = double_quat_of(at.rotation)};
 }
@@ -141,15 +141,15 @@ JointId PhysicsWorld::Impl::add_joint(const JointDef& joint_def) {
 
 void PhysicsWorld::Impl::keep_apart(JointRecord& joint) {
     if (joint.b == nullptr || joint.def.collide) return;
-    joint.a->apart.push_back(joint.b);
-    joint.b->apart.push_back(joint.a);
+    joint.a->excluded.push_back(joint.b);
+    joint.b->excluded.push_back(joint.a);
 }
 
 void PhysicsWorld::Impl::detach_joint(JointRecord& joint) {
     joint.bullet.reset();
     if (joint.b == nullptr || joint.def.collide) return;
-    forget_one(joint.a->apart, joint.b);
-    forget_one(joint.b->apart, joint.a);
+    forget_one(joint.a->excluded, joint.b);
+    forget_one(joint.b->excluded, joint.a);
     engine->admit_pair(*joint.a, *joint.b);
 }
 

@@ -48,8 +48,10 @@ PhysicsWorld::Impl::~Impl() {
 
 void PhysicsWorld::Impl::suit_to_world(BodyRecord& record) const {
     const double duration_s = small ? def.step_s : def.step_s / def.substeps;
-    record.traits.linear_keep = kept_after(record.traits.linear_damping_per_s, duration_s);
-    record.traits.angular_keep = kept_after(record.traits.angular_damping_per_s, duration_s);
+    record.traits.linear_damping_factor =
+        kept_after(record.traits.linear_damping_per_s, duration_s);
+    record.traits.angular_damping_factor =
+        kept_after(record.traits.angular_damping_per_s, duration_s);
     if (record.kind == BodyKind::Dynamic) {
         record.traits.weight_N = def.gravity_mps2 * record.traits.linear_factor *
                                  static_cast<Real>(record.traits.mass_kg);

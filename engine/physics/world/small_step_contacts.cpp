@@ -7,23 +7,23 @@
 namespace plumbline::physics {
 namespace {
 
-/// A blow is handed on from body to body at most so often within a step.
-constexpr int kBlowRounds = 16;
+/// An impact is handed on from body to body at most so often within a step.
+constexpr int kImpactRounds = 16;
 
 }  // namespace
 
-void SmallStepWorld::meet_pairs() {
+void SmallStepWorld::collide_pairs() {
     ++walk_;
     met_.clear();
     met_in_order_ = true;
     struck_.clear();
     for (BodyRecord* record : awake_) look_at(*record);
-    for (BodyRecord* record : carriers_) look_at(*record);
+    for (BodyRecord* record : kinematic_) look_at(*record);
     // What was woken looks at its own pairs, which may wake more.
     std::size_t looked = 0;
     do {
         for (; looked < fresh_.size(); ++looked) look_at(*fresh_[looked]);
-    } while (spread_blows() || looked < fresh_.size());
+    } while (spread_impacts() || looked < fresh_.size());
     if (!fresh_.empty()) met_in_order_ = false;
     admit_fresh();
     list_touching();
@@ -38,7 +38,7 @@ void SmallStepWorld::look_at(BodyRecord& body) {
                 look(pair);
                 if (pair.touches) met_.push_back(&pair);
             } else {
-                if (pair.touches) meeting_.part(pair);
+                if (pair.touches) collider_.separate(pair);
                 if (boxes_are_far(pair)) {
                     parts_.engine.drop(pair);
                     continue;
@@ -51,38 +51,38 @@ void SmallStepWorld::look_at(BodyRecord& body) {
 
 void SmallStepWorld::look(Pair& pair) {
     ++cost.pairs;
-    meeting_.meet(pair);
+    collider_.collide(pair);
     if (!pair.touches) return;
     if (sleeps(*pair.a)) wake(*pair.a);
     if (sleeps(*pair.b)) wake(*pair.b);
-    const Blow blow = meeting_.blow_of(pair);
-    strike(*pair.a, blow.on_a);
-    strike(*pair.b, blow.on_b);
+    const PairImpact impact = collider_.impact_of(pair);
+    note_impact(*pair.a, impact.on_a);
+    note_impact(*pair.b, impact.on_b);
 }
 
-/// Every body hands its blow on once.
-void SmallStepWorld::strike(BodyRecord& record, const Jolt& blow) {
-    const Vec3& known = record.small.jolt.change_mps;
-    if (record.small.jolt.spread ||
-        glm::dot(blow.change_mps, blow.change_mps) <= glm::dot(known, known)) {
+/// Every body hands its impact on once.
+void SmallStepWorld::note_impact(BodyRecord& record, const PredictedChange& impact) {
+    const Vec3& known = record.small.predicted.change_mps;
+    if (record.small.predicted.spread ||
+        glm::dot(impact.change_mps, impact.change_mps) <= glm::dot(known, known)) {
         return;
     }
     if (known == Vec3{0, 0, 0}) struck_.push_back(&record);
-    record.small.jolt = blow;
+    record.small.predicted = impact;
 }
 
 /// Looks again, farther, at the pairs of bodies that were struck. Whether any was.
-bool SmallStepWorld::spread_blows() {
+bool SmallStepWorld::spread_impacts() {
     if (struck_.empty()) return false;
     met_in_order_ = false;
-    for (int round = 0; round < kBlowRounds && !struck_.empty(); ++round) {
+    for (int round = 0; round < kImpactRounds && !struck_.empty(); ++round) {
         std::swap(spreading_, struck_);
         struck_.clear();
         std::sort(spreading_.begin(), spreading_.end(), by_id);
-        for (BodyRecord* record : spreading_) record->small.jolt.spread = true;
+        for (BodyRecord* record : spreading_) record->small.predicted.spread = true;
         for (BodyRecord* record : spreading_) {
             for (const PairLink& link : record->small.pairs) {
-                if (boxes_overlap(*link.pair) && meeting_.knows_less(*link.pair)) look(*link.pair);
+                if (boxes_overlap(*link.pair) && collider_.knows_less(*link.pair)) look(*link.pair);
             }
         }
     }
@@ -103,7 +103,7 @@ void SmallStepWorld::list_touching() {
             }
         }
     }
-    for (Pair* pair : met_) meeting_.list_manifolds(*pair, touching_);
+    for (Pair* pair : met_) collider_.list_manifolds(*pair, touching_);
 }
 
 void SmallStepWorld::list_joints() {

@@ -10,7 +10,7 @@
 
 namespace plumbline::physics {
 SmallStepWorld::SmallStepWorld(const SmallStepParts& parts)
-    : parts_(parts), sweep_(parts.joints), meeting_(parts.engine) {
+    : parts_(parts), sweep_(parts.joints), collider_(parts.engine) {
     take_rate();
 }
 
@@ -22,17 +22,17 @@ void SmallStepWorld::take_rate() {
         for (BodyRecord* record : *list) record->small.box_stale = true;
     }
     const auto fall_m = static_cast<Real>(gravity_mps2_) * step_s_ * step_s_;
-    meeting_.begin_step({.step_s = step_s_, .fall_m = fall_m});
+    collider_.begin_step({.step_s = step_s_, .fall_m = fall_m});
 }
 
 // --- bookkeeping
 
 void SmallStepWorld::enter(BodyRecord& record) {
     record.small.awake = false;
-    record.small.slumber = 0;
+    record.small.sleeping_island = 0;
     record.sweep.group = 0;
     if (pushable(record)) {
-        rouse(record);
+        wake_one(record);
         return;
     }
     set_activity(record, Activity::Asleep);
@@ -40,11 +40,11 @@ void SmallStepWorld::enter(BodyRecord& record) {
 }
 
 void SmallStepWorld::leave(BodyRecord& record) {
-    if (record.small.slumber != 0) wake(record);
+    if (record.small.sleeping_island != 0) wake(record);
     record.small.awake = false;
     std::erase(awake_, &record);
     std::erase(fresh_, &record);
-    std::erase(carriers_, &record);
+    std::erase(kinematic_, &record);
 }
 
 void SmallStepWorld::wake(BodyRecord& record) {
@@ -52,13 +52,14 @@ void SmallStepWorld::wake(BodyRecord& record) {
     record.small.box_stale = true;
     break_rest(record);
     if (record.small.awake) return;
-    if (record.small.slumber == 0) return rouse(record);
-    for (BodyRecord* sleeper : slumbers_.end(record.small.slumber)) rouse(*sleeper);
+    if (record.small.sleeping_island == 0) return wake_one(record);
+    for (BodyRecord* sleeper : sleeping_islands_.end(record.small.sleeping_island))
+        wake_one(*sleeper);
 }
 
-void SmallStepWorld::rouse(BodyRecord& record) {
+void SmallStepWorld::wake_one(BodyRecord& record) {
     record.small.awake = true;
-    record.small.slumber = 0;
+    record.small.sleeping_island = 0;
     record.small.box_stale = true;
     break_rest(record);
     note_before(record);
@@ -79,16 +80,17 @@ void SmallStepWorld::wake_overlapping(const BodyRecord& record) {
     }
 }
 
-void SmallStepWorld::stir(BodyRecord& record) {
+void SmallStepWorld::wake_kinematic(BodyRecord& record) {
     if (record.small.awake) return;
     record.small.awake = true;
-    carriers_.insert(std::upper_bound(carriers_.begin(), carriers_.end(), &record, by_id), &record);
+    kinematic_.insert(std::upper_bound(kinematic_.begin(), kinematic_.end(), &record, by_id),
+                      &record);
 }
 
 void SmallStepWorld::serialize(Archive& archive, const BodyScope& scope) {
-    for (std::vector<BodyRecord*>* list : {&awake_, &fresh_, &carriers_})
+    for (std::vector<BodyRecord*>* list : {&awake_, &fresh_, &kinematic_})
         physics::serialize(archive, *list, scope);
-    slumbers_.serialize(archive, scope);
+    sleeping_islands_.serialize(archive, scope);
     solver_.serialize(archive);
 }
 
@@ -112,7 +114,7 @@ void SmallStepWorld::admit_fresh() {
 void SmallStepWorld::step(const WorldFeatures& features, bool want_contacts) {
     features_ = features;
     laps_.start();
-    drop_still_carriers();
+    drop_still_kinematic_bodies();
     wake_joined();
     admit_fresh();
     if (idle()) return;
@@ -122,7 +124,7 @@ void SmallStepWorld::step(const WorldFeatures& features, bool want_contacts) {
     refresh_stale_boxes();
     parts_.engine.find_pairs();
     cost.broad_ms += laps_.lap_ms();
-    meet_pairs();
+    collide_pairs();
     cost.narrow_ms += laps_.lap_ms();
 
     list_joints();
@@ -135,18 +137,18 @@ void SmallStepWorld::step(const WorldFeatures& features, bool want_contacts) {
     }
 
     move_free_bodies();
-    move_carriers();
+    move_kinematic_bodies();
     show_poses();
     stop_swept_bodies();
     put_to_sleep();
     cost.integrate_ms += laps_.lap_ms();
     for (BodyRecord* record : awake_) refresh_box(*record);
-    for (BodyRecord* record : carriers_) refresh_box(*record);
+    for (BodyRecord* record : kinematic_) refresh_box(*record);
     cost.broad_ms += laps_.lap_ms();
 }
 
-void SmallStepWorld::drop_still_carriers() {
-    std::erase_if(carriers_, [](BodyRecord* record) {
+void SmallStepWorld::drop_still_kinematic_bodies() {
+    std::erase_if(kinematic_, [](BodyRecord* record) {
         record->small.awake = is_active(*record);
         if (!record->small.awake) note_before(*record);
         return !record->small.awake;
@@ -167,7 +169,7 @@ void SmallStepWorld::wake_joined() {
 
 void SmallStepWorld::remember() {
     for (BodyRecord* record : awake_) note_before(*record);
-    for (BodyRecord* record : carriers_) note_before(*record);
+    for (BodyRecord* record : kinematic_) note_before(*record);
 }
 
 // --- boxes
@@ -176,7 +178,7 @@ void SmallStepWorld::refresh_stale_boxes() {
     for (BodyRecord* record : awake_) {
         if (record->small.box_stale) refresh_box(*record);
     }
-    for (BodyRecord* record : carriers_) refresh_box(*record);
+    for (BodyRecord* record : kinematic_) refresh_box(*record);
 }
 
 /// A box round the body now and wherever it can be at the end of a step that nothing disturbs.
@@ -188,8 +190,8 @@ void SmallStepWorld::refresh_box(BodyRecord& record) {
         way += record.applied.force_N * (record.motion->inverse_mass * step_s_ * step_s_);
     const Real turn_rad = glm::length(record.motion->spin_radps) * step_s_;
     const auto fall_m = static_cast<Real>(gravity_mps2_) * step_s_ * step_s_;
-    const Real rim =
-        record.traits.touch_m + fall_m + std::min(turn_rad, Real{2}) * record.traits.radius_m;
+    const Real rim = record.traits.contact_margin_m + fall_m +
+                     std::min(turn_rad, Real{2}) * record.traits.radius_m;
     for (int axis = 0; axis < 3; ++axis) {
         low[axis] += std::min(way[axis], Real{0}) - rim;
         high[axis] += std::max(way[axis], Real{0}) + rim;
@@ -215,7 +217,7 @@ void SmallStepWorld::solve_islands() {
     solver_.begin_step();
     for (Island& island : builder_.islands()) {
         reports.push_back(solver_.solve(island, step));
-        if (take_back_if_insane(island)) ++cost.interventions.restored_islands;
+        if (roll_back_if_invalid(island)) ++cost.interventions.restored_islands;
     }
 }
 
@@ -223,13 +225,13 @@ void SmallStepWorld::move_free_bodies() {
     const Vec3d gravity{parts_.def.gravity_mps2};
     turning_.clear();
     for (BodyRecord* record : builder_.free_bodies()) {
-        if (record->traits.angular_keep != 1)
-            record->motion->spin_radps *= record->traits.angular_keep;
+        if (record->traits.angular_damping_factor != 1)
+            record->motion->spin_radps *= record->traits.angular_damping_factor;
         if (record->applied.torque_Nm != Vec3{0, 0, 0}) {
             const Vec3 gain = angular_gain(*record->motion, record->applied.torque_Nm);
             record->motion->spin_radps += gain * step_s_;
         }
-        fly(*record, gravity, features_, parts_.def.step_s);
+        integrate_ballistic(*record, gravity, features_, parts_.def.step_s);
         if (feels_gyro(*record, features_)) turning_.push_back(record);
     }
     if (turning_.empty()) return;
@@ -239,14 +241,15 @@ void SmallStepWorld::move_free_bodies() {
     use.gyro_ms += laps_.lap_ms();
 }
 
-void SmallStepWorld::move_carriers() {
-    for (BodyRecord* record : carriers_) carry(*record, record->drive.has_target, step_s_);
+void SmallStepWorld::move_kinematic_bodies() {
+    for (BodyRecord* record : kinematic_)
+        integrate_kinematic(*record, record->drive.has_target, step_s_);
 }
 
 /// Bullet's copies, for casts and for the next step's contacts.
 void SmallStepWorld::show_poses() {
     for (const BodyRecord* record : awake_) write_rigid_pose(*record);
-    for (const BodyRecord* record : carriers_) write_rigid_pose(*record);
+    for (const BodyRecord* record : kinematic_) write_rigid_pose(*record);
 }
 
 void SmallStepWorld::stop_swept_bodies() {
@@ -281,13 +284,13 @@ void SmallStepWorld::put_to_sleep() {
 
 /// Contact points keep their impulses: the pile wakes as it fell asleep.
 void SmallStepWorld::lay_down(const Island& island) {
-    const std::uint32_t slumber = slumbers_.add(island.bodies);
+    const std::uint32_t sleeping_island = sleeping_islands_.add(island.bodies);
     for (BodyRecord* record : island.bodies) {
         stand_still(*record);
         clear_forces(*record);
         note_before(*record);
         record->small.awake = false;
-        record->small.slumber = slumber;
+        record->small.sleeping_island = sleeping_island;
         set_activity(*record, Activity::Asleep);
         refresh_box(*record);
     }

@@ -8,7 +8,7 @@
 
 #include "engine/core/slot_map.h"
 #include "engine/core/time/stopwatch.h"
-#include "engine/physics/bullet/contact/pair_meeting.h"
+#include "engine/physics/bullet/contact/pair_collider.h"
 #include "engine/physics/bullet/engine.h"
 #include "engine/physics/collision/sweep/joint_sweep.h"
 #include "engine/physics/dynamics/islands.h"
@@ -43,7 +43,7 @@ public:
     /// Wakes what is where the body has been put.
     void wake_overlapping(const BodyRecord& record);
     /// A kinematic body may move in the next step.
-    void stir(BodyRecord& record);
+    void wake_kinematic(BodyRecord& record);
     /// The definition's rate and gravity have changed.
     void take_rate();
     std::size_t awake_count() const { return awake_.size() + fresh_.size(); }
@@ -52,9 +52,11 @@ public:
     /// Lists who moves; then forces and kinematic velocities are prepared.
     void begin_step();
     std::span<BodyRecord* const> awake() const { return awake_; }
-    std::span<BodyRecord* const> carriers() const { return carriers_; }  ///< kinematic ones
+    std::span<BodyRecord* const> kinematic_bodies() const {
+        return kinematic_;
+    }  ///< kinematic ones
     /// Nothing moves.
-    bool idle() const { return awake_.empty() && carriers_.empty(); }
+    bool idle() const { return awake_.empty() && kinematic_.empty(); }
     void step(const WorldFeatures& features, bool want_contacts);
     /// Who is awake, who sleeps with whom.
     void serialize(Archive& archive, const BodyScope& scope);
@@ -67,26 +69,26 @@ public:
     std::function<void()> after_solve;  ///< velocities before are in the records
 
 private:
-    void rouse(BodyRecord& record);
+    void wake_one(BodyRecord& record);
     void admit_fresh();
-    void drop_still_carriers();
+    void drop_still_kinematic_bodies();
     void remember();
     void wake_joined();
 
     void refresh_stale_boxes();
     void refresh_box(BodyRecord& record);
 
-    void meet_pairs();
+    void collide_pairs();
     void look_at(BodyRecord& body);
     void look(Pair& pair);
-    void strike(BodyRecord& record, const Jolt& blow);
-    bool spread_blows();
+    void note_impact(BodyRecord& record, const PredictedChange& impact);
+    bool spread_impacts();
     void list_touching();
     void list_joints();
 
     void solve_islands();
     void move_free_bodies();
-    void move_carriers();
+    void move_kinematic_bodies();
     void show_poses();
     void stop_swept_bodies();
     void put_to_sleep();
@@ -94,18 +96,18 @@ private:
 
     SmallStepParts parts_;
     JointSweep sweep_;
-    PairMeeting meeting_;
+    PairCollider collider_;
     IslandBuilder builder_;
     IslandSolver solver_;
-    Slumbers slumbers_;
+    SleepingIslands sleeping_islands_;
     LapTimer laps_;
     WorldFeatures features_{};
     double gravity_mps2_{0};
     Real step_s_{0};
 
-    std::vector<BodyRecord*> awake_;     ///< dynamic, by id
-    std::vector<BodyRecord*> fresh_;     ///< dynamic, woken since the list was made
-    std::vector<BodyRecord*> carriers_;  ///< kinematic, by id
+    std::vector<BodyRecord*> awake_;      ///< dynamic, by id
+    std::vector<BodyRecord*> fresh_;      ///< dynamic, woken since the list was made
+    std::vector<BodyRecord*> kinematic_;  ///< kinematic, by id
 
     std::uint32_t walk_{0};  ///< numbers the walks over pairs
     bool met_in_order_{true};

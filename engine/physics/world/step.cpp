@@ -67,14 +67,14 @@ bool prepare_dynamic(BodyRecord& record, Real step_s) {
     const Vec3 velocity = limited(v, kMaxSpeed_mps);
     if (velocity != v) {
         record.motion->velocity_mps = velocity;
-        record.motion->flight.going = false;
+        record.motion->ballistic.going = false;
         was_limited = true;
     }
     const Vec3 w = record.motion->spin_radps;
     const Vec3 spin = limited(w, kMaxSpin_radps);
     if (spin != w) {
         record.motion->spin_radps = spin;
-        record.motion->flight.going = false;
+        record.motion->ballistic.going = false;
         was_limited = true;
     }
     return was_limited;
@@ -96,7 +96,7 @@ void PhysicsWorld::Impl::quarantine(BodyRecord& record) {
     clear_forces(record);
     record.motion->velocity_mps = {0, 0, 0};
     record.motion->spin_radps = {0, 0, 0};
-    record.motion->flight.going = false;
+    record.motion->ballistic.going = false;
     quarantined.push_back(record.id);
 }
 
@@ -165,7 +165,7 @@ template <class Fn>
 void PhysicsWorld::Impl::each_moving(Fn&& fn) {
     if (small) {
         for (BodyRecord* record : small->awake()) fn(*record);
-        for (BodyRecord* record : small->carriers()) fn(*record);
+        for (BodyRecord* record : small->kinematic_bodies()) fn(*record);
         return;
     }
     engine->each_moving(fn);

@@ -93,12 +93,12 @@ constexpr auto kKnownRed = std::to_array<KnownRed>({
      "A36 4 blocks, share of the reach that falls",
      0.025,
      0.025,
-     "the jolt of the first sub-step tips what has less to spare"},
+     "the velocity that the first sub-step gives tips what has less to spare"},
     {"Support.A36BlocksLeanOutAsFarAsTheSeriesSays",
      "A36 6 blocks, share of the reach that falls",
      0.055,
      0.055,
-     "the jolt of the first sub-step tips what has less to spare"},
+     "the velocity that the first sub-step gives tips what has less to spare"},
 });
 
 }  // namespace

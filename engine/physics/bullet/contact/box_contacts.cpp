@@ -2,8 +2,8 @@
 
 #include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/bullet/convert.h"
-#include "engine/physics/collision/narrow_phase/ball_box.h"
 #include "engine/physics/collision/narrow_phase/box_box.h"
+#include "engine/physics/collision/narrow_phase/sphere_box.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
@@ -119,7 +119,7 @@ private:
     static constexpr btScalar kNear = btScalar(0.2);
 };
 
-/// A ball or a capsule against a box: the points of balls along the capsule's axis.
+/// A sphere or a capsule against a box: the points of spheres along the capsule's axis.
 class RoundBoxAlgorithm final : public OneManifold {
 public:
     using OneManifold::OneManifold;
@@ -135,8 +135,8 @@ public:
         const btTransform& at = round.getWorldTransform();
         const Vec3 middle = from_bullet(at.getOrigin());
         if (round.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
-            const auto& ball = static_cast<const btSphereShape&>(*round.getCollisionShape());
-            touch({&middle, 1}, ball.getRadius(), box, round_first, *result);
+            const auto& sphere = static_cast<const btSphereShape&>(*round.getCollisionShape());
+            touch({&middle, 1}, sphere.getRadius(), box, round_first, *result);
             return;
         }
         const auto& capsule = static_cast<const btCapsuleShape&>(*round.getCollisionShape());
@@ -145,7 +145,7 @@ public:
         std::array<Vec3, 3> centers{middle - half, middle + half, middle};
         centers[2] = middle + half * (2 * nearest_on_segment(centers[0], centers[1], box) - 1);
         const auto distance_m = [&](const Vec3& center) {
-            return collide_ball_box(center, 0, box).distance_m;
+            return collide_sphere_box(center, 0, box).distance_m;
         };
         // Nearer than both ends: an edge or a corner between them.
         const bool between =
@@ -157,7 +157,7 @@ public:
 private:
     static constexpr Real kNearer = 1e-3_r;
 
-    /// Puts the points of balls at `centers` that are within reach into the manifold.
+    /// Puts the points of spheres at `centers` that are within reach into the manifold.
     void touch(std::span<const Vec3> centers,
                Real radius_m,
                const OrientedBox& box,
@@ -165,10 +165,10 @@ private:
                btManifoldResult& result) {
         const OldPoints old(manifold());
         for (const Vec3& center : centers) {
-            const BallContact found = collide_ball_box(center, radius_m, box);
+            const SphereContact found = collide_sphere_box(center, radius_m, box);
             if (found.distance_m > reach_m()) continue;
             const Vec3 normal = round_first ? found.normal : -found.normal;
-            // Of the second body: the box's, or the ball's lowest.
+            // Of the second body: the box's, or the sphere's lowest.
             const Vec3 on_second =
                 round_first ? found.on_box : found.on_box + found.normal * found.distance_m;
             result.addContactPoint(to_bullet(normal), to_bullet(on_second), found.distance_m);

@@ -1,7 +1,7 @@
-// Contacts of boxes with boxes, balls and capsules.
+// Contacts of boxes with boxes, spheres and capsules.
 //
 // Bullet 3.24's boxes have no points before they overlap, and lose corners when more than four are
-// to choose from; its balls meet boxes by an iteration that now and then ends at a wrong normal, and
+// to choose from; its spheres meet boxes by an iteration that now and then ends at a wrong normal, and
 // its capsules so with one point a step.
 #pragma once
 

@@ -13,14 +13,14 @@ namespace {
 /// A side of cylinders is round only where it is touched across their axis.
 constexpr btScalar kAcrossAxis = btScalar(0.02);
 
-/// A rounded side: the ball that touches. Radius 0 for all sides that are not.
+/// A rounded side: the sphere that touches. Radius 0 for all sides that are not.
 struct Rounding {
     Real radius_m{0};
     btVector3 center{0, 0, 0};  ///< world
 };
 
 /// Balls, capsules and the sides of cylinders. The centre is put on the shape's own centre or axis:
-/// contact points are known to a few micrometres only, and a ball pressed beside its centre turns.
+/// contact points are known to a few micrometres only, and a sphere pressed beside its centre turns.
 Rounding rounding_of(const btCollisionObject& object,
                      int child,
                      const btVector3& on_surface,
@@ -62,9 +62,9 @@ void place_side(ContactSide& side,
                 int child,
                 const btVector3& on_surface,
                 const btVector3& outward) {
-    const Rounding ball = rounding_of(object, child, on_surface, outward);
-    const btVector3& place = ball.radius_m > 0 ? ball.center : on_surface;
-    side.radius_m = ball.radius_m;
+    const Rounding sphere = rounding_of(object, child, on_surface, outward);
+    const btVector3& place = sphere.radius_m > 0 ? sphere.center : on_surface;
+    side.radius_m = sphere.radius_m;
     side.offset_m = from_bullet(place - object.getWorldTransform().getOrigin());
 }
 
@@ -115,7 +115,7 @@ void find_again(btManifoldPoint& point, const btManifoldPoint& old) {
 }
 
 PairMaterial material_of(const btCollisionObject& a, const btCollisionObject& b) {
-    // A ball's own resistance holds on any ground, so one side's coefficient is enough.
+    // A sphere's own resistance holds on any ground, so one side's coefficient is enough.
     return {.friction = std::sqrt(a.getFriction() * b.getFriction()),
             .restitution = std::max(a.getRestitution(), b.getRestitution()),
             .rolling_m = std::max(a.getRollingFriction(), b.getRollingFriction()),

@@ -30,7 +30,7 @@ bool is_box(const BodyRecord& record) {
     return record.rigid->getCollisionShape()->getShapeType() == BOX_SHAPE_PROXYTYPE;
 }
 
-bool is_ball(const BodyRecord& record) {
+bool is_sphere(const BodyRecord& record) {
     return record.rigid->getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
 }
 
@@ -70,8 +70,8 @@ btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
     pair->b = &b;
     pair->box_a = static_cast<const btDbvtProxy*>(first);
     pair->box_b = static_cast<const btDbvtProxy*>(second);
-    pair->base_m = std::min(a.traits.touch_m, b.traits.touch_m);
-    pair->round = (is_ball(a) && is_single(b)) || (is_ball(b) && is_single(a));
+    pair->base_m = std::min(a.traits.contact_margin_m, b.traits.contact_margin_m);
+    pair->round = (is_sphere(a) && is_single(b)) || (is_sphere(b) && is_single(a));
     pair->boxes = is_box(a) && is_box(b);
     few.small.pairs.insert(place, {many.id, pair});
     many.small.pairs.insert(place_of(many, few.id), {few.id, pair});

@@ -283,8 +283,10 @@ private:
                       const Pose& frame,
                       const SolidMass& mass,
                       Real core) {
-        parts_.push_back(
-            {.shape = std::move(shape), .body_from_part = frame, .mass = mass, .core_m = core});
+        parts_.push_back({.shape = std::move(shape),
+                          .body_from_part = frame,
+                          .mass = mass,
+                          .ccd_radius_m = core});
         return Done{};
     }
 

@@ -18,8 +18,8 @@ namespace plumbline::physics {
 struct ShapePart {
     std::unique_ptr<btConvexShape> shape;
     Pose body_from_part{};
-    SolidMass mass;  ///< in the part's frame
-    Real core_m{0};  ///< radius of the largest ball round the mass centre that stays inside
+    SolidMass mass;        ///< in the part's frame
+    Real ccd_radius_m{0};  ///< radius of the largest ball round the mass centre that stays inside
 };
 
 struct ShapeParts {

@@ -43,7 +43,7 @@ struct ShapeRecord {
     bool static_only{false};
     bool mesh{false};
     Vec3d inertia_per_kg{0, 0, 0};  ///< principal
-    std::vector<Core> cores;
+    std::vector<CcdSphere> ccd_spheres;
 };
 
 /// Makes a shape's Bullet side. Refuses what ShapeDef's comments forbid.

@@ -53,7 +53,7 @@ void weigh(ShapeRecord& record, const SolidMass& mass, const PrincipalFrame& pri
 void use_single(ShapeRecord& record, ShapePart part) {
     record.body_from_mass = part.body_from_part;
     weigh(record, part.mass, principal_frame(part.mass.inertia));
-    if (part.core_m > 0) record.cores.push_back({.radius_m = part.core_m});
+    if (part.ccd_radius_m > 0) record.ccd_spheres.push_back({.radius_m = part.ccd_radius_m});
     record.convex = part.shape.get();
     record.collision = part.shape.get();
     record.parts.push_back(std::move(part.shape));
@@ -72,9 +72,9 @@ void use_compound(ShapeRecord& record, std::vector<ShapePart> parts) {
     for (ShapePart& part : parts) {
         const Pose mass_from_part = compose(mass_from_body, part.body_from_part);
         compound->addChildShape(to_bullet(mass_from_part), part.shape.get());
-        record.cores.push_back(
+        record.ccd_spheres.push_back(
             {.center_m = transform_point(mass_from_part, Vec3{part.mass.center_m}),
-             .radius_m = part.core_m});
+             .radius_m = part.ccd_radius_m});
         if (parts.size() == 1) {
             record.convex = part.shape.get();
             record.mass_from_convex = to_bullet(mass_from_part);

@@ -18,7 +18,7 @@ struct BoxContact {
     Vec3 normal{0, 1, 0};  ///< unit, from b to a
     int count{0};
     std::array<Vec3, 4> on_b{};
-    std::array<Real, 4> distance_m{};  ///< negative: overlap
+    std::array<Real, 4> distance_m{};  ///< negative: penetration
 };
 
 /// Separating axes over the 15 directions of two boxes, then the face that meets the other box's

@@ -47,7 +47,7 @@ void JointSweep::stop_at_hit(const StepWorld& world, BodyRecord& record, Real du
         return;
     }
     const std::vector<BodyRecord*>& group = group_of(record);
-    const Real share = way_to_hit(world, record, record.sweep.group).share;
+    const Real share = swept_fraction(world, record, record.sweep.group).share;
     if (share >= 1) return;
     for (BodyRecord* member : group) stop_part_way(*member, share);
 }

@@ -1,4 +1,4 @@
-// Manifolds as blocks of the small-step solver, and the impulses back.
+// Manifolds as constraints of the small-step solver, and the impulses back.
 #pragma once
 
 #include "engine/core/io/archive.h"
@@ -17,7 +17,7 @@ struct ManifoldEnds {
     bool a_moves{true};  ///< forces can move it; else they can move b
 };
 
-/// Points that come anew while their pair goes on pressing (a ball that rolled on, a box that slid
+/// Points that come anew while their pair goes on pressing (a sphere that rolled on, a box that slid
 /// on) share what the pair's lost points carried.
 class ContactBridge {
 public:
@@ -25,7 +25,7 @@ public:
     void begin_step();
     /// Before one island.
     void begin_island();
-    /// Appends the manifold's blocks; `h`: sub-step, s. The manifold stays where it is until
+    /// Appends the manifold's constraints; `h`: sub-step, s. The manifold stays where it is until
     /// write_back().
     void add(Manifold& manifold, ManifoldEnds ends, Real h, ContactSet& contacts);
     /// Impulses and totals back to the points.
@@ -33,7 +33,7 @@ public:
     /// Which step the manifolds' loads are of.
     void serialize(Archive& archive) { archive(step_); }
 
-    /// What the pair goes on carrying between blows; 0 while it is new.
+    /// What the pair goes on carrying between impacts; 0 while it is new.
     Real lasting_load_N(const Manifold& manifold) const;
     /// Contact points added since begin_island().
     std::uint32_t point_count() const { return static_cast<std::uint32_t>(entries_.size()); }
@@ -42,14 +42,14 @@ private:
     struct Entry {
         ManifoldPoint* point{nullptr};
         Manifold* manifold{nullptr};
-        std::uint32_t block{0};
+        std::uint32_t constraint{0};
         std::uint32_t lane{0};
     };
     const ManifoldLoad* last_load(const Manifold& manifold) const;
     void share_lost(const ManifoldLoad& last,
                     Real h,
                     ContactSet& contacts,
-                    std::size_t first_block,
+                    std::size_t first_constraint,
                     std::size_t first_entry) const;
 
     std::vector<Entry> entries_;

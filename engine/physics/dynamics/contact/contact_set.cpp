@@ -8,13 +8,15 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr Real kContactDamping = 10;  ///< ratio: far above 1, sinking in never swings back
-constexpr int kProjectedSweeps = 4;   ///< within a block, where some points press and some do not
-constexpr int kRubRounds = 12;  ///< of normals and friction, where what sticks changed by much ...
+constexpr Real kContactDamping = 10;  ///< ratio: far above 1, penetration in never swings back
+constexpr int kProjectedSweeps =
+    4;  ///< within a constraint, where some points press and some do not
+constexpr int kFrictionRounds =
+    12;  ///< of normals and friction, where what sticks changed by much ...
 constexpr Real kOneSpot = 1e-4_r;  ///< nearer centres, as a share of the radii, have no direction
-constexpr Real kShove = 0.05_r;    ///< of the fastest push: more is deep overlap
-constexpr Real kOut_m = 1e-5_r;    ///< what bounced and will be no deeper is out
-constexpr Real kMuch = 0.005_r;    ///< ... as a share of its limit
+constexpr Real kDepenetratedShare = 0.05_r;  ///< of the fastest push: more is deep overlap
+constexpr Real kOut_m = 1e-5_r;              ///< what bounced and will be no deeper is out
+constexpr Real kMuch = 0.005_r;              ///< ... as a share of its limit
 
 /// R(q)^T v - v without the cancellation of the two terms.
 inline Vec3 turned_back_change(const Quat& q, const Vec3& v) {
@@ -32,35 +34,38 @@ Vec3 direction_of(std::uint32_t n) {
     return {around * std::cos(angle), height, around * std::sin(angle)};
 }
 
-inline Lanes opening_speeds(const ContactBlock& block, const SolverBody& a, const SolverBody& b) {
-    const Real along = glm::dot(block.normal, a.velocity_mps - b.velocity_mps);
-    const Lanes of_a = dot_lanes(a.spin_radps, block.angular_a);
-    const Lanes of_b = dot_lanes(b.spin_radps, block.angular_b);
+inline Lanes opening_speeds(const ContactConstraint& constraint,
+                            const SolverBody& a,
+                            const SolverBody& b) {
+    const Real along = glm::dot(constraint.normal, a.velocity_mps - b.velocity_mps);
+    const Lanes of_a = dot_lanes(a.spin_radps, constraint.angular_a);
+    const Lanes of_b = dot_lanes(b.spin_radps, constraint.angular_b);
     Lanes speeds;
     for (std::size_t i = 0; i < kLanes; ++i) speeds[i] = along + of_a[i] - of_b[i];
     return speeds;
 }
 
 /// The impulses that make A*change + wanted + compliance*impulse = 0 where they press, by
-/// projected Gauss-Seidel within the block. A point's lane is a constant, so that all stays in
+/// projected Gauss-Seidel within the constraint. A point's lane is a constant, so that all stays in
 /// registers: of a large pile's step this is the dearest loop.
-Lanes projected(const ContactBlock& block, const Lanes& wanted, const Lanes& compliance) {
-    Lanes next = block.normal_Ns;
-    if (block.count == 1) {
+Lanes projected(const ContactConstraint& constraint, const Lanes& wanted, const Lanes& compliance) {
+    Lanes next = constraint.normal_Ns;
+    if (constraint.count == 1) {
         const Real error = wanted[0] + compliance[0] * next[0];
-        next[0] = std::max(next[0] - error / (block.response[0][0] + compliance[0]), Real{0});
+        next[0] = std::max(next[0] - error / (constraint.response[0][0] + compliance[0]), Real{0});
         return next;
     }
     Lanes residual = wanted;
     Lanes diagonal;
-    for (std::size_t i = 0; i < kLanes; ++i) diagonal[i] = block.response[i][i] + compliance[i];
+    for (std::size_t i = 0; i < kLanes; ++i)
+        diagonal[i] = constraint.response[i][i] + compliance[i];
     const auto solve = [&](std::size_t i) {
         const Real error = residual[i] + compliance[i] * next[i];
         const Real better = next[i] - error / diagonal[i];
         const Real pressing = better > 0 ? better : Real{0};
         const Real change = pressing - next[i];
         next[i] = pressing;
-        for (std::size_t k = 0; k < kLanes; ++k) residual[k] += block.response[i][k] * change;
+        for (std::size_t k = 0; k < kLanes; ++k) residual[k] += constraint.response[i][k] * change;
     };
     for (int sweep = 0; sweep < kProjectedSweeps; ++sweep) {
         solve(0);
@@ -80,10 +85,10 @@ inline Lanes product(const LaneMatrix& m, const Lanes& v) {
 }
 
 /// Nothing presses and nothing closes fast enough to press.
-inline bool stays_apart(const ContactBlock& block, const Lanes& wanted) {
+inline bool stays_apart(const ContactConstraint& constraint, const Lanes& wanted) {
     bool apart = true;
     for (std::size_t i = 0; i < kLanes; ++i)
-        apart = apart && wanted[i] >= 0 && block.normal_Ns[i] == 0;
+        apart = apart && wanted[i] >= 0 && constraint.normal_Ns[i] == 0;
     return apart;
 }
 
@@ -93,22 +98,25 @@ inline bool all_press(const Lanes& impulses, int count) {
     return least >= 0;
 }
 
-inline void press(ContactBlock& block, SolverBody& a, SolverBody& b, const Lanes& next) {
+inline void apply_normal(ContactConstraint& constraint,
+                         SolverBody& a,
+                         SolverBody& b,
+                         const Lanes& next) {
     Lanes change;
-    for (std::size_t i = 0; i < kLanes; ++i) change[i] = next[i] - block.normal_Ns[i];
-    block.normal_Ns = next;
-    const Vec3 along = block.normal * sum_of(change);
+    for (std::size_t i = 0; i < kLanes; ++i) change[i] = next[i] - constraint.normal_Ns[i];
+    constraint.normal_Ns = next;
+    const Vec3 along = constraint.normal * sum_of(change);
     a.velocity_mps += along * a.inverse_mass;
     b.velocity_mps -= along * b.inverse_mass;
-    a.spin_radps += a.inverse_inertia * weighted_sum(block.angular_a, change);
-    b.spin_radps -= b.inverse_inertia * weighted_sum(block.angular_b, change);
+    a.spin_radps += a.inverse_inertia * weighted_sum(constraint.angular_a, change);
+    b.spin_radps -= b.inverse_inertia * weighted_sum(constraint.angular_b, change);
 }
 
 /// A new push of `gained_mps` along `normal` holds against what would have moved the body into the
 /// contact all through the sub-step: nothing is left of that to take half of the way for.
 inline void hold_against(SolverBody& body, const Vec3& normal, Real gained_mps) {
-    const Real pressing_mps = -glm::dot(body.steady_mps, normal);
-    body.steady_mps += normal * std::max(std::min(gained_mps, pressing_mps), Real{0});
+    const Real pressing_mps = -glm::dot(body.velocity_increment_mps, normal);
+    body.velocity_increment_mps += normal * std::max(std::min(gained_mps, pressing_mps), Real{0});
 }
 
 }  // namespace
@@ -123,207 +131,223 @@ void ContactSet::begin_step(std::span<SolverBody> bodies, Real h, Real push_mps,
     between_movable_ = softness_of(stiff_hz, kContactDamping, h);
     against_immovable_ = softness_of(2 * stiff_hz, kContactDamping / 2, h);
 
-    for (ContactBlock& block : blocks) {
-        const SolverBody& a = bodies[block.a];
-        const SolverBody& b = bodies[block.b];
-        prepare(block, a, b, a.movable() && b.movable() ? between_movable_ : against_immovable_);
+    for (ContactConstraint& constraint : constraints) {
+        const SolverBody& a = bodies[constraint.a];
+        const SolverBody& b = bodies[constraint.b];
+        prepare(
+            constraint, a, b, a.movable() && b.movable() ? between_movable_ : against_immovable_);
     }
     order_.clear();
-    for (std::uint32_t i = 0; i < blocks.size(); ++i) {
-        if (!blocks[i].against_immovable) order_.push_back(i);
+    for (std::uint32_t i = 0; i < constraints.size(); ++i) {
+        if (!constraints[i].against_immovable) order_.push_back(i);
     }
-    for (std::uint32_t i = 0; i < blocks.size(); ++i) {
-        if (blocks[i].against_immovable) order_.push_back(i);
+    for (std::uint32_t i = 0; i < constraints.size(); ++i) {
+        if (constraints[i].against_immovable) order_.push_back(i);
     }
 }
 
 void ContactSet::warm_start() {
     for (const std::uint32_t index : order_) {
-        const ContactBlock& block = blocks[index];
-        SolverBody& a = bodies_[block.a];
-        SolverBody& b = bodies_[block.b];
-        const Vec3 rub =
-            block.tangent[0] * block.tangent_Ns[0] + block.tangent[1] * block.tangent_Ns[1];
-        const Vec3 impulse = block.normal * sum_of(block.normal_Ns) + rub;
-        const Vec3 turning = block.normal * block.twist_Nms + block.rolling_Nms;
-        const Vec3 torque_a = weighted_sum(block.angular_a, block.normal_Ns) +
-                              glm::cross(block.center_a, rub) + turning;
-        const Vec3 torque_b = weighted_sum(block.angular_b, block.normal_Ns) +
-                              glm::cross(block.center_b, rub) + turning;
-        a.steady_mps += impulse * a.inverse_mass;
-        a.steady_radps += a.inverse_inertia * torque_a;
-        b.steady_mps -= impulse * b.inverse_mass;
-        b.steady_radps -= b.inverse_inertia * torque_b;
+        const ContactConstraint& constraint = constraints[index];
+        SolverBody& a = bodies_[constraint.a];
+        SolverBody& b = bodies_[constraint.b];
+        const Vec3 friction = constraint.tangent[0] * constraint.tangent_Ns[0] +
+                              constraint.tangent[1] * constraint.tangent_Ns[1];
+        const Vec3 impulse = constraint.normal * sum_of(constraint.normal_Ns) + friction;
+        const Vec3 turning = constraint.normal * constraint.twist_Nms + constraint.rolling_Nms;
+        const Vec3 torque_a = weighted_sum(constraint.angular_a, constraint.normal_Ns) +
+                              glm::cross(constraint.center_a, friction) + turning;
+        const Vec3 torque_b = weighted_sum(constraint.angular_b, constraint.normal_Ns) +
+                              glm::cross(constraint.center_b, friction) + turning;
+        a.velocity_increment_mps += impulse * a.inverse_mass;
+        a.spin_increment_radps += a.inverse_inertia * torque_a;
+        b.velocity_increment_mps -= impulse * b.inverse_mass;
+        b.spin_increment_radps -= b.inverse_inertia * torque_b;
     }
 }
 
-/// Two balls: the normal turns with the line between their centres.
-void ContactSet::place_balls(ContactBlock& block) const {
-    const SolverBody& a = bodies_[block.a];
-    const SolverBody& b = bodies_[block.b];
-    const Vec3 offset_a = a.turned * lane(block.offset_a, 0);
-    const Vec3 offset_b = b.turned * lane(block.offset_b, 0);
-    const Real reach_m = block.radius_a + block.radius_b;
-    const Vec3 apart = block.start_normal * (reach_m + block.start_separation_m[0]) + a.moved_m -
-                       b.moved_m + (offset_a - lane(block.offset_a, 0)) -
-                       (offset_b - lane(block.offset_b, 0));
+/// Two spheres: the normal turns with the line between their centres.
+void ContactSet::update_sphere_separations(ContactConstraint& constraint) const {
+    const SolverBody& a = bodies_[constraint.a];
+    const SolverBody& b = bodies_[constraint.b];
+    const Vec3 offset_a = a.delta_rotation * lane(constraint.offset_a, 0);
+    const Vec3 offset_b = b.delta_rotation * lane(constraint.offset_b, 0);
+    const Real reach_m = constraint.radius_a + constraint.radius_b;
+    const Vec3 apart = constraint.start_normal * (reach_m + constraint.start_separation_m[0]) +
+                       a.delta_position_m - b.delta_position_m +
+                       (offset_a - lane(constraint.offset_a, 0)) -
+                       (offset_b - lane(constraint.offset_b, 0));
     const Real distance = glm::length(apart);
-    // Balls on one spot part in directions that differ from pair to pair.
-    block.normal =
-        distance > reach_m * kOneSpot ? apart / distance : direction_of(block.a * 7919U + block.b);
-    block.separation_m[0] = distance - reach_m;
-    block.center_a = offset_a - block.normal * block.radius_a;
-    block.center_b = offset_b + block.normal * block.radius_b;
-    set_lane(block.angular_a, 0, glm::cross(block.center_a, block.normal));
-    set_lane(block.angular_b, 0, glm::cross(block.center_b, block.normal));
-    const Vec3 along = block.tangent[0] - block.normal * glm::dot(block.normal, block.tangent[0]);
-    block.tangent[0] = normalize_or(along, block.tangent[1]);
-    block.tangent[1] = glm::cross(block.normal, block.tangent[0]);
+    // Spheres on one spot part in directions that differ from pair to pair.
+    constraint.normal = distance > reach_m * kOneSpot
+                            ? apart / distance
+                            : direction_of(constraint.a * 7919U + constraint.b);
+    constraint.separation_m[0] = distance - reach_m;
+    constraint.center_a = offset_a - constraint.normal * constraint.radius_a;
+    constraint.center_b = offset_b + constraint.normal * constraint.radius_b;
+    set_lane(constraint.angular_a, 0, glm::cross(constraint.center_a, constraint.normal));
+    set_lane(constraint.angular_b, 0, glm::cross(constraint.center_b, constraint.normal));
+    const Vec3 along = constraint.tangent[0] -
+                       constraint.normal * glm::dot(constraint.normal, constraint.tangent[0]);
+    constraint.tangent[0] = normalize_or(along, constraint.tangent[1]);
+    constraint.tangent[1] = glm::cross(constraint.normal, constraint.tangent[0]);
 }
 
-void ContactSet::place(ContactBlock& block) const {
-    if (block.balls()) return place_balls(block);
-    const SolverBody& a = bodies_[block.a];
-    const SolverBody& b = bodies_[block.b];
-    const Vec3 moved = a.moved_m - b.moved_m;
-    const Real along = glm::dot(block.normal, moved);
-    const Lanes of_a = dot_lanes(turned_back_change(a.turned, block.normal), block.offset_a);
-    const Lanes of_b = dot_lanes(turned_back_change(b.turned, block.normal), block.offset_b);
+void ContactSet::update_separations(ContactConstraint& constraint) const {
+    if (constraint.spheres()) return update_sphere_separations(constraint);
+    const SolverBody& a = bodies_[constraint.a];
+    const SolverBody& b = bodies_[constraint.b];
+    const Vec3 moved = a.delta_position_m - b.delta_position_m;
+    const Real along = glm::dot(constraint.normal, moved);
+    const Lanes of_a =
+        dot_lanes(turned_back_change(a.delta_rotation, constraint.normal), constraint.offset_a);
+    const Lanes of_b =
+        dot_lanes(turned_back_change(b.delta_rotation, constraint.normal), constraint.offset_b);
     for (std::size_t i = 0; i < kLanes; ++i)
-        block.separation_m[i] = block.start_separation_m[i] + along + of_a[i] - of_b[i];
-    if (!block.rounded()) return;
-    // The ball moved over the other side: what touches it there is where the ball is now.
-    const Vec3 shift = block.shift_of(moved);
-    for (int i = 0; i < block.count; ++i) {
-        if (block.radius_a > 0) {
-            set_lane(block.angular_b, i, glm::cross(block.arm_b(i) + shift, block.normal));
+        constraint.separation_m[i] = constraint.start_separation_m[i] + along + of_a[i] - of_b[i];
+    if (!constraint.rounded()) return;
+    // The sphere moved over the other side: what touches it there is where the sphere is now.
+    const Vec3 shift = constraint.shift_of(moved);
+    for (int i = 0; i < constraint.count; ++i) {
+        if (constraint.radius_a > 0) {
+            set_lane(constraint.angular_b,
+                     i,
+                     glm::cross(constraint.arm_b(i) + shift, constraint.normal));
         } else {
-            set_lane(block.angular_a, i, glm::cross(block.arm_a(i) - shift, block.normal));
+            set_lane(constraint.angular_a,
+                     i,
+                     glm::cross(constraint.arm_a(i) - shift, constraint.normal));
         }
     }
 }
 
-void ContactSet::solve_with_bias(ContactBlock& block) {
-    SolverBody& a = bodies_[block.a];
-    SolverBody& b = bodies_[block.b];
-    const Softness& soft = block.against_immovable ? against_immovable_ : between_movable_;
-    place(block);
-    Lanes wanted = opening_speeds(block, a, b);
+void ContactSet::solve_with_bias(ContactConstraint& constraint) {
+    SolverBody& a = bodies_[constraint.a];
+    SolverBody& b = bodies_[constraint.b];
+    const Softness& soft = constraint.against_immovable ? against_immovable_ : between_movable_;
+    update_separations(constraint);
+    Lanes wanted = opening_speeds(constraint, a, b);
     Lanes compliance{};
-    bool all_overlap = true;
-    const Real pull_m = glm::dot(a.steady_mps - b.steady_mps, block.normal) * (h_ / 2);
+    bool all_penetrate = true;
+    const Real pull_m =
+        glm::dot(a.velocity_increment_mps - b.velocity_increment_mps, constraint.normal) * (h_ / 2);
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const bool overlaps = block.separation_m[i] <= 0;
-        all_overlap = all_overlap && (overlaps || static_cast<int>(i) >= block.count);
+        const bool penetrates = constraint.separation_m[i] <= 0;
+        all_penetrate = all_penetrate && (penetrates || static_cast<int>(i) >= constraint.count);
         // What bounced is on its way out already, at the speed it should have.
-        if (overlaps && block.restitution > 0 && wanted[i] > bounce_mps_) continue;
-        if (block.bounced && block.separation_m[i] + wanted[i] * h_ - pull_m > -kOut_m) continue;
-        const Real bias = soft.bias_per_s * block.separation_m[i];
-        wanted[i] += overlaps ? std::max(bias, -push_mps_) : block.separation_m[i] / h_;
-        if (overlaps && bias < -kShove * push_mps_) a.shoved = b.shoved = true;
-        compliance[i] = overlaps ? block.compliance[i] : Real{0};
+        if (penetrates && constraint.restitution > 0 && wanted[i] > bounce_mps_) continue;
+        if (constraint.bounced && constraint.separation_m[i] + wanted[i] * h_ - pull_m > -kOut_m)
+            continue;
+        const Real bias = soft.bias_per_s * constraint.separation_m[i];
+        wanted[i] += penetrates ? std::max(bias, -push_mps_) : constraint.separation_m[i] / h_;
+        if (penetrates && bias < -kDepenetratedShare * push_mps_)
+            a.depenetrated = b.depenetrated = true;
+        compliance[i] = penetrates ? constraint.compliance[i] : Real{0};
     }
-    if (stays_apart(block, wanted)) return;
+    if (stays_apart(constraint, wanted)) return;
     Lanes next;
     bool solved = false;
-    if (all_overlap) {
+    if (all_penetrate) {
         Lanes error;
         for (std::size_t i = 0; i < kLanes; ++i)
-            error[i] = static_cast<int>(i) < block.count
-                           ? wanted[i] + compliance[i] * block.normal_Ns[i]
+            error[i] = static_cast<int>(i) < constraint.count
+                           ? wanted[i] + compliance[i] * constraint.normal_Ns[i]
                            : Real{0};
-        const Lanes change = product(block.soft_mass, error);
-        for (std::size_t i = 0; i < kLanes; ++i) next[i] = block.normal_Ns[i] - change[i];
-        solved = all_press(next, block.count);
+        const Lanes change = product(constraint.soft_mass, error);
+        for (std::size_t i = 0; i < kLanes; ++i) next[i] = constraint.normal_Ns[i] - change[i];
+        solved = all_press(next, constraint.count);
     }
-    if (!solved) next = projected(block, wanted, compliance);
-    const Real gained_Ns = sum_of(next) - sum_of(block.normal_Ns);
-    press(block, a, b, next);
+    if (!solved) next = projected(constraint, wanted, compliance);
+    const Real gained_Ns = sum_of(next) - sum_of(constraint.normal_Ns);
+    apply_normal(constraint, a, b, next);
     if (gained_Ns > 0) {
-        hold_against(a, block.normal, gained_Ns * a.inverse_mass);
-        hold_against(b, -block.normal, gained_Ns * b.inverse_mass);
+        hold_against(a, constraint.normal, gained_Ns * a.inverse_mass);
+        hold_against(b, -constraint.normal, gained_Ns * b.inverse_mass);
     } else {
-        // What is taken back of the impulse before, of a blow that is over, did not act either.
-        a.steady_mps += block.normal * (gained_Ns * a.inverse_mass);
-        b.steady_mps -= block.normal * (gained_Ns * b.inverse_mass);
+        // What is taken back of the impulse before, of an impact that is over, did not act either.
+        a.velocity_increment_mps += constraint.normal * (gained_Ns * a.inverse_mass);
+        b.velocity_increment_mps -= constraint.normal * (gained_Ns * b.inverse_mass);
     }
 }
 
-void ContactSet::relax(ContactBlock& block) {
-    place(block);
+void ContactSet::relax(ContactConstraint& constraint) {
+    update_separations(constraint);
     // Friction turns a body about its centre, which loads other points than before: where it did
     // so, both are solved again.
-    for (int round = 0; round < kRubRounds; ++round) {
-        if (!carry(block)) return;
-        bool changed = block.friction > 0 && rub(block);
-        if (block.rolling_m > 0 || block.spinning_m > 0) changed |= resist_rolling(block);
+    for (int round = 0; round < kFrictionRounds; ++round) {
+        if (!relax_normal(constraint)) return;
+        bool changed = constraint.friction > 0 && solve_friction(constraint);
+        if (constraint.rolling_m > 0 || constraint.spinning_m > 0)
+            changed |= resist_rolling(constraint);
         if (!changed) return;
     }
 }
 
 /// Normal impulses without bias. False: the bodies are apart and nothing holds them any more.
-bool ContactSet::carry(ContactBlock& block) {
-    SolverBody& a = bodies_[block.a];
-    SolverBody& b = bodies_[block.b];
-    Lanes wanted = opening_speeds(block, a, b);
-    bool all_overlap = true;
+bool ContactSet::relax_normal(ContactConstraint& constraint) {
+    SolverBody& a = bodies_[constraint.a];
+    SolverBody& b = bodies_[constraint.b];
+    Lanes wanted = opening_speeds(constraint, a, b);
+    bool all_penetrate = true;
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const bool used = static_cast<int>(i) < block.count;
-        if (block.separation_m[i] <= 0) continue;
-        all_overlap = all_overlap && !used;
+        const bool used = static_cast<int>(i) < constraint.count;
+        if (constraint.separation_m[i] <= 0) continue;
+        all_penetrate = all_penetrate && !used;
         // A point that does not touch yet is left to the next sub-step, which looks ahead itself: to
         // do it here as well would eat the speed of what is to bounce, and would let a body be
-        // pushed by a carrier that comes to a stop at it.
-        const bool touches = block.normal_Ns[i] > 0;
-        wanted[i] = touches ? wanted[i] + block.separation_m[i] / h_ : kNoPoint_m;
+        // pushed by a kinematic body that comes to a stop at it.
+        const bool touches = constraint.normal_Ns[i] > 0;
+        wanted[i] = touches ? wanted[i] + constraint.separation_m[i] / h_ : kNoPoint_m;
     }
-    if (stays_apart(block, wanted) && !block.rubs()) return false;
+    if (stays_apart(constraint, wanted) && !constraint.holds_friction()) return false;
     Lanes next;
     bool solved = false;
-    if (all_overlap) {
-        for (std::size_t i = static_cast<std::size_t>(block.count); i < kLanes; ++i) wanted[i] = 0;
-        const Lanes change = product(block.rigid_mass, wanted);
-        for (std::size_t i = 0; i < kLanes; ++i) next[i] = block.normal_Ns[i] - change[i];
-        solved = all_press(next, block.count);
+    if (all_penetrate) {
+        for (std::size_t i = static_cast<std::size_t>(constraint.count); i < kLanes; ++i)
+            wanted[i] = 0;
+        const Lanes change = product(constraint.rigid_mass, wanted);
+        for (std::size_t i = 0; i < kLanes; ++i) next[i] = constraint.normal_Ns[i] - change[i];
+        solved = all_press(next, constraint.count);
     }
-    if (!solved) next = projected(block, wanted, Lanes{});
-    press(block, a, b, next);
-    row_solves += static_cast<std::uint64_t>(block.count);
+    if (!solved) next = projected(constraint, wanted, Lanes{});
+    apply_normal(constraint, a, b, next);
+    row_solves += static_cast<std::uint64_t>(constraint.count);
     return true;
 }
 
-/// Coulomb friction of the whole block: a force at the centre of the load and a twist about it, as
+/// Coulomb friction of the whole constraint: a force at the centre of the load and a twist about it, as
 /// much as stops the slip, within the ellipsoid that approximates their common limit (Goyal, Ruina
 /// and Papadopoulos, Planar sliding with dry friction, 1991). Returns whether what
 /// sticks changed by much.
-bool ContactSet::rub(ContactBlock& block) {
-    SolverBody& a = bodies_[block.a];
-    SolverBody& b = bodies_[block.b];
-    Vec3 center_a = block.center_a;
-    Vec3 center_b = block.center_b;
-    if (block.carried) {
+bool ContactSet::solve_friction(ContactConstraint& constraint) {
+    SolverBody& a = bodies_[constraint.a];
+    SolverBody& b = bodies_[constraint.b];
+    Vec3 center_a = constraint.center_a;
+    Vec3 center_b = constraint.center_b;
+    if (constraint.carried) {
         // The place goes round with what carries it.
-        const Vec3 shift = b.turned * block.center_b - block.center_b;
-        center_a += shift + b.moved_m - a.moved_m;
+        const Vec3 shift = b.delta_rotation * constraint.center_b - constraint.center_b;
+        center_a += shift + b.delta_position_m - a.delta_position_m;
         center_b += shift;
     }
-    if (block.balls()) {
-        // place_balls() left them where they are
-    } else if (block.radius_a > 0) {
-        center_b += block.shift_of(a.moved_m - b.moved_m);
-    } else if (block.radius_b > 0) {
-        center_a += block.shift_of(b.moved_m - a.moved_m);
+    if (constraint.spheres()) {
+        // update_sphere_separations() left them where they are
+    } else if (constraint.radius_a > 0) {
+        center_b += constraint.shift_of(a.delta_position_m - b.delta_position_m);
+    } else if (constraint.radius_b > 0) {
+        center_a += constraint.shift_of(b.delta_position_m - a.delta_position_m);
     }
     const Vec3 slip = a.velocity_at(center_a) - b.velocity_at(center_b);
     Real next[2];
     for (int t = 0; t < 2; ++t)
-        next[t] = block.tangent_Ns[t] - block.tangent_mass[t] * glm::dot(slip, block.tangent[t]);
-    const Real limit = block.friction * sum_of(block.normal_Ns);
-    const Real twist_limit = limit * block.twist_arm_m;
+        next[t] = constraint.tangent_Ns[t] -
+                  constraint.tangent_mass[t] * glm::dot(slip, constraint.tangent[t]);
+    const Real limit = constraint.friction * sum_of(constraint.normal_Ns);
+    const Real twist_limit = limit * constraint.twist_arm_m;
     Real twist = 0;
     if (twist_limit > 0) {
-        const Real spin = glm::dot(a.spin_radps - b.spin_radps, block.normal);
-        twist = block.twist_Nms - block.twist_mass * spin;
+        const Real spin = glm::dot(a.spin_radps - b.spin_radps, constraint.normal);
+        twist = constraint.twist_Nms - constraint.twist_mass * spin;
     }
     const Real twist_share = twist_limit > 0 ? twist / twist_limit : Real{0};
     const Real squared = next[0] * next[0] + next[1] * next[1];
@@ -335,20 +359,20 @@ bool ContactSet::rub(ContactBlock& block) {
         next[1] *= kept;
         twist *= kept;
     }
-    const Vec3 force = block.tangent[0] * (next[0] - block.tangent_Ns[0]) +
-                       block.tangent[1] * (next[1] - block.tangent_Ns[1]);
-    const Vec3 turning = block.normal * (twist - block.twist_Nms);
+    const Vec3 force = constraint.tangent[0] * (next[0] - constraint.tangent_Ns[0]) +
+                       constraint.tangent[1] * (next[1] - constraint.tangent_Ns[1]);
+    const Vec3 turning = constraint.normal * (twist - constraint.twist_Nms);
     const bool changed = !slides && glm::dot(force, force) > kMuch * kMuch * limit * limit;
-    block.tangent_Ns[0] = next[0];
-    block.tangent_Ns[1] = next[1];
-    block.twist_Nms = twist;
+    constraint.tangent_Ns[0] = next[0];
+    constraint.tangent_Ns[1] = next[1];
+    constraint.twist_Nms = twist;
     const Vec3 change_a = force * a.inverse_mass;
     const Vec3 change_b = force * b.inverse_mass;
     a.velocity_mps += change_a;
     b.velocity_mps -= change_b;
     // Friction that is new in this sub-step acted in all of it: its half of the way.
-    a.moved_m += change_a * (h_ / 2);
-    b.moved_m -= change_b * (h_ / 2);
+    a.delta_position_m += change_a * (h_ / 2);
+    b.delta_position_m -= change_b * (h_ / 2);
     a.spin_radps += a.inverse_inertia * (glm::cross(center_a, force) + turning);
     b.spin_radps -= b.inverse_inertia * (glm::cross(center_b, force) + turning);
     row_solves += 3;
@@ -357,11 +381,11 @@ bool ContactSet::rub(ContactBlock& block) {
 
 /// Resistance to rolling and to spinning: torques of at most a length times the load. Returns
 /// whether what holds changed by much.
-bool ContactSet::resist_rolling(ContactBlock& block) {
-    SolverBody& a = bodies_[block.a];
-    SolverBody& b = bodies_[block.b];
+bool ContactSet::resist_rolling(ContactConstraint& constraint) {
+    SolverBody& a = bodies_[constraint.a];
+    SolverBody& b = bodies_[constraint.b];
     const Vec3 relative = a.spin_radps - b.spin_radps;
-    const Real load = sum_of(block.normal_Ns);
+    const Real load = sum_of(constraint.normal_Ns);
     const auto bounded = [&](const Vec3& spin, const Vec3& held, Real limit) {
         const Real speed = glm::length(spin);
         Vec3 wanted = held;
@@ -372,42 +396,43 @@ bool ContactSet::resist_rolling(ContactBlock& block) {
         const Real length = glm::length(wanted);
         return length > limit ? wanted * (limit / length) : wanted;
     };
-    const Vec3 held_spin = block.normal * glm::dot(block.rolling_Nms, block.normal);
-    const Vec3 spin = block.normal * glm::dot(relative, block.normal);
+    const Vec3 held_spin = constraint.normal * glm::dot(constraint.rolling_Nms, constraint.normal);
+    const Vec3 spin = constraint.normal * glm::dot(relative, constraint.normal);
     const Vec3 next =
-        bounded(spin, held_spin, block.spinning_m * load) +
-        bounded(relative - spin, block.rolling_Nms - held_spin, block.rolling_m * load);
-    const Vec3 change = next - block.rolling_Nms;
-    block.rolling_Nms = next;
+        bounded(spin, held_spin, constraint.spinning_m * load) +
+        bounded(relative - spin, constraint.rolling_Nms - held_spin, constraint.rolling_m * load);
+    const Vec3 change = next - constraint.rolling_Nms;
+    constraint.rolling_Nms = next;
     a.spin_radps += a.inverse_inertia * change;
     b.spin_radps -= b.inverse_inertia * change;
     row_solves += 3;
-    const Real limit = std::max(block.rolling_m, block.spinning_m) * load;
+    const Real limit = std::max(constraint.rolling_m, constraint.spinning_m) * load;
     const bool holds = glm::dot(next, next) < limit * limit * (1 - kMuch);
     return holds && glm::dot(change, change) > kMuch * kMuch * limit * limit;
 }
 
 void ContactSet::solve_with_bias() {
     for (const std::uint32_t index : order_) {
-        solve_with_bias(blocks[index]);
-        row_solves += static_cast<std::uint64_t>(blocks[index].count);
+        solve_with_bias(constraints[index]);
+        row_solves += static_cast<std::uint64_t>(constraints[index].count);
     }
 }
 
 void ContactSet::relax() {
     for (const std::uint32_t index : order_) {
-        relax(blocks[index]);
+        relax(constraints[index]);
     }
 }
 
 void ContactSet::end_substep() {
-    for (ContactBlock& block : blocks) {
-        for (std::size_t i = 0; i < kLanes; ++i) block.total_Ns[i] += block.normal_Ns[i];
-        block.bounced = false;
+    for (ContactConstraint& constraint : constraints) {
+        for (std::size_t i = 0; i < kLanes; ++i) constraint.total_Ns[i] += constraint.normal_Ns[i];
+        constraint.bounced = false;
         // Who is pressed by what was pushed out moves as fast.
-        SolverBody& a = bodies_[block.a];
-        SolverBody& b = bodies_[block.b];
-        if ((a.shoved || b.shoved) && sum_of(block.normal_Ns) > 0) a.shoved = b.shoved = true;
+        SolverBody& a = bodies_[constraint.a];
+        SolverBody& b = bodies_[constraint.b];
+        if ((a.depenetrated || b.depenetrated) && sum_of(constraint.normal_Ns) > 0)
+            a.depenetrated = b.depenetrated = true;
     }
 }
 

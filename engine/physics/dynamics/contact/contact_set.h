@@ -5,7 +5,7 @@
 // takes the pushing speed out again and solves friction with impulses that only load, not push.
 #pragma once
 
-#include "engine/physics/dynamics/contact/contact_block.h"
+#include "engine/physics/dynamics/contact/contact_constraint.h"
 #include "engine/physics/dynamics/softness.h"
 
 #include <cstdint>
@@ -16,33 +16,33 @@ namespace plumbline::physics {
 
 class ContactSet {
 public:
-    std::vector<ContactBlock> blocks;
+    std::vector<ContactConstraint> constraints;
 
     /// Masses and the order of the sweeps. `h` is the sub-step; `push_mps` the fastest that overlap
-    /// pushes bodies apart, `bounce_mps` the slowest blow that restitution acts on.
+    /// pushes bodies apart, `bounce_mps` the slowest impact that restitution acts on.
     void begin_step(std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps);
-    /// Adds the impulses that the blocks hold to the bodies' steady change.
+    /// Adds the impulses that the constraints hold to the bodies' steady change.
     void warm_start();
     void solve_with_bias();
     void relax();
-    /// Adds what the blocks hold to their totals.
+    /// Adds what the constraints hold to their totals.
     void end_substep();
-    /// Separations now; where a ball touches, its arms follow it.
-    void place(ContactBlock& block) const;
+    /// Separations now; where a sphere touches, its arms follow it.
+    void update_separations(ContactConstraint& constraint) const;
 
     std::uint64_t row_solves{0};  ///< since begin_step()
     Real substep_s() const { return h_; }
 
 private:
-    void place_balls(ContactBlock& block) const;
-    void solve_with_bias(ContactBlock& block);
-    void relax(ContactBlock& block);
-    bool carry(ContactBlock& block);
-    bool rub(ContactBlock& block);
-    bool resist_rolling(ContactBlock& block);
+    void update_sphere_separations(ContactConstraint& constraint) const;
+    void solve_with_bias(ContactConstraint& constraint);
+    void relax(ContactConstraint& constraint);
+    bool relax_normal(ContactConstraint& constraint);
+    bool solve_friction(ContactConstraint& constraint);
+    bool resist_rolling(ContactConstraint& constraint);
 
     std::span<SolverBody> bodies_;
-    std::vector<std::uint32_t> order_;  ///< of blocks in a sweep
+    std::vector<std::uint32_t> order_;  ///< of constraints in a sweep
     Softness between_movable_{};
     Softness against_immovable_{};
     Real h_{0};

@@ -1,9 +1,9 @@
 // Bouncing, before the forces of a sub-step act. Knows nothing of Bullet.
 //
 // Pairs about to touch with more than the threshold speed get the speed that restitution asks for,
-// all points of a pair at once and with friction on the blow; pair after pair until none approaches
+// all points of a pair at once and with friction on the impact; pair after pair until none approaches
 // (the order is Guendelman, Bridson and Fedkiw's, Nonconvex Rigid Bodies with Stacking, 2003). A
-// blow is met a little above or below the surface; the speeds are those that would have been had at
+// impact is met a little above or below the surface; the speeds are those that would have been had at
 // the surface, so a bounce with restitution 1 keeps the energy to rounding at any step.
 #pragma once
 
@@ -16,20 +16,20 @@ namespace plumbline::physics {
 
 class ImpactPass {
 public:
-    /// Finds the pairs that may bounce. `threshold_mps`: slower blows do not bounce.
+    /// Finds the pairs that may bounce. `threshold_mps`: slower impacts do not bounce.
     void begin_step(ContactSet& contacts, std::span<SolverBody> bodies, Real threshold_mps);
     bool needed() const { return !pairs_.empty(); }
-    /// Returns the number of blows solved.
+    /// Returns the number of impacts solved.
     std::uint32_t run();
 
 private:
     struct Pair {
-        std::uint32_t first_block{0};
+        std::uint32_t first_constraint{0};
         std::uint32_t block_count{0};
     };
     /// A point of the pair at hand.
-    struct Blow {
-        std::uint32_t block{0};
+    struct Impact {
+        std::uint32_t constraint{0};
         int lane{0};
         Vec3 arm_a{0, 0, 0};
         Vec3 arm_b{0, 0, 0};
@@ -41,22 +41,22 @@ private:
         Real tangent_Ns[2]{0, 0};
     };
 
-    void turn_to_meeting(ContactBlock& block) const;
+    void turn_to_meeting(ContactConstraint& constraint) const;
     bool gather(const Pair& pair);
-    void aim(const ContactBlock& block,
+    void aim(const ContactConstraint& constraint,
              Real separation_m,
              Real speed_mps,
              Real opening_mps2,
-             Blow& blow) const;
-    void weigh_blows();
-    void solve_blows();
-    void solve_friction(Blow& blow);
+             Impact& impact) const;
+    void weigh_impacts();
+    void solve_impacts();
+    void solve_friction(Impact& impact);
 
     ContactSet* contacts_{nullptr};
     std::span<SolverBody> bodies_;
     Real threshold_mps_{0};
     std::vector<Pair> pairs_;
-    std::vector<Blow> blows_;
+    std::vector<Impact> impacts_;
 };
 
 }  // namespace plumbline::physics

@@ -186,10 +186,10 @@ bool GeometricStiffness::raise_moments(JointGroup& group, std::size_t index, boo
     Vec3d kept{1, 1, 1};
     for (int k = 0; k < 3; ++k) {
         if (!(body.moments[k] > 0)) continue;
-        kept[k] = std::min(1.0, body.felt_moments[k] / wanted_moment(group, index, k));
+        kept[k] = std::min(1.0, body.effective_inertia[k] / wanted_moment(group, index, k));
     }
     if (std::min({kept.x, kept.y, kept.z}) * kNoticeable > 1) return false;
-    body.set_felt_moments(body.felt_moments / kept);
+    body.set_effective_inertia(body.effective_inertia / kept);
     if (slow_down) body.slow_down(kept, group.substep_s);
     body.update_inertia();
     return true;
@@ -260,12 +260,12 @@ void GeometricStiffness::lower(JointGroup& group) {
         if (!body.movable) continue;
         body.inverse_mass = std::max(body.inverse_mass, 1 / wanted_mass(group, i));
         raised_ = raised_ || body.inverse_mass < body.own_inverse_mass;
-        if (body.felt_moments == body.moments) continue;
+        if (body.effective_inertia == body.moments) continue;
         Vec3d felt = body.moments;
         for (int k = 0; k < 3; ++k) {
-            felt[k] = std::min(body.felt_moments[k], wanted_moment(group, i, k));
+            felt[k] = std::min(body.effective_inertia[k], wanted_moment(group, i, k));
         }
-        body.set_felt_moments(felt);
+        body.set_effective_inertia(felt);
         body.update_inertia();
         raised_ = raised_ || felt != body.moments;
     }

@@ -50,7 +50,7 @@ struct JointBound {
     double constant_impulse() const;
     /// Where the row is to be after the sub-step's motion, when at_bound().
     double wanted_position(double substep_s) const;
-    /// What is to be put right of a deviation from it at once: a bounded way.
+    /// What is corrected of a deviation from it at once: a bounded displacement.
     static double bounded_way(double deviation, double substep_s);
 
     /// As if it were between its limits: the position means nothing now.

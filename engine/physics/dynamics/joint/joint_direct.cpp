@@ -17,7 +17,7 @@ constexpr int kMostPositionIterations = 8;
 constexpr double kGoodError = 1e-7;
 /// ... and rows are made anew when an iteration leaves more than this of the error before it.
 constexpr double kConverging = 0.2;
-/// Errors above it, m or rad, that all iterations leave are not put right within the sub-step.
+/// Errors above it, m or rad, that all iterations leave are not corrected within the sub-step.
 constexpr double kBadError = 1e-4;
 /// A step leads away that leaves so many times the error before it: the next may mend less.
 constexpr double kMostGrowth = 3;
@@ -55,8 +55,8 @@ void mask(Symmetric3& s, std::uint8_t active) {
 void take_half_of_steady(JointGroup& group, double sign) {
     for (JointBody& body : group.bodies) {
         if (!body.movable) continue;
-        body.velocity_mps -= sign * 0.5 * Vec3d(body.body->steady_mps);
-        body.spin_radps -= sign * 0.5 * Vec3d(body.body->steady_radps);
+        body.velocity_mps -= sign * 0.5 * Vec3d(body.body->velocity_increment_mps);
+        body.spin_radps -= sign * 0.5 * Vec3d(body.body->spin_increment_radps);
     }
 }
 
@@ -175,12 +175,12 @@ void DirectJoints::correct_positions(JointGroup& group) {
     for (JointBody& body : group.bodies) body.note_momentum();
     hold_positions(group);
     converge(group);
-    if (group.anything_left_over) {
+    if (group.any_residual) {
         // No speed comes of this: it would be given back at another pose, as energy.
         for (std::size_t i = 0; i < group.rows.size(); ++i) {
-            const Vec3d left_over = JointGroup::come_back(group.left_over[i], group.substep_s);
-            held_[i] += left_over - group.left_over[i];
-            group.left_over[i] = left_over;
+            const Vec3d residual = JointGroup::come_back(group.residual[i], group.substep_s);
+            held_[i] += residual - group.residual[i];
+            group.residual[i] = residual;
         }
         gather_errors(group);
         solve_all(group, matrix_);
@@ -214,7 +214,7 @@ void DirectJoints::converge(JointGroup& group) {
         before = error;
         error = step_towards(group, before);
     }
-    if (error > kBadError) keep_as_left_over(group);
+    if (error > kBadError) keep_as_residual(group);
 }
 
 /// Makes the step in x_, or as much of it as does not lead away: rows in closed loops that are
@@ -237,28 +237,28 @@ double DirectJoints::step_towards(JointGroup& group, double error) {
 }
 
 /// What no iteration puts right is come back from slowly, without speed.
-void DirectJoints::keep_as_left_over(JointGroup& group) {
+void DirectJoints::keep_as_residual(JointGroup& group) {
     for (std::size_t i = 0; i < group.rows.size(); ++i) {
         const JointRows& rows = group.rows[i];
         Vec3d error = masked(rows.errors(group.bodies), rows.active);
         for (int k = 0; k < 3; ++k) {
             if (((rows.bounded >> k) & 1) != 0) error[k] = 0;
         }
-        held_[i] += error - group.left_over[i];
-        group.left_over[i] = error;
+        held_[i] += error - group.residual[i];
+        group.residual[i] = error;
     }
-    group.anything_left_over = true;
+    group.any_residual = true;
 }
 
 void DirectJoints::hold_positions(JointGroup& group) {
-    if (group.anything_left_over) held_ = group.left_over;
+    if (group.any_residual) held_ = group.residual;
     for (const JointBound& bound : group.bounds) {
         held_[bound.node][bound.row] =
             bound.at_bound() ? bound.wanted_position(group.substep_s) : 0;
     }
 }
 
-/// Leaves what is to be put right in x_; the largest of it.
+/// Leaves the correction in x_; the largest of it.
 double DirectJoints::gather_errors(const JointGroup& group) {
     double largest = 0;
     for (std::size_t i = 0; i < group.rows.size(); ++i) {

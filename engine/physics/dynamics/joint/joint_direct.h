@@ -32,7 +32,7 @@ private:
     void solve_all(JointGroup& group, const BlockLdlt& matrix);
     void converge(JointGroup& group);
     double step_towards(JointGroup& group, double error);
-    void keep_as_left_over(JointGroup& group);
+    void keep_as_residual(JointGroup& group);
     void displace(JointGroup& group, double share, bool with_velocities);
     void solve_springs(JointGroup& group);
     void damp_springs(JointGroup& group, std::span<const JointSpring> springs);

@@ -5,7 +5,7 @@
 namespace plumbline::physics {
 namespace {
 
-/// Errors below it, m or rad, that a step begins with are put right at once.
+/// Errors below it, m or rad, that a step begins with are corrected at once.
 constexpr double kSmallError = 1e-5;
 /// Larger ones are come back from at this speed plus their own size per second: from 5 m within a
 
@@ -31,7 +31,7 @@ void JointGroup::start(std::span<SolverBody> island_bodies) {
     for (JointRows& row : rows) row.refresh(bodies);
     read_bounds();
     for (const JointBound& bound : bounds) set_active(bound);
-    find_left_over();
+    find_residual();
 }
 
 void JointGroup::refresh() {
@@ -56,17 +56,17 @@ void JointGroup::read_bounds() {
     }
 }
 
-void JointGroup::find_left_over() {
-    left_over.assign(rows.size(), Vec3d{0, 0, 0});
-    anything_left_over = false;
+void JointGroup::find_residual() {
+    residual.assign(rows.size(), Vec3d{0, 0, 0});
+    any_residual = false;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         Vec3d error = rows[i].errors(bodies);
         for (int k = 0; k < 3; ++k) {
             if (!rows[i].is_active(k) || ((rows[i].bounded >> k) & 1) != 0) error[k] = 0;
         }
         if (glm::dot(error, error) < kSmallError * kSmallError) continue;
-        left_over[i] = error;
-        anything_left_over = true;
+        residual[i] = error;
+        any_residual = true;
     }
 }
 
@@ -92,10 +92,10 @@ std::span<JointBound> JointGroup::bounds_of(const JointComponent& component) {
     return {first, last};
 }
 
-Vec3d JointGroup::come_back(const Vec3d& left_over, double substep_s) {
-    const double length = glm::length(left_over);
+Vec3d JointGroup::come_back(const Vec3d& residual, double substep_s) {
+    const double length = glm::length(residual);
     if (length < kSmallError) return {0, 0, 0};
-    return left_over * std::max(0.0, 1 - (kPush_mps / length + 1) * substep_s);
+    return residual * std::max(0.0, 1 - (kPush_mps / length + 1) * substep_s);
 }
 
 }  // namespace plumbline::physics

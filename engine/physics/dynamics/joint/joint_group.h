@@ -20,8 +20,8 @@ struct JointGroup {
     std::vector<JointRows> rows;    ///< as topology->nodes
     std::vector<Vec3d> impulses;    ///< along the rows, since the latest refresh
     /// Errors that the step began with and comes back from slowly: what bodies are held at.
-    std::vector<Vec3d> left_over;
-    bool anything_left_over{false};
+    std::vector<Vec3d> residual;
+    bool any_residual{false};
     std::vector<JointBound> bounds;  ///< in the order of the rows
     std::vector<JointTotal> totals;  ///< by joint
     std::uint64_t row_solves{0};
@@ -40,12 +40,12 @@ struct JointGroup {
     /// Takes into the solve, or out of it, what the bound's step says.
     void set_active(const JointBound& bound);
     std::span<JointBound> bounds_of(const JointComponent& component);
-    /// What is left over after a sub-step of coming back: a bounded way nearer to nothing.
-    static Vec3d come_back(const Vec3d& left_over, double substep_s);
+    /// The residual after a sub-step of correction: a bounded displacement nearer to nothing.
+    static Vec3d come_back(const Vec3d& residual, double substep_s);
 
 private:
     void read_bounds();
-    void find_left_over();
+    void find_residual();
 };
 
 }  // namespace plumbline::physics

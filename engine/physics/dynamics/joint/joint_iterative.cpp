@@ -75,8 +75,8 @@ void IterativeJoints::warm_start(JointGroup& group) {
     // First order all through: half of a force's way would only be taken back by the soft joints.
     for (const JointBody& body : group.bodies) {
         if (!body.movable) continue;
-        body.body->steady_mps = {0, 0, 0};
-        body.body->steady_radps = {0, 0, 0};
+        body.body->velocity_increment_mps = {0, 0, 0};
+        body.body->spin_increment_radps = {0, 0, 0};
     }
     for (std::size_t i = 0; i < group.rows.size(); ++i) {
         group.rows[i].push(group.bodies, accumulated_[i]);

@@ -78,8 +78,8 @@ JointBody JointBody::of(SolverBody& body) {
     made.own_inverse_mass = static_cast<double>(body.inverse_mass);
     made.inverse_mass = made.own_inverse_mass;
     made.moments = body.inertia_kgm2;
-    made.set_felt_moments(made.moments);
-    made.round = body.round_inertia;
+    made.set_effective_inertia(made.moments);
+    made.round = body.isotropic_inertia;
     return made;
 }
 
@@ -95,15 +95,15 @@ void JointBody::write_velocities() const {
 }
 
 void JointBody::read_pose() {
-    position_m = body->start_position_m + Vec3d(body->moved_m);
-    orientation = renormalized(Quatd(body->turned) * body->start_orientation);
+    position_m = body->start_position_m + Vec3d(body->delta_position_m);
+    orientation = renormalized(Quatd(body->delta_rotation) * body->start_orientation);
     axes = rows_of(orientation);
 }
 
 void JointBody::write_pose() const {
     if (!movable) return;
-    body->moved_m = Vec3(position_m - body->start_position_m);
-    body->turned = Quat(orientation * glm::conjugate(body->start_orientation));
+    body->delta_position_m = Vec3(position_m - body->start_position_m);
+    body->delta_rotation = Quat(orientation * glm::conjugate(body->start_orientation));
 }
 
 void JointBody::update_inertia() {
@@ -122,8 +122,8 @@ void JointBody::update_inertia() {
                              real(inverse_inertia.zz)};
 }
 
-void JointBody::set_felt_moments(const Vec3d& felt) {
-    felt_moments = felt;
+void JointBody::set_effective_inertia(const Vec3d& felt) {
+    effective_inertia = felt;
     inverse_moments = {inverse_or_zero(felt.x), inverse_or_zero(felt.y), inverse_or_zero(felt.z)};
 }
 
@@ -137,7 +137,7 @@ void JointBody::slow_down(const Vec3d& kept, double duration_s) {
 
 void JointBody::note_momentum() {
     if (!movable || round) return;
-    momentum_Nms = axes * (felt_moments * axes.transposed_times(spin_radps));
+    momentum_Nms = axes * (effective_inertia * axes.transposed_times(spin_radps));
 }
 
 void JointBody::set_spin(double substep_s) {

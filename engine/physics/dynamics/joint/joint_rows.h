@@ -29,9 +29,9 @@ struct JointBody {
     Vec3d momentum_Nms{0, 0, 0};
 
     double own_inverse_mass{0};
-    Vec3d moments{0, 0, 0};          ///< body axes
-    Vec3d felt_moments{0, 0, 0};     ///< what joints feel: geometric_stiffness.h
-    Vec3d inverse_moments{0, 0, 0};  ///< of felt_moments; 0 where they are 0
+    Vec3d moments{0, 0, 0};            ///< body axes
+    Vec3d effective_inertia{0, 0, 0};  ///< what joints feel: geometric_stiffness.h
+    Vec3d inverse_moments{0, 0, 0};    ///< of effective_inertia; 0 where they are 0
     bool round{true};
     bool movable{false};
     SolverBody* body{nullptr};
@@ -44,7 +44,7 @@ struct JointBody {
     void write_pose() const;
     /// The world inertia at the pose.
     void update_inertia();
-    void set_felt_moments(const Vec3d& felt);
+    void set_effective_inertia(const Vec3d& felt);
     /// Leaves these shares of the spin about the body's axes, in the way since `duration_s` too.
     void slow_down(const Vec3d& kept, double duration_s);
     /// Notes the angular momentum that goes with the spin at the pose; set_spin() at a later pose

@@ -75,7 +75,8 @@ double SpringLine::speed(const JointSpring& spring) const {
 
 double SpringLine::mean_speed(const JointSpring& spring) const {
     const auto steady = [](const JointBody& body, const Vec3d& arm) {
-        return Vec3d(body.body->steady_mps) + glm::cross(Vec3d(body.body->steady_radps), arm);
+        return Vec3d(body.body->velocity_increment_mps) +
+               glm::cross(Vec3d(body.body->spin_increment_radps), arm);
     };
     return speed(spring) -
            0.5 * glm::dot(direction, steady(*spring.b, arm_b) - steady(*spring.a, arm_a));
@@ -164,10 +165,12 @@ StartOfSubstep start_of_substep(const JointBody& body, double substep_s) {
     StartOfSubstep start{body.velocity_mps, body.spin_radps};
     if (!body.movable) return start;
     const SolverBody& of = *body.body;
-    const bool steady = of.steady_mps != Vec3{0, 0, 0} || of.steady_radps != Vec3{0, 0, 0};
+    const bool steady =
+        of.velocity_increment_mps != Vec3{0, 0, 0} || of.spin_increment_radps != Vec3{0, 0, 0};
     const auto half = static_cast<Real>(substep_s / 2);
-    start.velocity_mps -= Vec3d(steady ? of.steady_mps : of.acceleration_mps2 * half);
-    start.spin_radps -= Vec3d(steady ? of.steady_radps : of.angular_acceleration_radps2 * half);
+    start.velocity_mps -= Vec3d(steady ? of.velocity_increment_mps : of.acceleration_mps2 * half);
+    start.spin_radps -=
+        Vec3d(steady ? of.spin_increment_radps : of.angular_acceleration_radps2 * half);
     return start;
 }
 

@@ -63,7 +63,7 @@ struct JointWork {
 ///
 /// Order of a sub-step of h seconds, all of it even without a single spring or limit:
 ///     the bodies' accelerations change the velocities for h, by the caller, who notes the change in
-///     steady_mps and steady_radps
+///     velocity_increment_mps and spin_increment_radps
 ///     push_springs(h/2); solve_velocities(), which contact sweeps may alternate with
 ///     bodies move by their velocity less half of the steady change, by the caller
 ///     correct_positions(); push_springs(h/2); refresh()

@@ -188,7 +188,7 @@ Scenario cradle(double gap_m) {
                             gap_m),
             .reference = gap_m > 0
                              ? "pair after pair: one in, one out"
-                             : "one in, one out: what blows passed on from pair to pair give, "
+                             : "one in, one out: what impacts passed on from pair to pair give, "
                                "and real steel balls nearly do; rigid bodies alone do not say",
             .metrics = {{"speed of the last ball", "2 m/s"}, {"speed of the others", "2 m/s"}},
             .run = [=](const Setting& setting, Course& course) -> Errors {

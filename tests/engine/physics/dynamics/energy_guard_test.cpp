@@ -16,7 +16,7 @@ SolverBody ball_of(Real mass_kg, const Vec3& velocity_mps) {
 /// Two balls that touch each other; the world is the first body.
 struct Pair {
     std::vector<SolverBody> bodies{SolverBody{}, ball_of(2, {3, 0, 0}), ball_of(1, {-1, 0, 0})};
-    std::vector<ContactBlock> contacts{ContactBlock{.a = 1, .b = 2, .count = 1}};
+    std::vector<ContactConstraint> contacts{ContactConstraint{.a = 1, .b = 2, .count = 1}};
     EnergyGuard guard;
 
     void begin() { guard.begin(bodies, contacts, {}, 1.0_r / 240); }
@@ -69,7 +69,7 @@ TEST(EnergyGuard, KnowsTheWorkOfGravity) {
     pair.begin();
     for (std::size_t i : {1U, 2U}) {
         // Fell 2 m from rest.
-        pair.bodies[i].moved_m = {0, -2, 0};
+        pair.bodies[i].delta_position_m = {0, -2, 0};
         pair.bodies[i].velocity_mps = {0, -std::sqrt(2 * 9.81_r * 2), 0};
     }
     EXPECT_EQ(pair.end(), 0);

@@ -37,7 +37,7 @@ TEST_P(Loop, AForceTurnsSteadilyFaster) {
     }
     // 1/2 alpha t^2 = 1 rad.
     const SolverBody& body = rig.loop.bodies[ball];
-    const Quatd q = Quatd(body.turned) * body.start_orientation;
+    const Quatd q = Quatd(body.delta_rotation) * body.start_orientation;
     EXPECT_NEAR(2 * std::atan2(q.y, q.w), 1, by_precision(5e-5, 1e-12));
     EXPECT_NEAR(rig.spin(ball).y, 2, by_precision(5e-5, 1e-12));
 }
@@ -48,8 +48,8 @@ TEST_P(Loop, DampingDecaysAsItsFactorSays) {
     rig.gravity_mps2 = Vec3d(0);
     const std::uint32_t ball = rig.add_ball(2, 0.5, Vec3d(0));
     rig.set_velocity(ball, Vec3d(3, 0, 0), Vec3d(0, 4, 0));
-    rig.loop.bodies[ball].linear_keep = real(std::exp(-0.5 * kStep_s / GetParam()));
-    rig.loop.bodies[ball].angular_keep = real(std::exp(-0.8 * kStep_s / GetParam()));
+    rig.loop.bodies[ball].linear_damping_factor = real(std::exp(-0.5 * kStep_s / GetParam()));
+    rig.loop.bodies[ball].angular_damping_factor = real(std::exp(-0.8 * kStep_s / GetParam()));
     rig.steps(60);
     EXPECT_NEAR(rig.velocity(ball).x, 3 * std::exp(-0.5), by_precision(2e-4, 1e-12));
     EXPECT_NEAR(rig.spin(ball).y, 4 * std::exp(-0.8), by_precision(2e-4, 1e-12));
@@ -66,7 +66,7 @@ TEST_P(Loop, ABoxFlipsOverItsMiddleAxis) {
     const double energy_J = rig.energy(box);
     const auto middle_radps = [&] {
         const SolverBody& body = rig.loop.bodies[box];
-        const Quatd q = glm::normalize(Quatd(body.turned) * body.start_orientation);
+        const Quatd q = glm::normalize(Quatd(body.delta_rotation) * body.start_orientation);
         return (glm::conjugate(q) * rig.spin(box)).y;
     };
     double flip_s = 0;
@@ -138,10 +138,10 @@ TEST(IslandLoop, ClearLeavesTheWorldAlone) {
     rig.loop.clear();
     ASSERT_EQ(rig.loop.bodies.size(), 1U);
     EXPECT_FALSE(rig.loop.bodies[0].movable());
-    EXPECT_TRUE(rig.loop.contacts.blocks.empty());
+    EXPECT_TRUE(rig.loop.contacts.constraints.empty());
     const LoopReport report = rig.loop.run({});
     EXPECT_EQ(report.row_solves, 0U);
-    EXPECT_EQ(rig.loop.bodies[0].moved_m, (Vec3{0, 0, 0}));
+    EXPECT_EQ(rig.loop.bodies[0].delta_position_m, (Vec3{0, 0, 0}));
 }
 
 TEST(IslandLoop, SameStartSameEnd) {

@@ -31,11 +31,11 @@ void step(ContactBridge& bridge, Manifold& manifold, Real h, Real normal_Ns) {
     bridge.begin_step();
     bridge.begin_island();
     bridge.add(manifold, {.a = 1, .b = kWorldBody}, h, contacts);
-    for (ContactBlock& block : contacts.blocks) {
-        block.normal_Ns = {};
-        for (int i = 0; i < block.count; ++i)
-            block.normal_Ns[static_cast<std::size_t>(i)] = normal_Ns;
-        block.total_Ns = block.normal_Ns;
+    for (ContactConstraint& constraint : contacts.constraints) {
+        constraint.normal_Ns = {};
+        for (int i = 0; i < constraint.count; ++i)
+            constraint.normal_Ns[static_cast<std::size_t>(i)] = normal_Ns;
+        constraint.total_Ns = constraint.normal_Ns;
     }
     bridge.write_back(contacts, h);
 }
@@ -49,10 +49,10 @@ TEST(ContactBridge, WarmStartFitsSubstepsOfAnyLength) {
     ContactSet contacts;
     bridge.begin_step();
     bridge.add(manifold, {.a = 1, .b = kWorldBody}, kShort_s, contacts);
-    ASSERT_EQ(contacts.blocks.size(), 1U);
-    EXPECT_EQ(contacts.blocks[0].count, 2);
-    EXPECT_EQ(contacts.blocks[0].normal_Ns[0], 1);  // 8 N for 0.125 s
-    EXPECT_EQ(contacts.blocks[0].start_separation_m[1], -0.5_r);
+    ASSERT_EQ(contacts.constraints.size(), 1U);
+    EXPECT_EQ(contacts.constraints[0].count, 2);
+    EXPECT_EQ(contacts.constraints[0].normal_Ns[0], 1);  // 8 N for 0.125 s
+    EXPECT_EQ(contacts.constraints[0].start_separation_m[1], -0.5_r);
 }
 
 TEST(ContactBridge, WhatGivesWayToNothingIsABlocksB) {
@@ -63,15 +63,15 @@ TEST(ContactBridge, WhatGivesWayToNothingIsABlocksB) {
     ContactSet contacts;
     bridge.begin_step();
     bridge.add(manifold, {.a = kWorldBody, .b = 2, .a_moves = false}, kLong_s, contacts);
-    const ContactBlock& block = contacts.blocks.front();
-    EXPECT_EQ(block.a, 2U);
-    EXPECT_EQ(block.b, kWorldBody);
-    EXPECT_EQ(block.normal, (Vec3{0, 1, 0}));
-    EXPECT_EQ(block.radius_b, 3);
-    EXPECT_EQ(lane(block.offset_b, 0), manifold.points[0].a.offset_m);
+    const ContactConstraint& constraint = contacts.constraints.front();
+    EXPECT_EQ(constraint.a, 2U);
+    EXPECT_EQ(constraint.b, kWorldBody);
+    EXPECT_EQ(constraint.normal, (Vec3{0, 1, 0}));
+    EXPECT_EQ(constraint.radius_b, 3);
+    EXPECT_EQ(lane(constraint.offset_b, 0), manifold.points[0].a.offset_m);
     const auto tangents = tangents_of({0, -1, 0});
-    EXPECT_EQ(block.tangent[0], -tangents[0]);
-    EXPECT_EQ(block.tangent[1], -tangents[1]);
+    EXPECT_EQ(constraint.tangent[0], -tangents[0]);
+    EXPECT_EQ(constraint.tangent[1], -tangents[1]);
 }
 
 TEST(ContactBridge, NewPointsShareWhatLostOnesCarried) {
@@ -86,7 +86,7 @@ TEST(ContactBridge, NewPointsShareWhatLostOnesCarried) {
     ContactSet contacts;
     bridge.begin_step();
     bridge.add(manifold, {.a = 1, .b = kWorldBody}, kLong_s, contacts);
-    const Lanes& normal_Ns = contacts.blocks.front().normal_Ns;
+    const Lanes& normal_Ns = contacts.constraints.front().normal_Ns;
     EXPECT_EQ(normal_Ns[0], 2);  // its own 8 N
     EXPECT_EQ(normal_Ns[1], 1);  // half of the 8 N that went
     EXPECT_EQ(normal_Ns[2], 1);

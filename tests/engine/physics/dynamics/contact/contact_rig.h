@@ -1,4 +1,4 @@
-// Balls and boxes on a floor and against each other, without Bullet: contacts are written by hand.
+// Spheres and boxes on a floor and against each other, without Bullet: contacts are written by hand.
 #pragma once
 
 #include "engine/physics/dynamics/island_loop.h"
@@ -65,7 +65,7 @@ public:
     /// Besides gravity, in every step from now on.
     void set_force(std::uint32_t body, const Vec3d& force_N) { forces_N_[body] = force_N; }
     Vec3d position(std::uint32_t body) const {
-        return loop.bodies[body].start_position_m + Vec3d(loop.bodies[body].moved_m);
+        return loop.bodies[body].start_position_m + Vec3d(loop.bodies[body].delta_position_m);
     }
     Vec3d velocity(std::uint32_t body) const { return Vec3d(loop.bodies[body].velocity_mps); }
     Vec3d spin(std::uint32_t body) const { return Vec3d(loop.bodies[body].spin_radps); }
@@ -79,11 +79,13 @@ public:
     }
     Vec3d inertia_times_spin(std::uint32_t body) const {
         const SolverBody& of = loop.bodies[body];
-        const Quatd q = glm::normalize(Quatd(of.turned) * of.start_orientation);
+        const Quatd q = glm::normalize(Quatd(of.delta_rotation) * of.start_orientation);
         return q * (of.inertia_kgm2 * (glm::conjugate(q) * spin(body)));
     }
-    const ContactBlock& block(std::size_t at) const { return loop.contacts.blocks[at]; }
-    double pressed_Ns(std::size_t at) const { return wide(sum_of(block(at).total_Ns)); }
+    const ContactConstraint& constraint(std::size_t at) const {
+        return loop.contacts.constraints[at];
+    }
+    double pressed_Ns(std::size_t at) const { return wide(sum_of(constraint(at).total_Ns)); }
 
     LoopReport step() {
         for (std::size_t i = 0; i < loop.bodies.size(); ++i) {
@@ -93,7 +95,7 @@ public:
                 body.acceleration_mps2 =
                     Vec3(gravity_mps2 + forces_N_[i] * wide(body.inverse_mass));
         }
-        for (std::size_t i = 0; i < loop.contacts.blocks.size(); ++i) find(i);
+        for (std::size_t i = 0; i < loop.contacts.constraints.size(); ++i) find(i);
         return loop.run(settings);
     }
     void steps(int count) {
@@ -114,7 +116,8 @@ private:
         SolverBody body;
         body.inverse_mass = real(1 / mass_kg);
         body.inertia_kgm2 = inertia_kgm2;
-        body.round_inertia = inertia_kgm2.x == inertia_kgm2.y && inertia_kgm2.y == inertia_kgm2.z;
+        body.isotropic_inertia =
+            inertia_kgm2.x == inertia_kgm2.y && inertia_kgm2.y == inertia_kgm2.z;
         body.start_position_m = position_m;
         loop.bodies.push_back(body);
         outlines_.push_back({half_m, radius_m});
@@ -124,22 +127,23 @@ private:
     }
 
     void add_contact(std::uint32_t a, std::uint32_t b, const RigSurface& surface) {
-        ContactBlock block;
-        block.a = a;
-        block.b = b;
-        block.friction = real(surface.friction);
-        block.restitution = real(surface.restitution);
-        block.rolling_m = real(surface.rolling_m);
-        block.spinning_m = real(surface.spinning_m);
-        loop.contacts.blocks.push_back(block);
-        find(loop.contacts.blocks.size() - 1);
+        ContactConstraint constraint;
+        constraint.a = a;
+        constraint.b = b;
+        constraint.friction = real(surface.friction);
+        constraint.restitution = real(surface.restitution);
+        constraint.rolling_m = real(surface.rolling_m);
+        constraint.spinning_m = real(surface.spinning_m);
+        loop.contacts.constraints.push_back(constraint);
+        find(loop.contacts.constraints.size() - 1);
     }
 
     static void rebase(SolverBody& body) {
-        body.start_position_m += Vec3d(body.moved_m);
-        body.start_orientation = glm::normalize(Quatd(body.turned) * body.start_orientation);
-        body.moved_m = Vec3{0, 0, 0};
-        body.turned = kNoRotation;
+        body.start_position_m += Vec3d(body.delta_position_m);
+        body.start_orientation =
+            glm::normalize(Quatd(body.delta_rotation) * body.start_orientation);
+        body.delta_position_m = Vec3{0, 0, 0};
+        body.delta_rotation = kNoRotation;
         if (!body.movable()) return;
         const glm::dmat3 axes = glm::mat3_cast(body.start_orientation);
         glm::dmat3 world{0.0};
@@ -153,48 +157,48 @@ private:
                                 .zz = real(world[2][2])};
     }
 
-    /// Where the bodies of a block touch now.
+    /// Where the bodies of a constraint touch now.
     void find(std::size_t at) {
-        ContactBlock& block = loop.contacts.blocks[at];
-        const SolverBody& a = loop.bodies[block.a];
-        const Outline& shape = outlines_[block.a];
-        block.total_Ns = {};
-        block.start_separation_m.fill(kNoPoint_m);
-        if (block.b != kWorldBody) {
-            const Vec3d apart = a.start_position_m - loop.bodies[block.b].start_position_m;
-            block.radius_a = real(shape.radius_m);
-            block.radius_b = real(outlines_[block.b].radius_m);
-            set_normal(block, Vec3(glm::normalize(apart)));
-            block.count = 1;
-            block.start_separation_m[0] =
-                real(glm::length(apart) - shape.radius_m - outlines_[block.b].radius_m);
+        ContactConstraint& constraint = loop.contacts.constraints[at];
+        const SolverBody& a = loop.bodies[constraint.a];
+        const Outline& shape = outlines_[constraint.a];
+        constraint.total_Ns = {};
+        constraint.start_separation_m.fill(kNoPoint_m);
+        if (constraint.b != kWorldBody) {
+            const Vec3d apart = a.start_position_m - loop.bodies[constraint.b].start_position_m;
+            constraint.radius_a = real(shape.radius_m);
+            constraint.radius_b = real(outlines_[constraint.b].radius_m);
+            set_normal(constraint, Vec3(glm::normalize(apart)));
+            constraint.count = 1;
+            constraint.start_separation_m[0] =
+                real(glm::length(apart) - shape.radius_m - outlines_[constraint.b].radius_m);
             return;
         }
-        set_normal(block, Vec3{0, 1, 0});
+        set_normal(constraint, Vec3{0, 1, 0});
         if (shape.radius_m > 0) {
-            block.count = 1;
-            block.radius_a = real(shape.radius_m);
-            set_lane(block.offset_a, 0, Vec3{0, 0, 0});
-            set_lane(block.offset_b, 0, Vec3(a.start_position_m * Vec3d(1, 0, 1)));
-            block.start_separation_m[0] = real(a.start_position_m.y - shape.radius_m);
+            constraint.count = 1;
+            constraint.radius_a = real(shape.radius_m);
+            set_lane(constraint.offset_a, 0, Vec3{0, 0, 0});
+            set_lane(constraint.offset_b, 0, Vec3(a.start_position_m * Vec3d(1, 0, 1)));
+            constraint.start_separation_m[0] = real(a.start_position_m.y - shape.radius_m);
             return;
         }
-        block.count = kLanes;
+        constraint.count = kLanes;
         for (int i = 0; i < kLanes; ++i) {
             const Vec3d corner = Vec3d((i & 1) != 0 ? 1 : -1, -1, (i & 2) != 0 ? 1 : -1);
             const Vec3d arm = a.start_orientation * (corner * shape.half_m);
             const Vec3d point = a.start_position_m + arm;
-            set_lane(block.offset_a, i, Vec3(arm));
-            set_lane(block.offset_b, i, Vec3(point));
-            block.start_separation_m[static_cast<std::size_t>(i)] = real(point.y);
+            set_lane(constraint.offset_a, i, Vec3(arm));
+            set_lane(constraint.offset_b, i, Vec3(point));
+            constraint.start_separation_m[static_cast<std::size_t>(i)] = real(point.y);
         }
     }
 
-    static void set_normal(ContactBlock& block, const Vec3& normal) {
-        block.normal = normal;
+    static void set_normal(ContactConstraint& constraint, const Vec3& normal) {
+        constraint.normal = normal;
         const Vec3 beside = std::abs(normal.x) < 0.9_r ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
-        block.tangent[0] = glm::normalize(beside - normal * glm::dot(beside, normal));
-        block.tangent[1] = glm::cross(normal, block.tangent[0]);
+        constraint.tangent[0] = glm::normalize(beside - normal * glm::dot(beside, normal));
+        constraint.tangent[1] = glm::cross(normal, constraint.tangent[0]);
     }
 
     std::vector<Outline> outlines_{1};

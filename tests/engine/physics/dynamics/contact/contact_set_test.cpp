@@ -27,16 +27,16 @@ struct FreePair {
 
     explicit FreePair(Random& random) {
         const Vec3 normal = glm::normalize(Vec3{0, 1, 0} + random_vector(random, 0.8F));
-        ContactBlock block;
-        block.a = 1;
-        block.b = 2;
-        block.normal = normal;
-        block.tangent[0] = glm::normalize(glm::cross(normal, Vec3{0, 0, 1}));
-        block.tangent[1] = glm::cross(normal, block.tangent[0]);
-        block.count = 1 + static_cast<std::int32_t>(random.below(kLanes));
-        block.friction = Real{random.uniform(0.1F, 1.2F)};
-        block.rolling_m = Real{random.uniform(0.0F, 0.1F)};
-        block.spinning_m = Real{random.uniform(0.0F, 0.1F)};
+        ContactConstraint constraint;
+        constraint.a = 1;
+        constraint.b = 2;
+        constraint.normal = normal;
+        constraint.tangent[0] = glm::normalize(glm::cross(normal, Vec3{0, 0, 1}));
+        constraint.tangent[1] = glm::cross(normal, constraint.tangent[0]);
+        constraint.count = 1 + static_cast<std::int32_t>(random.below(kLanes));
+        constraint.friction = Real{random.uniform(0.1F, 1.2F)};
+        constraint.rolling_m = Real{random.uniform(0.0F, 0.1F)};
+        constraint.spinning_m = Real{random.uniform(0.0F, 0.1F)};
         for (std::size_t i = 1; i <= 2; ++i) {
             const double mass_kg = static_cast<double>(random.uniform(0.2F, 5.0F));
             inertia[i] = mass_kg * Vec3d(0.2, 0.3, 0.25);
@@ -50,18 +50,18 @@ struct FreePair {
             body.spin_radps = random_vector(random, 3);
             bodies.push_back(body);
         }
-        for (int i = 0; i < block.count; ++i) {
-            const Vec3 across = block.tangent[0] * ((i & 1) != 0 ? 0.5_r : -0.5_r) +
-                                block.tangent[1] * ((i & 2) != 0 ? 0.5_r : -0.5_r);
-            set_lane(block.offset_a, i, Vec3(Vec3d(across) - centre[1]));
-            set_lane(block.offset_b, i, Vec3(Vec3d(across) - centre[2]));
-            block.start_separation_m[static_cast<std::size_t>(i)] =
+        for (int i = 0; i < constraint.count; ++i) {
+            const Vec3 across = constraint.tangent[0] * ((i & 1) != 0 ? 0.5_r : -0.5_r) +
+                                constraint.tangent[1] * ((i & 2) != 0 ? 0.5_r : -0.5_r);
+            set_lane(constraint.offset_a, i, Vec3(Vec3d(across) - centre[1]));
+            set_lane(constraint.offset_b, i, Vec3(Vec3d(across) - centre[2]));
+            constraint.start_separation_m[static_cast<std::size_t>(i)] =
                 Real{random.uniform(-0.02F, 0.01F)};
         }
-        contacts.blocks.push_back(block);
+        contacts.constraints.push_back(constraint);
     }
 
-    ContactBlock& block() { return contacts.blocks.front(); }
+    ContactConstraint& constraint() { return contacts.constraints.front(); }
     double mass(std::size_t i) const { return 1 / wide(bodies[i].inverse_mass); }
     Vec3d momentum() const {
         return Vec3d(bodies[1].velocity_mps) * mass(1) + Vec3d(bodies[2].velocity_mps) * mass(2);
@@ -75,7 +75,8 @@ struct FreePair {
         return sum;
     }
     Vec3d moved_mass() const {
-        return Vec3d(bodies[1].moved_m) * mass(1) + Vec3d(bodies[2].moved_m) * mass(2);
+        return Vec3d(bodies[1].delta_position_m) * mass(1) +
+               Vec3d(bodies[2].delta_position_m) * mass(2);
     }
     void begin() { contacts.begin_step(bodies, 1.0_r / 240, 3, 1e-3_r); }
 };
@@ -108,25 +109,27 @@ TEST(ContactSet, ImpulsesStayWithinTheirLimits) {
         for (int sweep = 0; sweep < 3; ++sweep) {
             pair.contacts.solve_with_bias();
             pair.contacts.relax();
-            const ContactBlock& block = pair.block();
-            for (Real normal_Ns : block.normal_Ns) EXPECT_GE(normal_Ns, 0);
-            const double load = wide(sum_of(block.normal_Ns));
-            const double limit = wide(block.friction) * load;
-            const double twist_limit = limit * wide(block.twist_arm_m);
-            const double force = std::hypot(wide(block.tangent_Ns[0]), wide(block.tangent_Ns[1]));
+            const ContactConstraint& constraint = pair.constraint();
+            for (Real normal_Ns : constraint.normal_Ns) EXPECT_GE(normal_Ns, 0);
+            const double load = wide(sum_of(constraint.normal_Ns));
+            const double limit = wide(constraint.friction) * load;
+            const double twist_limit = limit * wide(constraint.twist_arm_m);
+            const double force =
+                std::hypot(wide(constraint.tangent_Ns[0]), wide(constraint.tangent_Ns[1]));
             // (force / limit)^2 + (twist / its limit)^2 <= 1, written without dividing by zero.
             EXPECT_LE(force, limit * (1 + 1e-5));
-            EXPECT_LE(std::abs(wide(block.twist_Nms)), twist_limit * (1 + 1e-5));
+            EXPECT_LE(std::abs(wide(constraint.twist_Nms)), twist_limit * (1 + 1e-5));
             if (twist_limit > 0) {
-                const double share = std::hypot(force / limit, wide(block.twist_Nms) / twist_limit);
+                const double share =
+                    std::hypot(force / limit, wide(constraint.twist_Nms) / twist_limit);
                 EXPECT_LE(share, 1 + 1e-5);
                 slid += share > 0.999 ? 1 : 0;
             }
-            const Vec3d rolling{block.rolling_Nms};
-            const double about = glm::dot(rolling, Vec3d(block.normal));
-            EXPECT_LE(std::abs(about), wide(block.spinning_m) * load * (1 + 1e-5) + 1e-7);
-            EXPECT_LE(glm::length(rolling - about * Vec3d(block.normal)),
-                      wide(block.rolling_m) * load * (1 + 1e-5) + 1e-7);
+            const Vec3d rolling{constraint.rolling_Nms};
+            const double about = glm::dot(rolling, Vec3d(constraint.normal));
+            EXPECT_LE(std::abs(about), wide(constraint.spinning_m) * load * (1 + 1e-5) + 1e-7);
+            EXPECT_LE(glm::length(rolling - about * Vec3d(constraint.normal)),
+                      wide(constraint.rolling_m) * load * (1 + 1e-5) + 1e-7);
         }
     }
     EXPECT_GT(slid, 100);
@@ -137,8 +140,8 @@ TEST(ContactSet, SweepsNeverAddEnergyWithoutOverlap) {
     Random random(3);
     for (int trial = 0; trial < 300; ++trial) {
         FreePair pair(random);
-        for (int i = 0; i < pair.block().count; ++i)
-            pair.block().start_separation_m[static_cast<std::size_t>(i)] = 0;
+        for (int i = 0; i < pair.constraint().count; ++i)
+            pair.constraint().start_separation_m[static_cast<std::size_t>(i)] = 0;
         pair.begin();
         const auto energy = [&] {
             double sum = 0;
@@ -160,8 +163,8 @@ TEST(ContactSet, PointsThatStayApartChangeNothing) {
     Random random(4);
     for (int trial = 0; trial < 100; ++trial) {
         FreePair pair(random);
-        for (int i = 0; i < pair.block().count; ++i)
-            pair.block().start_separation_m[static_cast<std::size_t>(i)] = 1;
+        for (int i = 0; i < pair.constraint().count; ++i)
+            pair.constraint().start_separation_m[static_cast<std::size_t>(i)] = 1;
         pair.begin();
         const std::vector<SolverBody> before = pair.bodies;
         pair.contacts.solve_with_bias();
@@ -170,29 +173,32 @@ TEST(ContactSet, PointsThatStayApartChangeNothing) {
         for (std::size_t i = 1; i <= 2; ++i) {
             EXPECT_EQ(pair.bodies[i].velocity_mps, before[i].velocity_mps);
             EXPECT_EQ(pair.bodies[i].spin_radps, before[i].spin_radps);
-            EXPECT_EQ(pair.bodies[i].moved_m, before[i].moved_m);
+            EXPECT_EQ(pair.bodies[i].delta_position_m, before[i].delta_position_m);
         }
-        EXPECT_EQ(sum_of(pair.block().total_Ns), 0);
+        EXPECT_EQ(sum_of(pair.constraint().total_Ns), 0);
     }
 }
 
 TEST(ContactSet, WarmStartIsTheWrenchOfWhatTheBlockHolds) {
     Random random(5);
     FreePair pair(random);
-    pair.block().normal_Ns[0] = 2;
-    pair.block().tangent_Ns[0] = 0.3_r;
-    pair.block().twist_Nms = 0.1_r;
-    pair.block().rolling_Nms = Vec3{0.1_r, 0.2_r, 0};
+    pair.constraint().normal_Ns[0] = 2;
+    pair.constraint().tangent_Ns[0] = 0.3_r;
+    pair.constraint().twist_Nms = 0.1_r;
+    pair.constraint().rolling_Nms = Vec3{0.1_r, 0.2_r, 0};
     pair.begin();
     pair.contacts.warm_start();
-    const ContactBlock& block = pair.block();
-    const Vec3d push = Vec3d(block.normal) * 2.0 + Vec3d(block.tangent[0]) * 0.3;
-    EXPECT_LT(glm::length(Vec3d(pair.bodies[1].steady_mps) * pair.mass(1) - push), 1e-5);
-    EXPECT_LT(glm::length(Vec3d(pair.bodies[2].steady_mps) * pair.mass(2) + push), 1e-5);
+    const ContactConstraint& constraint = pair.constraint();
+    const Vec3d push = Vec3d(constraint.normal) * 2.0 + Vec3d(constraint.tangent[0]) * 0.3;
+    EXPECT_LT(glm::length(Vec3d(pair.bodies[1].velocity_increment_mps) * pair.mass(1) - push),
+              1e-5);
+    EXPECT_LT(glm::length(Vec3d(pair.bodies[2].velocity_increment_mps) * pair.mass(2) + push),
+              1e-5);
     Vec3d angular{0, 0, 0};
     for (std::size_t i = 1; i <= 2; ++i) {
-        angular += pair.mass(i) * glm::cross(pair.centre[i], Vec3d(pair.bodies[i].steady_mps)) +
-                   pair.inertia[i] * Vec3d(pair.bodies[i].steady_radps);
+        angular += pair.mass(i) *
+                       glm::cross(pair.centre[i], Vec3d(pair.bodies[i].velocity_increment_mps)) +
+                   pair.inertia[i] * Vec3d(pair.bodies[i].spin_increment_radps);
     }
     EXPECT_LT(glm::length(angular), by_precision(1e-5, 1e-13));
 }
@@ -208,7 +214,7 @@ TEST_P(Resting, ACubeIsCarriedByExactlyItsWeight) {
     rig.steps(120);
     const double weight_Ns = 3 * kFall_mps2 * kStep_s;
     EXPECT_NEAR(rig.pressed_Ns(0) / weight_Ns, 1, by_precision(1e-4, 1e-6));
-    for (Real corner_Ns : rig.block(0).total_Ns)
+    for (Real corner_Ns : rig.constraint(0).total_Ns)
         EXPECT_NEAR(wide(corner_Ns) / weight_Ns, 0.25, by_precision(1e-3, 1e-6));
     EXPECT_LT(glm::length(rig.velocity(box)), by_precision(1e-5, 1e-7));
     EXPECT_LT(glm::length(rig.spin(box)), by_precision(1e-5, 1e-7));
@@ -228,15 +234,15 @@ TEST_P(Resting, TheImpulsesOfEveryStepAreTheChangeOfMomentum) {
 }
 
 TEST_P(Resting, BodiesSagAsTheSpringUnderThemSays) {
-    for (const bool ball : {false, true}) {
+    for (const bool sphere : {false, true}) {
         ContactRig rig;
         rig.settings.substeps = GetParam();
-        const std::uint32_t body = ball ? rig.add_ball(2, 0.5, Vec3d(0, 0.5, 0))
-                                        : rig.add_box(2, Vec3d(0.5), Vec3d(0, 0.5, 0));
+        const std::uint32_t body = sphere ? rig.add_ball(2, 0.5, Vec3d(0, 0.5, 0))
+                                          : rig.add_box(2, Vec3d(0.5), Vec3d(0, 0.5, 0));
         rig.put_on_floor(body, {});
         rig.steps(300);
         const double sag_m = sag_of(kFall_mps2, kStep_s / GetParam(), true);
-        EXPECT_NEAR((0.5 - rig.position(body).y) / sag_m, 1, by_precision(0.02, 1e-3)) << ball;
+        EXPECT_NEAR((0.5 - rig.position(body).y) / sag_m, 1, by_precision(0.02, 1e-3)) << sphere;
     }
 }
 
@@ -289,14 +295,14 @@ TEST_P(Resting, ABallAgainstRollingResistanceRollsAsFarAsItsEnergyGoes) {
     rig.settings.substeps = GetParam();
     const double radius_m = 0.25;
     const double rolling_m = 0.01;
-    const std::uint32_t ball = rig.add_ball(2, radius_m, Vec3d(0, radius_m, 0));
-    rig.put_on_floor(ball, {.friction = 0.8, .rolling_m = rolling_m});
+    const std::uint32_t sphere = rig.add_ball(2, radius_m, Vec3d(0, radius_m, 0));
+    rig.put_on_floor(sphere, {.friction = 0.8, .rolling_m = rolling_m});
     rig.steps(60);
-    rig.set_velocity(ball, Vec3d(2, 0, 0), Vec3d(0, 0, -2 / radius_m));
+    rig.set_velocity(sphere, Vec3d(2, 0, 0), Vec3d(0, 0, -2 / radius_m));
     rig.steps(900);
-    EXPECT_LT(glm::length(rig.velocity(ball)), 1e-4);
+    EXPECT_LT(glm::length(rig.velocity(sphere)), 1e-4);
     const double way_m = 0.7 * 4 * radius_m / (rolling_m * kFall_mps2);
-    EXPECT_NEAR(rig.position(ball).x / way_m, 1, 0.005);
+    EXPECT_NEAR(rig.position(sphere).x / way_m, 1, 0.005);
 }
 
 TEST_P(Resting, ASpinningBallStopsByItsSpinningResistance) {
@@ -304,15 +310,15 @@ TEST_P(Resting, ASpinningBallStopsByItsSpinningResistance) {
     ContactRig rig;
     rig.settings.substeps = GetParam();
     const double radius_m = 0.25;
-    const std::uint32_t ball = rig.add_ball(2, radius_m, Vec3d(0, radius_m, 0));
-    rig.put_on_floor(ball, {.friction = 0.8, .spinning_m = 0.005});
+    const std::uint32_t sphere = rig.add_ball(2, radius_m, Vec3d(0, radius_m, 0));
+    rig.put_on_floor(sphere, {.friction = 0.8, .spinning_m = 0.005});
     rig.steps(60);
-    rig.set_velocity(ball, Vec3d(0), Vec3d(0, 10, 0));
+    rig.set_velocity(sphere, Vec3d(0), Vec3d(0, 10, 0));
     rig.steps(60);
     const double slower_radps = 0.005 * kFall_mps2 / (0.4 * radius_m * radius_m);
-    EXPECT_NEAR(rig.spin(ball).y, 10 - slower_radps, 0.01);
+    EXPECT_NEAR(rig.spin(sphere).y, 10 - slower_radps, 0.01);
     rig.steps(300);
-    EXPECT_LT(glm::length(rig.spin(ball)), 1e-4);
+    EXPECT_LT(glm::length(rig.spin(sphere)), 1e-4);
 }
 
 }  // namespace

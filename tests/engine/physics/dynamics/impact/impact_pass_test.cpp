@@ -57,24 +57,24 @@ TEST(ImpactPass, ElasticBlowsKeepEnergyAndMomentum) {
 TEST(ImpactPass, SlowBlowsDoNotBounce) {
     ContactRig rig;
     rig.settings.substeps = 4;
-    const std::uint32_t ball = rig.add_ball(1, 0.5, Vec3d(0, 0.5, 0));
-    rig.put_on_floor(ball, {.restitution = 1});
+    const std::uint32_t sphere = rig.add_ball(1, 0.5, Vec3d(0, 0.5, 0));
+    rig.put_on_floor(sphere, {.restitution = 1});
     EXPECT_EQ(rig.step().impacts, 0U);
     // Slower than a fall of two sub-steps.
-    rig.set_velocity(ball, Vec3d(0, -1.9 * kFall_mps2 * kStep_s / 4, 0));
+    rig.set_velocity(sphere, Vec3d(0, -1.9 * kFall_mps2 * kStep_s / 4, 0));
     EXPECT_EQ(rig.step().impacts, 0U);
-    EXPECT_LT(rig.velocity(ball).y, 1e-3);
-    rig.set_velocity(ball, Vec3d(0, -1, 0));
+    EXPECT_LT(rig.velocity(sphere).y, 1e-3);
+    rig.set_velocity(sphere, Vec3d(0, -1, 0));
     EXPECT_GT(rig.step().impacts, 0U);
 }
 
 TEST(ImpactPass, NothingToDoWithoutRestitution) {
     ContactRig rig;
-    const std::uint32_t ball = rig.add_ball(1, 0.5, Vec3d(0, 0.5, 0));
-    rig.put_on_floor(ball, {});
-    rig.set_velocity(ball, Vec3d(0, -5, 0));
+    const std::uint32_t sphere = rig.add_ball(1, 0.5, Vec3d(0, 0.5, 0));
+    rig.put_on_floor(sphere, {});
+    rig.set_velocity(sphere, Vec3d(0, -5, 0));
     EXPECT_EQ(rig.step().impacts, 0U);
-    EXPECT_NEAR(rig.velocity(ball).y, 0, by_precision(1e-5, 1e-12));
+    EXPECT_NEAR(rig.velocity(sphere).y, 0, by_precision(1e-5, 1e-12));
 }
 
 class Bouncing : public testing::TestWithParam<int> {};
@@ -85,15 +85,15 @@ TEST_P(Bouncing, ABallIsWhereTheBounceAtTheSurfacePutsIt) {
         for (double gap_m : {0.001, 0.01, 0.03, 0.06}) {
             ContactRig rig;
             rig.settings.substeps = GetParam();
-            const std::uint32_t ball = rig.add_ball(2, 0.5, Vec3d(0, 0.5 + gap_m, 0));
-            rig.put_on_floor(ball, {.restitution = e});
-            rig.set_velocity(ball, Vec3d(0, -4, 0));
+            const std::uint32_t sphere = rig.add_ball(2, 0.5, Vec3d(0, 0.5 + gap_m, 0));
+            rig.put_on_floor(sphere, {.restitution = e});
+            rig.set_velocity(sphere, Vec3d(0, -4, 0));
             rig.step();
             const double hit_mps = std::sqrt(16 + 2 * kFall_mps2 * gap_m);
             const double left_s = kStep_s - (hit_mps - 4) / kFall_mps2;
             const double up_mps = e * hit_mps;
-            EXPECT_NEAR(rig.velocity(ball).y, up_mps - kFall_mps2 * left_s, 1e-5);
-            EXPECT_NEAR(rig.position(ball).y,
+            EXPECT_NEAR(rig.velocity(sphere).y, up_mps - kFall_mps2 * left_s, 1e-5);
+            EXPECT_NEAR(rig.position(sphere).y,
                         0.5 + up_mps * left_s - kFall_mps2 * left_s * left_s / 2,
                         1e-5)
                 << e << " from " << gap_m;
@@ -104,16 +104,16 @@ TEST_P(Bouncing, ABallIsWhereTheBounceAtTheSurfacePutsIt) {
 TEST_P(Bouncing, AHundredElasticBouncesReachTheSameHeight) {
     ContactRig rig;
     rig.settings.substeps = GetParam();
-    const std::uint32_t ball = rig.add_ball(1, 0.5, Vec3d(0, 1.5, 0));
-    rig.put_on_floor(ball, {.restitution = 1});
+    const std::uint32_t sphere = rig.add_ball(1, 0.5, Vec3d(0, 1.5, 0));
+    rig.put_on_floor(sphere, {.restitution = 1});
     int bounces = 0;
     double apex_m = 0;
     while (bounces < 100) {
-        const double before_mps = rig.velocity(ball).y;
+        const double before_mps = rig.velocity(sphere).y;
         rig.step();
-        const double after_mps = rig.velocity(ball).y;
+        const double after_mps = rig.velocity(sphere).y;
         if (before_mps < 0 && after_mps > 0) ++bounces;
-        apex_m = rig.position(ball).y + after_mps * after_mps / (2 * kFall_mps2);
+        apex_m = rig.position(sphere).y + after_mps * after_mps / (2 * kFall_mps2);
         ASSERT_NEAR(apex_m, 1.5, by_precision(5e-5, 1e-12)) << "after " << bounces;
     }
 }
@@ -158,24 +158,24 @@ TEST_P(Bouncing, ABoxThatTumblesGainsNoEnergy) {
 TEST_P(Bouncing, EachBounceLosesWhatRestitutionTakes) {
     ContactRig rig;
     rig.settings.substeps = GetParam();
-    const std::uint32_t ball = rig.add_ball(1, 0.5, Vec3d(0, 1.5, 0));
-    rig.put_on_floor(ball, {.restitution = 0.8});
+    const std::uint32_t sphere = rig.add_ball(1, 0.5, Vec3d(0, 1.5, 0));
+    rig.put_on_floor(sphere, {.restitution = 0.8});
     double height_m = 1;
     for (int bounce = 0; bounce < 5; ++bounce) {
         height_m *= 0.64;
         double before_mps = 0;
         do {
-            before_mps = rig.velocity(ball).y;
+            before_mps = rig.velocity(sphere).y;
             rig.step();
-        } while (before_mps >= 0 || rig.velocity(ball).y <= 0);
-        const double up_mps = rig.velocity(ball).y;
-        const double apex_m = rig.position(ball).y - 0.5 + up_mps * up_mps / (2 * kFall_mps2);
+        } while (before_mps >= 0 || rig.velocity(sphere).y <= 0);
+        const double up_mps = rig.velocity(sphere).y;
+        const double apex_m = rig.position(sphere).y - 0.5 + up_mps * up_mps / (2 * kFall_mps2);
         EXPECT_NEAR(apex_m / height_m, 1, by_precision(1e-4, 1e-9)) << bounce;
     }
 }
 
 TEST_P(Bouncing, ASpinningBallObeysCoulombsLaw) {
-    // Rigid blow with friction: sticks where mu (1 + e) v_n >= 2/7 of the slip, slides elsewhere.
+    // Rigid impact with friction: sticks where mu (1 + e) v_n >= 2/7 of the slip, slides elsewhere.
     const double radius_m = 0.3;
     const double down_mps = 5;
     for (double mu : {0.1, 0.3, 0.8}) {
@@ -188,10 +188,10 @@ TEST_P(Bouncing, ASpinningBallObeysCoulombsLaw) {
                     const double along_mps = 3;
                     ContactRig rig = contacts_afloat();
                     rig.settings.substeps = GetParam();
-                    const std::uint32_t ball = rig.add_ball(1.5, radius_m, Vec3d(0, radius_m, 0));
-                    rig.put_on_floor(ball, {.friction = mu, .restitution = e});
+                    const std::uint32_t sphere = rig.add_ball(1.5, radius_m, Vec3d(0, radius_m, 0));
+                    rig.put_on_floor(sphere, {.friction = mu, .restitution = e});
                     rig.set_velocity(
-                        ball, along_mps * ahead - Vec3d(0, down_mps, 0), spin_radps * axis);
+                        sphere, along_mps * ahead - Vec3d(0, down_mps, 0), spin_radps * axis);
                     rig.step();
                     const double slip_mps = along_mps - radius_m * spin_radps;
                     const double most_mps = mu * (1 + e) * down_mps;
@@ -200,9 +200,10 @@ TEST_P(Bouncing, ASpinningBallObeysCoulombsLaw) {
                     const Vec3d velocity =
                         (along_mps - slower_mps) * ahead + Vec3d(0, e * down_mps, 0);
                     const Vec3d spin = (spin_radps + 2.5 * slower_mps / radius_m) * axis;
-                    EXPECT_LT(glm::length(rig.velocity(ball) - velocity), by_precision(1e-5, 1e-12))
+                    EXPECT_LT(glm::length(rig.velocity(sphere) - velocity),
+                              by_precision(1e-5, 1e-12))
                         << mu << ' ' << e << ' ' << i << ' ' << spin_radps;
-                    EXPECT_LT(glm::length(rig.spin(ball) - spin), by_precision(1e-4, 1e-11))
+                    EXPECT_LT(glm::length(rig.spin(sphere) - spin), by_precision(1e-4, 1e-11))
                         << mu << ' ' << e << ' ' << i << ' ' << spin_radps;
                 }
             }
@@ -213,14 +214,14 @@ TEST_P(Bouncing, ASpinningBallObeysCoulombsLaw) {
 TEST_P(Bouncing, ARowOfBallsHandsTheBlowOn) {
     ContactRig rig = contacts_afloat();
     rig.settings.substeps = GetParam();
-    std::vector<std::uint32_t> balls;
-    for (int i = 0; i < 5; ++i) balls.push_back(rig.add_ball(1, 0.5, Vec3d(i, 0, 0)));
+    std::vector<std::uint32_t> spheres;
+    for (int i = 0; i < 5; ++i) spheres.push_back(rig.add_ball(1, 0.5, Vec3d(i, 0, 0)));
     for (std::size_t i = 1; i < 5; ++i)
-        rig.let_balls_meet(balls[i], balls[i - 1], {.restitution = 1});
-    rig.set_velocity(balls[0], Vec3d(2, 0, 0));
+        rig.let_balls_meet(spheres[i], spheres[i - 1], {.restitution = 1});
+    rig.set_velocity(spheres[0], Vec3d(2, 0, 0));
     rig.steps(2);
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(rig.velocity(balls[i]).x, 0, 1e-4) << i;
-    EXPECT_NEAR(rig.velocity(balls[4]).x, 2, 1e-4);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(rig.velocity(spheres[i]).x, 0, 1e-4) << i;
+    EXPECT_NEAR(rig.velocity(spheres[4]).x, 2, 1e-4);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct JointRig {
         SolverBody body;
         body.inverse_mass = mass_kg > 0 ? static_cast<Real>(1 / mass_kg) : Real{0};
         body.inertia_kgm2 = inertia;
-        body.round_inertia = inertia.x == inertia.y && inertia.y == inertia.z;
+        body.isotropic_inertia = inertia.x == inertia.y && inertia.y == inertia.z;
         body.start_position_m = position;
         body.start_orientation = orientation;
         bodies.push_back(body);
@@ -47,10 +47,11 @@ struct JointRig {
 
     MassPose pose(std::uint32_t index) const { return {position(index), orientation(index)}; }
     Vec3d position(std::uint32_t index) const {
-        return bodies[index].start_position_m + Vec3d(bodies[index].moved_m);
+        return bodies[index].start_position_m + Vec3d(bodies[index].delta_position_m);
     }
     Quatd orientation(std::uint32_t index) const {
-        return glm::normalize(Quatd(bodies[index].turned) * bodies[index].start_orientation);
+        return glm::normalize(Quatd(bodies[index].delta_rotation) *
+                              bodies[index].start_orientation);
     }
     Vec3d velocity(std::uint32_t index) const { return Vec3d(bodies[index].velocity_mps); }
     Vec3d spin(std::uint32_t index) const { return Vec3d(bodies[index].spin_radps); }
@@ -89,8 +90,8 @@ struct JointRig {
             const MassPose at = pose(i);
             bodies[i].start_position_m = at.position_m;
             bodies[i].start_orientation = at.orientation;
-            bodies[i].moved_m = {0, 0, 0};
-            bodies[i].turned = kNoRotation;
+            bodies[i].delta_position_m = {0, 0, 0};
+            bodies[i].delta_rotation = kNoRotation;
         }
         time_s += step_s;
     }
@@ -138,24 +139,27 @@ private:
             body.velocity_mps += body.acceleration_mps2 * t;
             body.spin_radps += body.angular_acceleration_radps2 * t;
             if (kick == Kick::Halves) continue;
-            body.steady_mps = body.acceleration_mps2 * t;
-            body.steady_radps = body.angular_acceleration_radps2 * t;
+            body.velocity_increment_mps = body.acceleration_mps2 * t;
+            body.spin_increment_radps = body.angular_acceleration_radps2 * t;
         }
     }
 
     void move(double h) {
         const auto t = static_cast<Real>(h);
         for (SolverBody& body : bodies) {
-            body.moved_m += (body.velocity_mps - body.steady_mps * Real{0.5}) * t;
-            const Vec3 mean = body.spin_radps - body.steady_radps * Real{0.5};
-            if (body.round_inertia || !body.movable()) {
-                body.turned = glm::normalize(turn_by(mean, t) * body.turned);
+            body.delta_position_m +=
+                (body.velocity_mps - body.velocity_increment_mps * Real{0.5}) * t;
+            const Vec3 mean = body.spin_radps - body.spin_increment_radps * Real{0.5};
+            if (body.isotropic_inertia || !body.movable()) {
+                body.delta_rotation = glm::normalize(turn_by(mean, t) * body.delta_rotation);
                 continue;
             }
-            const FreeTurn end = turned_freely(
-                {Quatd(body.turned) * body.start_orientation, Vec3d(mean)}, body.inertia_kgm2, h);
-            body.turned = Quat(end.orientation * glm::conjugate(body.start_orientation));
-            body.spin_radps = Vec3(end.spin_radps) + body.steady_radps * Real{0.5};
+            const FreeTurn end =
+                turned_freely({Quatd(body.delta_rotation) * body.start_orientation, Vec3d(mean)},
+                              body.inertia_kgm2,
+                              h);
+            body.delta_rotation = Quat(end.orientation * glm::conjugate(body.start_orientation));
+            body.spin_radps = Vec3(end.spin_radps) + body.spin_increment_radps * Real{0.5};
         }
     }
 

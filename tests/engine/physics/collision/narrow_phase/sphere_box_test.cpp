@@ -1,4 +1,4 @@
-#include "engine/physics/collision/narrow_phase/ball_box.h"
+#include "engine/physics/collision/narrow_phase/sphere_box.h"
 
 #include "engine/core/random.h"
 
@@ -11,19 +11,19 @@ constexpr Real kBallNear = sizeof(Real) == sizeof(float) ? 1e-6_r : 1e-13_r;
 const OrientedBox kBox{.center = {1, 2, 3}, .half_m = {0.5_r, 1, 1.5_r}};
 
 TEST(BallBox, FaceEdgeAndCorner) {
-    const BallContact face = collide_ball_box({1.2_r, 3.3_r, 2}, 0.2_r, kBox);
+    const SphereContact face = collide_sphere_box({1.2_r, 3.3_r, 2}, 0.2_r, kBox);
     EXPECT_EQ(face.normal, (Vec3{0, 1, 0}));
     EXPECT_NEAR(face.distance_m, 0.1_r, kBallNear);
-    const BallContact edge = collide_ball_box({1.8_r, 3.4_r, 3}, 0.2_r, kBox);
+    const SphereContact edge = collide_sphere_box({1.8_r, 3.4_r, 3}, 0.2_r, kBox);
     EXPECT_NEAR(edge.distance_m, 0.5_r - 0.2_r, kBallNear);
     EXPECT_NEAR(glm::distance(edge.normal, Vec3{0.6_r, 0.8_r, 0}), 0, kBallNear);
     EXPECT_NEAR(glm::distance(edge.on_box, Vec3{1.5_r, 3, 3}), 0, kBallNear);
-    const BallContact corner = collide_ball_box({1.5_r + 2, 3 + 3, 4.5_r + 6}, 1, kBox);
+    const SphereContact corner = collide_sphere_box({1.5_r + 2, 3 + 3, 4.5_r + 6}, 1, kBox);
     EXPECT_NEAR(corner.distance_m, 6, 10 * kBallNear);
 }
 
 TEST(BallBox, ACentreInsideComesOutAtTheNearestFace) {
-    const BallContact contact = collide_ball_box({0.6_r, 2, 3}, 0.25_r, kBox);
+    const SphereContact contact = collide_sphere_box({0.6_r, 2, 3}, 0.25_r, kBox);
     EXPECT_EQ(contact.normal, (Vec3{-1, 0, 0}));
     EXPECT_NEAR(contact.distance_m, -0.1_r - 0.25_r, kBallNear);
     EXPECT_NEAR(contact.on_box.x, 0.5_r, kBallNear);
@@ -34,8 +34,8 @@ TEST(BallBox, TurnsWithTheBox) {
     const Quat turn = glm::angleAxis(1.1_r, glm::normalize(Vec3{1, -2, 0.5_r}));
     turned.axes = glm::mat3_cast(turn);
     const Vec3 away{0.9_r, 1.3_r, -0.4_r};
-    const BallContact straight = collide_ball_box(kBox.center + away, 0.2_r, kBox);
-    const BallContact other = collide_ball_box(turned.center + turn * away, 0.2_r, turned);
+    const SphereContact straight = collide_sphere_box(kBox.center + away, 0.2_r, kBox);
+    const SphereContact other = collide_sphere_box(turned.center + turn * away, 0.2_r, turned);
     EXPECT_NEAR(other.distance_m, straight.distance_m, 4 * kBallNear);
     EXPECT_NEAR(glm::distance(other.normal, turn * straight.normal), 0, 4 * kBallNear);
 }
@@ -51,7 +51,7 @@ TEST(NearestOnSegment, IsAsNearAsAnyPlaceTried) {
         const Vec3 from = any();
         const Vec3 to = any();
         const auto distance_m = [&](Real at) {
-            return collide_ball_box(from + (to - from) * at, 0, kBox).distance_m;
+            return collide_sphere_box(from + (to - from) * at, 0, kBox).distance_m;
         };
         const Real found = distance_m(nearest_on_segment(from, to, kBox));
         for (int k = 0; k <= 100; ++k)

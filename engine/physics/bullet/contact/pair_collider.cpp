@@ -1,4 +1,4 @@
-#include "engine/physics/bullet/contact/pair_meeting.h"
+#include "engine/physics/bullet/contact/pair_collider.h"
 
 #include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/bullet/convert.h"
@@ -31,27 +31,28 @@ bool moves(const BodyRecord& record) {
 /// How far continuous collision lets a body go unswept in a step; a swept one stops at what it hits.
 btScalar unswept_m(const BodyRecord& record) {
     if (!moves(record)) return 0;
-    return record.sweep.smallest_core_m > 0 ? record.sweep.smallest_core_m
-                                            : record.traits.radius_m / 2;
+    return record.sweep.smallest_ccd_radius_m > 0 ? record.sweep.smallest_ccd_radius_m
+                                                  : record.traits.radius_m / 2;
 }
 
 btScalar spin_mps(const BodyRecord& record) {
     return moves(record) ? glm::length(record.motion->spin_radps) * record.traits.radius_m : 0;
 }
 
-/// How much of a blow's change of speed `record` takes. What is backed gives way to nothing.
+/// How much of an impact's change of speed `record` takes. What is backed gives way to nothing.
 btScalar share_of(const BodyRecord& record, const BodyRecord& other) {
     const btScalar own = record.motion->inverse_mass;
-    const btScalar others = other.small.jolt.backed ? btScalar(0) : other.motion->inverse_mass;
+    const btScalar others = other.small.predicted.backed ? btScalar(0) : other.motion->inverse_mass;
     return own > 0 ? own / (own + others) : btScalar(0);
 }
 
 bool is_backing(const BodyRecord& record) {
-    return record.small.jolt.backed || record.motion->inverse_mass <= 0;
+    return record.small.predicted.backed || record.motion->inverse_mass <= 0;
 }
 
-btScalar jolt_mps(const Pair& pair) {
-    return glm::length(pair.a->small.jolt.change_mps) + glm::length(pair.b->small.jolt.change_mps);
+btScalar predicted_mps(const Pair& pair) {
+    return glm::length(pair.a->small.predicted.change_mps) +
+           glm::length(pair.b->small.predicted.change_mps);
 }
 
 Vec3 velocity_at(const BodyRecord& record, const Vec3& place_world) {
@@ -59,14 +60,14 @@ Vec3 velocity_at(const BodyRecord& record, const Vec3& place_world) {
     return motion.velocity_mps + glm::cross(motion.spin_radps, place_world - motion.at.position_m);
 }
 
-/// How fast the bodies come together at a point, after whatever blows either may get.
+/// How fast the bodies come together at a point, after whatever impacts either may get.
 Real closing_mps(const Manifold& manifold, const ManifoldPoint& point) {
     const Vec3 apart =
         velocity_at(*manifold.b, point.b.surface_m) - velocity_at(*manifold.a, point.a.surface_m);
     const Vec3& normal = point.normal_world;
     return glm::dot(apart, normal) +
-           std::max(Real{0}, -glm::dot(manifold.a->small.jolt.change_mps, normal)) +
-           std::max(Real{0}, glm::dot(manifold.b->small.jolt.change_mps, normal));
+           std::max(Real{0}, -glm::dot(manifold.a->small.predicted.change_mps, normal)) +
+           std::max(Real{0}, glm::dot(manifold.b->small.predicted.change_mps, normal));
 }
 
 /// Radius of a body that is round all over or about an axis, 0 of others.
@@ -119,9 +120,9 @@ bool passes_edge(const btPersistentManifold& manifold,
     return (apart + way * nearest).length() > radius * (1 - kTouch);
 }
 
-void keep_larger(Jolt& jolt, const Vec3& change, bool backed) {
-    if (glm::dot(change, change) > glm::dot(jolt.change_mps, jolt.change_mps))
-        jolt = {change, backed, false};
+void keep_larger(PredictedChange& predicted, const Vec3& change, bool backed) {
+    if (glm::dot(change, change) > glm::dot(predicted.change_mps, predicted.change_mps))
+        predicted = {change, backed, false};
 }
 
 /// A ball has one point on anything convex; those that it rolled away from are no contact. The new
@@ -201,32 +202,32 @@ private:
 
 }  // namespace
 
-struct PairMeeting::Impl {
+struct PairCollider::Impl {
     PairDispatcher& dispatcher;
     const btDispatcherInfo& info;
-    MeetStep step{};
+    CollideStep step{};
     btManifoldArray manifolds{};
 
     void collide(BulletPair& pair);
     void drop_unreachable(btPersistentManifold& from, Manifold& manifold, Real base_m) const;
 };
 
-PairMeeting::PairMeeting(BulletEngine& engine)
+PairCollider::PairCollider(BulletEngine& engine)
     : impl_(std::make_unique<Impl>(
           Impl{.dispatcher = static_cast<PairDispatcher&>(*engine.parts().dispatcher),
                .info = engine.world().getDispatchInfo()})) {}
-PairMeeting::~PairMeeting() = default;
+PairCollider::~PairCollider() = default;
 
-void PairMeeting::begin_step(const MeetStep& step) {
+void PairCollider::begin_step(const CollideStep& step) {
     impl_->step = step;
 }
 
-Real PairMeeting::reach_of(const Pair& pair) const {
-    const MeetStep& step = impl_->step;
+Real PairCollider::reach_of(const Pair& pair) const {
+    const CollideStep& step = impl_->step;
     const BodyRecord& a = *pair.a;
     const BodyRecord& b = *pair.b;
     const Vec3 apart = a.motion->velocity_mps - b.motion->velocity_mps;
-    const btScalar speed = glm::length(apart) + spin_mps(a) + spin_mps(b) + jolt_mps(pair);
+    const btScalar speed = glm::length(apart) + spin_mps(a) + spin_mps(b) + predicted_mps(pair);
     const btScalar way = speed * step.step_s + step.fall_m;
     const btScalar unswept = unswept_m(a) + unswept_m(b);
     if (pair.boxes) return near_m(pair) + std::min(way, unswept);
@@ -236,7 +237,7 @@ Real PairMeeting::reach_of(const Pair& pair) const {
     return pair.base_m + (pair.round ? way : std::min(way, unswept));
 }
 
-void PairMeeting::meet(Pair& pair) {
+void PairCollider::collide(Pair& pair) {
     btManifoldArray& manifolds = impl_->manifolds;
     BulletPair& side = bullet_side(pair);
     const btScalar reach_m = reach_of(pair);
@@ -250,7 +251,7 @@ void PairMeeting::meet(Pair& pair) {
         }
     }
     pair.reach_m = reach_m;
-    pair.jolt_mps = jolt_mps(pair);
+    pair.predicted_mps = predicted_mps(pair);
     impl_->collide(side);
 
     manifolds.resize(0);
@@ -268,7 +269,7 @@ void PairMeeting::meet(Pair& pair) {
     }
 }
 
-void PairMeeting::Impl::collide(BulletPair& pair) {
+void PairCollider::Impl::collide(BulletPair& pair) {
     const btCollisionObject& a = *pair.a->rigid;
     const btCollisionObject& b = *pair.b->rigid;
     const btCollisionObjectWrapper first(
@@ -288,9 +289,9 @@ void PairMeeting::Impl::collide(BulletPair& pair) {
     pair.algorithm->processCollision(&first, &second, info, &result);
 }
 
-void PairMeeting::Impl::drop_unreachable(btPersistentManifold& from,
-                                         Manifold& manifold,
-                                         Real base_m) const {
+void PairCollider::Impl::drop_unreachable(btPersistentManifold& from,
+                                          Manifold& manifold,
+                                          Real base_m) const {
     for (int i = from.getNumContacts() - 1; i >= 0; --i) {
         const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
         if (passes_edge(from, from.getContactPoint(i), step.step_s)) {
@@ -307,12 +308,13 @@ void PairMeeting::Impl::drop_unreachable(btPersistentManifold& from,
     }
 }
 
-bool PairMeeting::knows_less(const Pair& pair) const {
-    // Boxes that only a blow brings together meet in the next step, at most their cores apart.
-    return !pair.boxes && 2 * (jolt_mps(pair) - pair.jolt_mps) * impl_->step.step_s > pair.base_m;
+bool PairCollider::knows_less(const Pair& pair) const {
+    // Boxes that only an impact brings together meet in the next step, at most their CCD spheres apart.
+    return !pair.boxes &&
+           2 * (predicted_mps(pair) - pair.predicted_mps) * impl_->step.step_s > pair.base_m;
 }
 
-void PairMeeting::part(Pair& pair) {
+void PairCollider::separate(Pair& pair) {
     pair.touches = false;
     btManifoldArray& manifolds = impl_->manifolds;
     const BulletPair& side = bullet_side(pair);
@@ -325,10 +327,10 @@ void PairMeeting::part(Pair& pair) {
     for (Manifold& manifold : pair.manifolds) manifold.points.clear();
 }
 
-Blow PairMeeting::blow_of(const Pair& pair) const {
-    const MeetStep& step = impl_->step;
-    Blow blow;
-    if (!pair.touches || pair.reach_m <= pair.base_m) return blow;
+PairImpact PairCollider::impact_of(const Pair& pair) const {
+    const CollideStep& step = impl_->step;
+    PairImpact impact;
+    if (!pair.touches || pair.reach_m <= pair.base_m) return impact;
     for (const Manifold& manifold : pair.manifolds) {
         const BodyRecord& a = *manifold.a;
         const BodyRecord& b = *manifold.b;
@@ -340,15 +342,16 @@ Blow PairMeeting::blow_of(const Pair& pair) const {
                 continue;
             }
             const Vec3 push = point.normal_world * change;
-            keep_larger(&a == pair.a ? blow.on_a : blow.on_b, push * share_of(a, b), is_backing(b));
             keep_larger(
-                &a == pair.a ? blow.on_b : blow.on_a, -push * share_of(b, a), is_backing(a));
+                &a == pair.a ? impact.on_a : impact.on_b, push * share_of(a, b), is_backing(b));
+            keep_larger(
+                &a == pair.a ? impact.on_b : impact.on_a, -push * share_of(b, a), is_backing(a));
         }
     }
-    return blow;
+    return impact;
 }
 
-void PairMeeting::list_manifolds(Pair& pair, std::vector<Manifold*>& list) const {
+void PairCollider::list_manifolds(Pair& pair, std::vector<Manifold*>& list) const {
     for (Manifold& manifold : pair.manifolds) {
         if (!manifold.points.empty()) list.push_back(&manifold);
     }

@@ -60,7 +60,7 @@ inline Real inverse_moment_along(const SolverBody& a, const SolverBody& b, const
 /// A separation no lane without a point can ever close.
 inline constexpr Real kNoPoint_m = 1e6_r;
 
-struct alignas(16) ContactBlock {
+struct alignas(16) ContactConstraint {
     std::uint32_t a{kWorldBody};
     std::uint32_t b{kWorldBody};
     std::int32_t count{0};  ///< lanes in use
@@ -69,7 +69,7 @@ struct alignas(16) ContactBlock {
     bool bounced{false};   ///< off in this sub-step: on its way out, at the speed it should have
     Vec3 normal{0, 1, 0};  ///< from b to a
     Vec3 start_normal{0, 1, 0};  ///< at the step's start
-    /// A rounded side (ball, capsule, side of a cylinder) is the ball that touches: `offset` is its
+    /// A rounded side (sphere, capsule, side of a cylinder) is the sphere that touches: `offset` is its
     /// centre and its surface is `radius` nearer to the other body. Other sides have radius 0.
     Real radius_a{0};
     Real radius_b{0};
@@ -83,7 +83,7 @@ struct alignas(16) ContactBlock {
     LaneMatrix rigid_mass{};  ///< all points pressing, without
 
     // Geometry at the step's start, world axes.
-    LaneVec3 offset_a{};  ///< centre of mass to the point or the centre of the ball
+    LaneVec3 offset_a{};  ///< centre of mass to the point or the centre of the sphere
     LaneVec3 offset_b{};
     Lanes start_separation_m{kNoPoint_m, kNoPoint_m, kNoPoint_m, kNoPoint_m};
 
@@ -108,14 +108,14 @@ struct alignas(16) ContactBlock {
     LaneMatrix response{};  ///< A: change of closing speed per impulse, 1/kg
 
     /// Whether friction or rolling resistance still holds an impulse.
-    bool rubs() const {
+    bool holds_friction() const {
         return tangent_Ns[0] != 0 || tangent_Ns[1] != 0 || twist_Nms != 0 ||
                rolling_Nms != Vec3{0, 0, 0};
     }
-    bool balls() const { return radius_a > 0 && radius_b > 0 && count == 1; }
+    bool spheres() const { return radius_a > 0 && radius_b > 0 && count == 1; }
     bool rounded() const { return radius_a > 0 || radius_b > 0; }
-    /// Nothing but whole balls against what is flat or a ball: turning does not move the surface.
-    bool whole_balls() const {
+    /// Nothing but whole spheres against what is flat or a sphere: turning does not move the surface.
+    bool whole_spheres() const {
         const auto whole = [](Real radius, const LaneVec3& offset) {
             const Vec3 center = lane(offset, 0);
             return radius == 0 || glm::dot(center, center) < radius * radius * 1e-4_r;
@@ -123,7 +123,7 @@ struct alignas(16) ContactBlock {
         return rounded() && count == 1 && whole(radius_a, offset_a) && whole(radius_b, offset_b);
     }
     /// How far the place of contact moved over the side that is not round, by how a moved against b
-    /// since the start. The masses are those of the start: a ball shot past by more than twice its
+    /// since the start. The masses are those of the start: a sphere shot past by more than twice its
     /// size is not weighed there.
     Vec3 shift_of(const Vec3& moved) const {
         const Real most = 2 * (radius_a + radius_b);
@@ -134,8 +134,11 @@ struct alignas(16) ContactBlock {
     Vec3 arm_b(int i) const { return lane(offset_b, i) + normal * radius_b; }
 };
 
-/// Arms, masses and the centre of friction from the block's geometry and impulses. `a` and `b` are
-/// its bodies, `soft` how overlap gives way.
-void prepare(ContactBlock& block, const SolverBody& a, const SolverBody& b, const Softness& soft);
+/// Arms, masses and the centre of friction from the constraint's geometry and impulses. `a` and `b` are
+/// its bodies, `soft` how penetration gives way.
+void prepare(ContactConstraint& constraint,
+             const SolverBody& a,
+             const SolverBody& b,
+             const Softness& soft);
 
 }  // namespace plumbline::physics

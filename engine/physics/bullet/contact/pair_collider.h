@@ -13,35 +13,35 @@ namespace plumbline::physics {
 
 class BulletEngine;
 
-/// What meeting needs to know of the step.
-struct MeetStep {
+/// What colliding needs to know of the step.
+struct CollideStep {
     Real step_s{0};
     Real fall_m{0};  ///< what gravity adds to any motion within the step, at most
 };
 
-/// The blow of a pair that meets within the step.
-struct Blow {
-    Jolt on_a;
-    Jolt on_b;
+/// The impact of a pair that meets within the step.
+struct PairImpact {
+    PredictedChange on_a;
+    PredictedChange on_b;
 };
 
-class PairMeeting {
+class PairCollider {
 public:
-    explicit PairMeeting(BulletEngine& engine);
-    ~PairMeeting();
+    explicit PairCollider(BulletEngine& engine);
+    ~PairCollider();
 
-    void begin_step(const MeetStep& step);
+    void begin_step(const CollideStep& step);
 
-    /// How far apart points must be found so that none is missed, with the jolts known so far.
+    /// How far apart points must be found so that none is missed, with the predicted changes known so far.
     Real reach_of(const Pair& pair) const;
     /// Finds the pair's points within its reach and keeps those that the bodies can close.
-    void meet(Pair& pair);
-    /// Whether jolts since the pair's latest look let its bodies come noticeably farther.
+    void collide(Pair& pair);
+    /// Whether predicted changes since the pair's latest look let its bodies come noticeably farther.
     bool knows_less(const Pair& pair) const;
     /// Forgets the points of bodies whose boxes have parted.
-    void part(Pair& pair);
-    /// The blow of a pair that meets within this step faster than it rests.
-    Blow blow_of(const Pair& pair) const;
+    void separate(Pair& pair);
+    /// The impact of a pair that meets within this step faster than it rests.
+    PairImpact impact_of(const Pair& pair) const;
     /// The pair's manifolds that have points, in an order that does not depend on addresses.
     void list_manifolds(Pair& pair, std::vector<Manifold*>& list) const;
 

@@ -1,10 +1,10 @@
-#include "engine/physics/collision/narrow_phase/ball_box.h"
+#include "engine/physics/collision/narrow_phase/sphere_box.h"
 
 #include <cmath>
 
 namespace plumbline::physics {
 
-BallContact collide_ball_box(const Vec3& center, Real radius_m, const OrientedBox& box) {
+SphereContact collide_sphere_box(const Vec3& center, Real radius_m, const OrientedBox& box) {
     const Vec3 local = glm::transpose(box.axes) * (center - box.center);
     Vec3 nearest = glm::clamp(local, -box.half_m, box.half_m);
     const Vec3 away = local - nearest;
@@ -29,7 +29,7 @@ Real nearest_on_segment(const Vec3& from, const Vec3& to, const OrientedBox& box
     constexpr Real kGolden = 0.618034_r;
     constexpr int kCuts = 24;  // to 1e-5 of the length
     const auto distance_m = [&](Real at) {
-        return collide_ball_box(from + (to - from) * at, 0, box).distance_m;
+        return collide_sphere_box(from + (to - from) * at, 0, box).distance_m;
     };
     Real low = 0;
     Real high = 1;

@@ -1,0 +1,128 @@
+#include "engine/physics/dynamics/contact/contact_constraint.h"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+namespace {
+
+/// Four points on a face are one more than it takes to hold a body: what keeps the rigid matrix
+/// from being singular, as a share of its diagonal.
+constexpr Real kRedundancy = 0.01_r;
+
+using Matrix = LaneMatrix;
+
+Real mass_along(const SolverBody& a,
+                const SolverBody& b,
+                const Vec3& arm_a,
+                const Vec3& arm_b,
+                const Vec3& direction) {
+    const Vec3 turn_a = glm::cross(arm_a, direction);
+    const Vec3 turn_b = glm::cross(arm_b, direction);
+    const Real inverse = a.inverse_mass + b.inverse_mass +
+                         glm::dot(turn_a, a.inverse_inertia * turn_a) +
+                         glm::dot(turn_b, b.inverse_inertia * turn_b);
+    return inverse > 0 ? 1 / inverse : Real{0};
+}
+
+/// Inverse of a symmetric positive definite matrix by Gauss-Jordan without pivoting.
+Matrix inverse_of(Matrix m) {
+    Matrix inverse{};
+    for (std::size_t i = 0; i < kLanes; ++i) inverse[i][i] = 1;
+    for (std::size_t pivot = 0; pivot < kLanes; ++pivot) {
+        const Real scale = 1 / m[pivot][pivot];
+        for (std::size_t k = 0; k < kLanes; ++k) {
+            m[pivot][k] *= scale;
+            inverse[pivot][k] *= scale;
+        }
+        for (std::size_t row = 0; row < kLanes; ++row) {
+            if (row == pivot) continue;
+            const Real share = m[row][pivot];
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                m[row][k] -= share * m[pivot][k];
+                inverse[row][k] -= share * inverse[pivot][k];
+            }
+        }
+    }
+    return inverse;
+}
+
+Matrix reciprocals_of(const Matrix& diagonal) {
+    Matrix inverse{};
+    for (std::size_t i = 0; i < kLanes; ++i) inverse[i][i] = 1 / diagonal[i][i];
+    return inverse;
+}
+
+void prepare_friction(ContactConstraint& constraint, const SolverBody& a, const SolverBody& b) {
+    const Real load = sum_of(constraint.normal_Ns);
+    Lanes weights{};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(constraint.count); ++i)
+        weights[i] =
+            load > 0 ? constraint.normal_Ns[i] / load : 1 / static_cast<Real>(constraint.count);
+    const Vec3 below = constraint.normal * constraint.radius_a;
+    const Vec3 above = constraint.normal * constraint.radius_b;
+    constraint.center_a = weighted_sum(constraint.offset_a, weights) - below;
+    constraint.center_b = weighted_sum(constraint.offset_b, weights) + above;
+    constraint.twist_arm_m = 0;
+    for (int i = 0; i < constraint.count; ++i) {
+        constraint.twist_arm_m += weights[static_cast<std::size_t>(i)] *
+                                  glm::length(constraint.arm_a(i) - constraint.center_a);
+    }
+    for (int t = 0; t < 2; ++t) {
+        constraint.tangent_mass[t] =
+            mass_along(a, b, constraint.center_a, constraint.center_b, constraint.tangent[t]);
+    }
+    const Real moment = inverse_moment_along(a, b, constraint.normal);
+    constraint.twist_mass = moment > 0 ? 1 / moment : Real{0};
+}
+
+}  // namespace
+
+void prepare(ContactConstraint& constraint,
+             const SolverBody& a,
+             const SolverBody& b,
+             const Softness& soft) {
+    constraint.start_normal = constraint.normal;
+    constraint.against_immovable = !a.movable() || !b.movable();
+    constraint.carried = !constraint.rounded() && !b.movable() && b.spin_radps != Vec3{0, 0, 0};
+    LaneVec3 gain_a;
+    LaneVec3 gain_b;
+    for (int i = 0; i < kLanes; ++i) {
+        const bool used = i < constraint.count;
+        const Vec3 angular_a =
+            used ? glm::cross(constraint.arm_a(i), constraint.normal) : Vec3{0, 0, 0};
+        const Vec3 angular_b =
+            used ? glm::cross(constraint.arm_b(i), constraint.normal) : Vec3{0, 0, 0};
+        set_lane(constraint.angular_a, i, angular_a);
+        set_lane(constraint.angular_b, i, angular_b);
+        set_lane(gain_a, i, a.inverse_inertia * angular_a);
+        set_lane(gain_b, i, b.inverse_inertia * angular_b);
+    }
+    const Real linear = a.inverse_mass + b.inverse_mass;
+    Matrix soft_matrix;
+    Matrix rigid_matrix;
+    for (int i = 0; i < kLanes; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        const bool used = i < constraint.count;
+        const Lanes of_a = dot_lanes(lane(constraint.angular_a, i), gain_a);
+        const Lanes of_b = dot_lanes(lane(constraint.angular_b, i), gain_b);
+        for (int k = 0; k < kLanes; ++k) {
+            const auto column = static_cast<std::size_t>(k);
+            const Real coupled = linear + of_a[column] + of_b[column];
+            constraint.response[row][column] =
+                used && k < constraint.count ? coupled : Real(i == k);
+        }
+        // share = A / (A + compliance) turns softness into the compliance of the row.
+        constraint.compliance[row] =
+            constraint.response[row][row] * soft.decay / std::max(soft.mass_share, 1e-6_r);
+        soft_matrix[row] = rigid_matrix[row] = constraint.response[row];
+        soft_matrix[row][row] += constraint.compliance[row];
+        rigid_matrix[row][row] *= 1 + kRedundancy * Real(constraint.count > 1);
+    }
+    constraint.soft_mass =
+        constraint.count > 1 ? inverse_of(soft_matrix) : reciprocals_of(soft_matrix);
+    constraint.rigid_mass =
+        constraint.count > 1 ? inverse_of(rigid_matrix) : reciprocals_of(rigid_matrix);
+    if (constraint.friction > 0) prepare_friction(constraint, a, b);
+}
+
+}  // namespace plumbline::physics
