@@ -24,7 +24,7 @@ FIELDS = 20  # of a type
 # What may still be larger: folders, files, types and functions by their names. An entry that is not needed any more
 # fails, so that it goes.
 EXEMPT = {
-    "contact_set.cpp", "mesh_contact.cpp", "character_contact_test.cpp",
+    "mesh_contact.cpp", "character_contact_test.cpp",
     "BodyDef", "Character::Impl", "ContactConstraint", "JointRows", "PhysicsWorld", "PhysicsWorld::Impl",
     "SmallStepWorld",
 }

@@ -1,5 +1,6 @@
 #include "engine/physics/dynamics/contact/contact_set.h"
 
+#include "engine/physics/dynamics/contact/point_impulses.h"
 #include "engine/physics/dynamics/substep_choice.h"
 
 #include <algorithm>
@@ -9,10 +10,8 @@ namespace plumbline::physics {
 namespace {
 
 constexpr Real kContactDamping = 10;  ///< ratio: far above 1, penetration in never swings back
-constexpr int kProjectedSweeps =
-    4;  ///< within a constraint, where some points press and some do not
-constexpr int kFrictionRounds =
-    12;  ///< of normals and friction, where what sticks changed by much ...
+/// Of normals and friction, where what sticks changed by much ...
+constexpr int kFrictionRounds = 12;
 constexpr Real kOneSpot = 1e-4_r;  ///< nearer centres, as a share of the radii, have no direction
 constexpr Real kDepenetratedShare = 0.05_r;  ///< of the fastest push: more is deep overlap
 constexpr Real kOut_m = 1e-5_r;              ///< what bounced and will be no deeper is out
@@ -43,59 +42,6 @@ inline Lanes opening_speeds(const ContactConstraint& constraint,
     Lanes speeds;
     for (std::size_t i = 0; i < kLanes; ++i) speeds[i] = along + of_a[i] - of_b[i];
     return speeds;
-}
-
-/// The impulses that make A*change + wanted + compliance*impulse = 0 where they press, by
-/// projected Gauss-Seidel within the constraint. A point's lane is a constant, so that all stays in
-/// registers: of a large pile's step this is the dearest loop.
-Lanes projected(const ContactConstraint& constraint, const Lanes& wanted, const Lanes& compliance) {
-    Lanes next = constraint.normal_Ns;
-    if (constraint.count == 1) {
-        const Real error = wanted[0] + compliance[0] * next[0];
-        next[0] = std::max(next[0] - error / (constraint.response[0][0] + compliance[0]), Real{0});
-        return next;
-    }
-    Lanes residual = wanted;
-    Lanes diagonal;
-    for (std::size_t i = 0; i < kLanes; ++i)
-        diagonal[i] = constraint.response[i][i] + compliance[i];
-    const auto solve = [&](std::size_t i) {
-        const Real error = residual[i] + compliance[i] * next[i];
-        const Real better = next[i] - error / diagonal[i];
-        const Real pressing = better > 0 ? better : Real{0};
-        const Real change = pressing - next[i];
-        next[i] = pressing;
-        for (std::size_t k = 0; k < kLanes; ++k) residual[k] += constraint.response[i][k] * change;
-    };
-    for (int sweep = 0; sweep < kProjectedSweeps; ++sweep) {
-        solve(0);
-        solve(1);
-        solve(2);
-        solve(3);
-    }
-    return next;
-}
-
-inline Lanes product(const LaneMatrix& m, const Lanes& v) {
-    Lanes result{};
-    for (std::size_t k = 0; k < kLanes; ++k) {
-        for (std::size_t i = 0; i < kLanes; ++i) result[i] += m[k][i] * v[k];  // m is symmetric
-    }
-    return result;
-}
-
-/// Nothing presses and nothing closes fast enough to press.
-inline bool stays_apart(const ContactConstraint& constraint, const Lanes& wanted) {
-    bool apart = true;
-    for (std::size_t i = 0; i < kLanes; ++i)
-        apart = apart && wanted[i] >= 0 && constraint.normal_Ns[i] == 0;
-    return apart;
-}
-
-inline bool all_press(const Lanes& impulses, int count) {
-    Real least = impulses[0];
-    for (int i = 1; i < count; ++i) least = std::min(least, impulses[static_cast<std::size_t>(i)]);
-    return least >= 0;
 }
 
 inline void apply_normal(ContactConstraint& constraint,
@@ -253,8 +199,7 @@ void ContactSet::solve_with_bias(ContactConstraint& constraint) {
             error[i] = static_cast<int>(i) < constraint.count
                            ? wanted[i] + compliance[i] * constraint.normal_Ns[i]
                            : Real{0};
-        const Lanes change = product(constraint.soft_mass, error);
-        for (std::size_t i = 0; i < kLanes; ++i) next[i] = constraint.normal_Ns[i] - change[i];
+        next = direct(constraint.normal_Ns, constraint.soft_mass, error);
         solved = all_press(next, constraint.count);
     }
     if (!solved) next = projected(constraint, wanted, compliance);
@@ -305,8 +250,7 @@ bool ContactSet::relax_normal(ContactConstraint& constraint) {
     if (all_penetrate) {
         for (std::size_t i = static_cast<std::size_t>(constraint.count); i < kLanes; ++i)
             wanted[i] = 0;
-        const Lanes change = product(constraint.rigid_mass, wanted);
-        for (std::size_t i = 0; i < kLanes; ++i) next[i] = constraint.normal_Ns[i] - change[i];
+        next = direct(constraint.normal_Ns, constraint.rigid_mass, wanted);
         solved = all_press(next, constraint.count);
     }
     if (!solved) next = projected(constraint, wanted, Lanes{});
