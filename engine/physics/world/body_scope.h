@@ -4,6 +4,7 @@
 #include "engine/core/io/archive.h"
 #include "engine/core/slot_map.h"
 #include "engine/physics/body.h"
+#include "engine/physics/joint.h"
 
 #include <functional>
 #include <memory>
