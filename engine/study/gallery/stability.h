@@ -1,6 +1,7 @@
 // The stability table: every hard case, every solver, one verdict a cell; as text, JSON and a page.
 #pragma once
 
+#include "engine/core/io/files.h"
 #include "engine/core/result.h"
 #include "engine/scene/scene_description.h"
 #include "engine/study/findings/findings.h"
