@@ -43,7 +43,8 @@ Vec3 angular_gain(const BodyMotion& motion, const Vec3& torque_Nm) {
 }
 
 bool feels_gyro(const BodyRecord& record, const WorldFeatures& features) {
-    // A tenth of an island's kLeastGyroSpin_radps: recorded states of bullet_* tell the two apart.
+    // A tenth of what islands leave out (island_loop.cpp): recorded states of bullet_* tell the two
+    // apart.
     constexpr Real kLeastSpin_radps = 1e-3_r;
     const Vec3 spin = record.motion->spin_radps;
     return features.gyroscopic_torque && !record.traits.isotropic_inertia &&

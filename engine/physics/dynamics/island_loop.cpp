@@ -7,6 +7,8 @@
 namespace plumbline::physics {
 namespace {
 
+/// Slower spins gain less than 1e-4 rad/s2 from the gyroscopic torque: it is left out.
+constexpr Real kLeastGyroSpin_radps = 1e-2_r;
 /// Without gravity slower impacts do not bounce.
 constexpr Real kSlowestBounce_mps = 1e-3_r;
 
@@ -121,10 +123,9 @@ void IslandLoop::move() {
 }
 
 void IslandLoop::turn(SolverBody& body) const {
-    const bool gyroscopic = settings_.gyroscopic_torque && body.movable() &&
-                            !body.isotropic_inertia &&
-                            glm::dot(body.spin_radps, body.spin_radps) >
-                                static_cast<Real>(kLeastGyroSpin_radps * kLeastGyroSpin_radps);
+    const bool gyroscopic =
+        settings_.gyroscopic_torque && body.movable() && !body.isotropic_inertia &&
+        glm::dot(body.spin_radps, body.spin_radps) > kLeastGyroSpin_radps * kLeastGyroSpin_radps;
     if (!gyroscopic) {
         const Vec3 mean = body.spin_radps - body.spin_increment_radps * Real{0.5};
         body.delta_rotation = glm::normalize(turn_by(mean, h_) * body.delta_rotation);

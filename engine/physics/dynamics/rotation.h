@@ -23,9 +23,6 @@ glm::qua<T> turn_by(const glm::vec<3, T>& spin_radps, T duration_s) {
     return {std::cos(half), spin_radps.x * scale, spin_radps.y * scale, spin_radps.z * scale};
 }
 
-/// Slower spins than this gain less than 1e-4 rad/s2 from the gyroscopic torque: it is left out.
-inline constexpr double kLeastGyroSpin_radps = 1e-2;
-
 /// Torque-free turning of a rigid body for `duration_s` that keeps the angular momentum: the spin
 /// is what the momentum means at the orientation reached. Fourth order: Celledoni, Marthinsen and
 /// Owren's commutator-free scheme (2003), whose stages are turns and never leave the unit
