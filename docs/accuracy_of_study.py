@@ -2,7 +2,7 @@
 """Brings ACCURACY.md up to date with a study: docs/accuracy_of_study.py DIR
 
 DIR is what `plumbline study --out DIR` wrote. The tables between <!-- NAME --> and <!-- end --> are made
-anew from DIR/findings.json; the pictures are taken out of DIR/report.html, each an SVG of its own on light
+anew from DIR/findings.json; the images are taken out of DIR/report.html, each an SVG of its own on light
 paper. The words between the tables are a person's: read them again.
 """
 
@@ -18,7 +18,7 @@ SVG = "http://www.w3.org/2000/svg"
 DOCS = pathlib.Path(__file__).resolve().parent
 
 # File: subject of the study, and which of its two diagrams.
-PICTURES = {
+IMAGES = {
     "accuracy_bounce.svg": ("A20 H=1 e=0.8", "cost"),
     "accuracy_pendulum.svg": ("A09 90 degrees", "cost"),
     "accuracy_pendulum_step.svg": ("A09 90 degrees", "step"),
@@ -192,20 +192,20 @@ def update_tables(findings, page):
     path.write_text(text, encoding="utf-8")
 
 
-def standalone(picture):
-    width, height = picture.get("viewBox").split()[2:]
-    picture.set("width", width)
-    picture.set("height", height)
+def standalone(image):
+    width, height = image.get("viewBox").split()[2:]
+    image.set("width", width)
+    image.set("height", height)
     paper = ElementTree.Element(f"{{{SVG}}}rect", {"width": width, "height": height, "fill": "#fbfbf9"})
-    picture.insert(0, paper)
-    return ElementTree.tostring(picture, encoding="unicode")
+    image.insert(0, paper)
+    return ElementTree.tostring(image, encoding="unicode")
 
 
-def update_pictures(page):
+def update_images(page):
     ElementTree.register_namespace("", SVG)
     ElementTree.register_namespace("xlink", "http://www.w3.org/1999/xlink")
-    for name, (subject, kind) in PICTURES.items():
-        (DOCS / "pictures" / name).write_text(standalone(figure_of(page, subject, kind)) + "\n", encoding="utf-8")
+    for name, (subject, kind) in IMAGES.items():
+        (DOCS / "images" / name).write_text(standalone(figure_of(page, subject, kind)) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
@@ -215,4 +215,4 @@ if __name__ == "__main__":
     report = (folder / "report.html").read_text(encoding="utf-8")
     made = ElementTree.fromstring(report.split("\n", 1)[1])  # XML but for its first line
     update_tables(json.loads((folder / "findings.json").read_text(encoding="utf-8")), made)
-    update_pictures(made)
+    update_images(made)

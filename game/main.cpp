@@ -60,7 +60,7 @@ CLI::App* add_play(CLI::App& app, PlayOptions& options) {
         "A .toml or .json scene, a model (.glb .gltf .obj .ply .stl .dae .fbx), or a name "
         "below assets/scenes");
     play->add_option("--size", options.size, "WIDTHxHEIGHT of the window");
-    play->add_option("--level", options.level, "Of the picture: auto, low, medium or high")
+    play->add_option("--level", options.level, "Of the image: auto, low, medium or high")
         ->check(CLI::IsMember({"auto", "low", "medium", "high"}));
     play->add_option("--hour", options.hour, "Hour of the day, in a scene with [time]")
         ->check(between(0, 24));
@@ -97,7 +97,7 @@ CLI::App* add_viewer(CLI::App& app, PlayOptions& options) {
 CLI::App* add_render(CLI::App& app, RenderOptions& options) {
     constexpr double kMostFrames = 1e9;
     constexpr double kMostTurn_deg = 36'000;
-    CLI::App* render = app.add_subcommand("render", "One picture, without a window");
+    CLI::App* render = app.add_subcommand("render", "One image, without a window");
     render->add_option("scene", options.scene, "As for play")->required();
     render->add_option("--out",
                        options.out,
@@ -108,14 +108,14 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
     render
         ->add_option("--level",
                      options.level,
-                     "Of the picture: low, medium or high; without it nothing is left out")
+                     "Of the image: low, medium or high; without it nothing is left out")
         ->check(CLI::IsMember({"low", "medium", "high"}));
     render
         ->add_option("--render-scale",
                      options.render_scale,
                      "With --level: of width and height, instead of the level's own")
         ->check(between(0.4, 1.0));
-    render->add_option("--at", options.at_s, "Simulated seconds before the picture")
+    render->add_option("--at", options.at_s, "Simulated seconds before the image")
         ->check(between(0.0, kLongestRun_s));
     render->add_option("--camera", options.camera, "x,y,z,yaw,pitch in metres and degrees");
     render->add_option("--shading", options.shading, "pbr, blinn_phong or unlit, for everything");
@@ -150,7 +150,7 @@ CLI::App* add_render(CLI::App& app, RenderOptions& options) {
 
 CLI::App* add_tour(CLI::App& app, TourOptions& options) {
     CLI::App* tour =
-        app.add_subcommand("tour", "Pictures of a scene into a folder, without a window");
+        app.add_subcommand("tour", "Images of a scene into a folder, without a window");
     tour->add_option("scene", options.scene, "As for play");
     tour->add_option("--out", options.out, "The folder");
     tour->add_option("--size", options.size, "WIDTHxHEIGHT");

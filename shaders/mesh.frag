@@ -3,12 +3,14 @@
 #include "include/blocks.glsl"
 #include "include/color.glsl"
 #include "include/fog.glsl"
+#define HANDED flat in
+#include "include/handed.glsl"
 #include "include/lighting.glsl"
 #include "include/shadow.glsl"
 #include "include/sky_light.glsl"
 #include "include/water.glsl"
 
-#ifdef PL_VERTEX_COLOR
+#if defined(PL_VERTEX_COLOR) && !defined(PL_FACETED)
 in vec3 surface_color;
 #else
 flat in vec3 surface_color;
@@ -18,7 +20,7 @@ in vec3 surface_to_eye;
 in vec4 surface_aerial;
 #endif
 #ifndef PL_UNLIT
-#ifdef PL_FLAT
+#if defined(PL_FLAT) || defined(PL_FACETED)
 flat in vec3 surface_normal_world;
 #else
 in vec3 surface_normal_world;
@@ -44,7 +46,11 @@ uniform sampler2D orm_map;
 uniform sampler2D emissive_map;
 #endif
 #if defined(PL_SKY_BY_VERTEX) && !defined(PL_UNLIT)
+#ifdef PL_FACETED
+flat in vec3 surface_sky_slope;
+#else
 in vec3 surface_sky_slope;
+#endif
 in vec3 surface_sky_slope_to_eye;
 #endif
 #ifdef PL_SUN_SHADOW
@@ -90,7 +96,11 @@ vec3 surface_position_world() { return frame.camera_world.xyz - surface_to_eye; 
 #ifndef PL_UNLIT
 
 vec3 shading_normal() {
+#ifdef PL_FACETED
+    vec3 n = surface_normal_world;
+#else
     vec3 n = normalize(surface_normal_world);
+#endif
 #if defined(PL_TWO_SIDED) && !defined(PL_ALPHA_MASK)
     // Leaf cards keep their normals, which bend outwards from the crown, on both sides.
     n = gl_FrontFacing ? n : -n;
@@ -175,7 +185,7 @@ float sun_lit(vec3 at, float eye_distance_m) {
     lit = disc_shadow(sun_shadow_map, sun_depth_map, vec3(at.xy, min(at.z, 1.0)),
                       dot(normalize(surface_normal_world), frame.to_sun_world.xyz));
 #else
-    vec2 texel = vec2(frame.sun_radiance.w);
+    vec2 texel = vec2(handed_sun_radiance.w);
 #ifdef PL_CASCADES
     texel.x *= frame.clusters.z;  // they lie side by side
 #endif
@@ -185,7 +195,7 @@ float sun_lit(vec3 at, float eye_distance_m) {
 #endif
 #endif
     // The last tenth of the distance fades the shadow out.
-    return mix(lit, 1.0, clamp(eye_distance_m * frame.to_sun_world.w * 10.0 - 9.0, 0.0, 1.0));
+    return mix(lit, 1.0, clamp(eye_distance_m * handed_to_sun.w * 10.0 - 9.0, 0.0, 1.0));
 }
 #endif
 
@@ -195,10 +205,10 @@ vec3 sun_light(Surface s, float eye_distance_m) {
 #ifdef PL_SUN_SHADOW
     lit = sun_lit(surface_sun_shadow, eye_distance_m);
 #endif
-    vec3 light = frame.sun_radiance.rgb * lit;
-    vec3 color = reflected(s, frame.to_sun_world.xyz, light);
+    vec3 light = handed_sun_radiance.rgb * lit;
+    vec3 color = reflected(s, handed_to_sun.xyz, light);
 #ifdef PL_LEAF
-    color += transmitted(s, frame.to_sun_world.xyz, light, material.surface.z);
+    color += transmitted(s, handed_to_sun.xyz, light, material.surface.z);
 #endif
     return color;
 }
@@ -217,16 +227,21 @@ vec3 flashlight_light(Surface s, float eye_distance_m) {
     vec3 at = surface_flashlight_shadow.xyz / max(surface_flashlight_shadow.w, 1e-4);
     float lit = flashlight_shadow(flashlight_shadow_map, vec3(at.xy, min(at.z, 1.0)), frame.ambient.w);
 #endif
-    float cosine = -dot(to_light, frame.flashlight_direction.xyz);
+    float cosine = -dot(to_light, handed_flashlight_direction.xyz);
     // 0 at the rim, 1 inside the inner cone; squared, so that the rim is soft.
-    float cone = clamp((cosine - frame.flashlight_direction.w) * frame.flashlight_intensity.w, 0.0, 1.0);
+    float cone = clamp((cosine - handed_flashlight_direction.w) * handed_flashlight_intensity.w, 0.0, 1.0);
     // A real torch throws a faint ring around a brighter middle.
     // cos(18 cone) by a smooth step up and down: a cosine is dear on software GL.
     float turn = abs(fract(cone * 2.8648) * 2.0 - 1.0);
     float ring = turn * turn * (6.0 - 4.0 * turn) - 1.0;
     float cookie = cone * cone * (0.85 + 0.15 * ring * (1.0 - cone));
-    float falloff = windowed_falloff(distance2, frame.flashlight_position.w);
-    return reflected(s, to_light, frame.flashlight_intensity.rgb * (cookie * lit * falloff));
+    float falloff = windowed_falloff(distance2, handed_flashlight_reach);
+    vec3 light = handed_flashlight_intensity.rgb * (cookie * lit * falloff);
+#ifdef PL_FLASHLIGHT_AT_EYE
+    return reflected_back(s, light);
+#else
+    return reflected(s, to_light, light);
+#endif
 }
 #endif
 
@@ -245,15 +260,19 @@ vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
 #else
 #ifdef PL_SKY_LIGHT
 #ifdef PL_SKY_BY_VERTEX
+#ifdef PL_FACETED
+    vec3 slope = surface_sky_slope;
+#else
     vec3 slope = surface_sky_slope *
                  inversesqrt(dot(surface_normal_world, surface_normal_world));
+#endif
     vec3 slope_to_eye = surface_sky_slope_to_eye / max(eye_distance_m, 1e-4);
 #else
     vec3 slope = sky_slope(s.normal);
     vec3 slope_to_eye = sky_slope(s.to_eye);
 #endif
     // What a matt white surface sends out under the sky.
-    vec3 diffuse = max(sky_middle() + 0.6666667 * slope, 0.0);
+    vec3 diffuse = max(handed_sky_middle + 0.6666667 * slope, 0.0);
 #ifdef PL_SKY_REFLECTION
     vec3 direction = reflect(-s.to_eye, s.normal);
 #ifdef PL_RIPPLES
@@ -263,7 +282,7 @@ vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
 #else
     // The sky blurred as a rough surface mirrors it: the slope is that of the mirrored direction.
     vec3 mirrored_slope = 2.0 * dot(s.normal, s.to_eye) * slope - slope_to_eye;
-    vec3 reflection = max(sky_middle() + 0.85 * mirrored_slope, 0.0);
+    vec3 reflection = max(handed_sky_middle + 0.85 * mirrored_slope, 0.0);
 #endif
 #else
     vec3 diffuse = frame.ambient.rgb * (1.0 + 0.3 * s.normal.y);
@@ -320,8 +339,8 @@ vec3 clear_shows(float alpha) {
 vec3 lit_color(vec3 base_color, float alpha, float eye_distance_m, vec3 to_eye) {
     Surface s;
     s.base_color = base_color;
-    s.roughness = material.surface.x;
-    s.metallic = material.surface.y;
+    s.roughness = handed_surface.x;
+    s.metallic = handed_surface.y;
     s.normal = shading_normal();
     s.to_eye = to_eye;
 #ifdef PL_RIPPLES

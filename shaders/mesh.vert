@@ -1,6 +1,8 @@
 // Places one instance of a mesh. Passes: opaque, translucent.
 #include "include/blocks.glsl"
 #include "include/aerial.glsl"
+#define HANDED flat out
+#include "include/handed.glsl"
 #include "include/sky_light.glsl"
 #include "include/wind.glsl"
 
@@ -20,7 +22,7 @@ layout(location = 9) in vec4 wind_weights;
 // Drawn in two parts, a surface must have the same depth in both.
 invariant gl_Position;
 
-#ifdef PL_VERTEX_COLOR
+#if defined(PL_VERTEX_COLOR) && !defined(PL_FACETED)
 out vec3 surface_color;
 #else
 flat out vec3 surface_color;
@@ -30,7 +32,7 @@ out vec3 surface_to_eye;
 out vec4 surface_aerial;
 #endif
 #ifndef PL_UNLIT
-#ifdef PL_FLAT
+#if defined(PL_FLAT) || defined(PL_FACETED)
 flat out vec3 surface_normal_world;
 #else
 out vec3 surface_normal_world;
@@ -47,7 +49,11 @@ uniform sampler2D base_color_map;
 out vec4 surface_tangent_world;
 #endif
 #if defined(PL_SKY_BY_VERTEX) && !defined(PL_UNLIT)
+#ifdef PL_FACETED
+flat out vec3 surface_sky_slope;
+#else
 out vec3 surface_sky_slope;
+#endif
 out vec3 surface_sky_slope_to_eye;
 #endif
 #ifdef PL_SUN_SHADOW
@@ -88,6 +94,21 @@ void main() {
 #endif
 #ifdef PL_VARIATION
     surface_mean = max(textureLod(base_color_map, vec2(0.5), 20.0).g, 0.05);
+#endif
+#ifdef PL_FACETED
+#ifdef PL_SUN
+    handed_to_sun = frame.to_sun_world;
+    handed_sun_radiance = frame.sun_radiance;
+#endif
+#ifdef PL_FLASHLIGHT
+    handed_flashlight_direction = frame.flashlight_direction;
+    handed_flashlight_intensity = frame.flashlight_intensity;
+    handed_flashlight_reach = frame.flashlight_position.w;
+#endif
+#ifdef PL_SKY_LIGHT
+    handed_sky_middle = sky_middle();
+#endif
+    handed_surface = material.surface.xy;
 #endif
 #ifndef PL_UNLIT
     surface_normal_world = normal_world;

@@ -16,7 +16,7 @@ def chain(name, title, links, length, known):
         last = i + 1 == links
         scene.body(f"link_{i}", box(0.1, length, 0.1), (0, top - length * (i + 0.5), 0),
                    100.0 if last else 1.0, material="rustmetal" if last else "paint_orange")
-        scene.joint("ball", f"link_{i}", above, (0, top - length * i, 0))
+        scene.joint("ball_and_socket", f"link_{i}", above, (0, top - length * i, 0))
         above = f"link_{i}"
     scene.rule("sag_m", f"link_{links - 1}", below=0.01 * links * length)
     scene.rule("speed_mps", below=0.01, from_s=5)
@@ -73,11 +73,11 @@ def net(name, side, seconds, tier):
         for z in range(side):
             here = f"knot_{x}_{z}"
             if z > 0:
-                scene.joint("ball", here, f"knot_{x}_{z - 1}", (link * x, high, link * (z - 0.5)))
+                scene.joint("ball_and_socket", here, f"knot_{x}_{z - 1}", (link * x, high, link * (z - 0.5)))
             if x > 0:
-                scene.joint("ball", here, f"knot_{x - 1}_{z}", (link * (x - 0.5), high, link * z))
+                scene.joint("ball_and_socket", here, f"knot_{x - 1}_{z}", (link * (x - 0.5), high, link * z))
             else:
-                scene.joint("ball", here, "world", (0, high, link * z))
+                scene.joint("ball_and_socket", here, "world", (0, high, link * z))
     scene.rule("max_joint_error_m", below=0.02 * link)
     scene.rule("speed_mps", below=100)
     return scene
@@ -264,10 +264,10 @@ def torn():
     scene.ground()
     scene.body("alone", box(1, 1, 1), (-4, 1.5, 0), material="paint_orange")
     scene.scenery("pin", ball(0.12), (-3, 1.5, 0), "iron")
-    scene.joint("ball", "alone", "world", (-3, 1.5, 0))
+    scene.joint("ball_and_socket", "alone", "world", (-3, 1.5, 0))
     scene.body("a", box(1, 1, 1), (2, 1.5, 0))
     scene.body("b", box(1, 1, 1), (4, 1.5, 0))
-    scene.joint("ball", "a", "b", (3, 1.5, 0))
+    scene.joint("ball_and_socket", "a", "b", (3, 1.5, 0))
     scene.event("teleport", "alone", 0, value=(-4, 6.5, 0))
     scene.event("teleport", "a", 0, value=(2, 6.5, 0))
     scene.rule("speed_mps", below=10)
@@ -310,7 +310,7 @@ def dragged():
         scene.body(f"part_{i}", box(0.4, 0.4, 0.4), (-1 - 0.5 * i, 1, 0), 0.1, material="paint_orange",
                    more='ccd = "on"\n')
         if i:
-            scene.joint("ball", f"part_{i}", f"part_{i - 1}", (-0.75 - 0.5 * i, 1, 0))
+            scene.joint("ball_and_socket", f"part_{i}", f"part_{i - 1}", (-0.75 - 0.5 * i, 1, 0))
     scene.event("force", "part_0", 0.5, value=(1e5, 0, 0), duration_s=1)
     scene.rule("x_m", below=0.7)  # 10 cm past where the first one's centre meets the wall
     scene.rule("max_joint_error_m", below=0.05, from_s=2.5)
@@ -329,7 +329,7 @@ def snapped():
     for i in range(10):
         scene.body(f"link_{i}", box(0.1, 1, 0.1), (0, 11.5 - i, 0),
                    material="paint_blue" if i == 5 else "paint_orange")
-        scene.joint("ball", f"link_{i}", above, (0, 12 - i, 0))
+        scene.joint("ball_and_socket", f"link_{i}", above, (0, 12 - i, 0))
         above = f"link_{i}"
     scene.event("teleport", "link_5", 1, value=(100, 6.5, 0))
     scene.rule("speed_mps", below=30)
@@ -347,7 +347,7 @@ def slender():
     scene.scenery("pin", ball(0.06), (0, 4, 0), "iron")
     scene.body("rod", box(2, thin, thin), (1, 4, 0), material="paint_cream")
     scene.body("weight", box(0.2, 0.2, 0.2), (2.1, 4, 0), material="rustmetal")
-    scene.joint("ball", "rod", "world", (0, 4, 0))
+    scene.joint("ball_and_socket", "rod", "world", (0, 4, 0))
     scene.joint("hinge", "weight", "rod", (2, 4, 0), axis=(0, 0, 1))
     scene.rule("max_joint_error_m", below=0.01)
     scene.rule("speed_mps", below=math.sqrt(2 * 3.1 * 9.81))

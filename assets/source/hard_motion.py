@@ -15,7 +15,7 @@ def crusher():
                   settled=5, unsettled="the plate leaves 5 cm less room than the box is high",
                   energy_from="the plate")
     scene.ground()
-    scene.carrier("plate", box(3, 0.5, 3), (0, 2.25, 0), material="rustmetal",
+    scene.kinematic("plate", box(3, 0.5, 3), (0, 2.25, 0), material="rustmetal",
                   motion="points_m = [[0, 0, 0], [0, -1.05, 0]], period_s = 8")
     scene.body("box", box(1, 1, 1), (0, 0.5, 0))
     scene.rule("speed_mps", "box", below=6)
@@ -31,7 +31,7 @@ def lift():
                   "expected: what a kinematic body's velocity means differs between engines", 6.9,
                   (10, 10, 16), (0, 8, 0), shadow=50, energy_from="the lift")
     scene.ground()
-    scene.carrier("lift", box(4, 1, 4), (0, 5.5, 0), material="rustmetal")
+    scene.kinematic("lift", box(4, 1, 4), (0, 5.5, 0), material="rustmetal")
     for i in range(5):
         scene.body(f"box_{i}", box(1, 1, 1), (0, 6.5 + i, 0))
     for at_s, speed in ((1, 3.0), (3, 0.0), (5.15, -5.0)):
@@ -52,7 +52,7 @@ def turntables():
     scene.ground()
     for name, x, share in (("slow", -4.5, 0.97), ("fast", 4.5, 1.03)):
         rate = share * limit
-        scene.carrier(f"table_{name}", "cylinder = [4, 0.4]", (x, 0.2, 0), material="stone",
+        scene.kinematic(f"table_{name}", "cylinder = [4, 0.4]", (x, 0.2, 0), material="stone",
                       motion=f"points_m = [], spin_degps = [0, {math.degrees(rate):.9g}, 0]")
         scene.body(f"box_{name}", box(0.25, 0.25, 0.25), (x + 2, 0.525, 0), velocity=(0, 0, -2 * rate),
                    spin=(0, rate, 0), material="paint_orange")
@@ -68,7 +68,7 @@ def turning_mesh():
                   "PEEL keeps it as BoxOnRotatingMesh", 12, (0, 8, 14), (0, 0, 0),
                   energy_from="the mesh")
     scene.ground(top=-0.5)
-    scene.carrier("mesh", 'model = "models/hard/seams.obj"', (0, 0, 0), material="flagstone",
+    scene.kinematic("mesh", 'model = "models/hard/seams.obj"', (0, 0, 0), material="flagstone",
                   motion=f"points_m = [], spin_degps = [0, {math.degrees(rate):.9g}, 0]")
     scene.body("box", box(1, 1, 1), (3, 0.5, 0), velocity=(0, 0, -3 * rate), spin=(0, rate, 0))
     scene.rule("from_axis_m", "box", near=(3, 0.05))

@@ -152,7 +152,7 @@ class Scene:
             f'kind = "{kind}"\n{own}friction = {number(friction)}\n'
             f"restitution = {number(restitution)}\n{body}")
 
-    def carrier(self, name, shape, at, *, motion="", **options):
+    def kinematic(self, name, shape, at, *, motion="", **options):
         """A kinematic body; `motion`: its table, or none."""
         extra = f"motion = {{ {motion} }}\n" if motion else ""
         self.fixed(name, shape, at, kind="kinematic", extra=extra, **options)

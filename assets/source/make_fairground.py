@@ -68,7 +68,7 @@ throws = 16
 with = "ball"
 hands_off = true""")
 
-heading("where the tour takes its pictures")
+heading("where the tour takes its images")
 for name, position, target, extra in [
     ("arrival", (0.9, 1.75, 9.4), (0.5, 2.9, -3), ""),
     ("swing_ride", (1.6, 1.5, 2.6), (-4.0, 3.6, -4.6), ""),

@@ -81,7 +81,7 @@ density_perm2 = 24
 exposure = 1.5
 adapts = true""")
 
-heading("where the tour takes its pictures")
+heading("where the tour takes its images")
 for name, position, target, extra in [
     ("arrival", (1.6, 1.7, 14.0), (0, 1.5, 0), ""),
     ("fountain", (3.9, 1.5, 7.0), (-0.6, 1.0, 2.2), "wait_s = 1.0\n"),
@@ -225,7 +225,7 @@ entity("pendant_lamp", in_house(-1.15, plan.CEILING - 0.6, -1.3), model='"models
        label='"hanging lamp"',
        light=f'{{ kind = "point", {GLOW}, intensity = 3.2, radius_m = 4.5, shadow = true, on = "dark" }}',
        body=["shape = { compound = [{ cylinder = [0.2, 0.2], position_m = [0, 0.04, 0] }] }", "mass_kg = 1.5", "angular_damping_per_s = 0.8"])
-put(f'\n[[joint]]\nname = "pendant_cord"\nkind = "ball"\na = "pendant_lamp"\nb = "house"\nanchor_m = {vec(*in_house(-1.15, plan.CEILING, -1.3))}')
+put(f'\n[[joint]]\nname = "pendant_cord"\nkind = "ball_and_socket"\na = "pendant_lamp"\nb = "house"\nanchor_m = {vec(*in_house(-1.15, plan.CEILING, -1.3))}')
 # What comes back from ceiling and walls, else shadows would be black.
 entity("pendant_glow", in_house(-1.15, plan.CEILING - 0.08, -1.3), light=f'{{ kind = "point", {GLOW}, intensity = 0.9, radius_m = 3.6, on = "dark" }}')
 entity("bedside_glow", in_house(1.3, plan.CEILING - 0.3, -1.0), light=f'{{ kind = "point", {GLOW}, intensity = 0.45, radius_m = 3.6, on = "dark" }}')

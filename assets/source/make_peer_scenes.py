@@ -93,7 +93,7 @@ can_sleep = false
                           f"spacing_m = {numbers(spacing)}\n")
 
     def ball_joint(self, a, b, anchor):
-        self.parts.append(f'[[joint]]\nkind = "ball"\na = "{a}"\nb = "{b}"\n'
+        self.parts.append(f'[[joint]]\nkind = "ball_and_socket"\na = "{a}"\nb = "{b}"\n'
                           f"anchor_m = {numbers(anchor)}\n")
 
     def cubes(self, friction=0.6):

@@ -60,7 +60,7 @@ target_m = [-1.5, 0.5, -1]
 fov_deg = 55
 
 [sun]
-direction = [-0.545, -0.53, -0.65]      # as in the sky's picture
+direction = [-0.545, -0.53, -0.65]      # as in the sky's image
 color = [1.0, 0.93, 0.82]
 intensity = 3.4
 shadow = { size_px = 2048, distance_m = 45 }

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes assets/thumbnails/: the small pictures of scenes that the menu shows, 320 x 180; those of
+"""Writes assets/thumbnails/: the small images of scenes that the menu shows, 320 x 180; those of
 the hard cases, of which there are many, 256 x 144.
 
     python3 assets/source/make_thumbnails.py PROGRAM [SCENE ...]
 
-PROGRAM is the built plumbline; without scenes all are made. It needs ImageMagick's convert. Pictures
+PROGRAM is the built plumbline; without scenes all are made. It needs ImageMagick's convert. Images
 are taken large and reduced, so that edges are smooth.
 """
 import math
@@ -15,7 +15,7 @@ import tempfile
 import tomllib
 
 ASSETS = pathlib.Path(__file__).resolve().parent.parent
-# Scene -> seconds before the picture; and where the scene's own camera is far off, x,y,z,yaw,pitch of
+# Scene -> seconds before the image; and where the scene's own camera is far off, x,y,z,yaw,pitch of
 # another one, or how many times nearer it goes.
 SCENES = {
     "garden": (1.0, None),
@@ -65,7 +65,7 @@ def nearer(scene, times):
     return f"{x},{y},{z},{math.degrees(yaw)},{math.degrees(pitch)}"
 
 
-def picture(program, scene, seconds, camera, folder):
+def image(program, scene, seconds, camera, folder):
     large, small = folder / "large.png", ASSETS / "thumbnails" / f"{scene}.jpg"
     small.parent.mkdir(parents=True, exist_ok=True)
     if isinstance(camera, float):
@@ -83,4 +83,4 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     with tempfile.TemporaryDirectory() as text:
         for name in sys.argv[2:] or SCENES:
-            picture(sys.argv[1], name, *SCENES[name], pathlib.Path(text))
+            image(sys.argv[1], name, *SCENES[name], pathlib.Path(text))

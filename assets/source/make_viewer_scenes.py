@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Writes assets/scenes/viewer: JSON scenes with inline triangles, ASCII and binary PLY, colours as
-floats and as bytes, texture coordinates with their picture, up along +Y, +Z and -Y."""
+floats and as bytes, texture coordinates with their image, up along +Y, +Z and -Y."""
 
 import json
 import math
@@ -12,7 +12,7 @@ FOLDER = pathlib.Path(__file__).resolve().parent.parent / "scenes/viewer"
 
 
 def chequer(u, v):
-    """0 or 1: the picture that both texture and colours of the ring are made from."""
+    """0 or 1: the image that both texture and colours of the ring are made from."""
     return (int(u * 8) + int(v * 4)) % 2
 
 
@@ -67,7 +67,7 @@ def write_ring():
     (FOLDER / "ring.ply").write_bytes(head.encode() + body)
 
 
-def write_picture(side=64):
+def write_image(side=64):
     rows = b""
     for y in range(side):
         v = 1 - (y + 0.5) / side
@@ -118,7 +118,7 @@ SHEET = {
 if __name__ == "__main__":
     FOLDER.mkdir(parents=True, exist_ok=True)
     write_ring()
-    write_picture()
+    write_image()
     write_ball()
     # The transforms turn, then scale: their normals need the inverse transpose.
     scene("shapes",

@@ -68,4 +68,4 @@ def hinge(name, b, anchor, limits, friction_Nm, axis=(0, 1, 0), creak=0):
 
 
 def ball(name, a, b, anchor):
-    put(f'\n[[joint]]\nname = "{name}"\nkind = "ball"\na = "{a}"\nb = "{b}"\nanchor_m = {vec(*anchor)}')
+    put(f'\n[[joint]]\nname = "{name}"\nkind = "ball_and_socket"\na = "{a}"\nb = "{b}"\nanchor_m = {vec(*anchor)}')

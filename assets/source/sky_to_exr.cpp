@@ -16,7 +16,7 @@
 
 namespace {
 
-struct Picture {
+struct Image {
     int width{0};
     int height{0};
     std::vector<Imf::Rgba> pixels;
@@ -24,7 +24,10 @@ struct Picture {
 
 /// One scan line of new-style run-length encoding (Ward, "Real Pixels", Graphics Gems II): four
 /// planes, each of runs (count > 128) and literals.
-bool read_line(const std::vector<std::uint8_t>& bytes, std::size_t& at, int width, Imf::Rgba* line) {
+bool read_line(const std::vector<std::uint8_t>& bytes,
+               std::size_t& at,
+               int width,
+               Imf::Rgba* line) {
     if (at + 4 > bytes.size() || bytes[at] != 2 || bytes[at + 1] != 2) return false;
     at += 4;
     std::vector<std::uint8_t> planes(static_cast<std::size_t>(width) * 4);
@@ -49,19 +52,20 @@ bool read_line(const std::vector<std::uint8_t>& bytes, std::size_t& at, int widt
     return true;
 }
 
-bool read_radiance(const std::string& path, Picture& picture) {
+bool read_radiance(const std::string& path, Image& image) {
     std::ifstream file(path, std::ios::binary);
     const std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(file)), {});
     const std::string text(bytes.begin(), bytes.end());
     const std::size_t size_line = text.find("\n-Y ");
     if (size_line == std::string::npos) return false;
-    if (std::sscanf(text.c_str() + size_line, "\n-Y %d +X %d", &picture.height, &picture.width) != 2) {
+    if (std::sscanf(text.c_str() + size_line, "\n-Y %d +X %d", &image.height, &image.width) != 2) {
         return false;
     }
     std::size_t at = text.find('\n', size_line + 1) + 1;
-    picture.pixels.resize(static_cast<std::size_t>(picture.width) * picture.height);
-    for (int y = 0; y < picture.height; ++y) {
-        if (!read_line(bytes, at, picture.width, &picture.pixels[static_cast<std::size_t>(y) * picture.width])) {
+    image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
+    for (int y = 0; y < image.height; ++y) {
+        if (!read_line(
+                bytes, at, image.width, &image.pixels[static_cast<std::size_t>(y) * image.width])) {
             return false;
         }
     }
@@ -71,15 +75,15 @@ bool read_radiance(const std::string& path, Picture& picture) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    Picture picture;
-    if (argc != 3 || !read_radiance(argv[1], picture)) {
+    Image image;
+    if (argc != 3 || !read_radiance(argv[1], image)) {
         std::fprintf(stderr, "usage: sky_to_exr IN.hdr OUT.exr\n");
         return 2;
     }
-    Imf::Header header(picture.width, picture.height);
+    Imf::Header header(image.width, image.height);
     header.compression() = Imf::DWAB_COMPRESSION;
     Imf::RgbaOutputFile out(argv[2], header, Imf::WRITE_RGB);
-    out.setFrameBuffer(picture.pixels.data(), 1, static_cast<std::size_t>(picture.width));
-    out.writePixels(picture.height);
+    out.setFrameBuffer(image.pixels.data(), 1, static_cast<std::size_t>(image.width));
+    out.writePixels(image.height);
     return 0;
 }

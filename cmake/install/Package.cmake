@@ -19,14 +19,14 @@ set(CPACK_DEBIAN_PACKAGE_SECTION education)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Loaded by name at run time, so that shlibdeps does not see it.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libgl1")
-# OpenAL Soft and GL load their drivers by name; without them there is silence, or no picture.
+# OpenAL Soft and GL load their drivers by name; without them there is silence, or no image.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core, libasound2, libgl1-mesa-dri, libpulse0")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gnuplot-nox")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
 
 # Debian's policy wants both of every package.
 file(READ "${CMAKE_SOURCE_DIR}/LICENSE" licence)
-file(WRITE "${CMAKE_BINARY_DIR}/install/copyright" "Plumbline\n\n${licence}\nModels, sounds and pictures: CREDITS.md in this folder.\n")
+file(WRITE "${CMAKE_BINARY_DIR}/install/copyright" "Plumbline\n\n${licence}\nModels, sounds and images: CREDITS.md in this folder.\n")
 file(WRITE "${CMAKE_BINARY_DIR}/install/changelog"
 "plumbline (${PROJECT_VERSION}) unstable; urgency=medium
 

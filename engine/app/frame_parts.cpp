@@ -300,9 +300,9 @@ void FrameParts::finish_frame(double frame_start_s, double present_s) {
     }
     if (!window_.iconified() && renderer->stats().new_programs == 0)
         quality_control_.add_frame(cost);
-    report.set_picture({.level = name_of(quality_control_.level()),
-                        .is_automatic = quality_control_.is_automatic(),
-                        .quality = quality_control_.quality()});
+    report.set_image({.level = name_of(quality_control_.level()),
+                      .is_automatic = quality_control_.is_automatic(),
+                      .quality = quality_control_.quality()});
     // Hidden windows do not block in present(); without vsync nothing does.
     const double least_s = window_.iconified() ? 0.1 : 1.0 / config_.current().max_fps;
     const double left_s = least_s - (wall_s() - frame_start_s);

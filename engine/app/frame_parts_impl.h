@@ -79,7 +79,7 @@ private:
     void reload_scene();
     void reload_what_was_saved(double now_s);
     void say_slow_motion();
-    void save_picture();
+    void save_image();
     void save_game(int slot);
     void load_game(int slot);
     std::vector<ui::SaveSlot> save_slots() const;

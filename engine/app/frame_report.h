@@ -47,8 +47,8 @@ public:
     /// This frame's input opened the menu, which the frame shows already.
     void note_menu_opened() { opens_menu_ = true; }
 
-    void set_picture(const QualityInForce& picture) { picture_ = picture; }
-    const QualityInForce& picture() const { return picture_; }
+    void set_image(const QualityInForce& image) { image_ = image; }
+    const QualityInForce& image() const { return image_; }
 
     std::uint64_t frames() const { return frames_; }
     /// Of the last 120 frames, for the HUD.
@@ -82,7 +82,7 @@ private:
     void keep_if_long(float frame_ms, const render::FrameStats& stats);
 
     std::optional<double> chosen_s_;
-    QualityInForce picture_;
+    QualityInForce image_;
     bool opens_menu_{false};
     std::vector<MenuFrame> menu_frames_;
     scene::CostHistory physics_;

@@ -15,7 +15,7 @@ void FrameParts::do_requests() {
     if (controls_.reload) reload_files();
     if (controls_.save_slot) save_game(*controls_.save_slot);
     if (controls_.load_slot) load_game(*controls_.load_slot);
-    if (controls_.screenshot) save_picture();
+    if (controls_.screenshot) save_image();
     if (controls_.save_recording) save_recording_so_far();
     if (controls_.film) start_or_end_film();
     if (!controls_.open_scene.empty()) begin_opening();
@@ -89,9 +89,9 @@ void FrameParts::reload_what_was_saved(double now_s) {
     if (renderer->shader_fault().empty()) say("shaders read again");
 }
 
-void FrameParts::save_picture() {
+void FrameParts::save_image() {
     const auto saved = save_screenshot(*renderer, def_.user_data_folder / "shots", scene_name());
-    say(saved ? "picture saved: " + saved->string() : saved.error().message);
+    say(saved ? "image saved: " + saved->string() : saved.error().message);
 }
 
 void FrameParts::save_recording_so_far() {

@@ -26,11 +26,11 @@ OffscreenRun::OffscreenRun(Session& session, const OffscreenDef& def)
     : session_(session), def_(def) {
     // What is only looked at is drawn as its source draws it: a pixel is the mean of four samples.
     if (!def.level && session.simulation->description().viewer)
-        report_.set_picture({.quality = {.anti_aliasing = render::AntiAliasing::Ssaa4}});
+        report_.set_image({.quality = {.anti_aliasing = render::AntiAliasing::Ssaa4}});
     if (!def.level) return;
     render::Quality quality = render::quality_of(*def.level);
     if (def.render_scale > 0.0F) quality.render_scale = def.render_scale;
-    report_.set_picture({.level = render::name_of(*def.level), .quality = quality});
+    report_.set_image({.level = render::name_of(*def.level), .quality = quality});
 }
 
 void OffscreenRun::simulate(std::uint64_t steps) {
@@ -47,7 +47,7 @@ render::RenderFrame OffscreenRun::frame(const std::optional<scene::ViewPoint>& v
     render::RenderFrame frame =
         scene::extract(*session_.simulation, seen_from, def_.width_px, def_.height_px);
     if (def_.shading) frame.shading = def_.shading;
-    frame.quality = report_.picture().quality;
+    frame.quality = report_.image().quality;
     session_.effects->extract(*session_.simulation, seen_from, frame);
     return frame;
 }
@@ -61,14 +61,7 @@ Result<Done> OffscreenRun::draw(const std::optional<scene::ViewPoint>& view) {
 
 Result<Done> OffscreenRun::draw(const render::RenderFrame& frame) {
     if (report_.frames() == 0) renderer_->prepare(frame);
-    renderer_->begin(frame);
-    renderer_->shadows();
-    renderer_->opaque();
-    renderer_->sky();
-    renderer_->translucent();
-    renderer_->post();
-    renderer_->lines();
-    renderer_->end();
+    render::draw(*renderer_, frame);
     session_.effects->add_render_stats(renderer_->stats(), renderer_->gpu_bytes());
     if (renderer_->device_lost()) return Error{.message = "the graphics device was reset"};
     const std::string& fault = renderer_->shader_fault();

@@ -29,10 +29,11 @@ Result<std::unique_ptr<Session>> Session::open(const SessionDef& def) {
 Result<scene::OpenedScene> Session::open_scene() {
     Diagnostics faults;
     Result<scene::OpenedScene> opened = scene::open_scene(
-        def_.scene,
-        {.folders = def_.folders, .overrides = def_.overrides, .resolve_auto = study::resolve_auto},
-        faults);
-    if (opened) return opened;
+        def_.scene, {.folders = def_.folders, .overrides = def_.overrides}, faults);
+    if (opened) {
+        opened->description.accuracy = study::resolve_auto(*opened);
+        return opened;
+    }
     log_errors(faults);
     // Whatever is mended first, one of these will change.
     for (const Diagnostic& fault : faults.list()) watch(fault.file, scene::FileUse::Scene);

@@ -1,16 +1,13 @@
 #include "engine/effects/advance.h"
 
-#include "engine/scene/simulation/motion_demand.h"
-
 namespace plumbline::effects {
 
 void advance(scene::Simulation& simulation,
              EffectRuntime& effects,
              scene::Game& game,
              const Actions& actions) {
-    simulation.remember_poses();                              // so that drawing can blend
-    game.act(simulation, actions);                            // intent becomes forces
-    simulation.motion_demand = motion_demand_of(simulation);  // who is fast, who spins
+    simulation.remember_poses();           // so that drawing can blend
+    game.act(simulation, actions);         // intent becomes forces
     effects.refresh(simulation);           // made or destroyed as callers come and go
     effects.before_step(simulation);       // so do wind, water, magnets
     simulation.step();                     // contacts, then new poses

@@ -95,8 +95,10 @@ EffectRuntime::EffectRuntime(scene::Simulation& simulation,
     impl_->served = served;
     impl_->table = table;
     impl_->slots.resize(table.size());
-    simulation.set_features(
-        {.continuous_collision = false, .gyroscopic_torque = false, .contact_events = false});
+    simulation.set_features({.continuous_collision = served.without != "continuous_collision",
+                             .gyroscopic_torque = served.without != "gyroscopic_torque",
+                             .gyro_waits_for_spin = true,
+                             .contact_events = false});
     refresh(simulation);
 }
 
@@ -113,6 +115,9 @@ void EffectRuntime::before_step(scene::Simulation& simulation) {
 }
 
 void EffectRuntime::after_step(scene::Simulation& simulation, const scene::Game& game) {
+    for (std::size_t row = 0; row < impl_->slots.size(); ++row) {
+        if (impl_->table[row].domain == Domain::Step) impl_->refresh_row(row, simulation);
+    }
     impl_->each([&](Effect& effect) { effect.after_step(simulation, game); });
 }
 

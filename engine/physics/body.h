@@ -26,6 +26,16 @@ enum class ContinuousCollision : std::uint8_t {
     Off,
 };
 
+/// Which bodies touch each other; both must agree.
+struct CollisionFilter {
+    std::uint32_t group{1};            ///< one bit
+    std::uint32_t collides_with{~0U};  ///< groups
+};
+
+inline bool may_touch(const CollisionFilter& a, const CollisionFilter& b) {
+    return (a.group & b.collides_with) != 0 && (b.group & a.collides_with) != 0;
+}
+
 /// A rigid body as it is asked for. Copied; need not outlive the call. The pose is of the body's
 /// origin, not of its centre of mass.
 struct BodyDef {
@@ -46,10 +56,9 @@ struct BodyDef {
     Vec3 linear_factor{1, 1, 1};  ///< dynamic; world axes: 1 is free, 0 keeps its place along it
     bool can_sleep{true};
     ContinuousCollision ccd{ContinuousCollision::Auto};
-    bool contact_events{false};        ///< list this body's contacts in contacts()
-    std::uint32_t group{1};            ///< one bit
-    std::uint32_t collides_with{~0U};  ///< groups; both bodies must agree
-    std::uint64_t user{0};             ///< the caller's own mark, handed back in hits and events
+    bool contact_events{false};  ///< list this body's contacts in contacts()
+    CollisionFilter filter{};
+    std::uint64_t user{0};  ///< the caller's own mark, handed back in hits and events
 };
 
 /// What a step left of a body.

@@ -46,13 +46,15 @@ struct CharacterState {
     BodyId ground_body{};  ///< what it stands on, when Footing::Ground
     Vec3 ground_normal_world{0, 1, 0};
     bool crouched{false};
+    bool crouch_wanted{false};  ///< else it crouches because there is no room to stand
     Real landing_speed_mps{0};  ///< > 0 in the step in which it touched down
     Real ridden_yaw_rad{0};     ///< how far what it stands on turned it in this step, about +Y
     bool squeezed{false};       ///< something moving leaves it no room at the moment
 
     void serialize(auto& archive) {
         archive(feet_position_m, eye_position_m, velocity_mps, walking_mps, footing, ground_body);
-        archive(ground_normal_world, crouched, landing_speed_mps, ridden_yaw_rad, squeezed);
+        archive(ground_normal_world, crouched, crouch_wanted, landing_speed_mps, ridden_yaw_rad);
+        archive(squeezed);
     }
 };
 

@@ -13,13 +13,13 @@ struct JointTag;
 using JointId = Id<JointTag>;
 
 enum class JointKind : std::uint8_t {
-    Ball,      ///< the anchors coincide
-    Hinge,     ///< ... and the bodies turn about one axis only
-    Slider,    ///< the bodies move along one axis only and do not turn
-    Fixed,     ///< as if glued
-    Cone,      ///< a ball joint whose axis stays within a cone; twist may be bounded too
-    Distance,  ///< the anchors keep a distance, or one between limits
-    Spring,    ///< the anchors are pulled towards a distance
+    BallAndSocket,  ///< the anchors coincide
+    Hinge,          ///< ... and the bodies turn about one axis only
+    Slider,         ///< the bodies move along one axis only and do not turn
+    Fixed,          ///< as if glued
+    Cone,           ///< a ball joint whose axis stays within a cone; twist may be bounded too
+    Distance,       ///< the anchors keep a distance, or one between limits
+    Spring,         ///< the anchors are pulled towards a distance
 };
 
 /// Drives a hinge or a slider towards a speed with at most a torque or force.
@@ -38,7 +38,7 @@ enum class JointMethod : std::uint8_t {
 ///
 /// Angles and displacements are of a against b along `axis_world`, right-handed, zero at creation.
 struct JointDef {
-    JointKind kind{JointKind::Ball};
+    JointKind kind{JointKind::BallAndSocket};
     BodyId a{};
     BodyId b{};  ///< null: the world
     Vec3 anchor_a_world{0, 0, 0};

@@ -58,6 +58,8 @@ struct WorldDef {
 struct WorldFeatures {
     bool continuous_collision{true};
     bool gyroscopic_torque{true};
+    /// A step that begins with no body turning so that the torque shows goes without it.
+    bool gyro_waits_for_spin{false};
     bool contact_events{true};
 };
 
@@ -92,7 +94,9 @@ struct StepCost {
 struct FeatureUse {
     std::uint32_t swept_bodies{0};  ///< continuous collision
     std::uint32_t gyro_bodies{0};   ///< gyroscopic torque
-    std::uint32_t events{0};        ///< contact events listed
+    BodyId swept{};                 ///< the first of them
+    BodyId turned{};
+    std::uint32_t events{0};  ///< contact events listed
     double sweep_ms{0};
     double gyro_ms{0};
     double events_ms{0};
@@ -116,23 +120,21 @@ struct Energy {
     double total_J() const { return kinetic_J + potential_J; }
 };
 
-class PhysicsWorld {
+struct WorldState;
+
+// What callers see of a world, by what they want of it. PhysicsWorld is all of it; a function that
+// only asks may take WorldQueries alone.
+
+/// Bodies: made, moved, pushed, frozen and taken out.
+///
+/// Numbers that are not finite are taken as they come: a dynamic body that gets one is quarantined
+/// before the next step, others do not obey the call.
+class WorldBodies {
 public:
-    explicit PhysicsWorld(const WorldDef& def);
-    ~PhysicsWorld();
-    PhysicsWorld(const PhysicsWorld&) = delete;
-    PhysicsWorld& operator=(const PhysicsWorld&) = delete;
-
-    // --- shapes: shared by any number of bodies, kept until the world goes
-    /// Refuses sizes outside limits.h, non-finite numbers, bad triangle indices, empty compounds
-    /// and meshes within compounds. Warnings (thin hulls and so on) go to `notes` when given.
-    Result<ShapeId> create_shape(const ShapeDef& def, std::vector<std::string>* notes = nullptr);
-
-    // --- bodies
-    // Numbers that are not finite are taken as they come: a dynamic body that gets one is
-    // quarantined before the next step, others do not obey the call.
     BodyId create_body(const BodyDef& def);
     void destroy_body(BodyId id);  ///< its joints go too; what rested on it wakes
+    /// The next body made gets this id. False where another body has its place.
+    bool reserve_body(BodyId id);
     bool contains(BodyId id) const;
     std::size_t body_count() const;
     std::size_t awake_count() const;
@@ -156,14 +158,22 @@ public:
     void apply_torque(BodyId id, const Vec3& torque_Nm);
     void apply_impulse(BodyId id, const Vec3& impulse_Ns);
     void apply_impulse_at(BodyId id, const Vec3& impulse_Ns, const Vec3& point_world);
-    void set_frozen(
-        BodyId id,
-        bool frozen);  ///< a frozen body stands as if static and keeps its mass for later
+    /// A frozen body stands as if static and keeps its mass for later.
+    void set_frozen(BodyId id, bool frozen);
     bool frozen(BodyId id) const;
     void set_contact_events(BodyId id, bool listed);
     void wake(BodyId id);
 
-    // --- joints; they go with either body, also when it is quarantined
+protected:
+    explicit WorldBodies(WorldState& world) : world_(world) {}
+
+private:
+    WorldState& world_;
+};
+
+/// Joints; they go with either body, also when it is quarantined.
+class WorldJoints {
+public:
     /// Holds two bodies, or one and the world, as they are now. Both wake. Refused: no body that
     /// could ever move, a body and itself, an axis without direction, limits that cross, numbers
     /// that are not finite or of the wrong sign.
@@ -176,52 +186,21 @@ public:
     /// Hinge and slider: drives it, or with none lets it go. Both bodies wake. Other kinds, and
     /// numbers that are not finite or a negative maximum, change nothing.
     void set_joint_motor(JointId id, const std::optional<JointMotor>& motor);
-
-    // --- time
-    /// One fixed step. Bodies whose state is not finite are taken out first, counted and left
-    /// where they last were finite; the rest goes on as if they had not been there.
-    void step();
-    void set_features(const WorldFeatures& features);
-    const WorldDef& def() const;
-    /// Another solver, rate or gravity from the next step on. Ids, bodies, shapes, joints and what is
-    /// frozen or taken out stay. From small_step to small_step contacts and joints go on carrying what
-    /// they did, and what sleeps sleeps on unless gravity changed. With another solver, and with any
-    /// bullet_*, contact points are found anew and everything wakes: what follows is, bit for bit, what
-    /// a new world made from the present states would do.
-    void reconfigure(const WorldDef& def);
-
-    /// Everything that decides how it goes on, to the bit. When read: into a world that holds bodies of
-    /// the same ids and shapes; its joints are replaced, and what fails leaves it fit only to be thrown
-    /// away.
-    /// When written with `keeps`: only the bodies that it keeps and what is between them, for a world
-    /// that has just these.
-    void serialize(Archive& archive, const std::function<bool(BodyId)>& keeps = {});
-    /// The next body made gets this id. False where another body has its place.
-    bool reserve_body(BodyId id);
-
-    // --- what the latest step left; spans are overwritten by the next
-    /// Touching pairs, in a reproducible order. Those that sleep are listed as they fell asleep.
-    std::span<const ContactEvent> contacts() const;
-    /// Every touching pair whether or not a body asked for events, for state files; not free.
-    std::vector<ContactEvent> all_contacts() const;
-    const StepCost& cost() const;
-    const FeatureUse& feature_use() const;
-    /// Islands that were solved, in the order of their first bodies. small_step only.
-    std::span<const IslandReport> islands() const;
-    /// Bodies taken out for a non-finite state, in the order it happened.
-    std::span<const BodyId> quarantined() const;
     /// Joints that broke in the latest step, in the order of their ids. They stay, and carry
     /// nothing, until destroyed.
     std::span<const JointId> broken_joints() const;
+    double max_joint_error_m() const;  ///< of joints that are not broken; walks all
 
-    // --- totals; they walk all bodies
-    Energy energy() const;
-    Vec3d momentum_kgmps() const;
-    Vec3d angular_momentum_kgm2ps() const;  ///< about the world's origin
-    double max_penetration_m() const;       ///< deepest contact point of the latest step; 0 if none
-    double max_joint_error_m() const;       ///< of joints that are not broken
+protected:
+    explicit WorldJoints(WorldState& world) : world_(world) {}
 
-    // --- questions
+private:
+    WorldState& world_;
+};
+
+/// Questions about where bodies are.
+class WorldQueries {
+public:
     /// The first body met from outside; one that the ray starts in is not met.
     std::optional<RayHit> cast_ray(const Vec3& from_world,
                                    const Vec3& to_world,
@@ -247,13 +226,89 @@ public:
     /// Outlines of every collision shape, coloured by kind and sleep, and contact normals. The capsule
     /// of a character round the eye, if one is given, is left out: it would be all there is to see.
     void add_debug_lines(LineList& lines, const std::optional<Vec3>& eye_world = {}) const;
-
     /// The box along the world's axes round every body, as the broad phase compares them.
     void add_box_lines(LineList& lines, const std::optional<Vec3>& eye_world = {}) const;
 
+protected:
+    explicit WorldQueries(WorldState& world) : world_(world) {}
+
 private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    WorldState& world_;
+};
+
+/// What the latest step left, and totals. Spans are overwritten by the next step; totals walk all
+/// bodies.
+class WorldReport {
+public:
+    /// Touching pairs, in a reproducible order. Those that sleep are listed as they fell asleep.
+    std::span<const ContactEvent> contacts() const;
+    /// Every touching pair whether or not a body asked for events, for state files; not free.
+    std::vector<ContactEvent> all_contacts() const;
+    const StepCost& cost() const;
+    const FeatureUse& feature_use() const;
+    /// Islands that were solved, in the order of their first bodies. small_step only.
+    std::span<const IslandReport> islands() const;
+    /// Bodies taken out for a non-finite state, in the order it happened.
+    std::span<const BodyId> quarantined() const;
+
+    Energy energy() const;
+    Vec3d momentum_kgmps() const;
+    Vec3d angular_momentum_kgm2ps() const;  ///< about the world's origin
+    double max_penetration_m() const;       ///< deepest contact point of the latest step; 0 if none
+
+protected:
+    explicit WorldReport(WorldState& world) : world_(world) {}
+
+private:
+    WorldState& world_;
+};
+
+/// Holds what the parts of a world's face share: its first base.
+class WorldOwner {
+protected:
+    explicit WorldOwner(const WorldDef& def);
+    ~WorldOwner();
+
+    std::unique_ptr<WorldState> state_;
+};
+
+class PhysicsWorld : private WorldOwner,
+                     public WorldBodies,
+                     public WorldJoints,
+                     public WorldQueries,
+                     public WorldReport {
+public:
+    explicit PhysicsWorld(const WorldDef& def);
+    ~PhysicsWorld();
+    PhysicsWorld(const PhysicsWorld&) = delete;
+    PhysicsWorld& operator=(const PhysicsWorld&) = delete;
+
+    using WorldBodies::contains;
+    using WorldJoints::contains;
+
+    /// Shared by any number of bodies, kept until the world goes. Refuses sizes outside limits.h,
+    /// non-finite numbers, bad triangle indices, empty compounds and meshes within compounds.
+    /// Warnings (thin hulls and so on) go to `notes` when given.
+    Result<ShapeId> create_shape(const ShapeDef& def, std::vector<std::string>* notes = nullptr);
+
+    /// One fixed step. Bodies whose state is not finite are taken out first, counted and left
+    /// where they last were finite; the rest goes on as if they had not been there.
+    void step();
+    void set_features(const WorldFeatures& features);
+    const WorldDef& def() const;
+    /// Another solver, rate or gravity from the next step on. Ids, bodies, shapes, joints and what is
+    /// frozen or taken out stay. From small_step to small_step and from any bullet_* to any other,
+    /// contacts and joints go on carrying what they did, and what sleeps sleeps on unless gravity
+    /// changed. Between small_step and bullet_* contact points are found anew and everything wakes:
+    /// what follows is, bit for bit, what a new world made from the present states would do.
+    void reconfigure(const WorldDef& def);
+
+    /// Everything that decides how it goes on, to the bit. When read: into a world that holds bodies of
+    /// the same ids and shapes; its joints are replaced, and what fails leaves it fit only to be thrown
+    /// away.
+    /// When written with `keeps`: only the bodies that it keeps and what is between them, for a world
+    /// that has just these.
+    void serialize(Archive& archive, const std::function<bool(BodyId)>& keeps = {});
 };
 
 /// The most sub-steps that any island got in the latest step; what is asked for where none was.

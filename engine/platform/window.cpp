@@ -49,7 +49,7 @@ Error no_display_error(const std::string& words) {
                                   : fmt::format("DISPLAY={} does not answer", display);
     return {.message = fmt::format("no display: {} ({}). Set DISPLAY, or draw without a screen: "
                                    "./play renders a tour into out/, plumbline render SCENE "
-                                   "--out FILE.png one picture",
+                                   "--out FILE.png one image",
                                    state,
                                    words),
             .exit_code = ExitCode::NoDisplay};

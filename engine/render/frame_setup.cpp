@@ -177,10 +177,10 @@ void Renderer::Impl::size_targets() {
             nothing_to_draw = true;
             return;
         }
-        log_warning("{}: {}",
-                    sized.error().message,
-                    given_up_ == 0 ? "half the render scale is tried"
-                                   : "the lowest picture level is tried");
+        log_warning(
+            "{}: {}",
+            sized.error().message,
+            given_up_ == 0 ? "half the render scale is tried" : "the lowest image level is tried");
     }
 }
 
@@ -189,14 +189,14 @@ Result<Done> Renderer::Impl::try_scene_targets() {
     const auto longer_px = static_cast<float>(std::max(width_px, height_px));
     const float scale = std::min(std::clamp(quality.render_scale, 0.1F, 1.0F),
                                  static_cast<float>(limits.texture_px) / longer_px);
-    const PixelSize picture_px{scaled_px(width_px, scale, limits.texture_px),
-                               scaled_px(height_px, scale, limits.texture_px)};
+    const PixelSize image_px{scaled_px(width_px, scale, limits.texture_px),
+                             scaled_px(height_px, scale, limits.texture_px)};
     const std::uint32_t samples =
-        std::clamp(limits.texture_px / std::max(picture_px.width, picture_px.height),
+        std::clamp(limits.texture_px / std::max(image_px.width, image_px.height),
                    1U,
                    quality.anti_aliasing == AntiAliasing::Ssaa4 ? 2U : 1U);
-    post_view = {.scene_px = {picture_px.width * samples, picture_px.height * samples},
-                 .picture_px = picture_px,
+    post_view = {.scene_px = {image_px.width * samples, image_px.height * samples},
+                 .image_px = image_px,
                  .present_px = {width_px, height_px},
                  .bloom = frame->post && frame->post->bloom > 0.0F && limits.half_float_targets,
                  .tone_curve = frame->post.has_value(),
@@ -216,7 +216,7 @@ Result<Done> Renderer::Impl::try_scene_targets() {
     if (limits.target_bytes > 0 &&
         SceneTarget::bytes_for(size_px, light_format(), post_view.samples) > limits.target_bytes) {
         return Error{fmt::format(
-            "the driver has no memory for a picture of {} x {}", size_px.width, size_px.height)};
+            "the driver has no memory for an image of {} x {}", size_px.width, size_px.height)};
     }
     const Result<Done> sized = scene_target.resize(size_px, light_format(), post_view.samples);
     return sized ? post.resize(post_view) : sized;

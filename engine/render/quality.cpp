@@ -75,8 +75,8 @@ std::uint32_t samples_of(AntiAliasing way) {
 }
 
 std::optional<QualityLevel> quality_level_named(std::string_view name) {
-    for (std::size_t i = 0; i < kPictureLevelNames.size(); ++i) {
-        if (kPictureLevelNames[i] == name) return static_cast<QualityLevel>(i);
+    for (std::size_t i = 0; i < kImageLevelNames.size(); ++i) {
+        if (kImageLevelNames[i] == name) return static_cast<QualityLevel>(i);
     }
     return std::nullopt;
 }

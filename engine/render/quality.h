@@ -13,7 +13,7 @@ namespace plumbline::render {
 
 enum class QualityLevel : std::uint8_t { Low, Medium, High };
 
-inline constexpr std::array<std::string_view, 3> kPictureLevelNames{"low", "medium", "high"};
+inline constexpr std::array<std::string_view, 3> kImageLevelNames{"low", "medium", "high"};
 
 /// How the edges of things are smoothed. Fxaa: in the finished image. Msaa: the scene's image keeps
 /// so many samples of each pixel that an edge crosses: little on a GPU, much on a CPU. Ssaa4: the scene
@@ -63,7 +63,7 @@ Quality without_gpu(Quality quality);
 /// "low", "medium", "high"; nothing for other words.
 std::optional<QualityLevel> quality_level_named(std::string_view name);
 inline std::string_view name_of(QualityLevel level) {
-    return kPictureLevelNames[static_cast<std::size_t>(level)];
+    return kImageLevelNames[static_cast<std::size_t>(level)];
 }
 
 /// What such an image lacks, for the statistics: "render scale 60 %, surface maps"; empty: nothing.

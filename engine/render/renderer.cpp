@@ -280,7 +280,7 @@ void Renderer::post() {
         r.post.render_bloom(light, r.triangle, r.scene, r.stats);
     }
     r.adapt_exposure();
-    const gl::PassTimers::Scope timed(r.timers, "picture");
+    const gl::PassTimers::Scope timed(r.timers, "image");
     r.post.render_image(light,
                         r.scene_target.depth(),
                         r.post_view,

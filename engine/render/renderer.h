@@ -26,7 +26,7 @@ struct GlInfo {
 /// One pass of the latest frame. Passes that did not run are not listed.
 struct PassTiming {
     std::string_view
-        name;  ///< "shadow.sun", "shadow.flashlight", "shadow.lights", "opaque", "sky", "refraction", "translucent", "drops", "resolve", "occlusion", "shafts", "focus", "motion_blur", "post.bloom", "picture", "lines", "ui"
+        name;  ///< "shadow.sun", "shadow.flashlight", "shadow.lights", "opaque", "sky", "refraction", "translucent", "drops", "resolve", "occlusion", "shafts", "focus", "motion_blur", "post.bloom", "image", "lines", "ui"
     double cpu_ms{0};   ///< of the calling thread
     double gpu_ms{-1};  ///< timer query of an earlier frame; -1 where the driver has none
 };
@@ -115,5 +115,17 @@ private:
     explicit Renderer(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
+
+/// All passes of a frame, where nothing is drawn over it.
+inline void draw(Renderer& renderer, const RenderFrame& frame) {
+    renderer.begin(frame);
+    renderer.shadows();
+    renderer.opaque();
+    renderer.sky();
+    renderer.translucent();
+    renderer.post();
+    renderer.lines();
+    renderer.end();
+}
 
 }  // namespace plumbline::render

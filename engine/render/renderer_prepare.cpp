@@ -35,8 +35,7 @@ void Renderer::prepare(const RenderFrame& frame, const std::function<void(float 
     r.scene.meshes.load(meshes, on_each);
     std::set<FeatureSet> variants;
     for (const auto& [mesh, look] : looks) {
-        const bool sways = r.scene.meshes.get(mesh).sways;
-        const FeatureSet features = sways ? r.features : r.features & ~feature::kWind;
+        const FeatureSet features = features_with(r.features, r.scene.meshes.get(mesh));
         variants.insert(variant_of(look, features));
         variants.insert(variant_of(look, features & ~kFlashlightFeatures));
         if ((features & feature::kLightShadows) != 0)

@@ -87,7 +87,7 @@ struct PointLight {
 
 /// What a lamp that waits for the dark looks like by day: its Visual's materials without what they
 /// emit.
-struct LampLook {
+struct LampAppearance {
     std::vector<assets::MaterialId> off;
 };
 
@@ -103,7 +103,7 @@ struct AmbientSound {
 };
 
 /// Worn in place of the Visual's own materials while the body touches another.
-struct ContactLook {
+struct ContactAppearance {
     assets::MaterialId material{};
     std::vector<assets::MaterialId> own;  ///< kept while it is worn
     bool touches{false};

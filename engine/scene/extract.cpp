@@ -32,7 +32,7 @@ void add_items(const Simulation& simulation,
          simulation.registry.view<const Visual, const Transform>()) {
         if (simulation.registry.has<PlayingModel>(entity)) continue;  // an effect draws its parts
         const Pose pose = drawn_pose(simulation, entity, transform, blend_share);
-        const LampLook* lamp = simulation.registry.find<LampLook>(entity);
+        const LampAppearance* lamp = simulation.registry.find<LampAppearance>(entity);
         const bool is_off =
             lamp != nullptr &&
             lamp_share(simulation.registry.get<PointLight>(entity).on, dark) < 0.05F;

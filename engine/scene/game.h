@@ -71,7 +71,7 @@ public:
     virtual std::span<const FootstepEvent> footsteps() const { return {}; }
     /// Something is in the player's hand: a toggled grab that finds or keeps nothing is let go.
     virtual bool holds() const { return false; }
-    /// The player crouches: a toggled crouch goes on after a load.
+    /// The player wants to crouch: a toggled crouch goes on after a load.
     virtual bool crouches() const { return false; }
     /// The pointer stays the person's: the view follows it while a button is down.
     virtual bool frees_pointer() const { return false; }

@@ -22,7 +22,7 @@ public:
     void add_material(const assets::MaterialData& material) {
         for (const fs::path& map :
              {material.base_color_map, material.normal_map, material.orm_map, material.height_map})
-            add(map, FileUse::Picture);
+            add(map, FileUse::Image);
     }
     void add_entity(const EntityDescription& entity) {
         if (const auto* model = std::get_if<ModelVisual>(&entity.visual))
@@ -52,7 +52,7 @@ std::vector<FileStamp> files_of(const SceneDescription& scene, const fs::path& s
     for (const ArrayDescription& array : scene.arrays) list.add_entity(array.prefab);
     for (const auto& [name, prefab] : scene.prefabs) list.add_entity(prefab);
     for (const auto& [name, material] : scene.materials) list.add_material(material);
-    if (scene.sky) list.add_folder(scene.sky->folder, FileUse::Picture);
+    if (scene.sky) list.add_folder(scene.sky->folder, FileUse::Image);
     return list.take();
 }
 
@@ -102,15 +102,13 @@ Result<OpenedScene> open_scene(const fs::path& file,
     const fs::path surfaces = options.folders.config / "surfaces.toml";
     OpenedScene opened{.overrides = options.overrides};
     opened.surfaces = load_surfaces(surfaces, options.folders.assets, faults);
-    Result<SceneDescription> description = load_scene(file, options.folders.assets, faults);
+    Result<SceneDescription> description = read_description(file, options.folders.assets, faults);
     if (!description) return description.error();
     opened.description = std::move(*description);
     for (std::size_t i = known; i < faults.list().size(); ++i)
         opened.warnings.push_back(to_string(faults.list()[i]));
     opened.files = files_of(opened.description, surfaces);
     put_over(options.overrides, opened.description.accuracy);
-    if (options.resolve_auto && opened.description.accuracy.preset == "auto")
-        opened.description.accuracy = options.resolve_auto(opened);
     return opened;
 }
 

@@ -8,7 +8,6 @@
 #include "engine/scene/simulation.h"
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,7 +19,7 @@ enum class FileUse : std::uint8_t {
     Scene,     ///< the scene file itself and what it includes
     Surfaces,  ///< config/surfaces.toml
     Model,
-    Picture,  ///< a material's map, a face of the sky
+    Image,  ///< a material's map, a face of the sky
     Sound,
 };
 
@@ -39,7 +38,9 @@ bool unchanged(std::span<const FileStamp> files);
 
 /// A scene as read, with everything that a world of it is built from but the loaded assets.
 struct OpenedScene {
-    SceneDescription description{};  ///< overrides applied, "auto" resolved
+    /// Overrides applied. preset = "auto" is the numbers of "balanced", unless better ones are put in
+    /// before build().
+    SceneDescription description{};
     SurfaceTable surfaces{};
     SimulationOverrides overrides{};
     std::vector<std::string> warnings{};  ///< of the files, as messages show them
@@ -56,9 +57,6 @@ struct OpenedScene {
 struct OpenOptions {
     DataFolders folders;
     SimulationOverrides overrides{};
-    /// What preset = "auto" stands for, asked once the overrides are in the description. None: the
-    /// numbers of "balanced".
-    std::function<Accuracy(const OpenedScene&)> resolve_auto{};
 };
 
 /// Reads a scene file or a model. Every fault of the files goes to `faults`; the error (exit code 4)

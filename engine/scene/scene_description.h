@@ -266,7 +266,7 @@ using physics::JointKind;
 
 struct JointDescription {
     std::string name;
-    JointKind kind{JointKind::Ball};
+    JointKind kind{JointKind::BallAndSocket};
     std::string a;
     std::string b;             ///< "world" or an entity
     Vec3 anchor_a_m{0, 0, 0};  ///< world, at the start

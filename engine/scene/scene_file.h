@@ -14,9 +14,9 @@ namespace plumbline::scene {
 /// (.glb .gltf .obj .ply .stl .dae .fbx), which gets a ground plane, a sun and a camera. Faults go to `faults`; the result is an error (exit code 4,
 /// first fault in the message) when any of them is one. Of a .toml it reads no model, image or sound: it checks
 /// only that they exist and lie inside `assets_folder` or the scene's own folder.
-Result<SceneDescription> load_scene(const std::filesystem::path& file,
-                                    const std::filesystem::path& assets_folder,
-                                    Diagnostics& faults);
+Result<SceneDescription> read_description(const std::filesystem::path& file,
+                                          const std::filesystem::path& assets_folder,
+                                          Diagnostics& faults);
 
 /// Imports the models of a loaded scene and tells what is wrong with them (errors, each once, at the
 /// entity that shows it).

@@ -13,7 +13,6 @@
 #include "engine/scene/components.h"
 #include "engine/scene/scene_description.h"
 #include "engine/scene/simulation/contact_listeners.h"
-#include "engine/scene/simulation/motion_demand.h"
 #include "engine/scene/surfaces.h"
 
 #include <cstdint>
@@ -71,9 +70,7 @@ struct MovingBody {
     physics::ShapeId shape{};
     bool convex{true};       ///< the shape may be swept and asked for overlaps
     Real inner_radius_m{0};  ///< of a ball that fits into the shape
-    physics::ContinuousCollision ccd{physics::ContinuousCollision::Auto};
-    bool spherical_inertia{true};
-    bool awake{true};  ///< after the latest step
+    bool awake{true};        ///< after the latest step
 };
 
 /// A joint of the scene file.
@@ -121,7 +118,6 @@ public:
     std::vector<audio::SoundCue> cues;  ///< asked for since the last frame took them
     std::vector<std::string> warnings;
     ContactListeners contact_listeners;  ///< contact events are made while there are any
-    MotionDemand motion_demand;          ///< for the step that comes
 
     const SceneDescription& description() const { return description_; }
     const SurfaceTable& surfaces() const { return surfaces_; }

@@ -19,7 +19,7 @@ constexpr std::string_view kFilesAndCodes = R"(.SH FILES
 Your settings and controls. A missing file means the settings that are shipped.
 .TP
 .I $XDG_DATA_HOME/plumbline, ~/.local/share/plumbline
-Pictures and recordings.
+Images and recordings.
 .TP
 .I $XDG_CACHE_HOME/plumbline, ~/.cache/plumbline
 Studies of scenes; they can be made again.

@@ -20,9 +20,9 @@ constexpr int kFramesOfAPass = 6;
 constexpr int kFramesToWarmUp = 2;
 
 /// Draws the scene with and without an effect of the image, in turns.
-class EffectPictures {
+class EffectImages {
 public:
-    explicit EffectPictures(OffscreenStudio studio) : studio_(std::move(studio)) {}
+    explicit EffectImages(OffscreenStudio studio) : studio_(std::move(studio)) {}
 
     /// One line for each effect of the image that something calls for.
     std::vector<study::EffectCost> measure(int pairs) {
@@ -94,16 +94,16 @@ ExitCode run_effects_study(const std::filesystem::path& scene, std::optional<dou
     if (!interrupted()) {
         Result<OffscreenStudio> studio = OffscreenStudio::open(scene);
         if (studio) {
-            std::vector<study::EffectCost> picture =
-                EffectPictures(std::move(*studio)).measure(run.pairs);
-            costs->insert(costs->begin(), picture.begin(), picture.end());
+            std::vector<study::EffectCost> image =
+                EffectImages(std::move(*studio)).measure(run.pairs);
+            costs->insert(costs->begin(), image.begin(), image.end());
         } else {
-            log_warning("effects of the picture are left out: {}", studio.error().message);
+            log_warning("effects of the image are left out: {}", studio.error().message);
         }
     }
     std::cout << study::effects_text(run, *costs);
     std::cout << fmt::format(
-                     "Pictures are {} x {}; what a GPU does beside the CPU is not in their ms.\n",
+                     "Images are {} x {}; what a GPU does beside the CPU is not in their ms.\n",
                      kStudioWidth_px,
                      kStudioHeight_px)
               << std::flush;

@@ -56,7 +56,7 @@ Result<study::LightImage> make_reference(OffscreenStudio& studio) {
     frame.sun_reaches_ground = false;
     const Result<assets::ImageData> without_sun = drawn(studio, frame);
     if (!without_sun) return without_sun.error();
-    return study::reference_picture(*in_sun, *without_sun, kSamplesPerSide, is_shaded);
+    return study::reference_image(*in_sun, *without_sun, kSamplesPerSide, is_shaded);
 }
 
 /// CPU ms of a frame, of all threads, while the scene goes on; the last one is read back, so that all
@@ -94,8 +94,7 @@ void measure_cost(OffscreenStudio& studio,
 
 }  // namespace
 
-Result<ImageStudy> study_picture(const std::filesystem::path& scene,
-                                 std::optional<double> seconds) {
+Result<ImageStudy> study_image(const std::filesystem::path& scene, std::optional<double> seconds) {
     Result<OffscreenStudio> studio = OffscreenStudio::open(scene);
     if (!studio) return studio.error();
     const double steps = seconds.value_or(kUsual_s) / studio->session->simulation->step_s();
@@ -114,11 +113,11 @@ Result<ImageStudy> study_picture(const std::filesystem::path& scene,
     for (const study::ImageVariant& variant : variants) {
         render::RenderFrame frame = high;
         variant.apply(frame);
-        const Result<assets::ImageData> picture = drawn(*studio, frame);
-        if (!picture) return picture.error();
+        const Result<assets::ImageData> image = drawn(*studio, frame);
+        if (!image) return image.error();
         made.findings.rows.push_back(
             {.name = variant.name,
-             .error = study::image_error(study::light_of(*picture), made.reference)});
+             .error = study::image_error(study::light_of(*image), made.reference)});
     }
     study::ProgressBar bar(study::ProgressBar::Shown::Yes);
     const double start_s = wall_s();

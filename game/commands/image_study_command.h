@@ -17,6 +17,6 @@ struct ImageStudy {
 };
 
 /// Draws the scene as it is after `seconds` (not given: 2) from its own camera. No usable GL: exit code 3.
-Result<ImageStudy> study_picture(const std::filesystem::path& scene, std::optional<double> seconds);
+Result<ImageStudy> study_image(const std::filesystem::path& scene, std::optional<double> seconds);
 
 }  // namespace plumbline::game

@@ -38,7 +38,7 @@ ExitCode check_file(const std::filesystem::path& file, const DataFolders& folder
     } else {
         when_bad = ExitCode::Refused;
         const Result<scene::SceneDescription> scene =
-            scene::load_scene(file, folders.assets, faults);
+            scene::read_description(file, folders.assets, faults);
         // What is wrong with the file as a whole is in the error alone.
         if (!scene && faults.list().empty())
             std::cout << printable_lines(scene.error().message) << '\n';
@@ -76,7 +76,7 @@ ExitCode run_explain(const std::string& scene_name, bool as_json) {
         (*run)->simulate(steps);
         if (const Result<Done> drawn = (*run)->draw(view); !drawn) return refuse(drawn.error());
     } else {
-        log_note("no picture: {}", run.error().message);
+        log_note("no image: {}", run.error().message);
         for (std::uint64_t i = 0; i < steps; ++i) {
             effects::advance(simulation, *(*session)->effects, *(*session)->game, {});
         }

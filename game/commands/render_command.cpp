@@ -109,7 +109,7 @@ scene::ViewPoint turned(scene::ViewPoint view,
 }
 
 /// Where the image goes; empty when only a report, a film or all frames are asked for. Found to be writable.
-Result<std::filesystem::path> picture_file(const RenderOptions& options) {
+Result<std::filesystem::path> image_file(const RenderOptions& options) {
     std::filesystem::path file = wants_folder(options) ? std::filesystem::path() : options.out;
     if (options.out.empty() && options.report.empty() && options.video.empty()) {
         const std::string name = std::filesystem::path(options.scene).stem().string();
@@ -177,8 +177,8 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
         if (!read) return refuse(read.error());
         path = std::move(*read);
     }
-    const Result<std::filesystem::path> picture = picture_file(options);
-    if (!picture) return refuse(picture.error());
+    const Result<std::filesystem::path> image = image_file(options);
+    if (!image) return refuse(image.error());
     Result<Studio> studio = open_studio(options.scene,
                                         options.size,
                                         {.shader_folder = {},
@@ -198,12 +198,12 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
     if (const Result<Done> drawn = draw_frames(options, *studio, view, path); !drawn)
         return refuse(drawn.error());
     const app::OffscreenRun& run = *studio->run;
-    if (!picture->empty()) {
-        if (const Result<Done> written = assets::write_png(*picture, run.pixels()); !written) {
+    if (!image->empty()) {
+        if (const Result<Done> written = assets::write_png(*image, run.pixels()); !written) {
             return refuse(written.error());
         }
     }
-    if (options.out.empty() && !picture->empty()) std::cout << printable(picture->string()) << '\n';
+    if (options.out.empty() && !image->empty()) std::cout << printable(image->string()) << '\n';
     if (!options.report.empty()) {
         if (const Result<Done> written = write_output(options.report, run.report_json());
             !written) {
@@ -220,7 +220,7 @@ ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
     if (!studio) return refuse(studio.error());
 
     const scene::SceneDescription& scene = studio->session->simulation->description();
-    std::vector<assets::ImageData> pictures;
+    std::vector<assets::ImageData> images;
     for (const scene::ViewDescription& stop : tour_stops(scene)) {
         scene::LiveSwitches& switches = studio->session->simulation->switches;
         switches.turn("flashlight", stop.flashlight);
@@ -232,16 +232,16 @@ ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
         const Result<Done> drawn =
             studio->run->draw(view_from(stop.position_m, stop.target_m, scene.camera.fov_y_rad));
         if (!drawn) return refuse(drawn.error());
-        pictures.push_back(studio->run->pixels());
+        images.push_back(studio->run->pixels());
         const std::filesystem::path file =
-            options.out / fmt::format("{:02}_{}.png", pictures.size(), stop.name);
-        if (const Result<Done> written = assets::write_png(file, pictures.back()); !written) {
+            options.out / fmt::format("{:02}_{}.png", images.size(), stop.name);
+        if (const Result<Done> written = assets::write_png(file, images.back()); !written) {
             return refuse(written.error());
         }
         std::cout << printable(file.string()) << '\n';
     }
     const std::filesystem::path sheet = options.out / kSheet;
-    if (const Result<Done> written = assets::write_png(sheet, contact_sheet(pictures)); !written) {
+    if (const Result<Done> written = assets::write_png(sheet, contact_sheet(images)); !written) {
         return refuse(written.error());
     }
     std::cout << "all of them on one sheet: " << printable(sheet.string()) << '\n';

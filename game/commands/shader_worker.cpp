@@ -62,10 +62,10 @@ std::vector<const render::DrawItem*> looks_of(const render::RenderFrame& frame,
 }
 
 /// The item alone, a metre large, in that light.
-render::RenderFrame picture_of(const render::RenderFrame& scene,
-                               const render::DrawItem& item,
-                               const Aabb& bounds,
-                               const Light& light) {
+render::RenderFrame image_of(const render::RenderFrame& scene,
+                             const render::DrawItem& item,
+                             const Aabb& bounds,
+                             const Light& light) {
     render::RenderFrame frame;
     frame.width_px = kWidth_px;
     frame.height_px = kHeight_px;
@@ -107,7 +107,7 @@ Result<Done> draw_all(OffscreenStudio& studio) {
             studio.run->forget_programs();
             for (const render::DrawItem* item : looks) {
                 render::RenderFrame frame =
-                    picture_of(scene, *item, library.mesh(item->mesh).bounds, light);
+                    image_of(scene, *item, library.mesh(item->mesh).bounds, light);
                 frame.quality = render::quality_of(level);
                 frame.quality.lod_error_px = 0.0F;  // coarser meshes have the same shaders
                 frame.quality.smallest_px = 0.0F;

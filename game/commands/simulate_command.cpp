@@ -47,14 +47,14 @@ Result<Done> load(const SimulateOptions& options, World& world) {
                                          .step_hz = options.step_hz,
                                          .substeps = options.substeps,
                                          .iterations = options.iterations,
-                                         .seed = options.seed},
-                           .resolve_auto = study::resolve_auto},
+                                         .seed = options.seed}},
                           faults);
     if (!opened) {
         for (const Diagnostic& fault : faults.list()) log_error("{}", to_string(fault));
         return opened.error();
     }
     world.opened = std::move(*opened);
+    world.opened->description.accuracy = study::resolve_auto(*world.opened);
     Result<std::unique_ptr<scene::Simulation>> built = world.opened->build(world.library);
     if (!built) return built.error();
     world.simulation = std::move(*built);

@@ -25,8 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 using physics::Solver;
 
-constexpr int kPictureWidth_px = 240;
-constexpr int kPictureHeight_px = 150;
+constexpr int kImageWidth_px = 240;
+constexpr int kImageHeight_px = 150;
 
 std::vector<Solver> solvers_of(const StabilityOptions& options) {
     if (options.solver) return {*options.solver};
@@ -119,7 +119,7 @@ CLI::App* add_stability(CLI::App& app, StabilityOptions& options) {
         ->check(CLI::Range(1, 256));
     stability->add_flag("--rates", options.rates, "At 30 and 240 Hz as well");
     stability->add_flag(
-        "!--no-pictures", options.pictures, "Leaves the pictures of the end states out");
+        "!--no-pictures", options.images, "Leaves the images of the end states out");
     stability->add_flag(
         "--expect-green",
         options.expect_green,
@@ -144,9 +144,9 @@ ExitCode run_stability(const StabilityOptions& options) {
     if (!finished) return refuse(finished.error());
     std::cout << study::stability_text(*table);
     if (!options.out.empty()) {
-        if (options.pictures && table->complete && !table->shard) {
-            study::take_pictures(*table, workers, kPictureWidth_px, kPictureHeight_px);
-            if (!table->no_pictures.empty()) log_note("{}", table->no_pictures);
+        if (options.images && table->complete && !table->shard) {
+            study::take_images(*table, workers, kImageWidth_px, kImageHeight_px);
+            if (!table->no_images.empty()) log_note("{}", table->no_images);
         }
         if (const Result<Done> written = write_files(*table, options.out); !written)
             return refuse(written.error());

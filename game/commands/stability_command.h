@@ -25,7 +25,7 @@ struct StabilityOptions {
     std::optional<study::Shard> shard{};       ///< its runs only
     std::vector<std::filesystem::path> merge;  ///< folders of shards: nothing is run
     bool rates{false};                         ///< at 30 and 240 Hz too
-    bool pictures{true};
+    bool images{true};
     bool expect_green{false};
     std::string command;  ///< the command line, for the page
 };

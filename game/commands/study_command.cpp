@@ -197,17 +197,17 @@ ExitCode study_effects(const StudyOptions& options) {
 }
 
 /// The images' part of the findings, printed; each reference beside the page.
-Result<Done> add_pictures(const StudyOptions& options,
-                          const std::vector<fs::path>& scenes,
-                          const fs::path& folder,
-                          study::Findings& findings) {
+Result<Done> add_images(const StudyOptions& options,
+                        const std::vector<fs::path>& scenes,
+                        const fs::path& folder,
+                        study::Findings& findings) {
     for (const fs::path& scene : scenes) {
         if (!findings.complete) break;
-        Result<ImageStudy> made = study_picture(scene, options.seconds);
+        Result<ImageStudy> made = study_image(scene, options.seconds);
         if (!made) return made.error();
-        std::cout << study::picture_text(made->findings) << std::flush;
+        std::cout << study::image_text(made->findings) << std::flush;
         findings.complete = made->complete;
-        findings.pictures.push_back(std::move(made->findings));
+        findings.images.push_back(std::move(made->findings));
         const fs::path file = folder / (scene.stem().string() + "_reference.png");
         if (const Result<Done> written = assets::write_png(file, study::codes_of(made->reference));
             !written)
@@ -276,7 +276,7 @@ ExitCode run_image_study(const StudyOptions& options) {
     const Result<fs::path> folder = output_folder(options);
     if (!folder) return refuse(folder.error());
     study::Findings findings = empty_findings(options);
-    if (const Result<Done> added = add_pictures(options, *scenes, *folder, findings); !added)
+    if (const Result<Done> added = add_images(options, *scenes, *folder, findings); !added)
         return refuse(added.error());
     return finish_study(findings, *folder);
 }
@@ -299,8 +299,8 @@ CLI::App* add_study(CLI::App& app, StudyOptions& options) {
         ->excludes("--shard", "--merge");
     study
         ->add_flag("--picture",
-                   options.picture,
-                   "What a scene's picture costs and how near it comes to one with exact shadows")
+                   options.image,
+                   "What a scene's image costs and how near it comes to one with exact shadows")
         ->excludes("--effects", "--shard", "--merge");
     study->add_option("--jobs", options.jobs, "Runs at once; as many as cores if not given")
         ->check(CLI::Range(1, 256));
@@ -327,7 +327,7 @@ ExitCode run_study(const StudyOptions& options) {
     if (!options.merge.empty()) return merge_study(options);
     catch_interrupts();
     if (options.effects) return study_effects(options);
-    if (options.picture) return run_image_study(options);
+    if (options.image) return run_image_study(options);
     const Result<Chosen> chosen = chosen_by(options);
     if (!chosen) return refuse(chosen.error());
     if (const Result<Done> there = study::check_worker_programs(); !there)

@@ -24,7 +24,7 @@ struct StudyOptions {
     bool quiet{false};
     bool list{false};
     bool effects{false};
-    bool picture{false};
+    bool image{false};
     int jobs{0};  ///< 0: as many as there are cores
     std::optional<double> seconds{};
     std::optional<double> tolerance{};

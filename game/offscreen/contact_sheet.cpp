@@ -15,14 +15,14 @@ constexpr std::uint32_t kShrink = 3;
 constexpr std::uint32_t kGap_px = 6;
 
 /// The mean of the kShrink x kShrink pixels whose corner is (x, y).
-std::array<std::uint8_t, 3> mean_at(const assets::ImageData& picture,
+std::array<std::uint8_t, 3> mean_at(const assets::ImageData& image,
                                     std::uint32_t x,
                                     std::uint32_t y) {
     std::array<std::uint32_t, 3> sum{};
     for (std::uint32_t dy = 0; dy < kShrink; ++dy) {
         for (std::uint32_t dx = 0; dx < kShrink; ++dx) {
-            const std::size_t at = (static_cast<std::size_t>(y + dy) * picture.width + x + dx) * 3;
-            for (std::size_t c = 0; c < 3; ++c) sum[c] += picture.bytes[at + c];
+            const std::size_t at = (static_cast<std::size_t>(y + dy) * image.width + x + dx) * 3;
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += image.bytes[at + c];
         }
     }
     std::array<std::uint8_t, 3> mean{};
@@ -33,12 +33,12 @@ std::array<std::uint8_t, 3> mean_at(const assets::ImageData& picture,
 
 }  // namespace
 
-assets::ImageData contact_sheet(const std::vector<assets::ImageData>& pictures) {
+assets::ImageData contact_sheet(const std::vector<assets::ImageData>& images) {
     assets::ImageData sheet{
         .width = 1, .height = 1, .format = assets::PixelFormat::Rgb8, .bytes = {}};
-    const std::uint32_t width = pictures.empty() ? 0 : pictures.front().width / kShrink;
-    const std::uint32_t height = pictures.empty() ? 0 : pictures.front().height / kShrink;
-    const auto count = static_cast<std::uint32_t>(pictures.size());
+    const std::uint32_t width = images.empty() ? 0 : images.front().width / kShrink;
+    const std::uint32_t height = images.empty() ? 0 : images.front().height / kShrink;
+    const auto count = static_cast<std::uint32_t>(images.size());
     const std::uint32_t columns = std::clamp(count, 1U, kColumns);
     const std::uint32_t rows = std::max(1U, (count + columns - 1) / columns);
     sheet.width = columns * (width + kGap_px) + kGap_px;
@@ -49,7 +49,7 @@ assets::ImageData contact_sheet(const std::vector<assets::ImageData>& pictures) 
         const std::uint32_t top = kGap_px + (i / columns) * (height + kGap_px);
         for (std::uint32_t y = 0; y < height; ++y) {
             for (std::uint32_t x = 0; x < width; ++x) {
-                const auto mean = mean_at(pictures[i], x * kShrink, y * kShrink);
+                const auto mean = mean_at(images[i], x * kShrink, y * kShrink);
                 const std::size_t to =
                     (static_cast<std::size_t>(top + y) * sheet.width + left + x) * 3;
                 std::ranges::copy(mean, sheet.bytes.begin() + static_cast<std::ptrdiff_t>(to));

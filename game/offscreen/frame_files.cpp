@@ -35,12 +35,12 @@ Result<FrameFiles> FrameFiles::open(const FrameFilesDef& def) {
 
 Result<Done> FrameFiles::take(const app::OffscreenRun& run) {
     if (folder_.empty() && !video_) return Done{};
-    assets::ImageData picture = run.pixels(video_ ? video_->spare() : assets::ImageData{});
+    assets::ImageData image = run.pixels(video_ ? video_->spare() : assets::ImageData{});
     if (!folder_.empty()) {
-        const Result<Done> written = assets::write_png(folder_ / name_of_frame(++count_), picture);
+        const Result<Done> written = assets::write_png(folder_ / name_of_frame(++count_), image);
         if (!written) return written;
     }
-    if (video_ && !video_->add(std::move(picture))) return video_->finish();
+    if (video_ && !video_->add(std::move(image))) return video_->finish();
     return Done{};
 }
 

@@ -121,13 +121,13 @@ Vec3 Grab::target_of(const scene::Simulation& simulation, const Aim& aim) const 
         target = {aim.eye_m.x + out.x, target.y, aim.eye_m.z + out.z};
     }
     // Not behind what the eye cannot see past.
-    const Vec3 way = target - aim.eye_m;
-    const Real length = glm::length(way);
+    const Vec3 path = target - aim.eye_m;
+    const Real length = glm::length(path);
     const auto wall = simulation.physics.cast_ray(
         aim.eye_m, target, {.ignored = aim.own_body, .also_ignored = body_});
     if (!wall || length < 1e-6_r) return target;
     const Real room = std::max(wall->distance_m - 0.5_r * radius_m_, Real{0});
-    return aim.eye_m + way * (std::min(room, length) / length);
+    return aim.eye_m + path * (std::min(room, length) / length);
 }
 
 void Grab::pull(scene::Simulation& simulation, const Aim& aim) {

@@ -42,10 +42,10 @@ std::optional<Vec3> free_place(const physics::PhysicsWorld& world,
     }
     const Real length = glm::length(wanted - aim.eye_m);
     const Vec3 back = normalize_or(aim.eye_m - wanted, Vec3{0, 1, 0});
-    for (Real way = 0; way < length; way += kPullBack_m) {
+    for (Real distance = 0; distance < length; distance += kPullBack_m) {
         for (int up = 0; up <= kPlacesUp; ++up) {
             const Real lift = static_cast<Real>(up) * 0.25_r * room.size_m.y;
-            const Vec3 place = wanted + back * way + Vec3{0, lift, 0};
+            const Vec3 place = wanted + back * distance + Vec3{0, lift, 0};
             if (is_good(place)) return place;
         }
     }

@@ -35,7 +35,7 @@ public:
     scene::HudContent hud(const scene::Simulation& simulation) override;
 
     bool holds() const override { return grab_.holding(); }
-    bool crouches() const override { return player_ && player_->state().crouched; }
+    bool crouches() const override { return player_ && player_->state().crouch_wanted; }
     bool frees_pointer() const override { return views_model(); }
     std::string_view kind() const override { return "the playground"; }
     void serialize(Archive& archive, scene::Simulation& simulation) override;

@@ -66,9 +66,9 @@ void PlaygroundGame::explode(scene::Simulation& simulation, const Actions& actio
     for (const physics::BodyId body : reached) {
         const Vec3 middle = transform_point(world.state(body).world_from_body,
                                             world.mass_properties(body).center_of_mass_m);
-        const Vec3 way = middle - looked->point_m;
-        const Real distance_m = std::max(glm::length(way), kNearestBlast_m);
-        const Vec3 out = normalize_or(way, Vec3{0, 1, 0});
+        const Vec3 offset = middle - looked->point_m;
+        const Real distance_m = std::max(glm::length(offset), kNearestBlast_m);
+        const Vec3 out = normalize_or(offset, Vec3{0, 1, 0});
         world.apply_impulse(body, out * (kExplosion_Nsm / distance_m));
     }
 }

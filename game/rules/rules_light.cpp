@@ -94,10 +94,10 @@ void PlaygroundGame::aim_spot(scene::Simulation& simulation, const Actions& acti
     const Vec3 far_point = now.eye_m + now.forward * kSpotReach_m;
     const auto seen = simulation.physics.cast_ray(now.eye_m, far_point, {.ignored = now.own_body});
     const Pose& stand = simulation.registry.get<scene::Transform>(nearest).world_from_body;
-    const Vec3 way = (seen ? seen->point_world : far_point) - stand.position;
+    const Vec3 path = (seen ? seen->point_world : far_point) - stand.position;
     auto& light = simulation.registry.get<scene::PointLight>(nearest);
     const Vec3 direction =
-        glm::conjugate(stand.orientation) * normalize_or(way, Vec3{0, Real{-1}, 0});
+        glm::conjugate(stand.orientation) * normalize_or(path, Vec3{0, Real{-1}, 0});
     light.direction_body = Vec3f(direction);
     if (presses > 0) say("the spotlight shines where you look");
 }

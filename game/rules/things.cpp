@@ -118,7 +118,7 @@ Things::Things(scene::Simulation& simulation, const std::filesystem::path& asset
     });
     if (incomplete && std::filesystem::is_regular_file(file, ignored)) {
         Diagnostics faults;
-        if (auto loaded = scene::load_scene(file, assets_folder, faults)) shipped = *loaded;
+        if (auto loaded = scene::read_description(file, assets_folder, faults)) shipped = *loaded;
     }
     simulation.builder().lend_materials(shipped.materials);
     for (std::size_t i = 0; i < kKinds; ++i) {

@@ -40,6 +40,8 @@ vec3 reflected(Surface s, vec3 to_light, vec3 light) {
     return light * (s.base_color * matt + mix(s.base_color, vec3(1.0), material.surface.z) * highlight);
 }
 
+vec3 reflected_back(Surface s, vec3 light) { return reflected(s, s.to_eye, light); }
+
 #elif defined(PL_BLINN_PHONG)
 
 // Light sent to the eye per unit of irradiance-like radiance `light` from direction to_light.
@@ -54,24 +56,40 @@ vec3 reflected(Surface s, vec3 to_light, vec3 light) {
     return (s.base_color + highlight) * light * n_l;
 }
 
+vec3 reflected_back(Surface s, vec3 light) { return reflected(s, s.to_eye, light); }
+
 #else
 
 // Cook-Torrance with GGX and Hammon's approximation of Smith's masking. Like all lights here,
 // `light` is in units where a matt white surface facing it sends out `light` (pi is left out).
 vec3 reflected(Surface s, vec3 to_light, vec3 light) {
-    vec3 halfway = normalize(to_light + s.to_eye);
-    float n_l = clamp(dot(s.normal, to_light), 0.0, 1.0);
-    float n_v = max(dot(s.normal, s.to_eye), 1e-3);
-    float n_h = clamp(dot(s.normal, halfway), 0.0, 1.0);
-    float v_h = clamp(dot(s.to_eye, halfway), 0.0, 1.0);
+    float towards_l = dot(s.normal, to_light);
+    float towards_v = dot(s.normal, s.to_eye);
+    float n_l = clamp(towards_l, 0.0, 1.0);
+    float n_v = max(towards_v, 1e-3);
+    // The halfway vector is (to_light + to_eye) / sqrt(h2): nothing but its cosines is needed.
+    float h2 = max(2.0 + 2.0 * dot(to_light, s.to_eye), 1e-6);
+    float n_h = max(towards_l + towards_v, 0.0);  // times sqrt(h2)
+    float v_h = min(0.5 * sqrt(h2), 1.0);
     float alpha = max(s.roughness * s.roughness, 0.002);
     float a2 = alpha * alpha;
-    float d = n_h * n_h * (a2 - 1.0) + 1.0;
+    float d = min(n_h * n_h, h2) * (a2 - 1.0) + h2;  // times h2
     float masking = mix(2.0 * n_l * n_v, n_l + n_v, alpha);
-    float lobe = a2 / (d * d * max(masking, 1e-4)) * 0.5;
+    float lobe = a2 * h2 * h2 / (d * d * max(masking, 1e-4)) * 0.5;
     Reflectance f0 = head_on(s);
     Reflectance fresnel = f0 + (1.0 - f0) * fresnel_weight(v_h);
     return (matt_color(s) + lobe * fresnel) * light * n_l;
+}
+
+// The same of a light at the eye: halfway lies the eye.
+vec3 reflected_back(Surface s, vec3 light) {
+    float n_v = clamp(dot(s.normal, s.to_eye), 1e-3, 1.0);
+    float alpha = max(s.roughness * s.roughness, 0.002);
+    float a2 = alpha * alpha;
+    float d = n_v * n_v * (a2 - 1.0) + 1.0;
+    float masking = 2.0 * n_v * mix(n_v, 1.0, alpha);
+    float lobe = a2 / (d * d * max(masking, 1e-4)) * 0.5;
+    return (matt_color(s) + lobe * head_on(s)) * light * n_v;
 }
 
 #endif

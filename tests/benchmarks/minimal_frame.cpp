@@ -6,6 +6,7 @@
 #include "engine/core/math.h"
 #include "engine/core/time/stopwatch.h"
 #include "engine/platform/offscreen.h"
+#include "tests/benchmarks/box_places.h"
 
 #include <fmt/format.h>
 #include <glad/gl.h>
@@ -154,21 +155,9 @@ std::vector<Vec3f> cube_vertices() {
     return vertices;
 }
 
-/// Where the boxes lie in frame `frame`, w: their turn; as in render_boxes.
 std::vector<Vec4f> places(int count, int frame) {
     std::vector<Vec4f> result;
-    for (int i = 0; i < count; ++i) {
-        const int layer = i / 100;
-        const float spread = 1.0F + 0.06F * static_cast<float>(layer);
-        const float x = (static_cast<float>(i % 10) - 4.5F) * 1.6F +
-                        0.28F * static_cast<float>((i * 7 + layer * 3) % 11 - 5) / 5.0F;
-        const float z = (static_cast<float>(i / 10 % 10) - 4.5F) * 1.6F +
-                        0.28F * static_cast<float>((i * 5 + layer * 4) % 13 - 6) / 6.0F;
-        result.push_back({x * spread,
-                          0.5F + static_cast<float>(layer),
-                          z * spread,
-                          0.3F * static_cast<float>(i) + 0.01F * static_cast<float>(frame)});
-    }
+    for (int i = 0; i < count; ++i) result.push_back(bench::box_place(i, frame));
     return result;
 }
 

@@ -14,8 +14,8 @@ constexpr double kFall_m = 0.45;    ///< a body that sank or strayed by more has
 constexpr double kSettled_s = 1.0;  ///< penetration and creep count from here on
 constexpr double kEnd_s = 2.0;      ///< the last stretch, for the rms speed
 
-double level(const Vec3d& way) {
-    return std::hypot(way.x, way.z);
+double level(const Vec3d& displacement) {
+    return std::hypot(displacement.x, displacement.z);
 }
 
 class HeapMeter final : public Meter {

@@ -197,15 +197,15 @@ public:
     void sample(double time_s, const std::vector<BodyView>& views) override {
         const BodyView& now = views[ball_];
         const double speed_mps = law_.speed_at_mps(time_s);
-        const Vec3d way = now.position - start_.position;
-        along_error_m_ = glm::dot(way, along_) - law_.path_m(time_s);
+        const Vec3d displacement = now.position - start_.position;
+        along_error_m_ = glm::dot(displacement, along_) - law_.path_m(time_s);
         most_along_m_ = std::max(most_along_m_, std::abs(along_error_m_));
         speed_error_mps_ = glm::dot(now.velocity_mps, along_) - speed_mps;
         most_speed_mps_ = std::max(most_speed_mps_, std::abs(speed_error_mps_));
         expected_mps_ = speed_mps;
-        up_m_ = std::max(up_m_, way.y);
-        down_m_ = std::min(down_m_, way.y);
-        const Vec3d side = way - along_ * glm::dot(way, along_);
+        up_m_ = std::max(up_m_, displacement.y);
+        down_m_ = std::min(down_m_, displacement.y);
+        const Vec3d side = displacement - along_ * glm::dot(displacement, along_);
         lateral_m_ = std::max(lateral_m_, std::hypot(side.x, side.z));
     }
 

@@ -60,8 +60,9 @@ Result<std::size_t> index_of(const PeerScene& scene, const std::string& name) {
 
 Result<Done> add_joints(PeerScene& scene) {
     for (const scene::JointDescription& joint : scene.description.joints) {
-        if (joint.kind != scene::JointKind::Ball)
-            return Error{"joints other than ball joints have no match here", ExitCode::Refused};
+        if (joint.kind != scene::JointKind::BallAndSocket)
+            return Error{"joints other than ball-and-socket joints have no match here",
+                         ExitCode::Refused};
         const Result<std::size_t> a = index_of(scene, joint.a);
         const Result<std::size_t> b = index_of(scene, joint.b);
         if (!a) return a.error();

@@ -27,7 +27,7 @@ struct PeerBody {
     Vec3d inertia_kgm2() const { return Vec3d(body.inertia_kgm2.value_or(Vec3{0, 0, 0})); }
 };
 
-/// A ball joint between two of the bodies.
+/// A ball-and-socket joint between two of the bodies.
 struct PeerJoint {
     std::size_t a{0};
     std::size_t b{0};

@@ -1,7 +1,7 @@
 // The renderer alone on the peer scene's boxes: no physics, no scene files. Prints CPU ms a frame
 // of all threads, and of each pass.
 //
-//   render_boxes [--boxes N] [--frames N] [--size WxH] [--still] [--picture F.png] …
+//   render_boxes [--boxes N] [--frames N] [--size WxH] [--still] [--image F.png] …
 //   --no-sun-shadow --no-flashlight --no-sky --blinn: leave one out, to see what it costs
 #include "engine/assets/asset_library.h"
 #include "engine/assets/image/image_import.h"
@@ -10,6 +10,7 @@
 #include "engine/core/time/stopwatch.h"
 #include "engine/platform/offscreen.h"
 #include "engine/render/renderer.h"
+#include "tests/benchmarks/box_places.h"
 
 #include <fmt/format.h>
 
@@ -33,7 +34,7 @@ struct Options {
     bool flashlight{true};
     bool sky{true};
     bool blinn_phong{false};
-    std::string picture{};
+    std::string image{};
 };
 
 Options parse(int argc, char** argv) {
@@ -43,7 +44,7 @@ Options parse(int argc, char** argv) {
         const char* value = i + 1 < argc ? argv[i + 1] : "";
         if (option == "--boxes") options.boxes = std::atoi(value);
         if (option == "--frames") options.frames = std::atoi(value);
-        if (option == "--picture") options.picture = value;
+        if (option == "--image") options.image = value;
         if (option == "--size") {
             const std::string size{value};
             options.width_px = static_cast<std::uint32_t>(std::atoi(size.c_str()));
@@ -59,18 +60,9 @@ Options parse(int argc, char** argv) {
     return options;
 }
 
-/// Boxes toppled into a heap, roughly where the peer scene's boxes lie when they rest.
 Mat4f box_pose(int i, int frame) {
-    const int layer = i / 100;
-    const float spread = 1.0F + 0.06F * static_cast<float>(layer);
-    const float x = (static_cast<float>(i % 10) - 4.5F) * 1.6F +
-                    0.28F * static_cast<float>((i * 7 + layer * 3) % 11 - 5) / 5.0F;
-    const float z = (static_cast<float>(i / 10 % 10) - 4.5F) * 1.6F +
-                    0.28F * static_cast<float>((i * 5 + layer * 4) % 13 - 6) / 6.0F;
-    const float y = 0.5F + 1.0F * static_cast<float>(layer);
-    const float angle = 0.3F * static_cast<float>(i) + 0.01F * static_cast<float>(frame);
-    const Mat4f place = glm::translate(Mat4f{1.0F}, Vec3f{x * spread, y, z * spread});
-    return glm::rotate(place, angle, Vec3f{0.0F, 1.0F, 0.0F});
+    const Vec4f place = bench::box_place(i, frame);
+    return glm::rotate(glm::translate(Mat4f{1.0F}, Vec3f{place}), place.w, Vec3f{0.0F, 1.0F, 0.0F});
 }
 
 render::RenderFrame make_frame(const Options& options) {
@@ -95,17 +87,6 @@ render::RenderFrame make_frame(const Options& options) {
     }
     if (options.sky) frame.sky = render::Sky{PL_SOURCE_DIR "/assets/skies/garden"};
     return frame;
-}
-
-void draw(render::Renderer& renderer, const render::RenderFrame& frame) {
-    renderer.begin(frame);
-    renderer.shadows();
-    renderer.opaque();
-    renderer.sky();
-    renderer.translucent();
-    renderer.post();
-    renderer.lines();
-    renderer.end();
 }
 
 int run(const Options& options) {
@@ -159,10 +140,10 @@ int run(const Options& options) {
             pass_gpu_ms[pass.name] += pass.gpu_ms / options.frames;
         }
     }
-    const auto picture = renderer.read_pixels();
+    const auto image = renderer.read_pixels();
     const double cpu_ms = (process_cpu_s() - start_cpu_s) * 1e3 / options.frames;
-    if (!options.picture.empty()) {
-        const auto written = assets::write_png(options.picture, picture);
+    if (!options.image.empty()) {
+        const auto written = assets::write_png(options.image, image);
         if (!written) fmt::print(stderr, "{}\n", written.error().message);
     }
     const auto& stats = renderer.stats();

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The book's stages in a window, one after the other: each opens with its own controls, its keys do what
-docs/SOURCES.md says of rows A1 to A39, and a picture of each is kept (PL_E2E_PICTURES)."""
+docs/SOURCES.md says of rows A1 to A39, and an image of each is kept (PL_E2E_IMAGES)."""
 import os
 import pathlib
 import shutil
@@ -12,7 +12,7 @@ from png import read_png
 from support import Program, expect, home, settings_in, virtual_screen
 
 program_file = sys.argv[1]
-pictures = os.environ.get("PL_E2E_PICTURES")
+images = os.environ.get("PL_E2E_IMAGES")
 
 BACKGROUND = (153, 166, 217)
 RED = lambda p: p[0] > 25 and p[0] > 2 * p[1] + 10 and p[0] > 2 * p[2] + 10
@@ -23,7 +23,7 @@ PURPLE = lambda p: p[0] > 8 and p[2] > 8 and 0.6 < p[0] / p[2] < 1.7 and p[1] < 
 
 
 class Stage:
-    """One stage in a window of 640 x 480, with nothing written over the picture."""
+    """One stage in a window of 640 x 480, with nothing written over the image."""
 
     def __init__(self, screen, folder, name):
         self.name = name
@@ -34,10 +34,9 @@ class Stage:
                             settings_in(self.folder, screen), self.folder / "log.txt")
 
     def __enter__(self):
-        self.game.do("windowfocus", self.game.window)
+        self.game.ready(self.shots)
         self.point(4, 4)
-        time.sleep(1.5)
-        self.game.press("F1")
+        self.press("F1")
         self.again()
         return self
 
@@ -51,26 +50,39 @@ class Stage:
 
     def again(self):
         """From the start, standing still."""
-        self.game.press("r", 1, 0.2)
-        time.sleep(0.5)
+        self.press("r")
 
-    def picture(self):
+    def image(self):
         self.last = self.game.screenshot(self.shots)
-        if pictures:
-            shutil.copy(self.last, pathlib.Path(pictures) / f"book_{self.name}_last.png")
+        if images:
+            shutil.copy(self.last, pathlib.Path(images) / f"book_{self.name}_last.png")
         return read_png(self.last)[:330]  # below, messages may stand
 
+    def at_rest(self, rest_s=0.7):
+        """The image that has stayed for so long."""
+        first, since_s = self.image(), time.monotonic()
+
+        def stays():
+            nonlocal first, since_s
+            rows = self.image()
+            if rows != first:
+                first, since_s = rows, time.monotonic()
+            return time.monotonic() - since_s > rest_s
+        self.game.until(stays, f"{self.name}: it does not come to rest")
+        return first
+
     def keep(self, words):
-        self.picture()
-        if pictures:
-            shutil.copy(self.last, pathlib.Path(pictures) / f"book_{self.name}_{words}.png")
+        self.image()
+        if images:
+            shutil.copy(self.last, pathlib.Path(images) / f"book_{self.name}_{words}.png")
 
     def point(self, x, y):
         self.game.do("mousemove", "--window", self.game.window, int(x), int(y))
-        time.sleep(0.2)
 
     def press(self, key, times=1):
-        self.game.press(key, times, 0.35)
+        """A frame has seen it when this returns."""
+        self.game.press(key, times, 0.05)
+        self.game.screenshot(self.shots)
 
 
 def share(rows, wanted):
@@ -80,37 +92,33 @@ def share(rows, wanted):
 def middle(rows, wanted):
     """Where the pixels of a colour are, in the mean."""
     places = [(x, y) for y, row in enumerate(rows) for x, pixel in enumerate(row) if wanted(pixel)]
-    expect(places, "none of that colour is in the picture")
+    expect(places, "none of that colour is in the image")
     return sum(x for x, _ in places) / len(places), sum(y for _, y in places) / len(places)
 
 
-def until(stage, condition, message, seconds=10):
-    end = time.monotonic() + seconds
-    while True:
-        rows = stage.picture()
-        if condition(rows):
-            return rows
-        expect(time.monotonic() < end, f"{stage.name}: {message}")
-        time.sleep(0.2)
+def until(stage, condition, message):
+    def look():
+        rows = stage.image()
+        return rows if condition(rows) else None
+    return stage.game.until(look, f"{stage.name}: {message}")
 
 
 def window(stage):
-    rows = stage.picture()
+    rows = stage.at_rest()
     expect(all(pixel == BACKGROUND for row in rows for pixel in row), f"cleared to {rows[240][320]}")
 
 
 def box(stage):
-    rows = stage.picture()
+    rows = stage.at_rest()
     expect(rows[4][4] == BACKGROUND, f"behind the box: {rows[4][4]}")
     expect(rows[240][320] == (255, 51, 51), f"the box: {rows[240][320]}")
     stage.press("w")
-    wires = stage.picture()
-    expect(0 < share(wires, RED) < 0.5 * share(rows, RED), "W shows wires")
+    until(stage, lambda wires: 0 < share(wires, RED) < 0.5 * share(rows, RED), "W shows wires")
     stage.press("w")
 
 
 def lighting(stage):
-    rows = stage.picture()
+    rows = stage.at_rest()
     balls = [[pixel for row in rows[60:235] for pixel in row[low:high] if RED(pixel) or min(pixel) > 225]
              for low, high in ((60, 235), (235, 405), (405, 580))]
     brightest = [max(map(sum, ball)) for ball in balls]
@@ -124,9 +132,10 @@ def lighting(stage):
 
 def depth(stage):
     def seen():
-        rows = stage.picture()
+        rows = stage.at_rest(0.2)
         return [share(rows, color) for color in (RED, BLUE, GREEN)]
 
+    stage.at_rest()
     less = seen()
     expect(min(less) > 0.002, f"LESS: all three are seen: {less}")
     shares = {}
@@ -141,28 +150,26 @@ def depth(stage):
 
 
 def camera(stage):
-    def size():
-        return share(stage.picture(), RED)
-
-    first = stage.picture()
+    first = stage.at_rest()
     at_start = share(first, RED)
     stage.press("x")
-    expect(0.4 < size() / at_start < 0.75, "X: 20 m instead of 15")
+    until(stage, lambda rows: 0.4 < share(rows, RED) / at_start < 0.75, "X: 20 m instead of 15")
     stage.press("z", 2)
-    expect(1.8 < size() / at_start < 3.2, "Z twice: 10 m")
+    until(stage, lambda rows: 1.8 < share(rows, RED) / at_start < 3.2, "Z twice: 10 m")
     stage.press("x")
+    until(stage, lambda rows: abs(share(rows, RED) - at_start) < 0.0005, "X again: 15 m")
     for there, back in (("Left", "Right"), ("Up", "Down")):
         stage.press(there, 4)
-        expect(stage.picture() != first, f"{there} turns")
+        until(stage, lambda rows: rows != first, f"{there} turns")
         stage.keep(there.lower())
         stage.press(back, 4)
-        expect(abs(size() - at_start) < 0.0005, f"{back} turns back")
-    stage.game.hold("Right", 1.5)
-    expect(stage.picture() != first, "what is held goes on")
+        until(stage, lambda rows: abs(share(rows, RED) - at_start) < 0.0005, f"{back} turns back")
+    stage.game.hold("Right", 0.8)
+    expect(stage.at_rest(0.2) != first, "what is held goes on")
 
 
 def falling_cube(stage):
-    high = middle(stage.picture(), RED)[1]
+    high = middle(stage.image(), RED)[1]
     low = until(stage, lambda rows: middle(rows, RED)[1] > high + 20, "the box falls")
     stage.keep("falling")
     expect(share(low, RED) > 0.001, "and is still there")
@@ -173,44 +180,43 @@ def many_objects(stage):
 
 
 def debug_drawing(stage):
-    time.sleep(4)
-    before = stage.picture()
+    before = stage.at_rest(1)
     stage.press("b")
-    boxes = stage.picture()
+    boxes = stage.at_rest(0.2)
     stage.keep("boxes")
     lines = sum(a != b for one, other in zip(before, boxes) for a, b in zip(one, other))
     expect(lines > 300, f"B draws boxes: {lines} pixels")
     stage.press("b")
     stage.press("s")
-    shapes = stage.picture()
+    shapes = stage.at_rest(0.2)
     stage.keep("shapes")
     expect(shapes != before and shapes != boxes, "S draws shapes, which are not the boxes")
     stage.press("s")
     stage.press("w")
-    expect(share(stage.picture(), RED) < 0.6 * share(before, RED), "W shows wires")
+    until(stage, lambda rows: share(rows, RED) < 0.6 * share(before, RED), "W shows wires")
     stage.press("w")
-    expect(abs(share(stage.picture(), RED) - share(before, RED)) < 0.0005, "and all is as it was")
+    until(stage, lambda rows: abs(share(rows, RED) - share(before, RED)) < 0.0005, "and all is as it was")
 
 
 def ray_and_drag(stage):
-    time.sleep(4)
-    rows = stage.picture()
-    x, y = middle(rows, BLUE)
+    x, y = middle(stage.at_rest(1), BLUE)
     stage.point(x, y)
     stage.game.do("mousedown", 1)
     for _ in range(12):
         stage.game.do("mousemove_relative", "--", 8, -8)
         time.sleep(0.05)
-    time.sleep(1)
-    dragged = middle(stage.picture(), BLUE)
+
+    def is_dragged(rows):
+        now_x, now_y = middle(rows, BLUE)
+        return now_x > x + 50 and now_y < y - 50
+    until(stage, is_dragged, f"the blue box is dragged from {x:.0f}, {y:.0f}")
     stage.keep("dragged")
-    expect(dragged[0] > x + 50 and dragged[1] < y - 50, f"the blue box is dragged from {x:.0f}, {y:.0f} to {dragged}")
     stage.game.do("mouseup", 1)
     stage.point(500, 60)
     stage.game.do("click", 3)
     until(stage, lambda rows: share(rows, PURPLE) > 0.0005, "the right button shoots")
     stage.keep("shot")
-    stage.point(*middle(stage.picture(), RED))
+    stage.point(*middle(stage.image(), RED))
     stage.press("d")
     until(stage, lambda rows: share(rows, RED) == 0, "D deletes the red box")
 
@@ -218,8 +224,7 @@ def ray_and_drag(stage):
 def events(stage):
     stage.press("p")
     stage.again()
-    rows = stage.picture()
-    expect(share(rows, YELLOW) == 0 and share(rows, RED) > 0.0005, "red in the air")
+    until(stage, lambda rows: share(rows, YELLOW) == 0 and share(rows, RED) > 0.0005, "red in the air")
     stage.keep("air")
     stage.press("p")
     until(stage, lambda rows: share(rows, YELLOW) > 0.0005 and share(rows, RED) == 0, "yellow on the ground")
@@ -228,31 +233,27 @@ def events(stage):
 def trigger(stage):
     stage.press("p")
     stage.again()
-    expect(share(stage.picture(), GREEN) < 0.02, "no green box yet")
+    expect(share(stage.at_rest(0.3), GREEN) < 0.02, "no green box yet")
     stage.keep("before")
     stage.press("p")
     until(stage, lambda rows: share(rows, GREEN) > 0.01, "a green box appears")
 
 
 def forces(stage):
-    time.sleep(1)
-    before = middle(stage.picture(), RED)
+    before = middle(stage.at_rest(), RED)
     stage.point(*before)
     stage.game.do("keydown", "g")
-    time.sleep(0.9)
-    lifted = middle(stage.picture(), RED)
+    until(stage, lambda rows: middle(rows, RED)[1] < before[1] - 30, f"G lifts the red box from {before}")
     stage.game.do("keyup", "g")
     stage.keep("lifted")
-    expect(lifted[1] < before[1] - 30, f"G lifts the red box: {before} before, {lifted} after")
-    time.sleep(2.5)
-    rows = stage.picture()
+    rows = stage.at_rest()
     x, y = middle(rows, BLUE)
     stage.point(x - 4, y + 20)
     stage.press("e")
     stage.keep("exploding")
     after = until(stage, lambda later: share(later, BLUE) == 0 or abs(middle(later, BLUE)[0] - x) +
                   abs(middle(later, BLUE)[1] - y) > 15, "E throws the blue boxes apart")
-    expect(after != rows, "E changes the picture")
+    expect(after != rows, "E changes the image")
 
 
 def shapes(stage):
@@ -262,8 +263,7 @@ def shapes(stage):
 
 
 def filters(stage):
-    time.sleep(3)
-    rows = stage.picture()
+    rows = stage.at_rest(1)
     expect(share(rows, RED) > 0.01 and share(rows, BLUE) > 0.01, "boxes and balls in the same places")
 
 
@@ -283,10 +283,10 @@ def what_was_done_replays(screen, folder):
     """Shots, drags, lifts, explosions and deletions come back bit for bit, whatever the window's size."""
     environment = settings_in(folder, screen)
     tape = folder / "done.tape"
-    game = Program([program_file, "play", "book/ray_and_drag", "--size", "640x480", "--seconds", "14", "--record", str(tape)],
+    game = Program([program_file, "play", "book/ray_and_drag", "--size", "640x480", "--record", str(tape)],
                    environment, folder / "log.txt")
     try:
-        game.do("windowfocus", game.window)
+        game.ready(folder / "data/plumbline/shots")
         for x, y, button in ((500, 60, 3), (320, 215, 3), (300, 212, 1)):
             game.do("mousemove", "--window", game.window, x, y)
             game.do("mousedown", button)
@@ -297,7 +297,9 @@ def what_was_done_replays(screen, folder):
         game.hold("g", 0.8)
         game.press("e")
         game.press("d")
-        expect(game.wait(60) == 0, game.log())
+        time.sleep(1)
+        game.process.terminate()
+        expect(game.wait(60) == 130, game.log())
     finally:
         game.stop()
     text = tape.read_text()

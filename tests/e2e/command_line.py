@@ -168,7 +168,7 @@ def settings():
     run("controls", code=2, says="bindings.toml:1")
 
 
-def pictures():
+def images():
     png = folder / "p.png"
     report = folder / "r.json"
     run("render", CUBE, "--out", png, "--size", "320x180", "--at", 0.5, "--report", report)
@@ -209,6 +209,6 @@ def interruption():
     assert json.loads((folder / "half.json").read_text())["steps"] > 0
 
 
-for test in (usage, hostile_words, decimal_commas, falls_as_galileo_says, one_hash_at_any_frame_rate, display, scenes, the_door_of_the_docs_can_be_struck, settings, pictures, camera_paths, interruption):
+for test in (usage, hostile_words, decimal_commas, falls_as_galileo_says, one_hash_at_any_frame_rate, display, scenes, the_door_of_the_docs_can_be_struck, settings, images, camera_paths, interruption):
     print(test.__name__, flush=True)
     test()

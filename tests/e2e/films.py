@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Every frame as a picture, and films: what ffmpeg is told and handed, and when there is none.
+"""Every frame as an image, and films: what ffmpeg is told and handed, and when there is none.
 
 SOURCES C16. A stand-in for ffmpeg keeps its words and counts what it is given: the test needs none. Where
 ffmpeg is installed, what it wrote is also played.
@@ -47,7 +47,7 @@ def with_stand_in(folder, body):
     return f"{tools}:/usr/bin:/bin"
 
 
-def pictures_of_every_frame(folder):
+def images_of_every_frame(folder):
     shown = run(folder, "/usr/bin:/bin", "--frames", "3", "--orbit", "90", "--out", "all")
     assert shown.returncode == 0, shown
     files = sorted(file.name for file in (folder / "all").iterdir())
@@ -56,7 +56,7 @@ def pictures_of_every_frame(folder):
     assert len(contents) == 3, "the camera goes round"
 
 
-def one_picture_as_before(folder):
+def one_image_as_before(folder):
     shown = run(folder, "/usr/bin:/bin", "--frames", "3", "--out", "last.png")
     assert shown.returncode == 0 and (folder / "last.png").is_file(), shown
 
@@ -167,7 +167,7 @@ def a_window_that_closes_ends_the_film(folder):
     assert frames_that_play(films[0]) >= 10
     told = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "format=duration", "-of", "csv=p=0", films[0]],
                           capture_output=True, text=True)
-    assert 2 < float(told.stdout) < 10, "as long as it was taken, however many pictures there were"
+    assert 2 < float(told.stdout) < 10, "as long as it was taken, however many images there were"
 
 
 def a_film_that_breaks_is_told_and_play_goes_on(folder):
@@ -189,7 +189,7 @@ def a_film_that_breaks_is_told_and_play_goes_on(folder):
     assert log.count("was not written: ffmpeg ended with exit code 3") == 2, log
 
 
-TESTS = (pictures_of_every_frame, one_picture_as_before, a_film_is_handed_to_ffmpeg, no_ffmpeg_is_said,
+TESTS = (images_of_every_frame, one_image_as_before, a_film_is_handed_to_ffmpeg, no_ffmpeg_is_said,
          an_ffmpeg_that_stops_is_said, half_a_fragment_is_cut_off, a_film_plays, a_full_disk_leaves_a_film_that_plays,
          a_window_that_closes_ends_the_film, a_film_that_breaks_is_told_and_play_goes_on)
 

@@ -32,7 +32,7 @@ light = { color = [1, 0.1, 0.1], intensity = 4, radius_m = 5, on = "dark" }
 
 
 def mean(rows, left, right, top, bottom):
-    """Of a part of the picture that is given by shares of its sides: the mean (r, g, b)."""
+    """Of a part of the image that is given by shares of its sides: the mean (r, g, b)."""
     height, width = len(rows), len(rows[0])
     part = [pixel for row in rows[int(top * height):int(bottom * height)]
             for pixel in row[int(left * width):int(right * width)]]
@@ -60,8 +60,8 @@ def played(scene, hour, folder, environment):
     game = Program([program_file, "play", scene, "--hour", str(hour), "--size", "320x180", "--no-sound"], environment,
                    folder / f"{hour}.txt")
     try:
-        time.sleep(2)
-        game.do("windowfocus", game.window)
+        game.ready(folder / "data/plumbline/shots")
+        time.sleep(1.5)  # shaders that nobody has compiled yet come one a frame
         return read_png(game.screenshot(folder / "data/plumbline/shots"))
     finally:
         game.stop()

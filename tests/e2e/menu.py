@@ -14,8 +14,8 @@ program_file = sys.argv[1]
 
 def start(folder, environment, *words):
     game = Program([program_file, "play", *words, "--size", "640x360"], environment, folder / "log.txt")
-    game.do("windowfocus", game.window)
-    time.sleep(2)
+    game.focus()
+    time.sleep(0.5)
     return game
 
 
@@ -30,7 +30,7 @@ def wait_for(path, text, what):
 def press(game, *keys):
     """All of them at once, quicker than frames are drawn."""
     game.do("key", "--delay", 15, *keys)
-    time.sleep(0.8)
+    time.sleep(0.4)
 
 
 def change_a_setting_and_be_killed(folder, environment):
@@ -97,13 +97,13 @@ def start_page_and_other_scenes(folder, environment):
         # The cards stand below the buttons, four in a row: the garden, cans, fairground, falling_cube; joints.
         press(game, "Down", "Down", "Return")
         wait_for(last, "joints.toml", "opened from the menu")
-        time.sleep(2)
-        game.do("windowfocus", game.window)
+        game.until(lambda: game.window_named("^Joints - "), "its title")
+        time.sleep(1)
         press(game, *OTHER_SCENES)
         press(game, "Down", "Right", "Right", "Right", "Return")
         wait_for(last, "falling_cube.toml", "opened from the menu of a running scene")
-        time.sleep(2)
-        game.do("windowfocus", game.window)
+        game.until(lambda: game.window_named("^Falling cube - "), "its title")
+        time.sleep(1)
         press(game, *QUIT)
         expect(game.wait(20) == 0, game.log())
     finally:
@@ -148,10 +148,8 @@ def a_scene_that_is_refused(folder, environment):
     try:
         press(game, *OTHER_SCENES)
         press(game, "Down", "Right", "Return")
-        wait_for(folder / "log.txt", "b.toml", "what is wrong")
-        time.sleep(1)
+        game.until_said("b.toml")
         press(game, "Escape", "Escape")
-        time.sleep(1)
         press(game, *QUIT)
         expect(game.wait(20) == 0, game.log())
     finally:

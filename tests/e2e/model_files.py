@@ -1,5 +1,5 @@
 """One body in every kind of file that must open: a box of 2 x 3 x 1 m about the origin, each side in
-a colour of its own, written by hand as exporters write it. What a picture of it must look like is
+a colour of its own, written by hand as exporters write it. What an image of it must look like is
 known: see models.py."""
 import base64
 import json

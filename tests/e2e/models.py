@@ -46,9 +46,9 @@ def pixel_of(point):
     return int(WIDTH / 2 + x * scale), int(HEIGHT / 2 - y * scale)
 
 
-def picture_of(file, *more):
+def image_of(file, *more):
     yaw, pitch = map(math.degrees, angles())
-    out = folder / "picture.png"
+    out = folder / "image.png"
     run("render", file, "--out", out, "--size", f"{WIDTH}x{HEIGHT}", "--camera",
         f"{EYE[0]},{EYE[1]},{EYE[2]},{yaw:.6f},{pitch:.6f}", *more)
     return read_png(out)
@@ -61,19 +61,19 @@ def places_on(side, half):
     return [tuple(middle[i] + share * (corner[i] - middle[i]) for i in range(3)) for corner in corners for share in (0.88,)] + [middle]
 
 
-def colors_on(picture, side, half=model_files.HALF_M):
-    return [picture[y][x] for x, y in map(pixel_of, places_on(side, half))]
+def colors_on(image, side, half=model_files.HALF_M):
+    return [image[y][x] for x, y in map(pixel_of, places_on(side, half))]
 
 
-def expect_colors(name, picture, wanted, half=model_files.HALF_M):
+def expect_colors(name, image, wanted, half=model_files.HALF_M):
     for side, color in wanted.items():
-        seen = colors_on(picture, side, half)
+        seen = colors_on(image, side, half)
         assert all(abs(a - b) <= 2 for pixel in seen for a, b in zip(pixel, color)), f"{name}: side {side} is {seen}, not {color}"
 
 
-def expect_shaded(name, picture, half=model_files.HALF_M):
+def expect_shaded(name, image, half=model_files.HALF_M):
     """The sun shines from above, a little from the right and from the front; nothing is flat or lost."""
-    top, right, front = (sum(sum(pixel) for pixel in colors_on(picture, side, half)) / 15 for side in ("+y", "+x", "+z"))
+    top, right, front = (sum(sum(pixel) for pixel in colors_on(image, side, half)) / 15 for side in ("+y", "+x", "+z"))
     assert 254 > top > right + 5 > front + 10 > 30, f"{name}: {top:.0f} above, {right:.0f} right, {front:.0f} in front"
 
 
@@ -82,9 +82,9 @@ def every_kind_looks_as_it_was_made(kinds):
     seen_sides = {side: model_files.COLORS[side] for side in ("+x", "+y", "+z")}
     for name, has_colors in kinds.items():
         if has_colors:
-            expect_colors(name, picture_of(folder / name, "--shading", "unlit"), seen_sides)
+            expect_colors(name, image_of(folder / name, "--shading", "unlit"), seen_sides)
         else:
-            expect_shaded(name, picture_of(folder / name))
+            expect_shaded(name, image_of(folder / name))
 
 
 def what_moves_is_where_its_keys_say():
@@ -92,23 +92,23 @@ def what_moves_is_where_its_keys_say():
     half = (model_files.HALF_M[2], model_files.HALF_M[1], model_files.HALF_M[0])
     turned = {"+x": model_files.COLORS["+z"], "+z": model_files.COLORS["-x"], "+y": model_files.COLORS["+y"]}
     for name in ("animated.glb", "skinned.glb"):
-        expect_colors(name, picture_of(folder / name, "--shading", "unlit", "--at", 0.5), turned, half)
+        expect_colors(name, image_of(folder / name, "--shading", "unlit", "--at", 0.5), turned, half)
 
 
-def a_millimetre_and_ten_kilometres_fill_the_picture():
+def a_millimetre_and_ten_kilometres_fill_the_image():
     """As a metre does, side by side and with the same shadow."""
-    pictures, darks = {}, []
+    images, darks = {}, []
     for metres in (1.0, 0.001, 10_000.0):
         file = folder / "sized.glb"
         file.write_bytes(model_files.colored_glb(half=(metres / 2, metres / 2, metres / 2)))
         out = folder / "sized.png"
         run("render", file, "--out", out, "--size", f"{WIDTH}x{HEIGHT}", "--shading", "unlit")
-        picture = read_png(out)
-        shares = [sum(pixel == model_files.COLORS[side] for row in picture for pixel in row) / (WIDTH * HEIGHT)
+        image = read_png(out)
+        shares = [sum(pixel == model_files.COLORS[side] for row in image for pixel in row) / (WIDTH * HEIGHT)
                   for side in ("+x", "+y", "+z")]
-        assert sum(shares) > 0.1 and min(shares) > 0.002, f"{metres} m: sides are {shares} of the picture"
-        pictures[metres] = shares
-        assert all(abs(a - b) < 0.003 for a, b in zip(shares, pictures[1.0])), pictures
+        assert sum(shares) > 0.1 and min(shares) > 0.002, f"{metres} m: sides are {shares} of the image"
+        images[metres] = shares
+        assert all(abs(a - b) < 0.003 for a, b in zip(shares, images[1.0])), images
         if metres > 500:
             continue  # the ground is no wider than 10 km
         # From where the shadow falls to: behind, to the left, above.
@@ -117,7 +117,7 @@ def a_millimetre_and_ten_kilometres_fill_the_picture():
         ground = [sum(pixel) for row in read_png(out) for pixel in row if max(pixel) - min(pixel) < 30]
         lit = max(ground)
         dark = sum(60 < value < lit * 0.75 for value in ground) / (WIDTH * HEIGHT)
-        assert dark > 0.01, f"{metres} m: {dark:.3f} of the picture is shadow"
+        assert dark > 0.01, f"{metres} m: {dark:.3f} of the image is shadow"
         darks.append(dark)
     assert abs(darks[0] - darks[1]) < 0.003, darks
 
@@ -185,7 +185,7 @@ def main():
     kinds = model_files.write_all(folder)
     every_kind_looks_as_it_was_made(kinds)
     what_moves_is_where_its_keys_say()
-    a_millimetre_and_ten_kilometres_fill_the_picture()
+    a_millimetre_and_ten_kilometres_fill_the_image()
     cut_files_are_refused(kinds)
     wild_numbers_are_refused()
     a_side_that_is_nowhere_is_left_out()

@@ -141,11 +141,11 @@ def a_reader_may_leave():
 
 def what_has_no_name_gets_one():
     done = run("render", CUBE, "--size", "64x64")
-    picture = pathlib.Path(done.stdout.decode().strip())
-    assert picture.parent == folder / "data/plumbline/shots" and picture.read_bytes().startswith(b"\x89PNG"), picture
-    assert picture.name.startswith("falling_cube_")
+    image = pathlib.Path(done.stdout.decode().strip())
+    assert image.parent == folder / "data/plumbline/shots" and image.read_bytes().startswith(b"\x89PNG"), image
+    assert image.name.startswith("falling_cube_")
     again = pathlib.Path(run("render", CUBE, "--size", "64x64").stdout.decode().strip())
-    assert again != picture
+    assert again != image
     done = run("study", "A01", "--quick")
     page = pathlib.Path(done.stdout.decode().splitlines()[-1])
     assert page.is_relative_to(folder / "data/plumbline/studies") and page.name == "report.html", page

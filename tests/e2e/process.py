@@ -149,7 +149,7 @@ def threads_that_cannot_be_made_are_not_needed():
         os.setgid(65533)
         os.setuid(65533)
 
-    # Without a picture: Mesa's software rasterizer waits for ever for threads that it did not get.
+    # Without an image: Mesa's software rasterizer waits for ever for threads that it did not get.
     done = subprocess.run([program, "simulate", "playroom", "--seconds", "0.1"], env={**environment, "HOME": str(home), "XDG_STATE_HOME": str(home)},
                           capture_output=True, text=True, timeout=200, preexec_fn=become_somebody_without_threads)
     if "Permission denied" in done.stderr:
@@ -194,8 +194,8 @@ def any_date_will_do():
         state = folder / "dated.json"
         run(date, program, "simulate", CUBE, "--seconds", 0.5, "--state", state, of=faketime)
         hashes.add(json.loads(state.read_text())["hash"])
-        pictures = {run(date, program, "render", CUBE, "--size", "64x64", of=faketime).stdout for _ in range(2)}
-        assert len(pictures) == 2 and date[:4] in min(pictures), pictures
+        images = {run(date, program, "render", CUBE, "--size", "64x64", of=faketime).stdout for _ in range(2)}
+        assert len(images) == 2 and date[:4] in min(images), images
     assert len(hashes) == 1, hashes
 
 
@@ -207,17 +207,17 @@ def names_may_be_anything():
         scene = base + b"/" + name + b".toml"
         shutil.copy(CUBE, scene)
         state = base + b"/" + name + b".json"
-        picture = base + b"/" + name + b".png"
+        image = base + b"/" + name + b".png"
         report = base + b"/report"
         for words in ([b"simulate", scene, b"--seconds", b"0.1", b"--state", state], [b"check", scene],
-                      [b"render", scene, b"--size", b"64x64", b"--out", picture, b"--report", report]):
+                      [b"render", scene, b"--size", b"64x64", b"--out", image, b"--report", report]):
             done = subprocess.run([program, *words], env=environment, capture_output=True, timeout=60)
             assert done.returncode == 0, done
             assert all(byte >= 32 or byte == 10 for byte in done.stdout + done.stderr), done
         read = json.loads(open(state, "rb").read().decode())
         assert read["steps"] == 6, read
         json.loads(open(report, "rb").read().decode())
-        assert open(picture, "rb").read(4) == b"\x89PNG"
+        assert open(image, "rb").read(4) == b"\x89PNG"
         done = subprocess.run([program, b"render", scene, b"--size", b"64x64"], env=environment, capture_output=True, timeout=60)
         assert done.returncode == 0 and b"shots" in done.stdout, done
 

@@ -6,12 +6,14 @@ import struct
 import sys
 import time
 
-from support import Program, expect, home, settings_in, virtual_screen
+from support import Program, app_settings, expect, home, settings_in, virtual_screen
 
 program_file = sys.argv[1]
 
 # A loop of noise on the right of an ear that looks at it from the left, and nothing else.
 SCENE = """
+[scene]
+title = "a stream on the right"
 [player]
 position_m = [0, 0, 0]
 yaw_deg = 0
@@ -60,7 +62,7 @@ class Listening:
         (folder / "alsoft.conf").write_text(f"drivers = wave\n{conf}\n[wave]\nfile = {self.file}\n")
         config = folder / "config" / "plumbline"
         config.mkdir(parents=True)
-        (config / "app.toml").write_text("format = 1\n[sound]\n" + settings)
+        (config / "app.toml").write_text(app_settings("[sound]\n" + settings))
         scene = folder / "stream.toml"
         scene.write_text(SCENE)
         environment = {**settings_in(folder, screen), "ALSOFT_CONF": str(folder / "alsoft.conf")}
@@ -74,6 +76,9 @@ class Listening:
         count = int(seconds * 0.8 * rate)
         return left[-count:], right[-count:]
 
+    def until_heard(self):
+        self.game.until(lambda: self.file.exists() and rms(samples_of(self.file)[1][-20000:]) > 0.01, "nothing is heard")
+
     def end(self):
         self.game.process.terminate()
         self.game.wait(30)
@@ -83,11 +88,11 @@ class Listening:
 def test_play(screen):
     with home() as folder:
         heard = Listening(screen, folder)
-        time.sleep(4)
+        heard.until_heard()
         left, right = heard.latest(1.5)
         expect(rms(right) > 0.01, f"the stream is heard: {rms(right)}")
         expect(rms(right) > 3 * rms(left), f"on the right: {rms(left)}, {rms(right)}")
-        heard.game.do("windowfocus", heard.game.window)
+        heard.game.focus()
         heard.game.press("Escape", 1, 1.5)
         left, right = heard.latest(1)
         expect(rms(right) < 1e-4, f"silent under the menu: {rms(right)}")
@@ -98,11 +103,11 @@ def test_play(screen):
         heard.end()
     with home() as folder:
         heard = Listening(screen, folder, "mono = true\n")
-        time.sleep(4)
+        heard.until_heard()
         left, right = heard.latest(1.5)
         expect(rms(right) > 0.01 and abs(rms(left) / rms(right) - 1) < 0.01, f"mono: {rms(left)}, {rms(right)}")
         config = folder / "config" / "plumbline" / "app.toml"
-        config.write_text("format = 1\n[sound]\nmute = true\n")
+        config.write_text(app_settings("[sound]\nmute = true\n"))
         time.sleep(2)
         left, right = heard.latest(1)
         expect(rms(right) == 0.0, f"mute: {rms(right)}")

@@ -129,15 +129,15 @@ def effects_have_their_price():
     assert "What switching an effect off saves" in said, said
 
 
-def a_picture_has_its_price():
-    out = folder / "picture"
+def a_image_has_its_price():
+    out = folder / "image"
     said = run("study", "--picture", "falling_cube", "--seconds", 0.2, "--out", out).stdout
-    rows = {row["name"]: row for row in json.loads((out / "findings.json").read_text())["pictures"][0]["rows"]}
+    rows = {row["name"]: row for row in json.loads((out / "findings.json").read_text())["images"][0]["rows"]}
     assert rows["4 samples a pixel"]["rms_error"] < rows["level high"]["rms_error"], rows
     assert rows["level low"]["rms_error"] > rows["level high"]["rms_error"], rows
     assert all(row["cpu_ms"] > 0 for row in rows.values()), rows
     assert "level low" in said and str(out / "report.html") in said, said
-    assert "The picture of" in (out / "report.html").read_text()
+    assert "The image of" in (out / "report.html").read_text()
     assert (out / "falling_cube_reference.png").read_bytes().startswith(b"\x89PNG")
     run("study", "--picture", code=2, says="--picture needs a scene")
     run("study", "--picture", "A20", code=4, says="A20")
@@ -148,4 +148,4 @@ auto_uses_what_is_kept_or_looks_for_itself()
 what_cannot_be_studied_is_refused()
 an_interrupt_keeps_what_is_done()
 effects_have_their_price()
-a_picture_has_its_price()
+a_image_has_its_price()

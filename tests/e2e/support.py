@@ -33,8 +33,20 @@ def home():
         yield pathlib.Path(folder)
 
 
+FRAMES_A_SECOND = 20  # at most: software rendering at full speed leaves no core to others
+
+
+def app_settings(text=""):
+    """What app.toml says: the usual cap of frames, then `text`."""
+    return f"format = 1\n[window]\nmax_fps = {FRAMES_A_SECOND}\n{text}"
+
+
 def settings_in(folder, environment):
-    """The environment with every XDG folder below `folder`, and silent OpenAL."""
+    """The environment with every XDG folder below `folder`, the usual settings there, and silent OpenAL."""
+    settings = folder / "config/plumbline/app.toml"
+    settings.parent.mkdir(parents=True, exist_ok=True)
+    if not settings.exists():
+        settings.write_text(app_settings())
     return {**environment, "HOME": str(folder), "XDG_CONFIG_HOME": str(folder / "config"),
             "XDG_DATA_HOME": str(folder / "data"), "ALSOFT_DRIVERS": "null"}
 
@@ -48,17 +60,45 @@ class Program:
         self.process = subprocess.Popen(command, env=environment, stdout=open(log, "w"), stderr=subprocess.STDOUT)
         self.window = self._wait_for_window()
 
+    def until(self, condition, what, seconds=30):
+        """What `condition` gives as soon as it gives something; only a program that runs can reach it."""
+        end_s = time.monotonic() + seconds
+        while True:
+            value = condition()
+            if value:
+                return value
+            expect(self.process.poll() is None, f"{what}: the program ended early:\n{self.log()}")
+            expect(time.monotonic() < end_s, f"{what}: not within {seconds} s\n{self.log()}")
+            time.sleep(0.05)
+
+    def until_said(self, text, times=1, seconds=30):
+        self.until(lambda: self.log().count(text) >= times, f"\"{text}\" was not said {times} times", seconds)
+
+    def window_named(self, words):
+        """A window that shows: one that does not cannot take the focus."""
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", words], env=self.environment,
+                               capture_output=True, text=True).stdout.split()
+        return found[-1] if found else None
+
     def _wait_for_window(self):
-        for _ in range(300):
-            if self.process.poll() is not None:
-                raise AssertionError("the program ended early:\n" + self.log())
-            # A window that does not show yet cannot take the focus.
-            found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Plumbline"], env=self.environment,
-                                   capture_output=True, text=True).stdout.split()
-            if found:
-                return found[-1]
-            time.sleep(0.1)
-        raise AssertionError("no window within 30 s:\n" + self.log())
+        # While the scene is read the title is the program's name alone, and keys go nowhere.
+        return self.until(lambda: self.window_named(" - Plumbline"), "no window")
+
+    def focus(self):
+        self.do("windowfocus", self.window)
+
+    def ready(self, shots):
+        """Has the focus and draws frames: a key that is pressed before the first of them may be lost."""
+        self.focus()
+        before, pressed_s = set(shots.glob("*.png")), -10.0
+
+        def is_drawn():
+            nonlocal pressed_s
+            if time.monotonic() - pressed_s > 2:
+                self.do("key", "F12")
+                pressed_s = time.monotonic()
+            return set(shots.glob("*.png")) - before
+        self.until(is_drawn, "no frame is drawn")
 
     def log(self):
         return pathlib.Path(self.log_path).read_text()
@@ -66,7 +106,8 @@ class Program:
     def do(self, *words):
         subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True)
 
-    def press(self, key, times=1, pause_s=0.25):
+    def press(self, key, times=1, pause_s=0.1):
+        """Every press counts, in however few frames they are seen."""
         for _ in range(times):
             self.do("key", key)
             time.sleep(pause_s)
@@ -79,15 +120,10 @@ class Program:
     def screenshot(self, shots):
         """Presses F12; the file of what the program saved of its own screen in the folder `shots`."""
         before = set(shots.glob("*.png"))
-        self.press("F12")
-        for _ in range(200):
-            new = set(shots.glob("*.png")) - before
-            if new:
-                return new.pop()
-            time.sleep(0.1)
-        raise AssertionError("no screenshot within 20 s:\n" + self.log())
+        self.do("key", "F12")
+        return self.until(lambda: set(shots.glob("*.png")) - before, "no screenshot").pop()
 
-    def picture(self, path):
+    def image(self, path):
         subprocess.run(["import", "-window", "root", str(path)], env=self.environment, check=False)
 
     def wait(self, timeout_s):

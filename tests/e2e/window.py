@@ -8,7 +8,7 @@ import time
 from support import Program, expect, home, read_json, settings_in, virtual_screen
 
 program_file = sys.argv[1]
-pictures = os.environ.get("PL_E2E_PICTURES")  # a folder: keeps what was on the screen
+images = os.environ.get("PL_E2E_IMAGES")  # a folder: keeps what was on the screen
 
 
 def main():
@@ -16,11 +16,10 @@ def main():
         environment = settings_in(folder, screen)
         report = folder / "report.json"
         bindings = folder / "config" / "plumbline" / "bindings.toml"
-        bindings.parent.mkdir(parents=True)
         game = Program([program_file, "play", "playroom", "--size", "480x270", "--report", str(report)],
                        environment, folder / "log.txt")
         try:
-            play(game, bindings)
+            play(game, bindings, folder / "data/plumbline/shots")
             code = game.wait(60)
         finally:
             game.stop()
@@ -29,55 +28,53 @@ def main():
 
 
 def snap(game, name):
-    if pictures:
-        game.picture(os.path.join(pictures, name + ".png"))
+    if images:
+        game.image(os.path.join(images, name + ".png"))
 
 
-def play(game, bindings):
+def play(game, bindings, shots):
     game.do("mousemove", 240, 135)
-    game.do("windowfocus", game.window)
-    time.sleep(3)
+    game.ready(shots)
     snap(game, "1_start")
-    game.hold("w", 3)
+    game.hold("w", 1.5)
     for _ in range(10):
         game.do("mousemove_relative", "--", 12, 2)
         time.sleep(0.05)
     game.press("1")
-    game.press("q", 5, 0.6)
+    game.press("q", 5, 0.4)
     snap(game, "2_five_crates")
     game.press("2")
     game.do("mousedown", 1)
     time.sleep(0.8)
     game.do("mouseup", 1)
-    time.sleep(0.5)
     game.press("f")
     game.press("g")
-    time.sleep(0.7)
+    time.sleep(0.4)
     snap(game, "3_light_and_fog")
     game.press("v")
-    time.sleep(0.7)
+    time.sleep(0.4)
     snap(game, "4_wireframe")
     game.press("n")
     bindings.write_text('format = 1\n[things]\ndrop = ["k"]\n')
     time.sleep(2)
-    game.press("k", 2, 0.6)
+    game.press("k", 2, 0.4)
     game.press("q")  # unbound now
     game.do("windowsize", game.window, 800, 450)
-    time.sleep(1)
+    time.sleep(0.5)
     snap(game, "5_resized")
     game.do("windowunmap", game.window)
     time.sleep(1)
     game.do("windowmap", game.window)
     time.sleep(1.5)
-    game.do("windowfocus", game.window)
+    game.focus()
     game.press("F3")
-    time.sleep(1)
+    time.sleep(0.5)
     snap(game, "6_statistics")
     game.press("Escape")
-    time.sleep(2)
+    time.sleep(0.7)
     snap(game, "7_menu")
     game.press("Down", 7, 0.1)  # quicker than the frames: none is lost
-    time.sleep(1)
+    time.sleep(0.5)
     snap(game, "8_quit_is_chosen")
     game.press("Return")
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A window around which something goes wrong: shaders, memory, the monitor, the folder for pictures."""
+"""A window around which something goes wrong: shaders, memory, the monitor, the folder for images."""
 import ctypes
 import os
 import pathlib
@@ -26,34 +26,25 @@ def own_shaders(folder, environment):
     return data / "shaders", {**environment, "PLUMBLINE_DATA": str(data)}
 
 
-def wait_for(game, text, times=1):
-    for _ in range(150):
-        if game.log().count(text) >= times:
-            return
-        expect(game.process.poll() is None, f"it ended:\n{game.log()}")
-        time.sleep(0.1)
-    raise AssertionError(f"\"{text}\" was not said {times} times:\n{game.log()}")
-
-
 def shaders_that_do_not_compile_end_the_start(folder, environment):  # EXPERIENCE A6
     shaders, environment = own_shaders(folder, environment)
-    picture = folder / "none.png"
+    image = folder / "none.png"
     for name, commands in (("mesh.frag", ("render", "play")), ("depth.frag", ("render",)), ("sky_dome.frag", ("render", "play")),
                            ("tone_map.frag", ("render", "play")), ("include/lighting.glsl", ("render",))):
         text = (shaders / name).read_text()
         (shaders / name).write_text(text + WRONG)
         place = f"{name}:{text.count(chr(10)) + 1}"
         for command in commands:
-            words = ["--out", picture, "--size", "64x36"] if command == "render" else ["--size", "160x90", "--no-sound"]
+            words = ["--out", image, "--size", "64x36"] if command == "render" else ["--size", "160x90", "--no-sound"]
             done = subprocess.run([program_file, command, "garden", *map(str, words)], env=environment, capture_output=True,
                                   text=True, timeout=60)
             expect(done.returncode == 3, f"{command} with a broken {name}: exit {done.returncode}\n{done.stderr}")
             expect(done.stderr.count("does not compile") == 1 and place in done.stderr, f"not {place}, once:\n{done.stderr}")
         (shaders / name).write_text(text)
-    expect(not picture.exists(), "a picture was written all the same")
+    expect(not image.exists(), "an image was written all the same")
 
 
-def a_shader_saved_with_a_fault_keeps_the_picture(folder, environment):  # EXPERIENCE A7
+def a_shader_saved_with_a_fault_keeps_the_image(folder, environment):  # EXPERIENCE A7
     shaders, environment = own_shaders(folder, environment)
     file = shaders / "tone_map.frag"
     text = file.read_text()
@@ -61,13 +52,15 @@ def a_shader_saved_with_a_fault_keeps_the_picture(folder, environment):  # EXPER
     game = Program([program_file, "play", "falling_cube", "--size", "320x180", "--no-sound", "--report", str(report)], environment,
                    folder / "shaders.txt")
     try:
-        time.sleep(2)
+        shots = folder / "data/plumbline/shots"
+        game.ready(shots)
         file.write_text(text + WRONG)
-        wait_for(game, f"tone_map.frag:{text.count(chr(10)) + 1}")
-        time.sleep(1)
+        game.until_said(f"tone_map.frag:{text.count(chr(10)) + 1}")
+        game.screenshot(shots)
         snap(game, "shader_fault")
         file.write_text(text.replace("void main() {", "void main() {  // mended"))
-        time.sleep(2)
+        time.sleep(1.5)
+        game.screenshot(shots)
         snap(game, "shader_mended")
         expect(game.log().count("does not compile") == 1, game.log())
         game.process.send_signal(signal.SIGTERM)
@@ -84,16 +77,18 @@ def a_scene_too_large_for_memory_leaves_the_running_one(folder, environment):  #
     scene, report = folder / "grows.toml", folder / "grows.json"
     cube = '[[prefab]]\nname = "b"\nprimitive = { box = [1, 1, 1] }\n[prefab.body]\nmass_kg = 1\n'
     array = '[[array]]\nname = "a"\nprefab = "b"\ncount = [%d, 1, 50]\nspacing_m = [2, 2, 2]\n'
-    scene.write_text(cube + array % 1)
+    head = '[scene]\ntitle = "grows"\n'
+    scene.write_text(head + cube + array % 1)
     game = Program([program_file, "play", str(scene), "--size", "160x90", "--no-sound", "--report", str(report)], environment,
                    folder / "grows.txt")
     try:
-        time.sleep(3)
+        game.ready(folder / "data/plumbline/shots")
+        time.sleep(2)  # what it needs for its frames it has by then
         used = int(pathlib.Path(f"/proc/{game.process.pid}/statm").read_text().split()[0]) * resource.getpagesize()
         usual = resource.prlimit(game.process.pid, resource.RLIMIT_AS)
         resource.prlimit(game.process.pid, resource.RLIMIT_AS, (used + (48 << 20), usual[1]))
-        scene.write_text(cube + array % 999)
-        wait_for(game, "there is not enough memory for this scene: the one before stays")
+        scene.write_text(head + cube + array % 999)
+        game.until_said("there is not enough memory for this scene: the one before stays")
         resource.prlimit(game.process.pid, resource.RLIMIT_AS, usual)
         time.sleep(1)
         snap(game, "no_memory")
@@ -105,21 +100,21 @@ def a_scene_too_large_for_memory_leaves_the_running_one(folder, environment):  #
     expect(read_json(report)["bodies"] == 50, "the scene before did not stay")
 
 
-def pictures_that_cannot_be_saved_cost_a_line(folder, environment):  # EXPERIENCE E10
+def images_that_cannot_be_saved_cost_a_line(folder, environment):  # EXPERIENCE E10
     shots = folder / "data/plumbline/shots"
     shots.parent.mkdir(parents=True, exist_ok=True)
     shutil.rmtree(shots, ignore_errors=True)
     shots.write_text("a file stands where the folder would be")
     game = Program([program_file, "play", "falling_cube", "--size", "320x180", "--no-sound"], environment, folder / "shots.txt")
     try:
-        game.do("windowfocus", game.window)
-        time.sleep(2)
+        game.focus()
+        time.sleep(1.5)
         game.press("F12", pause_s=1)
-        snap(game, "no_picture")
+        snap(game, "no_image")
         expect(game.process.poll() is None and shots.is_file(), game.log())
         shots.unlink()
-        game.press("F12", pause_s=1)
-        expect(len(list(shots.glob("falling_cube*.png"))) == 1, "the folder was not made anew")
+        game.screenshot(shots)
+        expect(len(list(shots.glob("falling_cube*.png"))) == 1, "one press, one image")
         game.process.send_signal(signal.SIGTERM)
         expect(game.wait(20) == 130, game.log())
     finally:
@@ -158,13 +153,12 @@ def a_monitor_that_goes_leaves_a_window(folder):  # EXPERIENCE A13
         environment = settings_in(folder, screen)
         game = Program([program_file, "play", "falling_cube", "--size", "320x180", "--no-sound"], environment, folder / "monitor.txt")
         try:
-            game.do("windowfocus", game.window)
-            time.sleep(2)
-            game.press("F11", pause_s=2)
-            expect(size_of(game) == "1280x720", f"full screen is {size_of(game)}")
+            game.ready(folder / "data/plumbline/shots")
+            game.press("F11")
+            game.until(lambda: size_of(game) == "1280x720", "full screen")
+            game.screenshot(folder / "data/plumbline/shots")
             unplug_the_monitor(environment["DISPLAY"])
-            time.sleep(2)
-            expect(size_of(game) == "320x180", f"back to {size_of(game)}")
+            game.until(lambda: size_of(game) == "320x180", "back to its size")
             game.process.send_signal(signal.SIGTERM)
             expect(game.wait(20) == 130, game.log())
         finally:
@@ -173,14 +167,14 @@ def a_monitor_that_goes_leaves_a_window(folder):  # EXPERIENCE A13
 
 
 def snap(game, name):
-    if "PL_E2E_PICTURES" in os.environ:
-        game.picture(os.path.join(os.environ["PL_E2E_PICTURES"], name + ".png"))
+    if "PL_E2E_IMAGES" in os.environ:
+        game.image(os.path.join(os.environ["PL_E2E_IMAGES"], name + ".png"))
 
 
 def main():
     with virtual_screen() as screen:
-        for test in (shaders_that_do_not_compile_end_the_start, a_shader_saved_with_a_fault_keeps_the_picture,
-                     a_scene_too_large_for_memory_leaves_the_running_one, pictures_that_cannot_be_saved_cost_a_line):
+        for test in (shaders_that_do_not_compile_end_the_start, a_shader_saved_with_a_fault_keeps_the_image,
+                     a_scene_too_large_for_memory_leaves_the_running_one, images_that_cannot_be_saved_cost_a_line):
             print(test.__name__, flush=True)
             with home() as folder:
                 test(folder, settings_in(folder, screen))

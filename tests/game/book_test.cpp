@@ -95,7 +95,7 @@ TEST(Book, AHeldArrowGoesOnTenTimesASecond) {
 }
 
 // SOURCES A8: the up vector stands upright in the image.
-TEST(Book, TheUpVectorIsUpInThePicture) {
+TEST(Book, TheUpVectorIsUpInTheImage) {
     for (const Vec3 up :
          {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0, -1, 0}, glm::normalize(Vec3{1, 2, 3})}) {
         scene::SceneDescription scene;

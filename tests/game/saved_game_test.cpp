@@ -129,6 +129,29 @@ TEST_F(SavedPlayground, WhoCrouchesStillDoes) {
     EXPECT_FALSE(here_.game->crouches());
 }
 
+/// Room to stand at the origin, and behind it 1.4 m of room, from 1 m on.
+scene::SceneDescription low_ceiling() {
+    scene::SceneDescription scene = meadow();
+    scene.entities.push_back(block("ceiling", {4, 0.2_r, 5}, {0, 1.5_r, 3.5_r}));
+    return scene;
+}
+
+TEST(SavedCrouch, ForcedByALowCeilingIsNotWanted) {
+    Playground there(low_ceiling());
+    there.run(2.2, hold({Action::Crouch, Action::Back}));
+    ASSERT_NEAR(there.feet().z, 2.2 * 0.9, 0.1);
+    there.run(0.5);
+    ASSERT_TRUE(there.game->player()->state().crouched);
+    ASSERT_FALSE(there.game->crouches());
+    Playground here(low_ceiling());
+    put_back(saved(there), here);
+    EXPECT_TRUE(here.game->player()->state().crouched);
+    EXPECT_FALSE(here.game->crouches()) << "a toggled crouch would go on";
+    here.run(2.5, hold({Action::Forward}));
+    EXPECT_LT(here.feet().z, 0.5);
+    EXPECT_FALSE(here.game->player()->state().crouched);
+}
+
 TEST_F(SavedPlayground, WhileEverythingSleeps) {
     there_.run(4);
     ASSERT_EQ(there_.simulation->physics.awake_count(), 0U);

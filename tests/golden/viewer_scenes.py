@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""JSON scenes against pictures by another hand.
+"""JSON scenes against images by another hand.
 
     viewer_scenes.py make              draws tests/golden/viewer_*.png from the format's description,
                                        with nothing of the program: a rasteriser in plain Python
@@ -21,7 +21,7 @@ import zlib
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = ROOT / "assets/scenes/viewer"
 GOLDEN = ROOT / "tests/golden"
-PICTURES = [(name, way) for name in ("shapes", "rings", "below") for way in ("unlit", "lit")] + [
+IMAGES = [(name, way) for name in ("shapes", "rings", "below") for way in ("unlit", "lit")] + [
     ("rings", "textured")]
 OPTIONS = {"unlit": [], "lit": ["--shading", "blinn_phong"], "textured": ["--textures"]}
 EDGE_PIXELS = 30
@@ -155,9 +155,9 @@ def code(light):
     return round(255 * (12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055))
 
 
-def texture_at(picture, t):
+def texture_at(image, t):
     """Between texel centres, repeated; v points up."""
-    width, height, pixels = picture
+    width, height, pixels = image
     x, y = t[0] * width - 0.5, (1 - t[1]) * height - 0.5
     x0, y0 = math.floor(x), math.floor(y)
     color = [0.0] * 3
@@ -201,7 +201,7 @@ def draw(name, way):
     m = transform(camera)
     eye = [m[i][3] for i in range(3)]
     to_camera = lambda p: [dot([m[i][j] for i in range(3)], less(p, eye)) for j in range(3)]
-    picture = read_png(SCENES / "ring.png") if way == "textured" else None
+    image = read_png(SCENES / "ring.png") if way == "textured" else None
     places = [(x, y) for y in range(height) for x in range(width)]
     depth = [[math.inf] * 4 for _ in places]
     color = [[scene["background"]] * 4 for _ in places]
@@ -233,8 +233,8 @@ def draw(name, way):
                         mix = lambda part: [sum(share[i] * corners[i][part][j] for i in range(3))
                                             for j in range(len(corners[0][part]))]
                         seen = mix(2)
-                        if picture and corners[0][3]:
-                            seen = texture_at(picture, mix(3))
+                        if image and corners[0][3]:
+                            seen = texture_at(image, mix(3))
                         if way == "lit":
                             seen = lit(seen, mix(1), mix(4), eye)
                         depth[place][k] = away
@@ -280,7 +280,7 @@ def read_png(path):
 
 
 def check_flats(got, wanted):
-    """How textures are filtered is nobody's rule: where the picture is flat they agree."""
+    """How textures are filtered is nobody's rule: where the image is flat they agree."""
     width, height, pixels = wanted
     pixel = lambda image, x, y: image[2][(y * width + x) * 3:(y * width + x) * 3 + 3]
     flats = [(x, y) for y in range(4, height - 4) for x in range(4, width - 4)
@@ -294,7 +294,7 @@ def check_flats(got, wanted):
 def check(program):
     worst = []
     with tempfile.TemporaryDirectory() as folder:
-        for name, way in PICTURES:
+        for name, way in IMAGES:
             shown = pathlib.Path(folder) / f"{name}_{way}.png"
             subprocess.run([program, "render", SCENES / f"{name}.json", "--out", shown, *OPTIONS[way]],
                            check=True, timeout=120)
@@ -313,7 +313,7 @@ def check(program):
 
 if __name__ == "__main__":
     if sys.argv[1] == "make":
-        for name, way in PICTURES:
+        for name, way in IMAGES:
             draw(name, way)
     else:
         check(sys.argv[2])

@@ -174,10 +174,12 @@ std::string what_is_wrong(const fs::path& copy,
                           const study::Setting& setting,
                           const scene::SceneFolders& folders) {
     Diagnostics faults;
-    const Result<scene::SceneDescription> made = scene::load_scene(copy, folders.assets, faults);
+    const Result<scene::SceneDescription> made =
+        scene::read_description(copy, folders.assets, faults);
     if (!made) return made.error().message;
     Diagnostics known;
-    const Result<scene::SceneDescription> own = scene::load_scene(scene, folders.assets, known);
+    const Result<scene::SceneDescription> own =
+        scene::read_description(scene, folders.assets, known);
     if (!own) return own.error().message;
     const bool whole = made->entities.size() == own->entities.size() &&
                        made->arrays.size() == own->arrays.size() &&

@@ -62,7 +62,7 @@ Left keep_whole_fragments(const std::filesystem::path& file) {
     if (failed || size == 0) return Left::Nothing;
     std::ifstream stream(file, std::ios::binary);
     std::uintmax_t whole = 0;
-    bool has_pictures = false;
+    bool has_images = false;
     std::array<char, 8> head{};
     for (std::uintmax_t at = 0; stream.read(head.data(), head.size());) {
         const std::string_view name(&head[4], 4);
@@ -73,10 +73,10 @@ Left keep_whole_fragments(const std::filesystem::path& file) {
         if (length < head.size() || length > size - at) break;
         at += length;
         if (name != "moof") whole = at;
-        has_pictures = has_pictures || name == "mdat";
+        has_images = has_images || name == "mdat";
         stream.seekg(static_cast<std::streamoff>(at));
     }
-    if (!has_pictures) return Left::Nothing;
+    if (!has_images) return Left::Nothing;
     if (whole == size) return Left::All;
     std::filesystem::resize_file(file, whole, failed);
     return Left::Part;
@@ -94,7 +94,7 @@ Result<std::unique_ptr<VideoFile>> VideoFile::start(const VideoDef& def) {
     if (!is_installed("ffmpeg")) {
         return Error{
             "films are written by ffmpeg, which is not installed (package ffmpeg); "
-            "pictures can be had without: render --frames N --out FOLDER"};
+            "images can be had without: render --frames N --out FOLDER"};
     }
     if (const Result<Done> open = check_output(def.file); !open) return open.error();
     Result<ChildProcess> ffmpeg = ChildProcess::start(
@@ -104,7 +104,7 @@ Result<std::unique_ptr<VideoFile>> VideoFile::start(const VideoDef& def) {
 }
 
 VideoFile::VideoFile(const VideoDef& def, ChildProcess ffmpeg)
-    : def_(def), ffmpeg_(std::move(ffmpeg)), writer_([this] { write_pictures(); }) {}
+    : def_(def), ffmpeg_(std::move(ffmpeg)), writer_([this] { write_images(); }) {}
 
 VideoFile::~VideoFile() {
     static_cast<void>(finish());
@@ -120,29 +120,29 @@ assets::ImageData VideoFile::spare() {
     return std::exchange(shown_, {});
 }
 
-bool VideoFile::add(assets::ImageData picture) {
+bool VideoFile::add(assets::ImageData image) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return broken_ || waiting_.size() < kMostWaiting; });
     if (broken_ || ended_) return false;
-    waiting_.push_back(std::move(picture));
+    waiting_.push_back(std::move(image));
     changed_.notify_all();
     return true;
 }
 
-void VideoFile::write_pictures() {
+void VideoFile::write_images() {
     std::unique_lock lock(mutex_);
     for (;;) {
         changed_.wait(lock, [&] { return ended_ || !waiting_.empty(); });
         if (waiting_.empty()) return;
-        assets::ImageData picture = std::move(waiting_.front());
+        assets::ImageData image = std::move(waiting_.front());
         waiting_.pop_front();
         changed_.notify_all();
         lock.unlock();
-        const std::string_view text(reinterpret_cast<const char*>(picture.bytes.data()),
-                                    picture.bytes.size());
+        const std::string_view text(reinterpret_cast<const char*>(image.bytes.data()),
+                                    image.bytes.size());
         const bool read = ffmpeg_.send(text);
         lock.lock();
-        shown_ = std::move(picture);
+        shown_ = std::move(image);
         if (read) continue;
         broken_ = true;
         changed_.notify_all();

@@ -43,14 +43,14 @@ public:
     assets::ImageData spare();
     /// Shows an RGB image of the film's size. False, without waiting, once nobody reads them any
     /// more: finish() says why.
-    bool add(assets::ImageData picture);
+    bool add(assets::ImageData image);
     /// Waits for what is still to be written. The error tells what went wrong, and that what was
     /// written plays.
     Result<Done> finish();
 
 private:
     VideoFile(const VideoDef& def, ChildProcess ffmpeg);
-    void write_pictures();
+    void write_images();
 
     VideoDef def_;
     ChildProcess ffmpeg_;

@@ -55,7 +55,7 @@ constexpr auto kWords = [] {
     say(Action::Help, "this help");
     say(Action::Stats, "what a frame costs");
     say(Action::AccuracyPanel, "accuracy: settings, gauges, ghost");
-    say(Action::Screenshot, "take a picture");
+    say(Action::Screenshot, "take an image");
     say(Action::Record, "save what was done so far");
     say(Action::Film, "take a film, or end it");
     say(Action::Fullscreen, "full screen");

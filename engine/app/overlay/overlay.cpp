@@ -19,7 +19,7 @@ constexpr double kMessage_s = 4.0;
 constexpr double kReading_s = 0.04;  // for each letter
 constexpr std::size_t kMessages = 6;
 
-std::map<std::string, std::filesystem::path> pictures_in(const std::filesystem::path& folder) {
+std::map<std::string, std::filesystem::path> thumbnails_in(const std::filesystem::path& folder) {
     std::map<std::string, std::filesystem::path> files;
     std::error_code failed;
     for (std::filesystem::recursive_directory_iterator entry(folder, failed), end;
@@ -50,7 +50,7 @@ struct Overlay::Impl {
 
 Overlay::Overlay(platform::Window& window, const std::filesystem::path& thumbnails)
     : impl_(std::make_unique<Impl>(window)) {
-    impl_->canvas.set_pictures(pictures_in(thumbnails));
+    impl_->canvas.set_thumbnails(thumbnails_in(thumbnails));
     const platform::PixelSize size = window.framebuffer_size();
     impl_->canvas.resize(size.width, size.height, window.content_scale(), 0.0F);
     ImGui_ImplOpenGL3_Init("#version 330 core");
@@ -65,7 +65,7 @@ void Overlay::follow_window(float ui_scale, ui::MenuControl& menu) {
     if (size.width == 0) return;
     ui::Canvas& canvas = impl_->canvas;
     bool remade = canvas.resize(size.width, size.height, impl_->window.content_scale(), ui_scale);
-    remade |= canvas.load_pictures(menu.menu());
+    remade |= canvas.load_thumbnails(menu.menu());
     if (remade) impl_->make_texture();
     menu.lay_out(canvas.width_px(), canvas.height_px(), canvas.font_px(), canvas.text_size());
 }

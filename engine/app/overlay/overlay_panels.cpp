@@ -161,11 +161,11 @@ std::vector<HudLine> stats_lines(const OverlayInput& input) {
     if (const std::string done = scene::interventions_text(input.report.interventions());
         !done.empty())
         add(fmt::format("beside solving: {}", done));
-    const QualityInForce& picture = input.report.picture();
-    const std::string without = render::what_gave_way(picture.quality);
-    add(fmt::format("picture {}{}  {} x {}{}",
-                    picture.level,
-                    picture.is_automatic ? " (auto)" : "",
+    const QualityInForce& image = input.report.image();
+    const std::string without = render::what_gave_way(image.quality);
+    add(fmt::format("image {}{}  {} x {}{}",
+                    image.level,
+                    image.is_automatic ? " (auto)" : "",
                     stats.scene_width_px,
                     stats.scene_height_px,
                     without.empty() ? "" : "; gave way: " + without));

@@ -161,8 +161,18 @@ void apply_layer(const std::filesystem::path& path, AppConfig& config, Diagnosti
                 apply_entry(file, "", table.str(), content, config, faults);
             continue;
         }
+        std::string_view name = table.str();
+        if (name == "picture") {
+            faults.add({.severity = Severity::Warning,
+                        .file = file,
+                        .line = static_cast<int>(table.source().begin.line),
+                        .column = static_cast<int>(table.source().begin.column),
+                        .key = std::string(name),
+                        .message = "\"picture\" is called \"image\" now"});
+            name = "image";
+        }
         for (const auto& [key, node] : *entries) {
-            apply_entry(file, table.str(), key.str(), node, config, faults);
+            apply_entry(file, name, key.str(), node, config, faults);
         }
     }
 }
@@ -186,17 +196,17 @@ std::vector<Setting> settings_of(AppConfig& config) {
         {"window", "vsync", &config.vsync, "Wait for the screen (vsync)"},
         {"window", "max_fps", IntSetting{&config.max_fps, 10, 10000}, "Frames a second at most"},
         {"window", "pause_on_focus_loss", &config.pause_on_focus_loss, "Pause in the background"},
-        {"picture",
+        {"image",
          "level",
-         WordSetting{place_of(config.quality_level), kPictureLevelNames},
+         WordSetting{place_of(config.quality_level), kImageLevelNames},
          "Level of detail"},
-        {"picture", "target_ms", FloatSetting{&config.target_ms, 4, 200}, "Auto: ms a frame"},
-        {"picture", "render_scale", FloatSetting{&config.render_scale, 0, 1}, "Render scale"},
-        {"picture",
+        {"image", "target_ms", FloatSetting{&config.target_ms, 4, 200}, "Auto: ms a frame"},
+        {"image", "render_scale", FloatSetting{&config.render_scale, 0, 1}, "Render scale"},
+        {"image",
          "anti_aliasing",
          WordSetting{place_of(config.anti_aliasing), kEdgeWishNames},
          "Smooth edges"},
-        {"picture", "fov_deg", FloatSetting{&config.fov_deg, 30, 120}, "Field of view"},
+        {"image", "fov_deg", FloatSetting{&config.fov_deg, 30, 120}, "Field of view"},
         {"hud", "ui_scale", FloatSetting{&config.ui_scale, 0, 3}, "Size of text"},
         {"hud", "hints", &config.hints, "Hints"},
         {"hud", "reduce_motion", &config.reduce_motion, "Reduce motion"},

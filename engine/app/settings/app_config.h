@@ -17,8 +17,7 @@
 namespace plumbline::app {
 
 enum class QualityLevel : std::uint8_t { Auto, Low, Medium, High };
-inline constexpr std::array<std::string_view, 4> kPictureLevelNames{
-    "auto", "low", "medium", "high"};
+inline constexpr std::array<std::string_view, 4> kImageLevelNames{"auto", "low", "medium", "high"};
 
 enum class EdgeWish : std::uint8_t { Auto, Off, Fxaa, Msaa2, Msaa4, Msaa8 };
 inline constexpr std::array<std::string_view, 6> kEdgeWishNames{
@@ -31,7 +30,7 @@ struct AppConfig {
     bool vsync{true};
     int max_fps{240};  ///< when vsync does not hold the loop back
     bool pause_on_focus_loss{false};
-    QualityLevel quality_level{QualityLevel::Auto};  ///< [picture]
+    QualityLevel quality_level{QualityLevel::Auto};  ///< [image]
     float target_ms{33.0F};                          ///< of a frame: what the level `auto` aims at
     float render_scale{0.0F};                        ///< of each side of the image; 0: by the level
     EdgeWish anti_aliasing{EdgeWish::Auto};          ///< auto: by the level, and by what draws

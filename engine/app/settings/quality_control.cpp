@@ -175,9 +175,9 @@ QualityRequest quality_request_of(const AppConfig& config) {
 }
 
 std::optional<QualityLevel> quality_level_named(std::string_view name) {
-    const auto found = std::ranges::find(kPictureLevelNames, name);
-    if (found == kPictureLevelNames.end()) return std::nullopt;
-    return static_cast<QualityLevel>(found - kPictureLevelNames.begin());
+    const auto found = std::ranges::find(kImageLevelNames, name);
+    if (found == kImageLevelNames.end()) return std::nullopt;
+    return static_cast<QualityLevel>(found - kImageLevelNames.begin());
 }
 
 }  // namespace plumbline::app

@@ -79,40 +79,40 @@ Canvas::~Canvas() {
     ImGui::DestroyContext(impl_->context);
 }
 
-void Canvas::set_pictures(std::map<std::string, std::filesystem::path> files) {
-    impl_->picture_files = std::move(files);
+void Canvas::set_thumbnails(std::map<std::string, std::filesystem::path> files) {
+    impl_->thumbnail_files = std::move(files);
 }
 
-bool Canvas::load_pictures(const Menu& menu) {
+bool Canvas::load_thumbnails(const Menu& menu) {
     if (!menu.open()) return false;
     bool is_new = false;
     for (const Line& line : menu.page().lines)
         for (const Cell& cell : line.cells)
-            if (!cell.picture.empty()) is_new |= impl_->load_picture(cell.picture);
+            if (!cell.thumbnail.empty()) is_new |= impl_->load_thumbnail(cell.thumbnail);
     if (is_new && impl_->font_px > 0.0F) impl_->build_atlas();
     return is_new;
 }
 
-bool Canvas::Impl::load_picture(const std::string& name) {
-    const auto file = picture_files.extract(name);
+bool Canvas::Impl::load_thumbnail(const std::string& name) {
+    const auto file = thumbnail_files.extract(name);
     if (file.empty()) return false;
     const Result<assets::ImageData> image = assets::import_image(file.mapped());
     if (!image) {
-        log_note("no picture of {}: {}", name, image.error().message);
+        log_note("no image of {}: {}", name, image.error().message);
         return false;
     }
     const std::uint32_t bytes = assets::bytes_per_pixel(image->format);
     constexpr std::uint32_t kLargest_px = 512;
     if (bytes < 3 || bytes > 4 || image->width > kLargest_px || image->height > kLargest_px)
         return false;
-    Picture picture{.width = static_cast<int>(image->width),
-                    .height = static_cast<int>(image->height)};
-    picture.rgba.reserve(image->bytes.size() / bytes * 4);
+    Thumbnail thumbnail{.width = static_cast<int>(image->width),
+                        .height = static_cast<int>(image->height)};
+    thumbnail.rgba.reserve(image->bytes.size() / bytes * 4);
     for (std::size_t i = 0; i + bytes <= image->bytes.size(); i += bytes) {
-        picture.rgba.insert(picture.rgba.end(), &image->bytes[i], &image->bytes[i] + 3);
-        picture.rgba.push_back(255);
+        thumbnail.rgba.insert(thumbnail.rgba.end(), &image->bytes[i], &image->bytes[i] + 3);
+        thumbnail.rgba.push_back(255);
     }
-    pictures.emplace(name, std::move(picture));
+    thumbnails.emplace(name, std::move(thumbnail));
     return true;
 }
 
@@ -121,7 +121,7 @@ void Canvas::Impl::build_atlas() {
     atlas.Clear();
     // Memory for what is there, not for the next power of two.
     atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
-    if (!pictures.empty()) atlas.TexDesiredWidth = 2048;
+    if (!thumbnails.empty()) atlas.TexDesiredWidth = 2048;
     std::error_code ignored;
     if (std::filesystem::exists(kFont, ignored)) {
         atlas.AddFontFromFileTTF(kFont, font_px, nullptr, kLetters.data());
@@ -130,28 +130,28 @@ void Canvas::Impl::build_atlas() {
         config.SizePixels = font_px;
         atlas.AddFontDefault(&config);
     }
-    for (auto& [name, picture] : pictures)
-        picture.place = atlas.AddCustomRectRegular(picture.width, picture.height);
+    for (auto& [name, thumbnail] : thumbnails)
+        thumbnail.place = atlas.AddCustomRectRegular(thumbnail.width, thumbnail.height);
     unsigned char* pixels = nullptr;
     int width = 0;
     int height = 0;
     atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
-    for (const auto& [name, picture] : pictures) {
-        const ImFontAtlasCustomRect* at = atlas.GetCustomRectByIndex(picture.place);
+    for (const auto& [name, thumbnail] : thumbnails) {
+        const ImFontAtlasCustomRect* at = atlas.GetCustomRectByIndex(thumbnail.place);
         if (at == nullptr || !at->IsPacked()) continue;
-        const std::size_t row = static_cast<std::size_t>(picture.width) * 4;
-        for (int y = 0; y < picture.height; ++y) {
+        const std::size_t row = static_cast<std::size_t>(thumbnail.width) * 4;
+        for (int y = 0; y < thumbnail.height; ++y) {
             const std::size_t to =
                 (static_cast<std::size_t>(at->Y + y) * static_cast<std::size_t>(width) + at->X) * 4;
-            std::copy_n(&picture.rgba[static_cast<std::size_t>(y) * row], row, pixels + to);
+            std::copy_n(&thumbnail.rgba[static_cast<std::size_t>(y) * row], row, pixels + to);
         }
     }
     apply_style(font_px);
 }
 
-std::optional<ImageUv> Canvas::Impl::picture(const std::string& name) const {
-    const auto found = pictures.find(name);
-    if (found == pictures.end() || found->second.place < 0) return std::nullopt;
+std::optional<ImageUv> Canvas::Impl::thumbnail(const std::string& name) const {
+    const auto found = thumbnails.find(name);
+    if (found == thumbnails.end() || found->second.place < 0) return std::nullopt;
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     const ImFontAtlasCustomRect* at = atlas.GetCustomRectByIndex(found->second.place);
     if (at == nullptr || !at->IsPacked()) return std::nullopt;

@@ -26,13 +26,13 @@ public:
     Canvas& operator=(const Canvas&) = delete;
 
     /// Names of images and their files, for cards. Each is read when a page first shows it.
-    void set_pictures(std::map<std::string, std::filesystem::path> files);
+    void set_thumbnails(std::map<std::string, std::filesystem::path> files);
 
     /// For the size of the window and the setting; letters are made anew when theirs changes. True
     /// then: the texture that was made of them is old.
     bool resize(int width_px, int height_px, float content_scale, float setting);
     /// Those of the page that is open. As resize(): true when there is a new texture to make.
-    bool load_pictures(const Menu& menu);
+    bool load_thumbnails(const Menu& menu);
 
     float font_px() const;
     const TextSize& text_size() const;

@@ -20,19 +20,19 @@ struct Canvas::Impl {
     float font_px{0.0F};
     double last_now_s{-1.0};
     TextSize text_size;
-    std::map<std::string, std::filesystem::path> picture_files;
-    struct Picture {
+    std::map<std::string, std::filesystem::path> thumbnail_files;
+    struct Thumbnail {
         int width;
         int height;
         std::vector<std::uint8_t> rgba;
         int place{-1};
     };
-    std::map<std::string, Picture> pictures;
+    std::map<std::string, Thumbnail> thumbnails;
     std::vector<std::string> cut;
 
-    bool load_picture(const std::string& name);  ///< false: there is none, or it was read before
+    bool load_thumbnail(const std::string& name);  ///< false: there is none, or it was read before
     void build_atlas();
-    std::optional<ImageUv> picture(const std::string& name) const;
+    std::optional<ImageUv> thumbnail(const std::string& name) const;
     /// Wrapped into the box; notes it when it does not fit.
     /// `scale`: of the font.
     void text(ImDrawList& list,

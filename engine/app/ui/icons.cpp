@@ -106,7 +106,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size_px, ImU32 
             pen.line(-0.4F, 0.0F, 0.45F, 0.0F);
             pen.line(-0.4F, 0.0F, -0.1F, -0.3F);
             return pen.line(-0.4F, 0.0F, -0.1F, 0.3F);
-        case Icon::Picture:
+        case Icon::Image:
             pen.box(-0.48F, -0.38F, 0.48F, 0.38F);
             pen.triangle(-0.4F, 0.32F, -0.1F, -0.1F, 0.2F, 0.32F);
             return pen.disc(0.22F, -0.14F, 0.1F);

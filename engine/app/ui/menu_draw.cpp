@@ -140,26 +140,26 @@ private:
     }
 
     void draw_card(const Cell& cell, const Box& box) {
-        Box picture = box;
-        picture.height = cell.picture.empty() ? 0.0F : box.width * 9.0F / 16.0F;
-        if (const auto uv = canvas_.picture(cell.picture)) {
+        Box image = box;
+        image.height = cell.thumbnail.empty() ? 0.0F : box.width * 9.0F / 16.0F;
+        if (const auto uv = canvas_.thumbnail(cell.thumbnail)) {
             list_.AddImageRounded(ImGui::GetIO().Fonts->TexID,
-                                  corner(picture),
-                                  far_corner(picture),
+                                  corner(image),
+                                  far_corner(image),
                                   uv->from,
                                   uv->to,
                                   IM_COL32_WHITE,
                                   em_ * 0.3F,
                                   ImDrawFlags_RoundCornersTop);
-        } else if (picture.height > 0.0F) {
+        } else if (image.height > 0.0F) {
             draw_icon(list_,
                       Icon::Scenes,
-                      {picture.x + picture.width * 0.5F, picture.y + picture.height * 0.5F},
+                      {image.x + image.width * 0.5F, image.y + image.height * 0.5F},
                       em_ * 3.0F,
                       kFaint);
         }
         Box text = inset(box, em_ * 0.7F, 0.0F);
-        text.y = picture.bottom() + em_ * 0.25F;
+        text.y = image.bottom() + em_ * 0.25F;
         text.height = canvas_.text_size.height_px(cell.text, text.width);
         canvas_.text(list_, text, kInk, cell.text);
         text.y = text.bottom();

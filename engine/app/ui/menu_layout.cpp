@@ -119,8 +119,8 @@ private:
             }
             const Cell& cell = line.cells[i];
             const float text_width = width - 2 * kPadding * em_;
-            const float picture = cell.picture.empty() ? 0.0F : width * 9.0F / 16.0F;
-            const float height = picture + text_.height_px(cell.text, text_width) +
+            const float image = cell.thumbnail.empty() ? 0.0F : width * 9.0F / 16.0F;
+            const float height = image + text_.height_px(cell.text, text_width) +
                                  text_.height_px(cell.note, text_width) + kPadding * em_;
             put({index, i}, {x, y_, width, height});
             row_height = std::max(row_height, height);

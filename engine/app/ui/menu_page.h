@@ -20,7 +20,7 @@ enum class Icon : std::uint8_t {
     Help,
     Quit,
     Back,
-    Picture,
+    Image,
     Screen,
     Sound,
     Mouse,
@@ -33,8 +33,8 @@ enum class Icon : std::uint8_t {
 /// Something that can be chosen. Functions that are empty are not offered.
 struct Cell {
     std::string text;
-    std::string note{};     ///< cards: the line below
-    std::string picture{};  ///< cards: name of a thumbnail
+    std::string note{};       ///< cards: the line below
+    std::string thumbnail{};  ///< cards: name of a thumbnail
     Icon icon{Icon::None};
     std::optional<float> fraction{};            ///< sliders: 0…1 of the way is filled
     std::function<void()> activate{};           ///< Enter, a click, the pad's accept

@@ -15,7 +15,7 @@ namespace plumbline::app::ui {
 namespace {
 
 constexpr std::string_view kHardFolder = "hard";
-constexpr std::string_view kHardPicture = "hard/H15";
+constexpr std::string_view kHardImage = "hard/H15";
 constexpr std::string_view kBenchFolder = "bench";
 
 /// "hard/H05" is in "hard", "bench/peers/x" in "bench/peers"; a scene at the top in "".
@@ -68,7 +68,7 @@ std::vector<Cell> MenuPages::cards(const std::string& folder, bool are_users_own
         // Copies have the titles of what they were made of.
         cells.push_back({.text = are_users_own ? scene.name : title_of(scene),
                          .note = are_users_own ? title_of(scene) : scene.description,
-                         .picture = scene.name,
+                         .thumbnail = scene.name,
                          .activate = [this, file = scene.file] { world_.open_scene(file); }});
     }
     // Lessons stand in their own order, all else by name.
@@ -92,7 +92,7 @@ void MenuPages::add_scenes(Page& page) {
                                         "says at once whether it holds",
                                         scenes.size())
                           : fmt::format("{} scenes", scenes.size()),
-             .picture = hard ? std::string(kHardPicture) : scenes.front()->name,
+             .thumbnail = hard ? std::string(kHardImage) : scenes.front()->name,
              .activate = [this, folder = name] {
                  menu_.push([this, folder] { return this->folder(folder); });
              }});

@@ -69,7 +69,7 @@ public:
     void take_press(const InputSnapshot& input);
 
 private:
-    enum class Tab : std::uint8_t { Picture, Sound, Mouse, Screen, Light, Accuracy };
+    enum class Tab : std::uint8_t { Image, Sound, Mouse, Screen, Light, Accuracy };
     /// The place of a binding that waits for its press.
     struct Slot {
         Action action{Action::Count};
@@ -109,7 +109,7 @@ private:
 
     Menu& menu_;
     MenuWorld world_;
-    Tab tab_{Tab::Picture};
+    Tab tab_{Tab::Image};
     bool capture_begins_{false};
     std::optional<input::PressCapture> capture_;
     Slot slot_;

@@ -190,7 +190,7 @@ Page MenuPages::settings() {
         const char* text;
         Icon icon;
     };
-    constexpr std::array<NamedTab, 6> kTabs{{{Tab::Picture, "Picture", Icon::Picture},
+    constexpr std::array<NamedTab, 6> kTabs{{{Tab::Image, "Image", Icon::Image},
                                              {Tab::Screen, "Screen", Icon::Screen},
                                              {Tab::Sound, "Sound", Icon::Sound},
                                              {Tab::Mouse, "Mouse and pad", Icon::Mouse},
@@ -218,7 +218,7 @@ Page MenuPages::settings() {
         return page;
     }
     std::vector<std::string_view> tables;
-    if (tab_ == Tab::Picture) tables = {"picture"};
+    if (tab_ == Tab::Image) tables = {"image"};
     if (tab_ == Tab::Screen) tables = {"window", "hud"};
     if (tab_ == Tab::Sound) tables = {"sound"};
     add_settings(page, tables);

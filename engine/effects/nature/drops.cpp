@@ -109,12 +109,12 @@ void Drops::emit(Nozzle& nozzle, float step_s) {
         // It left when it was due, within the step: a jet has no gaps from step to step.
         const float since_s = std::min(nozzle.due / nozzle.drops_per_s, step_s);
         drop.age_s = since_s;
-        fly(drop, since_s);
+        integrate(drop, since_s);
         drops_.push_back(drop);
     }
 }
 
-void Drops::fly(Drop& drop, float step_s) const {
+void Drops::integrate(Drop& drop, float step_s) const {
     // Half of the drag, all of gravity, half of the drag: order two, exact without air, and steady for
     // drops that air stops within a step.
     const Vec3f before = drop.velocity_mps;
@@ -178,7 +178,7 @@ void Drops::step(float step_s, const Obstacles& obstacles, const Vec3f& wind_mps
         const Vec3f from = drop.position_world;
         if (drop.held_l > 0.0F && obstacles && drop.age_s >= drop.looks_at_s)
             look_ahead(drop, step_s, obstacles);
-        fly(drop, step_s);
+        integrate(drop, step_s);
         drop.age_s += step_s;
         const auto pool = pool_met(from, drop.position_world);
         const bool meets_body = drop.age_s >= drop.ends_at_s;

@@ -94,7 +94,7 @@ private:
 
     void emit(Nozzle& nozzle, float step_s);
     Drop leaving(const Nozzle& nozzle);
-    void fly(Drop& drop, float step_s) const;
+    void integrate(Drop& drop, float step_s) const;
     struct PoolHit {
         Vec3f place_world;
         float reach_m;  ///< to the pool's edge

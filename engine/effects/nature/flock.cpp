@@ -134,8 +134,8 @@ public:
     void add_items(float time_s, render::RenderFrame& frame) const {
         for (const Flyer& flyer : flyers_) {
             const Vec3f place = place_of(flyer, time_s);
-            const Vec3f way = place_of(flyer, time_s + 0.05F) - place;
-            const Vec3f ahead = glm::normalize(way + Vec3f{0.0F, 0.0F, 1e-5F});
+            const Vec3f displacement = place_of(flyer, time_s + 0.05F) - place;
+            const Vec3f ahead = glm::normalize(displacement + Vec3f{0.0F, 0.0F, 1e-5F});
             const Vec3f right = glm::normalize(glm::cross(ahead, Vec3f{0.0F, 1.0F, 1e-4F}));
             const Mat4f pose{Vec4f{right, 0.0F},
                              Vec4f{glm::cross(right, ahead), 0.0F},

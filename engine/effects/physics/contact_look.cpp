@@ -23,7 +23,7 @@ public:
             touching.insert(contact.user_b);
         }
         for (auto [entity, look, visual] :
-             simulation.registry.view<scene::ContactLook, scene::Visual>()) {
+             simulation.registry.view<scene::ContactAppearance, scene::Visual>()) {
             const bool touches = touching.contains(scene::mark_of(entity));
             if (touches != look.touches) change(look, visual);
         }
@@ -34,7 +34,7 @@ public:
 private:
     static constexpr const char* kWho = "effect contact_look";
 
-    void change(scene::ContactLook& look, scene::Visual& visual) {
+    void change(scene::ContactAppearance& look, scene::Visual& visual) {
         look.touches = !look.touches;
         if (look.touches) {
             look.own = visual.materials;
@@ -50,7 +50,7 @@ private:
 
 Callers callers_of_contact_look(const scene::Simulation& simulation) {
     EntityCallers callers(simulation);
-    for (auto [entity, look] : simulation.registry.view<const scene::ContactLook>())
+    for (auto [entity, look] : simulation.registry.view<const scene::ContactAppearance>())
         callers.add(entity);
     return callers.take();
 }

@@ -2,25 +2,34 @@
 #pragma once
 
 #include "engine/effects/effect.h"
+#include "engine/scene/simulation/entity_lookup.h"
 
 namespace plumbline::effects {
 
-/// Switches one part of the physics on while it lives, and books what that part did.
+/// Books what one part of the physics did in each step. Of a part that the physics decides about: there
+/// while it acted in the latest step.
+template <std::uint32_t physics::FeatureUse::*kCount, double physics::FeatureUse::*kCost_ms>
+class PhysicsUse : public Effect {
+public:
+    void after_step(scene::Simulation& simulation, const scene::Game&) override {
+        const physics::FeatureUse& use = simulation.physics.feature_use();
+        work_.calls += use.*kCount;
+        work_.cpu_ms += use.*kCost_ms;
+    }
+    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
+};
+
+/// Also switches the part on while it lives.
 template <bool physics::WorldFeatures::*kFeature,
           std::uint32_t physics::FeatureUse::*kCount,
           double physics::FeatureUse::*kCost_ms>
-class PhysicsPart final : public Effect {
+class PhysicsPart final : public PhysicsUse<kCount, kCost_ms> {
 public:
     explicit PhysicsPart(scene::Simulation& simulation) : simulation_(simulation) { set(true); }
     ~PhysicsPart() override { set(false); }
     PhysicsPart(const PhysicsPart&) = delete;
     PhysicsPart& operator=(const PhysicsPart&) = delete;
 
-    void after_step(scene::Simulation& simulation, const scene::Game&) override {
-        const physics::FeatureUse& use = simulation.physics.feature_use();
-        work_.calls += use.*kCount;
-        work_.cpu_ms += use.*kCost_ms;
-    }
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 
 private:
@@ -32,5 +41,19 @@ private:
 
     scene::Simulation& simulation_;
 };
+
+/// What a part that the physics decides about is called for by: the first body that it acted on.
+template <physics::BodyId physics::FeatureUse::*kFirst>
+Callers callers_of_use(const scene::Simulation& simulation) {
+    const physics::BodyId first = simulation.physics.feature_use().*kFirst;
+    if (!simulation.physics.contains(first)) return {};
+    return {describe(simulation, entity_of_mark(simulation, simulation.physics.user(first)))};
+}
+
+template <physics::BodyId physics::FeatureUse::*kFirst>
+std::uint64_t key_of_use(const scene::Simulation& simulation) {
+    const physics::BodyId first = simulation.physics.feature_use().*kFirst;
+    return simulation.physics.contains(first) ? simulation.physics.user(first) + 1 : 0;
+}
 
 }  // namespace plumbline::effects

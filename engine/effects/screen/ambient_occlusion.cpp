@@ -5,12 +5,12 @@
 namespace plumbline::effects {
 namespace {
 
-struct Looks {
+struct Samples {
     std::uint32_t slices;
     std::uint32_t steps;
 };
 
-constexpr Looks looks_of(scene::Fidelity fidelity) {
+constexpr Samples samples_of(scene::Fidelity fidelity) {
     switch (fidelity) {
         case scene::Fidelity::Draft:
             return {.slices = 1, .steps = 2};
@@ -28,11 +28,11 @@ public:
                  const scene::ViewPoint&,
                  render::RenderFrame& frame) override {
         const scene::SceneDescription& scene = simulation.description();
-        const Looks looks = looks_of(scene.screen_fidelity.occlusion);
+        const Samples samples = samples_of(scene.screen_fidelity.occlusion);
         frame.occlusion = render::AmbientOcclusion{.radius_m = scene.occlusion->radius_m,
                                                    .strength = scene.occlusion->strength,
-                                                   .slices = looks.slices,
-                                                   .steps = looks.steps};
+                                                   .slices = samples.slices,
+                                                   .steps = samples.steps};
         ++work_.calls;
     }
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }

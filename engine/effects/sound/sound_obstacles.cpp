@@ -48,19 +48,20 @@ void each_face(const physics::PhysicsWorld& world,
 /// How much longer the way over each open side of a box is: left, right, above.
 std::array<float, 3> detours_m(
     const Vec3& source, const Vec3& ear, float at_m, const Vec3& low, const Vec3& high) {
-    const Vec3 way = ear - source;
-    const Real whole_m = glm::length(way);
+    const Vec3 path = ear - source;
+    const Real whole_m = glm::length(path);
     const auto length_m = static_cast<float>(whole_m);
-    const Vec3 along = way / whole_m;
+    const Vec3 along = path / whole_m;
     const Vec3 side = normalize_or(glm::cross(along, Vec3{0, 1, 0}), Vec3{1, 0, 0});
     const Vec3 above = glm::cross(side, along);
     const Vec3 crossed = source + along * Real{at_m};
     const Vec3 half = (high - low) / Real{2};
     const Vec3 from_crossed = (low + high) / Real{2} - crossed;
     std::array<float, 3> detours{};
-    const std::array<Vec3, 3> ways{side, -side, above};
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-        const Real edge = glm::dot(from_crossed, ways[i]) + glm::dot(half, glm::abs(ways[i]));
+    const std::array<Vec3, 3> directions{side, -side, above};
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        const Real edge =
+            glm::dot(from_crossed, directions[i]) + glm::dot(half, glm::abs(directions[i]));
         const float clear_m = std::max(static_cast<float>(edge), 0.0F);
         detours[i] = std::hypot(at_m, clear_m) + std::hypot(length_m - at_m, clear_m) - length_m;
     }
@@ -76,14 +77,14 @@ bool lies_within(const Vec3& point, const Vec3& low, const Vec3& high) {
 physics::QueryFilter rays_from_ear(const scene::Simulation& simulation, const Vec3& ear_world) {
     // A round body is met at once by rays that begin in it and go deeper, and the eye stands high in
     // a person: most often the first finds it.
-    constexpr std::array<Vec3, 6> kWays{Vec3{0, -1, 0},
-                                        Vec3{0, 1, 0},
-                                        Vec3{1, 0, 0},
-                                        Vec3{-1, 0, 0},
-                                        Vec3{0, 0, 1},
-                                        Vec3{0, 0, -1}};
-    for (const Vec3& way : kWays) {
-        const auto hit = simulation.physics.cast_ray(ear_world, ear_world + way);
+    constexpr std::array<Vec3, 6> kDirections{Vec3{0, -1, 0},
+                                              Vec3{0, 1, 0},
+                                              Vec3{1, 0, 0},
+                                              Vec3{-1, 0, 0},
+                                              Vec3{0, 0, 1},
+                                              Vec3{0, 0, -1}};
+    for (const Vec3& direction : kDirections) {
+        const auto hit = simulation.physics.cast_ray(ear_world, ear_world + direction);
         if (hit && hit->distance_m <= kAtOnce_m &&
             !simulation.registry.alive(entity_of_mark(simulation, hit->user)))
             return {.ignored = hit->body};

@@ -64,15 +64,15 @@ private:
             const Vec3 upwind = -wind.direction;
             const Vec3 side = glm::cross(upwind, Vec3{0, 1, 0});
             // Past what stands beside one, and over it.
-            const std::array<Vec3, 4> ways{upwind,
-                                           glm::normalize(upwind + side * 0.6_r),
-                                           glm::normalize(upwind - side * 0.6_r),
-                                           glm::normalize(upwind + Vec3{0, 1, 0})};
+            const std::array<Vec3, 4> directions{upwind,
+                                                 glm::normalize(upwind + side * 0.6_r),
+                                                 glm::normalize(upwind - side * 0.6_r),
+                                                 glm::normalize(upwind + Vec3{0, 1, 0})};
             const physics::QueryFilter filter = rays_from_ear(simulation, ear);
-            const auto open = std::ranges::count_if(ways, [&](const Vec3& way) {
-                return !simulation.physics.cast_ray(ear, ear + way * kShelterReach_m, filter);
+            const auto open = std::ranges::count_if(directions, [&](const Vec3& direction) {
+                return !simulation.physics.cast_ray(ear, ear + direction * kShelterReach_m, filter);
             });
-            const float free = static_cast<float>(open) / static_cast<float>(ways.size());
+            const float free = static_cast<float>(open) / static_cast<float>(directions.size());
             wanted_ = kShelteredShare + (1.0F - kShelteredShare) * free;
             if (!std::exchange(is_looked_, true)) exposed_ = wanted_;
         }

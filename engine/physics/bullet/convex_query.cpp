@@ -105,8 +105,9 @@ void cast_at(const btConvexShape& moving,
 }  // namespace
 
 bool BodyFilter::sees(const BodyRecord& record) const {
-    return &record != ignored && &record != also_ignored && (record.group & collides_with) != 0 &&
-           (group & record.collides_with) != 0 &&
+    return &record != ignored && &record != also_ignored &&
+           (record.filter.group & collides_with) != 0 &&
+           (group & record.filter.collides_with) != 0 &&
            (ignored == nullptr || !collision_excluded(*ignored, record)) &&
            (unseen_group == 0 || record.sweep.group != unseen_group);
 }

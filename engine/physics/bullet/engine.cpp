@@ -2,6 +2,7 @@
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/counting_solver.h"
 #include "engine/physics/bullet/engine_parts.h"
+#include "engine/physics/dynamics/body_motion.h"
 #include "engine/physics/world/body_record.h"
 
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
@@ -53,13 +54,19 @@ public:
         }
         const BodyRecord& record_a = record_of(object_a);
         const BodyRecord& record_b = record_of(object_b);
-        return (record_a.group & record_b.collides_with) != 0 &&
-               (record_b.group & record_a.collides_with) != 0 &&
+        return may_touch(record_a.filter, record_b.filter) &&
                !collision_excluded(record_a, record_b);
     }
 };
 
-void make_solver(const WorldDef& def, StepCost& cost, BulletEngine::Parts& parts) {
+// From so many bodies on, and after each so many, the broad phase's tree is made anew while bodies are added.
+constexpr int kManyBodies = 4096;
+constexpr int kBodiesBetween = 1024;
+
+void make_solver(const WorldDef& def, BulletEngine::Parts& parts) {
+    StepCost& cost = *parts.solved;
+    parts.solver.reset();
+    parts.pivot_solver.reset();
     switch (def.solver) {
         case Solver::SmallStep:
         case Solver::BulletSi: {
@@ -87,12 +94,30 @@ void make_solver(const WorldDef& def, StepCost& cost, BulletEngine::Parts& parts
     }
 }
 
+void set_up_solver(const WorldDef& def, const BulletEngine::Parts& parts) {
+    btContactSolverInfo& info = parts.world->getSolverInfo();
+    info.m_numIterations = def.iterations;
+    // A matrix grows with the square of a batch: one island at a time.
+    info.m_minimumSolverBatchSize =
+        parts.pivot_solver ? 1 : btContactSolverInfo().m_minimumSolverBatchSize;
+}
+
+void scale_impulses(btPersistentManifold& manifold, btScalar factor) {
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        btManifoldPoint& point = manifold.getContactPoint(i);
+        point.m_appliedImpulse *= factor;
+        point.m_appliedImpulseLateral1 *= factor;
+        point.m_appliedImpulseLateral2 *= factor;
+    }
+}
+
 }  // namespace
 
 BulletEngine::BulletEngine(const WorldDef& def, StepCost& solved)
     : parts_(std::make_unique<Parts>()) {
     install_global_callbacks();
     Parts& parts = *parts_;
+    parts.solved = &solved;
     parts.configuration = std::make_unique<btDefaultCollisionConfiguration>();
     if (def.solver == Solver::SmallStep) {
         parts.dispatcher = std::make_unique<PairDispatcher>(parts.configuration.get());
@@ -108,17 +133,13 @@ BulletEngine::BulletEngine(const WorldDef& def, StepCost& solved)
     parts.pair_filter = std::make_unique<PairFilter>();
     parts.pairs->setOverlapFilterCallback(parts.pair_filter.get());
     parts.broadphase = std::make_unique<btDbvtBroadphase>(parts.pairs.get());
-    make_solver(def, solved, parts);
+    make_solver(def, parts);
     parts.world = std::make_unique<StepWorld>(parts.dispatcher.get(),
                                               parts.broadphase.get(),
                                               parts.solver.get(),
                                               parts.configuration.get(),
                                               def.gravity_mps2);
-    parts.world->getSolverInfo().m_numIterations = def.iterations;
-    if (parts.pivot_solver) {
-        // The matrix grows with the square of a batch: one island at a time.
-        parts.world->getSolverInfo().m_minimumSolverBatchSize = 1;
-    }
+    set_up_solver(def, parts);
 }
 
 BulletEngine::~BulletEngine() = default;
@@ -126,6 +147,9 @@ BulletEngine::~BulletEngine() = default;
 void BulletEngine::add(BodyRecord& record) {
     // The pair filter reads the record; Bullet's own two masks must only not say no.
     parts_->world->addRigidBody(record.rigid.get(), -1, -1);
+    // Bodies made one beside the other, as arrays are, make its tree a list, and the next one walks along it.
+    const int count = parts_->world->getNumCollisionObjects();
+    if (count >= kManyBodies && count % kBodiesBetween == 0) parts_->broadphase->optimize();
     record.rigid->setDeactivationTime(0);
 }
 
@@ -180,12 +204,29 @@ void BulletEngine::begin_step(const WorldFeatures& features, std::function<void(
     world.use = {};
     world.features = features;
     world.after_solve = std::move(after_solve);
-    each_moving([](BodyRecord& record) { write_rigid_start(record); });
+    bool any_turns = false;
+    each_moving([&](BodyRecord& record) {
+        write_rigid_start(record);
+        any_turns = any_turns || feels_gyro(record, features);
+    });
+    if (features.gyro_waits_for_spin) world.features.gyroscopic_torque = any_turns;
 }
 
 void BulletEngine::advance(Real substep_s, bool last) {
     parts_->world->last_substep = last;
     parts_->world->advance(substep_s);
+}
+
+void BulletEngine::change(const WorldDef& before, const WorldDef& after) {
+    Parts& parts = *parts_;
+    make_solver(after, parts);
+    parts.world->setConstraintSolver(parts.solver.get());
+    set_up_solver(after, parts);
+    parts.world->set_gravity(after.gravity_mps2);
+    const double factor = (after.step_s / after.substeps) / (before.step_s / before.substeps);
+    if (factor == 1) return;
+    for (int i = 0; i < parts.dispatcher->getNumManifolds(); ++i)
+        scale_impulses(*parts.dispatcher->getManifoldByIndexInternal(i), btScalar(factor));
 }
 
 const StepCost& BulletEngine::cost() const {

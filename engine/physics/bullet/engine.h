@@ -14,7 +14,7 @@ class StepWorld;
 
 class BulletEngine {
 public:
-    /// Bullet's solvers count into `solved`.
+    /// Bullet's solvers count into `solved`, which outlives the engine.
     BulletEngine(const WorldDef& def, StepCost& solved);
     ~BulletEngine();
     BulletEngine(const BulletEngine&) = delete;
@@ -43,6 +43,9 @@ public:
     /// `after_solve` is called in each substep, with the velocities before it in the records.
     void begin_step(const WorldFeatures& features, std::function<void()> after_solve);
     void advance(Real substep_s, bool last);
+    /// Another of Bullet's solvers, another rate or gravity. Contacts stay, and go on carrying the same
+    /// mean forces in substeps of another length.
+    void change(const WorldDef& before, const WorldDef& after);
     const StepCost& cost() const;
     const FeatureUse& use() const;
     void each_moving(const std::function<void(BodyRecord&)>& visit) const;

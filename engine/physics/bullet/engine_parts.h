@@ -24,6 +24,7 @@ struct BulletEngine::Parts {
     PairList* own_pairs{nullptr};  ///< small_step: `pairs`
     std::unique_ptr<btOverlapFilterCallback> pair_filter;
     std::unique_ptr<btDbvtBroadphase> broadphase;
+    StepCost* solved{nullptr};  ///< what solvers count into
     std::unique_ptr<btMLCPSolverInterface> pivot_solver;
     std::unique_ptr<btConstraintSolver> solver;
     std::unique_ptr<StepWorld> world;

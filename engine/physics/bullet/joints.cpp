@@ -292,7 +292,7 @@ bool was_solved(const JointRecord& joint) {
 
 std::unique_ptr<btTypedConstraint> constraint_of(const JointRecord& joint) {
     switch (joint.solver.kind) {
-        case JointKind::Ball:
+        case JointKind::BallAndSocket:
             return make_ball(joint);
         case JointKind::Cone:
             return make_cone(joint);

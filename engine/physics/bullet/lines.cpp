@@ -51,13 +51,13 @@ bool is_capsule_round(const BodyRecord& record, const Vec3& eye_world) {
 
 }  // namespace
 
-void PhysicsWorld::add_shape_lines(ShapeId shape,
+void WorldQueries::add_shape_lines(ShapeId shape,
                                    const Pose& world_from_body,
                                    const Vec3f& color,
                                    LineList& lines) const {
-    const ShapeRecord& record = impl_->shapes.get(shape);
+    const ShapeRecord& record = world_.shapes.get(shape);
     LineCollector collector(lines);
-    StepWorld& world = impl_->engine->world();
+    StepWorld& world = world_.engine->world();
     world.setDebugDrawer(&collector);
     world.debugDrawObject(to_bullet(compose(world_from_body, record.body_from_mass)),
                           record.collision,
@@ -65,19 +65,19 @@ void PhysicsWorld::add_shape_lines(ShapeId shape,
     world.setDebugDrawer(nullptr);
 }
 
-void PhysicsWorld::add_debug_lines(LineList& lines, const std::optional<Vec3>& eye_world) const {
+void WorldQueries::add_debug_lines(LineList& lines, const std::optional<Vec3>& eye_world) const {
     LineCollector collector(lines);
-    StepWorld& world = impl_->engine->world();
+    StepWorld& world = world_.engine->world();
     // Only for the length of this call: a drawer left in place would be asked during steps.
     world.setDebugDrawer(&collector);
-    impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+    world_.bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
         if (eye_world && is_capsule_round(*record, *eye_world)) return;
         world.debugDrawObject(record->rigid->getWorldTransform(),
                               record->rigid->getCollisionShape(),
                               color_of(*record));
     });
     world.setDebugDrawer(nullptr);
-    impl_->engine->each_manifold([&lines](const Manifold& manifold) {
+    world_.engine->each_manifold([&lines](const Manifold& manifold) {
         for (const ManifoldPoint& point : manifold.points) {
             const Vec3& foot = point.b.surface_m;
             const Vec3 tip = foot + kNormalLength_m * point.normal_world;
@@ -86,9 +86,9 @@ void PhysicsWorld::add_debug_lines(LineList& lines, const std::optional<Vec3>& e
     });
 }
 
-void PhysicsWorld::add_box_lines(LineList& lines, const std::optional<Vec3>& eye_world) const {
+void WorldQueries::add_box_lines(LineList& lines, const std::optional<Vec3>& eye_world) const {
     LineCollector collector(lines);
-    impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+    world_.bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
         if (eye_world && is_capsule_round(*record, *eye_world)) return;
         btVector3 low;
         btVector3 high;

@@ -32,16 +32,16 @@ btTransform convex_at(const ShapeRecord& record, const Pose& pose) {
 
 }  // namespace
 
-std::optional<RayHit> PhysicsWorld::cast_ray(const Vec3& from_world,
+std::optional<RayHit> WorldQueries::cast_ray(const Vec3& from_world,
                                              const Vec3& to_world,
                                              const QueryFilter& filter) const {
     if (!is_finite(from_world) || !is_finite(to_world) || from_world == to_world) {
         return std::nullopt;
     }
-    const auto hit = ray_among(impl_->engine->world(),
+    const auto hit = ray_among(world_.engine->world(),
                                to_bullet(from_world),
                                to_bullet(to_world),
-                               filter_for(filter, impl_->bodies));
+                               filter_for(filter, world_.bodies));
     if (!hit) return std::nullopt;
     return RayHit{.body = hit->record->id,
                   .user = hit->record->user,
@@ -50,20 +50,20 @@ std::optional<RayHit> PhysicsWorld::cast_ray(const Vec3& from_world,
                   .distance_m = hit->fraction * glm::distance(from_world, to_world)};
 }
 
-std::optional<SweepHit> PhysicsWorld::sweep(ShapeId shape,
+std::optional<SweepHit> WorldQueries::sweep(ShapeId shape,
                                             const Pose& from,
                                             const Vec3& to_position_world,
                                             const QueryFilter& filter) const {
-    const ShapeRecord& record = impl_->shapes.get(shape);
+    const ShapeRecord& record = world_.shapes.get(shape);
     PL_ASSERT(record.convex != nullptr, "a convex shape to sweep");
     if (!is_finite(from) || !is_finite(to_position_world)) return std::nullopt;
     const btVector3 motion = to_bullet(to_position_world - from.position);
     if (motion.isZero()) return std::nullopt;
-    const auto hit = cast_among(impl_->engine->world(),
+    const auto hit = cast_among(world_.engine->world(),
                                 *record.convex,
                                 convex_at(record, from),
                                 motion,
-                                filter_for(filter, impl_->bodies));
+                                filter_for(filter, world_.bodies));
     if (!hit) return std::nullopt;
     return SweepHit{.body = hit->record->id,
                     .user = hit->record->user,
@@ -72,11 +72,11 @@ std::optional<SweepHit> PhysicsWorld::sweep(ShapeId shape,
                     .fraction = hit->fraction};
 }
 
-std::vector<OverlapHit> PhysicsWorld::overlaps(ShapeId shape,
+std::vector<OverlapHit> WorldQueries::overlaps(ShapeId shape,
                                                const Pose& pose,
                                                Real margin_m,
                                                const QueryFilter& filter) const {
-    const ShapeRecord& record = impl_->shapes.get(shape);
+    const ShapeRecord& record = world_.shapes.get(shape);
     PL_ASSERT(record.convex != nullptr, "a convex shape to overlap");
     std::vector<OverlapHit> hits;
     if (!is_finite(pose)) return hits;
@@ -87,8 +87,8 @@ std::vector<OverlapHit> PhysicsWorld::overlaps(ShapeId shape,
     const btVector3 reach(margin_m, margin_m, margin_m);
     low -= reach;
     high += reach;
-    const BodyFilter seen = filter_for(filter, impl_->bodies);
-    for (const BodyRecord* other : bodies_in_box(impl_->engine->world(), low, high, seen)) {
+    const BodyFilter seen = filter_for(filter, world_.bodies);
+    for (const BodyRecord* other : bodies_in_box(world_.engine->world(), low, high, seen)) {
         each_convex(*other->rigid->getCollisionShape(),
                     other->rigid->getWorldTransform(),
                     low,

@@ -17,14 +17,18 @@ StepWorld::StepWorld(btDispatcher* dispatcher,
                      btConstraintSolver* solver,
                      btCollisionConfiguration* configuration,
                      const Vec3& gravity_mps2)
-    : btDiscreteDynamicsWorld(dispatcher, pairs, solver, configuration),
-      gravity_mps2_(gravity_mps2) {
-    setGravity(to_bullet(gravity_mps2));
+    : btDiscreteDynamicsWorld(dispatcher, pairs, solver, configuration) {
+    set_gravity(gravity_mps2);
     // Same calls, same bits: pair order must not depend on where the heap put things.
     getDispatchInfo().m_deterministicOverlappingPairs = true;
     // Sweeping is ours; Bullet's own would stretch every body's box by its path.
     getDispatchInfo().m_useContinuous = false;
     setForceUpdateAllAabbs(false);
+}
+
+void StepWorld::set_gravity(const Vec3& gravity_mps2) {
+    gravity_mps2_ = Vec3d(gravity_mps2);
+    setGravity(to_bullet(gravity_mps2));
 }
 
 void StepWorld::list_moving(const std::vector<BodyRecord*>& records) {
@@ -124,6 +128,7 @@ void StepWorld::integrateTransforms(btScalar step_s) {
         cost.integrate_ms += laps_.lap_ms();
         for (BodyRecord* record : turning_) turn_freely(*record, static_cast<double>(step_s));
         use.gyro_bodies += static_cast<std::uint32_t>(turning_.size());
+        if (!use.turned) use.turned = turning_.front()->id;
         use.gyro_ms += laps_.lap_ms();
     }
     for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
@@ -136,6 +141,7 @@ void StepWorld::integrateTransforms(btScalar step_s) {
             if (stop_at_hit(*this, *record, step_s)) write_rigid_motion(*record);
         }
         use.swept_bodies += static_cast<std::uint32_t>(swept_.size());
+        if (!use.swept) use.swept = swept_.front()->id;
         use.sweep_ms += laps_.lap_ms();
     }
     updateAabbs();

@@ -28,6 +28,7 @@ public:
               btCollisionConfiguration* configuration,
               const Vec3& gravity_mps2);
 
+    void set_gravity(const Vec3& gravity_mps2);
     /// In this order from now on; all that are listed, each once.
     void list_moving(const std::vector<BodyRecord*>& records);
     /// One substep. `cost` and `use` are added to.
@@ -52,7 +53,7 @@ private:
     void slide(BodyRecord& record, btScalar step_s);
     void move(BodyRecord& record, btScalar step_s);
 
-    Vec3d gravity_mps2_;
+    Vec3d gravity_mps2_{0, 0, 0};
     std::vector<BodyRecord*> turning_;
     std::vector<BodyRecord*> swept_;
     LapTimer laps_;

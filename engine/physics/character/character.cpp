@@ -14,6 +14,19 @@ constexpr Real kPinnedPace = 0.2_r;
 constexpr Real kCrouchTime_s = 0.18_r;
 constexpr Real kEyeStiffness_radps = 14;  // how fast stairs are smoothed away
 
+/// A step later: towards the height of the posture at most by `rate_m`, the offset towards nothing.
+Eye settled(Eye eye, Real wanted_m, Real rate_m, Real most_offset_m, Real dt) {
+    eye.height_m += std::clamp(wanted_m - eye.height_m, -rate_m, rate_m);
+    // Critically damped, solved exactly, so that it is the same at every step length.
+    eye.offset_m = std::clamp(eye.offset_m, -most_offset_m, most_offset_m);
+    const Real decay = std::exp(-kEyeStiffness_radps * dt);
+    const Real slope = eye.offset_mps + kEyeStiffness_radps * eye.offset_m;
+    const Real offset = (eye.offset_m + slope * dt) * decay;
+    eye.offset_mps = (eye.offset_mps - kEyeStiffness_radps * slope * dt) * decay;
+    eye.offset_m = offset;
+    return eye;
+}
+
 }  // namespace
 
 Character::Impl::Impl(PhysicsWorld& physics_world, const CharacterDef& definition)
@@ -23,7 +36,7 @@ Character::Impl::Impl(PhysicsWorld& physics_world, const CharacterDef& definitio
       dt(static_cast<Real>(physics_world.def().step_s)),
       gravity_mps2(-physics_world.def().gravity_mps2.y),
       cos_limit(std::cos(definition.max_slope_rad)),
-      eye_height_m(definition.height_m - definition.eye_below_top_m) {
+      eye{.height_m = definition.height_m - definition.eye_below_top_m} {
     PL_ASSERT(is_finite(definition.feet_position_m), "feet at a finite place");
     const std::array<Real, 2> heights{def.height_m, def.crouched_height_m};
     for (std::size_t i = 0; i < body_shapes.size(); ++i) {
@@ -42,13 +55,11 @@ Character::Impl::~Impl() {
 
 void Character::Impl::make_body() {
     if (world.contains(body)) world.destroy_body(body);
-    const Real middle = (kBodyAboveFeet_m + probe.height_m()) / 2;
     body = world.create_body({.kind = BodyKind::Kinematic,
                               .shape = body_shapes[crouched ? 1 : 0],
-                              .world_from_body = {.position = Vec3(feet) + kUp * middle},
+                              .world_from_body = body_pose(0),
                               .friction = 0.5_r,
-                              .group = def.group,
-                              .collides_with = def.collides_with,
+                              .filter = {.group = def.group, .collides_with = def.collides_with},
                               .user = kCharacterMark});
     probe.set_own_body(body);
 }
@@ -63,15 +74,11 @@ void Character::Impl::serialize(Archive& archive) {
             ground,
             ride,
             crouched,
-            squeezed,
             pinned,
             since_ground_s,
             wedged_s,
-            landing_speed_mps,
-            ridden_yaw_rad,
-            eye_height_m,
-            eye_offset_m,
-            eye_offset_mps);
+            eye,
+            state);
     if (!archive.reads() || archive.failed()) return;
     world.destroy_body(body);
     body = {};
@@ -102,11 +109,11 @@ void Character::Impl::teleport(const Vec3& place) {
     ground = {};
     ride.reset();
     since_ground_s = 1;
-    eye_offset_m = 0;
-    eye_offset_mps = 0;
-    landing_speed_mps = 0;
+    eye.offset_m = 0;
+    eye.offset_mps = 0;
+    state.landing_speed_mps = 0;
     make_body();
-    publish();
+    state = seen();
 }
 
 Vec3 Character::Impl::wish_velocity(const CharacterInput& input) const {
@@ -130,74 +137,74 @@ void Character::Impl::change_posture(bool crouch) {
 }
 
 void Character::Impl::update(const CharacterInput& input) {
-    landing_speed_mps = 0;
+    state.landing_speed_mps = 0;
+    state.crouch_wanted = input.crouch;
     probe.set_unseen({});
     const Vec3d start = feet;
-    follow_ride();
-    give_way();
+    const Real ridden_yaw_rad = follow_ride();
+    state.squeezed = give_way();
+    // What the person still is deep in would answer every question with nonsense; the floor must
+    // go on carrying meanwhile.
+    const std::optional<BodyId> pinning = pinning_body();
+    pinned = pinning.has_value();
+    if (pinned) probe.set_unseen(*pinning);
     change_posture(input.crouch);
     Vec3 wish = wish_velocity(input);
     if (pinned) wish *= kPinnedPace;  // slower than the way out
-    if (input.jump) jump();
+    if (const auto up = input.jump ? jump_velocity() : std::nullopt) {
+        leave_ground(*up);
+        since_ground_s = 1;
+        wedged_s = 0;
+    }
     if (footing == Footing::Ground) {
         walk(wish);
     } else {
         since_ground_s += dt;
         fly(wish);
     }
-    restore_gaps();
-    begin_ride();
+    move_swept(way_to_gaps(), {});
+    ride = ride_on_ground();
     press_down();
-    carry();
+    state.ridden_yaw_rad = ridden_yaw_rad + carry();
     if (!is_finite(Vec3(feet)) || !is_finite(velocity)) {
         feet = start;
         velocity = {0, 0, 0};
     }
-    settle_eye();
-    move_body();
-    publish();
-}
-
-void Character::Impl::move_body() {
+    eye = settled(eye,
+                  probe.height_m() - def.eye_below_top_m,
+                  (def.height_m - def.crouched_height_m) / kCrouchTime_s * dt,
+                  def.step_up_m,
+                  dt);
     // The felt capsule climbs stairs as smoothly as the eye, so that it kicks nothing upwards.
+    world.move_kinematic(body, body_pose(std::clamp(eye.offset_m, -def.step_up_m, Real{0})));
+    state = seen();
+}
+
+Pose Character::Impl::body_pose(Real raised_m) const {
     const Real middle = (kBodyAboveFeet_m + probe.height_m()) / 2;
-    const Real smooth = std::clamp(eye_offset_m, -def.step_up_m, Real{0});
-    world.move_kinematic(body, {.position = Vec3(feet) + kUp * (middle + smooth)});
+    return {.position = Vec3(feet) + kUp * (middle + raised_m)};
 }
 
-void Character::Impl::settle_eye() {
-    const Real wanted = probe.height_m() - def.eye_below_top_m;
-    const Real rate = (def.height_m - def.crouched_height_m) / kCrouchTime_s * dt;
-    eye_height_m += std::clamp(wanted - eye_height_m, -rate, rate);
-    // Critically damped, solved exactly, so that it is the same at every step length.
-    eye_offset_m = std::clamp(eye_offset_m, -def.step_up_m, def.step_up_m);
-    const Real decay = std::exp(-kEyeStiffness_radps * dt);
-    const Real slope = eye_offset_mps + kEyeStiffness_radps * eye_offset_m;
-    const Real offset = (eye_offset_m + slope * dt) * decay;
-    eye_offset_mps = (eye_offset_mps - kEyeStiffness_radps * slope * dt) * decay;
-    eye_offset_m = offset;
-}
-
-void Character::Impl::publish() {
+/// The state as the step leaves it.
+CharacterState Character::Impl::seen() const {
+    CharacterState now = state;
     const Vec3 here = Vec3(feet);
-    state.feet_position_m = here;
-    Real eye = eye_height_m + eye_offset_m;
-    if (eye_offset_m > 0.05_r) {
+    now.feet_position_m = here;
+    Real eye_m = eye.height_m + eye.offset_m;
+    if (eye.offset_m > 0.05_r) {
         // On the way down a stair the eye may be above the head: not into the lintel.
-        const auto lintel = probe.ray(here + kUp * eye_height_m, here + kUp * (eye + 0.1_r));
-        if (lintel) eye = std::max(eye_height_m, lintel->point_world.y - here.y - 0.1_r);
+        const auto lintel = probe.ray(here + kUp * eye.height_m, here + kUp * (eye_m + 0.1_r));
+        if (lintel) eye_m = std::max(eye.height_m, lintel->point_world.y - here.y - 0.1_r);
     }
-    state.eye_position_m = here + kUp * eye;
-    state.velocity_mps = velocity;
-    state.walking_mps = footing == Footing::Ground ? velocity : Vec3{0, 0, 0};
-    if (footing == Footing::Ground && ride) state.velocity_mps += ride->velocity;
-    state.footing = footing;
-    state.ground_body = footing == Footing::Ground ? ground.body : BodyId{};
-    state.ground_normal_world = footing == Footing::Ground ? ground.face_normal : kUp;
-    state.crouched = crouched;
-    state.landing_speed_mps = landing_speed_mps;
-    state.ridden_yaw_rad = ridden_yaw_rad;
-    state.squeezed = squeezed;
+    now.eye_position_m = here + kUp * eye_m;
+    now.velocity_mps = velocity;
+    now.walking_mps = footing == Footing::Ground ? velocity : Vec3{0, 0, 0};
+    if (footing == Footing::Ground && ride) now.velocity_mps += ride->velocity;
+    now.footing = footing;
+    now.ground_body = footing == Footing::Ground ? ground.body : BodyId{};
+    now.ground_normal_world = footing == Footing::Ground ? ground.face_normal : kUp;
+    now.crouched = crouched;
+    return now;
 }
 
 Character::Character(PhysicsWorld& world, const CharacterDef& def)
@@ -222,7 +229,7 @@ BodyId Character::body() const {
 }
 
 void Character::serialize(Archive& archive) {
-    archive(*impl_, impl_->state);
+    archive(*impl_);
 }
 
 void Character::teleport(const Vec3& feet_position_m) {

@@ -13,17 +13,16 @@ constexpr Real kCoyoteTime_s = 0.08_r;
 
 }  // namespace
 
-void Character::Impl::jump() {
+std::optional<Vec3> Character::Impl::jump_velocity() const {
     const bool wedged = wedged_s >= kWedgedAfter_s;
-    if (footing != Footing::Ground && !wedged && since_ground_s > kCoyoteTime_s) return;
+    if (footing != Footing::Ground && !wedged && since_ground_s > kCoyoteTime_s)
+        return std::nullopt;
     const Vec3 riding = ride ? ride->velocity : Vec3{0, 0, 0};
     Vec3 start = velocity;
     if (footing == Footing::Ground) start += riding;
     start.y = std::max(riding.y, Real{0}) +
               std::sqrt(2 * std::max(gravity_mps2, Real{0}) * def.jump_height_m);
-    leave_ground(start);
-    since_ground_s = 1;
-    wedged_s = 0;
+    return start;
 }
 
 bool Character::Impl::try_land(const CapsuleContact& hit, const Vec3& fall_velocity) {
@@ -34,7 +33,7 @@ bool Character::Impl::try_land(const CapsuleContact& hit, const Vec3& fall_veloc
     }
     const Support support = probe.support_of(hit, feet);
     if (!support.walkable) return false;
-    landing_speed_mps = std::max(-relative.y, 1e-3_r);
+    state.landing_speed_mps = std::max(-relative.y, 1e-3_r);
     velocity = level(relative);
     stand_on(support);
     return true;

@@ -34,7 +34,7 @@ bool Character::Impl::may_step_on(BodyId other, Real height_m) const {
     return height_m <= kSteppableHeight_m || world.mass_properties(other).mass_kg >= kSteppable_kg;
 }
 
-Real Character::Impl::push(const CapsuleContact& hit, const Vec3& wanted_velocity) {
+Real Character::Impl::push(const CapsuleContact& hit, const Vec3& wanted_velocity) const {
     if (world.kind(hit.body) != BodyKind::Dynamic || world.frozen(hit.body)) return 0;
     const Vec3 into = normalize_or(-level(hit.normal), Vec3{0, 0, 0});
     const Real wanted = glm::dot(wanted_velocity, into);
@@ -80,8 +80,7 @@ Vec3 Character::Impl::slide_freely(const Vec3& way, BodyId ignored) {
     return Vec3(feet - start);
 }
 
-void Character::Impl::give_way() {
-    squeezed = false;
+bool Character::Impl::give_way() {
     const Vec3d start = feet;
     Real budget = kPushOut_mps * dt;
     std::array<BodyId, kPasses> blocked{};
@@ -130,26 +129,19 @@ void Character::Impl::give_way() {
         }
     }
     if (!is_finite(Vec3(feet))) feet = start;
-    if (worst_left > 0.05_r) {
-        squeezed = true;
-        escape();
-    }
-    note_pin();
+    const bool squeezed = worst_left > 0.05_r;
+    if (squeezed) escape();
+    return squeezed;
 }
 
-void Character::Impl::note_pin() {
-    // What the person still is deep in would answer every question with nonsense; the floor must
-    // go on carrying meanwhile.
-    pinned = false;
+std::optional<BodyId> Character::Impl::pinning_body() const {
     for (const CapsuleContact& touch : probe.touches(feet, -2 * kSkin_m)) {
-        if (gives_way_to_us(touch.body)) continue;
-        pinned = true;
-        probe.set_unseen(touch.body);
-        return;
+        if (!gives_way_to_us(touch.body)) return touch.body;
     }
+    return std::nullopt;
 }
 
-void Character::Impl::restore_gaps() {
+Vec3 Character::Impl::way_to_gaps() const {
     // Sweeps know the first thing in the way; what is passed at a flat angle may come too close.
     std::array<LimitPlane, kPasses> walls{};
     std::size_t count = 0;
@@ -167,7 +159,7 @@ void Character::Impl::restore_gaps() {
         walls[count++] = {.normal = out, .room_m = -touch.gap_m};
         worst = std::max(worst, -touch.gap_m);
     }
-    if (worst < 1e-4_r) return;
+    if (worst < 1e-4_r) return {0, 0, 0};
     // The least way out of all of them together; one after the other they would only take turns.
     Vec3 out{0, 0, 0};
     for (int pass = 0; pass < 2 * kPasses; ++pass) {
@@ -177,7 +169,7 @@ void Character::Impl::restore_gaps() {
         }
     }
     const Real length = glm::length(out);
-    move_swept(length > 4 * kSkin_m ? out * (4 * kSkin_m / length) : out, {});
+    return length > 4 * kSkin_m ? out * (4 * kSkin_m / length) : out;
 }
 
 bool Character::Impl::escape() {

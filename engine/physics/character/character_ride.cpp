@@ -36,12 +36,11 @@ Pose repeat(const Pose& before, const Pose& now) {
 
 }  // namespace
 
-void Character::Impl::follow_ride() {
-    ridden_yaw_rad = 0;
-    if (!ride) return;
+Real Character::Impl::follow_ride() {
+    if (!ride) return 0;
     if (!world.contains(ride->body) || world.frozen(ride->body)) {
         ride.reset();
-        return;
+        return 0;
     }
     // What really happened in the step, against what was expected of it.
     const BodyState found = world.state(ride->body);
@@ -49,9 +48,9 @@ void Character::Impl::follow_ride() {
     const Vec3 real = transform_point(found.world_from_body, ride->anchor_body);
     if (glm::length(real - expected) > kLostRide_m) {
         ride.reset();
-        return;
+        return 0;
     }
-    ridden_yaw_rad = yaw_of(
+    const Real turned_rad = yaw_of(
         glm::normalize(found.world_from_body.orientation * glm::conjugate(ride->next.orientation)));
     slide_freely(real - expected, ride->body);
     const Pose before = ride->now;
@@ -59,22 +58,20 @@ void Character::Impl::follow_ride() {
     ride->next = world.kind(ride->body) == BodyKind::Kinematic ? repeat(before, ride->now)
                                                                : coast(found, dt);
     ride->velocity = (transform_point(ride->next, ride->anchor_body) - real) / dt;
+    return turned_rad;
 }
 
-void Character::Impl::begin_ride() {
+std::optional<Ride> Character::Impl::ride_on_ground() const {
     const bool carries = footing == Footing::Ground && world.contains(ground.body) &&
                          world.kind(ground.body) != BodyKind::Static && !world.frozen(ground.body);
-    if (!carries) {
-        ride.reset();
-        return;
-    }
-    if (ride && ride->body == ground.body) return;
+    if (!carries) return std::nullopt;
+    if (ride && ride->body == ground.body) return ride;
     const BodyState found = world.state(ground.body);
-    ride = Ride{.body = ground.body, .now = found.world_from_body, .next = coast(found, dt)};
+    return Ride{.body = ground.body, .now = found.world_from_body, .next = coast(found, dt)};
 }
 
-void Character::Impl::carry() {
-    if (!ride) return;
+Real Character::Impl::carry() {
+    if (!ride) return 0;
     const Vec3 here = Vec3(feet);
     // Who stands still keeps the very same place on it: rounding must not make him wander.
     const bool still = glm::length(transform_point(ride->now, ride->anchor_body) - here) < 2e-5_r;
@@ -82,27 +79,26 @@ void Character::Impl::carry() {
     const Vec3 there = transform_point(ride->next, anchor);
     ride->velocity = (there - here) / dt;
     const Vec3 moved = slide_freely(there - here, ride->body);
-    ridden_yaw_rad +=
-        yaw_of(glm::normalize(ride->next.orientation * glm::conjugate(ride->now.orientation)));
     const bool carried = glm::length(moved - (there - here)) < 1e-5_r;
     ride->anchor_body = carried ? anchor : transform_point(invert(ride->next), Vec3(feet));
+    return yaw_of(glm::normalize(ride->next.orientation * glm::conjugate(ride->now.orientation)));
 }
 
-void Character::Impl::press_down() {
+void Character::Impl::press_down() const {
     if (footing != Footing::Ground || !world.contains(ground.body) ||
         world.kind(ground.body) != BodyKind::Dynamic || world.frozen(ground.body)) {
         return;
     }
     const Real mass = world.mass_properties(ground.body).mass_kg;
     const Real shared = def.mass_kg * mass / (def.mass_kg + mass);
-    const Real impulse = def.mass_kg * gravity_mps2 * dt + shared * landing_speed_mps;
+    const Real impulse = def.mass_kg * gravity_mps2 * dt + shared * state.landing_speed_mps;
     world.wake(ground.body);
     push(ground.body, -kUp * impulse, ground.point);
 }
 
 /// As a force all through the step; for Bullet's solvers as an impact, because their friction does not
 /// see the torque of forces off centre, and a crate with a person at its edge would creep away.
-void Character::Impl::push(BodyId pushed, const Vec3& impulse_Ns, const Vec3& point_world) {
+void Character::Impl::push(BodyId pushed, const Vec3& impulse_Ns, const Vec3& point_world) const {
     if (world.def().solver == Solver::SmallStep) {
         world.apply_force_at(pushed, impulse_Ns / dt, point_world);
     } else {

@@ -121,56 +121,22 @@ struct Ride {
     void serialize(Archive& archive) { archive(body, now, next, anchor_body, velocity); }
 };
 
+/// How high the eye is above the feet.
+struct Eye {
+    Real height_m{0};  ///< by the posture
+    Real offset_m{0};  ///< what stairs still have to give back
+    Real offset_mps{0};
+
+    void serialize(Archive& archive) { archive(height_m, offset_m, offset_mps); }
+};
+
 struct Character::Impl {
     Impl(PhysicsWorld& world, const CharacterDef& def);
     ~Impl();
 
     void update(const CharacterInput& input);
     void teleport(const Vec3& feet);
-
-    // --- character_walk.cpp
-    void walk(const Vec3& wish_velocity);
-    void slide_on_ground(Vec3 way);
-    bool step_up(const Vec3& way);
-    bool try_step(const Vec3& way);
-    std::optional<Support> find_ground(Vec3d& feet, Real reach_m) const;
-    bool drop_to_ground();
-    void stand_on(const Support& support);
-    void leave_ground(const Vec3& velocity);
-
-    // --- character_air.cpp
-    void fly(const Vec3& wish_velocity);
-    bool try_land(const CapsuleContact& hit, const Vec3& velocity);
-    void jump();
-
-    // --- character_contacts.cpp
-    void give_way();
-    void note_pin();
-    void restore_gaps();
-    bool escape();
-    Real push(const CapsuleContact& hit, const Vec3& velocity);
-    bool gives_way_to_us(BodyId body) const;
-    bool may_step_on(BodyId body, Real height_m) const;
-    Vec3 slide_freely(const Vec3& way, BodyId ignored);
-    Real move_swept(const Vec3& way, BodyId ignored);
-    Vec3 point_velocity(BodyId body, const Vec3& point) const;
-
-    // --- character_ride.cpp
-    void follow_ride();
-    void begin_ride();
-    void carry();
-    void press_down();
-    void push(BodyId pushed, const Vec3& impulse_Ns, const Vec3& point_world);
-
-    // --- character.cpp
-    void change_posture(bool crouch);
-    void make_body();
     void serialize(Archive& archive);
-    void move_body();
-    void settle_eye();
-    void publish();
-    Vec3 wish_velocity(const CharacterInput& input) const;
-    void find_free_place(const Vec3& feet);
 
     PhysicsWorld& world;
     CharacterDef def;
@@ -187,16 +153,61 @@ struct Character::Impl {
     BodyId body{};
     std::array<ShapeId, 2> body_shapes{};
     bool crouched{false};
-    bool squeezed{false};
     bool pinned{false};  ///< still deep in something that the probe does not see in this step
     Real since_ground_s{1};
     Real wedged_s{0};
-    Real landing_speed_mps{0};
-    Real ridden_yaw_rad{0};
-    Real eye_height_m{0};
-    Real eye_offset_m{0};  ///< what stairs still have to give back
-    Real eye_offset_mps{0};
+    Eye eye{};
     CharacterState state{};
+
+private:
+    // --- character_walk.cpp
+    void walk(const Vec3& wish_velocity);
+    void slide_on_ground(Vec3 way);
+    bool step_up(const Vec3& way);
+    bool try_step(const Vec3& way);
+    std::optional<Support> find_ground(Vec3d& feet, Real reach_m) const;
+    bool drop_to_ground();
+    void stand_on(const Support& support);
+    void leave_ground(const Vec3& velocity);
+
+    // --- character_air.cpp
+    void fly(const Vec3& wish_velocity);
+    bool try_land(const CapsuleContact& hit, const Vec3& velocity);
+    /// The velocity to leave the ground with; none: there is nothing to jump from.
+    std::optional<Vec3> jump_velocity() const;
+
+    // --- character_contacts.cpp
+    /// Whether what presses leaves no room.
+    bool give_way();
+    /// What the person still is deep in.
+    std::optional<BodyId> pinning_body() const;
+    /// The least way out of all that is too close.
+    Vec3 way_to_gaps() const;
+    bool escape();
+    Real push(const CapsuleContact& hit, const Vec3& velocity) const;
+    bool gives_way_to_us(BodyId body) const;
+    bool may_step_on(BodyId body, Real height_m) const;
+    Vec3 slide_freely(const Vec3& way, BodyId ignored);
+    Real move_swept(const Vec3& way, BodyId ignored);
+    Vec3 point_velocity(BodyId body, const Vec3& point) const;
+
+    // --- character_ride.cpp
+    /// Goes where what carries the person has gone. How far that turned, about +Y.
+    Real follow_ride();
+    /// On what is stood on, if that can move.
+    std::optional<Ride> ride_on_ground() const;
+    /// Goes where what carries the person will go in the coming step. How far that turns, about +Y.
+    Real carry();
+    void press_down() const;
+    void push(BodyId pushed, const Vec3& impulse_Ns, const Vec3& point_world) const;
+
+    // --- character.cpp
+    void change_posture(bool crouch);
+    void make_body();
+    Pose body_pose(Real raised_m) const;
+    CharacterState seen() const;
+    Vec3 wish_velocity(const CharacterInput& input) const;
+    void find_free_place(const Vec3& feet);
 };
 
 }  // namespace plumbline::physics

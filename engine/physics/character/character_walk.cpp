@@ -152,7 +152,7 @@ bool Character::Impl::try_step(const Vec3& way) {
     // The round foot may be half-way up an edge; is there headroom for the rest?
     const Vec3 over = support->point + way * (kEdgeAside_m / length);
     if (probe.ray(over + kUp * kEdgeAside_m, over + kUp * probe.height_m())) return false;
-    eye_offset_m -= static_cast<Real>(landed.y - feet.y);
+    eye.offset_m -= static_cast<Real>(landed.y - feet.y);
     feet = landed;
     stand_on(*support);
     return true;
@@ -203,7 +203,7 @@ bool Character::Impl::drop_to_ground() {
         return false;
     }
     const Real drop = static_cast<Real>(feet.y - landed.y);
-    if (drop > kSkin_m && ground.face_normal.y > 0.999_r) eye_offset_m += drop;
+    if (drop > kSkin_m && ground.face_normal.y > 0.999_r) eye.offset_m += drop;
     feet = landed;
     stand_on(*support);
     return true;

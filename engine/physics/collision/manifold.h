@@ -19,8 +19,9 @@ struct ContactSide {
     Vec3 surface_m{0, 0, 0};  ///< the point on the surface, world
 };
 
-/// What a point carried, as mean forces over the latest sub-step: what the next step starts from,
-/// however long its sub-steps are.
+/// What a point carried, as mean forces over the latest sub-step: what the next step starts from.
+/// Newtons and not N s, because the next sub-step may be of another length: an island chooses its number
+/// of sub-steps in every step, and the rate may change.
 struct PointLoad {
     Real normal_N{0};
     std::array<Real, 2> friction_N{};  ///< along tangents_of(normal_world)
@@ -47,7 +48,8 @@ struct PairMaterial {
     Real spinning_m{0};  ///< ... against spinning about the normal
 };
 
-/// What all points of a manifold carried together in the latest step that solved it.
+/// What all points of a manifold carried together in the latest step that solved it; mean forces of
+/// its last sub-step, as PointLoad.
 struct ManifoldLoad {
     std::uint64_t step{0};  ///< number of that step; 0: none
     std::uint32_t age_steps{0};

@@ -156,8 +156,8 @@ SweepResult swept_fraction(const StepWorld& world,
         const auto hit = cast_sphere(
             world,
             {.from_world = from, .motion_m = motion, .radius_m = sphere.radius_m * kShare},
-            {.group = record.group,
-             .collides_with = record.collides_with,
+            {.group = record.filter.group,
+             .collides_with = record.filter.collides_with,
              .ignored = &record,
              .unseen_group = unseen_group});
         if (!hit) continue;

@@ -12,6 +12,66 @@ constexpr Real kLeastGyroSpin_radps = 1e-2_r;
 /// Without gravity slower impacts do not bounce.
 constexpr Real kSlowestBounce_mps = 1e-3_r;
 
+/// Many bodies in one place push each other in rows, and what each pair may give adds up: none
+/// leaves faster than one pair may push, or than it came. Whether that slowed it.
+bool clamp_depenetration_velocity(SolverBody& body, Real push_mps) {
+    if (!body.depenetrated || !body.movable()) return false;
+    const Real most = std::max(push_mps, body.start_speed_mps);
+    const Real speed = glm::length(body.velocity_mps);
+    if (speed > most) body.velocity_mps *= most / speed;
+    return speed > most;
+}
+
+/// What pushed a body off its axes is taken back: the sweeps see its whole mass along all of them
+/// and reach the others' share of a push in the sweeps that follow.
+void hold_along_axes(std::span<const HeldBody> held, std::span<SolverBody> bodies) {
+    for (const HeldBody& each : held) {
+        bodies[each.body].velocity_mps *= each.linear_factor;
+        bodies[each.body].delta_position_m *= each.linear_factor;
+    }
+}
+
+/// Forces for the sub-step, and the impulses of the one before.
+void apply_steady_forces(std::span<SolverBody> bodies, ContactSet& contacts, Real h) {
+    for (SolverBody& body : bodies) {
+        body.velocity_increment_mps = body.acceleration_mps2 * h;
+        body.spin_increment_radps = body.angular_acceleration_radps2 * h;
+    }
+    contacts.warm_start();
+    for (SolverBody& body : bodies) {
+        if (!body.movable()) continue;
+        body.velocity_mps =
+            body.velocity_mps * body.linear_damping_factor + body.velocity_increment_mps;
+        body.spin_radps = body.spin_radps * body.angular_damping_factor + body.spin_increment_radps;
+    }
+}
+
+void turn_body(SolverBody& body, bool gyroscopic_torque, Real h) {
+    const bool gyroscopic =
+        gyroscopic_torque && body.movable() && !body.isotropic_inertia &&
+        glm::dot(body.spin_radps, body.spin_radps) > kLeastGyroSpin_radps * kLeastGyroSpin_radps;
+    if (!gyroscopic) {
+        const Vec3 mean = body.spin_radps - body.spin_increment_radps * Real{0.5};
+        body.delta_rotation = glm::normalize(turn_by(mean, h) * body.delta_rotation);
+        return;
+    }
+    const FreeTurn start{Quatd(body.delta_rotation) * body.start_orientation,
+                         Vec3d(body.spin_radps)};
+    const FreeTurn end = turned_freely(start, body.inertia_kgm2, static_cast<double>(h));
+    body.delta_rotation = Quat(end.orientation * glm::conjugate(body.start_orientation));
+    body.spin_radps = Vec3(end.spin_radps);
+}
+
+/// Forces that act all through the sub-step move a body by half of what their speed would: flight
+/// is exact, sliding and rolling are second order.
+void move_bodies(std::span<SolverBody> bodies, bool gyroscopic_torque, Real h) {
+    const Real half = h / 2;
+    for (SolverBody& body : bodies) {
+        body.delta_position_m += body.velocity_mps * h - body.velocity_increment_mps * half;
+        turn_body(body, gyroscopic_torque, h);
+    }
+}
+
 }  // namespace
 
 void IslandLoop::clear() {
@@ -34,7 +94,7 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     guard_.begin(bodies, contacts.constraints, joints, h_);
     for (int i = 0; i < settings.substeps; ++i) substep();
     for (SolverBody& body : bodies)
-        report_.clamped_bodies += clamp_depenetration_velocity(body) ? 1U : 0U;
+        report_.clamped_bodies += clamp_depenetration_velocity(body, settings.push_mps) ? 1U : 0U;
     report_.braked_J = guard_.end(bodies, settings.step_s);
     if (!joints.empty()) {
         joint_system_.finish();
@@ -46,22 +106,13 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     return report_;
 }
 
-/// Many bodies in one place push each other in rows, and what each pair may give adds up: none
-/// leaves faster than one pair may push, or than it came. Whether that slowed it.
-bool IslandLoop::clamp_depenetration_velocity(SolverBody& body) const {
-    if (!body.depenetrated || !body.movable()) return false;
-    const Real most = std::max(settings_.push_mps, body.start_speed_mps);
-    const Real speed = glm::length(body.velocity_mps);
-    if (speed > most) body.velocity_mps *= most / speed;
-    return speed > most;
-}
-
 void IslandLoop::substep() {
     if (impacts_.needed()) report_.impacts += impacts_.run();
-    apply_steady_forces();
+    apply_steady_forces(bodies, contacts, h_);
     if (!joints.empty()) joint_system_.push_springs(static_cast<double>(h_) / 2);
     solve_velocities();
-    move();
+    move_bodies(bodies, settings_.gyroscopic_torque, h_);
+    hold_along_axes(held, bodies);
     if (!joints.empty()) {
         joint_system_.correct_positions();
         joint_system_.push_springs(static_cast<double>(h_) / 2);
@@ -71,35 +122,12 @@ void IslandLoop::substep() {
     contacts.end_substep();
 }
 
-/// What pushed a body off its axes is taken back: the sweeps see its whole mass along all of them
-/// and reach the others' share of a push in the sweeps that follow.
-void IslandLoop::hold() {
-    for (const HeldBody& each : held) {
-        bodies[each.body].velocity_mps *= each.linear_factor;
-        bodies[each.body].delta_position_m *= each.linear_factor;
-    }
-}
-
-void IslandLoop::apply_steady_forces() {
-    for (SolverBody& body : bodies) {
-        body.velocity_increment_mps = body.acceleration_mps2 * h_;
-        body.spin_increment_radps = body.angular_acceleration_radps2 * h_;
-    }
-    contacts.warm_start();
-    for (SolverBody& body : bodies) {
-        if (!body.movable()) continue;
-        body.velocity_mps =
-            body.velocity_mps * body.linear_damping_factor + body.velocity_increment_mps;
-        body.spin_radps = body.spin_radps * body.angular_damping_factor + body.spin_increment_radps;
-    }
-}
-
 void IslandLoop::solve_velocities() {
     if (contacts.constraints.empty() && !joint_system_.solves_before_motion()) return;
     for (int i = 0; i < settings_.iterations; ++i) {
         contacts.solve_with_bias();
         if (!joints.empty()) joint_system_.solve_velocities();
-        hold();
+        hold_along_axes(held, bodies);
     }
 }
 
@@ -107,35 +135,8 @@ void IslandLoop::relax() {
     for (int i = 0; i < settings_.iterations; ++i) {
         contacts.relax();
         if (!joints.empty()) joint_system_.solve_velocities();
-        hold();
+        hold_along_axes(held, bodies);
     }
-}
-
-/// Forces that act all through the sub-step move a body by half of what their speed would: flight
-/// is exact, sliding and rolling are second order.
-void IslandLoop::move() {
-    const Real half = h_ / 2;
-    for (SolverBody& body : bodies) {
-        body.delta_position_m += body.velocity_mps * h_ - body.velocity_increment_mps * half;
-        turn(body);
-    }
-    hold();
-}
-
-void IslandLoop::turn(SolverBody& body) const {
-    const bool gyroscopic =
-        settings_.gyroscopic_torque && body.movable() && !body.isotropic_inertia &&
-        glm::dot(body.spin_radps, body.spin_radps) > kLeastGyroSpin_radps * kLeastGyroSpin_radps;
-    if (!gyroscopic) {
-        const Vec3 mean = body.spin_radps - body.spin_increment_radps * Real{0.5};
-        body.delta_rotation = glm::normalize(turn_by(mean, h_) * body.delta_rotation);
-        return;
-    }
-    const FreeTurn start{Quatd(body.delta_rotation) * body.start_orientation,
-                         Vec3d(body.spin_radps)};
-    const FreeTurn end = turned_freely(start, body.inertia_kgm2, static_cast<double>(h_));
-    body.delta_rotation = Quat(end.orientation * glm::conjugate(body.start_orientation));
-    body.spin_radps = Vec3(end.spin_radps);
 }
 
 }  // namespace plumbline::physics

@@ -53,14 +53,9 @@ public:
     LoopReport run(const LoopSettings& settings);
 
 private:
-    bool clamp_depenetration_velocity(SolverBody& body) const;
     void substep();
-    void apply_steady_forces();
-    void move();
-    void turn(SolverBody& body) const;
     void solve_velocities();
     void relax();
-    void hold();
 
     LoopSettings settings_{};
     Real h_{0};

@@ -59,8 +59,8 @@ bool roll_back_if_invalid(const Island& island) {
     for (Manifold* manifold : island.manifolds) forget_loads(*manifold);
     for (JointRecord* joint : island.joints) {
         SolverJoint& solver = joint->solver;
-        solver.bounded_impulse = {};
-        solver.impulse = {};
+        solver.bound_load = {};
+        solver.mean_load = {};
         solver.error_m = 0;
         solver.position = 0;
         joint->state = {};

@@ -39,6 +39,69 @@ void serialize_body(Archive& archive, BodyRecord& record) {
             record.applied.torque_Nm);
 }
 
+/// After a fault: bodies without a world, which can only be taken down.
+void abandon(WorldState& world) {
+    if (world.engine) world.take_engine_down();
+    world.bodies.each([](BodyId, std::unique_ptr<BodyRecord>& record) {
+        record->in_world = record->small.awake = false;
+        record->small.sleeping_island = 0;
+        record->joints.clear();
+        record->excluded.clear();
+        record->small.pairs.clear();
+    });
+    world.joints = {};
+    for (auto* ids : {&world.poisoned, &world.quarantined}) ids->clear();
+    world.broken_joints.clear();
+    world.build_engine(world.def);
+}
+
+void serialize_bodies(Archive& archive, const BodyScope& scope, WorldState& world) {
+    if (archive.reads()) world.event_bodies = 0;
+    world.bodies.each([&](BodyId id, std::unique_ptr<BodyRecord>& record) {
+        if (!scope.holds(id)) return;
+        const bool was_frozen = record->frozen;
+        serialize_body(archive, *record);
+        if (archive.reads()) {
+            if (record->contact_events) ++world.event_bodies;
+            if (was_frozen != record->frozen) set_rigid_mass(*record, record->frozen);
+            record->excluded.clear();
+            record->sweep.group = 0;
+        }
+        serialize_rigid(archive, *record);
+    });
+}
+
+void serialize_joints(Archive& archive, const BodyScope& scope, JointTable& joints) {
+    std::vector<JointId> ids;
+    joints.each([&](JointId id, const std::unique_ptr<JointRecord>& joint) {
+        if (scope.holds(*joint)) ids.push_back(id);
+    });
+    archive(ids);
+    if (archive.reads()) {
+        joints = {};
+        for (const JointId id : ids) {
+            if (!archive.expect(joints.reserve(id), "a joint has no number")) return;
+            joints.insert(std::make_unique<JointRecord>());
+        }
+    }
+    bool is_whole = scope.is_whole();
+    archive(is_whole);
+    if (is_whole) joints.serialize_slots(archive);
+    joints.each([&](JointId id, std::unique_ptr<JointRecord>& record) {
+        JointRecord& joint = *record;
+        if (!archive.reads() && !scope.holds(joint)) return;
+        archive(joint.def, joint.solver, joint.state);
+        if (!archive.reads() || archive.failed()) return;
+        const auto* a = scope.bodies.find(joint.def.a);
+        const auto* b = scope.bodies.find(joint.def.b);
+        if (!archive.expect(a != nullptr && (b != nullptr || !joint.def.b), kOtherBodies)) return;
+        joint.id = id;
+        joint.a = a->get();
+        joint.b = b != nullptr ? b->get() : nullptr;
+        if (!joint.state.broken) keep_apart(joint);
+    });
+}
+
 }  // namespace
 
 bool BodyScope::holds(const JointRecord& joint) const {
@@ -61,106 +124,40 @@ void serialize(Archive& archive, std::vector<BodyRecord*>& list, const BodyScope
 }
 
 void PhysicsWorld::serialize(Archive& archive, const std::function<bool(BodyId)>& keeps) {
-    Impl& impl = *impl_;
-    const BodyScope scope{impl.bodies, keeps};
-    WorldDef def = impl.def;
+    WorldState& world = *state_;
+    const BodyScope scope{world.bodies, keeps};
+    WorldDef def = world.def;
     bool is_whole = scope.is_whole();
     archive(def, is_whole);
     std::vector<BodyId> ids;
-    impl.bodies.each([&](BodyId id, const std::unique_ptr<BodyRecord>&) {
+    world.bodies.each([&](BodyId id, const std::unique_ptr<BodyRecord>&) {
         if (scope.holds(id)) ids.push_back(id);
     });
     std::vector<BodyId> saved = ids;
     archive(saved);
     if (!archive.expect(is_possible(def), "no world steps like that")) return;
     if (!archive.expect(saved == ids, kOtherBodies)) return;
-    if (is_whole) impl.bodies.serialize_slots(archive);
+    if (is_whole) world.bodies.serialize_slots(archive);
     if (archive.failed()) return;
-    if (archive.reads()) {
-        impl.take_engine_down();
-        impl.def = def;
-    }
-    impl.serialize_bodies(archive, scope);
-    impl.serialize_joints(archive, scope);
+    if (archive.reads()) world.take_engine_down();
+    serialize_bodies(archive, scope, world);
+    serialize_joints(archive, scope, world.joints);
     if (archive.reads() && !archive.failed()) {
-        impl.build_engine();
-        impl.bodies.each(
-            [&](BodyId, std::unique_ptr<BodyRecord>& record) { impl.suit_to_world(*record); });
+        world.build_engine(def);
+        world.bodies.each(
+            [&](BodyId, std::unique_ptr<BodyRecord>& record) { suit_to_world(def, *record); });
     }
-    if (!archive.failed()) physics::serialize_engine(archive, *impl.engine, scope, impl.joints);
-    if (impl.small && !archive.failed()) impl.small->serialize(archive, scope);
+    if (!archive.failed()) physics::serialize_engine(archive, *world.engine, scope, world.joints);
+    if (world.small && !archive.failed()) world.small->serialize(archive, scope);
     if (is_whole && !archive.failed()) {
-        archive(impl.poisoned,
-                impl.quarantined,
-                impl.broken_joints,
-                impl.events,
-                impl.events_asleep,
-                impl.slept_through);
+        archive(world.poisoned,
+                world.quarantined,
+                world.broken_joints,
+                world.events,
+                world.events_asleep,
+                world.slept_through);
     }
-    if (archive.reads() && archive.failed()) impl.abandon();
-}
-
-/// After a fault: bodies without a world, which can only be taken down.
-void PhysicsWorld::Impl::abandon() {
-    if (engine) take_engine_down();
-    bodies.each([](BodyId, std::unique_ptr<BodyRecord>& record) {
-        record->in_world = record->small.awake = false;
-        record->small.sleeping_island = 0;
-        record->joints.clear();
-        record->excluded.clear();
-        record->small.pairs.clear();
-    });
-    joints = {};
-    for (auto* ids : {&poisoned, &quarantined}) ids->clear();
-    broken_joints.clear();
-    build_engine();
-}
-
-void PhysicsWorld::Impl::serialize_bodies(Archive& archive, const BodyScope& scope) {
-    if (archive.reads()) event_bodies = 0;
-    bodies.each([&](BodyId id, std::unique_ptr<BodyRecord>& record) {
-        if (!scope.holds(id)) return;
-        const bool was_frozen = record->frozen;
-        serialize_body(archive, *record);
-        if (archive.reads()) {
-            if (record->contact_events) ++event_bodies;
-            if (was_frozen != record->frozen) set_rigid_mass(*record, record->frozen);
-            record->excluded.clear();
-            record->sweep.group = 0;
-        }
-        serialize_rigid(archive, *record);
-    });
-}
-
-void PhysicsWorld::Impl::serialize_joints(Archive& archive, const BodyScope& scope) {
-    std::vector<JointId> ids;
-    joints.each([&](JointId id, const std::unique_ptr<JointRecord>& joint) {
-        if (scope.holds(*joint)) ids.push_back(id);
-    });
-    archive(ids);
-    if (archive.reads()) {
-        joints = {};
-        for (const JointId id : ids) {
-            if (!archive.expect(joints.reserve(id), "a joint has no number")) return;
-            joints.insert(std::make_unique<JointRecord>());
-        }
-    }
-    bool is_whole = scope.is_whole();
-    archive(is_whole);
-    if (is_whole) joints.serialize_slots(archive);
-    joints.each([&](JointId id, std::unique_ptr<JointRecord>& record) {
-        JointRecord& joint = *record;
-        if (!archive.reads() && !scope.holds(joint)) return;
-        archive(joint.def, joint.solver, joint.state);
-        if (!archive.reads() || archive.failed()) return;
-        const auto* a = bodies.find(joint.def.a);
-        const auto* b = bodies.find(joint.def.b);
-        if (!archive.expect(a != nullptr && (b != nullptr || !joint.def.b), kOtherBodies)) return;
-        joint.id = id;
-        joint.a = a->get();
-        joint.b = b != nullptr ? b->get() : nullptr;
-        if (!joint.state.broken) keep_apart(joint);
-    });
+    if (archive.reads() && archive.failed()) abandon(world);
 }
 
 }  // namespace plumbline::physics

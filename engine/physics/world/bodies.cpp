@@ -23,14 +23,13 @@ void set_velocity_of_origin(BodyRecord& record, const Vec3& velocity, const Vec3
 
 }  // namespace
 
-Transform PhysicsWorld::Impl::world_from_mass(const BodyRecord& record,
-                                              const Pose& world_from_body) const {
+Transform world_from_mass(const BodyRecord& record, const Pose& world_from_body) {
     return transform_of(record.traits.mass_frame_is_body
                             ? world_from_body
                             : compose(world_from_body, record.traits.body_from_mass));
 }
 
-void PhysicsWorld::Impl::place(BodyRecord& record, const Transform& to) {
+void WorldState::place(BodyRecord& record, const Transform& to) {
     record.motion->at = to;
     write_rigid_motion(record);
     record.before.at = to;
@@ -39,78 +38,78 @@ void PhysicsWorld::Impl::place(BodyRecord& record, const Transform& to) {
     if (record.in_world) engine->refresh_box(record);
 }
 
-void PhysicsWorld::Impl::enter_world(BodyRecord& record) {
+void WorldState::enter_world(BodyRecord& record) {
     record.in_world = true;
     engine->add(record);
     if (small)
-        small->enter(record);
+        small->bodies.enter(record);
     else
         set_activity(record, pushable(record) ? Activity::Awake : Activity::Asleep);
 }
 
-void PhysicsWorld::Impl::leave_world(BodyRecord& record) {
+void WorldState::leave_world(BodyRecord& record) {
     if (!record.in_world) return;
     wake_neighbours(record);
-    if (small) small->leave(record);
+    if (small) small->bodies.leave(record);
     engine->remove(record);
     record.in_world = false;
 }
 
-BodyId PhysicsWorld::create_body(const BodyDef& def) {
+BodyId WorldBodies::create_body(const BodyDef& def) {
     PL_ASSERT(def.kind != BodyKind::Dynamic || def.mass_kg > 0, "a dynamic body that has mass");
-    const BodyId id = impl_->bodies.insert(std::make_unique<BodyRecord>());
-    BodyRecord& record = impl_->body(id);
+    const BodyId id = world_.bodies.insert(std::make_unique<BodyRecord>());
+    BodyRecord& record = world_.body(id);
     record.id = id;
-    record.motion = &impl_->motions.make(id.index);
+    record.motion = &world_.motions.make(id.index);
     record.kind = def.kind;
     record.user = def.user;
-    record.group = def.group;
-    record.collides_with = def.collides_with;
+    record.filter = def.filter;
     record.sweep.ccd = def.ccd;
     record.can_sleep = def.can_sleep;
     record.traits.linear_damping_per_s = static_cast<double>(def.linear_damping_per_s);
     record.traits.angular_damping_per_s = static_cast<double>(def.angular_damping_per_s);
     record.traits.linear_factor = def.linear_factor;
-    give_rigid_body(record, def, impl_->shapes.get(def.shape));
-    impl_->suit_to_world(record);
+    give_rigid_body(record, def, world_.shapes.get(def.shape));
+    suit_to_world(world_.def, record);
 
     const bool sound = is_finite(def.world_from_body) && is_finite(def.velocity_mps) &&
                        is_finite(def.angular_velocity_radps);
     if (is_finite(def.world_from_body)) {
-        impl_->place(record, impl_->world_from_mass(record, def.world_from_body));
+        world_.place(record, world_from_mass(record, def.world_from_body));
     }
-    impl_->enter_world(record);
+    world_.enter_world(record);
     if (sound && def.kind != BodyKind::Static) {
         set_velocity_of_origin(record, def.velocity_mps, def.angular_velocity_radps);
-        if (impl_->small && def.kind == BodyKind::Kinematic) impl_->small->wake_kinematic(record);
+        if (world_.small && def.kind == BodyKind::Kinematic)
+            world_.small->bodies.wake_kinematic(record);
     }
     if (!sound) {
         record.poisoned = true;
-        impl_->poisoned.push_back(id);
+        world_.poisoned.push_back(id);
     }
     if (def.contact_events) set_contact_events(id, true);
     return id;
 }
 
-bool PhysicsWorld::reserve_body(BodyId id) {
-    return impl_->bodies.reserve(id);
+bool WorldBodies::reserve_body(BodyId id) {
+    return world_.bodies.reserve(id);
 }
 
-void PhysicsWorld::destroy_body(BodyId id) {
-    if (!impl_->bodies.contains(id)) return;
-    BodyRecord& record = impl_->body(id);
+void WorldBodies::destroy_body(BodyId id) {
+    if (!world_.bodies.contains(id)) return;
+    BodyRecord& record = world_.body(id);
     set_contact_events(id, false);
-    impl_->remove_joints_of(record);
-    impl_->leave_world(record);
-    impl_->bodies.erase(id);
+    world_.remove_joints_of(record);
+    world_.leave_world(record);
+    world_.bodies.erase(id);
 }
 
-bool PhysicsWorld::contains(BodyId id) const {
-    return impl_->bodies.contains(id);
+bool WorldBodies::contains(BodyId id) const {
+    return world_.bodies.contains(id);
 }
 
-BodyState PhysicsWorld::state(BodyId id) const {
-    const BodyRecord& record = impl_->body(id);
+BodyState WorldBodies::state(BodyId id) const {
+    const BodyRecord& record = world_.body(id);
     BodyState state{.world_from_body = pose_of(record.motion->at),
                     .velocity_mps = record.motion->velocity_mps,
                     .angular_velocity_radps = record.motion->spin_radps,
@@ -123,101 +122,99 @@ BodyState PhysicsWorld::state(BodyId id) const {
     return state;
 }
 
-BodyKind PhysicsWorld::kind(BodyId id) const {
-    return impl_->body(id).kind;
+BodyKind WorldBodies::kind(BodyId id) const {
+    return world_.body(id).kind;
 }
 
-MassProperties PhysicsWorld::mass_properties(BodyId id) const {
-    const BodyRecord& record = impl_->body(id);
+MassProperties WorldBodies::mass_properties(BodyId id) const {
+    const BodyRecord& record = world_.body(id);
     if (record.kind != BodyKind::Dynamic) return {};
     return {.mass_kg = static_cast<Real>(record.traits.mass_kg),
             .inertia_kgm2 = Vec3{record.traits.inertia_kgm2},
             .center_of_mass_m = record.traits.body_from_mass.position};
 }
 
-std::uint64_t PhysicsWorld::user(BodyId id) const {
-    return impl_->body(id).user;
+std::uint64_t WorldBodies::user(BodyId id) const {
+    return world_.body(id).user;
 }
 
-bool PhysicsWorld::groups_touch(BodyId a, BodyId b) const {
-    const BodyRecord& record_a = impl_->body(a);
-    const BodyRecord& record_b = impl_->body(b);
-    return (record_a.group & record_b.collides_with) != 0 &&
-           (record_b.group & record_a.collides_with) != 0;
+bool WorldBodies::groups_touch(BodyId a, BodyId b) const {
+    return may_touch(world_.body(a).filter, world_.body(b).filter);
 }
 
-void PhysicsWorld::bounds(BodyId id, Vec3& min_world, Vec3& max_world) const {
-    const Box box = box_of(impl_->body(id));
+void WorldBodies::bounds(BodyId id, Vec3& min_world, Vec3& max_world) const {
+    const Box box = box_of(world_.body(id));
     min_world = box.low;
     max_world = box.high;
 }
 
-void PhysicsWorld::set_pose(BodyId id, const Pose& world_from_body) {
-    BodyRecord& record = impl_->body(id);
+void WorldBodies::set_pose(BodyId id, const Pose& world_from_body) {
+    BodyRecord& record = world_.body(id);
     if (!record.in_world) return;
-    if (!is_finite(world_from_body)) return impl_->poison(record);
-    impl_->wake_neighbours(record);
-    impl_->place(record, impl_->world_from_mass(record, world_from_body));
+    if (!is_finite(world_from_body)) return world_.poison(record);
+    world_.wake_neighbours(record);
+    world_.place(record, world_from_mass(record, world_from_body));
     record.drive.has_target = false;
-    if (impl_->small) impl_->small->wake_overlapping(record);
+    if (world_.small) world_.small->bodies.wake_overlapping(record);
     wake(id);
 }
 
-void PhysicsWorld::move_kinematic(BodyId id, const Pose& world_from_body) {
-    BodyRecord& record = impl_->body(id);
+void WorldBodies::move_kinematic(BodyId id, const Pose& world_from_body) {
+    BodyRecord& record = world_.body(id);
     PL_ASSERT(record.kind == BodyKind::Kinematic, "a kinematic body");
     if (!record.in_world) return;
-    if (!is_finite(world_from_body)) return impl_->poison(record);
-    record.drive.target = impl_->world_from_mass(record, world_from_body);
+    if (!is_finite(world_from_body)) return world_.poison(record);
+    record.drive.target = world_from_mass(record, world_from_body);
     record.drive.has_target = true;
-    if (impl_->small) impl_->small->wake_kinematic(record);
+    if (world_.small) world_.small->bodies.wake_kinematic(record);
 }
 
-void PhysicsWorld::set_velocity(BodyId id,
-                                const Vec3& velocity_mps,
-                                const Vec3& angular_velocity_radps) {
-    BodyRecord& record = impl_->body(id);
+void WorldBodies::set_velocity(BodyId id,
+                               const Vec3& velocity_mps,
+                               const Vec3& angular_velocity_radps) {
+    BodyRecord& record = world_.body(id);
     if (!is_finite(velocity_mps) || !is_finite(angular_velocity_radps))
-        return impl_->poison(record);
+        return world_.poison(record);
     if (record.kind == BodyKind::Static || !record.in_world || record.frozen) return;
     set_velocity_of_origin(record, velocity_mps, angular_velocity_radps);
     record.drive.driven = false;
-    if (impl_->small && record.kind == BodyKind::Kinematic) impl_->small->wake_kinematic(record);
+    if (world_.small && record.kind == BodyKind::Kinematic)
+        world_.small->bodies.wake_kinematic(record);
     wake(id);
 }
 
-void PhysicsWorld::apply_force(BodyId id, const Vec3& force_N) {
-    BodyRecord& record = impl_->body(id);
-    if (!is_finite(force_N)) return impl_->poison(record);
+void WorldBodies::apply_force(BodyId id, const Vec3& force_N) {
+    BodyRecord& record = world_.body(id);
+    if (!is_finite(force_N)) return world_.poison(record);
     if (!pushable(record)) return;
     add_force(record, force_N);
     record.applied.by_caller = true;
     wake(id);
 }
 
-void PhysicsWorld::apply_force_at(BodyId id, const Vec3& force_N, const Vec3& point_world) {
-    BodyRecord& record = impl_->body(id);
+void WorldBodies::apply_force_at(BodyId id, const Vec3& force_N, const Vec3& point_world) {
+    BodyRecord& record = world_.body(id);
     const Vec3 arm = point_world - record.motion->at.position_m;
     apply_force(id, force_N);
     apply_torque(id, glm::cross(arm, force_N));
 }
 
-void PhysicsWorld::apply_torque(BodyId id, const Vec3& torque_Nm) {
-    BodyRecord& record = impl_->body(id);
-    if (!is_finite(torque_Nm)) return impl_->poison(record);
+void WorldBodies::apply_torque(BodyId id, const Vec3& torque_Nm) {
+    BodyRecord& record = world_.body(id);
+    if (!is_finite(torque_Nm)) return world_.poison(record);
     if (!pushable(record)) return;
     record.applied.torque_Nm += torque_Nm;
     record.applied.by_caller = true;
     wake(id);
 }
 
-void PhysicsWorld::apply_impulse(BodyId id, const Vec3& impulse_Ns) {
-    apply_impulse_at(id, impulse_Ns, impl_->body(id).motion->at.position_m);
+void WorldBodies::apply_impulse(BodyId id, const Vec3& impulse_Ns) {
+    apply_impulse_at(id, impulse_Ns, world_.body(id).motion->at.position_m);
 }
 
-void PhysicsWorld::apply_impulse_at(BodyId id, const Vec3& impulse_Ns, const Vec3& point_world) {
-    BodyRecord& record = impl_->body(id);
-    if (!is_finite(impulse_Ns) || !is_finite(point_world)) return impl_->poison(record);
+void WorldBodies::apply_impulse_at(BodyId id, const Vec3& impulse_Ns, const Vec3& point_world) {
+    BodyRecord& record = world_.body(id);
+    if (!is_finite(impulse_Ns) || !is_finite(point_world)) return world_.poison(record);
     if (!pushable(record)) return;
     BodyMotion& motion = *record.motion;
     const Vec3 impulse = impulse_Ns * record.traits.linear_factor;
@@ -228,29 +225,29 @@ void PhysicsWorld::apply_impulse_at(BodyId id, const Vec3& impulse_Ns, const Vec
     wake(id);
 }
 
-void PhysicsWorld::set_frozen(BodyId id, bool frozen) {
-    BodyRecord& record = impl_->body(id);
+void WorldBodies::set_frozen(BodyId id, bool frozen) {
+    BodyRecord& record = world_.body(id);
     if (record.kind != BodyKind::Dynamic || record.frozen == frozen || !record.in_world) return;
-    impl_->leave_world(record);
+    world_.leave_world(record);
     record.frozen = frozen;
     record.motion->ballistic.going = false;
     set_rigid_mass(record, frozen);
     clear_forces(record);
     record.motion->velocity_mps = {0, 0, 0};
     record.motion->spin_radps = {0, 0, 0};
-    impl_->enter_world(record);
+    world_.enter_world(record);
 }
 
-bool PhysicsWorld::frozen(BodyId id) const {
-    return impl_->body(id).frozen;
+bool WorldBodies::frozen(BodyId id) const {
+    return world_.body(id).frozen;
 }
 
-void PhysicsWorld::set_contact_events(BodyId id, bool listed) {
-    BodyRecord& record = impl_->body(id);
+void WorldBodies::set_contact_events(BodyId id, bool listed) {
+    BodyRecord& record = world_.body(id);
     if (record.contact_events == listed) return;
     record.contact_events = listed;
-    listed ? ++impl_->event_bodies : --impl_->event_bodies;
-    impl_->events_asleep = false;
+    listed ? ++world_.event_bodies : --world_.event_bodies;
+    world_.events_asleep = false;
 }
 
 }  // namespace plumbline::physics

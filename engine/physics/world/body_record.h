@@ -101,8 +101,7 @@ struct BodyRecord {
     BodyId id{};
     BodyKind kind{BodyKind::Static};
     std::uint64_t user{0};
-    std::uint32_t group{1};
-    std::uint32_t collides_with{~0U};
+    CollisionFilter filter{};
     bool can_sleep{true};
     bool contact_events{false};
     bool frozen{false};

@@ -83,21 +83,8 @@ std::vector<ContactEvent> merged(std::vector<ContactEvent> list) {
     return result;
 }
 
-}  // namespace
-
-void PhysicsWorld::Impl::gather_events(bool all, std::vector<ContactEvent>& out) const {
-    const auto gather = [&out, all](const Manifold& manifold) {
-        if (manifold.points.empty()) return;
-        if (!all && !manifold.a->contact_events && !manifold.b->contact_events) return;
-        ContactEvent event;
-        if (describe(manifold, event)) out.push_back(event);
-    };
-    if (!small || all) return engine->each_manifold(gather);
-    for (const Manifold* manifold : small->touching()) gather(*manifold);
-}
-
 /// Whether the pair sleeps and is still asked for: then it touches as it did.
-bool PhysicsWorld::Impl::sleeps_on(const ContactEvent& event) const {
+bool sleeps_on(const ContactEvent& event, const BodyTable& bodies) {
     const auto* a = bodies.find(event.a);
     const auto* b = bodies.find(event.b);
     if (a == nullptr || b == nullptr) return false;
@@ -105,22 +92,33 @@ bool PhysicsWorld::Impl::sleeps_on(const ContactEvent& event) const {
            ((*a)->contact_events || (*b)->contact_events);
 }
 
-void PhysicsWorld::Impl::finish_events() {
-    if (slept_through && events_asleep) return;  // nothing that is listed changed
-    events_asleep = slept_through;
-    std::vector<ContactEvent> before = std::move(events);
-    events = merged(std::move(gathered));
-    gathered.clear();
+}  // namespace
+
+void gather_events(const WorldState& world, bool all, std::vector<ContactEvent>& out) {
+    const auto gather = [&out, all](const Manifold& manifold) {
+        if (manifold.points.empty()) return;
+        if (!all && !manifold.a->contact_events && !manifold.b->contact_events) return;
+        ContactEvent event;
+        if (describe(manifold, event)) out.push_back(event);
+    };
+    if (!world.small || all) return world.engine->each_manifold(gather);
+    for (const Manifold* manifold : world.small->touching()) gather(*manifold);
+}
+
+std::vector<ContactEvent> finished_events(const WorldState& world,
+                                          std::vector<ContactEvent> gathered,
+                                          std::vector<ContactEvent> before) {
+    std::vector<ContactEvent> events = merged(std::move(gathered));
     const auto earlier = [](const ContactEvent& x, const ContactEvent& y) {
         return pair_of(x) < pair_of(y);
     };
     for (ContactEvent& event : events) {
         event.began = !std::binary_search(before.begin(), before.end(), event, earlier);
     }
-    if (!small) return;
+    if (!world.small) return events;
     const auto listed = static_cast<std::ptrdiff_t>(events.size());
     for (ContactEvent& event : before) {
-        if (!sleeps_on(event)) continue;
+        if (!sleeps_on(event, world.bodies)) continue;
         if (std::binary_search(events.begin(), events.begin() + listed, event, earlier)) continue;
         event.closing_speed_mps = 0;
         event.sliding_speed_mps = 0;
@@ -128,11 +126,12 @@ void PhysicsWorld::Impl::finish_events() {
         events.push_back(event);
     }
     std::inplace_merge(events.begin(), events.begin() + listed, events.end(), earlier);
+    return events;
 }
 
-std::vector<ContactEvent> PhysicsWorld::all_contacts() const {
+std::vector<ContactEvent> WorldReport::all_contacts() const {
     std::vector<ContactEvent> list;
-    impl_->gather_events(true, list);
+    gather_events(world_, true, list);
     return merged(std::move(list));
 }
 

@@ -65,7 +65,7 @@ std::string fault_of_numbers(const JointDef& joint) {
     const double length_m = joint.rest_length_m ? static_cast<double>(*joint.rest_length_m)
                                                 : glm::distance(Vec3d{joint.anchor_a_world},
                                                                 Vec3d{joint.anchor_b_world});
-    if (length_m < kShortest_m) return "the anchors are on one spot; use a ball joint";
+    if (length_m < kShortest_m) return "the anchors are on one spot; use a ball-and-socket joint";
     return {};
 }
 
@@ -101,9 +101,7 @@ bool is_moving_kinematic(const BodyRecord* record) {
            is_active(*record);
 }
 
-}  // namespace
-
-std::string PhysicsWorld::Impl::fault_of(const JointDef& joint) const {
+std::string fault_of(const JointDef& joint, const BodyTable& bodies) {
     const auto* a = bodies.find(joint.a);
     if (a == nullptr) return "a is no body";
     if (joint.a == joint.b) return "a body cannot be joined to itself";
@@ -116,82 +114,53 @@ std::string PhysicsWorld::Impl::fault_of(const JointDef& joint) const {
     return fault_of_numbers(joint);
 }
 
-JointId PhysicsWorld::Impl::add_joint(const JointDef& joint_def) {
-    const JointId id = joints.insert(std::make_unique<JointRecord>());
-    JointRecord& joint = *joints.get(id);
-    joint.id = id;
-    joint.def = joint_def;
-    joint.a = &body(joint_def.a);
-    joint.b = joint_def.b ? &body(joint_def.b) : nullptr;
-    joint.solver = placed_joint(joint_def, mass_pose(*joint.a), mass_pose_of_b(joint));
-    joint.solver.key = (std::uint64_t{id.index} << 32U) | id.generation;
-    measure(joint);
-    joint.a->joints.push_back(id);
-    if (joint.b != nullptr) joint.b->joints.push_back(id);
-    if (joint.b != nullptr && !joint.def.collide) {
-        keep_apart(joint);
-        engine->forget_pair(*joint.a, *joint.b);
-    }
-    if (bullet_joints) {
-        joint.bullet = std::make_unique<BulletJoint>(joint, engine->world());
-    }
-    wake_ends(joint);
-    return id;
+/// Ends what the joint does: it carries nothing any more and its bodies may touch.
+void detach_joint(JointRecord& joint, BulletEngine& engine) {
+    joint.bullet.reset();
+    if (joint.b == nullptr || joint.def.collide) return;
+    forget_one(joint.a->excluded, joint.b);
+    forget_one(joint.b->excluded, joint.a);
+    engine.admit_pair(*joint.a, *joint.b);
 }
 
-void PhysicsWorld::Impl::keep_apart(JointRecord& joint) {
+}  // namespace
+
+void keep_apart(JointRecord& joint) {
     if (joint.b == nullptr || joint.def.collide) return;
     joint.a->excluded.push_back(joint.b);
     joint.b->excluded.push_back(joint.a);
 }
 
-void PhysicsWorld::Impl::detach_joint(JointRecord& joint) {
-    joint.bullet.reset();
-    if (joint.b == nullptr || joint.def.collide) return;
-    forget_one(joint.a->excluded, joint.b);
-    forget_one(joint.b->excluded, joint.a);
-    engine->admit_pair(*joint.a, *joint.b);
-}
-
-void PhysicsWorld::Impl::remove_joint(JointId id) {
-    JointRecord& joint = *joints.get(id);
-    wake_ends(joint);
-    if (!joint.state.broken) detach_joint(joint);
-    std::erase(joint.a->joints, id);
-    if (joint.b != nullptr) std::erase(joint.b->joints, id);
-    joints.erase(id);
-}
-
-void PhysicsWorld::Impl::remove_joints_of(const BodyRecord& record) {
+void WorldState::remove_joints_of(const BodyRecord& record) {
     const std::vector<JointId> ids = record.joints;
-    for (const JointId id : ids) remove_joint(id);
+    for (const JointId id : ids) {
+        JointRecord& joint = *joints.get(id);
+        wake_ends(joint);
+        if (!joint.state.broken) detach_joint(joint, *engine);
+        std::erase(joint.a->joints, id);
+        if (joint.b != nullptr) std::erase(joint.b->joints, id);
+        joints.erase(id);
+    }
 }
 
-void PhysicsWorld::Impl::wake_ends(const JointRecord& joint) {
-    if (joint.state.broken) return;
-    wake(*joint.a);
-    if (joint.b != nullptr) wake(*joint.b);
-}
-
-void PhysicsWorld::Impl::prepare_joints() {
-    broken_joints.clear();
-    joints.each([this](JointId, std::unique_ptr<JointRecord>& record) {
+void prepare_joints(WorldState& world) {
+    world.joints.each([&world](JointId, std::unique_ptr<JointRecord>& record) {
         JointRecord& joint = *record;
         if (joint.state.broken) return;
-        if (is_moving_kinematic(joint.a) || is_moving_kinematic(joint.b)) wake_ends(joint);
+        if (is_moving_kinematic(joint.a) || is_moving_kinematic(joint.b)) world.wake_ends(joint);
         if (joint.bullet) joint.bullet->begin_step();
     });
 }
 
-void PhysicsWorld::Impl::gather_joint_loads(double substep_s) {
-    if (!bullet_joints) return;
+void gather_joint_loads(JointTable& joints, double substep_s) {
     joints.each([substep_s](JointId, std::unique_ptr<JointRecord>& record) {
         if (record->bullet) record->bullet->gather(substep_s);
     });
 }
 
-void PhysicsWorld::Impl::settle_joints() {
-    joints.each([this](JointId id, std::unique_ptr<JointRecord>& record) {
+std::vector<JointId> settle_joints(JointTable& joints) {
+    std::vector<JointId> overloaded;
+    joints.each([&overloaded](JointId id, std::unique_ptr<JointRecord>& record) {
         JointRecord& joint = *record;
         if (joint.state.broken) return;
         if (const auto load = joint.bullet ? joint.bullet->mean_load() : std::nullopt) {
@@ -200,17 +169,21 @@ void PhysicsWorld::Impl::settle_joints() {
             measure(joint);
         }
         if (joint.def.break_N > 0 && joint.state.force_N > joint.def.break_N)
-            broken_joints.push_back(id);
+            overloaded.push_back(id);
     });
-    for (const JointId id : broken_joints) {
-        JointRecord& joint = *joints.get(id);
-        wake_ends(joint);
-        detach_joint(joint);
+    return overloaded;
+}
+
+void break_joints(WorldState& world, std::span<const JointId> ids) {
+    for (const JointId id : ids) {
+        JointRecord& joint = *world.joints.get(id);
+        world.wake_ends(joint);
+        detach_joint(joint, *world.engine);
         joint.state.broken = true;
     }
 }
 
-double PhysicsWorld::Impl::elastic_energy_J() const {
+double elastic_energy_J(const JointTable& joints) {
     double sum_J = 0;
     joints.each([&sum_J](JointId, const std::unique_ptr<JointRecord>& record) {
         const JointRecord& joint = *record;
@@ -224,41 +197,58 @@ double PhysicsWorld::Impl::elastic_energy_J() const {
     return sum_J;
 }
 
-Result<JointId> PhysicsWorld::create_joint(const JointDef& joint) {
-    const std::string fault = impl_->fault_of(joint);
+Result<JointId> WorldJoints::create_joint(const JointDef& joint_def) {
+    const std::string fault = fault_of(joint_def, world_.bodies);
     if (!fault.empty()) return Error{fault, ExitCode::Refused};
-    return impl_->add_joint(joint);
+    const JointId id = world_.joints.insert(std::make_unique<JointRecord>());
+    JointRecord& joint = *world_.joints.get(id);
+    joint.id = id;
+    joint.def = joint_def;
+    joint.a = &world_.body(joint_def.a);
+    joint.b = joint_def.b ? &world_.body(joint_def.b) : nullptr;
+    joint.solver = placed_joint(joint_def, mass_pose(*joint.a), mass_pose_of_b(joint));
+    joint.solver.key = (std::uint64_t{id.index} << 32U) | id.generation;
+    measure(joint);
+    joint.a->joints.push_back(id);
+    if (joint.b != nullptr) joint.b->joints.push_back(id);
+    if (joint.b != nullptr && !joint.def.collide) {
+        keep_apart(joint);
+        world_.engine->forget_pair(*joint.a, *joint.b);
+    }
+    if (!world_.small) joint.bullet = std::make_unique<BulletJoint>(joint, world_.engine->world());
+    world_.wake_ends(joint);
+    return id;
 }
 
-bool PhysicsWorld::contains(JointId id) const {
-    return impl_->joints.contains(id);
+bool WorldJoints::contains(JointId id) const {
+    return world_.joints.contains(id);
 }
-std::size_t PhysicsWorld::joint_count() const {
-    return impl_->joints.size();
+std::size_t WorldJoints::joint_count() const {
+    return world_.joints.size();
 }
-const JointDef& PhysicsWorld::joint_def(JointId id) const {
-    return impl_->joints.get(id)->def;
+const JointDef& WorldJoints::joint_def(JointId id) const {
+    return world_.joints.get(id)->def;
 }
-const JointState& PhysicsWorld::joint_state(JointId id) const {
-    return impl_->joints.get(id)->state;
+const JointState& WorldJoints::joint_state(JointId id) const {
+    return world_.joints.get(id)->state;
 }
 
-void PhysicsWorld::set_joint_motor(JointId id, const std::optional<JointMotor>& motor) {
-    JointRecord& joint = *impl_->joints.get(id);
+void WorldJoints::set_joint_motor(JointId id, const std::optional<JointMotor>& motor) {
+    JointRecord& joint = *world_.joints.get(id);
     if (!has_motor(joint.def.kind) || (motor && !is_good(*motor))) return;
     joint.def.motor = motor;
     joint.solver.motor = motor;
     if (joint.bullet) joint.bullet->drive();
-    impl_->wake_ends(joint);
+    world_.wake_ends(joint);
 }
 
-std::span<const JointId> PhysicsWorld::broken_joints() const {
-    return impl_->broken_joints;
+std::span<const JointId> WorldJoints::broken_joints() const {
+    return world_.broken_joints;
 }
 
-double PhysicsWorld::max_joint_error_m() const {
+double WorldJoints::max_joint_error_m() const {
     double most_m = 0;
-    impl_->joints.each([&most_m](JointId, const std::unique_ptr<JointRecord>& record) {
+    world_.joints.each([&most_m](JointId, const std::unique_ptr<JointRecord>& record) {
         if (!record->state.broken) most_m = std::max(most_m, record->state.error_m);
     });
     return most_m;

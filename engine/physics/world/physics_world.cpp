@@ -36,31 +36,36 @@ std::optional<Solver> solver_from_name(std::string_view name) {
     return std::nullopt;
 }
 
-BodyRecord& PhysicsWorld::Impl::body(BodyId id) {
-    return *bodies.get(id);
-}
-const BodyRecord& PhysicsWorld::Impl::body(BodyId id) const {
+BodyRecord& WorldState::body(BodyId id) const {
     return *bodies.get(id);
 }
 
-PhysicsWorld::PhysicsWorld(const WorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
+WorldOwner::WorldOwner(const WorldDef& def) : state_(std::make_unique<WorldState>(def)) {}
+WorldOwner::~WorldOwner() = default;
+
+PhysicsWorld::PhysicsWorld(const WorldDef& def)
+    : WorldOwner(def),
+      WorldBodies(*state_),
+      WorldJoints(*state_),
+      WorldQueries(*state_),
+      WorldReport(*state_) {}
 PhysicsWorld::~PhysicsWorld() = default;
 
 Result<ShapeId> PhysicsWorld::create_shape(const ShapeDef& def, std::vector<std::string>* notes) {
-    return impl_->shapes.create(def, notes);
+    return state_->shapes.create(def, notes);
 }
 
 void PhysicsWorld::set_features(const WorldFeatures& features) {
-    impl_->features = features;
+    state_->features = features;
 }
 const WorldDef& PhysicsWorld::def() const {
-    return impl_->def;
+    return state_->def;
 }
-std::size_t PhysicsWorld::body_count() const {
-    return impl_->bodies.size();
+std::size_t WorldBodies::body_count() const {
+    return world_.bodies.size();
 }
-std::span<const ContactEvent> PhysicsWorld::contacts() const {
-    return impl_->events;
+std::span<const ContactEvent> WorldReport::contacts() const {
+    return world_.events;
 }
 void Interventions::add(const Interventions& more) {
     braked_J += more.braked_J;
@@ -71,26 +76,26 @@ void Interventions::add(const Interventions& more) {
     limited_bodies += more.limited_bodies;
     impacts += more.impacts;
 }
-const StepCost& PhysicsWorld::cost() const {
-    return impl_->cost;
+const StepCost& WorldReport::cost() const {
+    return world_.cost;
 }
-const FeatureUse& PhysicsWorld::feature_use() const {
-    return impl_->use;
+const FeatureUse& WorldReport::feature_use() const {
+    return world_.use;
 }
-std::span<const IslandReport> PhysicsWorld::islands() const {
-    if (!impl_->small) return {};
-    return impl_->small->reports;
+std::span<const IslandReport> WorldReport::islands() const {
+    if (!world_.small) return {};
+    return world_.small->reports;
 }
-std::span<const BodyId> PhysicsWorld::quarantined() const {
-    return impl_->quarantined;
+std::span<const BodyId> WorldReport::quarantined() const {
+    return world_.quarantined;
 }
 
 // --- totals
 
-Energy PhysicsWorld::energy() const {
-    const Vec3d gravity{impl_->def.gravity_mps2};
+Energy WorldReport::energy() const {
+    const Vec3d gravity{world_.def.gravity_mps2};
     Energy sum;
-    impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+    world_.bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
         if (!pushable(*record)) return;
         const Transform at = record->motion->at;
         const Vec3d v{record->motion->velocity_mps};
@@ -99,21 +104,21 @@ Energy PhysicsWorld::energy() const {
                          0.5 * glm::dot(record->traits.inertia_kgm2, spin * spin);
         sum.potential_J -= record->traits.mass_kg * glm::dot(gravity, Vec3d{at.position_m});
     });
-    sum.potential_J += impl_->elastic_energy_J();
+    sum.potential_J += elastic_energy_J(world_.joints);
     return sum;
 }
 
-Vec3d PhysicsWorld::momentum_kgmps() const {
+Vec3d WorldReport::momentum_kgmps() const {
     Vec3d sum{0, 0, 0};
-    impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+    world_.bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
         if (pushable(*record)) sum += record->traits.mass_kg * Vec3d{record->motion->velocity_mps};
     });
     return sum;
 }
 
-Vec3d PhysicsWorld::angular_momentum_kgm2ps() const {
+Vec3d WorldReport::angular_momentum_kgm2ps() const {
     Vec3d sum{0, 0, 0};
-    impl_->bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+    world_.bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
         if (!pushable(*record)) return;
         const Transform at = record->motion->at;
         const Vec3d v{record->motion->velocity_mps};
@@ -124,9 +129,9 @@ Vec3d PhysicsWorld::angular_momentum_kgm2ps() const {
     return sum;
 }
 
-double PhysicsWorld::max_penetration_m() const {
+double WorldReport::max_penetration_m() const {
     double deepest = 0;
-    impl_->engine->each_manifold([&deepest](const Manifold& manifold) {
+    world_.engine->each_manifold([&deepest](const Manifold& manifold) {
         for (const ManifoldPoint& point : manifold.points)
             deepest = std::max(deepest, -static_cast<double>(point.distance_m));
     });

@@ -80,16 +80,95 @@ bool prepare_dynamic(BodyRecord& record, Real step_s) {
     return was_limited;
 }
 
+template <class Fn>
+void each_moving(const WorldState& world, Fn&& fn) {
+    if (!world.small) return world.engine->each_moving(fn);
+    for (BodyRecord* record : world.small->bodies.dynamic()) fn(*record);
+    for (BodyRecord* record : world.small->bodies.kinematic()) fn(*record);
+}
+
+/// Gravity, the callers' forces and the way of kinematic bodies, before the first substep. How many
+/// bodies the speed limit cut.
+std::uint32_t prepare_bodies(const WorldState& world) {
+    const auto step_s = static_cast<Real>(world.def.step_s);
+    std::uint32_t limited_bodies = 0;
+    each_moving(world, [&limited_bodies, step_s](BodyRecord& record) {
+        if (record.kind == BodyKind::Kinematic)
+            prepare_kinematic(record, step_s);
+        else if (is_active(record) && prepare_dynamic(record, step_s))
+            ++limited_bodies;
+    });
+    return limited_bodies;
+}
+
+/// Clears forces and takes out what the step made non-finite.
+void settle_bodies(WorldState& world) {
+    std::vector<BodyRecord*> broken;
+    each_moving(world, [&broken](BodyRecord& record) {
+        clear_forces(record);
+        record.drive.has_target = false;
+        if (!is_sound(record)) broken.push_back(&record);
+    });
+    for (BodyRecord* record : broken) {
+        const Transform last = record->before.at;
+        world.quarantine(*record);
+        record->motion->at = last;
+        write_rigid_pose(*record);
+    }
+}
+
+void advance_bullet(WorldState& world, bool want_contacts) {
+    BulletEngine& engine = *world.engine;
+    std::function<void()> after_solve;
+    if (want_contacts) after_solve = [&world] { gather_events(world, false, world.gathered); };
+    const std::uint32_t limited_bodies = prepare_bodies(world);
+    prepare_joints(world);
+    engine.begin_step(world.features, std::move(after_solve));
+    const double substep_s = world.def.step_s / world.def.substeps;
+    for (int i = 0; i < world.def.substeps; ++i) {
+        engine.advance(static_cast<Real>(substep_s), i + 1 == world.def.substeps);
+        gather_joint_loads(world.joints, substep_s);
+    }
+    settle_bodies(world);
+    world.broken_joints = settle_joints(world.joints);
+    break_joints(world, world.broken_joints);
+    const StepCost solved = world.cost;
+    world.cost = engine.cost();
+    world.cost.row_solves = solved.row_solves;
+    world.cost.contacts = solved.contacts;
+    world.cost.interventions.limited_bodies = limited_bodies;
+    world.use = engine.use();
+}
+
+void advance_small(WorldState& world, bool want_contacts) {
+    SmallStepWorld& small = *world.small;
+    small.begin_step();
+    world.broken_joints.clear();
+    world.slept_through = small.bodies.idle();
+    if (world.slept_through) return;
+    const std::uint32_t limited_bodies = prepare_bodies(world);
+    prepare_joints(world);
+    small.cost = {};
+    small.use = {};
+    small.step(world.features, want_contacts);
+    settle_bodies(world);
+    world.broken_joints = settle_joints(world.joints);
+    break_joints(world, world.broken_joints);
+    world.cost = small.cost;
+    world.cost.interventions.limited_bodies = limited_bodies;
+    world.use = small.use;
+}
+
 }  // namespace
 
-void PhysicsWorld::Impl::poison(BodyRecord& record) {
+void WorldState::poison(BodyRecord& record) {
     // What does not move by itself stays sound: the call that would spoil it is just not obeyed.
     if (record.poisoned || !record.in_world || record.kind != BodyKind::Dynamic) return;
     record.poisoned = true;
     poisoned.push_back(record.id);
 }
 
-void PhysicsWorld::Impl::quarantine(BodyRecord& record) {
+void WorldState::quarantine(BodyRecord& record) {
     if (!record.in_world) return;
     remove_joints_of(record);
     leave_world(record);
@@ -101,101 +180,30 @@ void PhysicsWorld::Impl::quarantine(BodyRecord& record) {
 }
 
 void PhysicsWorld::step() {
-    Impl& impl = *impl_;
+    WorldState& world = *state_;
     const double started_s = thread_cpu_s();
-    for (const BodyId id : impl.poisoned) {
-        if (impl.bodies.contains(id)) impl.quarantine(impl.body(id));
+    for (const BodyId id : world.poisoned) {
+        if (world.bodies.contains(id)) world.quarantine(world.body(id));
     }
-    impl.poisoned.clear();
+    world.poisoned.clear();
 
-    impl.cost = {};
-    impl.use = {};
-    impl.gathered.clear();
-    const bool want_contacts = impl.features.contact_events && impl.event_bodies > 0;
-    if (impl.small)
-        impl.advance_small(want_contacts);
+    world.cost = {};
+    world.use = {};
+    world.gathered.clear();
+    const bool want_contacts = world.features.contact_events && world.event_bodies > 0;
+    if (world.small)
+        advance_small(world, want_contacts);
     else
-        impl.advance_bullet(want_contacts);
-    if (want_contacts)
-        impl.finish_events();
-    else
-        impl.events.clear();
-    impl.use.events = static_cast<std::uint32_t>(impl.events.size());
-    impl.cost.total_ms = (thread_cpu_s() - started_s) * 1e3;
-}
-
-void PhysicsWorld::Impl::advance_bullet(bool want_contacts) {
-    std::function<void()> after_solve;
-    if (want_contacts) after_solve = [this] { gather_events(false, gathered); };
-    prepare_bodies(static_cast<Real>(def.step_s));
-    prepare_joints();
-    engine->begin_step(features, std::move(after_solve));
-    for (int i = 0; i < def.substeps; ++i) {
-        engine->advance(static_cast<Real>(def.step_s / def.substeps), i + 1 == def.substeps);
-        gather_joint_loads(def.step_s / def.substeps);
+        advance_bullet(world, want_contacts);
+    const bool nothing_changed = world.slept_through && world.events_asleep;
+    if (!want_contacts) {
+        world.events.clear();
+    } else if (!nothing_changed) {
+        world.events_asleep = world.slept_through;
+        world.events = finished_events(world, std::move(world.gathered), std::move(world.events));
     }
-    settle_bodies();
-    settle_joints();
-    const StepCost counted = cost;
-    cost = engine->cost();
-    cost.row_solves = counted.row_solves;
-    cost.contacts = counted.contacts;
-    cost.interventions.limited_bodies = limited_bodies;
-    use = engine->use();
-}
-
-void PhysicsWorld::Impl::advance_small(bool want_contacts) {
-    small->begin_step();
-    broken_joints.clear();
-    slept_through = small->idle();
-    if (slept_through) return;
-    prepare_bodies(static_cast<Real>(def.step_s));
-    prepare_joints();
-    small->cost = {};
-    small->use = {};
-    small->step(features, want_contacts);
-    settle_bodies();
-    settle_joints();
-    cost = small->cost;
-    cost.interventions.limited_bodies = limited_bodies;
-    use = small->use;
-}
-
-template <class Fn>
-void PhysicsWorld::Impl::each_moving(Fn&& fn) {
-    if (small) {
-        for (BodyRecord* record : small->awake()) fn(*record);
-        for (BodyRecord* record : small->kinematic_bodies()) fn(*record);
-        return;
-    }
-    engine->each_moving(fn);
-}
-
-/// Gravity, the callers' forces and the way of kinematic bodies, before the first substep.
-void PhysicsWorld::Impl::prepare_bodies(Real step_s) {
-    limited_bodies = 0;
-    each_moving([this, step_s](BodyRecord& record) {
-        if (record.kind == BodyKind::Kinematic)
-            prepare_kinematic(record, step_s);
-        else if (is_active(record) && prepare_dynamic(record, step_s))
-            ++limited_bodies;
-    });
-}
-
-/// Clears forces and takes out what the step made non-finite.
-void PhysicsWorld::Impl::settle_bodies() {
-    std::vector<BodyRecord*> broken;
-    each_moving([&broken](BodyRecord& record) {
-        clear_forces(record);
-        record.drive.has_target = false;
-        if (!is_sound(record)) broken.push_back(&record);
-    });
-    for (BodyRecord* record : broken) {
-        const Transform last = record->before.at;
-        quarantine(*record);
-        record->motion->at = last;
-        write_rigid_pose(*record);
-    }
+    world.use.events = static_cast<std::uint32_t>(world.events.size());
+    world.cost.total_ms = (thread_cpu_s() - started_s) * 1e3;
 }
 
 }  // namespace plumbline::physics

@@ -4,17 +4,17 @@
 
 namespace plumbline::physics {
 
-void PhysicsWorld::Impl::wake(BodyRecord& record) {
+void WorldState::wake(BodyRecord& record) {
     if (!pushable(record)) return;
     if (small)
-        small->wake(record);
+        small->bodies.wake(record);
     else
         wake_rigid_body(record);
 }
 
-void PhysicsWorld::Impl::wake_neighbours(const BodyRecord& record) {
+void WorldState::wake_neighbours(const BodyRecord& record) {
     if (small) {
-        small->wake_touching(record);
+        small->bodies.wake_touching(record);
     } else {
         engine->each_manifold([this, &record](const Manifold& manifold) {
             if (manifold.a == &record) wake(*manifold.b);
@@ -24,14 +24,20 @@ void PhysicsWorld::Impl::wake_neighbours(const BodyRecord& record) {
     for (const JointId id : record.joints) wake_ends(*joints.get(id));
 }
 
-void PhysicsWorld::wake(BodyId id) {
-    impl_->wake(impl_->body(id));
+void WorldBodies::wake(BodyId id) {
+    world_.wake(world_.body(id));
 }
 
-std::size_t PhysicsWorld::awake_count() const {
-    if (impl_->small) return impl_->small->awake_count();
+void WorldState::wake_ends(const JointRecord& joint) {
+    if (joint.state.broken) return;
+    wake(*joint.a);
+    if (joint.b != nullptr) wake(*joint.b);
+}
+
+std::size_t WorldBodies::awake_count() const {
+    if (world_.small) return world_.small->bodies.count();
     std::size_t count = 0;
-    impl_->bodies.each([&count](BodyId, const std::unique_ptr<BodyRecord>& record) {
+    world_.bodies.each([&count](BodyId, const std::unique_ptr<BodyRecord>& record) {
         if (pushable(*record) && is_active(*record)) ++count;
     });
     return count;

@@ -22,4 +22,12 @@ std::optional<ConvexVolume> shadows_of_others(const RenderFrame& frame,
                                               const Vec3f& light_direction_world,
                                               float margin_m);
 
+/// Whether the item, if convex, casts on no other: each lies before one of its faces that the light falls
+/// on, up to `sunk_m` in it.
+bool shades_nothing(const RenderFrame& frame,
+                    const assets::AssetLibrary& library,
+                    const DrawItem& caster,
+                    const Vec3f& light_direction_world,
+                    float sunk_m);
+
 }  // namespace plumbline::render

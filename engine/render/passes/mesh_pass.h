@@ -63,7 +63,9 @@ private:
     InstanceStream instances_;
 };
 
-/// Features of the frame that a material makes use of; unlit ones need no lights.
+/// Features of the frame, and those that the mesh adds.
+FeatureSet features_with(FeatureSet frame_features, const GpuMesh& mesh);
+/// Features of frame and mesh that a material makes use of; unlit ones need no lights.
 FeatureSet variant_of(FeatureSet material_features, FeatureSet frame_features);
 
 }  // namespace plumbline::render

@@ -29,7 +29,7 @@ Result<Done> SceneTarget::resize(const PixelSize& size_px,
     if (complete) return Done{};
     *this = {};
     return Error{
-        fmt::format("the driver has no memory for a picture of {} x {}", width_px, height_px)};
+        fmt::format("the driver has no memory for an image of {} x {}", width_px, height_px)};
 }
 
 std::size_t SceneTarget::bytes_for(const PixelSize& size_px,

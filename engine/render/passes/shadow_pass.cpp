@@ -2,6 +2,7 @@
 
 #include "engine/core/hash.h"
 #include "engine/render/culling/frustum.h"
+#include "engine/render/light/shadow_reach.h"
 
 #include <glad/gl.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -44,6 +45,32 @@ std::uint64_t hash_of(const ShadowView& view,
     return hasher.digest();
 }
 
+bool is_static(const VisibleItem& caster) {
+    return caster.item->is_static;
+}
+
+bool is_parallel(const Mat4f& clip_from_world) {
+    const Vec3f depth{clip_from_world[0][3], clip_from_world[1][3], clip_from_world[2][3]};
+    return depth == Vec3f{0.0F};
+}
+
+/// Resting bodies may have sunk so far into what they rest on.
+constexpr float kSunk_m = 0.05F;
+
+/// A floor that nothing lies below: as large as it is, it would fill the map for nothing.
+bool is_bare_floor(const VisibleItem& caster,
+                   const Mat4f& clip_from_world,
+                   const RenderFrame& frame,
+                   const assets::AssetLibrary& library) {
+    const Vec3f along{clip_from_world[0][2], clip_from_world[1][2], clip_from_world[2][2]};
+    if (!is_static(caster) || !is_parallel(clip_from_world)) return false;
+    const Aabb bounds =
+        transformed(library.mesh(caster.item->mesh).bounds, caster.item->world_from_body);
+    const Vec3f in_map = transformed(bounds, clip_from_world).size();
+    if (std::min(in_map.x, in_map.y) < 1.0F) return false;  // half of the map's width
+    return shades_nothing(frame, library, *caster.item, glm::normalize(along), kSunk_m);
+}
+
 /// So many frames may a far cascade be behind what moves in it.
 constexpr int kFarLag_frames = 3;
 
@@ -80,7 +107,10 @@ void ShadowPass::render(std::span<const ShadowView> views,
                   .eye_world = view.eye_world,
                   .lods = view.error_m > 0.0F ? &resources.meshes.lods() : nullptr,
                   .error_m = view.error_m});
-        std::erase_if(casters, [](const VisibleItem& c) { return !c.item->casts_shadow; });
+        std::erase_if(casters, [&](const VisibleItem& caster) {
+            return !caster.item->casts_shadow ||
+                   is_bare_floor(caster, view.clip_from_world, frame, resources.library);
+        });
         view.may_lag = i > 0;
         show(i, view, std::move(casters), resources, stats);
     }
@@ -107,10 +137,11 @@ void ShadowPass::show(std::size_t part,
     shown.age_frames = 0;
     if (statics_.depth && !view.moves) {
         draw_on_statics(view, part, std::move(casters), resources, stats);
-    } else {
-        clear(shown_, part);
-        draw(view, std::move(casters), resources, stats);
+        return;
     }
+    clear(shown_, part);
+    shown.ground = 0;
+    draw(view, std::move(casters), resources, stats);
 }
 
 void ShadowPass::draw_on_statics(const ShadowView& view,
@@ -118,48 +149,52 @@ void ShadowPass::draw_on_statics(const ShadowView& view,
                                  std::vector<VisibleItem> casters,
                                  SceneResources& resources,
                                  FrameStats& stats) {
-    const auto first_moving =
-        std::stable_partition(casters.begin(), casters.end(), [](const VisibleItem& caster) {
-            return caster.item->is_static;
-        });
+    const auto first_moving = std::stable_partition(casters.begin(), casters.end(), is_static);
     std::vector<VisibleItem> moving{first_moving, casters.end()};
     casters.erase(first_moving, casters.end());
-    Part& drawn = drawn_[part];
-    if (drawn.in_statics_map != drawn.statics) {
-        drawn.in_statics_map = drawn.statics;
+    Part& shown = drawn_[part];
+    if (shown.in_statics_map != shown.statics) {
+        shown.in_statics_map = shown.statics;
         clear(statics_, part);
         draw(view, std::move(casters), resources, stats);
     }
-    const auto size = static_cast<GLint>(size_px_);
-    const auto [left, bottom] = place_of(part);
-    glDisable(GL_SCISSOR_TEST);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, statics_.framebuffer.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, shown_.framebuffer.name());
-    glBlitFramebuffer(left,
-                      bottom,
-                      left + size,
-                      bottom + size,
-                      left,
-                      bottom,
-                      left + size,
-                      bottom + size,
-                      GL_DEPTH_BUFFER_BIT,
-                      GL_NEAREST);
+    // A copy of a part is cheaper on software GL than to clear it.
+    copy_statics(part, shown.ground == shown.statics ? shown.drawn_over : whole());
+    shown.ground = shown.statics;
+    shown.drawn_over = texels_of(view, moving);
     aim(shown_, part);
     draw(view, std::move(moving), resources, stats);
 }
 
-ShadowPass::Place ShadowPass::place_of(std::size_t part) const {
-    return {.left = static_cast<int>(part % columns_ * size_px_),
-            .bottom = static_cast<int>(part / columns_ * size_px_)};
+ShadowPass::TexelRect ShadowPass::texels_of(const ShadowView& view,
+                                            std::span<const VisibleItem> casters) const {
+    if (!is_parallel(view.clip_from_world)) return whole();
+    Aabb clip;
+    for (const VisibleItem& caster : casters)
+        clip.include(transformed(caster.bounds_world, view.clip_from_world));
+    if (clip.empty()) return {};
+    const auto size = static_cast<float>(size_px_);
+    const auto texel = [size](float at, float beside) {
+        return static_cast<int>(std::clamp((at * 0.5F + 0.5F) * size + beside, 0.0F, size));
+    };
+    return {texel(clip.min.x, -1.0F),
+            texel(clip.min.y, -1.0F),
+            texel(clip.max.x, 2.0F),
+            texel(clip.max.y, 2.0F)};
+}
+
+ShadowPass::TexelRect ShadowPass::placed(std::size_t part, const TexelRect& rect) const {
+    const auto left = static_cast<int>(part % columns_ * size_px_);
+    const auto bottom = static_cast<int>(part / columns_ * size_px_);
+    return {left + rect.left, bottom + rect.bottom, left + rect.right, bottom + rect.top};
 }
 
 void ShadowPass::aim(const Map& map, std::size_t part) const {
     glBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer.name());
     const auto size = static_cast<GLsizei>(size_px_);
-    const auto [left, bottom] = place_of(part);
-    glViewport(left, bottom, size, size);
-    glScissor(left, bottom, size, size);
+    const TexelRect place = placed(part, {});
+    glViewport(place.left, place.bottom, size, size);
+    glScissor(place.left, place.bottom, size, size);
 }
 
 void ShadowPass::clear(const Map& map, std::size_t part) const {
@@ -167,6 +202,24 @@ void ShadowPass::clear(const Map& map, std::size_t part) const {
     glEnable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
+}
+
+void ShadowPass::copy_statics(std::size_t part, const TexelRect& rect) const {
+    const TexelRect at = placed(part, rect);
+    if (at.left == at.right || at.bottom == at.top) return;
+    glDisable(GL_SCISSOR_TEST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, statics_.framebuffer.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, shown_.framebuffer.name());
+    glBlitFramebuffer(at.left,
+                      at.bottom,
+                      at.right,
+                      at.top,
+                      at.left,
+                      at.bottom,
+                      at.right,
+                      at.top,
+                      GL_DEPTH_BUFFER_BIT,
+                      GL_NEAREST);
 }
 
 void ShadowPass::draw(const ShadowView& view,

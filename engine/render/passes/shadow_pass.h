@@ -55,21 +55,35 @@ private:
         gl::Texture depth;
         gl::Framebuffer framebuffer;
     };
+    /// Texels of a part, from its left and its bottom.
+    struct TexelRect {
+        int left{0};
+        int bottom{0};
+        int right{0};
+        int top{0};
+    };
     /// What one part shows; hashes.
     struct Part {
         std::uint64_t statics{0};  ///< and the view
         std::uint64_t moving{0};
         std::uint64_t in_statics_map{0};
         int age_frames{0};
+        std::uint64_t ground{
+            0};  ///< what it shows outside of `drawn_over`: these statics; 0: unknown
+        TexelRect drawn_over;
     };
-    struct Place {
-        int left{0};
-        int bottom{0};
-    };
+
     void make_map(Map& map) const;
-    Place place_of(std::size_t part) const;
+    TexelRect whole() const {
+        return {0, 0, static_cast<int>(size_px_), static_cast<int>(size_px_)};
+    }
+    /// Holds all texels that the casters can change.
+    TexelRect texels_of(const ShadowView& view, std::span<const VisibleItem> casters) const;
+    /// Relative to the whole map.
+    TexelRect placed(std::size_t part, const TexelRect& rect) const;
     void aim(const Map& map, std::size_t part) const;
     void clear(const Map& map, std::size_t part) const;
+    void copy_statics(std::size_t part, const TexelRect& rect) const;
     void draw_on_statics(const ShadowView& view,
                          std::size_t part,
                          std::vector<VisibleItem> casters,

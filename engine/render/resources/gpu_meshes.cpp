@@ -236,6 +236,22 @@ PackedMesh packed_with_lods(const assets::MeshData& data, const std::vector<bool
     return mesh;
 }
 
+/// What vertices of a faceted mesh hand on would cost more where there are many.
+constexpr std::size_t kMostFacets = 1000;
+
+/// Whether it has few triangles, each of one normal and one colour.
+bool is_faceted(const PackedMesh& mesh) {
+    if (mesh.indices.size() > 3 * kMostFacets) return false;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const PackedVertex& first = mesh.vertices[mesh.indices[i]];
+        for (std::size_t k = 1; k < 3; ++k) {
+            const PackedVertex& other = mesh.vertices[mesh.indices[i + k]];
+            if (other.normal_body != first.normal_body || other.color != first.color) return false;
+        }
+    }
+    return true;
+}
+
 GpuMesh uploaded(const PackedMesh& data) {
     using gl::Buffer;
     using gl::BufferLife;
@@ -246,6 +262,7 @@ GpuMesh uploaded(const PackedMesh& data) {
     mesh.indices = Buffer{BufferUse::Indices, BufferLife::Kept};
     mesh.index_type = upload_indices(mesh.indices, data.indices, data.vertices.size());
     mesh.sways = !data.wind.empty();
+    mesh.faceted = is_faceted(data);
     if (mesh.sways) {
         mesh.wind = Buffer{BufferUse::Vertices, BufferLife::Kept};
         mesh.wind.upload(data.wind.data(), data.wind.size() * sizeof(assets::WindWeights));

@@ -25,6 +25,7 @@ struct GpuMesh {
     unsigned int index_type{0};
     unsigned int depth_index_type{0};
     bool sways{false};
+    bool faceted{false};  ///< few triangles, each of one normal and one colour
     std::size_t bytes{0};
     std::uint32_t version{0};  ///< MeshData::version of what was uploaded
 };

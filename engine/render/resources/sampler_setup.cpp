@@ -32,7 +32,7 @@ void Renderer::Impl::bind_sun_depth() {
 }
 
 void Renderer::Impl::bind_base_sampler() {
-    const float share = static_cast<float>(post_view.picture_px.height) /
+    const float share = static_cast<float>(post_view.image_px.height) /
                         static_cast<float>(post_view.present_px.height);
     if (share >= 1.0F) return;
     if (!base_sampler) base_sampler = new_sampler(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);

@@ -18,6 +18,8 @@ inline constexpr FeatureSet kBaseMap = 1ULL << 2U;
 inline constexpr FeatureSet kNormalMap = 1ULL << 3U;
 inline constexpr FeatureSet kOrmMap = 1ULL << 4U;
 inline constexpr FeatureSet kAlphaMask = 1ULL << 5U;
+/// Of the mesh: few triangles, each of one normal and one colour.
+inline constexpr FeatureSet kFaceted = 1ULL << 53U;
 inline constexpr FeatureSet kBlend = 1ULL << 6U;
 inline constexpr FeatureSet kTwoSided = 1ULL << 7U;
 inline constexpr FeatureSet kLeaf = 1ULL << 8U;
@@ -71,7 +73,7 @@ inline constexpr FeatureSet kShafts = 1ULL << 41U;     ///< light from air in th
 /// What a thing is drawn without where the flashlight cannot reach it.
 inline constexpr FeatureSet kFlashlightFeatures = feature::kFlashlight | feature::kFlashlightAtEye;
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 48> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 49> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -88,6 +90,7 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 48> kFeatur
     {feature::kEmissive, "PL_EMISSIVE"},
     {feature::kPhong, "PL_PHONG"},
     {feature::kFlat, "PL_FLAT"},
+    {feature::kFaceted, "PL_FACETED"},
     {feature::kSun, "PL_SUN"},
     {feature::kSunShadow, "PL_SUN_SHADOW"},
     {feature::kFlashlight, "PL_FLASHLIGHT"},

@@ -69,12 +69,6 @@ PointLight light_of(const LightDescription& light) {
             .casts_shadow = light.shadow};
 }
 
-bool has_even_inertia(const Vec3& inertia_kgm2) {
-    const Real most = std::max({inertia_kgm2.x, inertia_kgm2.y, inertia_kgm2.z});
-    const Real least = std::min({inertia_kgm2.x, inertia_kgm2.y, inertia_kgm2.z});
-    return most - least <= 1e-3_r * most;
-}
-
 }  // namespace
 
 EntityBuilder::EntityBuilder(Simulation& simulation)
@@ -275,8 +269,7 @@ Result<physics::BodyId> EntityBuilder::body_of(const EntityDescription& descript
          .ccd = body.ccd,
          .contact_events = (is_dynamic && simulation_.surfaces().is_heard(surface_index)) ||
                            !description.contact_material.empty(),
-         .group = *group,
-         .collides_with = collides_with,
+         .filter = {.group = *group, .collides_with = collides_with},
          .user = mark_of(entity)});
     if (body.kind != physics::BodyKind::Static) track(description, entity, id, *shape);
     return id;
@@ -289,16 +282,12 @@ void EntityBuilder::track(const EntityDescription& description,
     ecs::Registry& registry = simulation_.registry;
     const Pose& start = description.world_from_body;
     registry.add<PreviousTransform>(entity, PreviousTransform{.world_from_body = start});
-    const physics::MassProperties mass = simulation_.physics.mass_properties(body);
-    simulation_.bodies_.moving.push_back(
-        {.entity = entity,
-         .body = body,
-         .kind = description.body->kind,
-         .shape = shape.id,
-         .convex = shape.convex,
-         .inner_radius_m = shape.inner_radius_m,
-         .ccd = description.body->ccd,
-         .spherical_inertia = has_even_inertia(mass.inertia_kgm2)});
+    simulation_.bodies_.moving.push_back({.entity = entity,
+                                          .body = body,
+                                          .kind = description.body->kind,
+                                          .shape = shape.id,
+                                          .convex = shape.convex,
+                                          .inner_radius_m = shape.inner_radius_m});
     if (!description.motion || description.body->kind != physics::BodyKind::Kinematic) return;
     MotionPath path{.points_m = {},
                     .period_s = description.motion->period_s,

@@ -4,9 +4,9 @@
 namespace plumbline::scene {
 namespace {
 
-LampLook dark_look_of(assets::AssetLibrary& library,
-                      const std::vector<assets::MaterialId>& materials) {
-    LampLook look;
+LampAppearance dark_look_of(assets::AssetLibrary& library,
+                            const std::vector<assets::MaterialId>& materials) {
+    LampAppearance look;
     for (const assets::MaterialId id : materials) {
         assets::MaterialData dark = library.material(id);
         dark.emissive = Vec3f{0.0F};
@@ -30,12 +30,12 @@ void EntityBuilder::add_visual(const EntityDescription& description,
                                     .casts_shadow = description.casts_shadow,
                                     .is_static = is_static});
         if (description.light && description.light->on != LampOn::Always)
-            registry.add<LampLook>(entity,
-                                   dark_look_of(simulation_.library(), appearance.materials));
+            registry.add<LampAppearance>(entity,
+                                         dark_look_of(simulation_.library(), appearance.materials));
     }
     if (!description.contact_material.empty()) {
-        registry.add<ContactLook>(
-            entity, ContactLook{.material = material_named(description.contact_material)});
+        registry.add<ContactAppearance>(
+            entity, ContactAppearance{.material = material_named(description.contact_material)});
     }
 }
 

@@ -15,6 +15,8 @@ namespace {
 
 /// Looking for penetration costs a query a body; beyond this many it would be felt at the start.
 constexpr std::size_t kOverlapChecks = 2'000;
+constexpr double kMostSwing_rad = 0.5;  ///< of a spring in a sub-step
+constexpr Real kLeastInertia = 0.05_r;  ///< of the inertia of a ball that fits in
 
 std::size_t copies_of(const ArrayDescription& array) {
     std::size_t copies = 1;
@@ -97,6 +99,56 @@ void warn_of_joints(Simulation& simulation) {
             "bullet_dantzig throws off bodies that are held twice over, as by two hinges");
 }
 
+double inverse_mass_of(const Simulation& simulation, const std::string& name) {
+    const BodyRef* ref = simulation.registry.find<BodyRef>(simulation.find(name));
+    if (ref == nullptr) return 0;
+    const Real mass_kg = simulation.physics.mass_properties(ref->body).mass_kg;
+    return mass_kg > 0 ? 1 / static_cast<double>(mass_kg) : 0;
+}
+
+/// A spring swings its bodies at the root of k / m. Where that turns far within the shortest sub-step, an
+/// impact gives energy.
+void warn_of_stiff_springs(Simulation& simulation) {
+    const physics::WorldDef& def = simulation.physics.def();
+    const double shortest_s = def.step_s / std::max(def.substeps, def.substeps_max);
+    for (const JointDescription& joint : simulation.description().joints) {
+        if (joint.kind != JointKind::Spring) continue;
+        const double inverse_kg = inverse_mass_of(simulation, joint.a) +
+                                  (joint.b == "world" ? 0 : inverse_mass_of(simulation, joint.b));
+        const double swing_radps = std::sqrt(static_cast<double>(joint.stiffness_Npm) * inverse_kg);
+        if (swing_radps * shortest_s <= kMostSwing_rad) continue;
+        const double most_Npm = std::pow(kMostSwing_rad / shortest_s, 2) / inverse_kg;
+        simulation.warnings.push_back(fmt::format(
+            "{}: joint {}: {:g} N/m swings its bodies faster than {:.0f} sub-steps a second "
+            "can follow, so that impacts may give them energy; up to {:.3g} N/m they can",
+            to_string(joint.location),
+            joint.name,
+            joint.stiffness_Npm,
+            1 / shortest_s,
+            most_Npm));
+    }
+}
+
+/// Every solid body's moments are above those of a ball that fits into it. Contacts of one whose file says
+/// far less turn it away under them.
+void warn_of_small_inertias(Simulation& simulation) {
+    for (const MovingBody& moving : simulation.moving_bodies()) {
+        if (moving.kind != physics::BodyKind::Dynamic) continue;
+        const physics::MassProperties mass = simulation.physics.mass_properties(moving.body);
+        const Real ball_kgm2 = 0.4_r * mass.mass_kg * moving.inner_radius_m * moving.inner_radius_m;
+        const Vec3& inertia = mass.inertia_kgm2;
+        const Real least_kgm2 = std::min({inertia.x, inertia.y, inertia.z});
+        if (least_kgm2 >= kLeastInertia * ball_kgm2) continue;
+        simulation.warnings.push_back(
+            fmt::format("{}: a moment of inertia of {:g} kg m2, where a ball that fits into it has "
+                        "{:.3g}: it may fall "
+                        "through what it lies on",
+                        describe(simulation, moving.entity),
+                        least_kgm2,
+                        ball_kgm2));
+    }
+}
+
 void warn_of_lights(Simulation& simulation) {
     std::size_t lights = 0;
     simulation.registry.view<const PointLight>().each(
@@ -146,6 +198,8 @@ Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& des
         if (!made) return made.error();
     }
     warn_of_joints(*simulation);
+    warn_of_stiff_springs(*simulation);
+    warn_of_small_inertias(*simulation);
     warn_of_overlaps(*simulation);
     warn_of_lights(*simulation);
     return simulation;

@@ -28,10 +28,10 @@ constexpr float kLightShininess = 32.0F;
 
 /// An image beside the mesh whose name begins as the mesh's does: the nearest in length. A longer
 /// mesh name that fits it better takes it.
-fs::path picture_beside(const fs::path& mesh, const fs::path& root) {
-    constexpr std::array<std::string_view, 3> kPictures{".png", ".jpg", ".jpeg"};
+fs::path image_beside(const fs::path& mesh, const fs::path& root) {
+    constexpr std::array<std::string_view, 3> kImages{".png", ".jpg", ".jpeg"};
     const std::string stem = mesh.stem().string();
-    std::vector<fs::path> pictures;
+    std::vector<fs::path> images;
     std::vector<std::string> rivals;
     std::error_code failed;
     for (fs::directory_iterator entry(mesh.parent_path(), failed), end; !failed && entry != end;
@@ -40,27 +40,27 @@ fs::path picture_beside(const fs::path& mesh, const fs::path& root) {
         const std::string name = path.stem().string();
         if (!name.starts_with(stem)) continue;
         if (path.extension() == mesh.extension() && name != stem) rivals.push_back(name);
-        if (std::ranges::find(kPictures, path.extension().string()) != kPictures.end())
-            pictures.push_back(path);
+        if (std::ranges::find(kImages, path.extension().string()) != kImages.end())
+            images.push_back(path);
     }
-    std::erase_if(pictures, [&](const fs::path& picture) {
-        const std::string name = picture.stem().string();
+    std::erase_if(images, [&](const fs::path& image) {
+        const std::string name = image.stem().string();
         return std::ranges::any_of(rivals,
                                    [&](const auto& rival) { return name.starts_with(rival); }) ||
-               !is_inside(root, picture);
+               !is_inside(root, image);
     });
-    const auto nearest = std::ranges::min_element(pictures, [](const auto& a, const auto& b) {
+    const auto nearest = std::ranges::min_element(images, [](const auto& a, const auto& b) {
         const std::string left = a.filename().string();
         const std::string right = b.filename().string();
         return std::pair{left.size(), left} < std::pair{right.size(), right};
     });
-    return nearest == pictures.end() ? fs::path{} : *nearest;
+    return nearest == images.end() ? fs::path{} : *nearest;
 }
 
 /// A mesh file that was read, for all objects that name it.
 struct ReadFile {
     std::shared_ptr<const JsonMesh> mesh;  ///< null: it was refused
-    fs::path picture;
+    fs::path image;
 };
 
 class JsonSceneReader {
@@ -158,7 +158,7 @@ private:
         const double volume =
             glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
         if (!(std::abs(glm::determinant(linear)) > 1e-12 * volume)) {
-            faults_.error("camera.transform", "it flattens space: no picture can be taken so");
+            faults_.error("camera.transform", "it flattens space: no image can be taken so");
             return;
         }
         const glm::dvec3 eye{transform.matrix[3]};
@@ -262,19 +262,18 @@ private:
         }
         Hasher own;
         own.add(bytes->data(), bytes->size());
-        if (read->has_uvs) file.picture = picture_beside(reference->file, reference->root);
+        if (read->has_uvs) file.image = image_beside(reference->file, reference->root);
         file.mesh = std::make_shared<const JsonMesh>(
             JsonMesh{.triangles = std::move(*read), .hash = own.digest()});
         return file;
     }
 
-    std::string material_for(const fs::path& picture, float brightest) {
-        const std::string name =
-            fmt::format("viewer {} {}", picture.filename().string(), brightest);
+    std::string material_for(const fs::path& image, float brightest) {
+        const std::string name = fmt::format("viewer {} {}", image.filename().string(), brightest);
         assets::MaterialData material{.name = name,
                                       .shading = assets::Shading::Unlit,
                                       .base_color = Vec3f{brightest},
-                                      .base_color_map = picture,
+                                      .base_color_map = image,
                                       .shininess = kLightShininess,
                                       .specular = kLightSpecular,
                                       .two_sided = true};
@@ -308,7 +307,7 @@ private:
         entity.name = fmt::format("object_{}", number);
         entity.world_from_body.position = Vec3(glm::dvec3{matrix[3]});
         entity.visual = MeshVisual{.key = "json " + hex_of(key.digest()), .mesh = mesh};
-        entity.material = material_for(source.picture, brightest);
+        entity.material = material_for(source.image, brightest);
         entity.location = in_file(scene_.file.filename().string());
         scene_.entities.push_back(std::move(entity));
     }

@@ -8,6 +8,7 @@ namespace plumbline::scene {
 namespace {
 
 constexpr auto kRenamed = std::to_array<RenamedKey>({
+    {"joint", "kind", "ball", "ball_and_socket"},
     {"hard_case.event", "", "spin_radps", "angular_velocity_radps"},
     {"hard_case.event", "", "for_s", "duration_s"},
     {"hard_case.pass", "measure", "joint_gap_m", "joint_error_m"},

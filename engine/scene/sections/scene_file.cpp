@@ -186,10 +186,11 @@ private:
             return fs::weakly_canonical(other, ignored) == real;
         };
         if (std::ranges::any_of(chain_, same)) {
-            std::string way;
-            for (const fs::path& link : chain_) way += link.filename().string() + " -> ";
-            faults_.error(
-                location, key, fmt::format("includes itself: {}{}", way, file.filename().string()));
+            std::string chain;
+            for (const fs::path& link : chain_) chain += link.filename().string() + " -> ";
+            faults_.error(location,
+                          key,
+                          fmt::format("includes itself: {}{}", chain, file.filename().string()));
             return {};
         }
         // Two ways to the same file bring it once.
@@ -309,9 +310,9 @@ Result<SceneDescription> load_model(const fs::path& file,
 
 }  // namespace
 
-Result<SceneDescription> load_scene(const fs::path& file,
-                                    const fs::path& assets_folder,
-                                    Diagnostics& faults) {
+Result<SceneDescription> read_description(const fs::path& file,
+                                          const fs::path& assets_folder,
+                                          Diagnostics& faults) {
     const std::size_t before = faults.list().size();
     if (assets::is_model_file(file)) return load_model(file, assets_folder, faults);
     const std::string extension = file.extension().string();

@@ -12,7 +12,7 @@ namespace plumbline::scene {
 namespace {
 
 constexpr std::array<std::string_view, 7> kKinds{
-    "ball", "hinge", "slider", "fixed", "cone", "distance", "spring"};
+    "ball_and_socket", "hinge", "slider", "fixed", "cone", "distance", "spring"};
 constexpr Range kForce{0, 1e12, "a number from 0 to 1e12"};
 
 bool has_axis(JointKind kind) {
@@ -33,7 +33,7 @@ bool has_motor(JointKind kind) {
 
 /// Those whose bodies turn against each other.
 bool creaks(JointKind kind) {
-    return kind == JointKind::Hinge || kind == JointKind::Ball || kind == JointKind::Cone;
+    return kind == JointKind::Hinge || kind == JointKind::BallAndSocket || kind == JointKind::Cone;
 }
 
 struct End {
@@ -98,7 +98,7 @@ void read_anchors(TableReader& table, JointDescription& joint, const End& a, con
     }
     joint.anchor_a_m = table.vector("anchor_m", a.position_m, kCoordinate_m);
     joint.anchor_b_m = joint.anchor_a_m;
-    const bool needed = joint.kind == JointKind::Ball || joint.kind == JointKind::Hinge ||
+    const bool needed = joint.kind == JointKind::BallAndSocket || joint.kind == JointKind::Hinge ||
                         joint.kind == JointKind::Cone;
     if (needed && !table.has("anchor_m"))
         table.error("anchor_m", "missing; expected the point to turn about, [x, y, z] in world m");
@@ -159,11 +159,12 @@ void check_length(TableReader& table, const JointDescription& joint) {
     if (joint.kind != JointKind::Distance || joint.limits) return;
     if (joint.rest_length_m) {
         if (static_cast<double>(*joint.rest_length_m) < kShortest_m)
-            table.error("rest_length_m", "too short to keep; use kind = \"ball\"");
+            table.error("rest_length_m", "too short to keep; use kind = \"ball_and_socket\"");
         return;
     }
     if (glm::distance(Vec3d{joint.anchor_a_m}, Vec3d{joint.anchor_b_m}) < kShortest_m)
-        table.error("anchor_b_m", "the anchors are on one spot; use kind = \"ball\", or limits");
+        table.error("anchor_b_m",
+                    "the anchors are on one spot; use kind = \"ball_and_socket\", or limits");
 }
 
 void read_drive(TableReader& table, JointDescription& joint) {

@@ -80,7 +80,7 @@ assets::MaterialData read_material(TableReader& table, const LoadContext& contex
     material.variation = table.single("variation", 0.0F, kFraction);
     material.emissive = table.color("emissive", material.emissive);
     material.base_color_map =
-        read_map(table, "base_color_map", "a chequered picture stands in", context);
+        read_map(table, "base_color_map", "a chequered image stands in", context);
     // Without these maps a surface is merely smoother.
     constexpr std::string_view kLeftOut = "the map is left out";
     material.normal_map = read_map(table, "normal_map", kLeftOut, context);

@@ -20,10 +20,10 @@ double length_of(const assets::MovingModel& model, const PlayingModel& playing) 
 
 /// Further than a part is taken within a step.
 bool is_a_jump(const Pose& from, const Pose& to) {
-    constexpr Real kFar_m = 0.2_r;
+    constexpr Real kJump_m = 0.2_r;
     constexpr Real kWide_rad = 0.35_r;
     const Real cosine = std::abs(glm::dot(from.orientation, to.orientation));
-    return glm::distance(from.position, to.position) > kFar_m ||
+    return glm::distance(from.position, to.position) > kJump_m ||
            2 * std::acos(std::min(cosine, Real{1})) > kWide_rad;
 }
 

@@ -7,7 +7,7 @@
 
 namespace plumbline::study {
 
-/// For OpenOptions::resolve_auto. Another preset comes back as it is. "auto": from the study that is
+/// The accuracy to build `scene` with. Another preset comes back as it is. "auto": from the study that is
 /// kept, else from a short one of a few settings, made now in other processes (some 10 s, said on
 /// stderr, and kept). What the file or the command line gives beside the preset stands; where that
 /// leaves nothing to choose, no study is made. Never fails: where no study can be had the numbers of "balanced"

@@ -25,7 +25,7 @@ std::string_view tier_name(Tier tier);  ///< "T1 closed form"
 /// One number that is held against the reference. Errors are relative to `scale`, so 0.01 is 1 %.
 struct Metric {
     std::string name;   ///< "height at 2 s"
-    std::string scale;  ///< what 1 means: "the way fallen, 19.62 m"
+    std::string scale;  ///< what 1 means: "the distance fallen, 19.62 m"
 };
 
 /// What "a frame" of a cost is: 1/60 s.
@@ -116,7 +116,7 @@ struct Findings {
     std::optional<Shard> shard{};  ///< none: it is whole
     double clock_spread{0};        ///< (median-min)/min over all points' repeats, median of them
     std::vector<Subject> subjects;
-    std::vector<ImageFindings> pictures;
+    std::vector<ImageFindings> images;
 };
 
 }  // namespace plumbline::study

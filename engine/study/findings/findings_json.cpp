@@ -130,7 +130,7 @@ Json json_of(const ImageRow& row) {
             {"verdict", row.verdict}};
 }
 
-ImageRow picture_row_from(const Json& json) {
+ImageRow image_row_from(const Json& json) {
     const Json& more = json.at("more_ms");
     return {.name = json.at("name"),
             .error = {.mean = number_from(json.at("mean_error")),
@@ -161,13 +161,13 @@ Json json_of(const ImageFindings& findings) {
             {"rows", array_of(findings.rows)}};
 }
 
-ImageFindings picture_from(const Json& json) {
+ImageFindings image_from(const Json& json) {
     return {.scene = json.at("scene"),
             .width_px = json.at("width_px"),
             .height_px = json.at("height_px"),
             .samples_per_pixel = json.at("samples_per_pixel"),
             .mean_luminance = number_from(json.at("mean_luminance")),
-            .rows = list_from(json.at("rows"), picture_row_from)};
+            .rows = list_from(json.at("rows"), image_row_from)};
 }
 
 /// Parses and converts, with both libraries' complaints as one error.
@@ -195,7 +195,7 @@ Findings findings_from(const Json& json) {
             .shard = shard_of(json),
             .clock_spread = json.at("clock_spread"),
             .subjects = list_from(json.at("subjects"), subject_from),
-            .pictures = list_from(json.at("pictures"), picture_from)};
+            .images = list_from(json.at("images"), image_from)};
 }
 
 std::string text_of(const Json& json, int indent = -1) {
@@ -302,7 +302,7 @@ std::string findings_to_json(const Findings& findings) {
               {"complete", findings.complete},
               {"clock_spread", json_of(findings.clock_spread)},
               {"subjects", array_of(findings.subjects)},
-              {"pictures", array_of(findings.pictures)}};
+              {"images", array_of(findings.images)}};
     if (const auto& shard = findings.shard)
         json["shard"] = {{"index", shard->index}, {"of", shard->of}, {"what", shard->what}};
     return fmt::format("{}\n", text_of(json, 1));

@@ -229,11 +229,11 @@ Result<std::vector<std::size_t>> HardCaseJudge::joints_called(
     return found;
 }
 
-BodyLook HardCaseJudge::look_at(const scene::Simulation& simulation,
-                                std::size_t body,
-                                std::size_t other) const {
+BodyObservation HardCaseJudge::look_at(const scene::Simulation& simulation,
+                                       std::size_t body,
+                                       std::size_t other) const {
     const Body& mine = bodies_[body];
-    BodyLook look{
+    BodyObservation look{
         .id = mine.id,
         .start = mine.start,
         .now = simulation.physics.state(mine.id),
@@ -281,11 +281,11 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
         }
         return;
     }
-    std::vector<BodyLook> looks;
+    std::vector<BodyObservation> looks;
     for (const std::size_t i : watched.bodies) {
         const bool is_there = simulation.physics.contains(bodies_[i].id);
         if (!is_there) return take(kGone, bodies_[i].name);
-        const BodyLook look = look_at(simulation, i, watched.relative_to);
+        const BodyObservation look = look_at(simulation, i, watched.relative_to);
         if (const auto* of_body = std::get_if<BodyMeasure>(&value))
             take((*of_body)(look), bodies_[i].name);
         else

@@ -92,9 +92,9 @@ private:
     Result<std::vector<std::size_t>> joints_called(const scene::Simulation& simulation,
                                                    const scene::HardCaseRule& rule) const;
     std::size_t body_index(const scene::Simulation& simulation, const std::string& name);
-    BodyLook look_at(const scene::Simulation& simulation,
-                     std::size_t body,
-                     std::size_t other) const;
+    BodyObservation look_at(const scene::Simulation& simulation,
+                            std::size_t body,
+                            std::size_t other) const;
     void look(const scene::Simulation& simulation, const Watched& watched, RuleState& state);
 
     double seconds_;

@@ -13,23 +13,23 @@ constexpr double kDegrees = 57.295779513082321;
 Vec3d at(const Pose& pose) {
     return Vec3d{pose.position};
 }
-Vec3d position(const BodyLook& body) {
+Vec3d position(const BodyObservation& body) {
     return at(body.now.world_from_body) - at(body.other_now.world_from_body);
 }
-Vec3d start_position(const BodyLook& body) {
+Vec3d start_position(const BodyObservation& body) {
     return at(body.start.world_from_body) - at(body.other_start.world_from_body);
 }
-Vec3d moved(const BodyLook& body) {
+Vec3d moved(const BodyObservation& body) {
     return position(body) - start_position(body);
 }
-Vec3d velocity(const BodyLook& body) {
+Vec3d velocity(const BodyObservation& body) {
     return Vec3d{body.now.velocity_mps} - Vec3d{body.other_now.velocity_mps};
 }
-Vec3d start_velocity(const BodyLook& body) {
+Vec3d start_velocity(const BodyObservation& body) {
     return body.start.velocity_mps - body.other_start.velocity_mps;
 }
 /// World axes: what turns the body from its start to now.
-Quatd turned(const BodyLook& body) {
+Quatd turned(const BodyObservation& body) {
     return Quatd{body.now.world_from_body.orientation} *
            glm::conjugate(Quatd{body.start.world_from_body.orientation});
 }
@@ -45,7 +45,7 @@ double across(const Vec3d& v) {
     return std::hypot(v.x, v.z);
 }
 
-double impulse_Ns(const BodyLook& body) {
+double impulse_Ns(const BodyObservation& body) {
     double sum = 0;
     for (const physics::ContactEvent& contact : body.contacts) {
         const bool mine = contact.a == body.id || contact.b == body.id;
@@ -56,26 +56,26 @@ double impulse_Ns(const BodyLook& body) {
     return sum;
 }
 
-double mean_displacement_m(std::span<const BodyLook> bodies) {
+double mean_displacement_m(std::span<const BodyObservation> bodies) {
     double sum = 0;
-    for (const BodyLook& body : bodies) sum += glm::length(moved(body));
+    for (const BodyObservation& body : bodies) sum += glm::length(moved(body));
     return bodies.empty() ? 0 : sum / static_cast<double>(bodies.size());
 }
-double mean_height_m(std::span<const BodyLook> bodies) {
+double mean_height_m(std::span<const BodyObservation> bodies) {
     double sum = 0;
-    for (const BodyLook& body : bodies) sum += position(body).y;
+    for (const BodyObservation& body : bodies) sum += position(body).y;
     return bodies.empty() ? 0 : sum / static_cast<double>(bodies.size());
 }
 /// The steepest line from the top of a heap to its foot: height of the highest body over how far
 /// out 90 % of them lie.
-double heap_slope_deg(std::span<const BodyLook> bodies) {
+double heap_slope_deg(std::span<const BodyObservation> bodies) {
     if (bodies.empty()) return 0;
     Vec3d middle{0, 0, 0};
-    for (const BodyLook& body : bodies)
+    for (const BodyObservation& body : bodies)
         middle += position(body) / static_cast<double>(bodies.size());
     std::vector<double> out_m;
     double top_m = 0;
-    for (const BodyLook& body : bodies) {
+    for (const BodyObservation& body : bodies) {
         out_m.push_back(across(position(body) - middle));
         top_m = std::max(top_m, position(body).y);
     }
@@ -84,73 +84,82 @@ double heap_slope_deg(std::span<const BodyLook> bodies) {
     return kDegrees * std::atan2(top_m, *at_90);
 }
 
-double energy_J(const WorldLook& look) {
+double energy_J(const WorldObservation& look) {
     return look.world.energy().total_J();
 }
-double energy_gain(const WorldLook& look) {
+double energy_gain(const WorldObservation& look) {
     return (energy_J(look) - look.start.energy_J - look.added_energy_J) / look.start.energy_scale_J;
 }
 
 const std::array kMeasures{
     // --- of every body named; the worst one counts
     Measure{"drift_m",
-            "way from its start across the vertical",
-            +[](const BodyLook& body) { return across(moved(body)); }},
+            "displacement from its start across the vertical",
+            +[](const BodyObservation& body) { return across(moved(body)); }},
     Measure{"displacement_m",
-            "way from its start",
-            +[](const BodyLook& body) { return glm::length(moved(body)); }},
-    Measure{
-        "sag_m", "way down from its start", +[](const BodyLook& body) { return -moved(body).y; }},
-    Measure{
-        "height_m", "height of its origin", +[](const BodyLook& body) { return position(body).y; }},
-    Measure{"lowest_m", "least height so far", +[](const BodyLook& body) { return body.lowest_m; }},
-    Measure{"x_m", "place along x", +[](const BodyLook& body) { return position(body).x; }},
-    Measure{"z_m", "place along z", +[](const BodyLook& body) { return position(body).z; }},
+            "displacement from its start",
+            +[](const BodyObservation& body) { return glm::length(moved(body)); }},
+    Measure{"sag_m",
+            "displacement down from its start",
+            +[](const BodyObservation& body) { return -moved(body).y; }},
+    Measure{"height_m",
+            "height of its origin",
+            +[](const BodyObservation& body) { return position(body).y; }},
+    Measure{"lowest_m",
+            "least height so far",
+            +[](const BodyObservation& body) { return body.lowest_m; }},
+    Measure{"x_m", "place along x", +[](const BodyObservation& body) { return position(body).x; }},
+    Measure{"z_m", "place along z", +[](const BodyObservation& body) { return position(body).z; }},
     Measure{"from_axis_m",
             "distance from the vertical through the origin",
-            +[](const BodyLook& body) { return across(position(body)); }},
+            +[](const BodyObservation& body) { return across(position(body)); }},
     Measure{"reach_m",
             "height that it would rise to",
-            +[](const BodyLook& body) {
+            +[](const BodyObservation& body) {
                 const double up = velocity(body).y;
                 return position(body).y + up * up / (2 * body.gravity_mps2);
             }},
-    Measure{
-        "speed_mps", "speed", +[](const BodyLook& body) { return glm::length(velocity(body)); }},
-    Measure{"speed_x_mps", "speed along x", +[](const BodyLook& body) { return velocity(body).x; }},
-    Measure{
-        "up_speed_mps", "speed upwards", +[](const BodyLook& body) { return velocity(body).y; }},
+    Measure{"speed_mps",
+            "speed",
+            +[](const BodyObservation& body) { return glm::length(velocity(body)); }},
+    Measure{"speed_x_mps",
+            "speed along x",
+            +[](const BodyObservation& body) { return velocity(body).x; }},
+    Measure{"up_speed_mps",
+            "speed upwards",
+            +[](const BodyObservation& body) { return velocity(body).y; }},
     Measure{"horizontal_speed_mps",
             "speed across the vertical",
-            +[](const BodyLook& body) { return across(velocity(body)); }},
+            +[](const BodyObservation& body) { return across(velocity(body)); }},
     Measure{"speed_change",
             "speed against the start's, as a share",
-            +[](const BodyLook& body) {
+            +[](const BodyObservation& body) {
                 const double before = glm::length(start_velocity(body));
                 return std::abs(share_of(glm::length(velocity(body)) - before, before));
             }},
     Measure{"heading_deg",
             "turn of its course across the vertical",
-            +[](const BodyLook& body) {
+            +[](const BodyObservation& body) {
                 const Vec3d now = velocity(body);
                 const Vec3d then = start_velocity(body);
                 return angle_between_deg({now.x, 0, now.z}, {then.x, 0, then.z});
             }},
-    Measure{
-        "spin_radps",
-        "rate of turning",
-        +[](const BodyLook& body) { return glm::length(Vec3d{body.now.angular_velocity_radps}); }},
+    Measure{"spin_radps",
+            "rate of turning",
+            +[](const BodyObservation& body) {
+                return glm::length(Vec3d{body.now.angular_velocity_radps});
+            }},
     Measure{"tilt_deg",
             "how far its upright leans",
-            +[](const BodyLook& body) {
+            +[](const BodyObservation& body) {
                 return angle_between_deg(turned(body) * Vec3d{0, 1, 0}, {0, 1, 0});
             }},
     Measure{"awake",
             "1 while awake, 0 asleep",
-            +[](const BodyLook& body) { return body.now.awake ? 1.0 : 0.0; }},
+            +[](const BodyObservation& body) { return body.now.awake ? 1.0 : 0.0; }},
     Measure{"impulse_Ns", "contact impulse of a step", &impulse_Ns},
     // --- of all bodies named together
-    Measure{"mean_displacement_m", "mean way from the start", &mean_displacement_m},
+    Measure{"mean_displacement_m", "mean displacement from the start", &mean_displacement_m},
     Measure{"mean_height_m", "mean height", &mean_height_m},
     Measure{"heap_slope_deg", "slope of the heap", &heap_slope_deg},
     // --- of joints
@@ -166,47 +175,48 @@ const std::array kMeasures{
                 return kDegrees * static_cast<double>(joint.position);
             }},
     Measure{"joint_displacement_m",
-            "way or length of the joint",
+            "displacement or length of the joint",
             +[](const physics::JointState& joint) { return static_cast<double>(joint.position); }},
     // --- of the world
     Measure{"max_joint_error_m",
             "worst joint",
-            +[](const WorldLook& look) { return look.world.max_joint_error_m(); }},
+            +[](const WorldObservation& look) { return look.world.max_joint_error_m(); }},
     Measure{"penetration_m",
             "deepest contact",
-            +[](const WorldLook& look) { return look.world.max_penetration_m(); }},
+            +[](const WorldObservation& look) { return look.world.max_penetration_m(); }},
     Measure{"energy_gain", "energy above the start's and what was put in", &energy_gain},
     Measure{"energy_loss",
             "energy below the start's and what was put in",
-            +[](const WorldLook& look) { return -energy_gain(look); }},
-    Measure{"braked_share",
-            "energy that the guard took out, as a share of the start's",
-            +[](const WorldLook& look) { return look.braked_J / look.start.energy_scale_J; }},
+            +[](const WorldObservation& look) { return -energy_gain(look); }},
+    Measure{
+        "braked_share",
+        "energy that the guard took out, as a share of the start's",
+        +[](const WorldObservation& look) { return look.braked_J / look.start.energy_scale_J; }},
     Measure{"kinetic_J",
             "kinetic energy",
-            +[](const WorldLook& look) { return look.world.energy().kinetic_J; }},
+            +[](const WorldObservation& look) { return look.world.energy().kinetic_J; }},
     Measure{"momentum_change",
             "change of momentum, as a share of the start's",
-            +[](const WorldLook& look) {
+            +[](const WorldObservation& look) {
                 return share_of(
                     glm::distance(look.world.momentum_kgmps(), look.start.momentum_kgmps),
                     glm::length(look.start.momentum_kgmps));
             }},
     Measure{"angular_momentum_change",
             "change of angular momentum, as a share of the start's",
-            +[](const WorldLook& look) {
+            +[](const WorldObservation& look) {
                 return share_of(glm::distance(look.world.angular_momentum_kgm2ps(),
                                               look.start.angular_momentum_kgm2ps),
                                 glm::length(look.start.angular_momentum_kgm2ps));
             }},
     Measure{"non_finite",
             "bodies taken out because they were not finite",
-            +[](const WorldLook& look) {
+            +[](const WorldObservation& look) {
                 return static_cast<double>(look.world.quarantined().size());
             }},
     Measure{"removed",
             "bodies that fell out of the world",
-            +[](const WorldLook& look) { return static_cast<double>(look.removed); }},
+            +[](const WorldObservation& look) { return static_cast<double>(look.removed); }},
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ struct BodyStart {
 };
 
 /// A body as a measure sees it.
-struct BodyLook {
+struct BodyObservation {
     physics::BodyId id{};
     BodyStart start{};
     physics::BodyState now{};
@@ -41,7 +41,7 @@ struct WorldStart {
 };
 
 /// The whole world as a measure sees it.
-struct WorldLook {
+struct WorldObservation {
     const physics::PhysicsWorld& world;
     const WorldStart& start;
     double added_energy_J{0};  ///< by the case's events
@@ -49,14 +49,14 @@ struct WorldLook {
     std::uint32_t removed{0};
 };
 
-using BodyMeasure = double (*)(const BodyLook&);
-using BodiesMeasure = double (*)(std::span<const BodyLook>);  ///< of all at once
+using BodyMeasure = double (*)(const BodyObservation&);
+using BodiesMeasure = double (*)(std::span<const BodyObservation>);  ///< of all at once
 using JointMeasure = double (*)(const physics::JointState&);
-using WorldMeasure = double (*)(const WorldLook&);
+using WorldMeasure = double (*)(const WorldObservation&);
 
 struct Measure {
     std::string_view name;   ///< as scene files write it, the unit at its end
-    std::string_view words;  ///< "way from its start across the vertical"
+    std::string_view words;  ///< "displacement from its start across the vertical"
     std::variant<BodyMeasure, BodiesMeasure, JointMeasure, WorldMeasure> value;
 };
 

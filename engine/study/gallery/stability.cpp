@@ -180,7 +180,7 @@ StabilityTable plan_table(std::vector<CaseEntry> cases,
     table.cases = std::move(cases);
     table.solvers = std::move(solvers);
     table.rates_hz = std::move(rates_hz);
-    table.pictures.resize(table.cases.size());
+    table.images.resize(table.cases.size());
     return table;
 }
 

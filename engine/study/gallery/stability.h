@@ -57,8 +57,8 @@ struct StabilityTable {
     std::vector<physics::Solver> solvers;
     std::vector<int> rates_hz;
     std::vector<StabilityRun> runs;
-    std::vector<std::string> pictures;  ///< PNG bytes, one per case; empty where there is none
-    std::string no_pictures;            ///< why there are none, or empty
+    std::vector<std::string> images;  ///< PNG bytes, one per case; empty where there is none
+    std::string no_images;            ///< why there are none, or empty
 
     const StabilityRun* find(std::size_t entry, physics::Solver solver, int step_hz) const;
     /// Where small_step's runs at 60 Hz are not what the cases' known_red says, one sentence each:
@@ -85,8 +85,8 @@ Result<StabilityTable> merged_tables(std::span<const std::string> jsons,
                                      const std::vector<CaseEntry>& all);
 
 /// An image of small_step's end state of each case, `width_px` x `height_px`, by `plumbline render`
-/// in child processes. Where the first fails, none is made and no_pictures says why.
-void take_pictures(StabilityTable& table, int workers, int width_px, int height_px);
+/// in child processes. Where the first fails, none is made and no_images says why.
+void take_images(StabilityTable& table, int workers, int width_px, int height_px);
 
 /// "pass", "FAIL", or "slow": given up before it had failed.
 std::string_view verdict_word(const CaseResult& result);

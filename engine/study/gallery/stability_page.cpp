@@ -35,7 +35,7 @@ who is known to fail it. Each scene states its own pass rules as numbers. A cell
 <b>FAIL</b> when one did not. Below the verdict: how far the worst rule stayed inside its limit, or went
 outside, as a share of that limit; then the CPU time that one simulated second cost, so that nobody can
 buy a green cell unseen, and what the solver did beside solving: energy that its guard took out, bodies that it slowed. A
-case from which the guard took more than 1 % of its energy is red. Red cells are left in, our own too. The pictures show where small_step
+case from which the guard took more than 1 % of its energy is red. Red cells are left in, our own too. The images show where small_step
 ends.</p>)";
 
 std::string base64(std::string_view bytes) {
@@ -130,7 +130,7 @@ std::string rules_of(const StabilityTable& table, std::size_t entry) {
 
 std::string row(const StabilityTable& table, std::size_t entry) {
     const CaseEntry& shown = table.cases[entry];
-    const std::string& png = table.pictures[entry];
+    const std::string& png = table.images[entry];
     std::string text = fmt::format("<tr id=\"{}\"><td>", shown.hard.id);
     if (!png.empty())
         text += fmt::format("<img alt=\"{} at the end\" src=\"data:image/png;base64,{}\">",
@@ -174,8 +174,8 @@ std::string stability_page(const StabilityTable& table) {
                         escape_html(table.build),
                         table.complete ? "complete" : "interrupted: what was done by then",
                         escape_html(table.command));
-    if (!table.no_pictures.empty())
-        page += fmt::format("<p><b>{}</b></p>\n", escape_html(table.no_pictures));
+    if (!table.no_images.empty())
+        page += fmt::format("<p><b>{}</b></p>\n", escape_html(table.no_images));
     page += summary(table);
     page += "<p></p>\n<table><thead><tr><th>small_step at the end</th><th>case</th>";
     for (const physics::Solver solver : table.solvers) {

@@ -46,9 +46,9 @@ void judge(ImageFindings& findings) {
     }
 }
 
-std::string picture_text(const ImageFindings& findings) {
+std::string image_text(const ImageFindings& findings) {
     std::string text = fmt::format(
-        "What the picture's accuracy costs: {}\n"
+        "What the image's accuracy costs: {}\n"
         "{} x {} pixels against {} samples a pixel with exact rays to the sun; errors relative to "
         "the "
         "mean luminance, {:.3f} of white.\n"

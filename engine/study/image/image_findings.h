@@ -37,6 +37,6 @@ struct ImageFindings {
 /// Fills `unbeaten` and `verdict` of all rows.
 void judge(ImageFindings& findings);
 /// A table for people.
-std::string picture_text(const ImageFindings& findings);
+std::string image_text(const ImageFindings& findings);
 
 }  // namespace plumbline::study

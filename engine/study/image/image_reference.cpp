@@ -15,10 +15,10 @@ Vec3f ray_through(const render::Camera& camera, float aspect, const Vec2f& at) {
     return glm::normalize(camera.orientation * in_view);
 }
 
-LightImage reference_picture(const assets::ImageData& in_sun,
-                             const assets::ImageData& without_sun,
-                             std::uint32_t samples_per_side,
-                             const IsShaded& is_shaded) {
+LightImage reference_image(const assets::ImageData& in_sun,
+                           const assets::ImageData& without_sun,
+                           std::uint32_t samples_per_side,
+                           const IsShaded& is_shaded) {
     const LightImage lit = light_of(in_sun);
     const LightImage unlit = light_of(without_sun);
     LightImage reference{.width_px = lit.width_px / samples_per_side,

@@ -19,10 +19,10 @@ using IsShaded = std::function<bool(const Vec2f& at)>;
 /// `in_sun`, `without_sun`: the same image with the sun shining through everything, and without the
 /// sun, `samples_per_side` times as wide and as high as the reference. Rays are asked for only where
 /// the two differ.
-LightImage reference_picture(const assets::ImageData& in_sun,
-                             const assets::ImageData& without_sun,
-                             std::uint32_t samples_per_side,
-                             const IsShaded& is_shaded);
+LightImage reference_image(const assets::ImageData& in_sun,
+                           const assets::ImageData& without_sun,
+                           std::uint32_t samples_per_side,
+                           const IsShaded& is_shaded);
 
 /// Asks the rays of a frame: its camera, its things, its sun. Without [sun] or its shadow nothing is
 /// shaded. `frame` may go afterwards.

@@ -31,7 +31,7 @@ Curve curve_of(const ImageFindings& findings, bool unbeaten) {
 
 }  // namespace
 
-std::optional<Plot> picture_plot(const ImageFindings& findings) {
+std::optional<Plot> image_plot(const ImageFindings& findings) {
     std::vector<double> costs;
     std::vector<double> errors;
     for (const ImageRow& row : findings.rows) {
@@ -44,13 +44,13 @@ std::optional<Plot> picture_plot(const ImageFindings& findings) {
         const auto [least, most] = std::ranges::minmax(values);
         return log_axis(std::move(name), least, most, kLeastRatio, text);
     };
-    return Plot{.name = fmt::format("Error of the picture of {} against its cost", findings.scene),
+    return Plot{.name = fmt::format("Error of the image of {} against its cost", findings.scene),
                 .x = axis("CPU ms a frame", costs, number_text),
                 .y = axis("rms error of light", errors, error_text),
                 .curves = {curve_of(findings, false), curve_of(findings, true)}};
 }
 
-std::string picture_table(const ImageFindings& findings) {
+std::string image_table(const ImageFindings& findings) {
     std::string html = fmt::format(
         "<p>{} by {} pixels of level high, and what differs from it in one thing, against the mean "
         "of {} "

@@ -11,8 +11,8 @@ namespace plumbline::study {
 
 /// Error against CPU ms of a frame: one point a row, those that nothing beats joined. Empty: fewer than two
 /// rows have both.
-std::optional<Plot> picture_plot(const ImageFindings& findings);
+std::optional<Plot> image_plot(const ImageFindings& findings);
 /// What it was held against, and the table of all rows, as HTML.
-std::string picture_table(const ImageFindings& findings);
+std::string image_table(const ImageFindings& findings);
 
 }  // namespace plumbline::study

@@ -147,12 +147,12 @@ std::string section(const Subject& subject, std::size_t index, const Tools& tool
 }
 
 std::string section(const ImageFindings& findings, std::size_t index, const Tools& tools) {
-    const std::string anchor = fmt::format("picture{}", index);
+    const std::string anchor = fmt::format("image{}", index);
     std::string html = fmt::format(
-        "<section>\n<h2 id=\"{}\">The picture of {}</h2>\n", anchor, escape_html(findings.scene));
-    if (const auto plot = picture_plot(findings))
-        html += figure(*plot, anchor + "-cost", "Error of the picture against cost.", tools);
-    return html + picture_table(findings) + "</section>\n";
+        "<section>\n<h2 id=\"{}\">The image of {}</h2>\n", anchor, escape_html(findings.scene));
+    if (const auto plot = image_plot(findings))
+        html += figure(*plot, anchor + "-cost", "Error of the image against cost.", tools);
+    return html + image_table(findings) + "</section>\n";
 }
 
 std::string head(const Findings& findings, const Tools& tools) {
@@ -218,9 +218,9 @@ Result<Done> write_report(const Findings& findings, const std::filesystem::path&
         "time</title>\n<style>{}</style>\n</head>\n<body>\n",
         page_style());
     html += head(findings, tools);
-    if (!findings.subjects.empty() || findings.pictures.empty()) html += overview(findings);
-    for (std::size_t i = 0; i < findings.pictures.size(); ++i) {
-        html += section(findings.pictures[i], i, tools);
+    if (!findings.subjects.empty() || findings.images.empty()) html += overview(findings);
+    for (std::size_t i = 0; i < findings.images.size(); ++i) {
+        html += section(findings.images[i], i, tools);
     }
     for (std::size_t i = 0; i < findings.subjects.size(); ++i) {
         html += section(findings.subjects[i], i, tools);

@@ -43,8 +43,12 @@ Point run_scenario(const Scenario& scenario, const Setting& setting, const Repea
     Point point{.setting = setting};
     Course looked(Course::Mode::Looked);
     point.errors = scenario.run(setting, looked);
-    PL_ASSERT(point.errors.size() == scenario.metrics.size(), "an error for every metric");
     point.status = looked.status();
+    if (point.status == RunStatus::Refused) {
+        point.why = looked.why_refused();
+        return point;
+    }
+    PL_ASSERT(point.errors.size() == scenario.metrics.size(), "an error for every metric");
     if (point.status == RunStatus::Done &&
         !std::ranges::all_of(point.errors, [](double error) { return std::isfinite(error); }))
         point.status = RunStatus::NotFinite;

@@ -30,13 +30,22 @@ public:
     void run(ScenarioWorld& world, double seconds, const Hooks& hooks);
     void run(ScenarioWorld& world, double seconds) { run(world, seconds, Hooks{}); }
 
+    /// For a world that cannot be made: the run is refused, and says why.
+    std::vector<double> refuse(const Error& error) {
+        status_ = RunStatus::Refused;
+        why_ = error.message;
+        return {};
+    }
+
     /// Of all worlds so far: the worst that became of one.
     RunStatus status() const { return status_; }
+    const std::string& why_refused() const { return why_; }
     const Lap& lap() const { return meter_.lap(); }
 
 private:
     Mode mode_;
     RunStatus status_{RunStatus::Done};
+    std::string why_;
     StepMeter meter_;
 };
 

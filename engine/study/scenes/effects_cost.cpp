@@ -158,7 +158,7 @@ std::string_view domain_name(effects::Domain domain) {
         case effects::Domain::Step:
             return "step";
         case effects::Domain::Frame:
-            return "picture";
+            return "image";
         case effects::Domain::Sound:
             return "sound";
     }

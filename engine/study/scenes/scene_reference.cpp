@@ -189,19 +189,19 @@ private:
         SceneReference reference{
             .answer = finest.answer, .scales = scales_of(finest.answer), .uncertainty = finest.off};
         reference.text = fmt::format("small_step in float64 at {} Hz x 4", finest.step_hz);
-        std::string way;
+        std::string differences;
         for (std::size_t i = 1; i < levels_.size(); ++i) {
-            way += fmt::format("{}{:.1e} ({} to {} Hz)",
-                               i == 1 ? "" : ", ",
-                               levels_[i].off,
-                               levels_[i - 1].step_hz,
-                               levels_[i].step_hz);
+            differences += fmt::format("{}{:.1e} ({} to {} Hz)",
+                                       i == 1 ? "" : ", ",
+                                       levels_[i].off,
+                                       levels_[i - 1].step_hz,
+                                       levels_[i].step_hz);
         }
         reference.notes.push_back(
             fmt::format("{} {:.1e}: halving its step changed the worst metric by {}",
                         good() ? "reference converged to" : "reference known only to",
                         finest.off,
-                        way));
+                        differences));
         if (!good())
             reference.notes.push_back(
                 fmt::format("errors below {:.1e} are not told apart", finest.off));

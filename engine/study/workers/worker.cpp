@@ -112,7 +112,7 @@ Result<Answer> parse_answer_line(const std::string& line) {
     }
     if (!answer.is_object() || !answer.contains("status") || !answer.contains("body") ||
         !answer["body"].is_string())
-        return Error{.message = "a worker answered with something that is no answer"};
+        return Error{.message = "a worker's answer cannot be read"};
     return Answer{.status = answer["status"] == kDone ? AnswerStatus::Done : AnswerStatus::Failed,
                   .body = answer["body"]};
 }

@@ -65,7 +65,7 @@ public:
         job_.reset();
         worker().reset();
         return {.status = AnswerStatus::TimedOut,
-                .body = fmt::format("no answer within {:g} s", limit_s)};
+                .body = fmt::format("timed out after {:g} s", limit_s)};
     }
 
 private:

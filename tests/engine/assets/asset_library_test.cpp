@@ -82,8 +82,8 @@ TEST(AssetLibrary, keeps_equal_materials_once) {
 
 TEST(AssetLibrary, decodes_images_that_a_model_holds) {
     const TempFolder folder;
-    const fs::path picture = write_image(folder, "a.png", 77);
-    std::ifstream stream(picture, std::ios::binary);
+    const fs::path image = write_image(folder, "a.png", 77);
+    std::ifstream stream(image, std::ios::binary);
     const std::string png{std::istreambuf_iterator<char>(stream), {}};
     TriangleFile content;
     content.json["images"] = {{{"bufferView", content.add_view(png)}}};

@@ -22,7 +22,7 @@ std::string worn(test::Running& run, const std::string& name) {
 }
 
 // SOURCES A35: from the step in which the pair begins to touch to that in which it ends.
-TEST(ContactLook, IsWornFromTheBeginOfAContactToItsEnd) {
+TEST(ContactAppearance, IsWornFromTheBeginOfAContactToItsEnd) {
     test::Running run(touchy());
     EffectRuntime effects(*run, {.frame = true});
     // It falls 1.5 m: sqrt(2 * 1.5 / 9.81) = 0.553 s.
@@ -42,7 +42,7 @@ TEST(ContactLook, IsWornFromTheBeginOfAContactToItsEnd) {
     EXPECT_GE(line_of(effects, "contact_look").calls, 3U);
 }
 
-TEST(ContactLook, CostsNothingWhereNobodyCallsForIt) {
+TEST(ContactAppearance, CostsNothingWhereNobodyCallsForIt) {
     test::Running run(test::scene_of({test::ground(), test::cube("a", {0, 2, 0})}));
     EffectRuntime effects(*run, {.frame = true});
     run.step(60, effects);

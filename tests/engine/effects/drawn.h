@@ -12,7 +12,7 @@
 namespace plumbline::effects {
 
 /// What `render` serves.
-inline constexpr ServedDomains kPicture{.frame = true};
+inline constexpr ServedDomains kImage{.frame = true};
 
 /// One frame as the window makes it.
 inline render::RenderFrame draw(test::Running& run, EffectRuntime& effects, Real blend = 1) {
@@ -21,6 +21,12 @@ inline render::RenderFrame draw(test::Running& run, EffectRuntime& effects, Real
     render::RenderFrame frame = scene::extract(*run, view, 64, 64);
     effects.extract(*run, view, frame);
     return frame;
+}
+
+inline scene::ViewPoint listener_at(const Vec3& position_m) {
+    scene::ViewPoint view;
+    view.world_from_camera.position = position_m;
+    return view;
 }
 
 inline LedgerLine line_of(const EffectRuntime& effects, std::string_view name) {

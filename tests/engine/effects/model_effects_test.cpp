@@ -27,7 +27,7 @@ std::string sliding_model() {
 
 scene::SceneDescription model_scene(const TempFolder& folder, const std::string& bytes) {
     Diagnostics faults;
-    auto scene = scene::load_scene(folder.write("m.glb", bytes), {}, faults);
+    auto scene = scene::read_description(folder.write("m.glb", bytes), {}, faults);
     EXPECT_TRUE(scene.ok());
     scene->sun.reset();
     return *scene;

@@ -107,7 +107,7 @@ TEST_F(BookGl, FlatShadingTakesTheFirstVertexsNormal) {
     mesh.sub_meshes = {{.first_index = 0, .index_count = 3}};
     mesh.bounds = assets::bounds_of(mesh);
     const auto id = library_.add_mesh("triangle", mesh);
-    const auto picture = [&](bool flat) {
+    const auto image = [&](bool flat) {
         RenderFrame frame = empty_frame(61, 61);
         frame.camera = camera_at({0.0F, 0.0F, 6.0F}, Vec3f{0.0F});
         frame.sun = DirectionalLight{.direction_world = {0.0F, 0.0F, -1.0F},
@@ -122,8 +122,8 @@ TEST_F(BookGl, FlatShadingTakesTheFirstVertexsNormal) {
                  Mat4f{1.0F});
         return draw(frame);
     };
-    const auto flat = picture(true);
-    const auto smooth = picture(false);
+    const auto flat = image(true);
+    const auto smooth = image(false);
     for (const std::array<std::uint32_t, 2>& at :
          {std::array{20U, 44U}, std::array{30U, 30U}, std::array{40U, 44U}, std::array{30U, 20U}})
         EXPECT_NEAR(pixel_at(flat, at[0], at[1]).r, code_of(0.5F), 1) << at[0] << " " << at[1];

@@ -59,6 +59,14 @@ protected:
                   const Mat4f& world_from_body) {
         render::add_item(frame, {.mesh = mesh, .world_from_body = world_from_body}, {&material, 1});
     }
+    /// Matt to the letter: no highlight, no mirrored rim.
+    assets::MaterialId chalk() {
+        return library_.add_material({.name = "chalk",
+                                      .shading = assets::Shading::BlinnPhong,
+                                      .base_color = Vec3f{1.0F},
+                                      .shininess = 1.0F,
+                                      .specular = 0.0F});
+    }
     void add_box(RenderFrame& frame,
                  const Vec3f& size_m,
                  const Vec3f& center_world,
@@ -70,14 +78,7 @@ protected:
     }
 
     assets::ImageData draw(const RenderFrame& frame) {
-        renderer_->begin(frame);
-        renderer_->shadows();
-        renderer_->opaque();
-        renderer_->sky();
-        renderer_->translucent();
-        renderer_->post();
-        renderer_->lines();
-        renderer_->end();
+        render::draw(*renderer_, frame);
         return renderer_->read_pixels();
     }
 

@@ -228,7 +228,7 @@ TEST_F(EdgeGl, RenderScaleDrawsFewerPixelsAndLinesInFull) {
 
 // White noise halves its spread with each level of detail. Four texels to a pixel that is shown: the third
 // level. Drawn at half the size it would be the fourth, and scaling up leaves 0.6 of the spread: 0.3 in all.
-TEST_F(ImageGl, ScaledUpPicturesHaveTexturesAsFineAsTheSizeShown) {
+TEST_F(ImageGl, ScaledUpImagesHaveTexturesAsFineAsTheSizeShown) {
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / "plumbline_noise_image.png";
     assets::ImageData noise{

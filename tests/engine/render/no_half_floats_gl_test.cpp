@@ -22,7 +22,7 @@ protected:
     }
 };
 
-TEST_F(NoHalfFloatsGl, LightIsKeptInEightBitsAndThePictureIsNearlyTheSame) {
+TEST_F(NoHalfFloatsGl, LightIsKeptInEightBitsAndTheImageIsNearlyTheSame) {
     RenderFrame frame = ball_under_the_sun();
     frame.post->bloom = 0.0F;
     frame.post->adapts = false;

@@ -159,7 +159,7 @@ TEST_F(RendererGl, LightIsEncodedAlikeWhileItIsDrawnAndByAPassAfterIt) {
     // Edges are smoothed in a pass of its own; the box's inside stays.
     frame.quality.anti_aliasing = AntiAliasing::Fxaa;
     const auto after = draw(frame);
-    ASSERT_EQ(renderer_->stats().passes.back().name, "picture");
+    ASSERT_EQ(renderer_->stats().passes.back().name, "image");
     std::size_t different = 0;
     for (std::size_t i = 0; i < direct.bytes.size(); ++i)
         different += std::abs(direct.bytes[i] - after.bytes[i]) > 1 ? 1U : 0U;
@@ -202,7 +202,7 @@ TEST_F(RendererGl, ShortOfMemoryHalvesTheRenderScaleOnceThenTakesTheLowestLevel)
 }
 
 // EXPERIENCE A12
-TEST_F(RendererGl, PictureBeyondTheTextureLimitIsDrawnSmallerInItsShapeAndScaledUp) {
+TEST_F(RendererGl, ImageBeyondTheTextureLimitIsDrawnSmallerInItsShapeAndScaledUp) {
     // The renderer's own present target has the driver's limit, so it is the window's that can be
     // larger than an image; here the scene's limit alone is lowered.
     RenderFrame frame = sunny_box();
@@ -240,7 +240,7 @@ void (*without_extensions(const char* name))() {
 }
 
 // EXPERIENCE A5: a driver with 3.3 and nothing beside it does.
-TEST_F(RendererGl, WithoutTheOptionalFeaturesThePictureIsTheSame) {
+TEST_F(RendererGl, WithoutTheOptionalFeaturesTheImageIsTheSame) {
     const auto whole = draw(sunny_box());
     driver = context_->gl_loader();
     auto made = Renderer::create(
@@ -328,7 +328,7 @@ TEST_F(BrokenShadersGl, MissingFilesAreOneErrorAtTheStart) {
 }
 
 // EXPERIENCE A8
-TEST_F(BrokenShadersGl, VaryingThatTheStagesDisagreeAboutIsAnErrorAndOnReloadKeepsThePicture) {
+TEST_F(BrokenShadersGl, VaryingThatTheStagesDisagreeAboutIsAnErrorAndOnReloadKeepsTheImage) {
     make_renderer(folder_);
     const RenderFrame frame = sunny_box();
     const auto before = draw(frame);
@@ -360,7 +360,7 @@ TEST_F(BrokenShadersGl, VaryingThatTheStagesDisagreeAboutIsAnErrorAndOnReloadKee
     EXPECT_NE(draw(with_lines).bytes, before.bytes);
 }
 
-TEST_F(BrokenShadersGl, OnReloadLeaveThePictureAsItWas) {
+TEST_F(BrokenShadersGl, OnReloadLeaveTheImageAsItWas) {
     make_renderer(folder_);
     const RenderFrame frame = sunny_box();
     const auto before = draw(frame);

@@ -111,6 +111,7 @@ TEST_F(ShaderBlocksGl, LocalLightsLieAsInCpp) {
 std::vector<FeatureSet> material_variants() {
     using namespace feature;
     return {kVertexColor,
+            kVertexColor | kFaceted,
             kUnlit | kVertexColor,
             kUnlit | kBaseMap,
             kUnlit | kBaseMap | kAlphaMask,

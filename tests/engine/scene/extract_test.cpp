@@ -38,9 +38,9 @@ TEST(Extract, DrawsBetweenTheLastTwoPoses) {
 }
 
 TEST(Extract, TellsWhatCannotMove) {
-    EntityDescription picture = cube("picture", {5, 1, 0});
-    picture.body.reset();
-    Running run(scene_of({ground(), cube("cube", {0, 5, 0}), picture}));
+    EntityDescription image = cube("image", {5, 1, 0});
+    image.body.reset();
+    Running run(scene_of({ground(), cube("cube", {0, 5, 0}), image}));
     const render::RenderFrame frame = frame_of(run, 1);
     ASSERT_EQ(frame.items.size(), 3U);
     EXPECT_TRUE(frame.items[0].is_static);

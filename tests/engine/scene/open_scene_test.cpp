@@ -38,7 +38,7 @@ protected:
         write("one.toml", kScene);
         write("wood.toml", "[[material]]\nname = \"oak\"\nbase_color_map = \"oak.png\"\n");
         write("chair.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        write("oak.png", "no picture");
+        write("oak.png", "no image");
         write("config/surfaces.toml", "[wood]\nfriction = 0.5\n");
     }
     void write(const std::string& name, const std::string& text) {
@@ -69,7 +69,7 @@ TEST_F(OpenScene, NamesEveryFileThatTakesPart) {
         {"wood.toml", FileUse::Scene},
         {"config/surfaces.toml", FileUse::Surfaces},
         {"chair.obj", FileUse::Model},
-        {"oak.png", FileUse::Picture}};
+        {"oak.png", FileUse::Image}};
     EXPECT_EQ(files, expected);
 }
 
@@ -85,10 +85,10 @@ TEST_F(OpenScene, TellsWhenOneOfItsFilesIsAnother) {
     EXPECT_FALSE(unchanged(scene.files));
 }
 
-TEST_F(OpenScene, TheMotionHashCoversIncludesModelsAndSurfacesButNoPictures) {
+TEST_F(OpenScene, TheMotionHashCoversIncludesModelsAndSurfacesButNoImages) {
     const std::uint64_t first = open(options()).motion_hash();
     EXPECT_EQ(open(options()).motion_hash(), first);
-    write("oak.png", "another picture");
+    write("oak.png", "another image");
     EXPECT_EQ(open(options()).motion_hash(), first);
     std::vector<std::uint64_t> hashes{first};
     for (const char* name : {"one.toml", "wood.toml", "config/surfaces.toml", "chair.obj"}) {
@@ -99,38 +99,26 @@ TEST_F(OpenScene, TheMotionHashCoversIncludesModelsAndSurfacesButNoPictures) {
     }
 }
 
-TEST_F(OpenScene, OverridesAreInPlaceBeforeAutoIsResolved) {
+TEST_F(OpenScene, OverridesAreInPlaceForWhoResolvesAuto) {
     OpenOptions how = options();
     how.overrides = {.solver = physics::Solver::BulletSi, .step_hz = 120};
-    int asked = 0;
-    how.resolve_auto = [&](const OpenedScene& scene) {
-        ++asked;
-        EXPECT_TRUE(scene.description.accuracy.step_hz_given);
-        EXPECT_EQ(scene.description.accuracy.step_hz, 120);
-        EXPECT_TRUE(scene.description.accuracy.solver_given);
-        EXPECT_EQ(scene.files.size(), 5U) << "what a kept study is found by";
-        Accuracy accuracy = scene.description.accuracy;
-        accuracy.substeps = 7;
-        return accuracy;
-    };
-    const OpenedScene scene = open(how);
-    EXPECT_EQ(asked, 1);
+    OpenedScene scene = open(how);
+    Accuracy& accuracy = scene.description.accuracy;
+    EXPECT_EQ(accuracy.preset, "auto");
+    EXPECT_TRUE(accuracy.step_hz_given);
+    EXPECT_EQ(accuracy.step_hz, 120);
+    EXPECT_TRUE(accuracy.solver_given);
+    EXPECT_EQ(scene.files.size(), 5U) << "what a kept study is found by";
     assets::AssetLibrary library;
-    const auto simulation = scene.build(library);
-    ASSERT_TRUE(simulation.ok());
-    EXPECT_EQ((*simulation)->step_s(), 1.0 / 120);
-    EXPECT_EQ((*simulation)->physics.def().solver, physics::Solver::BulletSi);
-    EXPECT_EQ((*simulation)->physics.def().substeps, 7);
-}
-
-TEST_F(OpenScene, NobodyIsAskedAboutOtherPresets) {
-    write("one.toml", "[accuracy]\npreset = \"precise\"\n");
-    OpenOptions how = options();
-    how.resolve_auto = [](const OpenedScene& scene) {
-        ADD_FAILURE();
-        return scene.description.accuracy;
-    };
-    EXPECT_EQ(open(how).description.accuracy.preset, "precise");
+    const auto as_it_stands = scene.build(library);
+    ASSERT_TRUE(as_it_stands.ok());
+    EXPECT_EQ((*as_it_stands)->physics.def().substeps, preset_of("balanced").bullet_substeps);
+    accuracy.substeps = 7;
+    const auto resolved = scene.build(library);
+    ASSERT_TRUE(resolved.ok());
+    EXPECT_EQ((*resolved)->step_s(), 1.0 / 120);
+    EXPECT_EQ((*resolved)->physics.def().solver, physics::Solver::BulletSi);
+    EXPECT_EQ((*resolved)->physics.def().substeps, 7);
 }
 
 TEST_F(OpenScene, WarningsOfTheFilesAreTheSimulationsToo) {

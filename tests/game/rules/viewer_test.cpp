@@ -44,7 +44,7 @@ TEST(Viewer, AClickThrowsNothingUntilTheModeIsChanged) {  // FAULTS 26
     EXPECT_EQ(play.thing_count(), 0U);
 }
 
-TEST(Viewer, ShiftsTheModelAcrossThePicture) {
+TEST(Viewer, ShiftsTheModelAcrossTheImage) {
     Playground play(stage(1));
     const Vec3 before = eye(play);
     play.step(drag(Action::ShiftModel, 0.1F, 0));

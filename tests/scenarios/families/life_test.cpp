@@ -21,9 +21,9 @@ TEST(Life, H86ASlowRollIsNotFrozen) {
     ScenarioWorld world(balanced());
     world.floor();
     const BodyId ball =
-        world.ball({0, 0.5, 0},
-                   0.5,
-                   {.velocity_mps = {0.05, 0, 0}, .spin_radps = {0, 0, -0.1}, .can_sleep = true});
+        world.sphere({0, 0.5, 0},
+                     0.5,
+                     {.velocity_mps = {0.05, 0, 0}, .spin_radps = {0, 0, -0.1}, .can_sleep = true});
     world.run(20);
     expect_at_most("H86 roll of .05 m/s in 20 s", std::abs(world.at(ball).x - 1), 0.02);
 }
@@ -31,8 +31,8 @@ TEST(Life, H86ASlowRollIsNotFrozen) {
 TEST(Life, H86ASlowSpinIsNotFrozen) {
     ScenarioWorld world(balanced());
     world.floor(0);
-    const BodyId top =
-        world.ball({0, 0.5, 0}, 0.5, {.friction = 0, .spin_radps = {0, 0.5, 0}, .can_sleep = true});
+    const BodyId top = world.sphere(
+        {0, 0.5, 0}, 0.5, {.friction = 0, .spin_radps = {0, 0.5, 0}, .can_sleep = true});
     world.run(20);
     expect_at_most("H86 spin of .5 rad/s after 20 s", std::abs(world.spin(top).y / 0.5 - 1), 0.01);
 }
@@ -163,7 +163,7 @@ TEST(Life, H88UnevenStepsEndWhereEvenOnesDo) {
     {
         ScenarioWorld world(balanced());
         world.floor(0, 1);
-        world.ball({0, 5.5, 0}, 0.5, {.friction = 0, .restitution = 1});
+        world.sphere({0, 5.5, 0}, 0.5, {.friction = 0, .restitution = 1});
         const double start_J = world.energy_J();
         run_unevenly(world, 20);
         expect_at_most("H88 bounce e=1, energy", std::abs(world.energy_J() / start_J - 1), 0.1);

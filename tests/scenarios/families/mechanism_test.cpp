@@ -136,7 +136,7 @@ TEST(Mechanism, H41AnchorsFiveMetresApartComeTogether) {
         ScenarioWorld world(balanced(), kWeightless);
         const BodyId a = world.box({0, 0, 0}, {1, 1, 1});
         const BodyId b = two ? world.box({2, 0, 0}, {1, 1, 1}) : BodyId{};
-        world.join({.kind = JointKind::Ball,
+        world.join({.kind = JointKind::BallAndSocket,
                     .a = a,
                     .b = b,
                     .anchor_a_world = {1, 0, 0},
@@ -158,7 +158,7 @@ TEST(Mechanism, H41AnchorsFiveMetresApartComeTogether) {
 TEST(Mechanism, H42StiffSpringsStayBounded) {
     for (const int hz : {30, 60, 240}) {
         ScenarioWorld world(balanced(hz), kWeightless);
-        const BodyId body = world.ball({1.1, 0, 0}, 0.2);
+        const BodyId body = world.sphere({1.1, 0, 0}, 0.2);
         world.join({.kind = JointKind::Spring,
                     .a = body,
                     .anchor_a_world = vec(1.1, 0, 0),
@@ -179,7 +179,7 @@ TEST(Mechanism, H42StiffSpringsStayBounded) {
         note(fmt::format("H42 spring of 1e7 N/m, swing left after 10 s, {} Hz", hz), last / 0.1);
     }
     ScenarioWorld world(balanced());
-    const BodyId body = world.ball({0, -1, 0}, 0.2);
+    const BodyId body = world.sphere({0, -1, 0}, 0.2);
     world.join({.kind = JointKind::Spring,
                 .a = body,
                 .anchor_a_world = vec(0, -1, 0),
@@ -189,7 +189,7 @@ TEST(Mechanism, H42StiffSpringsStayBounded) {
     // m g / c for as long as the spring is slack, and it creeps towards m g / k.
     const double expected = kG_mps2 / 100 * (1 - std::exp(-100.0 / 1e5 * 10));
     expect_at_most(
-        "H42 damper of 1e5 N s/m, way", std::abs((-1 - world.at(body).y) / expected - 1), 0.02);
+        "H42 damper of 1e5 N s/m, path", std::abs((-1 - world.at(body).y) / expected - 1), 0.02);
 }
 
 TEST(Mechanism, H45ASlenderRodCarriesAWeight) {
@@ -198,7 +198,7 @@ TEST(Mechanism, H45ASlenderRodCarriesAWeight) {
     ScenarioWorld world(balanced());
     const BodyId rod = world.box({1, 0, 0}, {2, kThin_m, kThin_m});
     const BodyId weight = world.box({2.1, 0, 0}, {0.2, 0.2, 0.2});
-    world.join({.kind = JointKind::Ball, .a = rod});
+    world.join({.kind = JointKind::BallAndSocket, .a = rod});
     world.join({.kind = JointKind::Hinge,
                 .a = weight,
                 .b = rod,

@@ -55,7 +55,7 @@ void expect_balls_part(const std::string& row,
                        double seconds) {
     ScenarioWorld world(balanced(), gravity_mps2);
     if (glm::length(gravity_mps2) > 0) world.floor();
-    for (int i = 0; i < balls; ++i) world.ball({0, 1, 0}, 0.25);
+    for (int i = 0; i < balls; ++i) world.sphere({0, 1, 0}, 0.25);
     PushSpeed push(world);
     double top = 0;
     const int steps = steps_of(world, seconds);
@@ -179,7 +179,7 @@ TEST(OddContact, H73WhatIsNotFiniteGoesAlone) {
         world.floor();
         std::vector<BodyId> others;
         for (int i = 0; i < 5; ++i) others.push_back(world.box({5, 0.6 + 1.1 * i, 0}, {1, 1, 1}));
-        const BodyId odd = world.ball({-40, 0.5, 0}, 0.5);
+        const BodyId odd = world.sphere({-40, 0.5, 0}, 0.5);
         world.run(0.5);
         fault.make(world, odd);
         world.run(2);
@@ -203,19 +203,12 @@ TEST(OddContact, H80NothingGetsFasterInABounceHouse) {
         {"hull", octahedron}};
     for (const auto& [name, shape] : shapes) {
         ScenarioWorld world(balanced(), kWeightless);
-        const BodyProperties wall{.friction = 0, .restitution = 1};
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const double side : {-1.0, 1.0}) {
-                Vec3d at{0, 0, 0};
-                at[axis] = side * 11;
-                Vec3d size{24, 24, 24};
-                size[axis] = 2;
-                world.fixed_box(at, size, wall);
-            }
-        }
-        BodyProperties properties = wall;
-        properties.velocity_mps = {10, 20, 5};
-        const BodyId body = world.add(BodyKind::Dynamic, shape, {0, 0, 0}, properties);
+        world.room(10);
+        const BodyId body =
+            world.add(BodyKind::Dynamic,
+                      shape,
+                      {0, 0, 0},
+                      {.friction = 0, .restitution = 1, .velocity_mps = {10, 20, 5}});
         const double start_J = world.energy_J();
         double most_J = 0;
         double out_m = -10;

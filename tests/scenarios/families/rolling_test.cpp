@@ -2,6 +2,7 @@
 #include "engine/study/scenarios/families/rolling.h"
 
 #include "engine/study/scenarios/families/sliding.h"
+#include "engine/study/scenarios/world/peer_scene.h"
 #include "tests/scenarios/families/case_run.h"
 
 namespace plumbline::study {
@@ -25,12 +26,13 @@ TEST(Rolling, A30ASlidingBallComesToRoll) {
 TEST(Rolling, SlideToRollIsExactAllTheWay) {
     const SlideToRoll law{.speed_mps = 5, .mu = 0.3};
     for (const Setting& setting : every_s()) {
-        SlidingBall slides(setting, law, 0, 500);
+        const auto opened = PeerScene::open("slideroll", setting);
+        ASSERT_TRUE(opened.ok()) << opened.error().message;
+        ScenarioWorld& world = (*opened)->world;
         double off_m = 0;
         for (int i = 1; i <= 180; ++i) {
-            slides.world.physics.step();
-            off_m =
-                std::max(off_m, std::abs(slides.world.at(slides.ball).x - law.path_m(i / 60.0)));
+            world.physics.step();
+            off_m = std::max(off_m, std::abs(world.at(world.movers[0]).x - law.path_m(i / 60.0)));
         }
         expect_at_most("slide to roll, largest x error m " + name_of(setting), off_m, 5e-4);
     }
@@ -43,9 +45,9 @@ TEST(Rolling, A30NoHeadingIsBetter) {
         SlidingBall slides(balanced(), {.speed_mps = 5, .mu = 0.2}, i * kPi_d / 12);
         slides.world.run(3);
         const Vec3d at = slides.world.at(slides.ball);
-        const double way = std::hypot(at.x, at.z);
-        least = std::min(least, way);
-        most = std::max(most, way);
+        const double path = std::hypot(at.x, at.z);
+        least = std::min(least, path);
+        most = std::max(most, path);
     }
     expect_at_most("A30 24 headings", (most - least) / most, 1e-3);
 }
@@ -56,11 +58,11 @@ TEST(Rolling, A31ABallOnASlopeRollsOrSlips) {
         for (const double share : {0.5, 0.95, 1.05, 2.0}) {
             for (const Setting& setting : every_s()) {
                 Course course(Course::Mode::Looked);
-                const auto [way, spin] =
+                const auto [path, spin] =
                     down_slope(angle_deg * kPi_d / 180, share, setting, course);
                 const std::string row = fmt::format(
                     "A31 {} deg, {} of the threshold, {} ", angle_deg, share, name_of(setting));
-                expect_at_most(row + "way", std::abs(way), 5e-3);
+                expect_at_most(row + "path", std::abs(path), 5e-3);
                 expect_at_most(row + "spin", std::abs(spin), 5e-3);
             }
         }
@@ -88,26 +90,32 @@ TEST(Rolling, A32ABallOnATurntableGoesRound) {
     }
 }
 
+constexpr double kFrictionLength_m = 0.02;  ///< of rolling and of spinning friction
+constexpr double kBallRadius_m = 0.5;
+
+/// On the floor, as `motion` has it; the rest is the same for all of them.
+BodyId resisted_ball(ScenarioWorld& world, BodyDef motion) {
+    world.floor();
+    motion.kind = BodyKind::Dynamic;
+    motion.world_from_body = {.position = vec(0, kBallRadius_m, 0)};
+    motion.can_sleep = false;
+    return world.add(physics::SphereShape{.radius_m = real(kBallRadius_m)}, motion);
+}
+
 TEST(Rolling, H85RollingFrictionStopsABall) {
-    constexpr double kLength_m = 0.02;
-    constexpr double kRadius_m = 0.5;
-    const double slowing = kLength_m * kG_mps2 / (1.4 * kRadius_m);
+    const double slowing = kFrictionLength_m * kG_mps2 / (1.4 * kBallRadius_m);
     for (const Setting& setting : every_s()) {
         ScenarioWorld world(setting);
-        world.floor();
-        const BodyId ball = world.add(physics::SphereShape{.radius_m = real(kRadius_m)},
-                                      BodyDef{.kind = BodyKind::Dynamic,
-                                              .world_from_body = {.position = vec(0, kRadius_m, 0)},
-                                              .velocity_mps = {2, 0, 0},
-                                              .angular_velocity_radps = vec(0, 0, -2 / kRadius_m),
-                                              .rolling_friction = real(kLength_m),
-                                              .can_sleep = false});
+        const BodyId ball = resisted_ball(world,
+                                          {.velocity_mps = {2, 0, 0},
+                                           .angular_velocity_radps = vec(0, 0, -2 / kBallRadius_m),
+                                           .rolling_friction = real(kFrictionLength_m)});
         world.run(3);
         expect_at_most("H85 rolling, slowing " + name_of(setting),
                        std::abs((2 - world.velocity(ball).x) / (3 * slowing) - 1),
                        0.05);
         world.run(9);
-        expect_at_most("H85 rolling, way " + name_of(setting),
+        expect_at_most("H85 rolling, path " + name_of(setting),
                        std::abs(world.at(ball).x / (4 / (2 * slowing)) - 1),
                        0.05);
         expect_at_most("H85 rolling, speed at rest " + name_of(setting),
@@ -117,18 +125,12 @@ TEST(Rolling, H85RollingFrictionStopsABall) {
 }
 
 TEST(Rolling, H85SpinningFrictionStopsATop) {
-    constexpr double kLength_m = 0.02;
-    constexpr double kRadius_m = 0.5;
-    const double slowing = kLength_m * kG_mps2 / (0.4 * kRadius_m * kRadius_m);
+    const double slowing = kFrictionLength_m * kG_mps2 / (0.4 * kBallRadius_m * kBallRadius_m);
     for (const Setting& setting : every_s()) {
         ScenarioWorld world(setting);
-        world.floor();
-        const BodyId ball = world.add(physics::SphereShape{.radius_m = real(kRadius_m)},
-                                      BodyDef{.kind = BodyKind::Dynamic,
-                                              .world_from_body = {.position = vec(0, kRadius_m, 0)},
-                                              .angular_velocity_radps = {0, 10, 0},
-                                              .spinning_friction = real(kLength_m),
-                                              .can_sleep = false});
+        const BodyId ball = resisted_ball(
+            world,
+            {.angular_velocity_radps = {0, 10, 0}, .spinning_friction = real(kFrictionLength_m)});
         world.run(3);
         expect_at_most("H85 spinning, slowing " + name_of(setting),
                        std::abs((10 - world.spin(ball).y) / (3 * slowing) - 1),
@@ -142,26 +144,25 @@ TEST(Rolling, H85SpinningFrictionStopsATop) {
 /// A ball with rolling friction on a slope that its friction holds does not creep.
 TEST(Rolling, H85RollingFrictionHoldsABallOnAGentleSlope) {
     // Rolls down where sin(angle) r > c cos(angle).
-    constexpr double kLength_m = 0.02;
     for (const double share : {0.9, 1.1}) {
-        const double angle = std::atan(share * kLength_m / 0.5);
+        const double angle = std::atan(share * kFrictionLength_m / 0.5);
         const Slope slope(angle);
         ScenarioWorld world(balanced());
         slope.add_to(world, 0.5);
         const BodyId ball = world.add(physics::SphereShape{},
                                       BodyDef{.kind = BodyKind::Dynamic,
                                               .world_from_body = {.position = vec(slope.out * 0.5)},
-                                              .rolling_friction = real(kLength_m),
+                                              .rolling_friction = real(kFrictionLength_m),
                                               .can_sleep = false});
         const Vec3d start = world.at(ball);
         world.run(10);
-        const double way = glm::dot(world.at(ball) - start, slope.down);
+        const double path = glm::dot(world.at(ball) - start, slope.down);
         if (share < 1) {
-            expect_at_most("H85 creep below the limit m", std::abs(way), 1e-3);
+            expect_at_most("H85 creep below the limit m", std::abs(path), 1e-3);
         } else {
             const double pull =
-                kG_mps2 * (std::sin(angle) - std::cos(angle) * kLength_m / 0.5) / 1.4;
-            expect_at_most("H85 way above the limit", std::abs(way / (pull * 50) - 1), 0.05);
+                kG_mps2 * (std::sin(angle) - std::cos(angle) * kFrictionLength_m / 0.5) / 1.4;
+            expect_at_most("H85 path above the limit", std::abs(path / (pull * 50) - 1), 0.05);
         }
     }
 }

@@ -13,7 +13,7 @@
 namespace plumbline::study {
 namespace {
 
-constexpr KnownRed kOne[]{{"Some.Test", "A99 way S=1", 0.3, 0.3, "a reason"}};
+constexpr KnownRed kOne[]{{"Some.Test", "A99 path S=1", 0.3, 0.3, "a reason"}};
 
 double reached(const KnownRed& red) {
     const std::optional<double> at =
@@ -22,31 +22,32 @@ double reached(const KnownRed& red) {
 }
 
 TEST(KnownRedRows, AreNamedExactly) {
-    EXPECT_EQ(row_fault("A99 way S=1", 0.25, 0.1, kOne), "");
-    EXPECT_EQ(row_fault("A99 way S=16", 0.25, 0.1, kOne), "A99 way S=16: 0.25, asked at most 0.1");
-    EXPECT_EQ(row_fault("A99 way", 0.25, 0.1, kOne), "A99 way: 0.25, asked at most 0.1");
+    EXPECT_EQ(row_fault("A99 path S=1", 0.25, 0.1, kOne), "");
+    EXPECT_EQ(row_fault("A99 path S=16", 0.25, 0.1, kOne),
+              "A99 path S=16: 0.25, asked at most 0.1");
+    EXPECT_EQ(row_fault("A99 path", 0.25, 0.1, kOne), "A99 path: 0.25, asked at most 0.1");
 }
 
 TEST(KnownRedRows, FailWhenGreenWorseOrLoose) {
-    EXPECT_EQ(row_fault("A99 way S=1", 0.05, 0.1, kOne),
-              "A99 way S=1: 0.05, asked at most 0.1: no longer red, strike it off");
-    EXPECT_EQ(row_fault("A99 way S=1", 0.31, 0.1, kOne),
-              "A99 way S=1: 0.31, known to reach 0.3: it got worse; a reason");
-    EXPECT_NE(row_fault("A99 way S=1", std::nan(""), 0.1, kOne), "");
+    EXPECT_EQ(row_fault("A99 path S=1", 0.05, 0.1, kOne),
+              "A99 path S=1: 0.05, asked at most 0.1: no longer red, strike it off");
+    EXPECT_EQ(row_fault("A99 path S=1", 0.31, 0.1, kOne),
+              "A99 path S=1: 0.31, known to reach 0.3: it got worse; a reason");
+    EXPECT_NE(row_fault("A99 path S=1", std::nan(""), 0.1, kOne), "");
     EXPECT_NE(row_fault("A99 other", std::nan(""), 0.1, kOne), "");
-    EXPECT_EQ(row_fault("A99 way S=1", 0.19, 0.1, kOne),
-              "A99 way S=1: 0.19, known to reach 0.3: write down what it reaches now");
+    EXPECT_EQ(row_fault("A99 path S=1", 0.19, 0.1, kOne),
+              "A99 path S=1: 0.19, known to reach 0.3: write down what it reaches now");
 }
 
 TEST(KnownRedRows, AreOfOnePrecisionWhereTheOtherIsGreen) {
     const bool is_float = sizeof(Real) == sizeof(float);
     const KnownRed other{"Some.Test",
-                         "A99 way S=1",
+                         "A99 path S=1",
                          is_float ? std::nullopt : std::optional(0.3),
                          is_float ? std::optional(0.3) : std::nullopt,
                          "a reason"};
-    EXPECT_EQ(row_fault("A99 way S=1", 0.05, 0.1, {&other, 1}), "");
-    EXPECT_NE(row_fault("A99 way S=1", 0.25, 0.1, {&other, 1}), "");
+    EXPECT_EQ(row_fault("A99 path S=1", 0.05, 0.1, {&other, 1}), "");
+    EXPECT_NE(row_fault("A99 path S=1", 0.25, 0.1, {&other, 1}), "");
 }
 
 /// Each row of the list, struck off by hand: its test would fail.
@@ -74,7 +75,9 @@ TEST(KnownRedRows, HaveATestAReasonAndOneLineEach) {
     }
     std::set<std::string_view> rows;
     for (const KnownRed& red : known_red()) {
-        EXPECT_TRUE(tests.contains(std::string(red.test))) << red.test;
+        // The program of the other precision may have tests that this one lacks.
+        const bool is_here = !std::isnan(reached(red));
+        EXPECT_TRUE(!is_here || tests.contains(std::string(red.test))) << red.test;
         EXPECT_TRUE(rows.insert(red.row).second) << red.row << " stands twice";
         EXPECT_TRUE(red.reached_f32 || red.reached_f64) << red.row;
         EXPECT_FALSE(red.why.empty()) << red.row;

@@ -30,9 +30,9 @@ TEST(Sliding, A28StopsAlikeInEveryDirection) {
             Course course(Course::Mode::Looked);
             const Vec3d at = sliding_stop_m(
                 {.heading_rad = heading, .turned_rad = turns * heading}, balanced(), course);
-            const double way = std::hypot(at.x, at.z);
-            least = std::min(least, way);
-            most = std::max(most, way);
+            const double path = std::hypot(at.x, at.z);
+            least = std::min(least, path);
+            most = std::max(most, path);
         }
         expect_at_most(
             turns > 0 ? "A28 24 headings, box turned along" : "A28 24 headings, same box",
@@ -71,12 +71,12 @@ TEST(Sliding, A29ABoxAboveTheLimitGainsSpeedAsNewtonSays) {
             slides.world.run(3);
             const double expected = slides.gain_mps2();
             const double gained = slides.down_mps() - before_mps;
-            const double way = slides.down_m() - before_m;
+            const double path = slides.down_m() - before_m;
             const std::string row =
                 fmt::format("A29 slope {} mu {} {} ", one.slope, one.mu, name_of(setting));
             expect_at_most(row + "acceleration", std::abs(gained / (3 * expected) - 1), 5e-3);
             expect_at_most(
-                row + "way", std::abs(way / (before_mps * 3 + 4.5 * expected) - 1), 5e-3);
+                row + "path", std::abs(path / (before_mps * 3 + 4.5 * expected) - 1), 5e-3);
             // What the first steps let it slip before friction holds.
             expect_at_most(row + "head start", std::abs(before_mps - expected) / expected, 5e-3);
         }
@@ -121,7 +121,7 @@ TEST(Sliding, H76ABoxOnATurningPlateSlipsWhenItMust) {
     constexpr double kSeconds = 20;
     const double slip_radps = std::sqrt(0.5 * kG_mps2 / kRadius_m);
     const double gain = 1.2 * slip_radps / kSeconds;
-    // Beyond the limit the way out grows as w r gain t^3 / 3.
+    // Beyond the limit the path out grows as w r gain t^3 / 3.
     const double late_radps = gain * std::cbrt(3 * kSlipped_m / (slip_radps * kRadius_m * gain));
     for (const Setting& setting : every_s()) {
         ScenarioWorld world(setting);

@@ -143,15 +143,11 @@ void serialize_bullet_pairs(Archive& archive,
 
 void serialize_rigid(Archive& archive, BodyRecord& record) {
     btRigidBody& rigid = *record.rigid;
-    btScalar friction = rigid.getFriction();
-    btScalar restitution = rigid.getRestitution();
     btScalar idle_s = rigid.getDeactivationTime();
     int activation = rigid.getActivationState();
-    archive(friction, restitution, idle_s, activation);
+    archive(idle_s, activation);
     if (!archive.reads()) return;
     write_rigid_motion(record);
-    rigid.setFriction(friction);
-    rigid.setRestitution(restitution);
     rigid.setDeactivationTime(idle_s);
     rigid.forceActivationState(activation);
 }

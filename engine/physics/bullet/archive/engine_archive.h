@@ -7,8 +7,7 @@ namespace plumbline::physics {
 
 class BulletEngine;
 
-/// A body's materials and sleep; mass and shape are those of its definition, its motion has been
-/// read.
+/// A body's sleep; mass, materials and shape are those of its definition, its motion has been read.
 void serialize_rigid(Archive& archive, BodyRecord& record);
 /// Who is in the world, in which order, the constraints of joints, boxes, pairs and contacts. When
 /// read, the engine is new and empty, and bodies and joints have been read.

@@ -74,9 +74,9 @@ void GeometricStiffness::start(JointGroup& group) {
     }
     for (Pull& pull : pulls_) {
         const SolverJoint& joint = group.joints[group.topology->nodes[pull.node].joint];
-        pull.force_N = {static_cast<double>(joint.impulse[0]),
-                        static_cast<double>(joint.impulse[1]),
-                        static_cast<double>(joint.impulse[2])};
+        pull.force_N = {static_cast<double>(joint.mean_load[0]),
+                        static_cast<double>(joint.mean_load[1]),
+                        static_cast<double>(joint.mean_load[2])};
     }
     if (!find_stiffness(group)) return;
     for (std::size_t i = 0; i < loads_.size(); ++i) {

@@ -31,7 +31,7 @@ void set_motor(JointBound& bound, const JointMotor& motor, double substep_s) {
 void recall(JointBound& bound, const SolverJoint& joint) {
     if (bound.step == BoundStep::Locked) return;
     const auto kept = [&](std::uint8_t slot) {
-        return static_cast<double>(joint.bounded_impulse[slot]);
+        return static_cast<double>(joint.bound_load[slot]);
     };
     const bool has_lower = std::isfinite(bound.lower);
     const bool has_upper = std::isfinite(bound.upper);
@@ -134,11 +134,9 @@ bool JointBound::settle(double speed) {
 
 void JointBound::keep(SolverJoint& joint, double substep_s) const {
     const auto per_second = static_cast<Real>(impulse / substep_s);
-    joint.bounded_impulse[lower_slot] =
-        step == BoundStep::Lower ? std::max(per_second, Real{0}) : 0;
-    joint.bounded_impulse[upper_slot] =
-        step == BoundStep::Upper ? std::min(per_second, Real{0}) : 0;
-    if (std::isfinite(motor_speed)) joint.bounded_impulse[2] = per_second;
+    joint.bound_load[lower_slot] = step == BoundStep::Lower ? std::max(per_second, Real{0}) : 0;
+    joint.bound_load[upper_slot] = step == BoundStep::Upper ? std::min(per_second, Real{0}) : 0;
+    if (std::isfinite(motor_speed)) joint.bound_load[2] = per_second;
 }
 
 void add_bounds(std::uint32_t node_index,

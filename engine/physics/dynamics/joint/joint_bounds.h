@@ -29,7 +29,7 @@ struct JointBound {
     std::uint32_t joint_index{0};
     std::uint32_t node{0};
     std::uint8_t row{0};         ///< of the node
-    std::uint8_t lower_slot{0};  ///< in SolverJoint::bounded_impulse
+    std::uint8_t lower_slot{0};  ///< in SolverJoint::bound_load
     std::uint8_t upper_slot{1};
     BoundStep step{BoundStep::Forward};
     double lower{-std::numeric_limits<double>::infinity()};  ///< m or rad

@@ -95,7 +95,7 @@ JointFit joint_error(const SolverJoint& joint, const MassPose& a, const MassPose
     const JointSides sides = joint_sides(joint, a, b);
     const double gap_m = glm::length(sides.gap_m);
     switch (joint.kind) {
-        case JointKind::Ball:
+        case JointKind::BallAndSocket:
             return {.error_m = gap_m};
         case JointKind::Hinge: {
             const double angle = unwrapped(twist_about_x(sides.turned), joint.position);

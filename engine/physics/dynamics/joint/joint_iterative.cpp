@@ -43,7 +43,7 @@ void IterativeJoints::start(JointGroup& group) {
         const std::size_t first = is_places(rows.kind) ? 0 : 3;
         for (std::size_t k = 0; k < 3; ++k) {
             accumulated_[i][static_cast<int>(k)] =
-                static_cast<double>(joint.impulse[first + k]) * group.substep_s;
+                static_cast<double>(joint.mean_load[first + k]) * group.substep_s;
         }
         accumulated_[i] = kept_of(accumulated_[i], unbounded(rows));
     }
@@ -55,7 +55,7 @@ void IterativeJoints::start(JointGroup& group) {
         const bool carries = bound.step == BoundStep::Lower || bound.step == BoundStep::Upper ||
                              bound.step == BoundStep::Driven;
         if (carries) {
-            bound.impulse = static_cast<double>(joint.bounded_impulse[slot]) * group.substep_s;
+            bound.impulse = static_cast<double>(joint.bound_load[slot]) * group.substep_s;
         }
     }
     refresh(group);
@@ -147,7 +147,7 @@ void IterativeJoints::finish(const JointGroup& group) const {
         SolverJoint& joint = group.joints[group.topology->nodes[i].joint];
         const std::size_t first = is_places(group.rows[i].kind) ? 0 : 3;
         for (std::size_t k = 0; k < 3; ++k) {
-            joint.impulse[first + k] =
+            joint.mean_load[first + k] =
                 static_cast<Real>(accumulated_[i][static_cast<int>(k)] / group.substep_s);
         }
     }

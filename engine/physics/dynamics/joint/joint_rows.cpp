@@ -168,14 +168,14 @@ JointRows JointRows::of(const JointNode& node, const SolverJoint& joint) {
         rows.active = 0b111;
         return rows;
     }
-    rows.turn_in_a = joint.frame_in_a;
-    rows.turn_in_b = joint.frame_in_b;
+    rows.frames.turn_in_a = joint.frame_in_a;
+    rows.frames.turn_in_b = joint.frame_in_b;
     const Block3 from_a = rows_of(joint.frame_in_a);
     const Block3 from_b = rows_of(joint.frame_in_b);
-    rows.axis_in_a = {from_a.row[0].x, from_a.row[1].x, from_a.row[2].x};
-    rows.frame_in_b = {{Vec3d{from_b.row[0].x, from_b.row[1].x, from_b.row[2].x},
-                        Vec3d{from_b.row[0].y, from_b.row[1].y, from_b.row[2].y},
-                        Vec3d{from_b.row[0].z, from_b.row[1].z, from_b.row[2].z}}};
+    rows.frames.axis_in_a = {from_a.row[0].x, from_a.row[1].x, from_a.row[2].x};
+    rows.frames.axes_in_b = {{Vec3d{from_b.row[0].x, from_b.row[1].x, from_b.row[2].x},
+                              Vec3d{from_b.row[0].y, from_b.row[1].y, from_b.row[2].y},
+                              Vec3d{from_b.row[0].z, from_b.row[1].z, from_b.row[2].z}}};
     rows.rest_m = static_cast<double>(joint.rest_length_m);
     rows.near_rad = joint.kind == JointKind::Hinge ? joint.position : 0;
     const bool locked = node.kind == NodeKind::Lock;
@@ -229,8 +229,9 @@ void JointRows::refresh_across(const JointBody& body_a, const JointBody& body_b)
     arm_a = body_a.axes * anchor_in_a;
     // The rows turn with b, so b feels them where a's anchor is.
     arm_b = arm_a + (body_a.position_m - body_b.position_m);
-    const Vec3d axis = body_b.axes * frame_in_b.row[0];
-    linear = {{body_b.axes * frame_in_b.row[1], body_b.axes * frame_in_b.row[2], -axis}};
+    const Vec3d axis = body_b.axes * frames.axes_in_b.row[0];
+    linear = {
+        {body_b.axes * frames.axes_in_b.row[1], body_b.axes * frames.axes_in_b.row[2], -axis}};
     for (std::size_t i = 0; i < 3; ++i) {
         angular_a.row[i] = glm::cross(linear.row[i], arm_a);
         angular_b.row[i] = glm::cross(arm_b, linear.row[i]);
@@ -245,14 +246,16 @@ void JointRows::refresh_length(std::span<const JointBody> bodies) {
     const Vec3d between = gap(bodies);
     length_m = glm::length(between);
     if (length_m > kNoLength_m) linear.row[0] = between / length_m;
-    if (linear.row[0] == Vec3d{0, 0, 0}) linear.row[0] = body_b.axes * frame_in_b.row[0];
+    if (linear.row[0] == Vec3d{0, 0, 0}) linear.row[0] = body_b.axes * frames.axes_in_b.row[0];
     angular_a.row[0] = glm::cross(linear.row[0], arm_a);
     angular_b.row[0] = glm::cross(arm_b, linear.row[0]);
 }
 
 void JointRows::refresh_align(const JointBody& body_a, const JointBody& body_b) {
-    const Vec3d axis = fixed_swing ? body_a.axes * axis_in_a : body_b.axes * frame_in_b.row[0];
-    angular_b = {{body_b.axes * frame_in_b.row[1], body_b.axes * frame_in_b.row[2], -axis}};
+    const Vec3d axis =
+        fixed_swing ? body_a.axes * frames.axis_in_a : body_b.axes * frames.axes_in_b.row[0];
+    angular_b = {
+        {body_b.axes * frames.axes_in_b.row[1], body_b.axes * frames.axes_in_b.row[2], -axis}};
     angular_a = negated(angular_b);
 }
 
@@ -266,11 +269,12 @@ void JointRows::refresh_swing(const JointBody& body_a, const JointBody& body_b) 
         refresh_align(body_a, body_b);
         return;
     }
-    const Vec3d axis_a = body_a.axes * axis_in_a;
-    const Vec3d axis_b = body_b.axes * frame_in_b.row[0];
+    const Vec3d axis_a = body_a.axes * frames.axis_in_a;
+    const Vec3d axis_b = body_b.axes * frames.axes_in_b.row[0];
     const double cosine = glm::dot(axis_a, axis_b);
     // With parallel axes every direction of swing is as good; b's y axis turns with the body.
-    const Vec3d swing = normalize_or(glm::cross(axis_b, axis_a), body_b.axes * frame_in_b.row[1]);
+    const Vec3d swing =
+        normalize_or(glm::cross(axis_b, axis_a), body_b.axes * frames.axes_in_b.row[1]);
     // The gradient of the twist left when the shortest swing is taken out.
     const Vec3d twist_axis = (axis_a + axis_b) / std::max(1 + cosine, 1 + kNoTwistCosine);
     angular_a = {{swing, Vec3d{0, 0, 0}, twist_axis}};
@@ -282,7 +286,7 @@ Vec3d JointRows::other_errors(std::span<const JointBody> bodies) const {
     const JointBody& body_b = bodies[b];
     switch (kind) {
         case NodeKind::Across: {
-            const Vec3d seen = frame_in_b * Vec3d{body_b.axes.transposed_times(gap(bodies))};
+            const Vec3d seen = frames.axes_in_b * Vec3d{body_b.axes.transposed_times(gap(bodies))};
             return {seen.y, seen.z, -seen.x};
         }
         case NodeKind::Length: {
@@ -292,25 +296,25 @@ Vec3d JointRows::other_errors(std::span<const JointBody> bodies) const {
         case NodeKind::Align:
             return align_errors(body_a, body_b);
         case NodeKind::Lock:
-            return turn_of((body_b.orientation * turn_in_b) *
-                           glm::conjugate(body_a.orientation * turn_in_a));
+            return turn_of((body_b.orientation * frames.turn_in_b) *
+                           glm::conjugate(body_a.orientation * frames.turn_in_a));
         default:
             return swing_errors(body_a, body_b);
     }
 }
 
 Vec3d JointRows::align_errors(const JointBody& body_a, const JointBody& body_b) const {
-    const Vec3d axis_a = body_a.axes * axis_in_a;
-    const Vec3d axis_b = body_b.axes * frame_in_b.row[0];
+    const Vec3d axis_a = body_a.axes * frames.axis_in_a;
+    const Vec3d axis_b = body_b.axes * frames.axes_in_b.row[0];
     const Vec3d turn = turn_between(axis_a, axis_b);
-    const Vec3d seen = frame_in_b * Vec3d{body_b.axes.transposed_times(turn)};
+    const Vec3d seen = frames.axes_in_b * Vec3d{body_b.axes.transposed_times(turn)};
     return {seen.y, seen.z, (bounded & 0b100) != 0 ? twist(body_a, body_b) : 0.0};
 }
 
 Vec3d JointRows::swing_errors(const JointBody& body_a, const JointBody& body_b) const {
     if (fixed_swing) return align_errors(body_a, body_b);
-    const Vec3d axis_a = body_a.axes * axis_in_a;
-    const Vec3d axis_b = body_b.axes * frame_in_b.row[0];
+    const Vec3d axis_a = body_a.axes * frames.axis_in_a;
+    const Vec3d axis_b = body_b.axes * frames.axes_in_b.row[0];
     const double cosine = glm::dot(axis_a, axis_b);
     const double swing = std::atan2(glm::length(glm::cross(axis_a, axis_b)), cosine);
     return {swing, 0, (bounded & 0b100) != 0 ? twist(body_a, body_b) : 0.0};
@@ -318,13 +322,13 @@ Vec3d JointRows::swing_errors(const JointBody& body_a, const JointBody& body_b) 
 
 bool JointRows::has_position(int row, std::span<const JointBody> bodies) const {
     if (kind != NodeKind::Swing || fixed_swing || row != 2) return true;
-    return glm::dot(bodies[a].axes * axis_in_a, bodies[b].axes * frame_in_b.row[0]) >
+    return glm::dot(bodies[a].axes * frames.axis_in_a, bodies[b].axes * frames.axes_in_b.row[0]) >
            kNoTwistCosine;
 }
 
 double JointRows::twist(const JointBody& body_a, const JointBody& body_b) const {
-    const Quatd turned =
-        glm::conjugate(body_b.orientation * turn_in_b) * (body_a.orientation * turn_in_a);
+    const Quatd turned = glm::conjugate(body_b.orientation * frames.turn_in_b) *
+                         (body_a.orientation * frames.turn_in_a);
     return unwrapped(2.0 * std::atan2(turned.x, turned.w), near_rad);
 }
 

@@ -56,6 +56,14 @@ struct JointBody {
     Vec3d velocity_at(const Vec3d& arm) const { return velocity_mps + glm::cross(spin_radps, arm); }
 };
 
+/// The joint's frame in both bodies, as it was made.
+struct JointFrames {
+    Vec3d axis_in_a{1, 0, 0};
+    Block3 axes_in_b{};  ///< by rows
+    Quatd turn_in_a{1, 0, 0, 0};
+    Quatd turn_in_b{1, 0, 0, 0};
+};
+
 struct JointRows {
     NodeKind kind{NodeKind::None};
     std::uint8_t active{0};   ///< rows that are solved, by bits; the others stay at zero
@@ -75,10 +83,7 @@ struct JointRows {
     Block3 angular_a{};
     Block3 angular_b{};
 
-    Vec3d axis_in_a{1, 0, 0};
-    Block3 frame_in_b{};  ///< the frame's axes by rows
-    Quatd turn_in_a{1, 0, 0, 0};
-    Quatd turn_in_b{1, 0, 0, 0};
+    JointFrames frames{};
     double rest_m{0};
     double length_m{0};       ///< Length: at the latest refresh
     double near_rad{0};       ///< the twist about the axis is the one nearest to it

@@ -113,12 +113,12 @@ void JointSystem::Impl::keep_forces() {
     for (std::size_t i = 0; i < group.joints.size(); ++i) {
         const Vec3d force = group.totals[i].impulse_Ns * per_second;
         const Vec3d torque = group.totals[i].angular_impulse_Nms * per_second;
-        group.joints[i].impulse = {static_cast<Real>(force.x),
-                                   static_cast<Real>(force.y),
-                                   static_cast<Real>(force.z),
-                                   static_cast<Real>(torque.x),
-                                   static_cast<Real>(torque.y),
-                                   static_cast<Real>(torque.z)};
+        group.joints[i].mean_load = {static_cast<Real>(force.x),
+                                     static_cast<Real>(force.y),
+                                     static_cast<Real>(force.z),
+                                     static_cast<Real>(torque.x),
+                                     static_cast<Real>(torque.y),
+                                     static_cast<Real>(torque.z)};
     }
 }
 
@@ -128,7 +128,7 @@ void JointSystem::Impl::finish_joint(std::size_t index) {
     joint.total_angular_impulse_Nms = group.totals[index].angular_impulse_Nms;
     const JointBody& a = group.bodies[group.topology->sides[index][0]];
     const JointBody& b = group.bodies[group.topology->sides[index][1]];
-    if (joint.kind == JointKind::Ball) {
+    if (joint.kind == JointKind::BallAndSocket) {
         joint.error_m = glm::length((b.position_m - a.position_m) +
                                     (b.axes * joint.anchor_in_b - a.axes * joint.anchor_in_a));
     } else {

@@ -19,7 +19,7 @@ namespace plumbline::physics {
 /// The frames' x axis is the joint's axis; both frames coincide at creation. Frame and anchor are
 /// in mass frames (at the centre of mass, along the principal axes) and in double precision.
 struct SolverJoint {
-    JointKind kind{JointKind::Ball};
+    JointKind kind{JointKind::BallAndSocket};
     std::uint32_t a{kWorldBody};
     std::uint32_t b{kWorldBody};
     std::uint64_t key{0};  ///< the same joint has the same key in every step
@@ -34,11 +34,12 @@ struct SolverJoint {
     Real damping_Nspm{0};
     Real rest_length_m{0};
 
-    // Kept by the caller from step to step.
-    std::array<Real, 3> bounded_impulse{0, 0, 0};  ///< warm start of limits and motor, per second
-    /// Per second: warm start of the iterative method; with the direct one the mean force on b and
-    /// torque, by which the next step knows how hard bodies are pulled.
-    std::array<Real, 6> impulse{0, 0, 0, 0, 0, 0};
+    // Kept by the caller from step to step, in N and N m: mean loads of sub-steps, which fit sub-steps
+    // of any length.
+    std::array<Real, 3> bound_load{0, 0, 0};  ///< warm start of limits and motor
+    /// Force and torque: warm start of the iterative method; with the direct one those on b, by which
+    /// the next step knows how hard bodies are pulled.
+    std::array<Real, 6> mean_load{0, 0, 0, 0, 0, 0};
 
     // Left by finish().
     Vec3d total_impulse_Ns{0, 0, 0};  ///< on a, over the step

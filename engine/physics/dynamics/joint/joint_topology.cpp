@@ -211,7 +211,7 @@ bool JointTopology::Key::operator==(const Key& other) const {
 
 JointForm form_of(const SolverJoint& joint, bool stiff_spring) {
     switch (joint.kind) {
-        case JointKind::Ball:
+        case JointKind::BallAndSocket:
             return {NodeKind::Point, NodeKind::None};
         case JointKind::Hinge:
             return {NodeKind::Point, NodeKind::Align};

@@ -1,6 +1,5 @@
 #include "engine/render/passes/screen/occlusion_pass.h"
 
-#include "engine/render/passes/screen/pair_blur.h"
 #include "engine/render/shader_blocks.h"
 
 #include <glad/gl.h>
@@ -22,12 +21,8 @@ const gl::Texture* OcclusionPass::render(const AmbientOcclusion& occlusion,
     const gl::Program* find = resources.shaders.find(kOcclusionShader, 0);
     if (find == nullptr) return nullptr;
     const PixelSize half_px{(depth.width() + 1) / 2, (depth.height() + 1) / 2};
-    if (!found_.resize(gl::TargetFormat::Pair16F, half_px) ||
-        !smooth_.resize(gl::TargetFormat::Pair16F, half_px)) {
-        free();
-        return nullptr;
-    }
-    found_.bind();
+    if (!images_.resize(half_px)) return nullptr;
+    images_.found.bind();
     find->use();
     gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, depth);
     glUniform2f(find->location("depth_line"), view.depth_line.x, view.depth_line.y);
@@ -42,8 +37,8 @@ const gl::Texture* OcclusionPass::render(const AmbientOcclusion& occlusion,
                 static_cast<GLint>(occlusion.steps));
     triangle.draw();
     ++stats.draw_calls;
-    blur_pairs(found_, smooth_, triangle, resources, stats);
-    return &found_.image;
+    blur_pairs(images_, triangle, resources, stats);
+    return &images_.found.image;
 }
 
 }  // namespace plumbline::render

@@ -3,7 +3,7 @@
 
 #include "engine/render/passes/scene_light.h"
 #include "engine/render/passes/scene_resources.h"
-#include "engine/render/passes/screen/pass_image.h"
+#include "engine/render/passes/screen/pair_blur.h"
 #include "engine/render/passes/sky_pass.h"
 
 #include <cstddef>
@@ -20,12 +20,11 @@ public:
                               const FullscreenTriangle& triangle,
                               SceneResources& resources,
                               FrameStats& stats);
-    std::size_t bytes() const { return found_.image.bytes() + smooth_.image.bytes(); }
-    void free() { *this = {}; }
+    std::size_t bytes() const { return images_.bytes(); }
+    void free() { images_ = {}; }
 
 private:
-    PassImage found_;
-    PassImage smooth_;
+    PairImages images_;
 };
 
 }  // namespace plumbline::render

@@ -6,8 +6,14 @@
 
 namespace plumbline::render {
 
-void blur_pairs(const PassImage& found,
-                const PassImage& spare,
+bool PairImages::resize(PixelSize size_px) {
+    const bool made = found.resize(gl::TargetFormat::Pair16F, size_px) &&
+                      spare.resize(gl::TargetFormat::Pair16F, size_px);
+    if (!made) *this = {};
+    return made;
+}
+
+void blur_pairs(const PairImages& images,
                 const FullscreenTriangle& triangle,
                 SceneResources& resources,
                 FrameStats& stats) {
@@ -21,8 +27,8 @@ void blur_pairs(const PassImage& found,
         triangle.draw();
         ++stats.draw_calls;
     };
-    along(found, spare, 1, 0);
-    along(spare, found, 0, 1);
+    along(images.found, images.spare, 1, 0);
+    along(images.spare, images.found, 0, 1);
 }
 
 }  // namespace plumbline::render

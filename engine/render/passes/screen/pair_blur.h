@@ -7,9 +7,18 @@
 
 namespace plumbline::render {
 
-/// In place; `spare` has the same size. Not across the edges of things.
-void blur_pairs(const PassImage& found,
-                const PassImage& spare,
+/// What a pass found, and an image of the same size to smooth it by.
+struct PairImages {
+    PassImage found;
+    PassImage spare;
+
+    /// False: the driver has no memory for them, and they are freed.
+    bool resize(PixelSize size_px);
+    std::size_t bytes() const { return found.image.bytes() + spare.image.bytes(); }
+};
+
+/// In place. Not across the edges of things.
+void blur_pairs(const PairImages& images,
                 const FullscreenTriangle& triangle,
                 SceneResources& resources,
                 FrameStats& stats);

@@ -47,12 +47,12 @@ bool PostPass::resize_bloom(const PostView& view) {
 Result<Done> PostPass::resize(const PostView& view) {
     bool complete = resize_bloom(view);
     if (view.fxaa) {
-        complete = complete && toned_.resize(gl::TargetFormat::Rgba8, view.picture_px);
+        complete = complete && toned_.resize(gl::TargetFormat::Rgba8, view.image_px);
     } else {
         toned_ = {};
     }
     if (view.is_scaled()) {
-        complete = complete && smooth_.resize(gl::TargetFormat::Rgba8, view.picture_px);
+        complete = complete && smooth_.resize(gl::TargetFormat::Rgba8, view.image_px);
     } else {
         smooth_ = {};
     }
@@ -139,7 +139,7 @@ void PostPass::render_image(const SceneLight& light,
         const bool is_last = step.target == nullptr;
         const bool keeps_depth = is_last && view.keeps_depth;
         glBindFramebuffer(GL_FRAMEBUFFER, is_last ? present_framebuffer : step.target->name());
-        set_viewport(is_last ? view.present_px : view.picture_px);
+        set_viewport(is_last ? view.present_px : view.image_px);
         const gl::Program* program = resources.shaders.find(
             step.shader, step.features | (keeps_depth ? feature::kKeepDepth : 0U));
         if (program == nullptr) continue;

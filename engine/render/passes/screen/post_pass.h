@@ -17,7 +17,7 @@ namespace plumbline::render {
 
 struct PostView {
     PixelSize scene_px;    ///< the scene's image
-    PixelSize picture_px;  ///< after its samples became pixels
+    PixelSize image_px;    ///< after its samples became pixels
     PixelSize present_px;  ///< the finished image
     bool bloom{false};
     bool tone_curve{false};
@@ -26,8 +26,8 @@ struct PostView {
     bool keeps_depth{false};   ///< lines will be drawn over the image
     bool adds_light{false};    ///< passes read the scene's light before it is encoded
 
-    bool is_scaled() const { return picture_px != present_px; }
-    bool has_samples() const { return scene_px != picture_px; }
+    bool is_scaled() const { return image_px != present_px; }
+    bool has_samples() const { return scene_px != image_px; }
     /// Light has to be encoded, nothing else.
     bool has_no_steps() const {
         return !bloom && !tone_curve && !fxaa && !is_scaled() && !has_samples() && samples == 1 &&

@@ -1,6 +1,5 @@
 #include "engine/render/passes/screen/shaft_pass.h"
 
-#include "engine/render/passes/screen/pair_blur.h"
 #include "engine/render/shader_blocks.h"
 
 #include <glad/gl.h>
@@ -24,13 +23,9 @@ const gl::Texture* ShaftPass::render(const SunShafts& shafts,
         kShaftsShader, sun_shadow_map != nullptr ? features & kShaftFeatures : 0);
     if (find == nullptr) return nullptr;
     const PixelSize quarter_px{(depth.width() + 3) / 4, (depth.height() + 3) / 4};
-    if (!found_.resize(gl::TargetFormat::Pair16F, quarter_px) ||
-        !smooth_.resize(gl::TargetFormat::Pair16F, quarter_px)) {
-        free();
-        return nullptr;
-    }
+    if (!images_.resize(quarter_px)) return nullptr;
     find->use();
-    found_.bind();
+    images_.found.bind();
     gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, depth);
     if (sun_shadow_map != nullptr)
         gl::bind_texture(kSunShadowUnit, gl::TextureKind::Flat, *sun_shadow_map);
@@ -41,8 +36,8 @@ const gl::Texture* ShaftPass::render(const SunShafts& shafts,
                 static_cast<float>(shafts.steps));
     triangle.draw();
     ++stats.draw_calls;
-    blur_pairs(found_, smooth_, triangle, resources, stats);
-    return &found_.image;
+    blur_pairs(images_, triangle, resources, stats);
+    return &images_.found.image;
 }
 
 }  // namespace plumbline::render

@@ -106,14 +106,20 @@ void add_peers(Plot& plot, std::span<const PeerPoint> peers) {
     }
 }
 
+/// Symbols without a line.
+Curve marks(std::string name, std::string_view color, Symbol symbol, double size, double width) {
+    Curve curve;
+    curve.name = std::move(name);
+    curve.color = color;
+    curve.dash = Dash::None;
+    curve.symbol = static_cast<int>(symbol);
+    curve.symbol_size = size;
+    curve.width = width;
+    return curve;
+}
+
 void add_rings(Plot& plot, const Subject& subject) {
-    Curve rings;
-    rings.name = "cheapest for its error";
-    rings.color = kInk;
-    rings.dash = Dash::None;
-    rings.symbol = static_cast<int>(Symbol::Ring);
-    rings.symbol_size = 1.3;
-    rings.width = 1;
+    Curve rings = marks("cheapest for its error", kInk, Symbol::Ring, 1.3, 1);
     for (const std::size_t i : pareto_front(subject.points, 0)) {
         const Point& point = subject.points[i];
         const auto error = first_error(point);
@@ -127,13 +133,7 @@ void add_rings(Plot& plot, const Subject& subject) {
 
 /// Runs that cost something and failed, along the top.
 void add_failures(Plot& plot, const Subject& subject) {
-    Curve crosses;
-    crosses.name = "failed";
-    crosses.color = kWrong;
-    crosses.dash = Dash::None;
-    crosses.symbol = static_cast<int>(Symbol::Cross);
-    crosses.symbol_size = 0.9;
-    crosses.width = 1.8;
+    Curve crosses = marks("failed", kWrong, Symbol::Cross, 0.9, 1.8);
     for (const Point& point : subject.points) {
         if (!first_error(point) && has_cost(point)) {
             crosses.points.push_back({point.cost.ms_per_s_min, plot.y.most * 0.999, {}});

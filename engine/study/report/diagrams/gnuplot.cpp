@@ -64,7 +64,7 @@ Result<std::string> inline_svg(const std::string& svg,
     const std::size_t end = svg.rfind("</svg>");
     if (begin == std::string::npos || box == std::string::npos || end == std::string::npos ||
         box > end) {
-        return Error{"gnuplot wrote something else than a picture"};
+        return Error{"gnuplot wrote something else than an image"};
     }
     std::string body = without(without(svg.substr(box, end - box), "title"), "desc");
     body = replaced(std::move(body), "id='", fmt::format("id='{}-", prefix));

@@ -25,10 +25,10 @@ double Drop::apex_m(int n) const {
 
 DroppedBody::DroppedBody(const Setting& setting, const Drop& from) : drop(from), world(setting) {
     world.floor(0, drop.e);
-    const BodyProperties properties{.mass_kg = drop.mass_kg, .friction = 0, .restitution = drop.e};
+    const BodyProperties properties{.friction = 0, .restitution = drop.e};
     const Vec3d at{0, drop.to_middle_m() + drop.height_m, 0};
     body = drop.shape == Drop::Shape::Cube ? world.box(at, {1, 1, 1}, properties)
-                                           : world.ball(at, drop.radius_m, properties);
+                                           : world.sphere(at, drop.radius_m, properties);
 }
 
 double DroppedBody::reach_m() const {
@@ -76,9 +76,9 @@ double elastic_balls_energy_rms(const Setting& setting, Course& course) {
     ScenarioWorld world(setting);
     world.floor(0.5, 1);
     for (int i = 0; i < 49; ++i)
-        world.ball({0.5 * (i % 7), 0.1 + kHeight_m, 0.5 * static_cast<double>(i / 7)},
-                   0.1,
-                   {.mass_kg = 10, .restitution = 1});
+        world.sphere({0.5 * (i % 7), 0.1 + kHeight_m, 0.5 * static_cast<double>(i / 7)},
+                     0.1,
+                     {.mass_kg = 10, .restitution = 1});
     return energy_rms(world, course, 20, 49 * 10 * kG_mps2 * kHeight_m);
 }
 
@@ -182,9 +182,9 @@ Scenario elastic_grid() {
                 const auto off = [&] { return static_cast<double>(random.uniform(0, 1e-3F)); };
                 for (int i = 0; i < 216; ++i) {
                     const Vec3d place{i % 6, (i / 6) % 6, static_cast<double>(i / 36)};
-                    world.ball(place * 0.21 + Vec3d{off() - 0.525, off() + 1.1, off() - 0.525},
-                               0.1,
-                               {.mass_kg = 10, .friction = 0, .restitution = 1});
+                    world.sphere(place * 0.21 + Vec3d{off() - 0.525, off() + 1.1, off() - 0.525},
+                                 0.1,
+                                 {.mass_kg = 10, .friction = 0, .restitution = 1});
                 }
                 return {energy_rms(world, course, 4, 216 * 10 * kG_mps2)};
             },

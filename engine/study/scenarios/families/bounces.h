@@ -15,7 +15,6 @@ struct Drop {
     double e{1};         ///< restitution
     Shape shape{Shape::Ball};
     double radius_m{0.1};  ///< of a ball
-    double mass_kg{1};
 
     /// The instant of the n-th contact; n from 1.
     double contact_s(int n) const;

@@ -70,7 +70,7 @@ Scenario catenary() {
                     world.box(end + along * (kRod_m / 2),
                               {kRod_m, 0.02, 0.02},
                               {.turn = glm::angleAxis(angle, Vec3d{0, 0, 1}), .touches = false});
-                joints.push_back(world.join({.kind = JointKind::Ball,
+                joints.push_back(world.join({.kind = JointKind::BallAndSocket,
                                              .a = rod,
                                              .b = before,
                                              .anchor_a_world = vec(end),
@@ -79,7 +79,7 @@ Scenario catenary() {
                 sag_m = std::max(sag_m, -end.y);
                 before = rod;
             }
-            joints.push_back(world.join({.kind = JointKind::Ball,
+            joints.push_back(world.join({.kind = JointKind::BallAndSocket,
                                          .a = before,
                                          .anchor_a_world = vec(end),
                                          .anchor_b_world = vec(end)}));
@@ -116,7 +116,7 @@ Errors hang(const Hanging& chain, double seconds, const Setting& setting, Course
         const Vec3d top{0, -i * chain.link_m, 0};
         const BodyId link = world.box(
             top - Vec3d{0, chain.link_m / 2, 0}, {0.1, chain.link_m, 0.1}, {.touches = false});
-        joints.push_back(world.join({.kind = JointKind::Ball,
+        joints.push_back(world.join({.kind = JointKind::BallAndSocket,
                                      .a = link,
                                      .b = before,
                                      .anchor_a_world = vec(top),
@@ -126,8 +126,8 @@ Errors hang(const Hanging& chain, double seconds, const Setting& setting, Course
     const double length_m = chain.links * chain.link_m;
     const Vec3d end{0, -length_m, 0};
     const BodyId ball =
-        world.ball(end - Vec3d{0, 0.25, 0}, 0.25, {.mass_kg = chain.end_kg, .touches = false});
-    joints.push_back(world.join({.kind = JointKind::Ball,
+        world.sphere(end - Vec3d{0, 0.25, 0}, 0.25, {.mass_kg = chain.end_kg, .touches = false});
+    joints.push_back(world.join({.kind = JointKind::BallAndSocket,
                                  .a = ball,
                                  .b = before,
                                  .anchor_a_world = vec(end),

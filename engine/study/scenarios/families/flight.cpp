@@ -20,7 +20,7 @@ Vec3d thrown_m(const Vec3d& from_m, const Vec3d& velocity_mps, double t_s) {
 }
 
 ThrownBall::ThrownBall(const Setting& setting)
-    : world(setting), ball(world.ball({0, 0, 0}, 0.1, {.velocity_mps = kThrow_mps})) {}
+    : world(setting), ball(world.sphere({0, 0, 0}, 0.1, {.velocity_mps = kThrow_mps})) {}
 
 Vec3d ThrownBall::off_m(double t_s) const {
     return world.at(ball) - thrown_m({0, 0, 0}, kThrow_mps, t_s);
@@ -41,7 +41,8 @@ Scenario projectile() {
             .title = "A thrown body",
             .set_up = "A ball of 1 kg leaves at 3 m/s along and 10 m/s up. Nothing is in its way.",
             .reference = "x = v0 t - g t^2 / 2",
-            .metrics = {{"height at 2 s", "the way fallen, 19.62 m"}, {"way along at 2 s", "6 m"}},
+            .metrics = {{"height at 2 s", "the distance fallen, 19.62 m"},
+                        {"path along at 2 s", "6 m"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
                 ThrownBall thrown(setting);
                 course.run(thrown.world, kSeconds);
@@ -64,13 +65,13 @@ Scenario along_a_wall() {
                 "The same ball leaves at 10 m/s up while 10 N press it on a wall without "
                 "friction: never alone, so the solver moves it at every step.",
             .reference = "y = v0 t - g t^2 / 2; a semi-implicit Euler body is off by g T h / 2",
-            .metrics = {{"height at 2 s", "the way fallen, 19.62 m"},
-                        {"way into the wall at 2 s", "its radius, 0.1 m"}},
+            .metrics = {{"height at 2 s", "the distance fallen, 19.62 m"},
+                        {"path into the wall at 2 s", "its radius, 0.1 m"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
                 ScenarioWorld world(setting);
                 world.fixed_box({-1.1, 0, 0}, {2, 60, 20}, {.friction = 0});
                 const BodyId ball =
-                    world.ball({0, 0, 0}, 0.1, {.friction = 0, .velocity_mps = {0, 10, 0}});
+                    world.sphere({0, 0, 0}, 0.1, {.friction = 0, .velocity_mps = {0, 10, 0}});
                 const auto press = [&](int) { world.physics.apply_force(ball, {-10, 0, 0}); };
                 course.run(world, kSeconds, {.before = press});
                 const double expected_m = 10 * kSeconds - kFallen_m;
@@ -91,10 +92,10 @@ Scenario damped_fall() {
             .title = "A fall with linear damping",
             .set_up = "A ball falls from rest for 5 s; damping takes 20 % of its speed a second.",
             .reference = "v = (g/k)(1 - exp(-k t)), k = -ln 0.8",
-            .metrics = {{"speed at 5 s", "29.6 m/s"}, {"way at 5 s", "the way fallen"}},
+            .metrics = {{"speed at 5 s", "29.6 m/s"}, {"path at 5 s", "the distance fallen"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
                 ScenarioWorld world(setting);
-                const BodyId ball = world.ball({0, 0, 0}, 0.1, {.linear_damping_per_s = rate});
+                const BodyId ball = world.sphere({0, 0, 0}, 0.1, {.linear_damping_per_s = rate});
                 course.run(world, kSeconds);
                 return {-world.velocity(ball).y / speed_mps - 1, -world.at(ball).y / path_m - 1};
             },
@@ -111,17 +112,17 @@ Scenario damped_fall() {
 
 constexpr double kTerminal_mps = 10;
 
-/// Speed and way of semi-implicit Euler under quadratic drag.
+/// Speed and path of semi-implicit Euler under quadratic drag.
 std::pair<double, double> euler_drag(double step_s, double seconds) {
     double speed = 0;
-    double way = 0;
+    double path_m = 0;
     const int steps = static_cast<int>(std::lround(seconds / step_s));
     for (int i = 0; i < steps; ++i) {
         const double share = speed / kTerminal_mps;
         speed += step_s * kG_mps2 * (1 - share * share);
-        way += step_s * speed;
+        path_m += step_s * speed;
     }
-    return {speed, way};
+    return {speed, path_m};
 }
 
 Scenario quadratic_drag() {
@@ -135,10 +136,10 @@ Scenario quadratic_drag() {
                 "A force m g (v/10 m/s)^2 against the motion is applied before every step, as a "
                 "game would.",
             .reference = "v = vt tanh(g t / vt), y = (vt^2/g) ln cosh(g t / vt)",
-            .metrics = {{"way at 2 s", "13.13 m"}, {"speed at 2 s", "9.612 m/s"}},
+            .metrics = {{"path at 2 s", "13.13 m"}, {"speed at 2 s", "9.612 m/s"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
                 ScenarioWorld world(setting);
-                const BodyId ball = world.ball({0, 0, 0}, 0.1);
+                const BodyId ball = world.sphere({0, 0, 0}, 0.1);
                 const auto drag = [&](int) {
                     const double share = world.velocity(ball).y / kTerminal_mps;
                     world.physics.apply_force(ball,
@@ -194,7 +195,7 @@ Scenario orbit() {
                         {"angular momentum at 60 s", "that at the start"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
                 ScenarioWorld world(setting, {0, 0, 0});
-                const BodyId body = world.ball(kPericentre, 0.05, {.velocity_mps = kFastest_mps});
+                const BodyId body = world.sphere(kPericentre, 0.05, {.velocity_mps = kFastest_mps});
                 const auto pull = [&](int) {
                     const Vec3d at = world.at(body);
                     world.physics.apply_force(body, vec(-at / std::pow(glm::length(at), 3)));

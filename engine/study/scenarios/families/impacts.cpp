@@ -43,12 +43,12 @@ SpinningBallErrors spun_off(const Incidence& incidence,
             axis * incidence.topspin_radps + forward * incidence.sidespin_radps};
         ScenarioWorld world(setting, {0, 0, 0});
         world.floor(mu, kE);
-        const BodyId ball = world.ball({0, 0.9, 0},
-                                       kRadius_m,
-                                       {.friction = mu,
-                                        .restitution = kE,
-                                        .velocity_mps = before.velocity_mps,
-                                        .spin_radps = before.spin_radps});
+        const BodyId ball = world.sphere({0, 0.9, 0},
+                                         kRadius_m,
+                                         {.friction = mu,
+                                          .restitution = kE,
+                                          .velocity_mps = before.velocity_mps,
+                                          .spin_radps = before.spin_radps});
         course.run(world, 0.3);
         const SpinningBall expected = after_floor(before, kRadius_m, mu, kE);
         const double speed = glm::length(expected.velocity_mps);
@@ -73,8 +73,8 @@ BallsMeetErrors balls_meet(const BallsMeet& how, const Setting& setting, Course&
     coming.mass_kg = how.mass_ratio;
     coming.velocity_mps = {kMeetingSpeed_mps, 0, 0};
     const double aside_m = how.aside * kRadius_m;
-    const BodyId a = world.ball({-0.5, aside_m, 0}, kRadius_m, coming);
-    const BodyId b = world.ball({0, 0, 0}, kRadius_m, properties);
+    const BodyId a = world.sphere({-0.5, aside_m, 0}, kRadius_m, coming);
+    const BodyId b = world.sphere({0, 0, 0}, kRadius_m, properties);
     const Vec3d momentum = world.physics.momentum_kgmps();
     course.run(world, 0.5);
 
@@ -121,11 +121,11 @@ CradleErrors cradle_swings(const Cradle& cradle, const Setting& setting, Course&
     for (int i = 0; i < kBalls; ++i) {
         const bool comes = i < cradle.coming;
         const double start_m = comes ? -0.3 : 0;
-        world.ball({start_m + i * (2 * kRadius_m + cradle.gap_m), 0, 0},
-                   kRadius_m,
-                   {.friction = 0,
-                    .restitution = 1,
-                    .velocity_mps = {comes ? kMeetingSpeed_mps : 0.0, 0, 0}});
+        world.sphere({start_m + i * (2 * kRadius_m + cradle.gap_m), 0, 0},
+                     kRadius_m,
+                     {.friction = 0,
+                      .restitution = 1,
+                      .velocity_mps = {comes ? kMeetingSpeed_mps : 0.0, 0, 0}});
     }
     course.run(world, 1);
     CradleErrors errors{0, 0};
@@ -146,7 +146,7 @@ namespace {
 Scenario two_balls(double ratio) {
     return {
         .id = fmt::format("A22 {}:1", ratio),
-        .title = "Two balls meet",
+        .title = "Two balls collide",
         .set_up = fmt::format("A ball of {} kg at 2 m/s meets one of 1 kg at rest, head on and one "
                               "radius aside; restitution 0.7, no friction, weightless.",
                               ratio),

@@ -18,7 +18,7 @@ Vec3d pendulum_end(const Frame& frame, const Setting& setting, Course& course) {
     FramedWorld framed(frame, setting);
     const std::size_t nail =
         framed.box(BodyKind::Static, {0, 0, 0}, {0.2, 0.2, 0.2}, {.touches = false});
-    const std::size_t ball = framed.ball({1, 0, 0}, 0.1, {.touches = false});
+    const std::size_t ball = framed.sphere({1, 0, 0}, 0.1, {.touches = false});
     framed.build();
     framed.join(ball, nail, {0, 0, 0});
     framed.run(course, 2);
@@ -28,7 +28,7 @@ Vec3d pendulum_end(const Frame& frame, const Setting& setting, Course& course) {
 Vec3d bounce_end(const Frame& frame, const Setting& setting, Course& course) {
     FramedWorld framed(frame, setting);
     framed.floor(0.5, 0.8);
-    const std::size_t ball = framed.ball({0, 1.1, 0}, 0.1, {.restitution = 0.8});
+    const std::size_t ball = framed.sphere({0, 1.1, 0}, 0.1, {.restitution = 0.8});
     framed.build();
     framed.run(course, 0.9);  // about half-way between the first two contacts
     const double speed = framed.velocity(ball).y;
@@ -50,7 +50,7 @@ Vec3d roll_end(const Frame& frame, const Setting& setting, Course& course) {
     FramedWorld framed(frame, setting);
     framed.floor(0.2);
     const std::size_t ball =
-        framed.ball({0, 0.5, 0}, 0.5, {.friction = 0.2, .velocity_mps = {5, 0, 0}});
+        framed.sphere({0, 0.5, 0}, 0.5, {.friction = 0.2, .velocity_mps = {5, 0, 0}});
     framed.build();
     framed.run(course, 3);
     return framed.at(ball);
@@ -100,19 +100,9 @@ Frame far_frame(double distance_m) {
 
 double back_in_time_m(double seconds, const Setting& setting, Course& course) {
     ScenarioWorld world(setting);
-    const BodyProperties wall{.friction = 0, .restitution = 1};
-    for (int axis = 0; axis < 3; ++axis) {
-        for (const double side : {-1.0, 1.0}) {
-            Vec3d at{0, 0, 0};
-            at[axis] = side * 3;
-            Vec3d size{8, 8, 8};
-            size[axis] = 2;
-            world.fixed_box(at, size, wall);
-        }
-    }
-    BodyProperties properties = wall;
-    properties.velocity_mps = {3.1, 2.3, -1.7};
-    const BodyId ball = world.ball({0.3, 0.2, 0.1}, 0.25, properties);
+    world.room(2);
+    const BodyId ball = world.sphere(
+        {0.3, 0.2, 0.1}, 0.25, {.friction = 0, .restitution = 1, .velocity_mps = {3.1, 2.3, -1.7}});
     const Vec3d start = world.at(ball);
     course.run(world, seconds);
     world.physics.set_velocity(ball, vec(-world.velocity(ball)), {0, 0, 0});
@@ -174,11 +164,19 @@ Scenario by_scene(std::string id, std::string title, const char* how, std::vecto
             .knobs = kUpTo240Hz};
 }
 
-Scenario by_frame(std::string id,
+/// One metric for each of `values`, named by `metric`: the world seen from frame_of(value).
+Scenario by_value(std::string id,
                   std::string title,
                   const char* how,
-                  std::vector<Metric> metrics,
-                  std::vector<Frame> frames) {
+                  const char* metric,
+                  const std::vector<double>& values,
+                  Frame (*frame_of)(double value)) {
+    std::vector<Frame> frames;
+    std::vector<Metric> metrics;
+    for (const double value : values) {
+        frames.push_back(frame_of(value));
+        metrics.push_back({fmt::format(fmt::runtime(metric), value), "the path of the scene"});
+    }
     return {.id = std::move(id),
             .title = std::move(title),
             .set_up = fmt::format("{}{}", kSetUp, how),
@@ -197,45 +195,30 @@ Scenario turned() {
 }
 
 Scenario far_away() {
-    std::vector<Frame> frames;
-    std::vector<Metric> metrics;
-    for (const double far_m : {1e1, 1e2, 1e3, 1e4, 1e5}) {
-        frames.push_back(far_frame(far_m));
-        metrics.push_back({fmt::format("{:g} m away", far_m), "the way of the scene"});
-    }
-    return by_frame("A41",
+    return by_value("A41",
                     "The world is far away",
                     "moved away along x and z.",
-                    std::move(metrics),
-                    std::move(frames));
+                    "{:g} m away",
+                    {1e1, 1e2, 1e3, 1e4, 1e5},
+                    far_frame);
 }
 
 Scenario carried_along() {
-    std::vector<Frame> frames;
-    std::vector<Metric> metrics;
-    for (const double speed : {1.0, 10.0, 100.0}) {
-        frames.push_back(drifting_frame(speed));
-        metrics.push_back({fmt::format("at {:g} m/s", speed), "the way of the scene"});
-    }
-    return by_frame("A42",
+    return by_value("A42",
                     "The world moves along",
                     "with everything, floors too, moving at one velocity.",
-                    std::move(metrics),
-                    std::move(frames));
+                    "at {:g} m/s",
+                    {1.0, 10.0, 100.0},
+                    drifting_frame);
 }
 
 Scenario scaled() {
-    std::vector<Frame> frames;
-    std::vector<Metric> metrics;
-    for (const double scale : {0.01, 0.1, 10.0, 100.0}) {
-        frames.push_back({.scale = scale});
-        metrics.push_back({fmt::format("{:g} times as long", scale), "the way of the scene"});
-    }
-    return by_frame("A43",
+    return by_value("A43",
                     "The world is larger or smaller",
                     "lengths times s, times times sqrt s, steps too.",
-                    std::move(metrics),
-                    std::move(frames));
+                    "{:g} times as long",
+                    {0.01, 0.1, 10.0, 100.0},
+                    [](double scale) { return Frame{.scale = scale}; });
 }
 
 Scenario made_backwards() {

@@ -59,7 +59,7 @@ Scenario smooth_floor_rod() {
                 "middle falls straight down",
             .tier = Tier::TwoIntegrators,
             .metrics = {{"angle at 0.5 s", "90 degrees"},
-                        {"way of its middle to the side", "half the rod"}},
+                        {"path of its middle to the side", "half the rod"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
                 ScenarioWorld world(setting);
                 world.floor(0);
@@ -122,11 +122,11 @@ Scenario leaving_ball() {
                 const Vec3d speed = velocity + fall * free_s;
 
                 ScenarioWorld world(setting);
-                world.fixed_ball({0, 0, 0}, kBig_m, {.friction = 0});
+                world.fixed_sphere({0, 0, 0}, kBig_m, {.friction = 0});
                 const BodyId ball =
-                    world.ball(Vec3d{std::sin(kFrom_rad), std::cos(kFrom_rad), 0} * kAround_m,
-                               kSmall_m,
-                               {.friction = 0});
+                    world.sphere(Vec3d{std::sin(kFrom_rad), std::cos(kFrom_rad), 0} * kAround_m,
+                                 kSmall_m,
+                                 {.friction = 0});
                 course.run(world, kSeconds);
                 return {glm::distance(world.at(ball), expected) / kAround_m,
                         glm::distance(world.velocity(ball), speed) / glm::length(speed)};

@@ -2,9 +2,9 @@
 // meaning: the names of their first metrics are those of report/peers.cpp.
 #include "engine/core/pose.h"
 #include "engine/study/angle_between.h"
-#include "engine/study/scenarios/families/bounces.h"
 #include "engine/study/scenarios/families/rolling.h"
 #include "engine/study/scenarios/families/tops.h"
+#include "engine/study/scenarios/world/peer_scene.h"
 
 #include <fmt/format.h>
 
@@ -17,64 +17,44 @@ using physics::BodyId;
 
 // --- chains: 50 links of 0.4 m and 1 kg from y = 30 m, 100 kg at the end ---
 
-constexpr int kLinks = 50;
+constexpr std::size_t kLinks = 50;
 constexpr double kLink_m = 0.4;
 constexpr double kChain_m = kLinks * kLink_m;
 constexpr double kAnchor_m = 30;
 constexpr double kBall_m = 0.25;
 constexpr double kChain_s = 20;
 
-struct Chain {
-    Vec3d along;
-    std::vector<BodyId> bodies;
-
-    Chain(ScenarioWorld& world, const Vec3d& direction) : along(direction) {
-        const Vec3d thin{0.1, 0.1, 0.1};
-        const Vec3d size = thin + glm::abs(along) * (kLink_m - 0.1);
-        const Vec3d from{0, kAnchor_m, 0};
-        for (int i = 0; i <= kLinks; ++i) {
-            const Vec3d joint = from + along * (kLink_m * i);
-            bodies.push_back(
-                i < kLinks
-                    ? world.box(
-                          joint + along * (kLink_m / 2), size, {.mass_kg = 1, .touches = false})
-                    : world.ball(
-                          joint + along * kBall_m, kBall_m, {.mass_kg = 100, .touches = false}));
-            world.join({.kind = physics::JointKind::Ball,
-                        .a = bodies.back(),
-                        .b = i == 0 ? BodyId{} : bodies[static_cast<std::size_t>(i) - 1],
-                        .anchor_a_world = vec(joint),
-                        .anchor_b_world = vec(joint)});
-        }
+/// Sum of the gaps at the joints, relative to the chain's length.
+double stretch(const PeerScene& chain, const Vec3d& along) {
+    double sum_m = 0;
+    Vec3d before{0, kAnchor_m, 0};
+    const std::vector<BodyId>& bodies = chain.world.movers;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const double half_m = i < kLinks ? kLink_m / 2 : kBall_m;
+        const Vec3d to_end = chain.world.turn(bodies[i]) * (along * half_m);
+        sum_m += glm::length(chain.world.at(bodies[i]) - to_end - before);
+        before = chain.world.at(bodies[i]) + to_end;
     }
+    return sum_m / kChain_m;
+}
 
-    /// Sum of the gaps at the joints, relative to the chain's length.
-    double stretch(const ScenarioWorld& world) const {
-        double sum_m = 0;
-        Vec3d before{0, kAnchor_m, 0};
-        for (int i = 0; i <= kLinks; ++i) {
-            const BodyId body = bodies[static_cast<std::size_t>(i)];
-            const double half_m = i < kLinks ? kLink_m / 2 : kBall_m;
-            const Vec3d to_end = world.turn(body) * (along * half_m);
-            sum_m += glm::length(world.at(body) - to_end - before);
-            before = world.at(body) + to_end;
-        }
-        return sum_m / kChain_m;
-    }
-};
-
-Errors run_chain(const Setting& setting, Course& course, const Vec3d& along, bool at_end) {
-    ScenarioWorld world(setting);
-    const Chain chain(world, along);
+Errors run_chain(const std::string& name,
+                 const Setting& setting,
+                 Course& course,
+                 const Vec3d& along,
+                 bool at_end) {
+    const auto opened = PeerScene::open(name, setting);
+    if (!opened) return course.refuse(opened.error());
+    PeerScene& chain = **opened;
     constexpr double kTail_s = 2;
     double most = 0;
     double tail = 0;
     int in_tail = 0;
-    course.run(world, kChain_s, {.after = [&](int i) {
-                   const double stretch = chain.stretch(world);
-                   most = std::max(most, stretch);
-                   if ((i + 1) * world.step_s() < kChain_s - kTail_s + 1e-9) return;
-                   tail += stretch;
+    course.run(chain.world, kChain_s, {.after = [&](int i) {
+                   const double now = stretch(chain, along);
+                   most = std::max(most, now);
+                   if ((i + 1) * chain.world.step_s() < kChain_s - kTail_s + 1e-9) return;
+                   tail += now;
                    ++in_tail;
                }});
     return {at_end ? tail / std::max(1, in_tail) : most};
@@ -87,7 +67,7 @@ void add_chain(std::vector<Scenario>& all, const std::string& name, bool hangs) 
          .title = hangs ? "a chain of 50 links hangs with 100 kg at its end"
                         : "a chain of 50 links with 100 kg at its end swings down",
          .set_up = fmt::format(
-             "50 links of 0.4 m and 1 kg, ball joints, a ball of 100 kg at the end; {}, "
+             "50 links of 0.4 m and 1 kg, ball-and-socket joints, a ball of 100 kg at the end; {}, "
              "20 s.",
              hangs ? "hanging straight" : "released lying level"),
          .reference = "The links are rigid: no joint ever opens.",
@@ -95,26 +75,31 @@ void add_chain(std::vector<Scenario>& all, const std::string& name, bool hangs) 
          .metrics = {{hangs ? "stretch at the end" : "largest stretch",
                       hangs ? "20 m; the gaps of all joints, mean of the last 2 s"
                             : "20 m; the gaps of all joints"}},
-         .run = [along, hangs](const Setting& setting,
-                               Course& course) { return run_chain(setting, course, along, hangs); },
+         .run = [name, along, hangs](
+                    const Setting& setting,
+                    Course& course) { return run_chain(name, setting, course, along, hangs); },
          .peer_scene = name,
          .knobs = {.most_hz = 240, .doubled = false}});
 }
 
 // --- a ball that bounces without loss ---
 
-constexpr double kDrop_m = 10;
-
 Errors run_bounce(const Setting& setting, Course& course) {
-    DroppedBody falls(setting, {.height_m = kDrop_m, .e = 1, .radius_m = 0.5, .mass_kg = 1000});
-    double height_m = kDrop_m;
+    const auto opened = PeerScene::open("bounce", setting);
+    if (!opened) return course.refuse(opened.error());
+    ScenarioWorld& world = (*opened)->world;
+    const BodyId ball = (*opened)->body("ball");
+    constexpr double kRadius_m = 0.5;
+    const auto height_of = [&] { return world.at(ball).y - kRadius_m; };
+    const double drop_m = height_of();
+    double height_m = drop_m;
     double rise_mps = 0;
     double apex_m = 0;
     // The apex lies between two steps: the energy of the nearer one says how high.
     const auto energy_height = [](double at_m, double v) { return at_m + v * v / (2 * kG_mps2); };
-    course.run(falls.world, 60, {.after = [&](int) {
-                   const double now_m = falls.height_m();
-                   const double now_mps = falls.world.velocity(falls.body).y;
+    course.run(world, 60, {.after = [&](int) {
+                   const double now_m = height_of();
+                   const double now_mps = world.velocity(ball).y;
                    if (rise_mps > 0 && now_mps <= 0) {
                        apex_m = rise_mps < -now_mps ? energy_height(height_m, rise_mps)
                                                     : energy_height(now_m, now_mps);
@@ -122,8 +107,8 @@ Errors run_bounce(const Setting& setting, Course& course) {
                    height_m = now_m;
                    rise_mps = now_mps;
                }});
-    const bool is_dead = height_m < 0.01 * kDrop_m && std::abs(rise_mps) < 0.1;
-    return {is_dead ? 1.0 : apex_m / kDrop_m - 1};
+    const bool is_dead = height_m < 0.01 * drop_m && std::abs(rise_mps) < 0.1;
+    return {is_dead ? 1.0 : apex_m / drop_m - 1};
 }
 
 // --- a ball that slides until it rolls ---
@@ -131,16 +116,16 @@ Errors run_bounce(const Setting& setting, Course& course) {
 Errors run_slide_roll(const Setting& setting, Course& course) {
     constexpr SlideToRoll kLaw{.speed_mps = 5, .mu = 0.3};
     constexpr double kEnd_s = 3;
-    constexpr double kMass_kg = 500;
-    SlidingBall slides(setting, kLaw, 0, kMass_kg);
-    const ScenarioWorld& world = slides.world;
+    const auto opened = PeerScene::open("slideroll", setting);
+    if (!opened) return course.refuse(opened.error());
+    ScenarioWorld& world = (*opened)->world;
+    const BodyId ball = (*opened)->body("ball");
     double most_m = 0;
-    course.run(slides.world, kEnd_s, {.after = [&](int i) {
+    course.run(world, kEnd_s, {.after = [&](int i) {
                    const double t_s = (i + 1) * world.step_s();
-                   most_m = std::max(most_m, std::abs(world.at(slides.ball).x - kLaw.path_m(t_s)));
+                   most_m = std::max(most_m, std::abs(world.at(ball).x - kLaw.path_m(t_s)));
                }});
-    return {most_m / kLaw.path_m(kEnd_s),
-            world.velocity(slides.ball).x / kLaw.speed_at_mps(kEnd_s) - 1};
+    return {most_m / kLaw.path_m(kEnd_s), world.velocity(ball).x / kLaw.speed_at_mps(kEnd_s) - 1};
 }
 
 // --- a T-handle that turns about its middle axis ---
@@ -150,16 +135,19 @@ Errors run_handle(const Setting& setting, Course& course) {
     static const FreeBodyDef def = t_handle();
     static const TurningBody expected =
         turned_for({.own_spin_radps = def.spin_radps}, *def.inertia_kgm2, kSeen_s);
+    const auto opened = PeerScene::open("dzhani", setting);
+    if (!opened) return course.refuse(opened.error());
+    ScenarioWorld& world = (*opened)->world;
+    const BodyId handle = (*opened)->body("handle");
     const Vec3d inertia = *def.inertia_kgm2;
-    FreeBody handle(setting, def);
     const Vec3d momentum = inertia * def.spin_radps;
     const double energy = glm::dot(def.spin_radps, momentum);
     double turned_rad = kPi_d;
     double most_energy = 0;
     double most_momentum = 0;
-    const double step_s = handle.world.step_s();
-    course.run(handle.world, 60, {.after = [&](int i) {
-                   const auto [turn, spin] = handle.now();
+    const double step_s = world.step_s();
+    course.run(world, 60, {.after = [&](int i) {
+                   const auto [turn, spin] = turning_body(world, handle);
                    const Vec3d now = inertia * spin;
                    most_energy = std::max(most_energy, std::abs(glm::dot(spin, now) / energy - 1));
                    most_momentum = std::max(
@@ -189,14 +177,13 @@ double depth_m(const ScenarioWorld& world, BodyId upper, BodyId lower) {
     return deepest_m;
 }
 
-Errors run_heavy(const Setting& setting, Course& course, double ratio) {
-    constexpr double kLight_kg = 1000;
+Errors run_heavy(const std::string& name, const Setting& setting, Course& course) {
     constexpr double kLandedAfter_s = 1;
-    ScenarioWorld world(setting);
-    world.floor(0.6);
-    const BodyId lower = world.box({0, 0.5, 0}, {1, 1, 1}, {.mass_kg = kLight_kg, .friction = 0.6});
-    const BodyId upper =
-        world.box({0, 1.5, 0}, {1, 1, 1}, {.mass_kg = ratio * kLight_kg, .friction = 0.6});
+    const auto opened = PeerScene::open(name, setting);
+    if (!opened) return course.refuse(opened.error());
+    ScenarioWorld& world = (*opened)->world;
+    const BodyId lower = (*opened)->body("lower");
+    const BodyId upper = (*opened)->body("upper");
     double most_m = 0;
     course.run(
         world, 10, {.after = [&](int i) {
@@ -210,7 +197,8 @@ Errors run_heavy(const Setting& setting, Course& course, double ratio) {
 }
 
 void add_heavy(std::vector<Scenario>& all, int ratio) {
-    all.push_back({.id = fmt::format("P heavy{}", ratio),
+    const std::string name = fmt::format("heavy{}", ratio);
+    all.push_back({.id = "P " + name,
                    .title = fmt::format("a cube with one {} times as heavy on it", ratio),
                    .set_up = "Two cubes of 1 m, the lower of 1000 kg, friction 0.6; 10 s.",
                    .reference = "Rigid cubes do not sink into each other.",
@@ -218,9 +206,9 @@ void add_heavy(std::vector<Scenario>& all, int ratio) {
                    .metrics = {{"largest penetration",
                                 "an edge, 1 m; after the first second; fallen off: all of it"},
                                {"height of the upper cube", "1.5 m"}},
-                   .run = [ratio](const Setting& setting,
-                                  Course& course) { return run_heavy(setting, course, ratio); },
-                   .peer_scene = fmt::format("heavy{}", ratio),
+                   .run = [name](const Setting& setting,
+                                 Course& course) { return run_heavy(name, setting, course); },
+                   .peer_scene = name,
                    .knobs = {.most_hz = 480, .doubled = false}});
 }
 
@@ -259,7 +247,7 @@ void add_peer_scenes(std::vector<Scenario>& all) {
                    .set_up = "A ball of 0.5 m, 500 kg, at 5 m/s without spin, friction 0.3; 3 s.",
                    .reference = "v = v0 - mu g t until t = 2 v0 / (7 mu g), then 5/7 v0.",
                    .tier = Tier::ClosedForm,
-                   .metrics = {{"place", "the way, 11.0610 m; the largest of all steps"},
+                   .metrics = {{"place", "the path, 11.0610 m; the largest of all steps"},
                                {"speed at the end", "5/7 of 5 m/s"}},
                    .run = run_slide_roll,
                    .peer_scene = "slideroll",

@@ -84,22 +84,23 @@ Scenario ball_pendulum(double from_deg) {
     static constexpr double kSeconds = 10;
     static constexpr double kRadius_m = 0.05;
     const Pendulum pendulum{from_deg * kPi_d / 180, 1 + 0.4 * kRadius_m * kRadius_m, 1};
-    return {
-        .id = fmt::format("A09 {} degrees", from_deg),
-        .title = "A ball on an arm swings",
-        .set_up = fmt::format("A ball of radius 5 cm hangs 1 m from a ball joint and is let go at "
-                              "{} degrees.",
-                              from_deg),
-        .reference = "sin(a/2) = k cd(sqrt(g/l) t, k), k = sin(a0/2), l = 1.001 m",
-        .metrics = swing_metrics(kSeconds, from_deg, "the arm, 1 m"),
-        .run =
-            [=](const Setting& setting, Course& course) {
-                const auto hang = [](ScenarioWorld& world, const Vec3d& at, const Quatd& turn) {
-                    return world.ball(at, kRadius_m, {.turn = turn, .touches = false});
-                };
-                return swing(pendulum, JointKind::Ball, hang, kSeconds, setting, course);
-            },
-        .theory = orders_in_step(2, std::nullopt)};
+    return {.id = fmt::format("A09 {} degrees", from_deg),
+            .title = "A ball on an arm swings",
+            .set_up = fmt::format(
+                "A ball of radius 5 cm hangs 1 m from a ball-and-socket joint and is let go at "
+                "{} degrees.",
+                from_deg),
+            .reference = "sin(a/2) = k cd(sqrt(g/l) t, k), k = sin(a0/2), l = 1.001 m",
+            .metrics = swing_metrics(kSeconds, from_deg, "the arm, 1 m"),
+            .run =
+                [=](const Setting& setting, Course& course) {
+                    const auto hang = [](ScenarioWorld& world, const Vec3d& at, const Quatd& turn) {
+                        return world.sphere(at, kRadius_m, {.turn = turn, .touches = false});
+                    };
+                    return swing(
+                        pendulum, JointKind::BallAndSocket, hang, kSeconds, setting, course);
+                },
+            .theory = orders_in_step(2, std::nullopt)};
 }
 
 Scenario rod_pendulum() {
@@ -131,7 +132,7 @@ Scenario conical_pendulum() {
         .id = "A11",
         .title = "A ball goes round on an arm",
         .set_up =
-            "A ball hangs 1 m from a ball joint, 30 degrees out, and goes round the "
+            "A ball hangs 1 m from a ball-and-socket joint, 30 degrees out, and goes round the "
             "vertical at the rate that keeps it there.",
         .reference =
             "W^2 = g / (l cos a); turning as one with its arm, a ball's own moment of "
@@ -143,13 +144,13 @@ Scenario conical_pendulum() {
             ScenarioWorld world(setting);
             const Vec3d spin{0, around_radps, 0};
             const Vec3d start{std::sin(kCone_rad), -std::cos(kCone_rad), 0};
-            const BodyId ball = world.ball(start,
-                                           0.05,
-                                           {.velocity_mps = glm::cross(spin, start),
-                                            .spin_radps = spin,
-                                            .turn = glm::angleAxis(kCone_rad, Vec3d{0, 0, 1}),
-                                            .touches = false});
-            world.join({.kind = JointKind::Ball, .a = ball});
+            const BodyId ball = world.sphere(start,
+                                             0.05,
+                                             {.velocity_mps = glm::cross(spin, start),
+                                              .spin_radps = spin,
+                                              .turn = glm::angleAxis(kCone_rad, Vec3d{0, 0, 1}),
+                                              .touches = false});
+            world.join({.kind = JointKind::BallAndSocket, .a = ball});
             const double start_L = world.physics.angular_momentum_kgm2ps().y;
             double cone_off = 0;
             course.run(world, kSeconds, {.after = [&](int) {
@@ -180,7 +181,7 @@ Scenario damped_spring() {
                         {"place at 5 s", "0.5 m"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
                 ScenarioWorld world(setting, {0, 0, 0});
-                const BodyId ball = world.ball({kRest_m + kOut_m, 0, 0}, 0.1, {.touches = false});
+                const BodyId ball = world.sphere({kRest_m + kOut_m, 0, 0}, 0.1, {.touches = false});
                 world.join({.kind = JointKind::Spring,
                             .a = ball,
                             .anchor_a_world = vec({kRest_m + kOut_m, 0, 0}),

@@ -24,17 +24,12 @@ double SlideToRoll::path_m(double t_s) const {
            rolling_mps() * (t_s - slid_s);
 }
 
-SlidingBall::SlidingBall(const Setting& setting,
-                         const SlideToRoll& law,
-                         double heading_rad,
-                         double mass_kg)
+SlidingBall::SlidingBall(const Setting& setting, const SlideToRoll& law, double heading_rad)
     : world(setting) {
     world.floor(law.mu);
     const Vec3d ahead{std::cos(heading_rad), 0, std::sin(heading_rad)};
     ball =
-        world.ball({0, 0.5, 0},
-                   0.5,
-                   {.mass_kg = mass_kg, .friction = law.mu, .velocity_mps = ahead * law.speed_mps});
+        world.sphere({0, 0.5, 0}, 0.5, {.friction = law.mu, .velocity_mps = ahead * law.speed_mps});
 }
 
 DownSlopeErrors down_slope(double angle_rad, double share, const Setting& setting, Course& course) {
@@ -42,7 +37,7 @@ DownSlopeErrors down_slope(double angle_rad, double share, const Setting& settin
     const Slope slope(angle_rad);
     ScenarioWorld world(setting);
     slope.add_to(world, mu);
-    const BodyId ball = world.ball(slope.out * 0.5, 0.5, {.friction = mu});
+    const BodyId ball = world.sphere(slope.out * 0.5, 0.5, {.friction = mu});
     const Vec3d start = world.at(ball);
     course.run(world, 2);
     const bool rolls = share >= 1;
@@ -58,12 +53,12 @@ BallOnTurntable::BallOnTurntable(const Setting& setting) : world(setting) {
     world.physics.set_velocity(table, {0, 0, 0}, vec(0, kTable_radps, 0));
     const Vec3d floor_mps = glm::cross(Vec3d{0, kTable_radps, 0}, Vec3d{kPath_m, 0, 0});
     const Vec3d velocity = floor_mps * (2.0 / 7);
-    ball =
-        world.ball({kPath_m, kRadius_m, 0},
-                   kRadius_m,
-                   {.friction = 1,
-                    .velocity_mps = velocity,
-                    .spin_radps = glm::cross(Vec3d{0, 1, 0}, (velocity - floor_mps) / kRadius_m)});
+    ball = world.sphere(
+        {kPath_m, kRadius_m, 0},
+        kRadius_m,
+        {.friction = 1,
+         .velocity_mps = velocity,
+         .spin_radps = glm::cross(Vec3d{0, 1, 0}, (velocity - floor_mps) / kRadius_m)});
 }
 
 Vec3d BallOnTurntable::expected_m(double t_s) {
@@ -86,7 +81,7 @@ Scenario slide_to_roll() {
         .title = "A ball slides until it rolls",
         .set_up = "A ball of radius 0.5 m is sent off at 5 m/s without spin, friction 0.2.",
         .reference = "rolls after 2 v0 / (7 mu g) = 0.7281 s at 5/7 of its speed; 11.2344 m in 3 s",
-        .metrics = {{"way at 3 s", "11.23 m"},
+        .metrics = {{"path at 3 s", "11.23 m"},
                     {"speed at 3 s", "3.571 m/s"},
                     {"slip at 3 s", "3.571 m/s"}},
         .run = [](const Setting& setting, Course& course) -> Errors {
@@ -111,7 +106,7 @@ Scenario slope(double angle_deg) {
     std::vector<Metric> metrics;
     for (const double share : kShares)
         metrics.push_back(
-            {fmt::format("way at mu = {} of what rolling needs", share), "a t^2 / 2"});
+            {fmt::format("path at mu = {} of what rolling needs", share), "a t^2 / 2"});
     metrics.push_back({"spin, worst of the four", "that of the formula"});
     return {
         .id = fmt::format("A31 {} degrees", angle_deg),
@@ -127,9 +122,9 @@ Scenario slope(double angle_deg) {
             Errors errors;
             double spin = 0;
             for (const double share : kShares) {
-                const auto [way, turning] =
+                const auto [path, turning] =
                     down_slope(angle_deg * kPi_d / 180, share, setting, course);
-                errors.push_back(way);
+                errors.push_back(path);
                 spin = std::max(spin, std::abs(turning));
             }
             errors.push_back(spin);
@@ -171,7 +166,7 @@ std::array<double, 2> pull_plate(const Vec3d& pull, const Setting& setting, Cour
     world.floor(0.2);
     const BodyId plate = world.box({0, 0.5, 0}, {20, 1, 20}, {.mass_kg = 10, .friction = 0.8});
     for (int i = 0; i < kBalls; ++i)
-        world.ball(
+        world.sphere(
             {2.0 * (i % 5) - 4, 1.5, 2.0 * static_cast<double>(i / 5) - 4}, 0.5, {.friction = 0.8});
     const double friction_N = 0.4 * (10 + kBalls) * kG_mps2;
     const double on_ball_N = (kForce_N - friction_N) / (3.5 * 10 + kBalls);

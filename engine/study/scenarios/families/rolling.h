@@ -21,10 +21,7 @@ struct SlideToRoll {
 
 /// A30: that ball, of radius 0.5 m, from above the origin.
 struct SlidingBall {
-    SlidingBall(const Setting& setting,
-                const SlideToRoll& law,
-                double heading_rad = 0,
-                double mass_kg = 1);
+    SlidingBall(const Setting& setting, const SlideToRoll& law, double heading_rad = 0);
 
     ScenarioWorld world;
     physics::BodyId ball;
@@ -32,7 +29,7 @@ struct SlidingBall {
 
 /// A31: a ball is let go on a slope; `share` is its friction over that at which it just rolls.
 struct DownSlopeErrors {
-    double way;   ///< in 2 s, relative
+    double path;  ///< in 2 s, relative
     double spin;  ///< after 2 s, relative
 };
 DownSlopeErrors down_slope(double angle_rad, double share, const Setting& setting, Course& course);

@@ -90,9 +90,9 @@ Scenario sliding_stop() {
         .title = "A box slides to a stop",
         .set_up = "A box of 1 x 0.25 x 1 m at 5 m/s on a floor, friction 0.3; in 24 directions.",
         .reference = "v0^2 / (2 mu g) = 4.2474 m, in every direction",
-        .metrics = {{"way", "4.247 m"},
+        .metrics = {{"path", "4.247 m"},
                     {"furthest aside", "4.247 m"},
-                    {"most less least way, of 24 directions", "4.247 m"}},
+                    {"most less least path, of 24 directions", "4.247 m"}},
         .run = [](const Setting& setting, Course& course) -> Errors {
             const Vec3d first = sliding_stop_m({}, setting, course);
             double least = 1e9;
@@ -119,7 +119,7 @@ Scenario held_on_slope() {
             .title = "A box on a slope that friction holds",
             .set_up = "A cube of 1 m on a slope of tan a = 0.99 mu, mu = 0.5, for 20 s.",
             .reference = "it stays",
-            .metrics = {{"way in 20 s", "its edge, 1 m"}, {"speed at 20 s", "1 m/s"}},
+            .metrics = {{"path in 20 s", "its edge, 1 m"}, {"speed at 20 s", "1 m/s"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
                 BoxOnSlope held(setting, std::atan(0.99 * 0.5), 0.5);
                 course.run(held.world, 20);
@@ -135,7 +135,7 @@ Scenario slides_on_slope() {
             .title = "A box on a slope that friction does not hold",
             .set_up = "A cube of 1 m on a slope of tan a = 0.6, mu = 0.5, let go; 4 s.",
             .reference = "a = g (sin a - mu cos a)",
-            .metrics = {{"way at 4 s", "a t^2 / 2"}, {"speed at 4 s", "a t"}},
+            .metrics = {{"path at 4 s", "a t^2 / 2"}, {"speed at 4 s", "a t"}},
             .run = [](const Setting& setting, Course& course) -> Errors {
                 BoxOnSlope slides(setting, std::atan(kSlope), 0.5);
                 course.run(slides.world, 4);

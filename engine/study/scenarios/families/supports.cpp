@@ -37,12 +37,12 @@ bool four_balls_stand(const FourBalls& mu, const Setting& setting, Course& cours
     const double out_m = 2 * kRadius_m / std::sqrt(3.0);
     for (int i = 0; i < 3; ++i) {
         const double angle = i * 2 * kPi_d / 3;
-        world.ball({out_m * std::cos(angle), kRadius_m, out_m * std::sin(angle)},
-                   kRadius_m,
-                   {.friction = mu.between});
+        world.sphere({out_m * std::cos(angle), kRadius_m, out_m * std::sin(angle)},
+                     kRadius_m,
+                     {.friction = mu.between});
     }
     const double top_m = kRadius_m + 2 * kRadius_m * std::sqrt(2.0 / 3);
-    const BodyId top = world.ball({0, top_m, 0}, kRadius_m, {.friction = mu.between});
+    const BodyId top = world.sphere({0, top_m, 0}, kRadius_m, {.friction = mu.between});
     const auto fallen = [&] { return world.at(top).y < top_m - 0.02; };
     course.run(world, 5, {.until = fallen});
     return !fallen();
@@ -127,8 +127,8 @@ PressErrors tower_presses(const Setting& setting, Course& course) {
 
 PressErrors beam_presses(const Setting& setting, Course& course) {
     ScenarioWorld world(setting);
-    const BodyId left = world.fixed_ball({-1.5, 0.5, 0}, 0.5);
-    const BodyId right = world.fixed_ball({0.5, 0.5, 0}, 0.5);
+    const BodyId left = world.fixed_sphere({-1.5, 0.5, 0}, 0.5);
+    const BodyId right = world.fixed_sphere({0.5, 0.5, 0}, 0.5);
     const BodyId beam = world.box({0, 1.1, 0}, {4, 0.2, 1}, {.mass_kg = 12});
     world.physics.set_contact_events(beam, true);
     const double weight_Ns = 12 * kG_mps2 * world.step_s();

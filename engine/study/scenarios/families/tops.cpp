@@ -59,7 +59,7 @@ FreeBody::FreeBody(const Setting& setting, const FreeBodyDef& def, Company compa
     if (def.inertia_kgm2) body_def.inertia_kgm2 = vec(*def.inertia_kgm2);
     body = world.add(def.shape, body_def);
     if (company == Company::None) return;
-    const BodyId other = world.ball({5, 0, 0}, 0.1);
+    const BodyId other = world.sphere({5, 0, 0}, 0.1);
     world.join({.kind = physics::JointKind::Spring,
                 .a = body,
                 .b = other,
@@ -67,7 +67,7 @@ FreeBody::FreeBody(const Setting& setting, const FreeBodyDef& def, Company compa
                 .anchor_b_world = {5, 0, 0}});
 }
 
-TurningBody FreeBody::now() const {
+TurningBody turning_body(const ScenarioWorld& world, BodyId body) {
     const Quatd turn = world.turn(body);
     return {turn, glm::conjugate(turn) * world.spin(body)};
 }
@@ -192,7 +192,7 @@ struct HeavyTop {
                                .spin_radps = spin,
                                .turn = turn,
                                .touches = false});
-        pivot = world.join({.kind = physics::JointKind::Ball, .a = body});
+        pivot = world.join({.kind = physics::JointKind::BallAndSocket, .a = body});
     }
     Vec3d axis() const { return world.turn(body) * Vec3d{0, 1, 0}; }
     double tilt_rad() const { return std::acos(std::clamp(axis().y, -1.0, 1.0)); }
@@ -208,7 +208,8 @@ Scenario steady_top(double spin_radps) {
         .id = fmt::format("A07 {} rad/s", spin_radps),
         .title = "A heavy top that goes round steadily",
         .set_up =
-            "A disc on an arm of 1 m stands on a ball joint, 30 degrees off the vertical, "
+            "A disc on an arm of 1 m stands on a ball-and-socket joint, 30 degrees off the "
+            "vertical, "
             "and has the spin at which it goes round without nodding.",
         .reference = "slow root of I1 cos(a) W^2 - I3 w3 W + m g l = 0",
         .metrics = {{"direction of its axis at 10 s", "1 rad"},

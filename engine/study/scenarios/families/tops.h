@@ -23,6 +23,8 @@ struct TurningBody {
 /// Where it is after `seconds`, by two integrators.
 TurningBody turned_for(const TurningBody& start, const Vec3d& inertia_kgm2, double seconds);
 
+TurningBody turning_body(const ScenarioWorld& world, physics::BodyId body);
+
 /// A body that nothing pushes is moved by itself, one in an island by the solver.
 enum class Company {
     None,
@@ -40,14 +42,14 @@ struct FreeBodyDef {
 FreeBodyDef box_of_three_lengths();
 /// A06: a disc of radius 0.5 m, 0.1 m thick, that spins at 30 rad/s, 20 degrees off its axis.
 FreeBodyDef wobbling_disc();
-/// A T-handle of 56 kg that spins at 5 rad/s about its middle axis.
+/// The handle of assets/scenes/bench/peers/dzhani.toml: 56 kg that spin at 5 rad/s about the middle axis.
 FreeBodyDef t_handle();
 
 /// One body afloat at the origin.
 struct FreeBody {
     FreeBody(const Setting& setting, const FreeBodyDef& def, Company company = Company::None);
 
-    TurningBody now() const;
+    TurningBody now() const { return turning_body(world, body); }
     Vec3d axis() const { return world.turn(body) * Vec3d{0, 1, 0}; }  ///< its own y
 
     ScenarioWorld world;

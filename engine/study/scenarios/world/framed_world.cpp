@@ -28,7 +28,7 @@ std::size_t FramedWorld::box(BodyKind kind,
     return parts_.size() - 1;
 }
 
-std::size_t FramedWorld::ball(const Vec3d& at, double radius, const BodyProperties& properties) {
+std::size_t FramedWorld::sphere(const Vec3d& at, double radius, const BodyProperties& properties) {
     parts_.push_back({BodyKind::Dynamic,
                       physics::SphereShape{.radius_m = real(radius * frame_.scale)},
                       at,
@@ -63,7 +63,7 @@ void FramedWorld::build() {
 
 void FramedWorld::join(std::size_t a, std::size_t b, const Vec3d& anchor) {
     const Vec3 at = vec(place(anchor));
-    world_.join({.kind = physics::JointKind::Ball,
+    world_.join({.kind = physics::JointKind::BallAndSocket,
                  .a = ids_[a],
                  .b = ids_[b],
                  .anchor_a_world = at,

@@ -25,11 +25,11 @@ public:
                     const Vec3d& at,
                     const Vec3d& size,
                     const BodyProperties& properties);
-    std::size_t ball(const Vec3d& at, double radius, const BodyProperties& properties);
+    std::size_t sphere(const Vec3d& at, double radius, const BodyProperties& properties);
     /// 90 m square, top at y = 0.
     void floor(double friction, double restitution = 0);
     void build();
-    /// A ball joint where `a` is off `b` by now; after build().
+    /// A ball-and-socket joint where `a` is off `b` by now; after build().
     void join(std::size_t a, std::size_t b, const Vec3d& anchor);
     void run(Course& course, double seconds);
 

@@ -19,7 +19,7 @@ physics::WorldDef with_gravity(physics::WorldDef def, const Vec3d& gravity_mps2)
 }  // namespace
 
 ScenarioWorld::ScenarioWorld(const Setting& setting, const Vec3d& gravity_mps2)
-    : physics(with_gravity(world_def(setting), gravity_mps2)) {}
+    : ScenarioWorld(with_gravity(world_def(setting), gravity_mps2)) {}
 
 BodyId ScenarioWorld::add(const physics::ShapeDef& shape, physics::BodyDef def) {
     const Result<physics::ShapeId> made = physics.create_shape(shape);
@@ -44,7 +44,7 @@ BodyId ScenarioWorld::add(BodyKind kind,
                 .restitution = real(properties.restitution),
                 .linear_damping_per_s = real(properties.linear_damping_per_s),
                 .can_sleep = properties.can_sleep,
-                .collides_with = properties.touches ? ~0U : 0U});
+                .filter = {.collides_with = properties.touches ? ~0U : 0U}});
 }
 
 BodyId ScenarioWorld::box(const Vec3d& at_m,
@@ -53,7 +53,7 @@ BodyId ScenarioWorld::box(const Vec3d& at_m,
     return add(BodyKind::Dynamic, physics::BoxShape{.size_m = Vec3(size_m)}, at_m, properties);
 }
 
-BodyId ScenarioWorld::ball(const Vec3d& at_m, double radius_m, const BodyProperties& properties) {
+BodyId ScenarioWorld::sphere(const Vec3d& at_m, double radius_m, const BodyProperties& properties) {
     return add(
         BodyKind::Dynamic, physics::SphereShape{.radius_m = real(radius_m)}, at_m, properties);
 }
@@ -80,15 +80,27 @@ BodyId ScenarioWorld::fixed_box(const Vec3d& at_m,
     return add(BodyKind::Static, physics::BoxShape{.size_m = Vec3(size_m)}, at_m, properties);
 }
 
-BodyId ScenarioWorld::fixed_ball(const Vec3d& at_m,
-                                 double radius_m,
-                                 const BodyProperties& properties) {
+BodyId ScenarioWorld::fixed_sphere(const Vec3d& at_m,
+                                   double radius_m,
+                                   const BodyProperties& properties) {
     return add(
         BodyKind::Static, physics::SphereShape{.radius_m = real(radius_m)}, at_m, properties);
 }
 
 BodyId ScenarioWorld::floor(double friction, double restitution) {
     return fixed_box({0, -1, 0}, {200, 2, 200}, {.friction = friction, .restitution = restitution});
+}
+
+void ScenarioWorld::room(double half_m) {
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            Vec3d at{0, 0, 0};
+            at[axis] = side * (half_m + 1);
+            Vec3d size{2 * half_m + 4};
+            size[axis] = 2;
+            fixed_box(at, size, {.friction = 0, .restitution = 1});
+        }
+    }
 }
 
 physics::JointId ScenarioWorld::join(const physics::JointDef& def) {

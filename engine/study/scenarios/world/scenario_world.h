@@ -4,6 +4,7 @@
 #include "engine/physics/physics_world.h"
 #include "engine/study/setting.h"
 
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -32,8 +33,12 @@ struct BodyProperties {
 /// A world without anything in it, at a setting.
 class ScenarioWorld {
 public:
-    explicit ScenarioWorld(const physics::WorldDef& def) : physics(def) {}
+    explicit ScenarioWorld(const physics::WorldDef& def)
+        : own_(std::make_unique<physics::PhysicsWorld>(def)), physics(*own_) {}
     explicit ScenarioWorld(const Setting& setting, const Vec3d& gravity_mps2 = {0, -kG_mps2, 0});
+    /// A world that was made elsewhere and outlives this one.
+    ScenarioWorld(physics::PhysicsWorld& made, std::vector<physics::BodyId> dynamic_bodies)
+        : physics(made), movers(std::move(dynamic_bodies)) {}
 
     /// The shape of `def` is set here.
     physics::BodyId add(const physics::ShapeDef& shape, physics::BodyDef def);
@@ -44,7 +49,9 @@ public:
     physics::BodyId box(const Vec3d& at_m,
                         const Vec3d& size_m,
                         const BodyProperties& properties = {});
-    physics::BodyId ball(const Vec3d& at_m, double radius_m, const BodyProperties& properties = {});
+    physics::BodyId sphere(const Vec3d& at_m,
+                           double radius_m,
+                           const BodyProperties& properties = {});
     /// Its axis is the body's own y.
     physics::BodyId cylinder(const Vec3d& at_m,
                              double radius_m,
@@ -57,11 +64,13 @@ public:
     physics::BodyId fixed_box(const Vec3d& at_m,
                               const Vec3d& size_m,
                               const BodyProperties& properties = {});
-    physics::BodyId fixed_ball(const Vec3d& at_m,
-                               double radius_m,
-                               const BodyProperties& properties = {});
+    physics::BodyId fixed_sphere(const Vec3d& at_m,
+                                 double radius_m,
+                                 const BodyProperties& properties = {});
     /// 200 m square, top at y = 0.
     physics::BodyId floor(double friction = 0.5, double restitution = 0);
+    /// Smooth elastic walls of 2 m about the origin, `half_m` away from it.
+    void room(double half_m);
     physics::JointId join(const physics::JointDef& def);
     /// Whole steps, rounded.
     void run(double seconds);
@@ -79,7 +88,11 @@ public:
     /// Something is no number any more.
     bool broken() const;
 
-    physics::PhysicsWorld physics;
+private:
+    std::unique_ptr<physics::PhysicsWorld> own_;  ///< none: made elsewhere
+
+public:
+    physics::PhysicsWorld& physics;
     std::vector<physics::BodyId> movers;  ///< dynamic bodies in the order they were added
 };
 

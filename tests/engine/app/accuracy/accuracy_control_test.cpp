@@ -23,7 +23,7 @@ class AdoptedCopy : public testing::Test {
 protected:
     scene::Accuracy accuracy_of(const std::filesystem::path& file) {
         Diagnostics faults;
-        const auto description = scene::load_scene(file, folder_.path(), faults);
+        const auto description = scene::read_description(file, folder_.path(), faults);
         EXPECT_TRUE(description.ok());
         EXPECT_EQ(faults.list().size(), 0U);
         return description ? description->accuracy : scene::Accuracy{};
@@ -154,7 +154,7 @@ material = "oak"
     ASSERT_TRUE(copy.ok()) << copy.error().message;
     EXPECT_EQ(*copy, folder_.path() / "user" / "hall-adopted.toml");
     Diagnostics faults;
-    const auto loaded = scene::load_scene(*copy, folder_.path() / "assets", faults);
+    const auto loaded = scene::read_description(*copy, folder_.path() / "assets", faults);
     ASSERT_TRUE(loaded.ok()) << loaded.error().message;
     EXPECT_TRUE(faults.list().empty());
     expect_chosen(loaded->accuracy);

@@ -15,7 +15,7 @@ TEST(UnusedFile, NamesStayUniqueWhateverTheClockSays) {
         const std::filesystem::path file = unused_file(folder.path(), "garden", ".png");
         EXPECT_TRUE(names.insert(file).second) << file;
         EXPECT_TRUE(file.filename().string().starts_with("garden_"));
-        folder.write(file.filename().string(), "a picture");
+        folder.write(file.filename().string(), "an image");
     }
     // In one second, which is all of the name but its number, there were more than one.
     std::set<std::string> seconds;

@@ -259,7 +259,7 @@ TEST(ActionTape, ASceneNameThatIsNoTextStillGivesATape) {
     EXPECT_TRUE(TapePlayer::open(tape_file(), odd).ok());
 }
 
-TEST(ActionTape, TheSameSeedPlaysTheSameMonkey) {
+TEST(ActionTape, TheSameSeedGivesTheSameRandomInput) {
     RandomActions a(5);
     RandomActions b(5);
     RandomActions other(6);

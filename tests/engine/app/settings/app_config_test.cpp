@@ -83,6 +83,13 @@ TEST_F(AppConfigTest, AnOldFileWithTheStepLimitIsReadWithOneWarning) {
               "only where physics itself is too slow. Line ignored.");
 }
 
+TEST_F(AppConfigTest, TheOldNameOfATableIsReadWithOneWarning) {
+    const AppConfig config = load("[picture]\nlevel = \"low\"\nfov_deg = 60\n");
+    EXPECT_EQ(config.quality_level, QualityLevel::Low);
+    EXPECT_EQ(config.fov_deg, 60.0F);
+    EXPECT_EQ(only_fault(), "app.toml:1:2: warning: picture: \"picture\" is called \"image\" now");
+}
+
 TEST_F(AppConfigTest, ASyntaxErrorLeavesTheLowerLayerStanding) {
     EXPECT_EQ(load("[window\nwidth = 1\n").width, 1280);
     ASSERT_EQ(faults_.list().size(), 1U);
@@ -96,12 +103,12 @@ TEST_F(AppConfigTest, MissingFilesMeanDefaults) {
 }
 
 TEST_F(AppConfigTest, ALevelIsAWord) {
-    EXPECT_EQ(load("[picture]\nlevel = \"low\"\n").quality_level, QualityLevel::Low);
+    EXPECT_EQ(load("[image]\nlevel = \"low\"\n").quality_level, QualityLevel::Low);
     EXPECT_TRUE(faults_.list().empty());
-    EXPECT_EQ(load("[picture]\nanti_aliasing = \"msaa4\"\n").anti_aliasing, EdgeWish::Msaa4);
-    EXPECT_EQ(load("[picture]\nlevel = \"best\"\n").quality_level, QualityLevel::Auto);
+    EXPECT_EQ(load("[image]\nanti_aliasing = \"msaa4\"\n").anti_aliasing, EdgeWish::Msaa4);
+    EXPECT_EQ(load("[image]\nlevel = \"best\"\n").quality_level, QualityLevel::Auto);
     EXPECT_EQ(only_fault(),
-              "app.toml:2:9: warning: picture.level: expected one of auto, low, medium, high; the "
+              "app.toml:2:9: warning: image.level: expected one of auto, low, medium, high; the "
               "value before it stands");
 }
 
@@ -113,7 +120,7 @@ TEST_F(AppConfigTest, TheWrittenTextHoldsOnlyWhatDiffersAndReadsBack) {
     wanted.max_fps = 60;
     const std::string text = ui_config_text(AppConfig{}, wanted);
     EXPECT_EQ(text.substr(text.find("format")),
-              "format = 1\n\n[window]\nmax_fps = 60\n\n[picture]\nlevel = \"medium\"\n"
+              "format = 1\n\n[window]\nmax_fps = 60\n\n[image]\nlevel = \"medium\"\n"
               "fov_deg = 92.5\n\n[sound]\nmute = true\n");
     EXPECT_EQ(load(text), wanted);
     EXPECT_TRUE(faults_.list().empty());
@@ -177,20 +184,19 @@ TEST_F(LiveConfigTest, IsReadAgainWhenTheHandWrittenFileIsSaved) {
         return changed;
     };
     EXPECT_FALSE(config.reload_if_changed(now_s));
-    EXPECT_TRUE(saved("[sound]\nmaster_gain = 0.25\n[picture]\nfov_deg = 90.0\n"));
+    EXPECT_TRUE(saved("[sound]\nmaster_gain = 0.25\n[image]\nfov_deg = 90.0\n"));
     EXPECT_EQ(config.current().master_gain, 0.25F);
     EXPECT_EQ(config.current().fov_deg, 90.0F);
     EXPECT_EQ(config.below().fov_deg, 90.0F);
     EXPECT_TRUE(config.faults().list().empty());
 
-    EXPECT_TRUE(saved("[sound]\nmaster_gain = 0.75\n[picture]\nfov_deg = \"wide\"\n"));
+    EXPECT_TRUE(saved("[sound]\nmaster_gain = 0.75\n[image]\nfov_deg = \"wide\"\n"));
     EXPECT_EQ(config.current().master_gain, 0.75F);
     EXPECT_EQ(config.current().fov_deg, 70.0F);
     ASSERT_EQ(config.faults().list().size(), 1U);
-    EXPECT_EQ(
-        to_string(config.faults().list()[0]),
-        "app.toml:4:11: warning: picture.fov_deg: expected a number from 30 to 120; the value "
-        "before it stands");
+    EXPECT_EQ(to_string(config.faults().list()[0]),
+              "app.toml:4:11: warning: image.fov_deg: expected a number from 30 to 120; the value "
+              "before it stands");
 
     EXPECT_TRUE(saved("[sound\nmaster_gain = 0.1\n"));
     EXPECT_EQ(config.current().master_gain, 0.75F) << "what was in force stays";

@@ -47,7 +47,7 @@ TEST_P(PagesAtSize, NothingIsCutAndNothingOverlaps) {
     keys({kEscape});
     choose("Settings");
     for (const char* tab :
-         {"Picture", "Screen", "Sound", "Mouse and pad", "Light and fog", "Accuracy"}) {
+         {"Image", "Screen", "Sound", "Mouse and pad", "Light and fog", "Accuracy"}) {
         choose(tab);
         look();
     }

@@ -52,7 +52,7 @@ TEST(FrameClock, BlendIsTheShareOfTheStepThatHasPassed) {
 }
 
 // EXPERIENCE A16: half a second a frame, and all of it is simulated.
-TEST(FrameClock, ASlowPictureLosesNoTime) {
+TEST(FrameClock, ASlowImageLosesNoTime) {
     for (const double frames_per_s : {0.3, 1.0, 2.0, 4.0})
         EXPECT_EQ(steps_at(frames_per_s, 50.0), 6000) << frames_per_s << " frames a second";
 }
@@ -116,13 +116,13 @@ struct Machine {
     }
 };
 
-TEST(FrameClock, PhysicsThatKeepsUpLosesNothingHoweverSlowThePicture) {
+TEST(FrameClock, PhysicsThatKeepsUpLosesNothingHoweverSlowTheImage) {
     for (const double draw_s : {0.001, 0.016, 0.1, 0.4}) {
         for (const double load : {0.01, 0.3, 0.6}) {
             FrameClock clock(kStep_s);
             Machine machine{.draw_s = draw_s, .cost_s = load * kStep_s};
             const double simulated_s = machine.play(clock, 60.0);
-            EXPECT_EQ(clock.lost_s(), 0.0) << draw_s << " s a picture, load " << load;
+            EXPECT_EQ(clock.lost_s(), 0.0) << draw_s << " s an image, load " << load;
             EXPECT_NEAR(simulated_s, machine.now_s, machine.longest_frame_s + kStep_s);
         }
     }
@@ -175,7 +175,7 @@ TEST(FrameClock, PausedTimeIsNeitherRunNorLost) {
     clock.set_paused(true);
     const FrameTime paused = clock.advance(kHour_s);
     EXPECT_EQ(paused.steps, 0);
-    EXPECT_EQ(paused.blend, Real{1}) << "a still picture shows the latest step itself";
+    EXPECT_EQ(paused.blend, Real{1}) << "a still image shows the latest step itself";
     clock.set_paused(false);
     EXPECT_EQ(clock.advance(kHour_s + kStep_s * 0.5).steps, 1) << "half a step before, half after";
     EXPECT_EQ(clock.lost_s(), 0.0);

@@ -24,7 +24,7 @@ SceneDescription sunny() {
 
 TEST(LightCubes, NoneIsDrawnThatTheSceneDoesNotCallFor) {
     Running run(sunny());
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     run->switches.turn("flashlight", true);
     EXPECT_TRUE(draw(run, effects).items.empty());
     const LedgerLine line = line_of(effects, "light_cubes");
@@ -38,7 +38,7 @@ TEST(LightCubes, TheSunsStandsWhereTheLightComesFromAndShinesAsIt) {
     scene.sun->cube_m = 0.5F;
     scene.sun->cube_distance_m = 12.0F;
     Running run(scene);
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     const render::RenderFrame frame = draw(run, effects);
     ASSERT_EQ(frame.items.size(), 1U);
     const render::DrawItem& cube = frame.items.front();
@@ -66,7 +66,7 @@ TEST(LightCubes, TheFlashlightsIsInTheBeamWhileItIsOnAndNotInTheFace) {
     SceneDescription scene = sunny();
     scene.flashlight->cube_m = 0.04F;
     Running run(scene);
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     EXPECT_TRUE(draw(run, effects).items.empty());
     run->switches.turn("flashlight", true);
     const render::RenderFrame frame = draw(run, effects);

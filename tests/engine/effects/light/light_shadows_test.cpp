@@ -19,7 +19,7 @@ scene::EntityDescription lamp(bool casts_shadow) {
 
 TEST(LightShadows, NoneWhereNoLampAsks) {
     Running run(test::scene_of({lamp(false)}));
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     const render::RenderFrame frame = draw(run, effects);
     EXPECT_FALSE(frame.light_shadows);
     ASSERT_EQ(frame.lights.size(), 1U);
@@ -32,7 +32,7 @@ TEST(LightShadows, NoneWhereNoLampAsks) {
 
 TEST(LightShadows, ALampThatAsksCallsForThemUntilTheyAreSwitchedOff) {
     Running run(test::scene_of({lamp(false), lamp(true)}));
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     const render::RenderFrame frame = draw(run, effects);
     EXPECT_TRUE(frame.light_shadows);
     ASSERT_EQ(frame.lights.size(), 2U);

@@ -182,7 +182,7 @@ SceneDescription with_fountain() {
 
 TEST(Fountain, NobodyWhoDoesNotCallForItPays) {
     Running run(test::scene_of({}));
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     run.step(3, effects);
     const render::RenderFrame frame = draw(run, effects);
     EXPECT_TRUE(frame.drops.empty() && frame.water_rings.empty());
@@ -194,18 +194,18 @@ TEST(Fountain, NobodyWhoDoesNotCallForItPays) {
 
 TEST(Fountain, RunsWhenItIsFirstSeenAndSaysWhoCalledForIt) {
     Running run(with_fountain());
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     EXPECT_GT(draw(run, effects).drops.size(), 100U);
     EXPECT_EQ(line_of(effects, "fountain").called_for_by, Callers{"[[fountain]] (garden.toml:7)"});
     run->switches.turn("fountain", false);
     EXPECT_TRUE(draw(run, effects).drops.empty());
 }
 
-TEST(Fountain, IsTheSameAfterTheSameStepsHoweverManyPicturesAreDrawn) {
+TEST(Fountain, IsTheSameAfterTheSameStepsHoweverManyImagesAreDrawn) {
     Running often(with_fountain());
     Running seldom(with_fountain());
-    EffectRuntime often_effects(*often, kPicture);
-    EffectRuntime seldom_effects(*seldom, kPicture);
+    EffectRuntime often_effects(*often, kImage);
+    EffectRuntime seldom_effects(*seldom, kImage);
     for (int i = 0; i < 30; ++i) {
         often.step(1, often_effects);
         draw(often, often_effects, 0.3_r);
@@ -227,7 +227,7 @@ TEST(Fountain, ANozzleInsideASolidLetsItsDropsOut) {
     scene.entities = {
         test::box("block", {0, 1, 0}, {0.2_r, 0.2_r, 0.2_r}, physics::BodyKind::Static)};
     Running run(scene);
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     run.step(90, effects);
     float highest = 0.0F;
     for (const render::DropStreak& drop : draw(run, effects).drops)
@@ -242,7 +242,7 @@ TEST(Fountain, FarAwayFewerDropsAreDrawnAndNoneBeyondSight) {
         scene.camera.position_m = {0, 1, distance_m};
         Running run(scene);
         run.game = scene::NoGame{scene.camera};
-        EffectRuntime effects(*run, kPicture);
+        EffectRuntime effects(*run, kImage);
         return static_cast<double>(draw(run, effects).drops.size());
     };
     const double near = drawn_from(5);

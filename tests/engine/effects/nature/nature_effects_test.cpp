@@ -17,7 +17,7 @@ constexpr std::size_t kAllTufts = std::numeric_limits<std::size_t>::max();
 
 TEST(NatureEffects, NobodyWhoDoesNotCallForThemPays) {
     Running run(test::scene_of({test::ground()}));
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     run.step(2, effects);
     const render::RenderFrame frame = draw(run, effects);
     EXPECT_FALSE(frame.wind);
@@ -37,7 +37,7 @@ TEST(NatureEffects, TheWindOfTheSceneIsTheWindOfTheFrame) {
                                         .gusts = 0.5_r,
                                         .location = in_file("garden.toml", 30)};
     Running run(scene);
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     const render::RenderFrame frame = draw(run, effects);
     ASSERT_TRUE(frame.wind);
     EXPECT_EQ(frame.wind->mean_mps, (Vec2f{0.0F, -6.0F}));
@@ -99,7 +99,7 @@ std::vector<render::DrawItem> grown(const render::RenderFrame& frame) {
 TEST(Grass, GrowsOnWhatItIsToldAndNowhereElse) {
     Running run(lawn_with_a_slab());
     run.game = scene::NoGame{run->description().camera};
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     const auto tufts = grown(draw(run, effects));
     EXPECT_GT(tufts.size(), 200U);
     for (const render::DrawItem& tuft : tufts) {
@@ -111,10 +111,10 @@ TEST(Grass, GrowsOnWhatItIsToldAndNowhereElse) {
     }
 }
 
-TEST(Grass, LessIsDrawnWhereThePictureMayCostLess) {
+TEST(Grass, LessIsDrawnWhereTheImageMayCostLess) {
     Running run(lawn_with_a_slab());
     run.game = scene::NoGame{run->description().camera};
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     const auto count_with = [&](float cover) {
         effects.refresh(*run);
         const scene::ViewPoint view = run.game.view(*run, Real{1}, 0.0F, 0.0F);
@@ -139,7 +139,7 @@ TEST(Flock, StaysWhereItIsToldAndFliesOn) {
                      .height_m = 4,
                      .location = in_file("garden.toml", 50)}};
     Running run(scene);
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     const render::RenderFrame first = draw(run, effects);
     ASSERT_EQ(first.items.size(), 7U * 3U) << "two wings and a body";
     EXPECT_EQ(line_of(effects, "flock").called_for_by, Callers{"[[flock]] (garden.toml:50)"});

@@ -10,7 +10,7 @@ using test::Running;
 
 TEST(ScreenEffects, NobodyWhoDoesNotCallForThemPays) {
     Running run(test::scene_of({test::ground()}));
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     run.step(2, effects);
     const render::RenderFrame frame = draw(run, effects);
     EXPECT_FALSE(frame.occlusion);
@@ -37,7 +37,7 @@ TEST(ScreenEffects, OcclusionHasTheScenesNumbersAndItsFidelitysLooks) {
         .radius_m = 0.5F, .strength = 0.75F, .location = in_file("garden.toml", 30)};
     scene.screen_fidelity.occlusion = scene::Fidelity::Draft;
     Running run(scene);
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     const render::RenderFrame frame = draw(run, effects);
     ASSERT_TRUE(frame.occlusion);
     EXPECT_EQ(frame.occlusion->radius_m, 0.5F);
@@ -57,7 +57,7 @@ TEST(ScreenEffects, ShaftsAndLensHaveTheScenesNumbers) {
     scene.camera.focus = scene::FocusDescription{
         .distance_m = 3.0F, .aperture_m = 0.01F, .location = in_file("garden.toml", 9)};
     Running run(scene);
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     const render::RenderFrame frame = draw(run, effects);
     ASSERT_TRUE(frame.shafts);
     EXPECT_EQ(frame.shafts->density_per_m, 0.03F);
@@ -80,7 +80,7 @@ TEST(ScreenEffects, WaterThatIsSeenIntoCallsForRefractionAndItsCaustics) {
                                     .attenuation_m = attenuation_m,
                                     .caustics = caustics};
         Running run(scene);
-        EffectRuntime effects(*run, kPicture);
+        EffectRuntime effects(*run, kImage);
         const render::RenderFrame frame = draw(run, effects);
         const bool seen = attenuation_m > 0.0F;
         EXPECT_EQ(frame.refraction.has_value(), seen);
@@ -117,7 +117,7 @@ protected:
         return frame.motion_blur;
     }
     Running run_{scene()};
-    EffectRuntime effects_{*run_, kPicture};
+    EffectRuntime effects_{*run_, kImage};
 };
 
 TEST_F(Shutter, OpensWhereTheCameraWasHalfWayBack) {
@@ -144,7 +144,7 @@ TEST(ScreenEffects, TheShutterSeesWhatMoves) {
     scene.post = scene::PostDescription{};
     scene.post->shutter = scene::ShutterDescription{.open_s = 1.0F / 120.0F};
     Running run(scene);
-    EffectRuntime effects(*run, kPicture);
+    EffectRuntime effects(*run, kImage);
     run.step(20, effects);
     EXPECT_FALSE(draw(run, effects).motion_blur) << "nothing was seen before";
     run.step(1, effects);

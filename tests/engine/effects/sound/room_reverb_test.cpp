@@ -46,12 +46,6 @@ scene::SceneDescription with_reverb(std::vector<scene::EntityDescription> entiti
     return scene;
 }
 
-scene::ViewPoint listener_at(const Vec3& position_m) {
-    scene::ViewPoint view;
-    view.world_from_camera.position = position_m;
-    return view;
-}
-
 // 0.161 V / (S a), wherever in the room one stands: 72 m3 and 108 m2 to 5 %, the time to 10 %.
 TEST(RoomProbe, FindsVolumeSurfaceAndSabinesTime) {
     const Vec3 size{6, 3, 4};

@@ -39,12 +39,6 @@ scene::SceneDescription with_paths(std::vector<scene::EntityDescription> entitie
     return scene;
 }
 
-scene::ViewPoint ear_at(const Vec3& position_m) {
-    scene::ViewPoint view;
-    view.world_from_camera.position = position_m;
-    return view;
-}
-
 TEST(SoundObstacles, AreAsThickAsTheWayThroughThem) {
     Running run(scene_of({wall("near", {0.2_r, 9, 9}), wall("far", {0.5_r, 9, 9}, 3)}));
     const auto straight = obstacles_between(*run, {-2, 0, 0}, {6, 0, 0}, {});
@@ -138,15 +132,15 @@ TEST(SoundPaths, DullWhatIsBehindAWall) {
     EffectRuntime effects(*run, kWithPaths);
     EXPECT_EQ(line_of(effects, "sound_paths").called_for_by,
               Callers{"[sound] paths (garden.toml:7)"});
-    const audio::LoopCue behind = effects.sound(*run, ear_at({3, 0, 0})).loops.at(0);
+    const audio::LoopCue behind = effects.sound(*run, listener_at({3, 0, 0})).loops.at(0);
     EXPECT_LT(behind.gain, 0.2F);
     EXPECT_LT(behind.low_pass, 0.5F);
     // Round the corner it opens within a second.
     for (int i = 0; i < 60; ++i) {
         run.step(1, effects);
-        effects.sound(*run, ear_at({-3, 0, 5}));
+        effects.sound(*run, listener_at({-3, 0, 5}));
     }
-    const audio::LoopCue open = effects.sound(*run, ear_at({-3, 0, 5})).loops.at(0);
+    const audio::LoopCue open = effects.sound(*run, listener_at({-3, 0, 5})).loops.at(0);
     EXPECT_GT(open.gain, 0.99F);
     EXPECT_GT(open.low_pass, 0.99F);
 }
@@ -156,7 +150,7 @@ TEST(SoundPaths, SoundTravelsAtItsSpeed) {
     bell.sound->loop = false;
     Running run(with_paths({bell}));
     EffectRuntime effects(*run, kWithPaths);
-    const SoundFrame heard = effects.sound(*run, ear_at({0, 0, 0}));
+    const SoundFrame heard = effects.sound(*run, listener_at({0, 0, 0}));
     ASSERT_EQ(heard.cues.size(), 1U);
     EXPECT_NEAR(heard.cues[0].delay_s, 0.1, 1e-5);
     EXPECT_EQ(heard.cues[0].gain, 1.0F);
@@ -167,7 +161,7 @@ TEST(SoundPaths, AreNotThereWhereNobodyCallsForThem) {
         scene_of({wall("wall", {0.3_r, 40, 40}), sounding("stream", {-3, 0, 0})});
     Running run(scene);
     EffectRuntime effects(*run, kWithPaths);
-    const SoundFrame heard = effects.sound(*run, ear_at({3, 0, 0}));
+    const SoundFrame heard = effects.sound(*run, listener_at({3, 0, 0}));
     EXPECT_EQ(heard.loops.at(0).gain, 1.0F);
     for (const char* name : {"sound_paths", "room_reverb", "creak_sounds", "wind_sound"}) {
         const LedgerLine line = line_of(effects, name);
@@ -192,7 +186,7 @@ TEST(SoundPaths, OfFiveHundredSourcesFewAreTracedAFrame) {
     EffectRuntime effects(*run, kWithPaths);
     for (int i = 0; i < 100; ++i) {
         run.step(1, effects);
-        EXPECT_EQ(effects.sound(*run, ear_at({3, 0, 0})).loops.size(), 500U);
+        EXPECT_EQ(effects.sound(*run, listener_at({3, 0, 0})).loops.size(), 500U);
     }
     EXPECT_LE(line_of(effects, "sound_paths").calls, 300U);
 }

@@ -145,14 +145,58 @@ TEST(FreeFlightSpin, GyroscopicTorqueRunsOnlyWhereItActs) {
     test.add(BoxShape{.size_m = {1, 2, 3}}, {9, 0, 0});
     test.world.step();
     EXPECT_EQ(test.world.feature_use().gyro_bodies, 0U) << "a cube, and a box at rest";
+    EXPECT_FALSE(test.world.feature_use().turned);
 
     const BodyId plank = test.add(BoxShape{.size_m = {1, 2, 3}},
                                   {20, 0, 0},
                                   {.kind = BodyKind::Dynamic, .angular_velocity_radps = {1, 2, 3}});
+    test.world.step();
+    EXPECT_EQ(test.world.feature_use().gyro_bodies, 1U);
+    EXPECT_EQ(test.world.feature_use().turned, plank);
+    EXPECT_GT(std::abs(test.spin(plank).y - 2.0), 1e-3) << "it tumbles";
+    test.world.set_velocity(plank, {0, 0, 0}, {1, 2, 3});
     test.world.set_features({.gyroscopic_torque = false});
     test.run(1.0);
     EXPECT_EQ(test.world.feature_use().gyro_bodies, 0U);
     EXPECT_NEAR(test.spin(plank).y, 2.0, kRounding) << "without it the spin stays in world axes";
+}
+
+TEST(FreeFlightSpin, JointedBodiesFeelGyroscopicTorqueOnceOneTurns) {
+    TestWorld test(weightless());
+    const BodyId still = test.add(BoxShape{.size_m = {1, 2, 3}}, {0, 0, 0});
+    const BodyId turning =
+        test.add(BoxShape{.size_m = {1, 2, 3}},
+                 {0, 2, 0},
+                 {.kind = BodyKind::Dynamic, .angular_velocity_radps = {0, 0, 5e-4_r}});
+    ASSERT_TRUE(test.world.create_joint(
+        {.kind = JointKind::BallAndSocket, .a = turning, .b = still, .anchor_a_world = {0, 1, 0}}));
+    test.world.step();
+    EXPECT_EQ(test.world.feature_use().gyro_bodies, 0U)
+        << "nobody turns by a thousandth of a radian a second";
+    test.world.set_velocity(turning, {0, 0, 0}, {0, 0, 2e-3_r});
+    test.world.step();
+    EXPECT_EQ(test.world.feature_use().gyro_bodies, 1U);
+    EXPECT_EQ(test.world.feature_use().turned, turning);
+}
+
+TEST(FreeFlightSpin, AStepThatBeginsAtRestMayGoWithoutGyroscopicTorque) {
+    const auto spin_after_a_torque = [](bool waits) {
+        TestWorld test(weightless());
+        test.world.set_features({.gyro_waits_for_spin = waits});
+        const BodyId plank = test.add(BoxShape{.size_m = {1, 2, 3}}, {0, 0, 0});
+        test.world.apply_torque(plank, {3000, 3000, 3000});
+        test.world.step();
+        return test.spin(plank);
+    };
+    const MassProperties mass = [] {
+        TestWorld test(weightless());
+        return test.world.mass_properties(test.add(BoxShape{.size_m = {1, 2, 3}}, {0, 0, 0}));
+    }();
+    const Vec3d from_torque = Vec3d{3000.0 / 60} / Vec3d{mass.inertia_kgm2};
+    EXPECT_NEAR(glm::distance(spin_after_a_torque(true), from_torque),
+                0.0,
+                20 * kRounding * glm::length(from_torque));
+    EXPECT_GT(glm::distance(spin_after_a_torque(false), from_torque), 1e-3);
 }
 
 }  // namespace

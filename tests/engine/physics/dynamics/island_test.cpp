@@ -130,7 +130,7 @@ TEST(Islands, WhoeverIsFlungTakesNobodyAlong) {
     Heap heap;
     heap.run(200);
     PhysicsWorld& world = heap.test.world;
-    const auto tie = world.create_joint({.kind = JointKind::Ball,
+    const auto tie = world.create_joint({.kind = JointKind::BallAndSocket,
                                          .a = heap.ids[7],
                                          .b = heap.ids[8],
                                          .anchor_a_world = Vec3(heap.test.at(heap.ids[7])),

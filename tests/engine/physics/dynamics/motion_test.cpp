@@ -192,19 +192,21 @@ TEST(ContinuousCollision, RunsOnlyForBodiesThatOutrunThemselves) {
     TestWorld test(weightless());
     // Inner radius 0.2 m: at 60 Hz the limit is 12 m/s.
     const auto shoot = [&test](Real z, Real speed, ContinuousCollision ccd) {
-        test.add(BoxShape{.size_m = {0.4_r, 0.4_r, 0.4_r}},
-                 {0, 0, z},
-                 {.kind = BodyKind::Dynamic, .velocity_mps = {speed, 0, 0}, .ccd = ccd});
+        return test.add(BoxShape{.size_m = {0.4_r, 0.4_r, 0.4_r}},
+                        {0, 0, z},
+                        {.kind = BodyKind::Dynamic, .velocity_mps = {speed, 0, 0}, .ccd = ccd});
     };
     shoot(0, 11, ContinuousCollision::Auto);
     test.world.step();
     EXPECT_EQ(test.world.feature_use().swept_bodies, 0U);
     EXPECT_EQ(test.world.feature_use().sweep_ms, 0.0);
-    shoot(5, 13, ContinuousCollision::Auto);
+    EXPECT_FALSE(test.world.feature_use().swept);
+    const BodyId fast = shoot(5, 13, ContinuousCollision::Auto);
     shoot(10, 13, ContinuousCollision::Off);
     shoot(15, 1, ContinuousCollision::On);
     test.world.step();
     EXPECT_EQ(test.world.feature_use().swept_bodies, 2U);
+    EXPECT_EQ(test.world.feature_use().swept, fast) << "the first of them";
     test.world.set_features({.continuous_collision = false});
     test.world.step();
     EXPECT_EQ(test.world.feature_use().swept_bodies, 0U);
@@ -240,7 +242,7 @@ TEST(Kinematic, MovesThroughSubstepsAndPushesSleepers) {
     test.run(5.0);
     ASSERT_FALSE(test.world.state(box).awake);
     const BodyId plough =
-        test.add(BoxShape{}, {0, 0.55_r, 0}, {.kind = BodyKind::Kinematic, .group = 1});
+        test.add(BoxShape{}, {0, 0.55_r, 0}, {.kind = BodyKind::Kinematic, .filter = {.group = 1}});
     for (int i = 1; i <= 120; ++i) {
         test.world.move_kinematic(plough, {.position = {static_cast<Real>(i) / 60, 0.55_r, 0}});
         test.world.step();

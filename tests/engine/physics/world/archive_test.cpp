@@ -84,7 +84,7 @@ struct Fair {
 
     /// A chain with a joint of each kind, one of which breaks.
     void hang() {
-        constexpr std::array kKinds{JointKind::Ball,
+        constexpr std::array kKinds{JointKind::BallAndSocket,
                                     JointKind::Hinge,
                                     JointKind::Slider,
                                     JointKind::Fixed,

@@ -348,7 +348,7 @@ TEST(JointFaults, AreRefusedByWhatIsWrong) {
         {"stiffness and damping", [](JointDef& def) { def.damping_Nspm = kInfinity; }},
         {"rest length", [](JointDef& def) { def.rest_length_m = -1.0_r; }},
         {"breaking force", [](JointDef& def) { def.break_N = kNan; }},
-        {"use a ball joint", [](JointDef& def) { def.kind = JointKind::Distance; }},
+        {"use a ball-and-socket joint", [](JointDef& def) { def.kind = JointKind::Distance; }},
         {"below 0",
          [](JointDef& def) {
              def.kind = JointKind::Distance;

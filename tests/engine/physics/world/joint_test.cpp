@@ -31,7 +31,7 @@ TEST_P(Joints, APendulumKeepsTimeOnEveryPivot) {
     const double expected_s =
         2 * kPiD * std::sqrt(inertia / (kMass_kg * kG * 0.5)) * (1 + kAngle_rad * kAngle_rad / 16);
     const double swing_J = kMass_kg * kG * 0.5 * (1 - std::cos(kAngle_rad));
-    for (const JointKind kind : {JointKind::Ball, JointKind::Hinge, JointKind::Cone}) {
+    for (const JointKind kind : {JointKind::BallAndSocket, JointKind::Hinge, JointKind::Cone}) {
         TestWorld test(bar().world());
         const BodyId rod = hang_rod(test, kAngle_rad);
         const JointId pivot = join(test, {.kind = kind, .a = rod, .axis_world = {0, 0, 1}});

@@ -51,8 +51,10 @@ TEST(Rays, HitEveryKindOfShapeWhereItIs) {
 
 TEST(Rays, SeeTheNearestThroughTheirFilter) {
     TestWorld test;
-    const BodyId upper = test.add(BoxShape{}, {0, 4, 0}, {.kind = BodyKind::Static, .group = 2});
-    const BodyId lower = test.add(BoxShape{}, {0, 2, 0}, {.kind = BodyKind::Static, .group = 1});
+    const BodyId upper =
+        test.add(BoxShape{}, {0, 4, 0}, {.kind = BodyKind::Static, .filter = {.group = 2}});
+    const BodyId lower =
+        test.add(BoxShape{}, {0, 2, 0}, {.kind = BodyKind::Static, .filter = {.group = 1}});
     const Vec3 from{0, 9, 0};
     const Vec3 to{0, 0, 0};
     EXPECT_EQ(test.world.cast_ray(from, to)->body, upper);

@@ -137,7 +137,7 @@ TEST(SlowMotion, AnInvertedPendulumFallsOver) {
     const BodyId bob =
         test.add(SphereShape{.radius_m = 0.05_r},
                  {static_cast<Real>(std::sin(tilt_rad)), static_cast<Real>(std::cos(tilt_rad)), 0});
-    const auto pivot = test.world.create_joint({.kind = JointKind::Ball, .a = bob});
+    const auto pivot = test.world.create_joint({.kind = JointKind::BallAndSocket, .a = bob});
     ASSERT_TRUE(pivot.ok());
     double lowest = 1;
     for (int i = 0; i < 300; ++i) {
@@ -277,7 +277,7 @@ TEST(Waking, ByAWallPutIntoIt) {
 
 TEST(Waking, ByJoints) {
     Asleep asleep;
-    const auto joint = asleep.test.world.create_joint({.kind = JointKind::Ball,
+    const auto joint = asleep.test.world.create_joint({.kind = JointKind::BallAndSocket,
                                                        .a = asleep.tower[2],
                                                        .anchor_a_world = {0, 3, 0},
                                                        .anchor_b_world = {0, 3, 0}});

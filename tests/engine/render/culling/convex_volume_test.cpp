@@ -82,9 +82,9 @@ TEST(ConvexVolume, MissesNoLitPlace) {
                                  glm::dot(away, along) > glm::length(away) * std::cos(half_rad);
             const Vec4f clip = camera() * Vec4f{place, 1.0F};
             const Vec2f at = Vec2f{clip} / clip.w;
-            const bool in_picture =
+            const bool in_image =
                 clip.z > -clip.w && glm::abs(at.x) < 1.0F && glm::abs(at.y) < 1.0F;
-            if (!in_cone || !in_picture) continue;
+            if (!in_cone || !in_image) continue;
             ++seen;
             EXPECT_TRUE(light.reaches(box));
             EXPECT_GE(at.x, lit.min.x - 1e-4F);
@@ -114,7 +114,7 @@ TEST(ConvexVolume, APrismHoldsWhatLiesInItsBoundsAlongItsAxes) {
     }
 }
 
-TEST(ConvexVolume, TellsWhichPartOfThePictureShowsABox) {
+TEST(ConvexVolume, TellsWhichPartOfTheImageShowsABox) {
     const ClipRect part =
         part_seen({.min = {-5.0F, 0.0F, -20.0F}, .max = {5.0F, 5.0F, -10.0F}}, camera());
     EXPECT_NEAR(part.min.x, -0.5F, 1e-5F);

@@ -1,5 +1,7 @@
 #include "engine/render/culling/foliage_order.h"
 
+#include "tests/engine/render/card_mesh.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,24 +14,15 @@ namespace {
 
 /// A crown: cards of two triangles, spread over a ball of radius 2 m.
 assets::MeshData crown_of_cards(std::uint32_t count) {
-    assets::MeshData mesh;
+    std::vector<Vec3f> corners_m;
     for (std::uint32_t i = 0; i < count; ++i) {
         const float height = 2.0F * static_cast<float>(i) / static_cast<float>(count) - 1.0F;
         const float turn = 2.4F * static_cast<float>(i);
         const float flat = std::sqrt(1.0F - height * height);
-        const Vec3f at{2.0F * flat * std::cos(turn), 2.0F * height, 2.0F * flat * std::sin(turn)};
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        for (const Vec3f& corner :
-             {Vec3f{0, 0, 0}, Vec3f{0.1F, 0, 0}, Vec3f{0.1F, 0.1F, 0}, Vec3f{0, 0.1F, 0}}) {
-            assets::Vertex vertex;
-            vertex.position_body = at + corner;
-            mesh.vertices.push_back(vertex);
-        }
-        for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(first + k);
+        corners_m.push_back(
+            {2.0F * flat * std::cos(turn), 2.0F * height, 2.0F * flat * std::sin(turn)});
     }
-    mesh.sub_meshes = {{0, static_cast<std::uint32_t>(mesh.indices.size()), 0}};
-    mesh.bounds = assets::bounds_of(mesh);
-    return mesh;
+    return card_mesh(corners_m);
 }
 
 std::multiset<std::uint32_t> set_of(const std::vector<std::uint32_t>& indices,

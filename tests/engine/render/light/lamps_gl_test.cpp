@@ -19,15 +19,6 @@ class LampsGl : public ImageGl {
 protected:
     static constexpr std::uint32_t kSide_px = 320;
 
-    /// A floor that is matt to the letter: no highlight, no mirrored rim.
-    assets::MaterialId chalk() {
-        return library_.add_material({.name = "chalk",
-                                      .shading = assets::Shading::BlinnPhong,
-                                      .base_color = Vec3f{1.0F},
-                                      .shininess = 1.0F,
-                                      .specular = 0.0F});
-    }
-
     RenderFrame floor_under(const Rows& rows, const Vec3f& eye, const Vec3f& target) {
         RenderFrame frame = empty_frame(kSide_px, kSide_px);
         frame.camera = camera_at(eye, target);

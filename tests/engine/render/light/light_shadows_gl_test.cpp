@@ -41,14 +41,6 @@ struct Off {
 
 class LightShadowsGl : public ImageGl {
 protected:
-    assets::MaterialId chalk() {
-        return library_.add_material({.name = "chalk",
-                                      .shading = assets::Shading::BlinnPhong,
-                                      .base_color = Vec3f{1.0F},
-                                      .shininess = 1.0F,
-                                      .specular = 0.0F});
-    }
-
     RenderFrame floor_from_above() {
         RenderFrame frame = empty_frame(kLampSide_px, kLampSide_px);
         frame.camera = camera_at({0.0F, kLampEye_m, 0.0F}, Vec3f{0.0F});

@@ -70,6 +70,24 @@ TEST_F(ShadowGl, AFloorDrawnInPartsLooksAsDrawnAtOnce) {
     }
 }
 
+TEST_F(ShadowGl, AFloorWithNothingBelowItIsLeftOutOfTheMap) {
+    frame_.items.front().is_static = true;
+    // As wide as the map.
+    frame_.items.front().world_from_body =
+        glm::scale(frame_.items.front().world_from_body, {4.0F, 1.0F, 4.0F});
+    add_box(frame_, Vec3f{0.1F}, {0.5F, 1.5F, 0.0F}, matt(Vec3f{0.8F}));  // within the large one
+    const auto above = draw(frame_);
+    const auto triangles = renderer_->stats().triangles;
+    frame_.items.back().world_from_body =
+        glm::translate(Mat4f{1.0F}, {0.5F + 4.5F, 1.5F - 4.5F, 0.0F});  // in the shadow of the same
+    const auto below = draw(frame_);
+    EXPECT_EQ(renderer_->stats().triangles - triangles, 12U);
+    for (std::uint32_t y = 0; y < kSide_px; ++y) {
+        for (std::uint32_t x = 0; x < kSide_px; ++x)
+            ASSERT_NEAR(pixel_at(above, x, y).g, pixel_at(below, x, y).g, 1) << x << ' ' << y;
+    }
+}
+
 TEST_F(ShadowGl, LiesWhereGeometryPutsIt) {
     // 45 degrees: the box from x = -1 to 1, 2 m high, shades the ground from its foot at x = 1
     // to x = 3. The map's texel is under 7 cm here.

@@ -59,6 +59,38 @@ TEST_F(ShadowReachTest, WhatCastsNoShadowDoesNotCount) {
     EXPECT_FALSE(on_floor({1.0F, -1.0F, 0.0F}));
 }
 
+TEST_F(ShadowReachTest, AFloorShadesNothingUntilSomethingLiesBelowItsTop) {
+    add(floor_, {0.0F, -0.5F, 0.0F});
+    const auto shades_nothing_below = [&](const Vec3f& sun) {
+        return shades_nothing(frame_, library_, frame_.items.front(), glm::normalize(sun), 0.05F);
+    };
+    const Vec3f aslant{0.6F, -1.0F, 0.3F};
+    EXPECT_TRUE(shades_nothing_below(aslant));
+    add(box_, {0.0F, 0.47F, 0.0F});  // 3 cm in it
+    add(box_, {49.9F, 5.0F, 0.0F});
+    EXPECT_TRUE(shades_nothing_below(aslant));
+    EXPECT_FALSE(shades_nothing_below({0.0F, 1.0F, 0.0F})) << "a sun from below";
+    add(box_, {-55.0F, -3.0F, 0.0F});  // before the side that the sun shines on
+    EXPECT_TRUE(shades_nothing_below(aslant));
+    add(box_, {55.0F, -3.0F, 0.0F});  // fell over the far edge
+    EXPECT_FALSE(shades_nothing_below(aslant));
+}
+
+TEST_F(ShadowReachTest, ATurnedAndMirroredFloorKeepsItsLitSide) {
+    add(floor_, {0.0F, 0.0F, 0.0F});
+    DrawItem& floor = frame_.items.front();
+    floor.world_from_body =
+        glm::scale(glm::rotate(Mat4f{1.0F}, 0.3F, {0.0F, 0.0F, 1.0F}), {-1.0F, 1.0F, 1.0F});
+    const Vec3f up{-std::sin(0.3F), std::cos(0.3F), 0.0F};
+    add(box_, up * 2.0F);
+    const auto shades = [&] {
+        return !shades_nothing(frame_, library_, frame_.items.front(), {0.0F, -1.0F, 0.0F}, 0.0F);
+    };
+    EXPECT_FALSE(shades());
+    add(box_, up * -2.0F);
+    EXPECT_TRUE(shades());
+}
+
 TEST_F(ShadowReachTest, MissesNoShadowedPlace) {
     std::mt19937 random(3);
     const auto in = [&](float low, float high) {

@@ -1,6 +1,7 @@
 #include "engine/render/resources/mesh_lods.h"
 
 #include "engine/assets/primitives.h"
+#include "tests/engine/render/card_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -31,26 +32,13 @@ float area_of(const MeshData& mesh, const std::vector<assets::SubMesh>& parts) {
     return area;
 }
 
-/// Square cards of 10 cm in rows, as a crown of leaves is.
+/// In rows.
 MeshData cards(int count) {
-    MeshData mesh;
-    for (int i = 0; i < count; ++i) {
-        const Vec3f at{
-            0.37F * static_cast<float>(i % 20), 0.41F * static_cast<float>(i / 20), 0.0F};
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        for (const Vec3f& corner : {Vec3f{0.0F},
-                                    Vec3f{0.1F, 0.0F, 0.0F},
-                                    Vec3f{0.1F, 0.1F, 0.0F},
-                                    Vec3f{0.0F, 0.1F, 0.0F}}) {
-            assets::Vertex vertex;
-            vertex.position_body = at + corner;
-            mesh.vertices.push_back(vertex);
-        }
-        for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(first + k);
-    }
-    mesh.sub_meshes = {{0, static_cast<std::uint32_t>(mesh.indices.size()), 0}};
-    mesh.bounds = assets::bounds_of(mesh);
-    return mesh;
+    std::vector<Vec3f> corners_m;
+    for (int i = 0; i < count; ++i)
+        corners_m.push_back(
+            {0.37F * static_cast<float>(i % 20), 0.41F * static_cast<float>(i / 20), 0.0F});
+    return card_mesh(corners_m);
 }
 
 TEST(MeshLods, CheapMeshesHaveNone) {

@@ -59,12 +59,12 @@ protected:
     }
 
     /// The middle of the line in the row or column through the image's middle.
-    static float line_px(const assets::ImageData& picture, bool across) {
+    static float line_px(const assets::ImageData& image, bool across) {
         double sum = 0.0;
         double weight = 0.0;
         for (std::uint32_t i = 0; i < kSide_px; ++i) {
             const Pixel p =
-                across ? pixel_at(picture, i, kSide_px / 2) : pixel_at(picture, kSide_px / 2, i);
+                across ? pixel_at(image, i, kSide_px / 2) : pixel_at(image, kSide_px / 2, i);
             if (p.g < 60) continue;
             sum += p.g * (i + 0.5);
             weight += p.g;

@@ -65,7 +65,7 @@ TEST_F(JsonFault, OfTheCamera) {
     EXPECT_EQ(said_of_camera(R"(, "z_near": 5, "z_far": 5)"),
               "a.json: error: camera.z_far: 5 is not beyond z_near, 5");
     EXPECT_EQ(said_of_camera(R"(, "transform": [{"scale": [1, 0, 1]}])"),
-              "a.json: error: camera.transform: it flattens space: no picture can be taken so");
+              "a.json: error: camera.transform: it flattens space: no image can be taken so");
 }
 
 TEST_F(JsonFault, OfTransforms) {

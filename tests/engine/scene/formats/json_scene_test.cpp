@@ -196,7 +196,7 @@ TEST_F(JsonScene, ColoursOfBytesAndOfFloatsAreWhatTheSourceSays) {
 }
 
 // SOURCES C8 C17: one mesh for all places; the image whose name begins as the mesh's does.
-TEST_F(JsonScene, MeshesAreSharedAndPicturesFoundByName) {
+TEST_F(JsonScene, MeshesAreSharedAndImagesFoundByName) {
     const std::string uv = "property float s\nproperty float t\n";
     const std::string body = "0 0 0 0.25 0.75\n1 0 0 1 1\n0 1 0 0 0\n3 0 1 2\n";
     write("pot.ply", fmt::format("{}{}{}{}", kHead, uv, kFaces, body));
@@ -211,11 +211,11 @@ TEST_F(JsonScene, MeshesAreSharedAndPicturesFoundByName) {
     ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
     const SceneDescription& scene = *outcome.scene;
     EXPECT_EQ(&mesh_of(scene, 0), &mesh_of(scene, 1));
-    const auto picture = [&](std::size_t i) {
+    const auto image = [&](std::size_t i) {
         return scene.materials.at(scene.entities[i].material).base_color_map.filename();
     };
-    EXPECT_EQ(picture(0), "pot-atlas.png");
-    EXPECT_EQ(picture(2), "potato.jpg");
+    EXPECT_EQ(image(0), "pot-atlas.png");
+    EXPECT_EQ(image(2), "potato.jpg");
     // v points up in the file, down in ours.
     EXPECT_EQ(mesh_of(scene, 0).vertices[0].uv, Vec2f(0.25F, 0.25F));
     EXPECT_EQ(scene.source_files.size(), 3U) << "the scene and two meshes";

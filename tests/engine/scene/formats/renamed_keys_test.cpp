@@ -14,12 +14,15 @@ std::string scene_with(std::string_view table, const std::string& line) {
     const bool is_rule = table == "hard_case.pass";
     const bool is_event = table == "hard_case.event";
     const bool is_red = table == "hard_case.known_red";
+    const bool is_joint = table == "joint";
     return fmt::format(
         "[hard_case]\nid = \"H1\"\nshows = \"it\"\n"
         "[[entity]]\nname = \"a\"\nprimitive = {{ box = [1, 1, 1] }}\nbody = {{ mass_kg = 1 }}\n"
+        "[[joint]]\na = \"a\"\nb = \"world\"\nanchor_m = [0, 0, 0]\n{}\n"
         "[[hard_case.pass]]\nbelow = 1\n{}\n"
         "[[hard_case.event]]\nof = \"a\"\n{}\n"
         "[[hard_case.known_red]]\nreached = 2\nwhy = \"so\"\n{}\n",
+        is_joint ? line : "kind = \"fixed\"",
         is_rule ? line : "measure = \"sag_m\"",
         is_event ? line : "do = \"remove\"",
         is_red ? line : "rule = \"sag_m at most 1\"");
@@ -38,11 +41,12 @@ std::string line_of(const RenamedKey& renamed, std::string_view word) {
 /// What the description has where the word was.
 std::string meant(const SceneDescription& scene) {
     const HardCase& hard = *scene.hard_case;
-    return fmt::format("{} | {} {} | {}",
+    return fmt::format("{} | {} {} | {} | {}",
                        hard.rules.at(0).measure,
                        hard.events.at(0).angular_velocity_radps.y,
                        hard.events.at(0).duration_s,
-                       hard.known_red.at(0).rule);
+                       hard.known_red.at(0).rule,
+                       static_cast<int>(scene.joints.at(0).kind));
 }
 
 TEST_F(RenamedKeysTest, EveryOldWordIsReadWithAWarningThatNamesTheNewOne) {

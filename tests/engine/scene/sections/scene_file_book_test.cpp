@@ -155,7 +155,7 @@ TEST_F(BookSceneFile, TheTextbooksLightIsTakenApart) {
 TEST_F(BookSceneFile, TheBooksColoursAreOfTheScreen) {
     Diagnostics faults;
     const std::filesystem::path assets = std::filesystem::path(PL_SOURCE_DIR) / "assets";
-    const auto scene = load_scene(assets / "scenes/book/box.toml", assets, faults);
+    const auto scene = read_description(assets / "scenes/book/box.toml", assets, faults);
     ASSERT_TRUE(scene.ok());
     const auto shown = [](float linear) {
         const double value = static_cast<double>(linear);

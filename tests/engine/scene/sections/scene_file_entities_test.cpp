@@ -261,7 +261,7 @@ count = [1, 1, 3]
 spacing_m = [1, 1, 2]
 [[joint]]
 name = "hang"
-kind = "ball"
+kind = "ball_and_socket"
 a = "chain.0.0.0"
 b = "world"
 anchor_m = [0, 11, 0]

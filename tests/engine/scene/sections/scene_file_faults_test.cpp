@@ -19,7 +19,8 @@ TEST(MalformedScenes, SayWhatIsWrittenBesideThem) {
         if (entry.path().extension() != ".toml") continue;
         ++files;
         Diagnostics faults;
-        const auto scene = load_scene(entry.path(), fs::path(PL_SOURCE_DIR) / "assets", faults);
+        const auto scene =
+            read_description(entry.path(), fs::path(PL_SOURCE_DIR) / "assets", faults);
         std::string said;
         for (const Diagnostic& fault : faults.list()) {
             std::string line = to_string(fault);
@@ -103,18 +104,19 @@ TEST_F(SceneFileFaults, PlacesCountCharactersNotBytes) {
 
 TEST_F(SceneFileFaults, JointFaults) {
     const std::string base = std::string(kMovable) + "[[joint]]\n";
-    expect_first(base + "a=\"a\"\nb=\"world\"\nanchor_m=[0,0,0]",
-                 "scene.toml:5:1: error: joint[0].kind: missing; expected one of ball, hinge");
-    expect_first(base + "kind=\"ball\"\na=\"world\"\nb=\"a\"\nanchor_m=[0,0,0]",
+    expect_first(
+        base + "a=\"a\"\nb=\"world\"\nanchor_m=[0,0,0]",
+        "scene.toml:5:1: error: joint[0].kind: missing; expected one of ball_and_socket, hinge");
+    expect_first(base + "kind=\"ball_and_socket\"\na=\"world\"\nb=\"a\"\nanchor_m=[0,0,0]",
                  "scene.toml:7:3: error: joint[0].a: \"world\" can only be b");
     expect_first(base + "kind=\"spring\"\na=\"a\"\nb=\"world\"\nanchor_b_m=[0,1,0]",
                  "scene.toml:5:1: error: joint[0].stiffness_Npm: missing; expected N per m");
-    const Outcome unused =
-        load(base + "kind=\"ball\"\na=\"a\"\nb=\"world\"\nanchor_m=[0,0,0]\nlimits=[0,1]");
+    const Outcome unused = load(
+        base + "kind=\"ball_and_socket\"\na=\"a\"\nb=\"world\"\nanchor_m=[0,0,0]\nlimits=[0,1]");
     ASSERT_EQ(unused.faults.size(), 1U);
-    EXPECT_EQ(
-        unused.faults[0],
-        "scene.toml:10:8: warning: joint[0].limits: a joint of kind ball does not use it; ignored");
+    EXPECT_EQ(unused.faults[0],
+              "scene.toml:10:8: warning: joint[0].limits: a joint of kind ball_and_socket does not "
+              "use it; ignored");
     EXPECT_TRUE(unused.scene.ok());
 }
 

@@ -56,7 +56,7 @@ protected:
 
     Outcome load_file(const std::string& name) const {
         Diagnostics faults;
-        Result<SceneDescription> scene = load_scene(folder_ / name, assets(), faults);
+        Result<SceneDescription> scene = read_description(folder_ / name, assets(), faults);
         Outcome outcome{std::move(scene), {}, faults.list()};
         for (const Diagnostic& fault : faults.list()) {
             std::string line = to_string(fault);

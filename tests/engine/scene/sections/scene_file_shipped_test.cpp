@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 Result<SceneDescription> load_shipped(const fs::path& file, std::string& said) {
     Diagnostics faults;
-    auto scene = load_scene(file, fs::path(PL_SOURCE_DIR) / "assets", faults);
+    auto scene = read_description(file, fs::path(PL_SOURCE_DIR) / "assets", faults);
     for (const Diagnostic& fault : faults.list()) said += to_string(fault) + "\n";
     return scene;
 }
@@ -37,7 +37,7 @@ TEST(ShippedScenes, LoadWithoutAWord) {
 }
 
 // SOURCES C2: about the axis of view, an eighth of a turn a second.
-TEST(ShippedScenes, TheTriangleTurnsInThePlaneOfThePicture) {
+TEST(ShippedScenes, TheTriangleTurnsInThePlaneOfTheImage) {
     std::string said;
     const auto scene = load_shipped(kScenes / "viewer/triangle.toml", said);
     ASSERT_TRUE(scene.ok()) << said;

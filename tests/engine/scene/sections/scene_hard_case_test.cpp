@@ -14,7 +14,7 @@ name = "look"
 primitive = { box = [1, 1, 1] }
 [[joint]]
 name = "pin"
-kind = "ball"
+kind = "ball_and_socket"
 a = "box_1"
 b = "world"
 anchor_m = [0, 0, 0]

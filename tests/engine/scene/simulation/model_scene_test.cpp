@@ -26,7 +26,7 @@ TEST(ModelScene, FitsCameraGroundAndShadowsFromAMillimetreToTenKilometres) {
     for (const double size : {1e-5, 5e-4, 1.0, 10'000.0}) {
         const fs::path file = write_obj(folder.path(), size);
         Diagnostics faults;
-        const auto scene = load_scene(file, {}, faults);
+        const auto scene = read_description(file, {}, faults);
         ASSERT_TRUE(scene.ok());
         test::Running run(*scene);
         ASSERT_NE(run.simulation, nullptr);
@@ -74,7 +74,7 @@ TEST(ModelScene, OfAMillionTrianglesIsOnlyLookedAt) {
     for (const auto& [columns, rows, is_solid] :
          {std::tuple{400, 250, true}, {400, 251, false}, {1000, 500, false}}) {
         Diagnostics faults;
-        const auto scene = load_scene(write_grid(folder.path(), columns, rows), {}, faults);
+        const auto scene = read_description(write_grid(folder.path(), columns, rows), {}, faults);
         ASSERT_TRUE(scene.ok());
         test::Running run(*scene);
         ASSERT_NE(run.simulation, nullptr);
@@ -92,7 +92,7 @@ TEST(ModelScene, ThatCannotBeReadIsAnErrorEverywhere) {
     const fs::path file = folder.path() / "junk.glb";
     std::ofstream(file) << "junk";
     Diagnostics faults;
-    const auto scene = load_scene(file, {}, faults);
+    const auto scene = read_description(file, {}, faults);
     ASSERT_TRUE(scene.ok());
     check_models(*scene, faults);
     ASSERT_TRUE(faults.has_errors());

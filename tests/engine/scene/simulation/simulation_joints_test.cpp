@@ -166,9 +166,9 @@ TEST(SimulationJoints, WarnOfSolversThatLoseThem) {
 TEST(SimulationJoints, RefuseWhatCannotBe) {
     SceneDescription scene = scene_of(
         {cube("a", {0, 5, 0}), test::box("post", {0, 2, 0}, {1, 1, 1}, physics::BodyKind::Static)});
-    EntityDescription picture = cube("picture", {5, 5, 0});
-    picture.body.reset();
-    scene.entities.push_back(picture);
+    EntityDescription image = cube("image", {5, 5, 0});
+    image.body.reset();
+    scene.entities.push_back(image);
     const auto with = [&](const auto& spoil) {
         scene.joints = {hung("bad", "a", {0, 6, 0})};
         spoil(scene.joints[0]);
@@ -177,8 +177,8 @@ TEST(SimulationJoints, RefuseWhatCannotBe) {
     const std::string start = "test.toml:40: joint bad: ";
     EXPECT_EQ(with([](JointDescription& joint) { joint.b = "nobody"; }),
               start + "\"nobody\" has no body to hold on to");
-    EXPECT_EQ(with([](JointDescription& joint) { joint.a = "picture"; }),
-              start + "\"picture\" has no body to hold on to");
+    EXPECT_EQ(with([](JointDescription& joint) { joint.a = "image"; }),
+              start + "\"image\" has no body to hold on to");
     EXPECT_EQ(with([](JointDescription& joint) { joint.b = "a"; }),
               start + "a body cannot be joined to itself");
     EXPECT_EQ(with([](JointDescription& joint) { joint.a = "post"; }),

@@ -2,7 +2,6 @@
 
 #include "engine/core/limits.h"
 #include "engine/scene/simulation/entity_lookup.h"
-#include "engine/scene/simulation/motion_demand.h"
 #include "tests/support/near.h"
 #include "tests/support/scene_in_code.h"
 #include "tests/support/temporary_folder.h"
@@ -295,37 +294,6 @@ TEST(Simulation, CarriesWhatStandsOnALift) {
     EXPECT_NEAR(static_cast<double>(run.state("rider").world_from_body.position.y), 3.6, 0.02);
     const Transform& drawn = run->registry.get<Transform>(run->find("lift"));
     EXPECT_NEAR(static_cast<double>(drawn.world_from_body.position.y), 3.0, 1e-5);
-}
-
-TEST(MotionDemand, NamesFastBodiesAndThoseTheyMayStrike) {
-    EntityDescription bullet = ball("bullet", {0, 50, 0}, 0.1_r);
-    bullet.body->velocity_mps = {20, 0, 0};  // 0.33 m a step
-    Running fast(scene_of({bullet}));
-    fast->motion_demand = motion_demand_of(*fast);
-    EXPECT_EQ(fast->motion_demand.swept, fast->find("bullet"));
-
-    EntityDescription crate = cube("crate", {0, 50, 0});
-    crate.body->velocity_mps = {20, 0, 0};  // less than its own 0.5 m
-    Running alone(scene_of({crate}));
-    alone->motion_demand = motion_demand_of(*alone);
-    EXPECT_FALSE(alone->motion_demand.swept);
-
-    Running together(scene_of({crate, ball("pebble", {0, 10, 0}, 0.1_r)}));
-    together->motion_demand = motion_demand_of(*together);
-    EXPECT_EQ(together->motion_demand.swept, together->find("pebble"));
-}
-
-TEST(MotionDemand, NamesSpinningBodiesOfUnevenInertiaOnly) {
-    EntityDescription plank = box("plank", {0, 50, 0}, {2, 0.1_r, 0.3_r});
-    EntityDescription die = cube("die", {9, 50, 0});
-    die.body->angular_velocity_radps = {1, 2, 3};
-    Running still(scene_of({plank, die}));
-    still->motion_demand = motion_demand_of(*still);
-    EXPECT_FALSE(still->motion_demand.spinning);
-    plank.body->angular_velocity_radps = {0, 0.1_r, 0};
-    Running turning(scene_of({plank, die}));
-    turning->motion_demand = motion_demand_of(*turning);
-    EXPECT_EQ(turning->motion_demand.spinning, turning->find("plank"));
 }
 
 TEST(MassRatio, IsNamedOnceWhereTheTwoTouch) {

@@ -46,17 +46,17 @@ Findings a_study() {
             .complete = false,
             .clock_spread = 0.03,
             .subjects = {subject},
-            .pictures = {{.scene = "garden.toml",
-                          .width_px = 640,
-                          .height_px = 360,
-                          .samples_per_pixel = 16,
-                          .mean_luminance = 0.1,
-                          .rows = {{.name = "level high",
-                                    .error = {.mean = 0.1 / 3, .rms = 0.1},
-                                    .cpu_ms = 12.5,
-                                    .more_ms = {.mean = -1e-3, .standard_error = 0.1, .pairs = 4},
-                                    .unbeaten = true,
-                                    .verdict = "\"so\""}}}}};
+            .images = {{.scene = "garden.toml",
+                        .width_px = 640,
+                        .height_px = 360,
+                        .samples_per_pixel = 16,
+                        .mean_luminance = 0.1,
+                        .rows = {{.name = "level high",
+                                  .error = {.mean = 0.1 / 3, .rms = 0.1},
+                                  .cpu_ms = 12.5,
+                                  .more_ms = {.mean = -1e-3, .standard_error = 0.1, .pairs = 4},
+                                  .unbeaten = true,
+                                  .verdict = "\"so\""}}}}};
 }
 
 TEST(FindingsJson, ReadsBackWhatItWrote) {
@@ -69,8 +69,8 @@ TEST(FindingsJson, ReadsBackWhatItWrote) {
     EXPECT_EQ(subject.points.at(0).errors.at(0), 1e-300);
     EXPECT_EQ(subject.points.at(1).status, RunStatus::Crashed);
     EXPECT_TRUE(std::isnan(subject.points.at(2).errors.at(0)));
-    EXPECT_EQ(read->pictures.at(0).rows.at(0).error.mean, 0.1 / 3);
-    EXPECT_TRUE(read->pictures.at(0).rows.at(0).unbeaten);
+    EXPECT_EQ(read->images.at(0).rows.at(0).error.mean, 0.1 / 3);
+    EXPECT_TRUE(read->images.at(0).rows.at(0).unbeaten);
     EXPECT_EQ(subject.verdicts.at(0).order, 1.01);
     EXPECT_EQ(subject.verdicts.at(1).order, std::nullopt);
     EXPECT_EQ(subject.euler_floor.at(0).error, 0.1 / 3);

@@ -55,7 +55,7 @@ TEST(ImageFindings, OfEqualsNoneIsBeaten) {
 }
 
 TEST(ImageFindings, AreATableForPeople) {
-    const std::string text = picture_text(judged());
+    const std::string text = image_text(judged());
     EXPECT_NE(text.find("* cheap"), std::string::npos);
     EXPECT_NE(text.find("  dear and worse"), std::string::npos);
     EXPECT_NE(text.find("640 x 360 pixels against 16 samples"), std::string::npos);
@@ -65,10 +65,10 @@ TEST(ImageFindings, AreATableForPeople) {
 TEST(ImageFindings, AreATableAndADiagramOfThePage) {
     ImageFindings findings = judged();
     findings.rows[1].name = "<cheap>";
-    const std::string html = picture_table(findings);
+    const std::string html = image_table(findings);
     EXPECT_NE(html.find("<b>&lt;cheap&gt;</b>"), std::string::npos);
     EXPECT_NE(html.find("<td>dear and worse</td>"), std::string::npos);
-    const auto plot = picture_plot(findings);
+    const auto plot = image_plot(findings);
     ASSERT_TRUE(plot.has_value());
     ASSERT_EQ(plot->curves.size(), 2U);
     EXPECT_EQ(plot->curves[0].points.size(), 2U);
@@ -77,7 +77,7 @@ TEST(ImageFindings, AreATableAndADiagramOfThePage) {
     EXPECT_LT(plot->x.least, 20.0);
     EXPECT_GT(plot->x.most, 90.0);
     findings.rows.resize(1);
-    EXPECT_FALSE(picture_plot(findings).has_value());
+    EXPECT_FALSE(image_plot(findings).has_value());
 }
 
 render::RenderFrame sunny() {

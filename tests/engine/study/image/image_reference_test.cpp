@@ -29,7 +29,7 @@ TEST(ImageReference, RaysGoWhereTheCameraLooks) {
 TEST(ImageReference, APixelHasTheShareOfItsSamplesThatTheSunReaches) {
     // 2 x 2 pixels of 4 x 4 samples; shaded left of 3/8 of the width: the samples of the left pixels have
     // their centres at 1/16, 3/16, 5/16 (shaded) and 7/16.
-    const LightImage reference = reference_picture(
+    const LightImage reference = reference_image(
         plain(8, 255), plain(8, 0), 4, [](const Vec2f& at) { return at.x < 0.375F; });
     ASSERT_EQ(reference.width_px, 2U);
     ASSERT_EQ(reference.height_px, 2U);
@@ -45,7 +45,7 @@ TEST(ImageReference, AsksNoRayWhereTheSunMakesNoDifference) {
         ++asked;
         return true;
     };
-    const LightImage reference = reference_picture(plain(4, 128), plain(4, 128), 2, count);
+    const LightImage reference = reference_image(plain(4, 128), plain(4, 128), 2, count);
     EXPECT_EQ(asked, 0);
     EXPECT_NEAR(reference.at(1, 1).x, light_of_code(128), 1e-6F);
 }

@@ -142,7 +142,7 @@ TEST_F(RayScenes, WhatCastsNoShadowIsSeenAllTheSame) {
     EXPECT_FALSE(rays.is_shaded(floor_at(rays, 0.0F, 0.0F), kUp));
 }
 
-TEST_F(RayScenes, LooksThroughBacksAsThePictureDoes) {
+TEST_F(RayScenes, LooksThroughBacksAsTheImageDoes) {
     add(assets::box_mesh(Vec3f{2.0F}), "box", {0.0F, 1.0F, 0.0F}, {});
     const RayScene rays(frame_, library_);
     // From inside: the image shows no back of a wall.

@@ -62,11 +62,11 @@ class Page(unittest.TestCase):
     def test_with_gnuplot(self):
         text, root = page("gnuplot")
         self.check_any(text, root)
-        pictures = root.findall(f".//{SVG}svg")
+        images = root.findall(f".//{SVG}svg")
         # Two for each subject with runs at several steps, one for the single run, none for the empty one.
-        self.assertEqual([picture.get("aria-label").split(":")[0] for picture in pictures],
+        self.assertEqual([image.get("aria-label").split(":")[0] for image in images],
                          ["Error against cost", "Error against step"] * 2 + ["Error against cost"])
-        plain, chain = pictures[0], pictures[2]
+        plain, chain = images[0], images[2]
         # Symbols are uses of shapes: one a run, one in the key for each of six lines, and the rings with theirs.
         rings = [use for use in plain.iter(f"{SVG}use") if use.get("color") == "rgb(  0,   0,   0)"]
         runs = [use for use in plain.iter(f"{SVG}use") if (use.get("color") or "").startswith("rgb(") and use not in rings]

@@ -40,14 +40,14 @@ TEST(Report, WithoutGnuplotTheTablesComeAndOneLineSaysSo) {
     EXPECT_TRUE(test::holds(page, "Cost to reach an error"));
 }
 
-TEST(Report, APictureThatIsNoneIsSaidWhereItIsMissing) {
+TEST(Report, AnImageThatIsNoneIsSaidWhereItIsMissing) {
     const test::TemporaryFolder folder;
     const auto file = folder.write("drawer", "#!/bin/sh\ncat >/dev/null; echo nonsense\n");
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);
     const InPlaceOfGnuplot nonsense(file.string());
     EXPECT_TRUE(
         test::holds(page_of(test::sample_findings()),
-                    "This diagram is missing: gnuplot wrote something else than a picture."));
+                    "This diagram is missing: gnuplot wrote something else than an image."));
 }
 
 TEST(Report, SaysWithWhatItWasMadeAndHowToRepeatIt) {

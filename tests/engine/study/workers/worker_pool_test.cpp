@@ -82,7 +82,7 @@ TEST(WorkerPool, AWorkerThatGoesWrongTakesOnlyItsJobAlong) {
 TEST(WorkerPool, AWorkerThatHangsIsGivenUpAndTheNextJobHasAFreshOne) {
     const auto answers = answers_to({job("hang", "", 0.2), job("echo", "after")}, 1);
     EXPECT_EQ(answers.at(0).status, AnswerStatus::TimedOut);
-    EXPECT_EQ(answers.at(0).body, "no answer within 0.2 s");
+    EXPECT_EQ(answers.at(0).body, "timed out after 0.2 s");
     EXPECT_EQ(answers.at(1).body, "after");
 }
 

@@ -128,8 +128,10 @@ TEST(RoundBodies, ARollingBallHasOnePoint) {
 TEST(PairFilter, GroupsThatDoNotAgreeHaveNoPoints) {
     TestWorld test(in_small_steps());
     test.ground();
-    const BodyId ghost = test.add(
-        BoxShape{}, {0, 0.4_r, 0}, {.kind = BodyKind::Dynamic, .group = 2, .collides_with = 2});
+    const BodyId ghost =
+        test.add(BoxShape{},
+                 {0, 0.4_r, 0},
+                 {.kind = BodyKind::Dynamic, .filter = {.group = 2, .collides_with = 2}});
     test.run(0.5);
     EXPECT_EQ(test.world.cost().contacts, 0U);
     EXPECT_LT(test.at(ghost).y, -0.5);

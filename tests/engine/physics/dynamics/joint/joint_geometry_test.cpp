@@ -35,7 +35,7 @@ JointDef def_of(JointKind kind) {
 }
 
 TEST(JointGeometry, NothingIsWrongAtTheStart) {
-    for (const JointKind kind : {JointKind::Ball,
+    for (const JointKind kind : {JointKind::BallAndSocket,
                                  JointKind::Hinge,
                                  JointKind::Slider,
                                  JointKind::Fixed,
@@ -59,7 +59,7 @@ TEST(JointGeometry, NothingIsWrongAtTheStart) {
 }
 
 TEST(JointGeometry, ABallSeesTheGapAlone) {
-    const SolverJoint joint = placed_joint(def_of(JointKind::Ball), kTurned, kOther);
+    const SolverJoint joint = placed_joint(def_of(JointKind::BallAndSocket), kTurned, kOther);
     const MassPose spun = turned_about(kTurned, {1, 1, 1}, glm::normalize(Vec3d{1, 1, 0}), 2);
     EXPECT_NEAR(joint_error(joint, spun, kOther).error_m, 0, kSlack);
     EXPECT_NEAR(joint_error(joint, shifted(spun, {0.3, 0, 0.4}), kOther).error_m, 0.5, kSlack);
@@ -148,7 +148,7 @@ TEST(JointGeometry, FixedSeesEveryTurnADistanceNone) {
 
 TEST(JointGeometry, FarFromTheOriginTheGapKeepsItsDigits) {
     const Vec3d far_m{1e6, -2e6, 3e6};
-    const SolverJoint joint = placed_joint(def_of(JointKind::Ball), kTurned, kOther);
+    const SolverJoint joint = placed_joint(def_of(JointKind::BallAndSocket), kTurned, kOther);
     const MassPose a = shifted(kTurned, far_m + Vec3d{1e-6, 0, 0});
     EXPECT_NEAR(joint_error(joint, a, shifted(kOther, far_m)).error_m, 1e-6, 2e-9);
 }

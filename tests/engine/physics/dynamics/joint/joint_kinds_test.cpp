@@ -36,7 +36,7 @@ struct Row : JointRig {
 class EveryJointKind : public testing::TestWithParam<JointKind> {};
 INSTANTIATE_TEST_SUITE_P(Kinds,
                          EveryJointKind,
-                         testing::Values(JointKind::Ball,
+                         testing::Values(JointKind::BallAndSocket,
                                          JointKind::Hinge,
                                          JointKind::Slider,
                                          JointKind::Fixed,
@@ -142,7 +142,7 @@ class JointKindsAtSubsteps : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Substeps, JointKindsAtSubsteps, testing::Values(1, 4));
 
 TEST_P(JointKindsAtSubsteps, AnchorsFiveMetresApartCloseWithinTwoSeconds) {
-    for (const JointKind kind : {JointKind::Ball, JointKind::Fixed}) {
+    for (const JointKind kind : {JointKind::BallAndSocket, JointKind::Fixed}) {
         JointRig rig;
         const std::uint32_t body = rig.add_body(1, {0.05, 0.1, 0.12}, {5, 0, 0});
         SolverJoint& joint =

@@ -68,7 +68,7 @@ struct JointRig {
         return joints.back();
     }
     SolverJoint& add_ball(std::uint32_t a, std::uint32_t b, const Vec3d& at) {
-        return add_joint(a, b, {.kind = JointKind::Ball, .anchor_a_world = Vec3(at)});
+        return add_joint(a, b, {.kind = JointKind::BallAndSocket, .anchor_a_world = Vec3(at)});
     }
     /// The anchor in double precision, which a definition does not give.
     void place_anchors(SolverJoint& joint, const Vec3d& at_a, const Vec3d& at_b) const {

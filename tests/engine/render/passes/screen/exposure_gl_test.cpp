@@ -34,16 +34,16 @@ protected:
     }
 };
 
-TEST_F(ExposureGl, AnEvenPictureIsShownAsItsOwnExposureSays) {
+TEST_F(ExposureGl, AnEvenImageIsShownAsItsOwnExposureSays) {
     for (const float light : {0.02F, 0.2F, 0.9F}) {
-        const Pixel adapted_picture = shown(light, true);
+        const Pixel adapted_image = shown(light, true);
         const Pixel expected = shown(light, false, exposure_for(light));
-        EXPECT_NEAR(adapted_picture.g, expected.g, 1) << light;
+        EXPECT_NEAR(adapted_image.g, expected.g, 1) << light;
     }
     EXPECT_NEAR(shown(0.2F, true).g, shown(0.2F, false).g, 1);
 }
 
-TEST_F(ExposureGl, EveryPictureIsTheSameWhateverWasSeenBefore) {
+TEST_F(ExposureGl, EveryImageIsTheSameWhateverWasSeenBefore) {
     const Pixel first = shown(0.05F, true);
     shown(0.9F, true);
     EXPECT_EQ(shown(0.05F, true).g, first.g);

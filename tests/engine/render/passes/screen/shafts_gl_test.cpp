@@ -47,8 +47,8 @@ TEST_F(ShaftsGl, AirInShadowSendsNone) {
     add_box(frame, {60.0F, 0.5F, 7.0F}, {0.0F, 6.0F, -8.5F}, unlit(Vec3f{0.0F}));
     for (const std::uint32_t cascades : {1U, 3U}) {
         frame.sun_shadow = SunShadow{.size_px = 1024, .distance_m = 60.0F, .cascades = cascades};
-        const auto picture = draw(frame);
-        EXPECT_NEAR(light_at(picture, 128, 128), lit(0.0F, 5.0F) + lit(12.0F, 20.0F), 0.004F)
+        const auto image = draw(frame);
+        EXPECT_NEAR(light_at(image, 128, 128), lit(0.0F, 5.0F) + lit(12.0F, 20.0F), 0.004F)
             << cascades;
     }
 }

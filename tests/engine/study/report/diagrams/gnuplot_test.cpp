@@ -17,7 +17,7 @@ std::string program(const test::TemporaryFolder& folder, const std::string& body
     return file.string();
 }
 
-TEST(Gnuplot, TheScriptGoesInAndThePictureComesOut) {
+TEST(Gnuplot, TheScriptGoesInAndTheImageComesOut) {
     const test::TemporaryFolder folder;
     const std::string script(300'000, 'x');  // longer than any pipe
     const auto got = run_gnuplot(program(folder, "cat"), script, 20);
@@ -43,9 +43,9 @@ TEST(Gnuplot, EachFailureIsSaid) {
 TEST(Gnuplot, OneThatReadsNothingEndsNobody) {
     const test::TemporaryFolder folder;
     const auto got =
-        run_gnuplot(program(folder, "exec 0<&-; echo picture"), std::string(300'000, 'x'), 20);
+        run_gnuplot(program(folder, "exec 0<&-; echo image"), std::string(300'000, 'x'), 20);
     ASSERT_TRUE(got) << got.error().message;
-    EXPECT_EQ(*got, "picture\n");
+    EXPECT_EQ(*got, "image\n");
 }
 
 TEST(Gnuplot, OneThatHangsIsEnded) {

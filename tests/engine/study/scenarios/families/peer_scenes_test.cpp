@@ -2,7 +2,9 @@
 // give their figures.
 #include "engine/core/io/files.h"
 #include "engine/study/report/peers.h"
+#include "engine/study/scenarios/families/tops.h"
 #include "engine/study/scenarios/scenario.h"
+#include "engine/study/scenarios/world/peer_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -58,6 +60,57 @@ TEST(PeerScenes, EveryOneHasFiguresToCompareWith) {
     add_peer_scenes(all);
     ASSERT_FALSE(all.empty());
     for (const Scenario& scenario : all) EXPECT_GT(their_error(scenario), 0) << scenario.id;
+}
+
+std::unique_ptr<PeerScene> opened(const std::string& name) {
+    auto scene = PeerScene::open(name, {});
+    EXPECT_TRUE(scene.ok()) << scene.error().message;
+    return scene ? std::move(*scene) : nullptr;
+}
+
+physics::MassProperties mass_of(const PeerScene& scene, std::string_view entity) {
+    return scene.world.physics.mass_properties(scene.body(entity));
+}
+
+TEST(PeerScenes, AreWhatTheirLawsSuppose) {
+    const auto bounce = opened("bounce");
+    EXPECT_EQ(bounce->world.at(bounce->body("ball")), (Vec3d{0, 10.5, 0}));
+    const auto slide = opened("slideroll");
+    EXPECT_EQ(slide->world.velocity(slide->body("ball")), (Vec3d{5, 0, 0}));
+    for (const scene::EntityDescription& entity : slide->description().entities)
+        EXPECT_EQ(entity.body->friction, 0.3_r) << entity.name;
+    const auto top = opened("dzhani");
+    const FreeBodyDef handle = t_handle();
+    EXPECT_EQ(top->world.spin(top->body("handle")), Vec3d(Vec3(handle.spin_radps)));
+    EXPECT_EQ(mass_of(*top, "handle").inertia_kgm2, Vec3(*handle.inertia_kgm2));
+    EXPECT_NEAR(static_cast<double>(mass_of(*top, "handle").mass_kg), handle.mass_kg, 1e-5);
+    for (const int ratio : {100, 1000}) {
+        const auto heavy = opened("heavy" + std::to_string(ratio));
+        EXPECT_EQ(mass_of(*heavy, "upper").mass_kg,
+                  static_cast<Real>(ratio) * mass_of(*heavy, "lower").mass_kg);
+        EXPECT_EQ(heavy->world.at(heavy->body("upper")), (Vec3d{0, 1.5, 0}));
+    }
+    for (const auto& [name, end_m] :
+         {std::pair{"chainh", Vec3d{20.25, 30, 0}}, std::pair{"chainv", Vec3d{0, 9.75, 0}}}) {
+        const auto chain = opened(name);
+        ASSERT_EQ(chain->world.movers.size(), 51U);
+        EXPECT_EQ(chain->world.movers.back(), chain->body("ball"));
+        EXPECT_LT(glm::distance(chain->world.at(chain->body("ball")), end_m), 1e-5);
+        EXPECT_EQ(mass_of(*chain, "ball").mass_kg, Real{100});
+    }
+}
+
+TEST(PeerScenes, OneThatIsNotThereIsRefusedAndSaysSo) {
+    const auto none = PeerScene::open("none", {});
+    ASSERT_FALSE(none.ok());
+    EXPECT_NE(none.error().message.find("none.toml"), std::string::npos) << none.error().message;
+    const Scenario lost{
+        .id = "P none", .metrics = {{"a number", "1"}}, .run = [&](const Setting&, Course& course) {
+            return course.refuse(none.error());
+        }};
+    const Point point = run_scenario(lost, {}, {.wanted = 1, .budget_s = 0});
+    EXPECT_EQ(point.status, RunStatus::Refused);
+    EXPECT_EQ(point.why, none.error().message);
 }
 
 TEST(PeerScenes, AChainThatIsSolvedDirectlyDoesNotStretch) {

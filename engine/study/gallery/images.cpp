@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kPictureBytes = 4 * 1024 * 1024;
+constexpr std::size_t kImageBytes = 4 * 1024 * 1024;
 constexpr double kLongestDrawing_s = 0.2;  // until the interrupt flag is looked at again
 
 /// A child that draws one case.
@@ -69,7 +69,7 @@ void draw_all(StabilityTable& table, int workers, const fs::path& folder, const 
         while (next < table.cases.size() && std::ssize(drawings) < std::max(1, workers)) {
             Result<Drawing> started = start_drawing(table, next++, folder, size);
             if (!started) {
-                table.no_pictures = started.error().message;
+                table.no_images = started.error().message;
                 return;
             }
             drawings.push_back(std::move(*started));
@@ -79,11 +79,11 @@ void draw_all(StabilityTable& table, int workers, const fs::path& folder, const 
         Drawing& drawing = drawings[which];
         // The pipe closes when it exits; the file was put in place, whole, before.
         const std::string how = drawing.process.end().words;
-        Result<std::string> png = read_file(drawing.file, kPictureBytes);
+        Result<std::string> png = read_file(drawing.file, kImageBytes);
         if (png) {
-            table.pictures[drawing.entry] = std::move(*png);
-        } else if (std::ranges::all_of(table.pictures, &std::string::empty)) {
-            table.no_pictures = fmt::format("no pictures: plumbline render {}", how);
+            table.images[drawing.entry] = std::move(*png);
+        } else if (std::ranges::all_of(table.images, &std::string::empty)) {
+            table.no_images = fmt::format("no images: plumbline render {}", how);
             return;
         }
         drawings.erase(drawings.begin() + static_cast<std::ptrdiff_t>(which));
@@ -92,10 +92,10 @@ void draw_all(StabilityTable& table, int workers, const fs::path& folder, const 
 
 }  // namespace
 
-void take_pictures(StabilityTable& table, int workers, int width_px, int height_px) {
-    std::string name = (fs::temp_directory_path() / "plumbline-pictures-XXXXXX").string();
+void take_images(StabilityTable& table, int workers, int width_px, int height_px) {
+    std::string name = (fs::temp_directory_path() / "plumbline-images-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) {
-        table.no_pictures = fmt::format("no pictures: cannot make the folder {}", name);
+        table.no_images = fmt::format("no images: cannot make the folder {}", name);
         return;
     }
     draw_all(table, workers, name, fmt::format("{}x{}", width_px, height_px));

@@ -85,7 +85,7 @@ protected:
         (void)assets::write_png(folder / (name + "_want.png"), *want);
         (void)assets::write_png(folder / (name + "_got.png"), got);
         (void)assets::write_png(folder / (name + "_difference.png"), difference.image);
-        ADD_FAILURE() << "the pictures are in " << folder.string();
+        ADD_FAILURE() << "the images are in " << folder.string();
     }
 };
 

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""The tours of garden and fairground, twenty cameras, against pictures that were looked at.
+"""The tours of garden and fairground, twenty cameras, against images that were looked at.
 
-    tour_pictures.py make PLUMBLINE    draws tests/golden/tour/SCENE/*.png anew: look at them first
-    tour_pictures.py check PLUMBLINE   a picture may be off by MEAN on average, and by FAR in few places
+    tour_images.py make PLUMBLINE    draws tests/golden/tour/SCENE/*.png anew: look at them first
+    tour_images.py check PLUMBLINE   an image may be off by MEAN on average, and by FAR in few places
 
 Another driver rounds otherwise along edges; a light, a shadow or a thing that is missing shows.
 """
@@ -58,7 +58,7 @@ def check(program):
                 mean, far = difference(read_png(ours), read_png(theirs))
                 print(f"{scene}/{ours.name}: mean {mean:.3f} of 255, {100 * far:.2f} % far off")
                 if mean > MEAN or far > FAR_SHARE:
-                    faults.append(f"{scene}/{ours.name} is another picture")
+                    faults.append(f"{scene}/{ours.name} is another image")
     return faults
 
 

@@ -1,0 +1,40 @@
+// What touches what in a step of small_step, and who wakes by it.
+#pragma once
+
+#include "engine/physics/bullet/contact/pair_collider.h"
+#include "engine/physics/bullet/engine.h"
+#include "engine/physics/world/awake_bodies.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace plumbline::physics {
+
+/// Walks the pairs of the bodies that move: what sleeps costs nothing.
+class PairWalk {
+public:
+    explicit PairWalk(BulletEngine& engine) : engine_(engine), collider_(engine) {}
+
+    /// Of the steps from now on.
+    void set_step(const CollideStep& step) { collider_.begin_step(step); }
+    /// Finds contact points. What is touched wakes and looks at its own pairs. `touching` gets the
+    /// manifolds that have points, each awake body's pairs in the order of the other's id, a pair of
+    /// two awake ones at the lower. Returns how many pairs were looked at.
+    std::uint32_t collide(AwakeBodies& bodies, std::vector<Manifold*>& touching);
+
+private:
+    void look_at(BodyRecord& body, AwakeBodies& bodies);
+    void look(Pair& pair, AwakeBodies& bodies);
+    void note_impact(BodyRecord& record, const PredictedChange& impact);
+    bool spread_impacts(AwakeBodies& bodies);
+
+    BulletEngine& engine_;
+    PairCollider collider_;
+    std::uint32_t number_{0};  ///< of the walk
+    std::uint32_t looks_{0};   ///< in this walk
+    std::vector<Pair*> met_;   ///< with points
+    std::vector<BodyRecord*> struck_;
+    std::vector<BodyRecord*> spreading_;
+};
+
+}  // namespace plumbline::physics
