@@ -77,7 +77,7 @@ KNOWN_RED = {
              "bolts of 1 mm radius do not come to rest: Bullet's cylinders change their points from step to step"),
             ("lowest_m at least 1", 0.9972, "bolts as they land go 3 mm into the table"),
             ("penetration_m at most 0.0002", 0.00498, "the same")],
-    "H63": [("penetration_m at most 0.0002", 0.0024, "the marble penetrates the mesh by 2 mm, and is pushed out of it")],
+    "H63": [("penetration_m at most 0.0002", 0.0027, "the marble penetrates the mesh by 2 mm, and is pushed out of it")],
     "H65": [("up_speed_mps at most 0.5", 0.511, "the cone as it turns over its rim"),
             ("penetration_m at most 0.002", 0.045, "cone and coin as they lie down")],
     "H66": [(BRAKED, 48.9, "balls in one spot push each other in rows, and the guard takes 90 kJ out")],
@@ -117,6 +117,7 @@ A looser limit is a commit of its own that says so, and a line here.
 | where | was | is | why |
 |---|---|---|---|
 | H43 | continuous collision chosen by the engine | `ccd = "on"` | it is chosen by the speed before the step, and 1e5 N on 0.1 kg give 16 km/s within one: without it the parts pass the wall and end 36 km away |
+| H63, known red: penetration | reaches 2.4 mm | 2.7 mm | measured 2.60: whatever moves past itself is swept now, not only while something was fast when the step began |
 | H65, the coin | one degree off upright | three | 2 cm thick and 1 m wide, it stands by itself up to 1.15 degrees: at one it rightly does not fall |
 | `gate_test.cpp`, A05 | 1e-4 | 6e-3 | the first number was written before it had been measured: 4.0e-3 at 60 Hz under every solver, 1.2e-4 at 120 Hz, 4e-6 at 240 Hz; each flip multiplies what came before |
 | `gate_test.cpp`, A09 at 90 degrees | 1e-3 | 4e-3 | the same: measured 2.7e-3, of second order in the step |
