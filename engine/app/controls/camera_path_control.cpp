@@ -52,6 +52,7 @@ bool CameraPathControl::read() {
         return false;
     }
     path_ = std::move(*path);
+    playing_ = false;  // where it had got to was a place on the former path
     say_(fmt::format("camera path of {:.1f} s read: {}", path_.length_s(), file().string()));
     return true;
 }

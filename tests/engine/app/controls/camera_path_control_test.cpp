@@ -103,13 +103,16 @@ TEST_F(CameraPaths, ABadFileIsNamedAndThePathInUseStays) {
     frame(kRecord);
     frames(60);
     frame(kRecord);
+    frame(kPlay);
     folder_.write("meadow.path", "plumbline camera path 1\n0 1 2\n");
     frame(kReload);
+    EXPECT_TRUE(control_.playing());
     EXPECT_EQ(said_.back(),
               file().string() + ":2: 3 numbers; expected 8 numbers: time_s x y z qw qx qy qz");
     EXPECT_NEAR(control_.path().length_s(), 1, 0.02);
     folder_.write("meadow.path", "0 0 -1 7 0 0\n0 0 -1 7 0 1\n");
     frame(kReload);
+    EXPECT_FALSE(control_.playing()) << "the next press plays the new one, from its start";
     EXPECT_EQ(frame(kPlay).world_from_camera.position.x, 7) << "the file was read again";
 }
 
