@@ -24,6 +24,13 @@ bool is_bare_key(std::string_view key) {
     });
 }
 
+/// Never as a whole number looks: 1.0 where 1 was wanted is "1.0".
+std::string decimal(double number) {
+    std::string text = fmt::format("{}", number);
+    if (text.find_first_not_of("-0123456789") == std::string::npos) text += ".0";
+    return text;
+}
+
 }  // namespace
 
 FaultList::~FaultList() {
@@ -82,7 +89,7 @@ std::string found(const TomlNode& node) {
     if (const auto* flag = std::get_if<bool>(&node.value)) return *flag ? "true" : "false";
     if (const auto* integer = std::get_if<std::int64_t>(&node.value))
         return fmt::format("{}", *integer);
-    if (const auto* number = std::get_if<double>(&node.value)) return fmt::format("{}", *number);
+    if (const auto* number = std::get_if<double>(&node.value)) return decimal(*number);
     if (const auto* text = node.text()) return fmt::format("\"{}\"", shown(*text));
     if (const auto* array = node.array()) return fmt::format("an array of {}", array->size());
     if (node.table() != nullptr) return "a table";
