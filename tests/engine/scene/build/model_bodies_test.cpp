@@ -1,37 +1,10 @@
 // SOURCES B35: what moves in a model pushes what is in its way, at its own speed.
 #include "engine/scene/build/model_bodies.h"
 
-#include "tests/engine/assets/fixture.h"
-#include "tests/support/scene_in_code.h"
+#include "tests/engine/scene/build/moving_model.h"
 
 namespace plumbline::scene {
 namespace {
-
-using assets::test::TempFolder;
-using assets::test::TriangleFile;
-
-/// A triangle from (0, 0) to (1, 0) and (0, 1) that slides by 2 m along x in one second.
-std::string sled() {
-    TriangleFile file;
-    file.json["nodes"] = {{{"mesh", 0}, {"name", "plate"}}};
-    file.slide(0);
-    return file.glb();
-}
-
-std::string flag() {
-    TriangleFile file;
-    file.hang_on_turning_bone();
-    return file.glb();
-}
-
-EntityDescription moving_model(const TempFolder& folder, const std::string& bytes) {
-    EntityDescription model;
-    model.name = "model";
-    const std::filesystem::path file = folder.write("m.glb", bytes);
-    model.visual = ModelVisual{.file = file, .root = file.parent_path()};
-    model.body = BodyDescription{.kind = physics::BodyKind::Kinematic};
-    return model;
-}
 
 TEST(ModelBodies, StandWhereTheAnimationHasTheirParts) {
     const TempFolder folder;
@@ -75,27 +48,6 @@ TEST(ModelBodies, PushAtTheirOwnSpeed) {
     EXPECT_NEAR(run.state("box").velocity_mps.x, 0, 1e-3) << "nothing struck it";
 }
 
-TEST(ModelBodies, AreNotPulledThroughWhatStandsBehindWhenTheyBeginAnew) {
-    const TempFolder folder;
-    EntityDescription behind = test::box("behind", {0.9_r, 0.2_r, 0}, {0.2_r, 0.4_r, 2});
-    behind.world_from_body.position = {-0.2_r, 0.2_r, 0};
-    test::Running run(test::scene_of({test::ground(), moving_model(folder, sled()), behind}));
-    run.step(75);
-    EXPECT_LT(glm::length(run.state("behind").velocity_mps), 0.05);
-    EXPECT_NEAR(run.state("behind").world_from_body.position.x, -0.2, 0.02);
-}
-
-TEST(ModelBodies, StopWithTheAnimation) {
-    const TempFolder folder;
-    test::Running run(test::scene_of({moving_model(folder, sled())}));
-    run.step(15);
-    for (auto [entity, playing] : run->registry.view<PlayingModel>()) playing.paused = true;
-    run.step(15);
-    const physics::BodyState plate = run.state("model/plate");
-    EXPECT_NEAR(plate.world_from_body.position.x, 0.5, 1e-4);
-    EXPECT_NEAR(glm::length(plate.velocity_mps), 0, 1e-6);
-}
-
 TEST(ModelBodies, OfSkinsAreTheBonesBoxes) {
     const TempFolder folder;
     test::Running run(test::scene_of({moving_model(folder, flag())}));
@@ -109,17 +61,6 @@ TEST(ModelBodies, OfSkinsAreTheBonesBoxes) {
     Vec3 high;
     run->physics.bounds(run.body("model/bone"), low, high);
     EXPECT_NEAR(high.y - low.y, 1, 0.1) << "as tall as the triangle";
-}
-
-TEST(ModelBodies, AreNotThereForModelsThatOnlyShow) {
-    const TempFolder folder;
-    EntityDescription shown = moving_model(folder, sled());
-    shown.body.reset();
-    test::Running run(test::scene_of({shown}));
-    EXPECT_TRUE(run->moving_bodies().empty());
-    shown.body = BodyDescription{.kind = physics::BodyKind::Static};
-    test::Running still(test::scene_of({shown}));
-    EXPECT_TRUE(still->moving_bodies().empty());
 }
 
 }  // namespace

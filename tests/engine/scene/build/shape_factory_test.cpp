@@ -17,28 +17,6 @@ using physics::HullShape;
 using physics::ShapeDef;
 using physics::SphereShape;
 
-std::vector<Vec3> cube_points() {
-    return points_of(ShapeDef{BoxShape{.size_m = {1, 1, 1}}});
-}
-
-TEST(HullVolume, OfACubeIgnoresPointsInside) {
-    std::vector<Vec3> points = cube_points();
-    points.push_back({0.1_r, 0.2_r, -0.1_r});
-    points.push_back({0.5_r, 0, 0});  // on a face
-    EXPECT_NEAR(static_cast<double>(hull_volume_m3(points)), 1.0, 1e-6);
-}
-
-TEST(HullVolume, OfATetrahedronIsASixth) {
-    const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    EXPECT_NEAR(static_cast<double>(hull_volume_m3(corners)), 1.0 / 6.0, 1e-6);
-}
-
-TEST(HullVolume, OfFlatPointsIsNone) {
-    EXPECT_EQ(hull_volume_m3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 3, 0}}), Real{0});
-    EXPECT_EQ(hull_volume_m3({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}), Real{0});
-    EXPECT_EQ(hull_volume_m3({{1, 1, 1}}), Real{0});
-}
-
 TEST(Volumes, FollowTheFormulas) {
     const auto volume = [](const ShapeDef& shape) { return static_cast<double>(volume_of(shape)); };
     const double pi = glm::pi<double>();

@@ -1,5 +1,5 @@
 // JSON scenes that are wrong: file, object and element named, exit code 4.
-#include "tests/engine/scene/sections/scene_file_fixture.h"
+#include "tests/engine/scene/formats/json_scene_fixture.h"
 
 #include <utility>
 
@@ -7,27 +7,6 @@ namespace plumbline::scene {
 namespace {
 
 namespace fs = std::filesystem;
-
-class JsonFault : public SceneFileTest {
-protected:
-    /// What is said first about a scene of that text.
-    std::string said_of(std::string_view text) const {
-        write("a.json", text);
-        const Outcome outcome = load_file("a.json");
-        EXPECT_FALSE(outcome.scene.ok()) << text;
-        if (outcome.scene.ok()) return {};
-        EXPECT_EQ(outcome.scene.error().exit_code, ExitCode::Refused);
-        return outcome.faults.at(0);
-    }
-    std::string said_of_object(std::string_view members) const {
-        return said_of(fmt::format(
-            R"({{"camera": {{"resolution": [4, 3]}}, "objects": [{{}}, {{{}}}]}})", members));
-    }
-    std::string said_of_camera(std::string_view members) const {
-        return said_of(
-            fmt::format(R"({{"camera": {{"resolution": [4, 3]{}}}, "objects": []}})", members));
-    }
-};
 
 TEST_F(JsonFault, OfTheWholeFile) {
     EXPECT_EQ(said_of("[]"), "a.json: error: expected an object, found array");
@@ -66,46 +45,6 @@ TEST_F(JsonFault, OfTheCamera) {
               "a.json: error: camera.z_far: 5 is not beyond z_near, 5");
     EXPECT_EQ(said_of_camera(R"(, "transform": [{"scale": [1, 0, 1]}])"),
               "a.json: error: camera.transform: it flattens space: no image can be taken so");
-}
-
-TEST_F(JsonFault, OfTransforms) {
-    const auto said = [&](std::string_view element) {
-        return said_of_object(fmt::format(R"("transform": [{{}}, {}])", element));
-    };
-    const std::string at = "a.json: error: objects[1].transform[1]";
-    EXPECT_EQ(said("3"),
-              at + ": expected an object with scale, rotate, translate or lookat, found number");
-    EXPECT_EQ(said(R"({"rotate": [90, 0, 0, 0]})"),
-              at + ".rotate: the axis is zero; expected [degrees, x, y, z]");
-    EXPECT_EQ(said(R"({"rotate": [90, 0, 1]})"), at + ".rotate: expected 4 numbers, found 3");
-    EXPECT_EQ(said(R"({"scale": [1, null, 1]})"),
-              at + ".scale[1]: expected a finite number, found null");
-    EXPECT_EQ(said(R"({"translate": 4})"),
-              at + ".translate: expected an array of numbers, found number");
-    EXPECT_EQ(said(R"({"lookat": {"position": [1, 2, 3], "target": [1, 2, 3]}})"),
-              at + ".lookat: the target lies on the position: there is nowhere to look");
-    EXPECT_EQ(said(R"({"lookat": {"target": [0, 5, 0]}})"),
-              at + ".lookat: up runs along the view; expected a direction across it");
-    EXPECT_EQ(said(R"({"lookat": {"up": [0, 0, 0]}})"),
-              at + ".lookat: up is zero; expected a direction");
-    EXPECT_EQ(said(R"({"scale": [1e300, 1, 1]}, {"scale": [1e300, 1, 1]})"),
-              "a.json: error: objects[1].transform[2]: the transform grows beyond all numbers");
-}
-
-TEST_F(JsonFault, OfInlineTriangles) {
-    const std::string at = "a.json: error: objects[1]";
-    EXPECT_EQ(said_of_object(R"("vertices": [0,0,0, 1,0,0, 0,1,0], "faces": [0,1,2, 0,1,3])"),
-              at + ".faces[5]: face 1 names vertex 3; there are 3");
-    EXPECT_EQ(said_of_object(R"("vertices": [0,0,0, 1,0,0, 0,1,0], "faces": [0,-1,2])"),
-              at + ".faces[1]: face 0 names vertex -1; there are 3");
-    EXPECT_EQ(said_of_object(R"("vertices": [0,0,0, 1,0,0, 0,1,0], "faces": [0,1.5,2])"),
-              at + ".faces[1]: face 0 names vertex 1.5; there are 3");
-    EXPECT_EQ(said_of_object(R"("vertices": [0,0,0,0], "faces": [])"),
-              at + ".vertices: 4 numbers are not whole triples");
-    EXPECT_EQ(said_of_object(R"("vertices": [0,0,0], "faces": [], "vertex_colors": [])"),
-              at + ".vertex_colors: 0 colours for 1 vertices; expected as many");
-    EXPECT_EQ(said_of_object(R"("vertices": [0,1e300,0], "faces": [])"),
-              at + ".vertices: vertex 0 is too large for a float");
 }
 
 constexpr std::string_view kPly =

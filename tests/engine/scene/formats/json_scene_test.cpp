@@ -1,5 +1,5 @@
 // JSON scenes of the viewer: every number of their source's worked checks, and what they say wrongly.
-#include "tests/engine/scene/sections/scene_file_fixture.h"
+#include "tests/engine/scene/formats/json_scene_fixture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,15 +22,6 @@ constexpr std::string_view kTwoShapes = R"({"camera": {"resolution": [640, 480],
    "vertex_colors": [0.75, 0.35, 0.35, 0.35, 0.75, 0.35, 0.35, 0.35, 0.75, 0.75, 0.35, 0.75,
                      0.35, 0.75, 0.75, 0.75, 0.35, 0.75, 0.75, 0.75, 0.35],
    "transform": [{"rotate": [30, 1, 1, 1]}]}]})";
-
-/// A scene of one object with these members.
-std::string one_object(std::string_view members) {
-    return fmt::format(R"({{"camera": {{"resolution": [4, 3]}}, "objects": [{{{}}}]}})", members);
-}
-
-const assets::MeshData& mesh_of(const SceneDescription& scene, std::size_t entity) {
-    return *std::get<MeshVisual>(scene.entities.at(entity).visual).mesh;
-}
 
 /// Where a vertex is seen, y down, as SOURCES (c4) has it.
 Vec2 pixel_of(const SceneDescription& scene, const Vec3f& vertex, std::size_t entity = 0) {
@@ -76,46 +67,6 @@ TEST_F(JsonScene, VerticesFallOnTheirPixels) {
         EXPECT_NEAR(pixel.y, wanted[i].y, 0.01F) << i;
     }
     EXPECT_EQ(mesh.vertices[8].color, Vec3f(0.75F, 0.75F, 0.35F)) << "linear, as it stands";
-}
-
-// SOURCES C4: rotate, scale, translate in the list's order; normals by the inverse transpose.
-TEST_F(JsonScene, TransformsActInTheOrderOfTheList) {
-    write("a.json", one_object(R"("vertices": [0,0,0, 1,0,0, 0,1,0], "faces": [0,1,2],
-            "transform": [{"rotate": [90, 0, 0, 5]}, {"scale": [2, 3, 1]}, {"rotate": [90, 1, 0, 0]},
-                          {"scale": [1, 1, 4]}, {"translate": [7, 8, 9]}, {}])"));
-    const Outcome outcome = load_file("a.json");
-    ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
-    const assets::MeshData& mesh = mesh_of(*outcome.scene, 0);
-    expect_near(outcome.scene->entities[0].world_from_body.position, {7, 8, 9});
-    // x: to y, three long, to z, four times that; y: to -x, two long.
-    expect_near_f(mesh.vertices[1].position_body, {0, 0, 12});
-    expect_near_f(mesh.vertices[2].position_body, {-2, 0, 0});
-    expect_near_f(mesh.vertices[0].normal_body, {0, -1, 0});
-}
-
-TEST_F(JsonScene, NormalsStayAcrossUnevenScalesAndMirrors) {
-    write("n.ply",
-          "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
-          "float z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 1\n"
-          "property list uchar uint vertex_indices\nend_header\n"
-          "0 0 0 0.6 0.8 0\n1 0 0 0.6 0.8 0\n0 0 1 0.6 0.8 0\n3 0 2 1\n");
-    write("a.json", one_object(R"("filename": "n.ply", "transform": [{"scale": [2, -1, 3]}])"));
-    const Outcome outcome = load_file("a.json");
-    ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
-    // (0.6 / 2, 0.8 / -1, 0), made unit.
-    expect_near_f(mesh_of(*outcome.scene, 0).vertices[0].normal_body,
-                  Vec3f(0.3F, -0.8F, 0) / std::sqrt(0.73F));
-}
-
-TEST_F(JsonScene, OfSeveralKeysInOneElementTheFirstOfTheSourcesOrderCounts) {
-    write("a.json",
-          one_object(R"("vertices": [0,0,0, 1,0,0, 0,1,0], "faces": [0,1,2], "transform": [
-            {"translate": [5, 5, 5], "scale": [2, 2, 2]}, {"lookat": {}, "translate": [0, 0, 1]},
-            {"unknown": 1}])"));
-    const Outcome outcome = load_file("a.json");
-    ASSERT_TRUE(outcome.scene.ok()) << outcome.scene.error().message;
-    expect_near(outcome.scene->entities[0].world_from_body.position, {0, 0, 1});
-    expect_near_f(mesh_of(*outcome.scene, 0).vertices[1].position_body, {2, 0, 0});
 }
 
 // SOURCES (c1, c2): what a file leaves out.

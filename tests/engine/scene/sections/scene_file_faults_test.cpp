@@ -44,16 +44,7 @@ struct Case {
     const char* fault;  ///< how the first fault begins
 };
 
-constexpr const char* kMovable = "[[entity]]\nname=\"a\"\nprimitive={sphere=1}\nbody={}\n";
-
-class SceneFileFaults : public SceneFileTest {
-protected:
-    void expect_first(const std::string& text, const std::string& start) {
-        const Outcome outcome = load(text);
-        ASSERT_FALSE(outcome.faults.empty()) << text;
-        EXPECT_EQ(outcome.faults[0].substr(0, start.size()), start) << text;
-    }
-};
+using SceneFileFaults = SceneFileTest;
 
 TEST_F(SceneFileFaults, EveryTableRefusesUnknownKeysAndNamesTheNearest) {
     const Case cases[] = {
@@ -102,63 +93,6 @@ TEST_F(SceneFileFaults, PlacesCountCharactersNotBytes) {
                  "scene.toml:4:18: error: world.kill_below_m: \"tief\"; expected metres");
 }
 
-TEST_F(SceneFileFaults, JointFaults) {
-    const std::string base = std::string(kMovable) + "[[joint]]\n";
-    expect_first(
-        base + "a=\"a\"\nb=\"world\"\nanchor_m=[0,0,0]",
-        "scene.toml:5:1: error: joint[0].kind: missing; expected one of ball_and_socket, hinge");
-    expect_first(base + "kind=\"ball_and_socket\"\na=\"world\"\nb=\"a\"\nanchor_m=[0,0,0]",
-                 "scene.toml:7:3: error: joint[0].a: \"world\" can only be b");
-    expect_first(base + "kind=\"spring\"\na=\"a\"\nb=\"world\"\nanchor_b_m=[0,1,0]",
-                 "scene.toml:5:1: error: joint[0].stiffness_Npm: missing; expected N per m");
-    const Outcome unused = load(
-        base + "kind=\"ball_and_socket\"\na=\"a\"\nb=\"world\"\nanchor_m=[0,0,0]\nlimits=[0,1]");
-    ASSERT_EQ(unused.faults.size(), 1U);
-    EXPECT_EQ(unused.faults[0],
-              "scene.toml:10:8: warning: joint[0].limits: a joint of kind ball_and_socket does not "
-              "use it; ignored");
-    EXPECT_TRUE(unused.scene.ok());
-}
-
-TEST_F(SceneFileFaults, EdgesOfLightCubes) {
-    for (const std::string table : {"sun", "flashlight"}) {
-        EXPECT_TRUE(load("[" + table + "]\ncube_m = 100").scene.ok());
-        for (const std::string edge : {"-1", "101"}) {
-            expect_first("[" + table + "]\ncube_m = " + edge,
-                         "scene.toml:2:10: error: " + table + ".cube_m: " + edge +
-                             "; expected a length from 0 to 100 m");
-        }
-    }
-    expect_first("[sun]\ncube = 1",
-                 "scene.toml:2:1: error: sun.cube: unknown key; did you mean \"cube_m\"?");
-}
-
-TEST_F(SceneFileFaults, APrefabsFaultIsToldOnce) {
-    std::string text = "[[prefab]]\nname = \"p\"\nprimitive = { sphere = -1 }\n";
-    for (int i = 0; i < 50; ++i) text += "[[entity]]\nprefab = \"p\"\n";
-    EXPECT_EQ(load(text).faults.size(), 1U);
-}
-
-TEST_F(SceneFileFaults, AHostileFileCannotFloodTheList) {
-    std::string text;
-    for (int i = 0; i < 5000; ++i) text += fmt::format("key_{} = 1\n", i);
-    const Outcome outcome = load(text);
-    EXPECT_EQ(outcome.faults.size(), 201U);
-    EXPECT_NE(outcome.faults.back().find("further faults are not listed"), std::string::npos);
-    EXPECT_FALSE(outcome.scene.ok());
-}
-
-TEST_F(SceneFileFaults, FaultsComeInTheOrderOfTheFile) {
-    const Outcome outcome = load("[fog]\ndensity_per_m = -1\n[world]\nx = 1\n[[entity]]\ny = 2\n");
-    ASSERT_EQ(outcome.diagnostics.size(), 3U);
-    EXPECT_EQ(outcome.diagnostics[0].line, 2);
-    EXPECT_EQ(outcome.diagnostics[1].line, 4);
-    EXPECT_EQ(outcome.diagnostics[2].line, 6);
-    // The error that the program ends with is the first of them.
-    EXPECT_NE(outcome.scene.error().message.find("scene.toml:2:17: error: fog.density_per_m: -1"),
-              std::string::npos);
-}
-
 TEST_F(SceneFileFaults, LimitsOneBelowAndOneAbove) {
     const auto loads = [&](const std::string& text) { return load(text).scene.ok(); };
     EXPECT_TRUE(loads("[accuracy]\nstep_hz = 30"));
@@ -186,49 +120,6 @@ TEST_F(SceneFileFaults, LimitsOneBelowAndOneAbove) {
     EXPECT_TRUE(loads(pile + "count = [50, 100, 10]"));
     EXPECT_FALSE(loads(pile + "count = [50, 100, 10]\n[[entity]]\n"));
     EXPECT_FALSE(loads(pile + "count = [50000, 50000, 50000]"));
-}
-
-TEST_F(SceneFileFaults, BodiesAreWarnedOfBeforeTheyAreRefused) {
-    const std::string pile =
-        "[[prefab]]\nname = \"p\"\nprimitive = { sphere = 1 }\nbody = {}\n"
-        "[[array]]\nname = \"n\"\nprefab = \"p\"\n";
-    EXPECT_TRUE(load(pile + "count = [50, 100, 1]").faults.empty());
-    EXPECT_EQ(load(pile + "count = [50, 100, 1]\n[[entity]]\n").faults.size(), 1U);
-}
-
-TEST_F(SceneFileFaults, AtMostThirtyTwoGroups) {
-    std::string text;
-    for (int i = 0; i < 31; ++i)
-        text += fmt::format("[[entity]]\nprimitive={{sphere=1}}\nbody={{group=\"g{}\"}}\n", i);
-    EXPECT_TRUE(load(text).scene.ok());
-    text += "[[entity]]\nprimitive={sphere=1}\nbody={group=\"one_more\"}\n";
-    EXPECT_FALSE(load(text).scene.ok());
-}
-
-TEST_F(SceneFileFaults, StrongGravityIsClamped) {
-    const Outcome outcome = load("[world]\ngravity_mps2 = [3e6, 4e6, 0]");
-    ASSERT_TRUE(outcome.scene.ok());
-    EXPECT_NEAR(outcome.scene->gravity_mps2.x, Real{600}, 0.01_r);
-    EXPECT_NEAR(outcome.scene->gravity_mps2.y, Real{800}, 0.01_r);
-}
-
-TEST_F(SceneFileFaults, MassZeroMakesStatic) {
-    const Outcome outcome =
-        load("[[entity]]\nprimitive={sphere=1}\nbody={mass_kg=0, velocity_mps=[1,0,0]}");
-    ASSERT_TRUE(outcome.scene.ok());
-    EXPECT_EQ(outcome.scene->entities[0].body->kind, physics::BodyKind::Static);
-    EXPECT_EQ(glm::length(outcome.scene->entities[0].body->velocity_mps), Real{0});
-}
-
-TEST_F(SceneFileFaults, ImpossibleInertiaIsLeftToTheShape) {
-    const Outcome outcome =
-        load("[[entity]]\nprimitive={sphere=1}\nbody={inertia_kgm2=[1, 2, 3.1]}");
-    ASSERT_TRUE(outcome.scene.ok());
-    EXPECT_EQ(outcome.faults.size(), 1U);
-    EXPECT_FALSE(outcome.scene->entities[0].body->inertia_kgm2);
-    // A thin plate has exactly the sum.
-    EXPECT_TRUE(
-        load("[[entity]]\nprimitive={sphere=1}\nbody={inertia_kgm2=[1, 2, 3]}").faults.empty());
 }
 
 }  // namespace

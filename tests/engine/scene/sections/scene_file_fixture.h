@@ -17,6 +17,9 @@ namespace plumbline::scene {
 
 inline constexpr Real kSlack{1e-6_r};
 
+/// Four lines: an entity "a" with a body.
+inline constexpr const char* kMovable = "[[entity]]\nname=\"a\"\nprimitive={sphere=1}\nbody={}\n";
+
 inline void expect_near(const Vec3& value, const Vec3& wanted) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(value[i], wanted[i], kSlack) << "part " << i;
 }
@@ -70,6 +73,25 @@ protected:
     Outcome load(std::string_view text) const {
         write("scene.toml", text);
         return load_file("scene.toml");
+    }
+
+    /// The scene, when nothing is said about it.
+    SceneDescription good(std::string_view text) const {
+        const Outcome outcome = load(text);
+        EXPECT_TRUE(outcome.faults.empty()) << (outcome.faults.empty() ? "" : outcome.faults[0]);
+        EXPECT_TRUE(outcome.scene.ok());
+        return outcome.scene ? *outcome.scene : SceneDescription{};
+    }
+    /// `fault` begins with the line; it is all that is said.
+    void expect_only(const std::string& text, const std::string& fault) const {
+        const Outcome outcome = load(text);
+        ASSERT_EQ(outcome.faults.size(), 1U) << text;
+        EXPECT_EQ(outcome.faults[0], "scene.toml:" + fault) << text;
+    }
+    void expect_first(const std::string& text, const std::string& start) const {
+        const Outcome outcome = load(text);
+        ASSERT_FALSE(outcome.faults.empty()) << text;
+        EXPECT_EQ(outcome.faults[0].substr(0, start.size()), start) << text;
     }
 
 private:

@@ -215,5 +215,27 @@ TEST(ShippedScenes, ThingsOfferWhatTheNumberKeysChoose) {
     }
 }
 
+// SOURCES A3, A12: numbers as the screen showed them.
+TEST(ShippedScenes, TheBooksColoursAreOfTheScreen) {
+    Diagnostics faults;
+    const std::filesystem::path assets = std::filesystem::path(PL_SOURCE_DIR) / "assets";
+    const auto scene = read_description(assets / "scenes/book/box.toml", assets, faults);
+    ASSERT_TRUE(scene.ok());
+    const auto shown = [](float linear) {
+        const double value = static_cast<double>(linear);
+        return std::lround(255 * (1.055 * std::pow(value, 1 / 2.4) - 0.055));
+    };
+    EXPECT_EQ(shown(scene->clear_color.x), 153);
+    EXPECT_EQ(shown(scene->clear_color.y), 166);
+    EXPECT_EQ(shown(scene->clear_color.z), 217);
+    EXPECT_EQ(shown(scene->materials.at("red").base_color.y), 51);
+    expect_near(scene->camera.position_m, {10, 5, 0});
+    expect_near(scene->camera.target_m, {0, 0, 0});
+    expect_near(scene->camera.up, {0, 1, 0});
+    EXPECT_NEAR(scene->camera.fov_y_rad, kPi / 2, kSlack);
+    EXPECT_NEAR(scene->camera.near_m, 1, kSlack);
+    EXPECT_NEAR(scene->camera.far_m, 1000, 1e-3);
+}
+
 }  // namespace
 }  // namespace plumbline::scene
