@@ -2,6 +2,7 @@
 import math
 import random
 
+from card_house import SIZE_M, card_house
 from hard_scene import Scene, about_x, about_y, about_z, ball, box, capsule, cylinder
 
 
@@ -108,26 +109,11 @@ def cards():
                   penetration=0.002, shadow=10,
                   energy_from="the penetration of the cards at the start")
     scene.ground(0.7)
-    size = (0.002, 0.4, 0.3)
-    scene.prefab("card", box(*size), 1000 * math.prod(size), friction=0.7, material="paint_cream")
-    made = []
-
-    def card(x, y, angle_deg):
-        scene.place(f"card_{len(made)}", "card", (x, y, 0), about_z(math.radians(angle_deg)))
-        made.append((x, y))
-
-    x_start, y = 0.0, 0.2 - 0.02
-    for pairs in range(5, 0, -1):
-        x = x_start
-        for i in range(pairs):
-            if i < pairs - 1:
-                card(x + 0.25, y + 0.2 - 0.015, 90)
-            card(x, y, -25)
-            card(x + 0.175, y, 25)
-            x += 0.35
-        y += 0.4 - 0.03
-        x_start += 0.175
-    scene.rule("sag_m", [f"card_{len(made) - 2}", f"card_{len(made) - 1}"], below=0.05)
+    scene.prefab("card", box(*SIZE_M), 1000 * math.prod(SIZE_M), friction=0.7, material="paint_cream")
+    cards = list(card_house())
+    for i, (x, y, angle_deg) in enumerate(cards):
+        scene.place(f"card_{i}", "card", (x, y, 0), about_z(math.radians(angle_deg)))
+    scene.rule("sag_m", [f"card_{len(cards) - 2}", f"card_{len(cards) - 1}"], below=0.05)
     return scene
 
 

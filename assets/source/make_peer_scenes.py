@@ -11,6 +11,8 @@ import math
 import pathlib
 import random
 
+from card_house import SIZE_M, card_house
+
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "scenes" / "bench" / "peers"
 
 HEAD = """# {about}.
@@ -271,27 +273,11 @@ def cards():
     """A house of 40 cards; neighbours start about 2 mm inside each other."""
     scene = Scene("cards", "A house of 40 cards", (0.9, 1, 3), (0.8, 0.8, 0))
     scene.ground(0.7)
-    size = (0.002, 0.4, 0.3)
-    mass = DENSITY_KGPM3 * math.prod(size)
-    scene.prefab("card", f"box = {numbers(size)}", mass, box_inertia(mass, size), 0.7)
-    place = []
-
-    def card(x, y, angle_deg):
+    mass = DENSITY_KGPM3 * math.prod(SIZE_M)
+    scene.prefab("card", f"box = {numbers(SIZE_M)}", mass, box_inertia(mass, SIZE_M), 0.7)
+    for i, (x, y, angle_deg) in enumerate(card_house()):
         turn = math.radians(angle_deg) / 2
-        scene.entity(f"card_{len(place)}", "card", (x, y, 0.0), (math.cos(turn), 0.0, 0.0, math.sin(turn)))
-        place.append((x, y))
-
-    x_start, y = 0.0, 0.2 - 0.02
-    for pairs in range(5, 0, -1):
-        x = x_start
-        for i in range(pairs):
-            if i < pairs - 1:
-                card(x + 0.25, y + 0.2 - 0.015, 90)
-            card(x, y, -25)
-            card(x + 0.175, y, 25)
-            x += 0.35
-        y += 0.4 - 0.03
-        x_start += 0.175
+        scene.entity(f"card_{i}", "card", (x, y, 0.0), (math.cos(turn), 0.0, 0.0, math.sin(turn)))
     return scene
 
 

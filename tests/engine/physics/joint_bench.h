@@ -41,6 +41,32 @@ struct JointBar {
     }
 };
 
+/// Bullet's own joints in one step of 1/60 s.
+constexpr JointBar bullet_bar(const char* name, Solver solver) {
+    return {.name = name,
+            .solver = solver,
+            .substeps = 1,
+            .period = 5e-4,
+            .spring_period = 1e-3,
+            .energy = 0.05,
+            .swing_gap_m = 1e-4,
+            .rod_m = 0.02,
+            .rest_m = 2e-3,
+            .limit_rad = 1e-4,
+            .cone_rad = 0.04,
+            .crash_m = 1,
+            .load = 1e-5,
+            .drive = 1e-5};
+}
+
+/// The matrix solver meets equations to the last digit, and limits later.
+constexpr JointBar bullet_dantzig_bar() {
+    JointBar bar = bullet_bar("bullet_dantzig", Solver::BulletDantzig);
+    bar.rest_m = 1e-5;
+    bar.limit_rad = 5e-4;
+    return bar;
+}
+
 // Bullet's conjugate-gradient solver is not here: it throws joints apart whose rows act on each
 // other, a slider between two free bodies or a ball joint on a long arm, within a few steps.
 inline const JointBar kJointBars[] = {
@@ -58,20 +84,7 @@ inline const JointBar kJointBars[] = {
      .crash_m = 1e-3,
      .load = 1e-4,
      .drive = 1e-4},
-    {.name = "bullet_si",
-     .solver = Solver::BulletSi,
-     .substeps = 1,
-     .period = 5e-4,
-     .spring_period = 1e-3,
-     .energy = 0.05,
-     .swing_gap_m = 1e-4,
-     .rod_m = 0.02,
-     .rest_m = 2e-3,
-     .limit_rad = 1e-4,
-     .cone_rad = 0.04,
-     .crash_m = 1,
-     .load = 1e-5,
-     .drive = 1e-5},
+    bullet_bar("bullet_si", Solver::BulletSi),
     {.name = "bullet_si_8",
      .solver = Solver::BulletSi,
      .substeps = 8,
@@ -86,34 +99,8 @@ inline const JointBar kJointBars[] = {
      .crash_m = 1,
      .load = 1e-5,
      .drive = 1e-5},
-    {.name = "bullet_dantzig",
-     .solver = Solver::BulletDantzig,
-     .substeps = 1,
-     .period = 5e-4,
-     .spring_period = 1e-3,
-     .energy = 0.05,
-     .swing_gap_m = 1e-4,
-     .rod_m = 0.02,
-     .rest_m = 1e-5,
-     .limit_rad = 5e-4,
-     .cone_rad = 0.04,
-     .crash_m = 1,
-     .load = 1e-5,
-     .drive = 1e-5},
-    {.name = "bullet_pgs",
-     .solver = Solver::BulletPgs,
-     .substeps = 1,
-     .period = 5e-4,
-     .spring_period = 1e-3,
-     .energy = 0.05,
-     .swing_gap_m = 1e-4,
-     .rod_m = 0.02,
-     .rest_m = 2e-3,
-     .limit_rad = 1e-4,
-     .cone_rad = 0.04,
-     .crash_m = 1,
-     .load = 1e-5,
-     .drive = 1e-5},
+    bullet_dantzig_bar(),
+    bullet_bar("bullet_pgs", Solver::BulletPgs),
 };
 
 /// Tests of a fixture made from this run once with each solver.
