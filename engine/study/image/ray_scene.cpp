@@ -24,25 +24,27 @@ struct Surface {
     bool two_sided{false};
 };
 
-std::uint32_t wrapped(float at, std::uint32_t size) {
-    const auto whole = static_cast<std::int64_t>(std::floor(at));
+std::uint32_t wrapped(std::int64_t at, std::uint32_t size) {
     const auto count = static_cast<std::int64_t>(size);
-    return static_cast<std::uint32_t>(((whole % count) + count) % count);
+    return static_cast<std::uint32_t>(((at % count) + count) % count);
 }
 
 /// Between the four nearest texels, repeated.
 float alpha_at(const ImageData& image, const Vec2f& uv) {
     const float x = uv.x * static_cast<float>(image.width) - 0.5F;
     const float y = uv.y * static_cast<float>(image.height) - 0.5F;
-    const auto texel = [&](float at_x, float at_y) {
+    // Whole numbers before one is added: a float just below 0, plus 1, is 1.
+    const auto left = static_cast<std::int64_t>(std::floor(x));
+    const auto top = static_cast<std::int64_t>(std::floor(y));
+    const auto texel = [&](std::int64_t at_x, std::int64_t at_y) {
         const std::size_t index =
             std::size_t{wrapped(at_y, image.height)} * image.width + wrapped(at_x, image.width);
         return static_cast<float>(image.bytes[index * 4 + 3]) / 255.0F;
     };
     const float right = x - std::floor(x);
     const float down = y - std::floor(y);
-    return glm::mix(glm::mix(texel(x, y), texel(x + 1.0F, y), right),
-                    glm::mix(texel(x, y + 1.0F), texel(x + 1.0F, y + 1.0F), right),
+    return glm::mix(glm::mix(texel(left, top), texel(left + 1, top), right),
+                    glm::mix(texel(left, top + 1), texel(left + 1, top + 1), right),
                     down);
 }
 

@@ -110,6 +110,12 @@ TEST_F(RayScenes, RaysGoThroughTheHolesOfAMask) {
     ASSERT_TRUE(leaf.has_value());
     EXPECT_NEAR(leaf->distance_m, 3.0F, 1e-5F);
     EXPECT_TRUE(leaf->two_sided);
+    // Around the middle of a texel, where the place among texels is a hair below a whole number.
+    for (const float x : {-0.5F - 1e-7F, -0.5F - 6e-8F, -0.5F + 6e-8F, -0.5F + 1e-7F}) {
+        const auto near_it = rays.first_hit({x, 5.0F, 0.0F}, kDown);
+        ASSERT_TRUE(near_it.has_value());
+        EXPECT_NEAR(near_it->distance_m, 3.0F, 1e-5F) << x;
+    }
     const auto hole = rays.first_hit({0.5F, 5.0F, 0.0F}, kDown);
     ASSERT_TRUE(hole.has_value());
     EXPECT_NEAR(hole->distance_m, 5.0F, 1e-5F);
