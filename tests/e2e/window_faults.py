@@ -54,6 +54,7 @@ def a_shader_saved_with_a_fault_keeps_the_image(folder, environment):  # EXPERIE
     try:
         shots = folder / "data/plumbline/shots"
         game.ready(shots)
+        game.screenshot(shots)  # in a second frame: a fault in the first one ends the start
         file.write_text(text + WRONG)
         game.until_said(f"tone_map.frag:{text.count(chr(10)) + 1}")
         game.screenshot(shots)
