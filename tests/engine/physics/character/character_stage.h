@@ -55,6 +55,25 @@ struct Stage : TestWorld {
     std::unique_ptr<Character> person;  // destroyed before the world
 };
 
+/// A kinematic body, led step by step under the person.
+struct Platform {
+    Stage& stage;
+    BodyId body;
+    Pose pose;
+
+    Platform(Stage& on, const Vec3& size, const Vec3& position)
+        : stage(on),
+          body(on.add(BoxShape{size}, position, {.kind = BodyKind::Kinematic})),
+          pose{.position = position} {}
+    const CharacterState& step(const Pose& next, const CharacterInput& input = {}) {
+        pose = next;
+        stage.person->update(input);
+        stage.world.move_kinematic(body, pose);
+        stage.world.step();
+        return stage.person->state();
+    }
+};
+
 inline Quat tilt(Real angle_deg, const Vec3& axis) {
     return glm::angleAxis(radians_from_degrees(angle_deg), axis);
 }

@@ -91,48 +91,6 @@ TEST_P(JointLife, TouchingEndsAndReturnsWithTheJoint) {
     EXPECT_NEAR(test.at(high).y, 1.5, 0.05);
 }
 
-TEST_P(JointLife, FastLinksAreNotStoppedByEachOther) {
-    // Faster than their own size a step, so continuous collision sweeps them; they overlap.
-    TestWorld test(bar().world({0, 0, 0}));
-    const BodyId a = test.add(BoxShape{.size_m = {0.2_r, 0.2_r, 0.2_r}}, {0, 0, 0}, kSleepyBody);
-    const BodyId b =
-        test.add(BoxShape{.size_m = {0.2_r, 0.2_r, 0.2_r}}, {0.15_r, 0, 0}, kSleepyBody);
-    const JointId joint = join(test, {.kind = JointKind::Fixed, .a = a, .b = b});
-    test.world.set_velocity(a, {20, 0, 0}, {0, 0, 0});
-    test.world.set_velocity(b, {20, 0, 0}, {0, 0, 0});
-    test.run(1);
-    EXPECT_NEAR(test.at(a).x, 20, 1e-4);
-    EXPECT_LT(test.world.joint_state(joint).error_m, 1e-5);
-    EXPECT_TRUE(
-        test.world.overlaps(test.shape(BoxShape{}), {.position = {20, 0, 0}}, 0, {.ignored = a})
-            .empty());
-}
-
-TEST_P(JointLife, AFastPairStopsAtAThinWallTogether) {
-    TestWorld test(bar().world({0, 0, 0}));
-    test.add(BoxShape{.size_m = {0.02_r, 4, 4}}, {5, 0, 0}, {.kind = BodyKind::Static});
-    std::array<BodyId, 3> train;
-    for (std::size_t i = 0; i < train.size(); ++i) {
-        const Real x = 0.3_r * static_cast<Real>(i);
-        train[i] = test.add(BoxShape{.size_m = {0.2_r, 0.2_r, 0.2_r}}, {x, 0, 0}, kSleepyBody);
-        test.world.set_velocity(train[i], {40, 0, 0}, {0, 0, 0});
-        if (i > 0) {
-            join(test,
-                 {.kind = JointKind::Fixed,
-                  .a = train[i],
-                  .b = train[i - 1],
-                  .anchor_a_world = {x, 0, 0}});
-        }
-    }
-    double error_m = 0;
-    for (int i = 0; i < 60; ++i) {
-        test.world.step();
-        error_m = std::max(error_m, test.world.max_joint_error_m());
-        for (const BodyId body : train) EXPECT_LT(test.at(body).x, 5);
-    }
-    EXPECT_LT(error_m, bar().crash_m);
-}
-
 TEST_P(JointLife, SleepersWakeWithTheirJoints) {
     TestWorld test(bar().world());
     const BodyId upper = test.add(kRod, {0, -0.5_r, 0}, kSleepyBody);
@@ -298,89 +256,6 @@ TEST_P(JointLife, SameCallsSameBits) {
     };
     EXPECT_EQ(run(0), run(0));
     EXPECT_EQ(run(0), run(1000));
-}
-
-struct BadJoint {
-    const char* says;
-    std::function<void(JointDef&)> spoil;
-};
-
-TEST(JointFaults, AreRefusedByWhatIsWrong) {
-    TestWorld test;
-    const BodyId body = test.add(BoxShape{}, {0, 5, 0}, kSleepyBody);
-    const BodyId wall = test.ground();
-    const BodyId cart = test.add(BoxShape{}, {0, 9, 0}, {.kind = BodyKind::Kinematic});
-    const BodyId gone = test.add(BoxShape{}, {0, 9, 0}, kSleepyBody);
-    test.world.destroy_body(gone);
-    const BadJoint cases[] = {
-        {"a is no body", [](JointDef& def) { def.a = {}; }},
-        {"a is no body", [&](JointDef& def) { def.a = gone; }},
-        {"b is no body", [&](JointDef& def) { def.b = gone; }},
-        {"joined to itself", [&](JointDef& def) { def.b = body; }},
-        {"neither body can move", [&](JointDef& def) { def.a = wall; }},
-        {"neither body can move",
-         [&](JointDef& def) {
-             def.a = wall;
-             def.b = cart;
-         }},
-        {"anchors must be finite", [](JointDef& def) { def.anchor_a_world.x = kNan; }},
-        {"anchors must be finite", [](JointDef& def) { def.anchor_b_world.z = kInfinity; }},
-        {"axis has no direction",
-         [](JointDef& def) {
-             def.axis_world = {0, 0, 0};
-         }},
-        {"axis must be finite", [](JointDef& def) { def.axis_world.y = kNan; }},
-        {"limits cross",
-         [](JointDef& def) {
-             def.limits = {{1, 0.5_r}};
-         }},
-        {"limits must be finite",
-         [](JointDef& def) {
-             def.limits = {{kNan, 1}};
-         }},
-        {"twist limits cross",
-         [](JointDef& def) {
-             def.twist_limits = {{1, -1}};
-         }},
-        {"motor needs", [](JointDef& def) { def.motor = JointMotor{.target = 1, .max = -1}; }},
-        {"motor needs", [](JointDef& def) { def.motor = JointMotor{.target = kNan, .max = 1}; }},
-        {"stiffness and damping", [](JointDef& def) { def.stiffness_Npm = -1; }},
-        {"stiffness and damping", [](JointDef& def) { def.damping_Nspm = kInfinity; }},
-        {"rest length", [](JointDef& def) { def.rest_length_m = -1.0_r; }},
-        {"breaking force", [](JointDef& def) { def.break_N = kNan; }},
-        {"use a ball-and-socket joint", [](JointDef& def) { def.kind = JointKind::Distance; }},
-        {"below 0",
-         [](JointDef& def) {
-             def.kind = JointKind::Distance;
-             def.limits = {{-1, 1}};
-         }},
-    };
-    for (const BadJoint& bad : cases) {
-        JointDef def{.kind = JointKind::Hinge, .a = body};
-        bad.spoil(def);
-        const Result<JointId> made = test.world.create_joint(def);
-        ASSERT_FALSE(made.ok()) << bad.says;
-        EXPECT_NE(made.error().message.find(bad.says), std::string::npos) << made.error().message;
-    }
-    EXPECT_EQ(test.world.joint_count(), 0U);
-    // The axis of a joint that has none may be anything.
-    EXPECT_TRUE(test.world.create_joint({.a = body, .axis_world = {0, 0, 0}}).ok());
-}
-
-TEST(JointFaults, AMotorThatIsNoneChangesNothing) {
-    TestWorld test(weightless());
-    const BodyId wheel = test.add(CylinderShape{}, {0, 0, 0}, kSleepyBody);
-    const JointId hinge =
-        join(test, {.kind = JointKind::Hinge, .a = wheel, .motor = JointMotor{1, 5}});
-    const JointId ball = join(test, {.a = wheel});
-    test.world.set_joint_motor(hinge, JointMotor{.target = kNan, .max = 1});
-    test.world.set_joint_motor(hinge, JointMotor{.target = 1, .max = -1});
-    test.world.set_joint_motor(ball, JointMotor{.target = 1, .max = 1});
-    ASSERT_TRUE(test.world.joint_def(hinge).motor.has_value());
-    EXPECT_EQ(test.world.joint_def(hinge).motor->max, Real{5});
-    EXPECT_FALSE(test.world.joint_def(ball).motor.has_value());
-    test.run(2);
-    EXPECT_NEAR(test.spin(wheel).y, 1, 1e-3);
 }
 
 }  // namespace

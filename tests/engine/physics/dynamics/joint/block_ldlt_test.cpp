@@ -1,5 +1,7 @@
 #include "engine/physics/dynamics/joint/block_ldlt.h"
 
+#include "tests/engine/physics/dynamics/joint/block_graphs.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,41 +10,6 @@
 
 namespace plumbline::physics {
 namespace {
-
-using Graph = std::vector<std::vector<std::uint32_t>>;
-
-Graph graph_of(std::uint32_t count,
-               const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges) {
-    Graph graph(count);
-    for (const auto& [a, b] : edges) {
-        graph[a].push_back(b);
-        graph[b].push_back(a);
-    }
-    return graph;
-}
-
-Graph chain(std::uint32_t count) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    for (std::uint32_t i = 0; i + 1 < count; ++i) edges.emplace_back(i, i + 1);
-    return graph_of(count, edges);
-}
-
-/// The pattern of a graph whose vertices are one block each, columns in order of elimination.
-BlockPattern pattern_of(const EliminationOrder& order) {
-    std::vector<std::uint32_t> column(order.order.size());
-    for (std::uint32_t i = 0; i < order.order.size(); ++i) column[order.order[i]] = i;
-    std::vector<std::vector<std::uint32_t>> later(order.order.size());
-    for (std::uint32_t v = 0; v < order.order.size(); ++v) {
-        for (const std::uint32_t other : order.later[v]) later[column[v]].push_back(column[other]);
-        std::ranges::sort(later[column[v]]);
-    }
-    return BlockPattern::from_columns(later);
-}
-
-EliminationOrder order_of(const Graph& graph) {
-    const std::vector<std::uint32_t> weights(graph.size(), 1);
-    return minimum_degree_order(graph, weights, 1e9);
-}
 
 /// A random matrix of the graph that is positive by being heavy on its diagonal.
 struct Sample {
@@ -113,49 +80,6 @@ TEST(BlockLdlt, SolvesChainsTreesLoopsAndGrids) {
         }
     }
     EXPECT_LT(Sample(graph_of(64, grid)).largest_error(), 1e-13);
-}
-
-TEST(BlockLdlt, TreesFillNothingInWhereverTheyStart) {
-    // A chain numbered at random, and a star of chains: a block of L for each edge, no more.
-    EXPECT_EQ(
-        pattern_of(order_of(graph_of(6, {{3, 0}, {0, 5}, {5, 1}, {1, 4}, {4, 2}}))).rows.size(),
-        5U);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> star;
-    for (std::uint32_t arm = 0; arm < 5; ++arm) {
-        star.emplace_back(0, 1 + arm * 3);
-        star.emplace_back(1 + arm * 3, 2 + arm * 3);
-        star.emplace_back(2 + arm * 3, 3 + arm * 3);
-    }
-    EXPECT_EQ(pattern_of(order_of(graph_of(16, star))).rows.size(), star.size());
-}
-
-TEST(BlockLdlt, ALoopFillsInOneBlockAVertex) {
-    // Eliminating a vertex of a ring of n joins its neighbours: n - 3 new blocks beside the n.
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> ring;
-    for (std::uint32_t i = 0; i < 12; ++i) ring.emplace_back(i, (i + 1) % 12);
-    EXPECT_EQ(pattern_of(order_of(graph_of(12, ring))).rows.size(), 12U + 12U - 3U);
-}
-
-TEST(BlockLdlt, WorkGrowsInProportionToAChain) {
-    const double one = order_of(chain(100)).multiply_adds;
-    EXPECT_NEAR(order_of(chain(1000)).multiply_adds / one, 10, 0.2);
-}
-
-TEST(BlockLdlt, ComponentsAreRangesOfTheirOwn) {
-    const EliminationOrder order = order_of(graph_of(5, {{0, 3}, {1, 4}}));
-    EXPECT_EQ(order.component_begin, (std::vector<std::uint32_t>{0, 2, 4, 5}));
-}
-
-TEST(BlockLdlt, GivesUpWhereAFactorWouldCostTooMuch) {
-    Graph all(40);
-    for (std::uint32_t a = 0; a < 40; ++a) {
-        for (std::uint32_t b = 0; b < 40; ++b) {
-            if (a != b) all[a].push_back(b);
-        }
-    }
-    const std::vector<std::uint32_t> weights(40, 1);
-    EXPECT_FALSE(minimum_degree_order(all, weights, 1e6).too_dear);
-    EXPECT_TRUE(minimum_degree_order(all, weights, 5000).too_dear);
 }
 
 TEST(Block3, InverseIsTheInverseEvenWhenNearlySingular) {

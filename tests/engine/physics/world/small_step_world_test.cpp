@@ -1,0 +1,61 @@
+// What a step of small_step does for bodies that touch nothing, and that no history matters.
+#include "tests/engine/physics/dynamics/island_heap.h"
+
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+TEST(SmallStepWorld, WhatFliesBelongsToNoneAndFliesAsIfAlone) {
+    const BodyDef flying{.kind = BodyKind::Dynamic,
+                         .velocity_mps = {1, 5, 0.3_r},
+                         .angular_velocity_radps = {1, 2, 3}};
+    TestWorld alone(in_small_steps());
+    const BodyId a = alone.add(BoxShape{.size_m = {1, 2, 3}}, {0, 20, 0}, flying);
+    TestWorld crowd(in_small_steps());
+    const BodyId b = crowd.add(BoxShape{.size_m = {1, 2, 3}}, {0, 20, 0}, flying);
+    crowd.ground();
+    for (int i = 0; i < 5; ++i) {
+        crowd.add(BoxShape{}, {3, 0.5_r + static_cast<Real>(i), 0}, box_at_rest(9));
+    }
+    alone.run(1.0);
+    crowd.run(1.0);
+    EXPECT_TRUE(alone.world.islands().empty());
+    EXPECT_EQ(users_and_sizes(crowd.world), (IslandSizes{{9, 5}}));
+    EXPECT_EQ(alone.hash({a}), crowd.hash({b}));
+}
+
+TEST(SmallStepWorld, SameCallsGiveTheSameBits) {
+    Heap once;
+    Heap again;
+    EXPECT_EQ(once.run(400), again.run(400));
+}
+
+TEST(SmallStepWorld, QueriesAndDrawingLeaveNoTrace) {
+    Heap plain;
+    Heap watched;
+    const ShapeId ball = watched.test.shape(SphereShape{.radius_m = 0.3_r});
+    for (int i = 0; i < 300; ++i) {
+        watched.run(1);
+        watched.test.world.cast_ray({-9, 1, 0}, {9, 1, 0});
+        watched.test.world.sweep(ball, {.position = {0, 9, 0}}, {0, 0, 0});
+        watched.test.world.overlaps(ball, {.position = {0, 1, 0}}, 0.5_r);
+        watched.test.world.all_contacts();
+        LineList lines;
+        watched.test.world.add_debug_lines(lines);
+        EXPECT_FALSE(lines.vertices.empty());
+    }
+    EXPECT_EQ(plain.run(300), watched.test.hash(watched.ids));
+}
+
+TEST(SmallStepWorld, WhatHappensFarAwayChangesNothing) {
+    Heap plain;
+    Heap crowded;
+    for (int i = 0; i < 20; ++i) {
+        crowded.test.add(BoxShape{}, {500 + 3 * static_cast<Real>(i), 5, 0});
+    }
+    EXPECT_EQ(plain.run(300), crowded.run(300));
+}
+
+}  // namespace
+}  // namespace plumbline::physics
