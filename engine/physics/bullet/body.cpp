@@ -4,6 +4,7 @@
 #include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/rigid_body.h"
+#include "engine/physics/bullet/shape/primitive_shape.h"
 #include "engine/physics/bullet/shape/shape_record.h"
 #include "engine/physics/world/body_record.h"
 
@@ -104,6 +105,7 @@ void give_rigid_body(BodyRecord& record, const BodyDef& def, const ShapeRecord& 
     record.rigid->setUserPointer(&record);
     if (record.traits.held_along_axes())
         record.rigid->setLinearFactor(to_bullet(def.linear_factor));
+    record.traits.primitive = primitive_of(*collision);
     record.traits.radius_m = collision->getAngularMotionDisc();
     record.traits.contact_margin_m =
         collision->getContactBreakingThreshold(gContactBreakingThreshold);

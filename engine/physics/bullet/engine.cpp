@@ -121,7 +121,7 @@ BulletEngine::BulletEngine(const WorldDef& def, StepCost& solved)
     parts.configuration = std::make_unique<btDefaultCollisionConfiguration>();
     if (def.solver == Solver::SmallStep) {
         parts.dispatcher = std::make_unique<PairDispatcher>(parts.configuration.get());
-        parts.box_contacts = std::make_unique<BoxContacts>(*parts.dispatcher);
+        parts.part_contacts = std::make_unique<PartContacts>(*parts.dispatcher);
         auto pairs = std::make_unique<PairList>(*parts.dispatcher);
         parts.own_pairs = pairs.get();
         parts.pairs = std::move(pairs);

@@ -1,10 +1,10 @@
 // What BulletEngine is made of, in the order in which the parts need each other.
 #pragma once
 
-#include "engine/physics/bullet/contact/box_contacts.h"
 #include "engine/physics/bullet/contact/mesh_contact.h"
 #include "engine/physics/bullet/contact/pair_dispatch.h"
 #include "engine/physics/bullet/contact/pair_list.h"
+#include "engine/physics/bullet/contact/part_contacts.h"
 #include "engine/physics/bullet/engine.h"
 #include "engine/physics/bullet/step_world.h"
 
@@ -17,7 +17,7 @@ namespace plumbline::physics {
 
 struct BulletEngine::Parts {
     std::unique_ptr<btDefaultCollisionConfiguration> configuration;
-    std::unique_ptr<BoxContacts> box_contacts;  ///< small_step only
+    std::unique_ptr<PartContacts> part_contacts;  ///< small_step only
     std::unique_ptr<MeshContacts> mesh_contacts;
     std::unique_ptr<btCollisionDispatcher> dispatcher;  ///< small_step: a PairDispatcher
     std::unique_ptr<btOverlappingPairCache> pairs;

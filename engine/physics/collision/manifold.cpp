@@ -1,8 +1,30 @@
 #include "engine/physics/collision/manifold.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumbline::physics {
+
+ManifoldPoint* nearest_point(std::span<ManifoldPoint> points,
+                             const ManifoldPoint& point,
+                             Real near_m) {
+    ManifoldPoint* found = nullptr;
+    Real least = near_m * near_m;
+    for (ManifoldPoint& other : points) {
+        const Vec3 on_a = other.a.local_m - point.a.local_m;
+        const Vec3 on_b = other.b.local_m - point.b.local_m;
+        const Real away2 = std::min(glm::dot(on_a, on_a), glm::dot(on_b, on_b));
+        if (away2 >= least) continue;
+        least = away2;
+        found = &other;
+    }
+    return found;
+}
+
+void remove_point(Manifold& manifold, std::size_t index) {
+    manifold.points[index] = manifold.points.back();
+    manifold.points.pop_back();
+}
 
 void forget_loads(Manifold& manifold) {
     for (ManifoldPoint& point : manifold.points) {

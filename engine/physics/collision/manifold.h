@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace plumbline::physics {
@@ -17,6 +18,7 @@ struct ContactSide {
     Real radius_m{0};         ///< 0: not round
     Vec3 offset_m{0, 0, 0};   ///< from the centre of mass, world axes
     Vec3 surface_m{0, 0, 0};  ///< the point on the surface, world
+    Vec3 local_m{0, 0, 0};    ///< the same, mass frame
 };
 
 /// What a point carried, as mean forces over the latest sub-step: what the next step starts from.
@@ -64,13 +66,19 @@ struct ManifoldLoad {
 struct Manifold {
     BodyRecord* a{nullptr};
     BodyRecord* b{nullptr};
-    std::uint32_t number{0};  ///< told apart by, while the world runs
+    std::uint32_t number{0};  ///< of Bullet's that it stands for; 0: none
     std::uint32_t features_made{0};
     PairMaterial material;
     std::vector<ManifoldPoint> points;
     ManifoldLoad load;
 };
 
+/// The one of `points` that is nearest to `point` on either body, nearer than `near_m`; null: none.
+ManifoldPoint* nearest_point(std::span<ManifoldPoint> points,
+                             const ManifoldPoint& point,
+                             Real near_m);
+/// The last point takes the place of this one.
+void remove_point(Manifold& manifold, std::size_t index);
 /// Nothing is known of what the manifold carried.
 void forget_loads(Manifold& manifold);
 

@@ -29,6 +29,7 @@ struct Pair {
     bool touches{false};              ///< has contact points
     bool round{false};                ///< a sphere: its points are new in every step
     bool boxes{false};                ///< two boxes: likewise, found at any distance
+    bool primitives{false};           ///< our narrow phase finds the points: one manifold
 };
 
 inline BodyRecord& partner(const Pair& pair, const BodyRecord& record) {

@@ -3,6 +3,7 @@
 
 #include "engine/core/pose.h"
 #include "engine/physics/body.h"
+#include "engine/physics/collision/narrow_phase/primitive.h"
 #include "engine/physics/collision/pair.h"
 #include "engine/physics/dynamics/body_motion.h"
 #include "engine/physics/dynamics/transform.h"
@@ -32,6 +33,7 @@ struct CcdSphere {
 /// What its definition and the world's rate make of a body; steps only read it. "Mass frame": at the
 /// centre of mass, along the principal axes.
 struct BodyTraits {
+    Primitive primitive{};  ///< its shape, if it is one in the mass frame
     Pose body_from_mass{};
     bool mass_frame_is_body{true};
     double mass_kg{0};

@@ -22,6 +22,12 @@ void list_met(std::span<BodyRecord* const> bodies, std::vector<Pair*>& met) {
     }
 }
 
+void list_manifolds(Pair& pair, std::vector<Manifold*>& list) {
+    for (Manifold& manifold : pair.manifolds) {
+        if (!manifold.points.empty()) list.push_back(&manifold);
+    }
+}
+
 }  // namespace
 
 std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& touching) {
@@ -40,7 +46,7 @@ std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& tou
     } while (spread_impacts(bodies) || looked < bodies.woken().size());
     if (bodies.admit_woken()) met_in_order = false;
     if (!met_in_order) list_met(bodies.dynamic(), met_);
-    for (Pair* pair : met_) collider_.list_manifolds(*pair, touching);
+    for (Pair* pair : met_) list_manifolds(*pair, touching);
     return looks_;
 }
 
@@ -66,11 +72,11 @@ void PairWalk::look_at(BodyRecord& body, AwakeBodies& bodies) {
 
 void PairWalk::look(Pair& pair, AwakeBodies& bodies) {
     ++looks_;
-    collider_.collide(pair);
+    collider_.collide(pair, step_);
     if (!pair.touches) return;
     if (sleeps(*pair.a)) bodies.wake(*pair.a);
     if (sleeps(*pair.b)) bodies.wake(*pair.b);
-    const PairImpact impact = collider_.impact_of(pair);
+    const PairImpact impact = impact_of(pair, step_);
     note_impact(*pair.a, impact.on_a);
     note_impact(*pair.b, impact.on_b);
 }
@@ -96,7 +102,7 @@ bool PairWalk::spread_impacts(AwakeBodies& bodies) {
         for (BodyRecord* record : spreading_) record->small.predicted.spread = true;
         for (BodyRecord* record : spreading_) {
             for (const PairLink& link : record->small.pairs) {
-                if (boxes_overlap(*link.pair) && collider_.knows_less(*link.pair))
+                if (boxes_overlap(*link.pair) && knows_less(*link.pair, step_))
                     look(*link.pair, bodies);
             }
         }

@@ -16,7 +16,7 @@ public:
     explicit PairWalk(BulletEngine& engine) : engine_(engine), collider_(engine) {}
 
     /// Of the steps from now on.
-    void set_step(const CollideStep& step) { collider_.begin_step(step); }
+    void set_step(const CollideStep& step) { step_ = step; }
     /// Finds contact points. What is touched wakes and looks at its own pairs. `touching` gets the
     /// manifolds that have points, each awake body's pairs in the order of the other's id, a pair of
     /// two awake ones at the lower. Returns how many pairs were looked at.
@@ -30,6 +30,7 @@ private:
 
     BulletEngine& engine_;
     PairCollider collider_;
+    CollideStep step_{};
     std::uint32_t number_{0};  ///< of the walk
     std::uint32_t looks_{0};   ///< in this walk
     std::vector<Pair*> met_;   ///< with points

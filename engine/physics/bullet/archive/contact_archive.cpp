@@ -97,6 +97,20 @@ void serialize_manifold(Archive& archive, btPersistentManifold& manifold) {
     }
 }
 
+void serialize_side(Archive& archive, ContactSide& side) {
+    archive(side.radius_m, side.offset_m, side.surface_m, side.local_m);
+}
+
+/// The points of primitives: all that their next look, and whoever asks before it, reads.
+void serialize_points(Archive& archive, std::vector<ManifoldPoint>& points) {
+    points.resize(archive.count(points.size()));
+    for (ManifoldPoint& point : points) {
+        serialize_side(archive, point.a);
+        serialize_side(archive, point.b);
+        archive(point.normal_world, point.distance_m, point.age_steps);
+    }
+}
+
 void serialize_loads(Archive& archive, Manifold& manifold) {
     archive(manifold.features_made,
             manifold.load.step,
@@ -134,6 +148,7 @@ void ContactArchive::pair(btCollisionAlgorithm*& found, btRigidBody& first, btRi
 }
 
 void ContactArchive::small_pair(Pair& pair) {
+    if (pair.primitives) return primitive_pair(pair);
     BulletPair& side = bullet_side(pair);
     this->pair(side.algorithm, *pair.a->rigid, *pair.b->rigid);
     if (side.algorithm == nullptr || archive_.failed()) return;
@@ -152,6 +167,16 @@ void ContactArchive::small_pair(Pair& pair) {
         for (std::size_t k = 0; k < manifold.points.size(); ++k)
             set_feature(list[i]->getContactPoint(static_cast<int>(k)), manifold.points[k].feature);
     }
+}
+
+void ContactArchive::primitive_pair(Pair& pair) {
+    bool is_there = !pair.manifolds.empty();
+    archive_(is_there);
+    if (archive_.reads()) pair.manifolds.clear();
+    if (!is_there) return;
+    Manifold& manifold = sole_manifold(pair);
+    serialize_points(archive_, manifold.points);
+    serialize_loads(archive_, manifold);
 }
 
 void ContactArchive::forget(btCollisionAlgorithm*& algorithm) {

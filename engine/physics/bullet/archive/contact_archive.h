@@ -42,6 +42,7 @@ private:
     void single(btCollisionAlgorithm& single,
                 const btCollisionObjectWrapper& first,
                 const btCollisionObjectWrapper& second);
+    void primitive_pair(Pair& pair);
     void forget(btCollisionAlgorithm*& algorithm);
 
     Archive& archive_;

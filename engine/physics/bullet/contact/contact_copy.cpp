@@ -1,6 +1,7 @@
 #include "engine/physics/bullet/contact/contact_copy.h"
 
 #include "engine/physics/bullet/convert.h"
+#include "engine/physics/bullet/shape/primitive_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,18 +14,14 @@ namespace {
 /// A side of cylinders is round only where it is touched across their axis.
 constexpr btScalar kAcrossAxis = btScalar(0.02);
 
-/// A rounded side: the sphere that touches. Radius 0 for all sides that are not.
-struct Rounding {
-    Real radius_m{0};
-    btVector3 center{0, 0, 0};  ///< world
+/// The part of a body that touches, if it is round.
+struct RoundPart {
+    Primitive shape;
+    Transform world_from_shape;
 };
 
-/// Balls, capsules and the sides of cylinders. The centre is put on the shape's own centre or axis:
-/// contact points are known to a few micrometres only, and a sphere pressed beside its centre turns.
-Rounding rounding_of(const btCollisionObject& object,
-                     int child,
-                     const btVector3& on_surface,
-                     const btVector3& outward) {
+/// Spheres, capsules and, like these, the sides of cylinders.
+RoundPart round_part(const btCollisionObject& object, int child, const btVector3& outward) {
     const btCollisionShape* shape = object.getCollisionShape();
     btTransform at = object.getWorldTransform();
     if (shape->isCompound()) {
@@ -34,38 +31,28 @@ Rounding rounding_of(const btCollisionObject& object,
         shape = compound.getChildShape(child);
         at *= compound.getChildTransform(child);
     }
-    const auto on_axis = [&](int up, Real radius_m) {
-        const btVector3 axis = at.getBasis().getColumn(up);
-        const btVector3 near = on_surface - outward * radius_m;
-        return Rounding{radius_m, at.getOrigin() + axis * axis.dot(near - at.getOrigin())};
-    };
-    switch (shape->getShapeType()) {
-        case SPHERE_SHAPE_PROXYTYPE:
-            return {static_cast<const btSphereShape*>(shape)->getRadius(), at.getOrigin()};
-        case CAPSULE_SHAPE_PROXYTYPE: {
-            const auto& capsule = static_cast<const btCapsuleShape&>(*shape);
-            return on_axis(capsule.getUpAxis(), capsule.getRadius());
-        }
-        case CYLINDER_SHAPE_PROXYTYPE: {
-            const auto& cylinder = static_cast<const btCylinderShape&>(*shape);
-            const btVector3 axis = at.getBasis().getColumn(cylinder.getUpAxis());
-            if (std::abs(axis.dot(outward)) >= kAcrossAxis) return {};
-            return on_axis(cylinder.getUpAxis(), cylinder.getRadius());
-        }
-        default:
-            return {};
-    }
+    if (shape->getShapeType() != CYLINDER_SHAPE_PROXYTYPE)
+        return {primitive_of(*shape), transform_from_bullet(at)};
+    const auto& cylinder = static_cast<const btCylinderShape&>(*shape);
+    if (std::abs(at.getBasis().getColumn(1).dot(outward)) >= kAcrossAxis) return {};
+    return {{.kind = Primitive::Kind::Capsule, .radius_m = cylinder.getRadius()},
+            transform_from_bullet(at)};
 }
 
 void place_side(ContactSide& side,
                 const btCollisionObject& object,
                 int child,
-                const btVector3& on_surface,
                 const btVector3& outward) {
-    const Rounding sphere = rounding_of(object, child, on_surface, outward);
-    const btVector3& place = sphere.radius_m > 0 ? sphere.center : on_surface;
-    side.radius_m = sphere.radius_m;
-    side.offset_m = from_bullet(place - object.getWorldTransform().getOrigin());
+    const RoundPart part = round_part(object, child, outward);
+    const Vec3 center =
+        touching_center({part.shape, part.world_from_shape}, side.surface_m, from_bullet(outward));
+    side.radius_m = part.shape.radius_m;
+    side.offset_m = center - from_bullet(object.getWorldTransform().getOrigin());
+}
+
+/// The feature of a point that was found before; 0: new.
+std::uint32_t feature_of(const btManifoldPoint& point) {
+    return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(point.m_userPersistentData));
 }
 
 /// The points before `i` are matched. Brings the point that the feature names to place `i`; one that
@@ -94,24 +81,28 @@ void copy_point(const btManifoldPoint& from, ManifoldPoint& to) {
     to.age_steps = from.getLifeTime();
     to.normal_world = from_bullet(from.m_normalWorldOnB);
     to.a.surface_m = from_bullet(from.getPositionWorldOnA());
+    to.a.local_m = from_bullet(from.m_localPointA);
     to.b.surface_m = from_bullet(from.getPositionWorldOnB());
+    to.b.local_m = from_bullet(from.m_localPointB);
     to.distance_m = from.getDistance();
 }
 
 }  // namespace
-
-std::uint32_t feature_of(const btManifoldPoint& point) {
-    return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(point.m_userPersistentData));
-}
 
 // Bullet keeps the number where users may keep a pointer.
 void set_feature(const btManifoldPoint& point, std::uint32_t feature) {
     point.m_userPersistentData = reinterpret_cast<void*>(static_cast<std::uintptr_t>(feature));
 }
 
-void find_again(btManifoldPoint& point, const btManifoldPoint& old) {
-    set_feature(point, feature_of(old));
-    point.m_lifeTime = old.m_lifeTime + 1;
+void find_again(btManifoldPoint& point, const ManifoldPoint& old) {
+    set_feature(point, old.feature);
+    point.m_lifeTime = old.age_steps + 1;
+}
+
+ManifoldPoint copied(const btManifoldPoint& point) {
+    ManifoldPoint copy{.feature = feature_of(point)};
+    copy_point(point, copy);
+    return copy;
 }
 
 PairMaterial material_of(const btCollisionObject& a, const btCollisionObject& b) {
@@ -120,6 +111,14 @@ PairMaterial material_of(const btCollisionObject& a, const btCollisionObject& b)
             .restitution = std::max(a.getRestitution(), b.getRestitution()),
             .rolling_m = std::max(a.getRollingFriction(), b.getRollingFriction()),
             .spinning_m = std::max(a.getSpinningFriction(), b.getSpinningFriction())};
+}
+
+Manifold& sole_manifold(Pair& pair) {
+    if (pair.manifolds.empty()) {
+        pair.manifolds.push_back(
+            {.a = pair.a, .b = pair.b, .material = material_of(*pair.a->rigid, *pair.b->rigid)});
+    }
+    return pair.manifolds.front();
 }
 
 void match_manifolds(const btManifoldArray& from, Pair& pair) {
@@ -169,18 +168,15 @@ void copy_manifold(const btPersistentManifold& from, Manifold& to) {
 
 void remove_point(btPersistentManifold& from, Manifold& to, int index) {
     from.removeContactPoint(index);
-    to.points[static_cast<std::size_t>(index)] = to.points.back();
-    to.points.pop_back();
+    remove_point(to, static_cast<std::size_t>(index));
 }
 
 void copy_places(const btPersistentManifold& from, Manifold& to) {
     for (std::size_t i = 0; i < to.points.size(); ++i) {
         const btManifoldPoint& point = from.getContactPoint(static_cast<int>(i));
         const btVector3& normal = point.m_normalWorldOnB;
-        place_side(
-            to.points[i].a, *from.getBody0(), point.m_index0, point.getPositionWorldOnA(), -normal);
-        place_side(
-            to.points[i].b, *from.getBody1(), point.m_index1, point.getPositionWorldOnB(), normal);
+        place_side(to.points[i].a, *from.getBody0(), point.m_index0, -normal);
+        place_side(to.points[i].b, *from.getBody1(), point.m_index1, normal);
     }
 }
 

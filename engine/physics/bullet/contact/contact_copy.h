@@ -14,6 +14,9 @@ inline BodyRecord& record_of(const btCollisionObject& object) {
     return *static_cast<BodyRecord*>(object.getUserPointer());
 }
 
+/// The one manifold of a pair of primitives, made when first asked for.
+Manifold& sole_manifold(Pair& pair);
+
 /// Makes `pair.manifolds` stand for Bullet's, one for one; those that are gone go with their loads.
 void match_manifolds(const btManifoldArray& from, Pair& pair);
 /// Makes `to.points` stand for Bullet's, one for one; points found again keep their loads.
@@ -25,11 +28,11 @@ void copy_manifold(const btPersistentManifold& from, Manifold& to);
 /// Where the points are on the two bodies.
 void copy_places(const btPersistentManifold& from, Manifold& to);
 
-/// The feature of a point that was found before; 0: new.
-std::uint32_t feature_of(const btManifoldPoint& point);
+/// One of ours like Bullet's, but for its load and the radii and offsets of its sides.
+ManifoldPoint copied(const btManifoldPoint& point);
 void set_feature(const btManifoldPoint& point, std::uint32_t feature);
 /// Says that `point` is `old`, found again.
-void find_again(btManifoldPoint& point, const btManifoldPoint& old);
+void find_again(btManifoldPoint& point, const ManifoldPoint& old);
 
 /// What the materials of the two bodies make.
 PairMaterial material_of(const btCollisionObject& a, const btCollisionObject& b);

@@ -27,11 +27,11 @@ BodyRecord& record_behind(const btBroadphaseProxy& proxy) {
 }
 
 bool is_box(const BodyRecord& record) {
-    return record.rigid->getCollisionShape()->getShapeType() == BOX_SHAPE_PROXYTYPE;
+    return record.traits.primitive.kind == Primitive::Kind::Box;
 }
 
 bool is_sphere(const BodyRecord& record) {
-    return record.rigid->getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+    return record.traits.primitive.kind == Primitive::Kind::Sphere;
 }
 
 bool is_single(const BodyRecord& record) {
@@ -73,6 +73,7 @@ btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
     pair->base_m = std::min(a.traits.contact_margin_m, b.traits.contact_margin_m);
     pair->round = (is_sphere(a) && is_single(b)) || (is_sphere(b) && is_single(a));
     pair->boxes = is_box(a) && is_box(b);
+    pair->primitives = can_collide(a.traits.primitive, b.traits.primitive);
     few.small.pairs.insert(place, {many.id, pair});
     many.small.pairs.insert(place_of(many, few.id), {few.id, pair});
     ++size_;

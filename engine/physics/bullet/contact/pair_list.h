@@ -18,7 +18,8 @@ namespace plumbline::physics {
 struct BulletPair : Pair {
     const btDbvtProxy* box_a{nullptr};
     const btDbvtProxy* box_b{nullptr};
-    btCollisionAlgorithm* algorithm{nullptr};  ///< finds the points; none until boxes overlap
+    /// Finds the points; none for primitives, and for others until boxes overlap.
+    btCollisionAlgorithm* algorithm{nullptr};
 };
 
 inline BulletPair& bullet_side(Pair& pair) {

@@ -31,6 +31,32 @@ TEST(Tangents, MakeARightHandedFrameWithAnyNormal) {
     }
 }
 
+TEST(Manifold, TellsPointsByTheNearerOfTheirSides) {
+    Manifold manifold;
+    for (int i = 0; i < 6; ++i) {
+        ManifoldPoint& point = manifold.points.emplace_back();
+        point.a.local_m.x = static_cast<Real>(i);
+        point.b.local_m.y = static_cast<Real>(10 * i);
+    }
+    ManifoldPoint sought;
+    sought.a.local_m = {4.25_r, 0, 0};
+    sought.b.local_m = {0, 20.5_r, 0};
+    EXPECT_EQ(nearest_point(manifold.points, sought, 1), &manifold.points[4]);
+    EXPECT_EQ(nearest_point(manifold.points, sought, 0.25_r), nullptr) << "nearer than that";
+    sought.b.local_m = {0, 20.125_r, 0};
+    EXPECT_EQ(nearest_point(manifold.points, sought, 1), &manifold.points[2]) << "on b";
+}
+
+TEST(Manifold, PutsTheLastPointWhereOneIsTakenOut) {
+    Manifold manifold;
+    for (const std::uint32_t feature : {1U, 2U, 3U, 4U}) manifold.points.push_back({feature});
+    remove_point(manifold, 1);
+    remove_point(manifold, 2);
+    ASSERT_EQ(manifold.points.size(), 2U);
+    EXPECT_EQ(manifold.points[0].feature, 1U);
+    EXPECT_EQ(manifold.points[1].feature, 4U);
+}
+
 TEST(Manifold, ForgetsWhatItCarriedAndKeepsItsPoints) {
     Manifold manifold;
     manifold.points.push_back({.feature = 7, .distance_m = -0.01_r, .normal_Ns = 2});

@@ -1,4 +1,4 @@
-// Contacts of boxes with boxes, spheres and capsules.
+// Contacts of a compound's boxes, spheres and capsules, which Bullet's compound algorithms ask for.
 //
 // Bullet 3.24's boxes have no points before they overlap, and lose corners when more than four are
 // to choose from; its spheres meet boxes by an iteration that now and then ends at a wrong normal, and
@@ -7,19 +7,18 @@
 
 #include <btBulletCollisionCommon.h>
 
-#include <array>
 #include <memory>
 
 namespace plumbline::physics {
 
-/// Makes the algorithms; the dispatcher keeps pointers to these, so they must outlive it.
-class BoxContacts {
+/// Makes the algorithm; the dispatcher keeps pointers to it, so it must outlive it.
+class PartContacts {
 public:
     /// From now on `dispatcher` meets boxes our way.
-    explicit BoxContacts(btCollisionDispatcher& dispatcher);
+    explicit PartContacts(btCollisionDispatcher& dispatcher);
 
 private:
-    std::array<std::unique_ptr<btCollisionAlgorithmCreateFunc>, 2> makers_;
+    std::unique_ptr<btCollisionAlgorithmCreateFunc> maker_;
 };
 
 }  // namespace plumbline::physics

@@ -1,0 +1,158 @@
+#include "engine/physics/collision/pair_reach.h"
+
+#include "engine/physics/world/body_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+/// Bullet needs room to keep points from step to step; those of boxes are all found anew, and count
+/// when nearer than this share of the distance at which others do.
+constexpr Real kNearBoxes = 0.1_r;
+
+bool is_moving(const BodyRecord& record) {
+    return record.kind != BodyKind::Static && !record.frozen;
+}
+
+/// How far continuous collision lets a body go unswept in a step; a swept one stops at what it hits.
+Real unswept_m(const BodyRecord& record) {
+    if (!is_moving(record)) return 0;
+    return record.sweep.smallest_ccd_radius_m > 0 ? record.sweep.smallest_ccd_radius_m
+                                                  : record.traits.radius_m / 2;
+}
+
+Real spin_mps(const BodyRecord& record) {
+    return is_moving(record) ? glm::length(record.motion->spin_radps) * record.traits.radius_m : 0;
+}
+
+/// How much of an impact's change of speed `record` takes. What is backed gives way to nothing.
+Real share_of(const BodyRecord& record, const BodyRecord& other) {
+    const Real own = record.motion->inverse_mass;
+    const Real others = other.small.predicted.backed ? Real{0} : other.motion->inverse_mass;
+    return own > 0 ? own / (own + others) : Real{0};
+}
+
+bool is_backing(const BodyRecord& record) {
+    return record.small.predicted.backed || record.motion->inverse_mass <= 0;
+}
+
+Vec3 velocity_at(const BodyRecord& record, const Vec3& place_world) {
+    const BodyMotion& motion = *record.motion;
+    return motion.velocity_mps + glm::cross(motion.spin_radps, place_world - motion.at.position_m);
+}
+
+/// How fast the bodies come together at a point, after whatever impacts either may get.
+Real closing_mps(const Manifold& manifold, const ManifoldPoint& point) {
+    const Vec3 apart =
+        velocity_at(*manifold.b, point.b.surface_m) - velocity_at(*manifold.a, point.a.surface_m);
+    const Vec3& normal = point.normal_world;
+    return glm::dot(apart, normal) +
+           std::max(Real{0}, -glm::dot(manifold.a->small.predicted.change_mps, normal)) +
+           std::max(Real{0}, glm::dot(manifold.b->small.predicted.change_mps, normal));
+}
+
+bool is_face_of_box(const Mat3& axes, const Vec3& normal) {
+    constexpr Real kAlong = 0.9999_r;
+    for (int k = 0; k < 3; ++k) {
+        if (std::abs(glm::dot(axes[k], normal)) > kAlong) return true;
+    }
+    return false;
+}
+
+/// Whether a sphere or capsule that is near a box's edge goes by: one that slides over the seam
+/// between two boxes must not bump into the edge of the next, which it only looks at from below.
+bool passes_edge(const Manifold& manifold, const ManifoldPoint& point, Real step_s) {
+    constexpr Real kTouch = 0.005_r;  // of the radius, as is the next
+    constexpr Real kFar = 0.1_r;
+    const bool box_last = manifold.b->traits.primitive.kind == Primitive::Kind::Box;
+    const BodyRecord& round = box_last ? *manifold.a : *manifold.b;
+    const BodyRecord& box = box_last ? *manifold.b : *manifold.a;
+    const Vec3 out = box_last ? point.normal_world : -point.normal_world;
+    const Vec3& edge = box_last ? point.b.surface_m : point.a.surface_m;
+    const Real radius_m = round.traits.primitive.radius_m;
+    if (radius_m <= 0 || box.traits.primitive.kind != Primitive::Kind::Box ||
+        point.distance_m < -kTouch * radius_m || is_face_of_box(box.motion->at.rotation, out))
+        return false;
+    const Vec3 center = edge + out * (radius_m + point.distance_m);
+    const Vec3 way = (velocity_at(round, center) - velocity_at(box, edge)) * step_s;
+    const Real length2 = glm::dot(way, way);
+    if (length2 < kFar * kFar * radius_m * radius_m) return false;
+    const Vec3 apart = center - edge;
+    const Real nearest = std::clamp(-glm::dot(apart, way) / length2, Real{0}, Real{1});
+    return glm::length(apart + way * nearest) > radius_m * (1 - kTouch);
+}
+
+void keep_larger(PredictedChange& predicted, const Vec3& change, bool backed) {
+    if (glm::dot(change, change) > glm::dot(predicted.change_mps, predicted.change_mps))
+        predicted = {change, backed, false};
+}
+
+}  // namespace
+
+Real near_m(const Pair& pair) {
+    return pair.boxes ? kNearBoxes * pair.base_m : pair.base_m;
+}
+
+Real predicted_mps(const Pair& pair) {
+    return glm::length(pair.a->small.predicted.change_mps) +
+           glm::length(pair.b->small.predicted.change_mps);
+}
+
+Real reach_of(const Pair& pair, const CollideStep& step) {
+    const BodyRecord& a = *pair.a;
+    const BodyRecord& b = *pair.b;
+    const Vec3 apart = a.motion->velocity_mps - b.motion->velocity_mps;
+    const Real speed = glm::length(apart) + spin_mps(a) + spin_mps(b) + predicted_mps(pair);
+    const Real way = speed * step.step_s + step.fall_m;
+    const Real unswept = unswept_m(a) + unswept_m(b);
+    if (pair.boxes) return near_m(pair) + std::min(way, unswept);
+    // Resting bodies keep the distances at which Bullet merges and keeps points.
+    if (2 * way <= pair.base_m) return pair.base_m;
+    // Points of round shapes are found at any distance; what others reach no further for is swept.
+    return pair.base_m + (pair.round ? way : std::min(way, unswept));
+}
+
+bool knows_less(const Pair& pair, const CollideStep& step) {
+    // Boxes that only an impact brings together meet in the next step, at most their CCD spheres apart.
+    return !pair.boxes &&
+           2 * (predicted_mps(pair) - pair.predicted_mps) * step.step_s > pair.base_m;
+}
+
+bool is_reachable(const Manifold& manifold,
+                  const ManifoldPoint& point,
+                  Real near_m,
+                  const CollideStep& step) {
+    if (passes_edge(manifold, point, step.step_s)) return false;
+    const Real closing = std::max(Real{0}, closing_mps(manifold, point));
+    const Vec3 gap = point.a.surface_m - point.b.surface_m;
+    const Real drift2 = glm::dot(gap, gap) - point.distance_m * point.distance_m;
+    const bool is_far = point.distance_m > near_m + closing * step.step_s + step.fall_m;
+    return !is_far && !(drift2 > near_m * near_m);
+}
+
+PairImpact impact_of(const Pair& pair, const CollideStep& step) {
+    PairImpact impact;
+    if (!pair.touches || pair.reach_m <= pair.base_m) return impact;
+    for (const Manifold& manifold : pair.manifolds) {
+        const BodyRecord& a = *manifold.a;
+        const BodyRecord& b = *manifold.b;
+        for (const ManifoldPoint& point : manifold.points) {
+            const Real closing = closing_mps(manifold, point);
+            const Real change = closing * (1 + manifold.material.restitution);
+            if (closing * step.step_s <= std::max(point.distance_m, Real{0}) ||
+                2 * change * step.step_s <= pair.base_m) {
+                continue;
+            }
+            const Vec3 push = point.normal_world * change;
+            keep_larger(
+                &a == pair.a ? impact.on_a : impact.on_b, push * share_of(a, b), is_backing(b));
+            keep_larger(
+                &a == pair.a ? impact.on_b : impact.on_a, -push * share_of(b, a), is_backing(a));
+        }
+    }
+    return impact;
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,41 @@
+// How far apart two bodies' points are looked for, and what points say of the step.
+//
+// Points are found before bodies touch when they close fast enough to meet within the step. What is
+// farther than that is dropped again at once, so slow pairs keep Bullet's distances.
+#pragma once
+
+#include "engine/physics/collision/pair.h"
+
+namespace plumbline::physics {
+
+/// What colliding needs to know of the step.
+struct CollideStep {
+    Real step_s{0};
+    Real fall_m{0};  ///< what gravity adds to any motion within the step, at most
+};
+
+/// The impact of a pair that meets within the step.
+struct PairImpact {
+    PredictedChange on_a;
+    PredictedChange on_b;
+};
+
+/// How far apart points must be found so that none is missed, with the predicted changes known so far.
+Real reach_of(const Pair& pair, const CollideStep& step);
+/// Points of the pair count up to this distance, however slowly the bodies close.
+Real near_m(const Pair& pair);
+/// Of both bodies.
+Real predicted_mps(const Pair& pair);
+/// Whether predicted changes since the pair's latest look let its bodies come noticeably farther.
+bool knows_less(const Pair& pair, const CollideStep& step);
+
+/// Whether the bodies can close the point within the step: near ones count anyway.
+bool is_reachable(const Manifold& manifold,
+                  const ManifoldPoint& point,
+                  Real near_m,
+                  const CollideStep& step);
+
+/// The impact of a pair that meets within this step faster than it rests.
+PairImpact impact_of(const Pair& pair, const CollideStep& step);
+
+}  // namespace plumbline::physics
