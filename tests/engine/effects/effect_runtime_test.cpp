@@ -193,61 +193,6 @@ TEST(EffectRuntime, MakesNoImageThatNobodyLooksAt) {
     expect_nothing(line_of(effects, "fog"));
 }
 
-TEST(EffectRuntime, TheFlashlightLivesWithItsSwitch) {
-    SceneDescription scene = scene_of({});
-    scene.flashlight = scene::FlashlightDescription{.intensity = 10, .color = {1, 1, 1}};
-    Running run(scene);
-    EffectRuntime effects(*run, kAll);
-    EXPECT_FALSE(draw(run, effects).flashlight);
-    expect_nothing(line_of(effects, "flashlight"));
-
-    run->switches.turn("flashlight", true);
-    const render::RenderFrame lit = draw(run, effects);
-    ASSERT_TRUE(lit.flashlight);
-    EXPECT_TRUE(test::near(lit.flashlight->intensity, Vec3f{10.0F}, 1e-6));
-    const scene::ViewPoint view = run.game.view(*run, Real{1}, 0.0F, 0.0F);
-    EXPECT_TRUE(
-        test::near(lit.flashlight->position_world, Vec3f(view.world_from_hand.position), 1e-6))
-        << "the beam starts at the hand";
-    EXPECT_EQ(line_of(effects, "flashlight").called_for_by, Callers{"switch flashlight"});
-
-    run->switches.turn("flashlight", false);
-    EXPECT_FALSE(draw(run, effects).flashlight);
-    const LedgerLine off = line_of(effects, "flashlight");
-    EXPECT_FALSE(off.exists);
-    EXPECT_EQ(off.bytes_cpu, 0U);
-    EXPECT_EQ(off.constructions, 1U);
-    EXPECT_EQ(off.calls, 1U);
-
-    run->switches.turn("flashlight", true);
-    draw(run, effects);
-    EXPECT_EQ(line_of(effects, "flashlight").constructions, 2U);
-    EXPECT_EQ(line_of(effects, "flashlight").calls, 2U);
-}
-
-TEST(EffectRuntime, NoPlayerHasAFlashlightThatTheSceneDoesNotGive) {
-    Running run(scene_of({}));
-    EffectRuntime effects(*run, kAll);
-    run->switches.turn("flashlight", true);
-    EXPECT_FALSE(draw(run, effects).flashlight);
-}
-
-TEST(EffectRuntime, FogCanBeAddedAndTakenAway) {
-    Running clear(scene_of({}));
-    EffectRuntime effects(*clear, kAll);
-    clear->switches.turn("fog", true);
-    ASSERT_TRUE(draw(clear, effects).fog);
-    EXPECT_EQ(line_of(effects, "fog").called_for_by, Callers{"switch fog"});
-
-    SceneDescription misty = scene_of({});
-    misty.fog = scene::FogDescription{};
-    Running run(misty);
-    EffectRuntime others(*run, kAll);
-    EXPECT_TRUE(draw(run, others).fog);
-    run->switches.turn("fog", false);
-    EXPECT_FALSE(draw(run, others).fog);
-}
-
 TEST(EffectRuntime, SweepsOnlyWhileSomethingIsFast) {
     EntityDescription bullet = ball("bullet", {-15, 1, 0}, 0.1_r);
     bullet.body->velocity_mps = {100, 0, 0};
@@ -304,26 +249,6 @@ TEST(EffectRuntime, BooksThePassesOfItsRows) {
     EXPECT_EQ(line_of(effects, "sun_shadow").gpu_ms, -1.0) << "the driver does not tell";
     EXPECT_EQ(line_of(effects, "sun_shadow").bytes_gpu, 40U);
     EXPECT_EQ(line_of(effects, "fog").bytes_gpu, 0U);
-}
-
-TEST(EffectRuntime, NamesTheFirstCallersAndCountsTheRest) {
-    scene::SurfaceTable loud = test::plain_surfaces();
-    loud.surfaces.push_back({.name = "wood", .impact_sounds = {"no/such.ogg"}});
-    SceneDescription scene = scene_of({});
-    scene.materials["wood"] = {.name = "wood", .surface = "wood"};
-    EntityDescription crate = cube("crate", {});
-    crate.material = "wood";
-    scene.arrays.push_back({.name = "pile",
-                            .prefab = crate,
-                            .origin_m = {0, 5, 0},
-                            .count = {10, 1, 1},
-                            .spacing_m = {2, 2, 2}});
-    Running run(scene, loud);
-    EffectRuntime effects(*run, kAll);
-    const Callers callers = line_of(effects, "impact_sounds").called_for_by;
-    ASSERT_EQ(callers.size(), 9U);
-    EXPECT_EQ(callers.front(), "entity pile.0.0.0 (test.toml:10)");
-    EXPECT_EQ(callers.back(), "and 2 more");
 }
 
 }  // namespace

@@ -1,59 +1,10 @@
-// What contacts do to looks, and volumes to the world.
+// What volumes do to the world.
 #include "tests/engine/effects/drawn.h"
+
+#include <algorithm>
 
 namespace plumbline::effects {
 namespace {
-
-/// Two cubes over the ground, red ones that are yellow while they touch something.
-scene::SceneDescription touchy() {
-    scene::SceneDescription scene =
-        test::scene_of({test::ground(), test::cube("a", {0, 2, 0}), test::cube("b", {0, 5, 0})});
-    for (const char* name : {"red", "yellow"}) scene.materials[name].name = name;
-    for (std::size_t i : {1U, 2U}) {
-        scene.entities[i].material = "red";
-        scene.entities[i].contact_material = "yellow";
-    }
-    return scene;
-}
-
-std::string worn(test::Running& run, const std::string& name) {
-    const auto& visual = run->registry.get<scene::Visual>(run->find(name));
-    return run.library.material(visual.materials.at(0)).name;
-}
-
-// SOURCES A35: from the step in which the pair begins to touch to that in which it ends.
-TEST(ContactAppearance, IsWornFromTheBeginOfAContactToItsEnd) {
-    test::Running run(touchy());
-    EffectRuntime effects(*run, {.frame = true});
-    // It falls 1.5 m: sqrt(2 * 1.5 / 9.81) = 0.553 s.
-    run.step(32, effects);
-    EXPECT_EQ(worn(run, "a"), "red");
-    run.step(3, effects);
-    EXPECT_EQ(worn(run, "a"), "yellow");
-    EXPECT_EQ(worn(run, "b"), "red");
-    run.step(60 * 6, effects);
-    EXPECT_FALSE(run.state("b").awake);
-    EXPECT_EQ(worn(run, "b"), "yellow") << "also asleep";
-    run->physics.apply_impulse(run.body("b"), Vec3{0, 5, 0} * Real{1000});
-    run.step(4, effects);
-    EXPECT_EQ(worn(run, "b"), "red");
-    EXPECT_EQ(worn(run, "a"), "yellow") << "the ground is under it";
-    EXPECT_EQ(line_of(effects, "contact_look").called_for_by.size(), 2U);
-    EXPECT_GE(line_of(effects, "contact_look").calls, 3U);
-}
-
-TEST(ContactAppearance, CostsNothingWhereNobodyCallsForIt) {
-    test::Running run(test::scene_of({test::ground(), test::cube("a", {0, 2, 0})}));
-    EffectRuntime effects(*run, {.frame = true});
-    run.step(60, effects);
-    for (const char* name : {"contact_look", "triggers", "contact_events"}) {
-        const LedgerLine line = line_of(effects, name);
-        EXPECT_EQ(line.constructions, 0U) << name;
-        EXPECT_EQ(line.calls, 0U) << name;
-        EXPECT_EQ(line.cpu_ms, 0.0) << name;
-        EXPECT_EQ(line.bytes_cpu, 0U) << name;
-    }
-}
 
 /// The book's volume: half as large 1, 0.25 and 1 m at (0, 1.5, 0), over a floor at y = 1.
 scene::SceneDescription with_trigger(int times) {
@@ -109,6 +60,20 @@ TEST(Triggers, OthersThanThoseItNamesDoNotCount) {
     EffectRuntime effects(*run, {});
     run.step(180, effects);
     EXPECT_EQ(line_of(effects, "triggers").calls, 0U);
+}
+
+TEST(Triggers, OnlyWhatMovesByItselfComesIn) {
+    scene::SceneDescription scene = with_trigger(5);
+    scene.entities[2].trigger->of.clear();
+    scene.entities[1].body->kind = physics::BodyKind::Kinematic;
+    test::Running run(scene);
+    EffectRuntime effects(*run, {});
+    run->physics.set_pose(run.body("red_box"), {.position = {0, 1.9_r, 0}});
+    run.step(3, effects);
+    EXPECT_EQ(line_of(effects, "triggers").calls, 0U) << "kinematic";
+    run->spawn(test::box("visitor", {0, 1.5_r, 0}, {0.1_r, 0.1_r, 0.1_r}));
+    run.step(3, effects);
+    EXPECT_EQ(line_of(effects, "triggers").calls, 1U) << "of any name, once while it is inside";
 }
 
 }  // namespace
