@@ -58,7 +58,7 @@ private:
         double cost{1.0};  ///< relative to the dearest
     };
 
-    static std::vector<Rung> ladder(const QualityRequest& wish);
+    static std::vector<Rung> ladder(const QualityRequest& wish, bool draws_on_cpu);
     const Rung& rung() const { return rungs_[at_]; }
     std::size_t best_rung_for(double median_ms, double budget_ms) const;
     bool go_to(std::size_t rung);

@@ -125,7 +125,10 @@ TEST(QualityControl, KeepsALevelThatWasAskedFor) {
     QualityControl control({.level = Level::High}, true);
     EXPECT_EQ(draw(control, {100.0, 1000.0}, 500), 0);
     EXPECT_EQ(control.level(), Level::High);
-    EXPECT_EQ(control.quality().render_scale, 1.0F);
+    EXPECT_EQ(control.quality().render_scale, 0.9F);
+    EXPECT_EQ(QualityControl({.level = Level::High}, false).quality().render_scale, 1.0F);
+    const QualityControl full({.level = Level::High, .render_scale = 1.0F}, true);
+    EXPECT_EQ(full.quality().render_scale, 1.0F);
     QualityControl scaled({.level = Level::Low, .render_scale = 0.9F}, true);
     EXPECT_EQ(scaled.quality().render_scale, 0.9F);
     EXPECT_FALSE(scaled.quality().surface_maps);
@@ -147,7 +150,8 @@ TEST(QualityControl, SaysWhatGaveWay) {
               "render scale 60 %, surface maps, smooth shadows, fine shadows, shadows of lamps, "
               "ambient occlusion, sun shafts, detail far off, grass 50 %, things below 4 px");
     const QualityControl high({.level = Level::High}, true);
-    EXPECT_EQ(render::what_gave_way(high.quality()), "ambient occlusion, sun shafts");
+    EXPECT_EQ(render::what_gave_way(high.quality()),
+              "render scale 90 %, ambient occlusion, sun shafts");
     const QualityControl on_gpu({.level = Level::High}, false);
     EXPECT_EQ(render::what_gave_way(on_gpu.quality()), "");
 }
