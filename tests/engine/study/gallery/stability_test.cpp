@@ -3,6 +3,7 @@
 
 #include "engine/core/io/files.h"
 #include "engine/scene/open_scene.h"
+#include "tests/engine/study/gallery/sample_table.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,10 +14,6 @@
 namespace plumbline::study {
 namespace {
 
-const std::filesystem::path kAssets = std::filesystem::path(PL_SOURCE_DIR) / "assets";
-const DataFolders kFolders{
-    .assets = kAssets, .shaders = {}, .config = std::filesystem::path(PL_SOURCE_DIR) / "config"};
-
 const std::vector<CaseEntry>& shipped() {
     static const std::vector<CaseEntry> kCases = [] {
         Result<std::vector<CaseEntry>> cases = find_cases(kFolders);
@@ -24,29 +21,6 @@ const std::vector<CaseEntry>& shipped() {
         return cases ? std::move(*cases) : std::vector<CaseEntry>{};
     }();
     return kCases;
-}
-
-CaseEntry entry(const std::string& id) {
-    CaseEntry made{.scene = id + ".toml", .title = "a <tower>"};
-    made.hard.id = id;
-    made.hard.shows = "It stands.";
-    return made;
-}
-
-CaseResult result(bool passed, double margin) {
-    return {.ran = true,
-            .passed = passed,
-            .simulated_s = 10,
-            .cpu_ms_per_s = 1.5,
-            .step_ms_max = 0.25,
-            .work_per_s = 1000,
-            .rules = {{.text = "sag_m at most 1",
-                       .allowed = {Allowed::Kind::Below, 1, 0},
-                       .value = 1 - margin,
-                       .margin = margin,
-                       .passed = passed,
-                       .worst_of = "box",
-                       .worst_at_s = 2}}};
 }
 
 TEST(Gallery, HoldsEveryRowThatTheFeaturesAllow) {
@@ -97,30 +71,6 @@ TEST(Gallery, EveryCaseHasAJudge) {
     }
 }
 
-TEST(Gallery, ARunSaysTheSameTwice) {
-    const CaseRun run{.scene = kAssets / "scenes/hard/H25.toml"};
-    const Result<CaseResult> first = run_case(run);
-    const Result<CaseResult> second = run_case(run);
-    ASSERT_TRUE(first.ok() && second.ok());
-    EXPECT_TRUE(first->passed);
-    EXPECT_NEAR(first->simulated_s, 2, 1e-9);
-    EXPECT_EQ(first->work_per_s, second->work_per_s);
-    ASSERT_EQ(first->rules.size(), second->rules.size());
-    for (std::size_t i = 0; i < first->rules.size(); ++i)
-        EXPECT_EQ(first->rules[i].value, second->rules[i].value) << first->rules[i].text;
-}
-
-TEST(Gallery, ARunThatTakesTooLongIsGivenUp) {
-    const Result<CaseResult> result =
-        run_case({.scene = kAssets / "scenes/hard/H11.toml", .cpu_limit_s = 1e-6});
-    ASSERT_TRUE(result.ok());
-    EXPECT_TRUE(result->ran);
-    EXPECT_FALSE(result->passed);
-    EXPECT_TRUE(result->gave_up) << "nothing had failed by then";
-    EXPECT_NE(result->why.find("given up"), std::string::npos) << result->why;
-    EXPECT_NEAR(result->simulated_s, 1.0 / 60, 1e-9);
-}
-
 TEST(Stability, CasesAreFoundByTheirIds) {
     const std::vector<CaseEntry> all{entry("H01"), entry("H05"), entry("H12b")};
     const auto two = select_cases(all, {"hard/H05", "h12b.toml"}, false);
@@ -142,61 +92,6 @@ TEST(Stability, TheLongOnesRunWhenAskedFor) {
     EXPECT_EQ(select_cases(all, {}, true)->size(), 2U);
     EXPECT_EQ(select_cases(all, {"H02"}, false)->size(), 1U);
 }
-
-TEST(Stability, ResultsSurviveTheirJson) {
-    CaseResult before = result(false, -0.5);
-    before.why = "a \"reason\"";
-    before.interventions = {.braked_J = 0.5, .braked_islands = 2, .clamped_bodies = 3};
-    before.rules.push_back({.text = "height_m above 0",
-                            .allowed = {Allowed::Kind::Near, 2, 0.5},
-                            .value = std::nan(""),
-                            .margin = -std::numeric_limits<double>::infinity()});
-    const Result<CaseResult> after = parse_case_result(case_result_json(before));
-    ASSERT_TRUE(after.ok());
-    EXPECT_EQ(after->why, before.why);
-    EXPECT_EQ(after->cpu_ms_per_s, before.cpu_ms_per_s);
-    EXPECT_EQ(after->work_per_s, before.work_per_s);
-    EXPECT_EQ(after->interventions.braked_J, 0.5);
-    EXPECT_EQ(after->interventions.braked_islands, 2U);
-    EXPECT_EQ(after->interventions.clamped_bodies, 3U);
-    ASSERT_EQ(after->rules.size(), 2U);
-    EXPECT_EQ(after->rules[0].margin, -0.5);
-    EXPECT_EQ(after->rules[0].allowed.kind, Allowed::Kind::Below);
-    EXPECT_EQ(after->rules[1].allowed.kind, Allowed::Kind::Near);
-    EXPECT_EQ(after->rules[1].allowed.limit, 2);
-    EXPECT_EQ(after->rules[1].allowed.within, 0.5);
-    EXPECT_TRUE(std::isnan(after->rules[1].value));
-    EXPECT_EQ(after->rules[1].margin, before.rules[1].margin);
-    EXPECT_EQ(after->worst()->text, "height_m above 0");
-    EXPECT_FALSE(parse_case_result("{\"ran\": true}").ok());
-    EXPECT_FALSE(parse_case_result("nonsense").ok());
-}
-
-TEST(Stability, JobsRefuseWithAReason) {
-    for (const std::string body :
-         {"",
-          "{}",
-          R"({"scene": "x.toml", "solver": "best", "step_hz": 60, "cpu_limit_s": 1})",
-          R"({"scene": "none.toml", "solver": "small_step", "step_hz": 60, "cpu_limit_s": 1})"}) {
-        const Result<CaseResult> answer = parse_case_result(run_hard_case_job(body));
-        ASSERT_TRUE(answer.ok()) << body;
-        EXPECT_FALSE(answer->ran || answer->passed) << body;
-        EXPECT_FALSE(answer->why.empty()) << body;
-    }
-}
-
-class StabilityTableTest : public testing::Test {
-protected:
-    StabilityTableTest()
-        : table(plan_table({entry("H01"), entry("H02")},
-                           {physics::Solver::SmallStep, physics::Solver::BulletSi},
-                           {60})) {
-        table.runs[0].result = result(true, 0.63);
-        table.runs[1].result = result(false, -3);
-        table.runs[2].result = result(false, -0.25);
-    }
-    StabilityTable table;
-};
 
 TEST_F(StabilityTableTest, HasACellForEveryCaseAndSolver) {
     ASSERT_EQ(table.runs.size(), 4U);
@@ -294,34 +189,6 @@ TEST_F(StabilityTableTest, TheTextCountsWhatPasses) {
     EXPECT_NE(text.find("not run"), std::string::npos);
     EXPECT_NE(text.find("1 of 2 pass"), std::string::npos) << text;
     EXPECT_NE(text.find("0 of 1 pass"), std::string::npos) << text;
-}
-
-TEST_F(StabilityTableTest, ThePageShowsEveryCellAndEscapes) {
-    table.images[0] = "Man";  // "TWFu" in base 64
-    table.cases[1].hard.known_red = {{.rule = "sag_m", .reached = 2, .why = "not <yet>"}};
-    table.runs[0].result->interventions = {.braked_J = 0.25, .braked_islands = 2};
-    const std::string page = stability_page(table);
-    for (const char* wanted : {"<tr id=\"H01\">",
-                               "<tr id=\"H02\">",
-                               "data:image/png;base64,TWFu\"",
-                               "a &lt;tower&gt;",
-                               "not &lt;yet&gt;",
-                               "class=\"pass\"",
-                               "class=\"fail\"",
-                               "class=\"none\">not run",
-                               "<br>0.25 J braked in 2 islands</td>",
-                               "1 of 2 pass"}) {
-        EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
-    }
-    EXPECT_EQ(page.find("a <tower>"), std::string::npos);
-    EXPECT_EQ(page.find("http"), std::string::npos) << "one file, nothing loaded";
-}
-
-TEST_F(StabilityTableTest, PaddingOfImagesIsRight) {
-    table.images[0] = "Ma";
-    EXPECT_NE(stability_page(table).find("base64,TWE=\""), std::string::npos);
-    table.images[0] = "M";
-    EXPECT_NE(stability_page(table).find("base64,TQ==\""), std::string::npos);
 }
 
 }  // namespace

@@ -45,22 +45,6 @@ TEST(Scenarios, AreAllThereAndSayWhatTheyAre) {
     EXPECT_EQ(scenario_of("A99"), nullptr);
 }
 
-TEST(Scenarios, GridsTurnEveryKnobFarEnoughForAVerdict) {
-    for (const Scenario& scenario : scenarios()) {
-        for (const Effort effort : {Effort::Quick, Effort::Full}) {
-            std::set<std::string> texts;
-            for (const Setting& setting : grid_of(scenario, effort)) {
-                EXPECT_TRUE(texts.insert(setting_text(setting)).second)
-                    << scenario.id << ": " << setting_text(setting) << " twice";
-                EXPECT_GE(setting.step_hz, scenario.knobs.least_hz);
-                EXPECT_LE(setting.step_hz, scenario.knobs.most_hz);
-                EXPECT_EQ(1920 % setting.step_hz, 0) << "moments that every step divides";
-            }
-            EXPECT_GE(texts.size(), 4U) << scenario.id;
-        }
-    }
-}
-
 /// The check line of the whole study: nothing but the step decides how far a body of semi-implicit
 /// Euler falls short, g T h / 2. One that nothing pushes flies on the closed form instead.
 TEST(Scenarios, BulletFallsOnTheEulerFloor) {

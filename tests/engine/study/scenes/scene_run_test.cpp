@@ -1,40 +1,10 @@
 // Runs of small scenes, held against what can be worked out.
-#include "engine/study/scenes/scene_run.h"
-
-#include <gtest/gtest.h>
-#include <unistd.h>
+#include "tests/engine/study/scenes/scene_run_fixture.h"
 
 #include <cmath>
-#include <fstream>
-#include <string_view>
 
 namespace plumbline::study {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr std::string_view kFalling = R"([[entity]]
-name = "ball"
-position_m = [1, 100, 0]
-[entity.body]
-kind = "dynamic"
-shape = { sphere = 0.5 }
-mass_kg = 2
-velocity_mps = [3, 0, 0]
-)";
-
-class SceneRunTest : public testing::Test {
-protected:
-    void TearDown() override { fs::remove(file_); }
-
-    SceneRun run_of(std::string_view text) const {
-        std::ofstream(file_, std::ios::binary) << text;
-        return {.scene = file_, .moments = {15, 30}};
-    }
-
-    fs::path file_{fs::temp_directory_path() /
-                   ("plumbline_scene_run_" + std::to_string(getpid()) + ".toml")};
-};
 
 TEST_F(SceneRunTest, AFallingBallIsWhereGalileoSays) {
     SceneRun run = run_of(kFalling);
@@ -91,21 +61,6 @@ TEST_F(SceneRunTest, CopiesStartWithinTheirShift) {
     }
 }
 
-TEST_F(SceneRunTest, AJobSaysWhatTheRunSays) {
-    const SceneRun run = run_of(kFalling);
-    const Result<SceneAnswer> here = SceneRunner().run(run);
-    const Result<SceneAnswer> told = parse_scene_answer(scene_jobs()(scene_job_body(run)));
-    ASSERT_TRUE(here);
-    ASSERT_TRUE(told);
-    EXPECT_TRUE(told->refused.empty());
-    EXPECT_EQ(told->mass_kg, here->mass_kg);
-    ASSERT_EQ(told->traces.size(), 1U);
-    EXPECT_EQ(told->traces[0].moments.at(2).bodies.at(0).position_m,
-              here->traces[0].moments.at(2).bodies.at(0).position_m);
-    EXPECT_EQ(told->traces[0].moments.at(2).energy_J, here->traces[0].moments.at(2).energy_J);
-    EXPECT_EQ(told->cost.work_per_s, here->cost.work_per_s);
-}
-
 TEST_F(SceneRunTest, ASceneWhereNothingMovesIsRefused) {
     const SceneRun run = run_of(
         "[[entity]]\nname = \"floor\"\n[entity.body]\nkind = \"static\"\n"
@@ -124,15 +79,6 @@ TEST_F(SceneRunTest, TooMuchTimeStopsIt) {
     EXPECT_EQ(answer->traces.at(0).status, RunStatus::TimedOut);
     EXPECT_LT(answer->traces[0].end_s, 1.0);
     EXPECT_LT(answer->traces[0].moments.size(), 3U);
-}
-
-TEST_F(SceneRunTest, JobsThatAreNoneAreRefused) {
-    for (const char* body : {"", "[]", "{}", "{\"scene\": 3}", "no JSON"}) {
-        const Result<SceneAnswer> answer = parse_scene_answer(scene_jobs()(body));
-        ASSERT_TRUE(answer);
-        EXPECT_FALSE(answer->refused.empty()) << body;
-    }
-    EXPECT_FALSE(parse_scene_answer("{"));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
-#include "engine/study/ghost/ghost.h"
-
 #include "engine/scene/simulation/entity_lookup.h"
 #include "engine/scene/simulation/simulation_archive.h"
+#include "engine/study/ghost/ghost.h"
 #include "engine/study/workers/worker_pool.h"
 #include "tests/scenarios/scene_run.h"
 
@@ -118,6 +117,22 @@ TEST_F(GhostJob, RefusesWhatItCannotDo) {
     EXPECT_THROW(run_ghost_job(start_body(nowhere)), std::exception);
     EXPECT_THROW(run_ghost_job(go_on_body(1)), std::exception);
     EXPECT_FALSE(parse_ghost_state("[]").ok());
+}
+
+TEST_F(GhostJob, BytesThatAreNoneAreRefused) {
+    SceneRun run("falling_cube.toml");
+    const std::string good = start_body(start_of(run, "falling_cube.toml", {}));
+    EXPECT_NO_THROW(run_ghost_job(good));
+    const auto with = [&](const std::string& from, const std::string& to) {
+        std::string text = good;
+        return text.replace(text.find(from), from.size(), to);
+    };
+    EXPECT_THROW(run_ghost_job(with("\"world\":\"", "\"world\":\"zz")), std::exception);
+    EXPECT_THROW(run_ghost_job(with("\"world\":\"", "\"world\":\"ffffffff")), std::exception);
+    EXPECT_THROW(run_ghost_job(with("small_step", "big_step")), std::exception);
+    EXPECT_THROW(run_ghost_job(go_on_body(1)), std::exception) << "no world is left of it";
+    EXPECT_NO_THROW(run_ghost_job(good));
+    EXPECT_EQ(answer(go_on_body(1e-9)).time_s, 1.0 / 60) << "one step at least";
 }
 
 }  // namespace

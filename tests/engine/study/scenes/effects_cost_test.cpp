@@ -1,0 +1,77 @@
+#include "engine/study/scenes/effects_cost.h"
+
+#include "tests/support/temporary_folder.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace plumbline::study {
+namespace {
+
+TEST(EffectsCost, TableSaysWhatIsToldFromNothing) {
+    const std::vector<EffectCost> costs{
+        {.name = "wind",
+         .caller = "[wind] (a.toml:3)",
+         .domain = effects::Domain::Step,
+         .step_ms = {.mean = 0.5, .standard_error = 0.1, .pairs = 6},
+         .frame_ms = {.mean = -0.001, .standard_error = 0.01, .pairs = 6},
+         .calls = 120},
+        {.name = "footsteps", .domain = effects::Domain::Sound}};
+    const std::string text = effects_text({.seconds = 2, .pairs = 6}, costs);
+    EXPECT_NE(text.find("2 s of the scene with and without it, 6 times"), std::string::npos);
+    EXPECT_NE(text.find(" +0.5000 +- 0.1000 "), std::string::npos) << text;
+    EXPECT_NE(text.find(" -0.0010 +- 0.0100 ~0 "), std::string::npos) << text;
+    EXPECT_NE(text.find("footsteps             sound                             -"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("calls for no effect"), std::string::npos);
+    EXPECT_TRUE(effects_text({}, {}).ends_with("This scene calls for no effect.\n"));
+}
+
+TEST(EffectsCost, JobsThatAreNoneAreRefused) {
+    for (const char* body : {"", "[]", "{}", R"({"scene": 3})"}) {
+        EXPECT_TRUE(run_effect_job(body).find("expected an effect to measure: ") !=
+                    std::string::npos)
+            << body;
+    }
+    EXPECT_EQ(
+        run_effect_job(R"({"scene": "/nowhere.toml", "effect": "", "seconds": 1, "pairs": 1})")
+            .find("\"refused\":\"\""),
+        std::string::npos);
+}
+
+// A scene of a ball that flies: swept while it is fast, and nothing else.
+TEST(EffectsCost, AScenesEffectsAreListedAndMeasuredInPairs) {
+    ::setenv("PLUMBLINE_DATA", PL_SOURCE_DIR, 1);
+    const test::TemporaryFolder folder;
+    const auto file = folder.path() / "a.toml";
+    std::ofstream(file) << "[[entity]]\nname = \"ball\"\n[entity.body]\nshape = { sphere = 0.1 }\n"
+                           "velocity_mps = [200, 0, 0]\n";
+    const auto job = [&](const std::string& effect) {
+        return run_effect_job(
+            fmt::format(R"({{"scene": "{}", "effect": "{}", "seconds": 0.1, "pairs": 2}})",
+                        file.string(),
+                        effect));
+    };
+    const std::string listed = job("");
+    EXPECT_NE(listed.find("\"name\":\"continuous_collision\""), std::string::npos) << listed;
+    EXPECT_NE(listed.find("\"calls\":6"), std::string::npos) << listed;
+    EXPECT_EQ(listed.find("footsteps"), std::string::npos) << listed;
+    const std::string measured = job("continuous_collision");
+    EXPECT_NE(measured.find("\"refused\":\"\""), std::string::npos) << measured;
+    // Two of each: one comma in each list.
+    for (const char* key : {"\"step_ms\":[", "\"step_ms_without\":[", "\"frame_ms\":["}) {
+        const std::size_t at = measured.find(key);
+        ASSERT_NE(at, std::string::npos) << key;
+        const std::string list = measured.substr(at, measured.find(']', at) - at);
+        EXPECT_EQ(std::ranges::count(list, ','), 1) << list;
+    }
+}
+
+}  // namespace
+}  // namespace plumbline::study
