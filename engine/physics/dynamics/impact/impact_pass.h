@@ -14,6 +14,20 @@
 
 namespace plumbline::physics {
 
+/// A point of the pair that is being solved.
+struct ImpactPoint {
+    std::uint32_t constraint{0};
+    int lane{0};
+    Vec3 arm_a{0, 0, 0};
+    Vec3 arm_b{0, 0, 0};
+    Real normal_mass{0};
+    Real tangent_mass[2]{0, 0};
+    Real target_mps{0};  ///< along the normal, after
+    Real shift_m{0};     ///< along the normal: where a bounce at the surface would have begun
+    Real normal_Ns{0};
+    Real tangent_Ns[2]{0, 0};
+};
+
 class ImpactPass {
 public:
     /// Finds the pairs that may bounce. `threshold_mps`: slower impacts do not bounce.
@@ -27,36 +41,14 @@ private:
         std::uint32_t first_constraint{0};
         std::uint32_t block_count{0};
     };
-    /// A point of the pair at hand.
-    struct Impact {
-        std::uint32_t constraint{0};
-        int lane{0};
-        Vec3 arm_a{0, 0, 0};
-        Vec3 arm_b{0, 0, 0};
-        Real normal_mass{0};
-        Real tangent_mass[2]{0, 0};
-        Real target_mps{0};  ///< along the normal, after
-        Real shift_m{0};     ///< along the normal: where a bounce at the surface would have begun
-        Real normal_Ns{0};
-        Real tangent_Ns[2]{0, 0};
-    };
 
-    void turn_to_meeting(ContactConstraint& constraint) const;
     bool gather(const Pair& pair);
-    void aim(const ContactConstraint& constraint,
-             Real separation_m,
-             Real speed_mps,
-             Real opening_mps2,
-             Impact& impact) const;
-    void weigh_impacts();
-    void solve_impacts();
-    void solve_friction(Impact& impact);
 
     ContactSet* contacts_{nullptr};
     std::span<SolverBody> bodies_;
     Real threshold_mps_{0};
     std::vector<Pair> pairs_;
-    std::vector<Impact> impacts_;
+    std::vector<ImpactPoint> impacts_;  ///< of the pair at hand
 };
 
 }  // namespace plumbline::physics
