@@ -56,6 +56,38 @@ SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double
     return body;
 }
 
+void write_bodies(std::span<const SolverBody> bodies, std::span<BodyRecord* const> records) {
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+        if (records[i] == nullptr) continue;
+        BodyRecord& record = *records[i];
+        const SolverBody& body = bodies[i];
+        BallisticState& ballistic = record.motion->ballistic;
+        ballistic.position_m = body.start_position_m + Vec3d(body.delta_position_m);
+        ballistic.orientation = glm::normalize(Quatd(body.delta_rotation) * body.start_orientation);
+        ballistic.velocity_mps = Vec3d(body.velocity_mps);
+        ballistic.spin_radps = Vec3d(body.spin_radps);
+        ballistic.going = true;
+        record.motion->velocity_mps = body.velocity_mps;
+        record.motion->spin_radps = body.spin_radps;
+        record.motion->at = transform_of({Vec3(ballistic.position_m), Quat(ballistic.orientation)});
+    }
+}
+
+void write_joints(std::span<const SolverJoint> joints,
+                  std::span<JointRecord* const> records,
+                  double step_s) {
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        JointRecord& joint = *records[i];
+        joint.solver = joints[i];
+        joint.state.error_m = joint.solver.error_m;
+        joint.state.force_N =
+            static_cast<Real>(glm::length(joint.solver.total_impulse_Ns) / step_s);
+        joint.state.torque_Nm =
+            static_cast<Real>(glm::length(joint.solver.total_angular_impulse_Nms) / step_s);
+        joint.state.position = static_cast<Real>(joint.solver.position);
+    }
+}
+
 }  // namespace
 
 struct IslandSolver::Impl {
@@ -74,8 +106,6 @@ struct IslandSolver::Impl {
     std::uint32_t posed_index_of(const BodyRecord& record);
     std::uint32_t add_body(BodyRecord* record, const SolverBody& body);
     void add_joint(const JointRecord& joint);
-    void write_bodies();
-    void write_joints(Island& island, double step_s);
 };
 
 IslandSolver::IslandSolver() : impl_(std::make_unique<Impl>()) {}
@@ -111,36 +141,6 @@ void IslandSolver::Impl::add_joint(const JointRecord& joint) {
     entry.a = posed_index_of(*joint.a);
     entry.b = joint.b != nullptr ? posed_index_of(*joint.b) : kWorldBody;
     loop.joints.push_back(entry);
-}
-
-void IslandSolver::Impl::write_bodies() {
-    for (std::size_t i = 1; i < loop.bodies.size(); ++i) {
-        if (records[i] == nullptr) continue;
-        BodyRecord& record = *records[i];
-        const SolverBody& body = loop.bodies[i];
-        BallisticState& ballistic = record.motion->ballistic;
-        ballistic.position_m = body.start_position_m + Vec3d(body.delta_position_m);
-        ballistic.orientation = glm::normalize(Quatd(body.delta_rotation) * body.start_orientation);
-        ballistic.velocity_mps = Vec3d(body.velocity_mps);
-        ballistic.spin_radps = Vec3d(body.spin_radps);
-        ballistic.going = true;
-        record.motion->velocity_mps = body.velocity_mps;
-        record.motion->spin_radps = body.spin_radps;
-        record.motion->at = transform_of({Vec3(ballistic.position_m), Quat(ballistic.orientation)});
-    }
-}
-
-void IslandSolver::Impl::write_joints(Island& island, double step_s) {
-    for (std::size_t i = 0; i < island.joints.size(); ++i) {
-        JointRecord& joint = *island.joints[i];
-        joint.solver = loop.joints[i];
-        joint.state.error_m = joint.solver.error_m;
-        joint.state.force_N =
-            static_cast<Real>(glm::length(joint.solver.total_impulse_Ns) / step_s);
-        joint.state.torque_Nm =
-            static_cast<Real>(glm::length(joint.solver.total_angular_impulse_Nms) / step_s);
-        joint.state.position = static_cast<Real>(joint.solver.position);
-    }
 }
 
 void IslandSolver::serialize(Archive& archive) {
@@ -259,9 +259,9 @@ IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
                        .push_mps = kContactPush_mps,
                        .gyroscopic_torque = step.features.gyroscopic_torque,
                        .joint_method = step.joints});
-    impl.write_bodies();
+    write_bodies(impl.loop.bodies, impl.records);
     impl.bridge.write_back(impl.loop.contacts, static_cast<Real>(h));
-    impl.write_joints(island, step.step_s);
+    write_joints(impl.loop.joints, island.joints, step.step_s);
     step.cost->row_solves += report.row_solves;
     Interventions& done = step.cost->interventions;
     done.braked_J += report.braked_J;
