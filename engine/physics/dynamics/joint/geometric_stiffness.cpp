@@ -228,7 +228,7 @@ bool GeometricStiffness::raise(JointGroup& group, std::span<const Vec3d> correct
         pull.force_N = group.rows[pull.node].force_on_a(impulse) * -per_substep;
     }
     if (!find_stiffness(group)) return false;
-    note_unresolved();
+    unresolved_ = std::max(unresolved_, times_too_long(loads_));
     bool any = false;
     for (std::size_t i = 0; i < loads_.size(); ++i) {
         const bool turns = raise_moments(group, i, true);
@@ -242,14 +242,14 @@ bool GeometricStiffness::raise(JointGroup& group, std::span<const Vec3d> correct
     return any;
 }
 
-void GeometricStiffness::note_unresolved() {
+double GeometricStiffness::times_too_long(std::span<const Load> loads) {
     double most = 0;
-    for (const Load& load : loads_) {
+    for (const Load& load : loads) {
         const Vec3d turning = load.turning_Nm / load.turning_limit_Nm;
         most = std::max({most, turning.x, turning.y, turning.z});
         most = std::max(most, load.across_Npm / load.across_limit_Npm);
     }
-    unresolved_ = std::max(unresolved_, std::sqrt(most));
+    return std::sqrt(most);
 }
 
 void GeometricStiffness::lower(JointGroup& group) {

@@ -56,8 +56,8 @@ private:
     bool raise_mass(JointGroup& group, std::size_t body, bool slow_down);
     /// The velocity of what a body is tied to across, weighed by how hard.
     Vec3d velocity_around(const JointGroup& group, std::size_t body) const;
-
-    void note_unresolved();
+    /// How many times too long the sub-step is for the fastest of these.
+    static double times_too_long(std::span<const Load> loads);
 
     std::vector<Pull> pulls_;
     std::vector<Load> loads_;  // by body

@@ -7,7 +7,29 @@ namespace {
 
 /// Errors below it, m or rad, that a step begins with are corrected at once.
 constexpr double kSmallError = 1e-5;
-/// Larger ones are come back from at this speed plus their own size per second: from 5 m within a
+
+/// Position and mass of a bound at the bodies' poses. One without a position is out of the solve.
+void read_bound(JointBound& bound, JointGroup& group) {
+    JointRows& row = group.rows[bound.node];
+    bound.position = row.errors(group.bodies)[bound.row];
+    if (!row.has_position(bound.row, group.bodies)) {
+        bound.let_go();
+        group.set_active(bound);
+    }
+    if (row.kind == NodeKind::Align || bound.row == 2) row.near_rad = bound.position;
+    const Symmetric3 inverse = own_coupling(row, group.bodies);
+    const double own = bound.row == 0 ? inverse.xx : bound.row == 1 ? inverse.yy : inverse.zz;
+    bound.mass = own > 0 ? 1 / own : 0;
+}
+
+/// What the rows' errors are held at; nothing where they are small or bounded.
+Vec3d residual_of(const JointRows& row, std::span<const JointBody> bodies) {
+    Vec3d error = row.errors(bodies);
+    for (int k = 0; k < 3; ++k) {
+        if (!row.is_active(k) || ((row.bounded >> k) & 1) != 0) error[k] = 0;
+    }
+    return glm::dot(error, error) < kSmallError * kSmallError ? Vec3d{0, 0, 0} : error;
+}
 
 }  // namespace
 
@@ -29,44 +51,21 @@ void JointGroup::start(std::span<SolverBody> island_bodies) {
     impulses.assign(rows.size(), Vec3d{0, 0, 0});
     totals.assign(joints.size(), JointTotal{});
     for (JointRows& row : rows) row.refresh(bodies);
-    read_bounds();
+    for (JointBound& bound : bounds) read_bound(bound, *this);
     for (const JointBound& bound : bounds) set_active(bound);
-    find_residual();
+    residual.clear();
+    for (const JointRows& row : rows) residual.push_back(residual_of(row, bodies));
+    any_residual = std::ranges::any_of(residual, [](const Vec3d& error) {
+        return error != Vec3d{0, 0, 0};
+    });
 }
 
 void JointGroup::refresh() {
     collect_totals();
     for (JointRows& row : rows) row.refresh(bodies);
-    read_bounds();
-    for (JointBound& bound : bounds) bound.after_motion(substep_s);
-}
-
-void JointGroup::read_bounds() {
     for (JointBound& bound : bounds) {
-        JointRows& row = rows[bound.node];
-        bound.position = row.errors(bodies)[bound.row];
-        if (!row.has_position(bound.row, bodies)) {
-            bound.let_go();
-            set_active(bound);
-        }
-        if (row.kind == NodeKind::Align || bound.row == 2) row.near_rad = bound.position;
-        const Symmetric3 inverse = own_coupling(row, bodies);
-        const double own = bound.row == 0 ? inverse.xx : bound.row == 1 ? inverse.yy : inverse.zz;
-        bound.mass = own > 0 ? 1 / own : 0;
-    }
-}
-
-void JointGroup::find_residual() {
-    residual.assign(rows.size(), Vec3d{0, 0, 0});
-    any_residual = false;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        Vec3d error = rows[i].errors(bodies);
-        for (int k = 0; k < 3; ++k) {
-            if (!rows[i].is_active(k) || ((rows[i].bounded >> k) & 1) != 0) error[k] = 0;
-        }
-        if (glm::dot(error, error) < kSmallError * kSmallError) continue;
-        residual[i] = error;
-        any_residual = true;
+        read_bound(bound, *this);
+        bound.after_motion(substep_s);
     }
 }
 

@@ -42,10 +42,6 @@ struct JointGroup {
     std::span<JointBound> bounds_of(const JointComponent& component);
     /// The residual after a sub-step of correction: a bounded displacement nearer to nothing.
     static Vec3d come_back(const Vec3d& residual, double substep_s);
-
-private:
-    void read_bounds();
-    void find_residual();
 };
 
 }  // namespace plumbline::physics

@@ -7,7 +7,6 @@
 namespace plumbline::physics {
 namespace {
 
-/// Anchors nearer than this have no direction between them.
 /// Less than this between the axes of a cone's sides is none.
 constexpr double kNoSwing_rad = 1e-4;
 /// Beyond the swing with this cosine (172 degrees) twist means nothing and is left alone.
@@ -205,7 +204,8 @@ void JointRows::refresh_others(std::span<const JointBody> bodies) {
             refresh_align(body_a, body_b);
             break;
         case NodeKind::Lock:
-            refresh_lock();
+            angular_b = {{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}};
+            angular_a = negated(angular_b);
             break;
         default:
             refresh_swing(body_a, body_b);
@@ -256,11 +256,6 @@ void JointRows::refresh_align(const JointBody& body_a, const JointBody& body_b) 
         fixed_swing ? body_a.axes * frames.axis_in_a : body_b.axes * frames.axes_in_b.row[0];
     angular_b = {
         {body_b.axes * frames.axes_in_b.row[1], body_b.axes * frames.axes_in_b.row[2], -axis}};
-    angular_a = negated(angular_b);
-}
-
-void JointRows::refresh_lock() {
-    angular_b = {{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}};
     angular_a = negated(angular_b);
 }
 

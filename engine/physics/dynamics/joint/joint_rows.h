@@ -156,7 +156,6 @@ private:
     void refresh_across(const JointBody& a, const JointBody& b);
     void refresh_length(std::span<const JointBody> bodies);
     void refresh_align(const JointBody& a, const JointBody& b);
-    void refresh_lock();
     void refresh_swing(const JointBody& a, const JointBody& b);
     Vec3d other_errors(std::span<const JointBody> bodies) const;
     Vec3d align_errors(const JointBody& a, const JointBody& b) const;

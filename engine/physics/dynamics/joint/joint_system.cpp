@@ -8,6 +8,62 @@
 #include <algorithm>
 
 namespace plumbline::physics {
+namespace {
+
+JointSpring spring_of(std::size_t index, JointGroup& group) {
+    const SolverJoint& joint = group.joints[index];
+    const auto [a, b] = group.topology->sides[index];
+    return {.joint = static_cast<std::uint32_t>(index),
+            .a = &group.bodies[a],
+            .b = &group.bodies[b],
+            .anchor_in_a = joint.anchor_in_a,
+            .anchor_in_b = joint.anchor_in_b,
+            .stiffness_Npm = static_cast<double>(joint.stiffness_Npm),
+            .damping_Nspm = static_cast<double>(joint.damping_Nspm),
+            .rest_m = static_cast<double>(joint.rest_length_m)};
+}
+
+/// Springs that are forces.
+void list_soft_springs(JointGroup& group,
+                       std::span<const JointForm> forms,
+                       std::vector<JointSpring>& list) {
+    list.clear();
+    for (std::size_t i = 0; i < group.joints.size(); ++i) {
+        if (group.joints[i].kind == JointKind::Spring && forms[i].places == NodeKind::None)
+            list.push_back(spring_of(i, group));
+    }
+}
+
+/// Springs that are rows.
+void list_stiff_springs(JointGroup& group, std::vector<JointSpring>& list) {
+    list.clear();
+    for (std::uint32_t node = 0; node < group.topology->nodes.size(); ++node) {
+        const std::uint32_t joint = group.topology->nodes[node].joint;
+        if (group.joints[joint].kind != JointKind::Spring) continue;
+        list.push_back(spring_of(joint, group));
+        list.back().node = node;
+    }
+}
+
+/// The mean force on b and torque over this time, where the iterative method and the next step's
+/// geometric stiffness look for them.
+void keep_mean_loads(std::span<const JointTotal> totals,
+                     double duration_s,
+                     std::span<SolverJoint> joints) {
+    const double per_second = -1 / duration_s;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        const Vec3d force = totals[i].impulse_Ns * per_second;
+        const Vec3d torque = totals[i].angular_impulse_Nms * per_second;
+        joints[i].mean_load = {static_cast<Real>(force.x),
+                               static_cast<Real>(force.y),
+                               static_cast<Real>(force.z),
+                               static_cast<Real>(torque.x),
+                               static_cast<Real>(torque.y),
+                               static_cast<Real>(torque.z)};
+    }
+}
+
+}  // namespace
 
 struct JointSystem::Impl {
     /// Where the present sub-step is.
@@ -33,11 +89,9 @@ struct JointSystem::Impl {
 
     bool is_direct() const { return method == JointMethod::Direct; }
     void find_forms(std::span<const SolverBody> bodies);
-    void list_springs();
     void begin_substep();
     void push_springs(double duration_s);
     void finish_joint(std::size_t index);
-    void keep_forces();
 };
 
 void JointSystem::Impl::find_forms(std::span<const SolverBody> bodies) {
@@ -49,32 +103,6 @@ void JointSystem::Impl::find_forms(std::span<const SolverBody> bodies) {
     forms.clear();
     for (std::size_t i = 0; i < group.joints.size(); ++i) {
         forms.push_back(form_of(group.joints[i], any_spring && stiff[i]));
-    }
-}
-
-void JointSystem::Impl::list_springs() {
-    soft_springs.clear();
-    stiff_springs.clear();
-    const auto add = [&](std::size_t index, std::vector<JointSpring>& list) -> JointSpring& {
-        const SolverJoint& joint = group.joints[index];
-        const auto [a, b] = group.topology->sides[index];
-        return list.emplace_back(
-            JointSpring{.joint = static_cast<std::uint32_t>(index),
-                        .a = &group.bodies[a],
-                        .b = &group.bodies[b],
-                        .anchor_in_a = joint.anchor_in_a,
-                        .anchor_in_b = joint.anchor_in_b,
-                        .stiffness_Npm = static_cast<double>(joint.stiffness_Npm),
-                        .damping_Nspm = static_cast<double>(joint.damping_Nspm),
-                        .rest_m = static_cast<double>(joint.rest_length_m)});
-    };
-    for (std::size_t i = 0; i < group.joints.size(); ++i) {
-        if (group.joints[i].kind != JointKind::Spring) continue;
-        if (forms[i].places == NodeKind::None) add(i, soft_springs);
-    }
-    for (std::uint32_t node = 0; node < group.topology->nodes.size(); ++node) {
-        const std::uint32_t joint = group.topology->nodes[node].joint;
-        if (group.joints[joint].kind == JointKind::Spring) add(joint, stiff_springs).node = node;
     }
 }
 
@@ -102,23 +130,6 @@ void JointSystem::Impl::push_springs(double duration_s) {
             damp_stiff_spring(spring, group);
             push_stiff_spring(spring, duration_s, group);
         }
-    }
-}
-
-/// The mean force on b and torque, where the iterative method and the next step's geometric
-/// stiffness look for them.
-void JointSystem::Impl::keep_forces() {
-    if (substeps == 0) return;
-    const double per_second = -1 / (substeps * group.substep_s);
-    for (std::size_t i = 0; i < group.joints.size(); ++i) {
-        const Vec3d force = group.totals[i].impulse_Ns * per_second;
-        const Vec3d torque = group.totals[i].angular_impulse_Nms * per_second;
-        group.joints[i].mean_load = {static_cast<Real>(force.x),
-                                     static_cast<Real>(force.y),
-                                     static_cast<Real>(force.z),
-                                     static_cast<Real>(torque.x),
-                                     static_cast<Real>(torque.y),
-                                     static_cast<Real>(torque.z)};
     }
 }
 
@@ -161,7 +172,8 @@ void JointSystem::start(std::span<SolverBody> bodies,
     group.topology = &impl.topologies.of(bodies, joints, impl.forms);
     impl.method = group.topology->too_dear ? JointMethod::Iterative : method;
     group.start(bodies);
-    impl.list_springs();
+    list_soft_springs(group, impl.forms, impl.soft_springs);
+    list_stiff_springs(group, impl.stiff_springs);
     if (impl.is_direct()) {
         impl.direct.start(group);
     } else {
@@ -225,7 +237,9 @@ void JointSystem::finish() {
         bound.keep(impl.group.joints[bound.joint_index], impl.group.substep_s);
     }
     if (impl.is_direct()) {
-        impl.keep_forces();
+        if (impl.substeps > 0)
+            keep_mean_loads(
+                impl.group.totals, impl.substeps * impl.group.substep_s, impl.group.joints);
         impl.work.unresolved = impl.direct.unresolved();
     } else {
         impl.iterative.finish(impl.group);

@@ -43,6 +43,20 @@ std::uint32_t blocks_of(const JointTopology::Key& key) {
            (key.form.turns != NodeKind::None ? 1U : 0U);
 }
 
+/// By movable body of the island, the places of its joints among the `acting` ones.
+std::vector<std::vector<std::uint32_t>> vertices_by_body(std::span<const JointTopology::Key> keys,
+                                                         std::span<const std::uint32_t> acting) {
+    std::uint32_t count = 0;
+    for (const JointTopology::Key& key : keys) count = std::max({count, key.a + 1, key.b + 1});
+    std::vector<std::vector<std::uint32_t>> vertices(count);
+    for (std::uint32_t v = 0; v < acting.size(); ++v) {
+        const JointTopology::Key& key = keys[acting[v]];
+        if (key.a_movable) vertices[key.a].push_back(v);
+        if (key.b_movable) vertices[key.b].push_back(v);
+    }
+    return vertices;
+}
+
 class TopologyMaker {
 public:
     explicit TopologyMaker(std::vector<JointTopology::Key> keys) { made_.keys = std::move(keys); }
@@ -51,7 +65,8 @@ public:
         for (std::uint32_t i = 0; i < made_.keys.size(); ++i) {
             if (acts(made_.keys[i])) acting_.push_back(i);
         }
-        gather_by_body();
+        on_body_ = vertices_by_body(made_.keys, acting_);
+        local_.assign(on_body_.size(), kNone);
         const EliminationOrder order = order_joints();
         made_.too_dear = order.too_dear;
         number_nodes(order);
@@ -68,19 +83,6 @@ public:
 private:
     const JointTopology::Key& key(std::uint32_t vertex) const {
         return made_.keys[acting_[vertex]];
-    }
-
-    void gather_by_body() {
-        std::uint32_t count = 0;
-        for (const JointTopology::Key& any : made_.keys) {
-            count = std::max({count, any.a + 1, any.b + 1});
-        }
-        on_body_.resize(count);
-        local_.assign(count, kNone);
-        for (std::uint32_t v = 0; v < acting_.size(); ++v) {
-            if (key(v).a_movable) on_body_[key(v).a].push_back(v);
-            if (key(v).b_movable) on_body_[key(v).b].push_back(v);
-        }
     }
 
     EliminationOrder order_joints() const {
