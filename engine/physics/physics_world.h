@@ -66,9 +66,10 @@ struct WorldFeatures {
 /// What the latest step did to motion beside solving for it. small_step only, but for the speed
 /// limit.
 struct Interventions {
-    double braked_J{0};                   ///< that the energy guard took out
-    std::uint32_t braked_islands{0};      ///< from so many islands
-    std::uint32_t clamped_bodies{0};      ///< that overlap pushed too fast, and that were slowed
+    double braked_J{0};               ///< that the energy guard took out
+    std::uint32_t braked_islands{0};  ///< from so many islands
+    std::uint32_t clamped_bodies{
+        0};  ///< that penetration pushed out too fast, and that were slowed
     std::uint32_t unresolved_islands{0};  ///< whose joints swung too fast for a sub-step: damped
     std::uint32_t restored_islands{0};    ///< without a sane state: stand as before the step
     std::uint32_t limited_bodies{0};      ///< at the speed limit of the world

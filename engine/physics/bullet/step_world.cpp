@@ -90,7 +90,7 @@ bool StepWorld::flew_free(const BodyRecord& record, btScalar step_s) const {
     // A few roundings of the numbers compared; a push this small moves nothing that we can show.
     const Real slack = 4 * SIMD_EPSILON * (glm::length(started) + glm::length(from_forces));
     return glm::dot(change, change) <= slack * slack &&
-           motion.at == record.before.at;  // else the solver pushed it out of overlap
+           motion.at == record.before.at;  // else the solver pushed it out of penetration
 }
 
 /// Semi-implicit Euler, as Bullet has it, for bodies that the solver pushed.

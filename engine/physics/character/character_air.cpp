@@ -47,24 +47,24 @@ void Character::Impl::fly(const Vec3& wish_velocity) {
         velocity += steer * (std::min(kAirAcceleration_mps2 * dt, steer_length) / steer_length);
     }
     const Vec3 gravity{0, -gravity_mps2, 0};
-    Vec3 way = velocity * dt + gravity * (0.5_r * dt * dt);  // exact for a constant pull
+    Vec3 displacement = velocity * dt + gravity * (0.5_r * dt * dt);  // exact for a constant pull
     velocity += gravity * dt;
-    const Real wanted = glm::length(way);
+    const Real wanted = glm::length(displacement);
 
     PlaneSet planes;
     footing = Footing::Air;
     BodyId pushed{};
     Real moved = 0;
-    for (int i = 0; i < kSlides && glm::length(way) > 1e-6_r; ++i) {
-        const auto hit = probe.sweep(feet, way, pushed);
-        const Real length = glm::length(way);
+    for (int i = 0; i < kSlides && glm::length(displacement) > 1e-6_r; ++i) {
+        const auto hit = probe.sweep(feet, displacement, pushed);
+        const Real length = glm::length(displacement);
         const Real share = hit ? hit->travel_m / length : Real{1};
-        feet += Vec3d(way * share);
+        feet += Vec3d(displacement * share);
         moved += length * share;
         if (!hit) break;
-        way *= 1 - share;
+        displacement *= 1 - share;
         if (try_land(*hit, velocity)) {
-            slide_on_ground(level(way));
+            slide_on_ground(level(displacement));
             if (!drop_to_ground()) leave_ground(velocity);
             return;
         }
@@ -72,11 +72,11 @@ void Character::Impl::fly(const Vec3& wish_velocity) {
         if (away_mps > 0) pushed = hit->body;
         if (hit->normal.y > 0.05_r) footing = Footing::SteepSlope;
         planes.add({hit->normal, away_mps * dt});
-        if (way.y <= 0 && planes.limited(way).y > 0) {
+        if (displacement.y <= 0 && planes.limited(displacement).y > 0) {
             // Running against a steep face must not lift.
             planes.add({normalize_or(level(hit->normal), hit->normal), 0});
         }
-        way = planes.limited(way);
+        displacement = planes.limited(displacement);
         velocity = planes.limited(velocity * dt) / dt;
     }
     if (footing == Footing::Air) {

@@ -56,19 +56,19 @@ Real Character::Impl::push(const CapsuleContact& hit, const Vec3& wanted_velocit
     return std::clamp(away, Real{0}, wanted);
 }
 
-Real Character::Impl::move_swept(const Vec3& way, BodyId ignored) {
-    const Real length = glm::length(way);
+Real Character::Impl::move_swept(const Vec3& displacement, BodyId ignored) {
+    const Real length = glm::length(displacement);
     if (length < 1e-7_r) return 0;
-    const auto hit = probe.sweep(feet, way, ignored);
+    const auto hit = probe.sweep(feet, displacement, ignored);
     const Real travel = hit ? hit->travel_m : length;
-    feet += Vec3d(way * (travel / length));
+    feet += Vec3d(displacement * (travel / length));
     return travel;
 }
 
-Vec3 Character::Impl::slide_freely(const Vec3& way, BodyId ignored) {
+Vec3 Character::Impl::slide_freely(const Vec3& displacement, BodyId ignored) {
     const Vec3d start = feet;
     PlaneSet planes;
-    Vec3 rest = way;
+    Vec3 rest = displacement;
     for (int i = 0; i < kPasses && glm::length(rest) > 1e-7_r; ++i) {
         const auto hit = probe.sweep(feet, rest, ignored);
         const Real share = hit ? hit->travel_m / glm::length(rest) : Real{1};
@@ -179,16 +179,16 @@ bool Character::Impl::escape() {
         const Real distance = 0.1_r * static_cast<Real>(ring);
         for (int i = 0; i <= kDirections; ++i) {
             const Real angle = 2 * kPi * static_cast<Real>(i) / kDirections;
-            const Vec3 way = i == kDirections
-                                 ? kUp * distance
-                                 : Vec3{std::cos(angle), 0, std::sin(angle)} * distance;
-            const Vec3d place = feet + Vec3d(way);
+            const Vec3 displacement = i == kDirections
+                                          ? kUp * distance
+                                          : Vec3{std::cos(angle), 0, std::sin(angle)} * distance;
+            const Vec3d place = feet + Vec3d(displacement);
             if (!probe.is_free(place)) continue;
             const auto pinching = probe.touches(feet, 0);
             const BodyId mover = pinching.empty() ? BodyId{} : pinching.front().body;
-            if (probe.sweep(feet, way, mover)) continue;
+            if (probe.sweep(feet, displacement, mover)) continue;
             const Real step = std::min(distance, 4 * dt);
-            feet += Vec3d(way * (step / distance));
+            feet += Vec3d(displacement * (step / distance));
             return true;
         }
     }

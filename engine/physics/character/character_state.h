@@ -55,7 +55,7 @@ struct CapsuleContact {
     std::uint64_t user{0};
     Vec3 point{0, 0, 0};   ///< on the other body
     Vec3 normal{0, 1, 0};  ///< towards the person
-    Real gap_m{0};         ///< touches(): from the person's surface; negative: overlapping
+    Real gap_m{0};         ///< touches(): from the person's surface; negative: penetrating
     Real travel_m{0};      ///< sweep(): way to go before the gap closes
     Real raw_travel_m{0};  ///< sweep(): way the smaller query capsule may go
 };
@@ -162,9 +162,9 @@ struct Character::Impl {
 private:
     // --- character_walk.cpp
     void walk(const Vec3& wish_velocity);
-    void slide_on_ground(Vec3 way);
-    bool step_up(const Vec3& way);
-    bool try_step(const Vec3& way);
+    void slide_on_ground(Vec3 displacement);
+    bool step_up(const Vec3& displacement);
+    bool try_step(const Vec3& displacement);
     std::optional<Support> find_ground(Vec3d& feet, Real reach_m) const;
     bool drop_to_ground();
     void stand_on(const Support& support);
@@ -187,8 +187,8 @@ private:
     Real push(const CapsuleContact& hit, const Vec3& velocity) const;
     bool gives_way_to_us(BodyId body) const;
     bool may_step_on(BodyId body, Real height_m) const;
-    Vec3 slide_freely(const Vec3& way, BodyId ignored);
-    Real move_swept(const Vec3& way, BodyId ignored);
+    Vec3 slide_freely(const Vec3& displacement, BodyId ignored);
+    Real move_swept(const Vec3& displacement, BodyId ignored);
     Vec3 point_velocity(BodyId body, const Vec3& point) const;
 
     // --- character_ride.cpp

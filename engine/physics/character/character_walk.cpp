@@ -11,7 +11,7 @@ constexpr Real kGroundAcceleration_mps2 = 40;
 // Steps may be a little higher than asked: contact points are exact to about a millimetre.
 constexpr Real kStepTolerance_m = 0.01_r;
 constexpr Real kRaise_m = 0.01_r;
-constexpr Real kLeastWay_m = 2e-4_r;
+constexpr Real kLeastDisplacement_m = 2e-4_r;
 constexpr Real kBeyondSkin_m = 0.006_r;
 constexpr Real kTight_m = 2e-4_r;
 constexpr Real kEdgeAside_m = 0.01_r;
@@ -38,14 +38,14 @@ Vec3 upright(const Vec3& normal) {
 void Character::Impl::walk(const Vec3& wish_velocity) {
     const Vec3 before = velocity;
     velocity = approach_velocity(velocity, wish_velocity, kGroundAcceleration_mps2 * dt);
-    Vec3 way = (before + velocity) * (0.5_r * dt);
-    const Real length = glm::length(way);
+    Vec3 displacement = (before + velocity) * (0.5_r * dt);
+    const Real length = glm::length(displacement);
     const Vec3d start = feet;
     if (length > 1e-7_r) {
         // The pace is kept along the slope, not along the map.
-        const Vec3 slope = on_plane(way, ground.face_normal);
-        way *= length / glm::length(slope);
-        slide_on_ground(way);
+        const Vec3 slope = on_plane(displacement, ground.face_normal);
+        displacement *= length / glm::length(slope);
+        slide_on_ground(displacement);
     }
     if (drop_to_ground()) {
         // Resting stays at rest to the last bit.
@@ -59,21 +59,22 @@ void Character::Impl::walk(const Vec3& wish_velocity) {
     leave_ground(leaving + (ride ? ride->velocity : Vec3{0, 0, 0}));
 }
 
-void Character::Impl::slide_on_ground(Vec3 way) {
+void Character::Impl::slide_on_ground(Vec3 displacement) {
     PlaneSet planes;
     Vec3 tread = ground.face_normal;
     BodyId pushed{};
-    const Vec3 wanted = way / dt;
-    for (const CapsuleContact& near : probe.touches(feet, 2 * glm::length(way) + kTouch_m)) {
+    const Vec3 wanted = displacement / dt;
+    for (const CapsuleContact& near :
+         probe.touches(feet, 2 * glm::length(displacement) + kTouch_m)) {
         // Two people share the air between them; neither sees the other's step.
         if (near.user == kCharacterMark) {
             planes.add({upright(near.normal), std::max(near.gap_m, Real{0}) / 2});
         }
     }
-    const Vec3 first = way;
-    way = planes.limited(way);
-    for (int i = 0; i < kSlides && glm::length(way) > 1e-6_r; ++i) {
-        const Vec3 tilted = on_plane(way, tread);
+    const Vec3 first = displacement;
+    displacement = planes.limited(displacement);
+    for (int i = 0; i < kSlides && glm::length(displacement) > 1e-6_r; ++i) {
+        const Vec3 tilted = on_plane(displacement, tread);
         const auto hit = probe.sweep(feet, tilted, pushed);
         if (!hit) {
             feet += Vec3d(tilted);
@@ -81,39 +82,40 @@ void Character::Impl::slide_on_ground(Vec3 way) {
         }
         const Real share = hit->travel_m / glm::length(tilted);
         feet += Vec3d(tilted * share);
-        planes.consume(way * share);
-        way *= 1 - share;
-        if (glm::length(way) < kLeastWay_m) break;  // the next step decides what this is
+        planes.consume(displacement * share);
+        displacement *= 1 - share;
+        if (glm::length(displacement) < kLeastDisplacement_m)
+            break;  // the next step decides what this is
         const Support support = probe.support_of(*hit, feet);
         if (support.walkable && !support.edge && support.face_normal.y > 0.1_r &&
             may_step_on(hit->body, hit->point.y - ground.point.y)) {
             tread = support.face_normal;  // a ramp begins or ends
             continue;
         }
-        if (hit->user != kCharacterMark && step_up(way)) return;
+        if (hit->user != kCharacterMark && step_up(displacement)) return;
         const Real away_mps = push(*hit, wanted);
         const Vec3 wall = upright(hit->normal);
         if (wall == Vec3{0, 0, 0}) break;
         planes.add({wall, away_mps * dt});
         if (away_mps > 0) pushed = hit->body;
-        way = planes.limited(way);
+        displacement = planes.limited(displacement);
         velocity = planes.limited(wanted * dt) / dt;
-        if (glm::dot(way, first) <= 0 || glm::dot(velocity, first) <= 0) {
+        if (glm::dot(displacement, first) <= 0 || glm::dot(velocity, first) <= 0) {
             velocity = {0, 0, 0};  // caught in a corner: no swinging from wall to wall
             break;
         }
     }
 }
 
-bool Character::Impl::step_up(const Vec3& way) {
+bool Character::Impl::step_up(const Vec3& displacement) {
     // The pace is enough to roll over most edges. A foot that would fall back beside the riser has
     // to come out of the skin first.
-    const Real length = glm::length(way);
-    return try_step(way) || try_step(way * (1 + kBeyondSkin_m / length));
+    const Real length = glm::length(displacement);
+    return try_step(displacement) || try_step(displacement * (1 + kBeyondSkin_m / length));
 }
 
-bool Character::Impl::try_step(const Vec3& way) {
-    const Real length = glm::length(way);
+bool Character::Impl::try_step(const Vec3& displacement) {
+    const Real length = glm::length(displacement);
     const Real below_tread = std::max(ground.point.y - static_cast<Real>(feet.y), Real{0});
     Real lift = def.step_up_m + below_tread + kStepTolerance_m;
     if (const auto ceiling = probe.sweep(feet, kUp * lift)) lift = ceiling->travel_m;
@@ -122,7 +124,7 @@ bool Character::Impl::try_step(const Vec3& way) {
     Vec3d high = feet + Vec3d(kUp * lift);
     const Vec3d before = high;
     PlaneSet planes;
-    Vec3 rest = way;
+    Vec3 rest = displacement;
     for (int i = 0; i < kSlides && glm::length(rest) > 1e-6_r; ++i) {
         const auto hit = probe.sweep(high, rest);
         const Real share = hit ? hit->travel_m / glm::length(rest) : Real{1};
@@ -132,9 +134,9 @@ bool Character::Impl::try_step(const Vec3& way) {
         if (wall == Vec3{0, 0, 0}) break;
         planes.add({wall, 0});
         rest = planes.limited(rest * (1 - share));
-        if (glm::dot(rest, way) <= 0) break;
+        if (glm::dot(rest, displacement) <= 0) break;
     }
-    const Real progress = glm::dot(Vec3(high - before), way) / length;
+    const Real progress = glm::dot(Vec3(high - before), displacement) / length;
     if (progress < std::min(0.05_r * length + 1e-4_r, kBeyondSkin_m / 2)) return false;
 
     Vec3d landed = high;
@@ -150,7 +152,7 @@ bool Character::Impl::try_step(const Vec3& way) {
     const auto tight = probe.touches(landed, -kTight_m);
     if (!tight.empty() && !gives_way_to_us(tight.front().body)) return false;
     // The round foot may be half-way up an edge; is there headroom for the rest?
-    const Vec3 over = support->point + way * (kEdgeAside_m / length);
+    const Vec3 over = support->point + displacement * (kEdgeAside_m / length);
     if (probe.ray(over + kUp * kEdgeAside_m, over + kUp * probe.height_m())) return false;
     eye.offset_m -= static_cast<Real>(landed.y - feet.y);
     feet = landed;

@@ -76,12 +76,12 @@ bool passes_edge(const Manifold& manifold, const ManifoldPoint& point, Real step
         point.distance_m < -kTouch * radius_m || is_face_of_box(box.motion->at.rotation, out))
         return false;
     const Vec3 center = edge + out * (radius_m + point.distance_m);
-    const Vec3 way = (velocity_at(round, center) - velocity_at(box, edge)) * step_s;
-    const Real length2 = glm::dot(way, way);
+    const Vec3 displacement = (velocity_at(round, center) - velocity_at(box, edge)) * step_s;
+    const Real length2 = glm::dot(displacement, displacement);
     if (length2 < kFar * kFar * radius_m * radius_m) return false;
     const Vec3 apart = center - edge;
-    const Real nearest = std::clamp(-glm::dot(apart, way) / length2, Real{0}, Real{1});
-    return glm::length(apart + way * nearest) > radius_m * (1 - kTouch);
+    const Real nearest = std::clamp(-glm::dot(apart, displacement) / length2, Real{0}, Real{1});
+    return glm::length(apart + displacement * nearest) > radius_m * (1 - kTouch);
 }
 
 void keep_larger(PredictedChange& predicted, const Vec3& change, bool backed) {
@@ -105,13 +105,13 @@ Real reach_of(const Pair& pair, const CollideStep& step) {
     const BodyRecord& b = *pair.b;
     const Vec3 apart = a.motion->velocity_mps - b.motion->velocity_mps;
     const Real speed = glm::length(apart) + spin_mps(a) + spin_mps(b) + predicted_mps(pair);
-    const Real way = speed * step.step_s + step.fall_m;
+    const Real displacement = speed * step.step_s + step.fall_m;
     const Real unswept = unswept_m(a) + unswept_m(b);
-    if (pair.boxes) return near_m(pair) + std::min(way, unswept);
+    if (pair.boxes) return near_m(pair) + std::min(displacement, unswept);
     // Resting bodies keep the distances at which Bullet merges and keeps points.
-    if (2 * way <= pair.base_m) return pair.base_m;
+    if (2 * displacement <= pair.base_m) return pair.base_m;
     // Points of round shapes are found at any distance; what others reach no further for is swept.
-    return pair.base_m + (pair.round ? way : std::min(way, unswept));
+    return pair.base_m + (pair.round ? displacement : std::min(displacement, unswept));
 }
 
 bool knows_less(const Pair& pair, const CollideStep& step) {

@@ -113,8 +113,8 @@ double EnergyGuard::end(std::span<SolverBody> bodies, double step_s) const {
         const double most_mps = static_cast<double>(body.start_speed_mps) +
                                 std::sqrt(2 * allowed_J / mass_kg(body)) + glm::length(center_mps);
         const auto most_m = static_cast<Real>(most_mps * step_s);
-        const Real way_m = glm::length(body.delta_position_m);
-        if (way_m > most_m) body.delta_position_m *= most_m / way_m;
+        const Real length_m = glm::length(body.delta_position_m);
+        if (length_m > most_m) body.delta_position_m *= most_m / length_m;
     }
     return now_J - allowed_J;
 }

@@ -18,7 +18,7 @@ struct LoopSettings {
     int substeps{4};
     int iterations{1};     ///< sweeps of each kind per sub-step
     Real gravity_mps2{0};  ///< its magnitude: what is slower than a fall of two sub-steps rests
-    Real push_mps{3};      ///< the fastest that overlap pushes bodies apart
+    Real push_mps{3};      ///< the fastest that penetration pushes bodies apart
     bool gyroscopic_torque{true};
     JointMethod joint_method{JointMethod::Direct};
 };

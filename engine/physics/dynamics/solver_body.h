@@ -43,7 +43,7 @@ struct alignas(64) SolverBody {
     Vec3d start_position_m{0, 0, 0};
     Quatd start_orientation{1, 0, 0, 0};
     Vec3d inertia_kgm2{0, 0, 0};  ///< principal, body axes; 0: immovable
-    bool depenetrated{false};     ///< deep overlap pushed it in this step
+    bool depenetrated{false};     ///< deep penetration pushed it in this step
     Real start_speed_mps{0};
     bool isotropic_inertia{true};  ///< all three moments equal: inverse_inertia never changes
 

@@ -54,7 +54,7 @@ void start_stretch(BodyRecord& record) {
 }
 
 /// How far the body's farthest point went in this stretch.
-double way_m(const BodyRecord& record) {
+double displacement_m(const BodyRecord& record) {
     const Quatd turn = orientation_of(record) * glm::conjugate(record.small.rest.orientation);
     const double angle_rad = 2 * glm::length(Vec3d{turn.x, turn.y, turn.z});
     return glm::distance(position_of(record), record.small.rest.position_m) +
@@ -78,12 +78,12 @@ void watch_rest(BodyRecord& record, double gravity_mps2, double step_s) {
     rest.stretch_s += step_s;
     constexpr double kStretch_s = kSleepAfter_s / kStretches;
     if (rest.stretch_s < kStretch_s) return;
-    const double way = way_m(record);
+    const double moved_m = displacement_m(record);
     const bool grows =
-        rest.went_m >= 0 && way > kGrowth * rest.went_m && way > kNoiseShare * radius_m;
+        rest.went_m >= 0 && moved_m > kGrowth * rest.went_m && moved_m > kNoiseShare * radius_m;
     rest.slow_stretches =
-        way <= kDriftShare * slow * rest.stretch_s && !grows ? rest.slow_stretches + 1 : 0;
-    rest.went_m = way;
+        moved_m <= kDriftShare * slow * rest.stretch_s && !grows ? rest.slow_stretches + 1 : 0;
+    rest.went_m = moved_m;
     start_stretch(record);
 }
 

@@ -110,15 +110,15 @@ bool SmallStepWorld::find_turning(const WorldFeatures& features) {
 void SmallStepWorld::refresh_box(BodyRecord& record) {
     record.small.box_stale = false;
     auto [low, high] = box_of(record);
-    Vec3 way = record.motion->velocity_mps * step_s_;
+    Vec3 displacement = record.motion->velocity_mps * step_s_;
     if (record.applied.by_caller)
-        way += record.applied.force_N * (record.motion->inverse_mass * step_s_ * step_s_);
+        displacement += record.applied.force_N * (record.motion->inverse_mass * step_s_ * step_s_);
     const Real turn_rad = glm::length(record.motion->spin_radps) * step_s_;
     const Real rim = record.traits.contact_margin_m + fall_m_ +
                      std::min(turn_rad, Real{2}) * record.traits.radius_m;
     for (int axis = 0; axis < 3; ++axis) {
-        low[axis] += std::min(way[axis], Real{0}) - rim;
-        high[axis] += std::max(way[axis], Real{0}) + rim;
+        low[axis] += std::min(displacement[axis], Real{0}) - rim;
+        high[axis] += std::max(displacement[axis], Real{0}) + rim;
     }
     // As Bullet does: what is out of all bounds, or not a number, is taken out after the step.
     const Vec3 size = high - low;

@@ -52,18 +52,18 @@ bool consider(Axis& best, const Axis& axis, Real gain_m, Real reach_m) {
 bool consider_faces(const Frame& f, Real reach_m, Axis& best) {
     for (int i = 0; i < 3; ++i) {
         const Vec3& along = f.a.axes[i];
-        const Real way_m = glm::dot(f.between, along);
+        const Real offset_m = glm::dot(f.between, along);
         const Vec3 row{f.abs_cosine[0][i], f.abs_cosine[1][i], f.abs_cosine[2][i]};
-        const Real separation_m = std::abs(way_m) - f.a.half_m[i] - glm::dot(row, f.b.half_m);
-        const Axis axis{separation_m, way_m < 0 ? -along : along, i, -1};
+        const Real separation_m = std::abs(offset_m) - f.a.half_m[i] - glm::dot(row, f.b.half_m);
+        const Axis axis{separation_m, offset_m < 0 ? -along : along, i, -1};
         if (!consider(best, axis, kFaceGain * f.size_m, reach_m)) return false;
     }
     for (int j = 0; j < 3; ++j) {
         const Vec3& along = f.b.axes[j];
-        const Real way_m = glm::dot(f.between, along);
+        const Real offset_m = glm::dot(f.between, along);
         const Real separation_m =
-            std::abs(way_m) - f.b.half_m[j] - glm::dot(f.abs_cosine[j], f.a.half_m);
-        const Axis axis{separation_m, way_m < 0 ? -along : along, -1, j};
+            std::abs(offset_m) - f.b.half_m[j] - glm::dot(f.abs_cosine[j], f.a.half_m);
+        const Axis axis{separation_m, offset_m < 0 ? -along : along, -1, j};
         if (!consider(best, axis, kFaceGain * f.size_m, reach_m)) return false;
     }
     return true;
@@ -82,8 +82,9 @@ bool consider_edges(const Frame& f, Real reach_m, Axis& best) {
                 if (k != j)
                     reach_of_both_m += f.b.half_m[k] * std::abs(glm::dot(along, f.b.axes[k]));
             }
-            const Real way_m = glm::dot(f.between, along);
-            const Axis axis{std::abs(way_m) - reach_of_both_m, way_m < 0 ? -along : along, i, j};
+            const Real offset_m = glm::dot(f.between, along);
+            const Axis axis{
+                std::abs(offset_m) - reach_of_both_m, offset_m < 0 ? -along : along, i, j};
             if (!consider(best, axis, kEdgeGain * f.size_m, reach_m)) return false;
         }
     }

@@ -81,7 +81,7 @@ struct alignas(16) ContactConstraint {
     LaneVec3 angular_b{};
     Lanes separation_m{};
     Lanes compliance{};       ///< of soft rows, 1/kg
-    LaneMatrix soft_mass{};   ///< all points overlapping, with bias
+    LaneMatrix soft_mass{};   ///< all points penetrating, with bias
     LaneMatrix rigid_mass{};  ///< all points pressing, without
 
     // Geometry at the step's start, world axes.

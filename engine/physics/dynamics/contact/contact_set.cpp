@@ -13,7 +13,7 @@ constexpr Real kContactDamping = 10;  ///< ratio: far above 1, penetration in ne
 /// Of normals and friction, where what sticks changed by much ...
 constexpr int kFrictionRounds = 12;
 constexpr Real kOneSpot = 1e-4_r;  ///< nearer centres, as a share of the radii, have no direction
-constexpr Real kDepenetratedShare = 0.05_r;  ///< of the fastest push: more is deep overlap
+constexpr Real kDepenetratedShare = 0.05_r;  ///< of the fastest push: more is deep penetration
 constexpr Real kOut_m = 1e-5_r;              ///< what bounced and will be no deeper is out
 constexpr Real kMuch = 0.005_r;              ///< ... as a share of its limit
 

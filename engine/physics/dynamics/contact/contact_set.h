@@ -1,6 +1,6 @@
 // The contacts of one island as rows of the small-step solver. Knows nothing of Bullet.
 //
-// A sub-step sweeps them twice: once with bias, which pushes overlapping bodies apart and keeps
+// A sub-step sweeps them twice: once with bias, which pushes penetrating bodies apart and keeps
 // approaching ones from overlapping, and once after the bodies moved ("relax"), without bias, which
 // takes the pushing speed out again and solves friction with impulses that only load, not push.
 #pragma once
@@ -18,7 +18,7 @@ class ContactSet {
 public:
     std::vector<ContactConstraint> constraints;
 
-    /// Masses and the order of the sweeps. `h` is the sub-step; `push_mps` the fastest that overlap
+    /// Masses and the order of the sweeps. `h` is the sub-step; `push_mps` the fastest that penetration
     /// pushes bodies apart, `bounce_mps` the slowest impact that restitution acts on.
     void begin_step(std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps);
     /// Adds the impulses that the constraints hold to the bodies' steady change.

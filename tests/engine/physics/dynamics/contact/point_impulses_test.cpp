@@ -24,7 +24,7 @@ ContactConstraint plate() {
 }
 
 /// What is left of the closing speeds, m/s, once `next` acts instead of the constraint's impulses.
-Lanes left_over(const ContactConstraint& constraint, const Lanes& wanted, const Lanes& next) {
+Lanes residual_of(const ContactConstraint& constraint, const Lanes& wanted, const Lanes& next) {
     Lanes left = wanted;
     for (std::size_t i = 0; i < kLanes; ++i) {
         for (std::size_t k = 0; k < kLanes; ++k)
@@ -56,7 +56,8 @@ TEST(PointImpulses, APlateThatFallsFlatIsStoppedByItsMomentum) {
     const Lanes wanted{-3, -3, -3, -3};
     const Lanes next = projected(constraint, wanted, {});
     EXPECT_NEAR(sum_of(next), 3, 6e-3);  // m v; four sweeps leave less than a 500th
-    for (const Real left : left_over(constraint, wanted, next)) EXPECT_NEAR(left, 0, 0.02);
+    for (const Real residual : residual_of(constraint, wanted, next))
+        EXPECT_NEAR(residual, 0, 0.02);
 }
 
 TEST(PointImpulses, PointsThatPartPressNothingAndTheRestAreStopped) {
@@ -65,7 +66,7 @@ TEST(PointImpulses, PointsThatPartPressNothingAndTheRestAreStopped) {
     const Lanes next = projected(constraint, wanted, {});
     EXPECT_EQ(next[2], 0);
     EXPECT_EQ(next[3], 0);
-    const Lanes left = left_over(constraint, wanted, next);
+    const Lanes left = residual_of(constraint, wanted, next);
     EXPECT_NEAR(left[0], 0, 0.01);
     EXPECT_NEAR(left[1], 0, 0.01);
 }
@@ -81,7 +82,7 @@ TEST(PointImpulses, CallsOneAfterAnotherComeToPointsThatPressOrPart) {
         }
         for (int call = 0; call < 50; ++call) {
             const Lanes next = projected(constraint, wanted, {});
-            wanted = left_over(constraint, wanted, next);
+            wanted = residual_of(constraint, wanted, next);
             constraint.normal_Ns = next;
         }
         for (std::size_t i = 0; i < kLanes; ++i) {
