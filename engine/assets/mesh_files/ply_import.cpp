@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <utility>
 
 namespace plumbline::assets {
@@ -65,12 +64,9 @@ private:
             return 0.0;
         }
         text_.remove_prefix(first);
-        double value = 0.0;
-        const auto [end, fault] = std::from_chars(text_.data(), text_.data() + text_.size(), value);
-        const auto length = static_cast<std::size_t>(end - text_.data());
+        const auto [value, length] = leading_number(text_);
         const bool whole = length == text_.size() || kBlank.find(text_[length]) != kBlank.npos;
-        failed_ =
-            failed_ || (fault != std::errc{} && fault != std::errc::result_out_of_range) || !whole;
+        failed_ = failed_ || length == 0 || !whole;
         text_.remove_prefix(failed_ ? text_.size() : length);
         return value;
     }
@@ -197,7 +193,7 @@ struct PlyReader {
     }
 
     void add_face(const std::vector<std::uint32_t>& corners) {
-        if (values.failed()) return;
+        if (values.failed() || !fault.empty()) return;
         const bool bad = std::find(corners.begin(), corners.end(), ~0U) != corners.end();
         if (bad || corners.size() < 3 || corners.size() > kMostCorners) {
             ++bad_faces;

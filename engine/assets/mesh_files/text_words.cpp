@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace plumbline::assets {
 namespace {
@@ -51,11 +52,24 @@ std::string_view next_word(std::string_view& line) {
     return word;
 }
 
+LeadingNumber leading_number(std::string_view word) {
+    double value = 0.0;
+    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const auto length = static_cast<std::size_t>(end - word.data());
+    if (fault == std::errc::result_out_of_range) {
+        // The value is left alone, whichever end of the range the number lies beyond.
+        const std::string_view digits = word.substr(0, length);
+        const bool small = digits.find("e-") != digits.npos || digits.find("E-") != digits.npos;
+        if (!small) value = std::numeric_limits<double>::infinity();
+    }
+    return {.value = value, .length = length};
+}
+
 std::optional<float> finite_number(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
-    float value = 0.0F;
-    const auto [end, failed] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (failed != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    const LeadingNumber number = leading_number(word);
+    if (word.empty() || number.length != word.size()) return std::nullopt;
+    const auto value = static_cast<float>(number.value);
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 // Lines, words and numbers of text formats. Private to engine/assets.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,7 +27,15 @@ private:
 std::string_view next_word(std::string_view& line);
 /// The text without blanks at either end.
 std::string_view trimmed(std::string_view text);
-/// The whole word as a number that a float can hold, not NaN and not infinite.
+/// A number at the word's start, and the characters that it takes: none where there is none. Beyond
+/// a double's range it is infinite, or 0.
+struct LeadingNumber {
+    double value{0.0};
+    std::size_t length{0};
+};
+LeadingNumber leading_number(std::string_view word);
+/// The whole word as a number that a float can hold, not NaN and not infinite; what is too small for
+/// a float is 0.
 std::optional<float> finite_number(std::string_view word);
 
 }  // namespace plumbline::assets
