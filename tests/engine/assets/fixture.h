@@ -190,6 +190,16 @@ struct TriangleFile {
     }
 };
 
+/// The triangle as mesh 0, and as mesh 1 a copy that the caller spoils.
+inline TriangleFile two_meshes() {
+    TriangleFile file;
+    file.json["meshes"].push_back(file.json["meshes"][0]);
+    file.json["meshes"][1]["name"] = "spoilt";
+    file.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 1}}};
+    file.json["scenes"][0]["nodes"] = {0, 1};
+    return file;
+}
+
 /// An import whose log lines are kept.
 struct Import {
     Result<ModelData> model;

@@ -86,41 +86,6 @@ TEST(GltfImport, reads_material_factors_modes_and_maps) {
     EXPECT_FALSE(bare.two_sided);
 }
 
-// FAULTS 29: an ordinary .glb opened white.
-TEST(GltfImport, shows_colours_of_vertices_whatever_the_material_is_called) {
-    for (const bool as_bytes : {true, false}) {
-        TriangleFile file;
-        std::string colors;
-        for (int i = 0; i < 3; ++i) {
-            if (as_bytes) append_bytes<std::uint8_t>(colors, {51, 102, 255, 255});
-            if (!as_bytes) append_bytes<float>(colors, {0.2F, 0.4F, 1, 1});
-        }
-        file.attributes()["COLOR_0"] = file.add_accessor(colors, as_bytes ? 5121 : 5126, 3, "VEC4");
-        if (as_bytes) file.json["accessors"].back()["normalized"] = true;
-        file.json["materials"] = {{{"name", "bark"}}};
-        file.primitive()["material"] = 0;
-        const Import import = import_bytes(file.gltf());
-        ASSERT_TRUE(import.ok()) << import.error();
-        EXPECT_NEAR(glm::length(import.mesh().vertices[2].color - Vec3f(0.2F, 0.4F, 1)), 0, 1e-6);
-        EXPECT_TRUE(import.materials()[0].vertex_colors);
-    }
-}
-
-TEST(GltfImport, reads_wind_weights_from_an_attribute_of_their_own) {
-    TriangleFile file;
-    std::string winds;
-    append_bytes<float>(winds, {0, 0, 0, 1, 1, 0.5F, 0.2F, 1, 7, -3, NAN, 1});
-    file.attributes()["_WIND"] = file.add_accessor(winds, 5126, 3, "VEC4");
-    const Import import = import_bytes(file.gltf());
-    ASSERT_TRUE(import.ok()) << import.error();
-    const std::vector<Vertex>& vertices = import.mesh().vertices;
-    EXPECT_EQ(vertices[0].wind, WindWeights{});
-    EXPECT_EQ(vertices[1].wind, (WindWeights{.sway = 255, .phase = 128, .flutter = 51}));
-    EXPECT_EQ(vertices[2].wind, (WindWeights{.sway = 255})) << "clamped";
-    EXPECT_EQ(vertices[1].color, Vec3f(1)) << "they are no colours";
-    EXPECT_TRUE(sways(import.mesh()));
-}
-
 TEST(GltfImport, gives_embedded_images_names_below_the_file_and_their_bytes) {
     TriangleFile file;
     const std::size_t view = file.add_view("PNG bytes");
