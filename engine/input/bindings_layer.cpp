@@ -191,11 +191,13 @@ private:
     void read_hold(const toml::key& key, const toml::node& node) {
         const std::optional<Action> action = action_from_name(key.str());
         if (!action || *action == Action::Look) {
+            std::vector<std::string_view> names = action_names({});
+            std::erase(names, action_name(Action::Look));
             report(Severity::Warning,
                    location_of(key.source()),
                    fmt::format("no action \"{}\" in [hold].{} Line ignored.",
                                key.str(),
-                               quote_nearest(key.str(), action_names({}))));
+                               quote_nearest(key.str(), names)));
             return;
         }
         const std::string mode = node.value<std::string>().value_or("");
