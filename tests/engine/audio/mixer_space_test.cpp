@@ -164,23 +164,6 @@ TEST_F(MixerSpace, InMonoBothSidesHearTheSame) {
     EXPECT_GT(again.right, 3.0 * again.left);
 }
 
-// A sine's steepest step is amplitude * 2 pi f / rate; cut off at its crest it steps by its amplitude.
-TEST_F(MixerSpace, AVoiceThatIsTakenAwayDoesNotClick) {
-    def_.voices = 1;
-    const auto low = add("low.wav", tone(110.0, 0.0, 2.0));
-    const auto silent = add("silent.wav", std::vector<std::int16_t>(20'000, 0));
-    frame({cue(low, {0, 0, -2.0F})});
-    const Heard before = frames(3);
-    const double amplitude = before.left * std::sqrt(2.0);
-    const double steepest = amplitude * kTurn_rad * 110.0 / kRate_hz;
-    const Heard taken = frame({cue(silent, {0, 0, -1.0F})});
-    EXPECT_EQ(mixer().voices_playing(), 1U);
-    const Heard after = frames(4);
-    EXPECT_LT(std::max(taken.largest_step, after.largest_step), 3.0 * steepest);
-    EXPECT_LT(steepest, amplitude / 50.0);
-    EXPECT_EQ(frames(1).left, 0.0);
-}
-
 TEST_F(MixerSpace, WhatMattersMoreKeepsItsVoice) {
     def_.voices = 1;
     const auto high = add("high.wav", tone(2'000.0, 0.0, 1.0));

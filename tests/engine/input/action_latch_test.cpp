@@ -294,5 +294,51 @@ TEST(ActionLatch, UnknownKeysAndFloodsAreSurvived) {  // C4, C14
     EXPECT_TRUE(hands.latch.take().held.none());
 }
 
+TEST(ActionLatch, UnpluggingThePadReleasesWhatItHeld) {  // C5
+    Hands hands;
+    hands.plug_pad();
+    hands.next.pad_axes[1] = -1.0F;
+    hands.pad_button(1, true);
+    hands.frame();
+    hands.key('D', true);
+    hands.frame();
+    EXPECT_TRUE(hands.latch.take().is_held(Action::Crouch));
+    hands.next.pad_present = false;
+    hands.frame();
+    const Actions actions = hands.latch.take();
+    EXPECT_FALSE(actions.is_held(Action::Forward));
+    EXPECT_FALSE(actions.is_held(Action::Crouch));
+    EXPECT_TRUE(actions.is_held(Action::Right));  // the keyboard's own
+    EXPECT_EQ(hands.latch.last_device(), LastDevice::KeyboardMouse);
+}
+
+TEST(ActionLatch, HintsFollowTheLastDevice) {
+    Hands hands;
+    EXPECT_EQ(hands.latch.last_device(), LastDevice::KeyboardMouse);
+    hands.pad_button(0, true);
+    hands.frame();
+    EXPECT_EQ(hands.latch.last_device(), LastDevice::Gamepad);
+    hands.key('W', true);
+    hands.frame();
+    EXPECT_EQ(hands.latch.last_device(), LastDevice::KeyboardMouse);
+}
+
+TEST(ActionLatch, LabelsMatchWhatTheKeyPrints) {
+    Hands hands("[view]\nhelp = [\"label:q\"]\n");
+    hands.latch.set_label_lookup([](int key) -> std::string {
+        if (key == 'A') return "q";  // a French keyboard
+        if (key == 320) return "Keypad 0";
+        return {};
+    });
+    hands.tap('Q');
+    hands.frame();
+    EXPECT_EQ(hands.latch.take().presses(Action::Help), 0);
+    hands.tap('A');
+    hands.frame();
+    const Actions actions = hands.latch.take();
+    EXPECT_EQ(actions.presses(Action::Help), 1);
+    EXPECT_EQ(actions.presses(Action::Left), 1);  // places keep working
+}
+
 }  // namespace
 }  // namespace plumbline::input

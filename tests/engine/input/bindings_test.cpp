@@ -1,60 +1,12 @@
 #include "engine/input/bindings.h"
 
+#include "tests/engine/input/loaded.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace plumbline::input {
 namespace {
-
-std::string joined_words(const Bindings& bindings, Action action) {
-    std::string text;
-    for (const Input& input : bindings.of(action)) text += (text.empty() ? "" : " ") + input.word;
-    return text;
-}
-
-/// The user's file over the built-in table.
-struct Loaded {
-    explicit Loaded(std::string_view text, const std::vector<std::string>& options = {})
-        : bindings(load_bindings({{"bindings.toml", std::string{text}}}, options, faults)) {}
-
-    std::string messages() const {
-        std::string text;
-        for (const Diagnostic& fault : faults.list()) text += to_string(fault) + "\n";
-        return text;
-    }
-
-    Diagnostics faults;
-    Bindings bindings;
-};
-
-TEST(Bindings, EveryActionOfTheBuiltInTableIsBound) {
-    const Bindings bindings = built_in_bindings();
-    for (std::size_t i = 0; i < kActionCount; ++i) {
-        // Throwing and turning what is held do these two until a profile gives them keys.
-        const auto action = static_cast<Action>(i);
-        if (action == Action::TurnModel || action == Action::ShiftModel) continue;
-        EXPECT_FALSE(bindings.inputs[i].empty()) << action_name(action);
-    }
-    EXPECT_EQ(joined_words(bindings, Action::Forward), "w up pad.left_y-");
-    EXPECT_EQ(joined_words(bindings, Action::Drop), "q pad.right_bumper");
-    EXPECT_EQ(joined_words(bindings, Action::Throw), "mouse.left pad.right_trigger");
-    EXPECT_EQ(joined_words(bindings, Action::Grab), "e mouse.right pad.x");
-}
-
-TEST(Bindings, TheBuiltInTableHasNoInputTwiceInADomain) {
-    const Bindings bindings = built_in_bindings();
-    for (std::size_t a = 0; a < kActionCount; ++a) {
-        for (std::size_t b = a + 1; b < kActionCount; ++b) {
-            const bool is_menu_a = group_of(static_cast<Action>(a)) == ActionGroup::Menu;
-            const bool is_menu_b = group_of(static_cast<Action>(b)) == ActionGroup::Menu;
-            if (is_menu_a != is_menu_b) continue;
-            for (const Input& input : bindings.inputs[a])
-                EXPECT_EQ(std::ranges::count(bindings.inputs[b], input), 0) << input.word;
-        }
-    }
-}
 
 TEST(Bindings, ALineReplacesTheListAndTellsWhereItStands) {
     const Loaded loaded("format = 1\n[walk]\njump = [\"b\", \"pad.a\"]\n");
@@ -86,24 +38,6 @@ TEST(Bindings, ALineWithNothingGoodKeepsTheLowerLayers) {
     EXPECT_EQ(joined_words(loaded.bindings, Action::Jump), "space pad.a");
     EXPECT_NE(loaded.messages().find("Line ignored; \"jump\" keeps: space, pad.a"),
               std::string::npos);
-}
-
-TEST(Bindings, UnknownNamesAreNamedWithTheNearest) {  // D4
-    const Loaded loaded(
-        "[view]\nflashligt = [\"f\"]\nfog = [\"k\"]\n[wlak]\njump = [\"k\"]\n[tuning]\n"
-        "pad_curv = 1\n[hold]\ncrouhc = \"hold\"\n");
-    EXPECT_EQ(joined_words(loaded.bindings, Action::Fog), "k");
-    const std::string messages = loaded.messages();
-    for (const char* line :
-         {"bindings.toml:2:1: warning: no action \"flashligt\" in [view]. Nearest: \"flashlight\". "
-          "Line ignored.\n",
-          "warning: no table [wlak]. Nearest: \"walk\". Table ignored.\n",
-          "bindings.toml:7:1: warning: no key \"pad_curv\" in [tuning]. Nearest: \"pad_curve\". "
-          "Line ignored.\n",
-          "bindings.toml:9:1: warning: no action \"crouhc\" in [hold]. Nearest: \"crouch\". "
-          "Line ignored.\n"})
-        EXPECT_NE(messages.find(line), std::string::npos) << line << "in\n" << messages;
-    EXPECT_FALSE(loaded.faults.has_errors());
 }
 
 TEST(Bindings, TheSecondLineWithAnInputIsRefusedAndBothNamed) {  // D6
@@ -189,94 +123,6 @@ TEST(Bindings, SixteenInputsAndNoMore) {
     EXPECT_TRUE(over.faults.has_errors());
 }
 
-TEST(Bindings, EmptyMarkedAndWindowsFilesAreAccepted) {  // D2
-    EXPECT_EQ(Loaded("").messages(), "");
-    EXPECT_EQ(
-        joined_words(Loaded("\xEF\xBB\xBF[walk]\r\njump = [\"k\"]\r\n").bindings, Action::Jump),
-        "k");
-}
-
-TEST(Bindings, ABrokenFileIsLeftOutWhole) {  // D3, D8, D9
-    for (const char* text : {"[walk]\njump = [\"k\"]\nback = [\"x\n",
-                             "[walk]\njump = [\"k\"]\njump = [\"x\"]\n",
-                             "[walk]\njump = [\"k\"]\n[walk]\n",
-                             "[walk]\njump = [\"k\"]\nback = [\"\xFF\"]\n",
-                             "[walk]\njump = [\"k\"]\rback = [\"x\"]\n"}) {
-        const Loaded loaded(text);
-        EXPECT_EQ(joined_words(loaded.bindings, Action::Jump), "space pad.a") << text;
-        EXPECT_EQ(loaded.bindings.left_out, std::vector<std::string>{"bindings.toml"});
-        ASSERT_EQ(loaded.faults.list().size(), 1U) << text;
-        EXPECT_GE(loaded.faults.list()[0].line, 2) << text;
-        EXPECT_GE(loaded.faults.list()[0].column, 1) << text;
-        EXPECT_NE(loaded.messages().find("The whole file is left out."), std::string::npos);
-    }
-    EXPECT_TRUE(Loaded(std::string_view("[walk]\n\0", 8)).faults.has_errors());
-}
-
-// A key of the file may hold what would drive a terminal; what is said of it does not.
-TEST(Bindings, EscapeSequencesAreNamedNotSent) {
-    for (const char* text : {"[things]\ndrop = [\"\\u001b[31mq\"]\n",
-                             "[things]\n\"\\u001b]0;title\\u0007\" = [\"q\"]\n",
-                             "[\"\\u001b[2J\"]\ndrop = [\"q\"]\n",
-                             "profile = \"\\u001b[5m\"\n[things]\ndrop = [\"\\u001b\"]\n"}) {
-        const Loaded loaded(text);
-        ASSERT_FALSE(loaded.faults.list().empty()) << text;
-        const std::string said = loaded.messages();
-        EXPECT_EQ(said.find('\x1b'), std::string::npos);
-        EXPECT_EQ(said.find('\x07'), std::string::npos);
-        EXPECT_NE(said.find("\\x1b"), std::string::npos) << said;
-    }
-}
-
-TEST(Bindings, WrongTypesAndRangesKeepTheDefaultAndNameTheRange) {  // D5
-    const Loaded loaded(
-        "[tuning]\nmouse_deg_per_count = nan\npad_curve = \"wide\"\ninvert_y = 1\n"
-        "trigger_threshold = 2\npad_inner_dead_zone = inf\npad_look_deg_per_sec = 90\n");
-    const Tuning defaults;
-    EXPECT_EQ(loaded.bindings.tuning.mouse_deg_per_count, defaults.mouse_deg_per_count);
-    EXPECT_EQ(loaded.bindings.tuning.pad_curve, defaults.pad_curve);
-    EXPECT_EQ(loaded.bindings.tuning.trigger_threshold, defaults.trigger_threshold);
-    EXPECT_EQ(loaded.bindings.tuning.pad_inner_dead_zone, defaults.pad_inner_dead_zone);
-    EXPECT_EQ(loaded.bindings.tuning.pad_look_deg_per_s, 90.0F);
-    EXPECT_EQ(loaded.faults.list().size(), 5U);
-    EXPECT_NE(loaded.messages().find(
-                  "bindings.toml:2:23: error: mouse_deg_per_count = nan: a number from 0.001 to 2 "
-                  "is expected. 0.066 is used.\n"),
-              std::string::npos)
-        << loaded.messages();
-}
-
-TEST(Bindings, ANewerFormatIsReadAsFarAsItIsKnown) {  // D7
-    const Loaded loaded("format = 99\n[walk]\njump = [\"k\"]\nfly_up = [\"j\"]\n");
-    EXPECT_EQ(joined_words(loaded.bindings, Action::Jump), "k");
-    EXPECT_FALSE(loaded.faults.has_errors());
-    EXPECT_NE(loaded.messages().find("format 99 is newer than 1"), std::string::npos);
-}
-
-TEST(Bindings, HostileNestingNeverReachesTheParser) {  // D10
-    std::string dotted = "a";
-    for (int i = 0; i < 100'000; ++i) dotted += ".a";
-    for (const std::string& text : {dotted + " = 1\n",
-                                    "x = " + std::string(100'000, '['),
-                                    "x = " + std::string(100'000, '{')}) {
-        const Loaded loaded(text);
-        EXPECT_TRUE(loaded.faults.has_errors());
-        EXPECT_EQ(joined_words(loaded.bindings, Action::Jump), "space pad.a");
-    }
-}
-
-TEST(Bindings, LimitsHoldToTheByte) {  // D11
-    std::string fits = "[walk]\njump = [\"k\"]\n";
-    while (fits.size() + 64 < 256 * 1024) fits += "#" + std::string(62, 'x') + "\n";
-    fits += "#" + std::string(256 * 1024 - 1 - fits.size(), 'x');
-    EXPECT_EQ(joined_words(Loaded(fits).bindings, Action::Jump), "k");
-    EXPECT_EQ(joined_words(Loaded(fits + "x").bindings, Action::Jump), "space pad.a");
-    const std::string nest_32 = "[walk]\nforward = " + std::string(32, '[') + std::string(32, ']');
-    EXPECT_EQ(Loaded(nest_32).messages().find("whole file"), std::string::npos);
-    const std::string nest_33 = "[walk]\nforward = " + std::string(33, '[') + std::string(33, ']');
-    EXPECT_NE(Loaded(nest_33).messages().find("whole file"), std::string::npos);
-}
-
 TEST(Bindings, TheCommandLineIsTheHighestLayer) {
     const Loaded loaded("[things]\ndrop = [\"k\"]\n", {"drop=j,mouse.4", "jump=", "fog=spcae"});
     EXPECT_EQ(joined_words(loaded.bindings, Action::Drop), "j mouse.4");
@@ -287,31 +133,6 @@ TEST(Bindings, TheCommandLineIsTheHighestLayer) {
               std::string::npos);
     EXPECT_TRUE(Loaded("", {"drop"}).faults.has_errors());
     EXPECT_NE(Loaded("", {"dorp=q"}).messages().find("Nearest: \"drop\""), std::string::npos);
-}
-
-TEST(Bindings, AnActionInAnotherTableIsTakenAllTheSame) {
-    const Loaded loaded("[walk]\ngrab = [\"k\"]\n");
-    EXPECT_EQ(joined_words(loaded.bindings, Action::Grab), "k");
-    EXPECT_NE(loaded.messages().find("belongs in [things]"), std::string::npos);
-}
-
-TEST(Bindings, WhatIsPrintedReadsBackTheSame) {
-    const Loaded first(
-        "[tuning]\ninvert_y = true\n[hold]\nsprint = \"toggle\"\n[walk]\njump = [\"\\\\\", "
-        "\"label:/\", \"label:\\\"\"]\n[view]\nfog = [\"f\"]\n",
-        {"drop="});
-    const std::string printed = print_bindings(first.bindings);
-    const Loaded second(printed);
-    EXPECT_EQ(second.messages(), "");
-    for (std::size_t i = 0; i < kActionCount; ++i) {
-        EXPECT_EQ(first.bindings.inputs[i], second.bindings.inputs[i]);
-        EXPECT_EQ(first.bindings.hold_mode[i], second.bindings.hold_mode[i]);
-    }
-    EXPECT_TRUE(second.bindings.tuning.invert_y);
-    EXPECT_NE(printed.find("# built-in; \"f\" taken by fog (bindings.toml:8)"), std::string::npos)
-        << printed;
-    EXPECT_NE(printed.find("drop = []"), std::string::npos);
-    EXPECT_NE(printed.find("# --bind"), std::string::npos);
 }
 
 }  // namespace

@@ -40,11 +40,5 @@ TEST(NoDisplay, NamesTheDisplayThatDoesNotAnswer) {
         "no display: DISPLAY=:9876 does not answer");
 }
 
-TEST(NoDisplay, WithoutAWindowKeysHaveTheirUsNames) {
-    EXPECT_EQ(printed_key_name('W'), "w");
-    EXPECT_EQ(printed_key_name(91), "[");
-    EXPECT_EQ(printed_key_name(341), "Left Ctrl");
-}
-
 }  // namespace
 }  // namespace plumbline::platform

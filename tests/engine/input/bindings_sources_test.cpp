@@ -17,7 +17,7 @@ std::string messages_of(const Diagnostics& faults) {
     return text;
 }
 
-class BindingFiles : public testing::Test {
+class BindingSourcesTest : public testing::Test {
 protected:
     Bindings load(std::string_view profile = {}) {
         const BindingSources sources =
@@ -29,22 +29,7 @@ protected:
     Diagnostics faults_;
 };
 
-TEST_F(BindingFiles, TheShippedFileSaysWhatTheBuiltInTableSays) {
-    const Bindings shipped = load();
-    const Bindings built_in = built_in_bindings();
-    EXPECT_EQ(messages_of(faults_), "");
-    for (std::size_t i = 0; i < kActionCount; ++i) {
-        EXPECT_EQ(shipped.inputs[i], built_in.inputs[i]) << action_name(static_cast<Action>(i));
-        EXPECT_EQ(shipped.hold_mode[i], built_in.hold_mode[i]);
-        EXPECT_TRUE(shipped.origin[i].starts_with("config/bindings.toml:"));
-    }
-    EXPECT_EQ(shipped.tuning.mouse_deg_per_count, built_in.tuning.mouse_deg_per_count);
-    EXPECT_EQ(shipped.tuning.pad_look_deg_per_s, built_in.tuning.pad_look_deg_per_s);
-    EXPECT_EQ(shipped.tuning.free_pointer, built_in.tuning.free_pointer);
-    EXPECT_EQ(shipped.tuning.pad_inner_dead_zone, built_in.tuning.pad_inner_dead_zone);
-}
-
-TEST_F(BindingFiles, ProfilesLoadWithoutAWord) {
+TEST_F(BindingSourcesTest, ProfilesLoadWithoutAWord) {
     for (const char* profile : {"book", "nature", "viewer"}) {
         faults_ = {};
         const Bindings bindings = load(profile);
@@ -55,7 +40,7 @@ TEST_F(BindingFiles, ProfilesLoadWithoutAWord) {
     }
 }
 
-TEST_F(BindingFiles, TheProfilesHaveTheKeysOfTheirSources) {
+TEST_F(BindingSourcesTest, TheProfilesHaveTheKeysOfTheirSources) {
     const auto drives = [](const Bindings& bindings, Action action, std::string_view word) {
         for (const Input& input : bindings.of(action))
             if (input.word == word) return true;
@@ -84,7 +69,7 @@ TEST_F(BindingFiles, TheProfilesHaveTheKeysOfTheirSources) {
     EXPECT_TRUE(drives(load("viewer"), Action::ZoomIn, "wheel.up"));
 }
 
-TEST_F(BindingFiles, MissingFilesAreNoFaultAndAreWatched) {  // D1
+TEST_F(BindingSourcesTest, MissingFilesAreNoFaultAndAreWatched) {  // D1
     const BindingSources sources = find_binding_sources(kShipped, user_.path(), {}, faults_);
     EXPECT_EQ(messages_of(faults_), "");
     EXPECT_EQ(sources.layers.size(), 1U);
@@ -94,7 +79,7 @@ TEST_F(BindingFiles, MissingFilesAreNoFaultAndAreWatched) {  // D1
     EXPECT_EQ(homeless.watched.size(), 1U);
 }
 
-TEST_F(BindingFiles, LayersReplaceInOrder) {
+TEST_F(BindingSourcesTest, LayersReplaceInOrder) {
     user_.write("bindings.toml", "[things]\ndrop = [\"k\"]\nundo_drop = [\"u\"]\n");
     user_.write("bindings.ui.toml", "[things]\ndrop = [\"j\"]\nremove = [\"i\"]\n");
     const Bindings bindings = load();
@@ -103,13 +88,13 @@ TEST_F(BindingFiles, LayersReplaceInOrder) {
     EXPECT_EQ(bindings.of(Action::UndoDrop)[0].word, "u");
 }
 
-TEST_F(BindingFiles, TheUsersFileMayChooseTheProfile) {
+TEST_F(BindingSourcesTest, TheUsersFileMayChooseTheProfile) {
     user_.write("bindings.toml", "profile = \"nature\"\n");
     EXPECT_EQ(load().of(Action::Wireframe)[0].word, "m");
     EXPECT_EQ(load("book").of(Action::Wireframe)[0].word, "w");
 }
 
-TEST_F(BindingFiles, UnknownProfilesAreNamedAndCannotLeadOut) {
+TEST_F(BindingSourcesTest, UnknownProfilesAreNamedAndCannotLeadOut) {
     load("natur");
     EXPECT_EQ(messages_of(faults_),
               "profile: error: no profile \"natur\". Nearest: \"nature\". There are: book, nature, "
@@ -119,7 +104,7 @@ TEST_F(BindingFiles, UnknownProfilesAreNamedAndCannotLeadOut) {
     EXPECT_TRUE(faults_.has_errors());
 }
 
-TEST_F(BindingFiles, WhatIsNoRegularFileIsRefusedWithoutWaiting) {  // D14, D13
+TEST_F(BindingSourcesTest, WhatIsNoRegularFileIsRefusedWithoutWaiting) {  // D14, D13
     const fs::path file = user_.path() / "bindings.toml";
     ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
     EXPECT_EQ(load().of(Action::Jump)[0].word, "space");
@@ -138,7 +123,7 @@ TEST_F(BindingFiles, WhatIsNoRegularFileIsRefusedWithoutWaiting) {  // D14, D13
     EXPECT_TRUE(faults_.has_errors());
 }
 
-TEST_F(BindingFiles, UnreadableAndOversizedFilesLeaveTheDefaults) {  // D15, D11
+TEST_F(BindingSourcesTest, UnreadableAndOversizedFilesLeaveTheDefaults) {  // D15, D11
     const fs::path file = user_.path() / "bindings.toml";
     user_.write("bindings.toml", std::string(300 * 1024, '#'));
     EXPECT_EQ(load().of(Action::Jump)[0].word, "space");
@@ -149,6 +134,28 @@ TEST_F(BindingFiles, UnreadableAndOversizedFilesLeaveTheDefaults) {  // D15, D11
     faults_ = {};
     EXPECT_EQ(load().of(Action::Jump)[0].word, "space");
     EXPECT_TRUE(faults_.has_errors());
+}
+
+TEST_F(BindingSourcesTest, TheUsualProfileIsTakenWhereNobodyAskedForAnother) {
+    const auto layers = [&](const ProfileChoice& choice) {
+        std::vector<std::string> names;
+        for (const BindingLayer& layer :
+             find_binding_sources(kShipped, user_.path(), choice, faults_).layers)
+            names.push_back(layer.name);
+        return names;
+    };
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(layers({.usual = "viewer"}), (Names{"config/bindings.toml", "controls/viewer.toml"}));
+    EXPECT_EQ(layers({.asked = "book", .usual = "viewer"}),
+              (Names{"config/bindings.toml", "controls/book.toml"}));
+    user_.write("bindings.toml", "profile = \"nature\"\n");
+    EXPECT_EQ(layers({.usual = "viewer"}),
+              (Names{"config/bindings.toml", "controls/nature.toml", "bindings.toml"}));
+    // One that cannot be parsed names no profile; its faults are said when it is loaded.
+    user_.write("bindings.toml", "profile = \"nature\n");
+    user_.write("bindings.ui.toml", "");
+    EXPECT_EQ(layers({}), (Names{"config/bindings.toml", "bindings.toml", "bindings.ui.toml"}));
+    EXPECT_EQ(messages_of(faults_), "");
 }
 
 }  // namespace

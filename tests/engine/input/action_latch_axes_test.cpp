@@ -6,7 +6,7 @@
 namespace plumbline::input {
 namespace {
 
-TEST(ActionLatch, LookTurnsByTheTunedAngle) {
+TEST(ActionLatchAxes, LookTurnsByTheTunedAngle) {
     Hands hands;
     hands.next.mouse_counts = {100.0, -50.0};
     hands.frame();
@@ -19,7 +19,7 @@ TEST(ActionLatch, LookTurnsByTheTunedAngle) {
 }
 
 // SOURCES A33: where the pointer is free it points, and turns nothing.
-TEST(ActionLatch, AFreePointerPointsAndDoesNotLook) {
+TEST(ActionLatchAxes, AFreePointerPointsAndDoesNotLook) {
     Hands hands;
     hands.next.mouse_counts = {100.0, -50.0};
     hands.frame({.pointer = std::array{0.25F, -0.5F}});
@@ -32,7 +32,7 @@ TEST(ActionLatch, AFreePointerPointsAndDoesNotLook) {
     EXPECT_FALSE(hands.latch.take().pointer.has_value());
 }
 
-TEST(ActionLatch, LookAddsUpOverFramesWithoutASteps) {
+TEST(ActionLatchAxes, LookAddsUpOverFramesWithoutASteps) {
     Hands hands("[tuning]\ninvert_y = true\nmouse_deg_per_count = 0.1\n");
     for (int i = 0; i < 4; ++i) {
         hands.next.mouse_counts = {-10.0, 10.0};
@@ -43,7 +43,7 @@ TEST(ActionLatch, LookAddsUpOverFramesWithoutASteps) {
     EXPECT_NEAR(actions.look_pitch_rad, radians_from_degrees(4.0F), 1e-6F);
 }
 
-TEST(ActionLatch, ImpossibleMouseJumpsAreDroppedAndCounted) {  // C9
+TEST(ActionLatchAxes, ImpossibleMouseJumpsAreDroppedAndCounted) {  // C9
     Hands hands;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double inf = std::numeric_limits<double>::infinity();
@@ -58,7 +58,7 @@ TEST(ActionLatch, ImpossibleMouseJumpsAreDroppedAndCounted) {  // C9
     EXPECT_NE(hands.latch.take().look_yaw_rad, 0.0F);
 }
 
-TEST(ActionLatch, TheStickTurnsBySpeedAndTime) {
+TEST(ActionLatchAxes, TheStickTurnsBySpeedAndTime) {
     Hands hands;
     hands.plug_pad();
     hands.next.pad_axes[2] = 1.0F;
@@ -68,7 +68,7 @@ TEST(ActionLatch, TheStickTurnsBySpeedAndTime) {
     EXPECT_EQ(hands.latch.last_device(), LastDevice::Gamepad);
 }
 
-TEST(ActionLatch, TheStickWalksByItsTravel) {
+TEST(ActionLatchAxes, TheStickWalksByItsTravel) {
     Hands hands;
     hands.plug_pad();
     hands.next.pad_axes[1] = -0.565F;  // half the travel, squared
@@ -79,7 +79,7 @@ TEST(ActionLatch, TheStickWalksByItsTravel) {
     EXPECT_FALSE(actions.is_held(Action::Back));
 }
 
-TEST(ActionLatch, TriggersPressAtTheirThreshold) {
+TEST(ActionLatchAxes, TriggersPressAtTheirThreshold) {
     Hands hands;
     hands.plug_pad();
     hands.next.pad_axes[5] = -0.1F;  // 45 % of the travel
@@ -100,7 +100,7 @@ TEST(ActionLatch, TriggersPressAtTheirThreshold) {
     EXPECT_FALSE(hands.latch.take().is_held(Action::Throw));
 }
 
-TEST(ActionLatch, AxesCountOnceTheyHaveBeenAtRest) {  // C7: stuck, drifting, never touched
+TEST(ActionLatchAxes, AxesCountOnceTheyHaveBeenAtRest) {  // C7: stuck, drifting, never touched
     Hands hands;
     hands.next.pad_present = true;
     hands.next.pad_axes = {0.0F, -0.99F, 0.12F, 0.0F, 0.0F, 0.0F};
@@ -113,50 +113,44 @@ TEST(ActionLatch, AxesCountOnceTheyHaveBeenAtRest) {  // C7: stuck, drifting, ne
     EXPECT_TRUE(hands.latch.take().held.none());
 }
 
-TEST(ActionLatch, UnpluggingThePadReleasesWhatItHeld) {  // C5
+TEST(ActionLatchAxes, ATriggerLetsGoATenthBelowItsThreshold) {
+    Hands hands;  // the threshold is 0.5; a trigger goes from -1 to 1
+    hands.plug_pad();
+    const auto held_at = [&](float travel) {
+        hands.next.pad_axes[5] = 2.0F * travel - 1.0F;
+        hands.frame();
+        return hands.latch.take().is_held(Action::Throw);
+    };
+    EXPECT_FALSE(held_at(0.49F));
+    EXPECT_TRUE(held_at(0.51F));
+    EXPECT_TRUE(held_at(0.41F)) << "no flutter about the threshold";
+    EXPECT_FALSE(held_at(0.39F));
+    EXPECT_FALSE(held_at(0.45F));
+}
+
+TEST(ActionLatchAxes, ALongFrameTurnsNoMoreThanATenthOfASecond) {
     Hands hands;
     hands.plug_pad();
-    hands.next.pad_axes[1] = -1.0F;
-    hands.pad_button(1, true);
+    hands.next.pad_axes[2] = -1.0F;
+    hands.next.now_s += 5.0;
     hands.frame();
-    hands.key('D', true);
-    hands.frame();
-    EXPECT_TRUE(hands.latch.take().is_held(Action::Crouch));
-    hands.next.pad_present = false;
-    hands.frame();
-    const Actions actions = hands.latch.take();
-    EXPECT_FALSE(actions.is_held(Action::Forward));
-    EXPECT_FALSE(actions.is_held(Action::Crouch));
-    EXPECT_TRUE(actions.is_held(Action::Right));  // the keyboard's own
-    EXPECT_EQ(hands.latch.last_device(), LastDevice::KeyboardMouse);
+    EXPECT_NEAR(hands.latch.take().look_yaw_rad, radians_from_degrees(180.0 * 0.1), 1e-6);
 }
 
-TEST(ActionLatch, HintsFollowTheLastDevice) {
-    Hands hands;
-    EXPECT_EQ(hands.latch.last_device(), LastDevice::KeyboardMouse);
-    hands.pad_button(0, true);
-    hands.frame();
-    EXPECT_EQ(hands.latch.last_device(), LastDevice::Gamepad);
-    hands.key('W', true);
-    hands.frame();
-    EXPECT_EQ(hands.latch.last_device(), LastDevice::KeyboardMouse);
-}
-
-TEST(ActionLatch, LabelsMatchWhatTheKeyPrints) {
-    Hands hands("[view]\nhelp = [\"label:q\"]\n");
-    hands.latch.set_label_lookup([](int key) -> std::string {
-        if (key == 'A') return "q";  // a French keyboard
-        if (key == 320) return "Keypad 0";
-        return {};
-    });
-    hands.tap('Q');
-    hands.frame();
-    EXPECT_EQ(hands.latch.take().presses(Action::Help), 0);
-    hands.tap('A');
-    hands.frame();
-    const Actions actions = hands.latch.take();
-    EXPECT_EQ(actions.presses(Action::Help), 1);
-    EXPECT_EQ(actions.presses(Action::Left), 1);  // places keep working
+TEST(ActionLatchAxes, InvertedLookingGoesTheOtherWayForMouseAndStick) {
+    for (const bool inverted : {false, true}) {
+        Hands hands(inverted ? "[tuning]\ninvert_y = true\n" : "");
+        hands.plug_pad();
+        hands.next.mouse_counts = {0.0F, 100.0F};  // down
+        hands.frame();
+        EXPECT_NEAR(
+            hands.latch.take().look_pitch_rad, radians_from_degrees(inverted ? 6.6 : -6.6), 1e-6);
+        hands.next.pad_axes[3] = 1.0F;  // pulled towards oneself: down
+        hands.frame();
+        EXPECT_NEAR(hands.latch.take().look_pitch_rad,
+                    radians_from_degrees((inverted ? 180.0 : -180.0) * kFrame_s),
+                    1e-6);
+    }
 }
 
 }  // namespace
