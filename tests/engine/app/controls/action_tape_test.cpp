@@ -259,19 +259,6 @@ TEST(ActionTape, ASceneNameThatIsNoTextStillGivesATape) {
     EXPECT_TRUE(TapePlayer::open(tape_file(), odd).ok());
 }
 
-TEST(ActionTape, TheSameSeedGivesTheSameRandomInput) {
-    RandomActions a(5);
-    RandomActions b(5);
-    RandomActions other(6);
-    bool all_same_as_other = true;
-    for (int i = 0; i < 100; ++i) {
-        const Actions now = a.next();
-        EXPECT_TRUE(same(now, b.next()));
-        all_same_as_other = all_same_as_other && same(now, other.next());
-    }
-    EXPECT_FALSE(all_same_as_other);
-}
-
 TEST(ActionTape, RefusesWhatBelongsElsewhereAndNamesBothSides) {
     TapeRecorder recorder(kHeader);
     ASSERT_TRUE(recorder.save(tape_file(), 1, 1).ok());

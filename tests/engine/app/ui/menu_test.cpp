@@ -1,27 +1,12 @@
 #include "engine/app/ui/menu.h"
 
 #include "engine/app/ui/menu_input.h"
+#include "tests/engine/app/ui/square_text.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace plumbline::app::ui {
 namespace {
-
-/// Letters of half their size's width, and lines of its height.
-TextSize square_text(float font_px) {
-    return {.width_px =
-                [=](const std::string& words) {
-                    return 0.5F * font_px * static_cast<float>(words.size());
-                },
-            .height_px =
-                [=](const std::string& words, float wrap_px) {
-                    const float width = 0.5F * font_px * static_cast<float>(words.size());
-                    return words.empty() ? 0.0F
-                                         : font_px * std::ceil(width / std::max(1.0F, wrap_px));
-                }};
-}
 
 class MenuTest : public testing::Test {
 protected:
