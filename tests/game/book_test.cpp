@@ -1,42 +1,12 @@
 // What the book's stages do with its keys: a camera that goes by steps, a pointer that shoots, drags,
 // deletes, lifts and explodes.
 #include "engine/physics/query.h"
-#include "tests/game/rules/playground.h"
+#include "tests/game/book_stage.h"
 
 #include <cmath>
 
 namespace plumbline::game {
 namespace {
-
-/// The stage that the camera goes about, 15 m away and 20 degrees above, on the side of -Z.
-scene::SceneDescription stage() {
-    scene::SceneDescription scene;
-    const Real pitch = radians_from_degrees(20.0_r);
-    scene.gravity_mps2 = {0, -10, 0};
-    scene.camera.position_m = Vec3{0, std::sin(pitch), -std::cos(pitch)} * Real{15};
-    scene.camera.target_m = {0, 0, 0};
-    scene.camera.fov_y_rad = kPi / 2;
-    scene.camera.orbit.emplace();
-    return scene;
-}
-
-scene::SceneDescription stage_with(std::initializer_list<scene::EntityDescription> entities) {
-    scene::SceneDescription scene = stage();
-    scene.entities = entities;
-    return scene;
-}
-
-scene::EntityDescription loose(const std::string& name, const Vec3& position_m) {
-    return block(name, {2, 2, 2}, position_m, physics::BodyKind::Dynamic, 1);
-}
-
-scene::EntityDescription floor_at(Real top_m) {
-    return block("ground", {100, 2, 100}, {0, top_m - 1, 0});
-}
-
-Pose camera(const Playground& play) {
-    return play.game->view(*play.simulation, 1, 0, 0).world_from_camera;
-}
 
 /// In degrees and metres, as the book counts them: yaw from the side of -Z.
 struct OrbitPlace {
@@ -50,13 +20,6 @@ OrbitPlace orbit_place(const Playground& play) {
     return {degrees_from_radians(std::atan2(-away.x, -away.z)),
             degrees_from_radians(std::asin(away.y / distance_m)),
             distance_m};
-}
-
-/// With the pointer on a point of the world, as the camera sees it.
-Actions at(const Playground& play, const Vec3& point_m, Actions actions = {}) {
-    const Vec3 seen = transform_point(invert(camera(play)), point_m);
-    actions.pointer = std::array{seen.x / -seen.z, seen.y / -seen.z};
-    return actions;
 }
 
 // SOURCES A25, A26.
@@ -117,24 +80,6 @@ TEST(Book, TheUpVectorIsUpInTheImage) {
 }
 
 // SOURCES A33.
-TEST(Book, ShootsAKilogramAt25MetresASecondWhereThePointerIs) {
-    Playground play(stage());
-    const Vec3 point{3, 2, 0};
-    const Vec3 eye = camera(play).position;
-    play.step(at(play, point, press({Action::Shoot})));
-    ASSERT_EQ(play.thing_count(), 1U);
-    const Vec3 way = glm::normalize(point - eye);
-    const Vec3 fall = Vec3{0, -10, 0} / Real{60};
-    EXPECT_NEAR(glm::distance(play.state("shot#1").velocity_mps, way * Real{25} + fall), 0, 1e-3);
-    EXPECT_NEAR(play.simulation->physics.mass_properties(play.body("shot#1")).mass_kg, 1, 1e-5);
-    EXPECT_NEAR(
-        glm::length(glm::cross(play.state("shot#1").world_from_body.position - eye, way)), 0, 0.01)
-        << "it starts on the ray";
-    play.step(hold({Action::Shoot}));
-    EXPECT_EQ(play.thing_count(), 1U) << "one a press";
-}
-
-// SOURCES A33.
 TEST(Book, DeletesTheBodyUnderThePointerHoweverFar) {
     Playground play(stage_with({floor_at(0), loose("a", {-3, 1, 0}), loose("b", {3, 1, 40})}));
     play.step(at(play, {3, 1, 40}, press({Action::Remove})));
@@ -165,47 +110,6 @@ TEST(Book, DragsWhatIsUnderThePointerAtItsOwnDistance) {
     EXPECT_NEAR(std::abs(play.state("box").world_from_body.orientation.w), 1, 1e-3);
     play.step(at(play, point));
     EXPECT_FALSE(play.game->holds());
-}
-
-// SOURCES A37: 20 N lift a kilogram that weighs 10 N with 10 m/s2.
-TEST(Book, LiftsWhatIsUnderThePointerWith20Newtons) {
-    Playground play(stage_with({floor_at(0), loose("other", {8, 1, 0}), loose("box", {0, 1, 0})}));
-    play.step(at(play, {0, 1, 0}, press({Action::Lift})));
-    for (int i = 1; i < 60; ++i) play.step(at(play, {20, 20, 0}, hold({Action::Lift})));
-    EXPECT_NEAR(play.state("box").velocity_mps.y, 10, 0.02);
-    EXPECT_NEAR(play.state("box").world_from_body.position.y, 1 + 5, 0.05);
-    play.run(1);
-    EXPECT_NEAR(play.state("box").velocity_mps.y, 0, 0.02) << "and falls once it is let go";
-    // Beside everything a free pointer lifts the scene's first body.
-    play.step(at(play, {0, 40, 0}, press({Action::Lift})));
-    for (int i = 1; i < 30; ++i) play.step(at(play, {0, 40, 0}, hold({Action::Lift})));
-    EXPECT_NEAR(play.state("other").velocity_mps.y, 5, 0.02);
-}
-
-// SOURCES A37: 50 N s at 1 m, the less the farther, within 3 m, once.
-TEST(Book, AnExplosionPushesByFiftyThroughTheDistanceWithinThreeMetres) {
-    scene::SceneDescription scene =
-        stage_with({floor_at(0), loose("near", {2, 1, 0}), loose("far", {6, 1, 0})});
-    scene.entities[1].body->friction = 0;
-    Playground play(scene);
-    const Vec3 hit{0, 0, 0};
-    const Vec3 way = play.state("near").world_from_body.position - hit;
-    const Real speed_mps = 50 / glm::length(way);
-    play.step(at(play, hit, press({Action::Explode})));
-    const Vec3 wanted = glm::normalize(way) * speed_mps + Vec3{0, -10, 0} / Real{60};
-    EXPECT_NEAR(glm::distance(play.state("near").velocity_mps, wanted), 0, 0.05);
-    EXPECT_NEAR(glm::length(play.state("far").velocity_mps), 0, 1e-3) << "5 m away: not reached";
-    const Vec3 after = play.state("near").velocity_mps;
-    play.step(at(play, hit, hold({Action::Explode})));
-    EXPECT_NEAR(play.state("near").velocity_mps.x, after.x, 1e-3) << "one step a press";
-}
-
-TEST(Book, WithoutAFreePointerTheSameKeysGoWhereTheCameraLooks) {
-    Playground play(stage_with({floor_at(-5), loose("box", {0, 0, 0})}));
-    play.simulation->physics.set_pose(play.body("box"), {.position = {0, 0, 0}});
-    play.step(press({Action::Lift}));
-    EXPECT_EQ(play.messages().back(), "nothing to lift there") << "15 m are out of reach";
-    EXPECT_FALSE(play.game->hud(*play.simulation).crosshair) << "none while orbiting";
 }
 
 }  // namespace

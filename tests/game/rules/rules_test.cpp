@@ -9,25 +9,6 @@ namespace {
 
 constexpr float kDown_rad = -0.3F;
 
-TEST(Rules, WalksAtWalkingAndAtRunningPace) {
-    Playground walk;
-    walk.run(3, hold({Action::Forward}));
-    EXPECT_NEAR(walk.feet().z, -1.8 * 3, 0.05);
-    EXPECT_NEAR(walk.feet().x, 0, 1e-3);
-
-    Playground run;
-    run.run(3, hold({Action::Forward, Action::Sprint}));
-    EXPECT_NEAR(run.feet().z, -4.5 * 3, 0.3);
-}
-
-TEST(Rules, StepsAreHeardAStrideApart) {
-    Playground play;
-    play.run(5, hold({Action::Forward}));
-    // 9 m in strides of 0.75 m.
-    EXPECT_NEAR(static_cast<double>(play.footsteps.size()), 12, 1);
-    for (const auto& step : play.footsteps) EXPECT_NEAR(step.position_m.y, 0, 1e-3);
-}
-
 TEST(Rules, LooksWhereTheMouseSaysAndNotPastTheZenith) {
     Playground play;
     play.step(look(0.5F, 0.2F));
@@ -71,61 +52,6 @@ TEST(Rules, DropsOneThingInFront) {
     EXPECT_NEAR(play.feet().z, 0, 1e-3) << "and pushed nobody";
 }
 
-TEST(Rules, ChoosesByNumberAndInTurn) {
-    Playground play;
-    for (std::size_t i = 0; i < kThingCount; ++i) {
-        play.step(press({static_cast<Action>(static_cast<std::size_t>(Action::Select1) + i)}));
-        EXPECT_EQ(play.game->hud(*play.simulation).chosen_thing, kThingNames[i]);
-    }
-    play.step(press({Action::NextThing}));
-    EXPECT_EQ(play.game->things().chosen_name(), "crate");
-    play.step(press({Action::PreviousThing}));
-    EXPECT_EQ(play.game->things().chosen_name(), "domino");
-    play.step(press({Action::Select9}));
-    EXPECT_EQ(play.game->things().chosen_name(), "domino") << "there is no ninth thing";
-}
-
-TEST(Rules, EveryThingCanBeDropped) {
-    for (std::size_t i = 0; i < kThingCount; ++i) {
-        Playground play;
-        play.step(press({static_cast<Action>(static_cast<std::size_t>(Action::Select1) + i)}));
-        play.step(press({Action::Drop}));
-        EXPECT_EQ(play.thing_count(), 1U) << kThingNames[i];
-        play.run(1);
-        const Vec3 place = play.state(std::string(kThingNames[i]) + "#1").world_from_body.position;
-        EXPECT_GT(place.y, 0) << kThingNames[i];
-    }
-}
-
-TEST(Rules, TheShippedThingsAreDroppedInScenesThatDoNotKnowThem) {
-    Playground play(meadow(), 60, PL_SOURCE_DIR "/assets");
-    for (std::size_t i = 0; i < kThingCount; ++i) {
-        ASSERT_FALSE(play.game->things().thing(i).description.location.file == nullptr)
-            << kThingNames[i] << " is not in things.toml";
-        play.step(press({static_cast<Action>(static_cast<std::size_t>(Action::Select1) + i)}));
-        play.step(press({Action::Drop}));
-        play.run(0.8);
-        play.step(look(0.8F, 0.0F));
-    }
-    EXPECT_EQ(play.thing_count(), kThingCount);
-    play.run(3);
-    for (auto [entity, dropped, place, visual] :
-         play.simulation->registry
-             .view<const scene::Dropped, const scene::Transform, const scene::Visual>()) {
-        static_cast<void>(dropped);
-        EXPECT_GT(place.world_from_body.position.y, -0.01);
-        EXPECT_LT(place.world_from_body.position.y, 1) << "at rest on the ground";
-        EXPECT_FALSE(visual.materials.empty()) << describe(*play.simulation, entity);
-        for (const assets::MaterialId id : visual.materials) {
-            const assets::MaterialData& material = play.simulation->library().material(id);
-            EXPECT_FALSE(material.base_color_map.empty() && material.surface.empty())
-                << describe(*play.simulation, entity) << " is grey: nobody knows its "
-                << material.name;
-        }
-    }
-    EXPECT_TRUE(play.simulation->warnings.empty()) << play.simulation->warnings.front();
-}
-
 TEST(Rules, AHeldKeyDropsSixASecond) {
     for (const int hz : {30, 60, 240}) {
         Playground play(meadow(), hz);
@@ -145,37 +71,6 @@ TEST(Rules, FivePressesDropFive) {
         play.step();
     }
     EXPECT_EQ(play.thing_count(), 5U);
-}
-
-TEST(Rules, DoesNotDropIntoOrBehindAWall) {
-    scene::SceneDescription scene = meadow();
-    scene.entities.push_back(block("wall", {10, 4, 0.2_r}, {0, 2, -0.6_r}));
-    Playground play(scene);
-    play.step(press({Action::Select1}));
-    play.step(press({Action::Drop}));
-    for (auto [entity, dropped, place] :
-         play.simulation->registry.view<const scene::Dropped, const scene::Transform>()) {
-        static_cast<void>(entity);
-        static_cast<void>(dropped);
-        EXPECT_GT(place.world_from_body.position.z, -0.5);
-    }
-    if (play.thing_count() == 0) {
-        EXPECT_EQ(play.messages(), std::vector<std::string>{"no room for a crate there"});
-    }
-}
-
-TEST(Rules, UndoTakesTheLatestAway) {
-    Playground play;
-    play.step(press({Action::Select2}));
-    play.step(press({Action::Drop}));
-    play.step(press({Action::Drop}));
-    play.step(press({Action::UndoDrop}));
-    EXPECT_EQ(play.thing_count(), 1U);
-    EXPECT_TRUE(play.simulation->registry.alive(play.simulation->find("ball#1")));
-    play.step(press({Action::UndoDrop}));
-    play.step(press({Action::UndoDrop}));
-    EXPECT_EQ(play.thing_count(), 0U);
-    EXPECT_EQ(play.messages(), std::vector<std::string>{"nothing to undo"});
 }
 
 TEST(Rules, RemovesWhatIsLookedAtButNotTheGround) {
@@ -336,20 +231,6 @@ TEST(Rules, AViewWithoutAPlayerStartsAtTheCamera) {
     EXPECT_GT(glm::dot(view.world_from_camera.orientation * Vec3{0, 0, -1}, wanted), 0.99999);
 }
 
-TEST(Rules, ABlockedStartIsMovedAndTold) {
-    scene::SceneDescription scene = meadow();
-    scene.entities.push_back(block("house", {4, 2, 4}, {0, 1, 0}));
-    assets::AssetLibrary library;
-    scene::SurfaceTable surfaces;
-    surfaces.surfaces.push_back({.name = "default"});
-    auto built = scene::build_simulation(scene, {}, library, surfaces);
-    ASSERT_TRUE(built.ok());
-    PlaygroundGame game(**built, "no such folder");
-    EXPECT_NEAR(game.player()->state().feet_position_m.y, 2, 0.2);
-    EXPECT_EQ(game.hud(**built).messages,
-              std::vector<std::string>{"the start was blocked: moved to the nearest free place"});
-}
-
 TEST(Rules, TheSameActionsGiveTheSameBits) {
     const auto play_once = [] {
         Playground play;
@@ -377,21 +258,6 @@ TEST(Rules, TheSameActionsGiveTheSameBits) {
         return play.simulation->state_hash();
     };
     EXPECT_EQ(play_once(), play_once());
-}
-
-TEST(Rules, DroppingOnAndOnKeepsToTheLimitAndSaysSoOnce) {
-    Playground play;
-    play.step(press({Action::Select2}));
-    int told = 0;
-    for (std::size_t i = 0; i < Things::kMost + 40; ++i) {
-        play.step(look(0.37F, 0.0F));
-        play.step(press({Action::Drop}));
-        for (const std::string& message : play.messages()) {
-            if (message == "more than 500 things: the oldest one goes for each new one") ++told;
-        }
-    }
-    EXPECT_LE(play.thing_count(), Things::kMost);
-    EXPECT_EQ(told, 1);
 }
 
 }  // namespace
