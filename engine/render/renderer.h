@@ -42,7 +42,8 @@ struct FrameStats {
     std::uint32_t unshadowed_lights{0};  ///< ask for shadows and are in sight, but too many
     std::uint32_t scene_width_px{0};     ///< of the image that the scene is drawn into
     std::uint32_t scene_height_px{0};
-    std::uint32_t new_programs{0};  ///< compiled in this frame: its time tells nothing of the next
+    /// Drawn with for the first time in this frame: its time tells nothing of the next.
+    std::uint32_t new_programs{0};
 };
 
 /// GPU memory by what called for it: "sun_shadow", "flashlight", "light_shadows", "sky", "post", "drops", "refraction", "ambient_occlusion", "sun_shafts", "depth_of_field", "motion_blur", "meshes", "textures", "targets".

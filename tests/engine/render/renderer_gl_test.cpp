@@ -1,7 +1,7 @@
 // What a renderer promises besides pretty images: sizes, caching, freeing, errors.
 #include "engine/assets/image/image_import.h"
 #include "engine/core/io/files.h"
-#include "tests/engine/render/gl_fixture.h"
+#include "tests/engine/render/renderer_fixture.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -10,19 +10,6 @@
 
 namespace plumbline::render {
 namespace {
-
-class RendererGl : public GlTest {
-protected:
-    RenderFrame sunny_box() {
-        RenderFrame frame = empty_frame(64, 48);
-        frame.camera = camera_at({0.0F, 3.0F, 6.0F}, Vec3f{0.0F});
-        frame.sun = DirectionalLight{.direction_world = glm::normalize(Vec3f{-0.4F, -1.0F, -0.3F})};
-        frame.sun_shadow = SunShadow{.size_px = 256, .distance_m = 30.0F};
-        add_box(frame, {20.0F, 1.0F, 20.0F}, {0.0F, -0.5F, 0.0F}, matt(Vec3f{0.5F}));
-        add_box(frame, Vec3f{1.0F}, {0.0F, 0.5F, 0.0F}, matt({0.8F, 0.3F, 0.2F}));
-        return frame;
-    }
-};
 
 TEST_F(RendererGl, TellsWhatDraws) {
     EXPECT_FALSE(renderer_->gl().vendor.empty());
@@ -39,133 +26,6 @@ TEST_F(RendererGl, LoaderWithoutFunctionsIsAnErrorNotACrash) {
     EXPECT_EQ(nothing.error().exit_code, ExitCode::NoDisplay);
 }
 
-TEST_F(RendererGl, SurvivesSizesOfZero) {
-    RenderFrame frame = sunny_box();
-    for (const auto& [width, height] : {std::pair{0U, 0U}, {64U, 0U}, {0U, 48U}}) {
-        frame.width_px = width;
-        frame.height_px = height;
-        EXPECT_TRUE(draw(frame).bytes.empty());
-        EXPECT_TRUE(renderer_->stats().passes.empty());
-    }
-    frame.width_px = 64;
-    frame.height_px = 48;
-    EXPECT_EQ(draw(frame).bytes.size(), 64U * 48U * 3U);
-}
-
-TEST_F(RendererGl, ShowsImagesOfOneChannelGreyNotRed) {
-    const auto file = std::filesystem::temp_directory_path() / "plumbline_grey_image.png";
-    ASSERT_TRUE(assets::write_png(file,
-                                  {.width = 4,
-                                   .height = 4,
-                                   .format = assets::PixelFormat::R8,
-                                   .bytes = std::vector<std::uint8_t>(16, 120)})
-                    .ok());
-    const auto grey = library_.add_material(
-        {.name = "grey", .shading = assets::Shading::Unlit, .base_color_map = file});
-    RenderFrame frame = empty_frame(9, 9);
-    frame.camera = camera_at({0.0F, 0.0F, 3.0F}, Vec3f{0.0F});
-    add_box(frame, Vec3f{4.0F}, {0.0F, 0.0F, -2.0F}, grey);
-    const Pixel pixel = pixel_at(draw(frame), 4, 4);
-    EXPECT_NEAR(pixel.r, 120, 1);
-    EXPECT_EQ(pixel.g, pixel.r);
-    EXPECT_EQ(pixel.b, pixel.r);
-    std::filesystem::remove(file);
-}
-
-TEST_F(RendererGl, FollowsTheFramesSize) {
-    RenderFrame frame = sunny_box();
-    frame.post = Post{.exposure = 1.0F, .bloom = 0.1F};
-    for (const std::uint32_t side : {16U, 200U, 33U, 1U, 128U}) {
-        frame.width_px = side;
-        frame.height_px = side;
-        EXPECT_EQ(draw(frame).width, side);
-        // Light in half floats and codes of 4 bytes, each with a depth of 4.
-        EXPECT_EQ(bytes_of("targets"), std::uint64_t{side} * side * (8 + 4 + 4 + 4));
-    }
-    // Twice the same size costs the same memory: nothing leaks.
-    const std::uint64_t before = bytes_of("post");
-    draw(frame);
-    EXPECT_EQ(bytes_of("post"), before);
-}
-
-TEST_F(RendererGl, DrawsShadowsAgainOnlyWhenSomethingMoved) {
-    RenderFrame frame = sunny_box();
-    draw(frame);
-    EXPECT_EQ(renderer_->stats().shadow_passes_rendered, 1U);
-    EXPECT_EQ(renderer_->stats().shadow_passes_cached, 0U);
-    draw(frame);
-    EXPECT_EQ(renderer_->stats().shadow_passes_rendered, 0U);
-    EXPECT_EQ(renderer_->stats().shadow_passes_cached, 1U);
-
-    frame.camera.position_world.x += 0.05F;  // far less than the map's step
-    draw(frame);
-    EXPECT_EQ(renderer_->stats().shadow_passes_cached, 1U);
-
-    frame.items[1].world_from_body =
-        glm::translate(frame.items[1].world_from_body, Vec3f{0.0F, 0.01F, 0.0F});
-    draw(frame);
-    EXPECT_EQ(renderer_->stats().shadow_passes_rendered, 1U);
-
-    frame.sun->direction_world = glm::normalize(Vec3f{-0.41F, -1.0F, -0.3F});
-    draw(frame);
-    EXPECT_EQ(renderer_->stats().shadow_passes_rendered, 1U);
-}
-
-TEST_F(RendererGl, ThingsThatCastNoShadowMayMoveForFree) {
-    RenderFrame frame = sunny_box();
-    frame.items[1].casts_shadow = false;
-    draw(frame);
-    frame.items[1].world_from_body =
-        glm::translate(frame.items[1].world_from_body, Vec3f{0.0F, 0.5F, 0.0F});
-    draw(frame);
-    EXPECT_EQ(renderer_->stats().shadow_passes_cached, 1U);
-}
-
-TEST_F(RendererGl, WhatAFrameDoesNotAskForHoldsNoMemory) {
-    RenderFrame frame = sunny_box();
-    frame.flashlight = Flashlight{};
-    frame.post = Post{.exposure = 1.0F, .bloom = 0.1F};
-    draw(frame);
-    EXPECT_EQ(bytes_of("sun_shadow"), 256U * 256U * 2U);
-    EXPECT_EQ(bytes_of("flashlight"), 1024U * 1024U * 2U);
-    EXPECT_GT(bytes_of("post"), 0U);
-
-    frame.flashlight.reset();
-    frame.sun_shadow.reset();
-    frame.post.reset();
-    draw(frame);
-    EXPECT_EQ(bytes_of("sun_shadow"), 0U);
-    EXPECT_EQ(bytes_of("flashlight"), 0U);
-    EXPECT_EQ(bytes_of("post"), 0U);
-    EXPECT_EQ(bytes_of("sky"), 0U);
-    ASSERT_EQ(renderer_->stats().passes.size(), 1U);
-    EXPECT_EQ(renderer_->stats().passes[0].name, "opaque");
-
-    renderer_->forget_scene();
-    EXPECT_EQ(bytes_of("meshes"), 0U);
-}
-
-TEST_F(RendererGl, PostWithoutBloomNeedsNoMoreImages) {
-    RenderFrame frame = sunny_box();
-    frame.post = Post{};
-    draw(frame);
-    EXPECT_EQ(bytes_of("post"), 0U);
-}
-
-TEST_F(RendererGl, LightIsEncodedAlikeWhileItIsDrawnAndByAPassAfterIt) {
-    RenderFrame frame = sunny_box();
-    const auto direct = draw(frame);
-    ASSERT_EQ(renderer_->stats().passes.back().name, "opaque");
-    // Edges are smoothed in a pass of its own; the box's inside stays.
-    frame.quality.anti_aliasing = AntiAliasing::Fxaa;
-    const auto after = draw(frame);
-    ASSERT_EQ(renderer_->stats().passes.back().name, "image");
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < direct.bytes.size(); ++i)
-        different += std::abs(direct.bytes[i] - after.bytes[i]) > 1 ? 1U : 0U;
-    EXPECT_LT(different, direct.bytes.size() / 20);
-}
-
 TEST_F(RendererGl, CountsInstancesAndDraws) {
     RenderFrame frame = empty_frame(64, 48);
     frame.camera = camera_at({0.0F, 0.0F, 20.0F}, Vec3f{0.0F});
@@ -177,46 +37,6 @@ TEST_F(RendererGl, CountsInstancesAndDraws) {
     EXPECT_EQ(renderer_->stats().draw_calls, 1U);
     EXPECT_EQ(renderer_->stats().instances, 10U);
     EXPECT_EQ(renderer_->stats().triangles, 120U);
-}
-
-// EXPERIENCE A9
-TEST_F(RendererGl, ShortOfMemoryHalvesTheRenderScaleOnceThenTakesTheLowestLevel) {
-    RenderFrame frame = sunny_box();
-    frame.width_px = 200;
-    frame.height_px = 100;
-    frame.post = Post{};  // wants an image of light
-    const std::size_t whole = 200 * 100 * (8 + 4);
-    make_renderer(PL_SOURCE_DIR "/shaders", {.target_bytes = whole});
-    draw(frame);
-    EXPECT_EQ(renderer_->stats().scene_width_px, 200U);
-    make_renderer(PL_SOURCE_DIR "/shaders", {.target_bytes = whole - 1});
-    EXPECT_EQ(draw(frame).width, 200U);
-    EXPECT_EQ(renderer_->stats().scene_width_px, 100U);
-    EXPECT_EQ(renderer_->stats().scene_height_px, 50U);
-    make_renderer(PL_SOURCE_DIR "/shaders", {.target_bytes = whole / 4 - 1});
-    draw(frame);
-    EXPECT_EQ(renderer_->stats().scene_width_px, 80U);  // four tenths
-    make_renderer(PL_SOURCE_DIR "/shaders", {.target_bytes = 100});
-    draw(frame);
-    EXPECT_TRUE(renderer_->stats().passes.empty());
-}
-
-// EXPERIENCE A12
-TEST_F(RendererGl, ImageBeyondTheTextureLimitIsDrawnSmallerInItsShapeAndScaledUp) {
-    // The renderer's own present target has the driver's limit, so it is the window's that can be
-    // larger than an image; here the scene's limit alone is lowered.
-    RenderFrame frame = sunny_box();
-    frame.width_px = 20'000;
-    frame.height_px = 10;
-    EXPECT_EQ(draw(frame).width, 16'384U);
-    EXPECT_LE(renderer_->stats().scene_width_px, 16'384U);
-    frame.quality.render_scale = 0.5F;
-    frame.width_px = 400;
-    frame.height_px = 200;
-    const auto image = draw(frame);
-    EXPECT_EQ(image.width, 400U);
-    EXPECT_EQ(renderer_->stats().scene_width_px, 200U);
-    EXPECT_EQ(renderer_->stats().scene_height_px, 100U);
 }
 
 /// The driver's functions, but that it tells of a reset when it is asked to.

@@ -39,7 +39,7 @@ struct Off {
     int lit{0};
 };
 
-class LightShadowsGl : public ImageGl {
+class LightShadowPassGl : public ImageGl {
 protected:
     RenderFrame floor_from_above() {
         RenderFrame frame = empty_frame(kLampSide_px, kLampSide_px);
@@ -116,7 +116,7 @@ protected:
     }
 };
 
-TEST_F(LightShadowsGl, APointLightsUmbraIsWhereRaysSay) {
+TEST_F(LightShadowPassGl, APointLightsUmbraIsWhereRaysSay) {
     for (const Vec3f& place : {Vec3f{2.5F, 4.0F, 1.5F},
                                Vec3f{-3.0F, 1.2F, 0.3F},
                                Vec3f{0.0F, 5.0F, 0.0F},
@@ -133,7 +133,7 @@ TEST_F(LightShadowsGl, APointLightsUmbraIsWhereRaysSay) {
     }
 }
 
-TEST_F(LightShadowsGl, ASpotsUmbraIsWhereRaysSay) {
+TEST_F(LightShadowPassGl, ASpotsUmbraIsWhereRaysSay) {
     const Vec3f place{3.0F, 4.0F, 0.0F};
     const Off off = compare({.position_world = place,
                              .intensity = Vec3f{30.0F},
@@ -149,7 +149,7 @@ TEST_F(LightShadowsGl, ASpotsUmbraIsWhereRaysSay) {
     EXPECT_GT(off.shaded, 2'000);
 }
 
-TEST_F(LightShadowsGl, LightInARoomStaysInTheRoom) {
+TEST_F(LightShadowPassGl, LightInARoomStaysInTheRoom) {
     RenderFrame frame = floor_from_above();
     const auto wall = chalk();
     add_box(frame, {4.0F, 3.0F, 0.1F}, {0.0F, 1.5F, 2.0F}, wall);
@@ -174,7 +174,7 @@ TEST_F(LightShadowsGl, LightInARoomStaysInTheRoom) {
     EXPECT_GT(brightest(), 100) << "without shadows it shines through";
 }
 
-TEST_F(LightShadowsGl, ABulbDoesNotShadeItsOwnLight) {
+TEST_F(LightShadowPassGl, ABulbDoesNotShadeItsOwnLight) {
     const LocalLight light{.position_world = {0.0F, 3.0F, 0.0F},
                            .intensity = Vec3f{20.0F},
                            .radius_m = 9.0F,
@@ -189,7 +189,7 @@ TEST_F(LightShadowsGl, ABulbDoesNotShadeItsOwnLight) {
 }
 
 // Each map is drawn once and kept; what moves draws again only the maps that it is in.
-TEST_F(LightShadowsGl, KeepsWhatDidNotChange) {
+TEST_F(LightShadowPassGl, KeepsWhatDidNotChange) {
     RenderFrame frame = box_by({.position_world = {0.0F, 4.0F, 0.0F},
                                 .intensity = Vec3f{30.0F},
                                 .radius_m = 9.0F,
@@ -210,7 +210,7 @@ TEST_F(LightShadowsGl, KeepsWhatDidNotChange) {
     EXPECT_EQ(draw(frame).bytes, kept.bytes) << "a map on top of a kept one is a whole one";
 }
 
-TEST_F(LightShadowsGl, CostNothingUnasked) {
+TEST_F(LightShadowPassGl, CostNothingUnasked) {
     RenderFrame frame = box_by({.position_world = {2.0F, 4.0F, 0.0F}, .casts_shadow = true});
     frame.light_shadows.reset();
     draw(frame);

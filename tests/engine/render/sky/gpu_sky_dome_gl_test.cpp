@@ -15,7 +15,7 @@ Vec3f at_height(float height_deg, float turn_deg) {
     return {std::cos(height) * std::cos(turn), std::sin(height), std::cos(height) * std::sin(turn)};
 }
 
-class ComputedSkyGl : public ImageGl {
+class GpuSkyDomeGl : public ImageGl {
 protected:
     RenderFrame under(float sun_height_deg, float strength = 3.0F) {
         RenderFrame frame = empty_frame(33, 33);
@@ -34,7 +34,7 @@ protected:
     ComputedSky sky_;
 };
 
-TEST_F(ComputedSkyGl, ShowsTheModelsRadianceAllOverTheDome) {
+TEST_F(GpuSkyDomeGl, ShowsTheModelsRadianceAllOverTheDome) {
     for (const float sun_deg : {55.0F, 8.0F, -4.0F}) {
         const RenderFrame frame = under(sun_deg);
         for (const float height_deg : {3.0F, 20.0F, 50.0F, 85.0F}) {
@@ -46,7 +46,7 @@ TEST_F(ComputedSkyGl, ShowsTheModelsRadianceAllOverTheDome) {
     }
 }
 
-TEST_F(ComputedSkyGl, TheSunStandsWhereTheModelSaysAndIsWhite) {
+TEST_F(GpuSkyDomeGl, TheSunStandsWhereTheModelSaysAndIsWhite) {
     const RenderFrame frame = under(40.0F);
     const Pixel disc = seen(frame, at_height(40.0F, 20.0F));
     EXPECT_EQ(std::min({disc.r, disc.g, disc.b}), 255);
@@ -54,7 +54,7 @@ TEST_F(ComputedSkyGl, TheSunStandsWhereTheModelSaysAndIsWhite) {
 }
 
 // Points of light do not shine through: behind a closed cover the sun's place is as dull as any other.
-TEST_F(ComputedSkyGl, WhatIsBehindCloudsIsNotSeen) {
+TEST_F(GpuSkyDomeGl, WhatIsBehindCloudsIsNotSeen) {
     const test::TemporaryFolder folder;
     constexpr std::uint32_t kSide = ComputedSky::kSide;
     assets::ImageData face{
@@ -74,7 +74,7 @@ TEST_F(ComputedSkyGl, WhatIsBehindCloudsIsNotSeen) {
 }
 
 // Level white ground sends out what falls on it, over pi.
-TEST_F(ComputedSkyGl, LightsTheGroundAsItsIrradianceSays) {
+TEST_F(GpuSkyDomeGl, LightsTheGroundAsItsIrradianceSays) {
     for (const float sun_deg : {60.0F, 20.0F, -30.0F}) {
         RenderFrame frame = under(sun_deg, sun_deg > 0.0F ? 1.5F : 8.0F);
         add_box(frame, {40.0F, 1.0F, 40.0F}, {0.0F, -0.5F, 0.0F}, matt(Vec3f{1.0F}));
@@ -88,7 +88,7 @@ TEST_F(ComputedSkyGl, LightsTheGroundAsItsIrradianceSays) {
     }
 }
 
-TEST_F(ComputedSkyGl, ASunThatDoesNotReachTheGroundStillMakesTheSky) {
+TEST_F(GpuSkyDomeGl, ASunThatDoesNotReachTheGroundStillMakesTheSky) {
     RenderFrame frame = under(60.0F, 1.5F);
     add_box(frame, {40.0F, 1.0F, 40.0F}, {0.0F, -0.5F, 0.0F}, matt(Vec3f{1.0F}));
     const Vec3f down{0.0F, -1.0F, 0.01F};
@@ -102,7 +102,7 @@ TEST_F(ComputedSkyGl, ASunThatDoesNotReachTheGroundStillMakesTheSky) {
     EXPECT_GT(shaded.b, shaded.r) << "the sky's light is left";
 }
 
-TEST_F(ComputedSkyGl, HidesBehindThingsAndGoesWithTheFrameThatAsked) {
+TEST_F(GpuSkyDomeGl, HidesBehindThingsAndGoesWithTheFrameThatAsked) {
     RenderFrame frame = under(40.0F);
     add_box(frame, Vec3f{1.0F}, {0.0F, 0.0F, -2.0F}, unlit({1.0F, 0.0F, 0.0F}));
     frame.camera = camera_at(Vec3f{0.0F}, {0.0F, 0.0F, -1.0F});
@@ -113,7 +113,7 @@ TEST_F(ComputedSkyGl, HidesBehindThingsAndGoesWithTheFrameThatAsked) {
     EXPECT_EQ(bytes_of("sky"), 0U);
 }
 
-TEST_F(ComputedSkyGl, WithoutASunItIsNight) {
+TEST_F(GpuSkyDomeGl, WithoutASunItIsNight) {
     RenderFrame frame = under(-90.0F);
     frame.sun.reset();
     frame.sky->model->to_sun_world = {0.0F, -1.0F, 0.0F};
@@ -122,7 +122,7 @@ TEST_F(ComputedSkyGl, WithoutASunItIsNight) {
 }
 
 // What is far goes over into the sky behind it, what is near does not.
-TEST_F(ComputedSkyGl, DistanceGoesOverIntoTheHorizon) {
+TEST_F(GpuSkyDomeGl, DistanceGoesOverIntoTheHorizon) {
     RenderFrame frame = under(50.0F);
     frame.sky->model->visibility_m = 200.0F;
     const auto seen_at = [&](float distance_m) {

@@ -6,7 +6,7 @@
 namespace plumbline::render {
 namespace {
 
-class DropsGl : public ImageGl {
+class DropPassGl : public ImageGl {
 protected:
     /// Looks down -Z from the origin into the dark; light from everywhere shows drops.
     RenderFrame dark() {
@@ -26,7 +26,7 @@ protected:
     }
 };
 
-TEST_F(DropsGl, WithoutDropsThereIsNoPassAndNoMemory) {
+TEST_F(DropPassGl, WithoutDropsThereIsNoPassAndNoMemory) {
     RenderFrame frame = dark();
     EXPECT_EQ(lit_pixels(draw(frame)), 0);
     EXPECT_FALSE(pass_ran());
@@ -40,7 +40,7 @@ TEST_F(DropsGl, WithoutDropsThereIsNoPassAndNoMemory) {
     EXPECT_EQ(bytes_of("drops"), 0U);
 }
 
-TEST_F(DropsGl, ADropIsDrawnOutAlongItsWay) {
+TEST_F(DropPassGl, ADropIsDrawnOutAlongItsWay) {
     RenderFrame frame = dark();
     frame.drops = {
         {.position_world = {0.0F, 0.0F, -2.0F}, .radius_m = 0.05F, .trail_m = {0.0F, -1.0F, 0.0F}}};
@@ -53,7 +53,7 @@ TEST_F(DropsGl, ADropIsDrawnOutAlongItsWay) {
     EXPECT_EQ(pixel_at(image, 28, 32).r, 0);
 }
 
-TEST_F(DropsGl, ADropThinnerThanAPixelStaysThereAndIsFainter) {
+TEST_F(DropPassGl, ADropThinnerThanAPixelStaysThereAndIsFainter) {
     RenderFrame frame = dark();
     frame.drops = {{.position_world = {0.01F, 0.01F, -2.0F},
                     .radius_m = 0.018F,
@@ -65,7 +65,7 @@ TEST_F(DropsGl, ADropThinnerThanAPixelStaysThereAndIsFainter) {
     EXPECT_LT(third, whole * 3 / 4);
 }
 
-TEST_F(DropsGl, WhatStandsBeforeThemHidesThem) {
+TEST_F(DropPassGl, WhatStandsBeforeThemHidesThem) {
     RenderFrame frame = dark();
     frame.drops = {{.position_world = {0.0F, 0.0F, -2.0F}, .radius_m = 0.2F}};
     EXPECT_GT(lit_pixels(draw(frame)), 20);
@@ -73,7 +73,7 @@ TEST_F(DropsGl, WhatStandsBeforeThemHidesThem) {
     EXPECT_EQ(lit_pixels(draw(frame)), 0);
 }
 
-TEST_F(DropsGl, ARingIsHollowAndLiesLevel) {
+TEST_F(DropPassGl, ARingIsHollowAndLiesLevel) {
     RenderFrame frame = dark();
     frame.camera = camera_at({0.0F, 2.0F, 0.0F}, {0.0F, 0.0F, 0.0F});
     frame.water_rings = {{.center_world = Vec3f{0.0F}, .radius_m = 0.5F}};

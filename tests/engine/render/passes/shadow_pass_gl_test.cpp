@@ -1,11 +1,12 @@
 // Shadows of the sun, where geometry puts them.
 #include "tests/engine/render/image_fixture.h"
+#include "tests/engine/render/renderer_fixture.h"
 
 namespace plumbline::render {
 namespace {
 
 /// Ground, a box of 2 m on it, and a sun whose shadow of the box can be computed.
-class ShadowGl : public ImageGl {
+class ShadowPassGl : public ImageGl {
 protected:
     static constexpr std::uint32_t kSide_px = 300;
     static constexpr float kHalf_m = 6.0F;
@@ -48,7 +49,7 @@ protected:
     RenderFrame frame_;
 };
 
-TEST_F(ShadowGl, AFloorDrawnInPartsLooksAsDrawnAtOnce) {
+TEST_F(ShadowPassGl, AFloorDrawnInPartsLooksAsDrawnAtOnce) {
     frame_.flashlight = Flashlight{.position_world = frame_.camera.position_world,
                                    .direction_world = {0.05F, -1.0F, 0.0F},
                                    .intensity = Vec3f{4000.0F},
@@ -70,7 +71,7 @@ TEST_F(ShadowGl, AFloorDrawnInPartsLooksAsDrawnAtOnce) {
     }
 }
 
-TEST_F(ShadowGl, AFloorWithNothingBelowItIsLeftOutOfTheMap) {
+TEST_F(ShadowPassGl, AFloorWithNothingBelowItIsLeftOutOfTheMap) {
     frame_.items.front().is_static = true;
     // As wide as the map.
     frame_.items.front().world_from_body =
@@ -88,7 +89,7 @@ TEST_F(ShadowGl, AFloorWithNothingBelowItIsLeftOutOfTheMap) {
     }
 }
 
-TEST_F(ShadowGl, LiesWhereGeometryPutsIt) {
+TEST_F(ShadowPassGl, LiesWhereGeometryPutsIt) {
     // 45 degrees: the box from x = -1 to 1, 2 m high, shades the ground from its foot at x = 1
     // to x = 3. The map's texel is under 7 cm here.
     const auto image = draw(frame_);
@@ -102,11 +103,11 @@ TEST_F(ShadowGl, LiesWhereGeometryPutsIt) {
     EXPECT_NEAR(ground(image, 2.0F, 1.2F), lit, 3);
 }
 
-TEST_F(ShadowGl, LeavesNoSpecksOnWhatTheSunShinesOn) {
+TEST_F(ShadowPassGl, LeavesNoSpecksOnWhatTheSunShinesOn) {
     expect_no_specks();
 }
 
-TEST_F(ShadowGl, CascadesShowTheSameShadowNearAndFar) {
+TEST_F(ShadowPassGl, CascadesShowTheSameShadowNearAndFar) {
     // The camera is 60 m up: of four cascades to 300 m the ground lies in the second, of two to
     // 80 m in the last.
     const auto one = draw(frame_);
@@ -123,12 +124,12 @@ TEST_F(ShadowGl, CascadesShowTheSameShadowNearAndFar) {
     }
 }
 
-TEST_F(ShadowGl, FarCascadesLeaveNoSpecksEither) {
+TEST_F(ShadowPassGl, FarCascadesLeaveNoSpecksEither) {
     frame_.sun_shadow = SunShadow{.size_px = 1024, .distance_m = 200.0F, .cascades = 2};
     expect_no_specks();
 }
 
-TEST_F(ShadowGl, FarCascadesFollowWhatMovesAFewFramesLater) {
+TEST_F(ShadowPassGl, FarCascadesFollowWhatMovesAFewFramesLater) {
     frame_.sun_shadow = SunShadow{.size_px = 512, .distance_m = 250.0F, .cascades = 2};
     draw(frame_);
     EXPECT_EQ(renderer_->stats().shadow_passes_rendered, 2U);
@@ -145,7 +146,7 @@ TEST_F(ShadowGl, FarCascadesFollowWhatMovesAFewFramesLater) {
     EXPECT_EQ(renderer_->stats().shadow_passes_cached, 2U);
 }
 
-TEST_F(ShadowGl, WhatCannotMoveIsNotDrawnAgainForWhatMoves) {
+TEST_F(ShadowPassGl, WhatCannotMoveIsNotDrawnAgainForWhatMoves) {
     // A wall that cannot move stands half over where the box goes.
     add_box(frame_, {1.0F, 3.0F, 2.0F}, {-2.0F, 1.5F, 0.0F}, matt({0.1F, 0.1F, 0.8F}));
     frame_.items[0].is_static = true;
@@ -177,10 +178,45 @@ TEST_F(ShadowGl, WhatCannotMoveIsNotDrawnAgainForWhatMoves) {
     }
 }
 
-TEST_F(ShadowGl, EndsWithItsDistance) {
+TEST_F(ShadowPassGl, EndsWithItsDistance) {
     frame_.sun_shadow->distance_m = 30.0F;  // the ground is 60 m off
     const auto image = draw(frame_);
     EXPECT_NEAR(ground(image, 2.0F, 0.0F), ground(image, -3.0F, 0.0F), 3);
+}
+
+class ShadowPassKept : public RendererGl {};
+
+TEST_F(ShadowPassKept, DrawsShadowsAgainOnlyWhenSomethingMoved) {
+    RenderFrame frame = sunny_box();
+    draw(frame);
+    EXPECT_EQ(renderer_->stats().shadow_passes_rendered, 1U);
+    EXPECT_EQ(renderer_->stats().shadow_passes_cached, 0U);
+    draw(frame);
+    EXPECT_EQ(renderer_->stats().shadow_passes_rendered, 0U);
+    EXPECT_EQ(renderer_->stats().shadow_passes_cached, 1U);
+
+    frame.camera.position_world.x += 0.05F;  // far less than the map's step
+    draw(frame);
+    EXPECT_EQ(renderer_->stats().shadow_passes_cached, 1U);
+
+    frame.items[1].world_from_body =
+        glm::translate(frame.items[1].world_from_body, Vec3f{0.0F, 0.01F, 0.0F});
+    draw(frame);
+    EXPECT_EQ(renderer_->stats().shadow_passes_rendered, 1U);
+
+    frame.sun->direction_world = glm::normalize(Vec3f{-0.41F, -1.0F, -0.3F});
+    draw(frame);
+    EXPECT_EQ(renderer_->stats().shadow_passes_rendered, 1U);
+}
+
+TEST_F(ShadowPassKept, ThingsThatCastNoShadowMayMoveForFree) {
+    RenderFrame frame = sunny_box();
+    frame.items[1].casts_shadow = false;
+    draw(frame);
+    frame.items[1].world_from_body =
+        glm::translate(frame.items[1].world_from_body, Vec3f{0.0F, 0.5F, 0.0F});
+    draw(frame);
+    EXPECT_EQ(renderer_->stats().shadow_passes_cached, 1U);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kDensity_perm = 0.02F;
 
-class ShaftsGl : public ImageGl {
+class ShaftPassGl : public ImageGl {
 protected:
     /// A black wall 20 m ahead; the sun stands overhead.
     RenderFrame dusty() {
@@ -34,14 +34,14 @@ protected:
     }
 };
 
-TEST_F(ShaftsGl, OpenAirSendsWhatIsScatteredOnTheWay) {
+TEST_F(ShaftPassGl, OpenAirSendsWhatIsScatteredOnTheWay) {
     EXPECT_NEAR(light_at(draw(dusty()), 128, 128), lit(0.0F, 20.0F), 0.003F);
     RenderFrame near = dusty();
     near.shafts->distance_m = 5.0F;
     EXPECT_NEAR(light_at(draw(near), 128, 128), lit(0.0F, 5.0F), 0.003F);
 }
 
-TEST_F(ShaftsGl, AirInShadowSendsNone) {
+TEST_F(ShaftPassGl, AirInShadowSendsNone) {
     RenderFrame frame = dusty();
     // A roof from 5 m to 12 m ahead.
     add_box(frame, {60.0F, 0.5F, 7.0F}, {0.0F, 6.0F, -8.5F}, unlit(Vec3f{0.0F}));
@@ -53,7 +53,7 @@ TEST_F(ShaftsGl, AirInShadowSendsNone) {
     }
 }
 
-TEST_F(ShaftsGl, NobodyPaysUnaskedOrWithoutASun) {
+TEST_F(ShaftPassGl, NobodyPaysUnaskedOrWithoutASun) {
     RenderFrame frame = dusty();
     draw(frame);
     // Two images of a quarter of the width and height, two half floats a pixel.

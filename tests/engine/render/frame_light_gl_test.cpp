@@ -1,0 +1,68 @@
+// Which passes see the scene's light before it is shown, and what they leave behind.
+#include "tests/engine/render/renderer_fixture.h"
+
+#include <string_view>
+#include <vector>
+
+namespace plumbline::render {
+namespace {
+
+class FrameLightGl : public RendererGl {};
+
+TEST_F(FrameLightGl, WhatAFrameDoesNotAskForHoldsNoMemory) {
+    RenderFrame frame = sunny_box();
+    frame.flashlight = Flashlight{};
+    frame.post = Post{.exposure = 1.0F, .bloom = 0.1F};
+    draw(frame);
+    EXPECT_EQ(bytes_of("sun_shadow"), 256U * 256U * 2U);
+    EXPECT_EQ(bytes_of("flashlight"), 1024U * 1024U * 2U);
+    EXPECT_GT(bytes_of("post"), 0U);
+
+    frame.flashlight.reset();
+    frame.sun_shadow.reset();
+    frame.post.reset();
+    draw(frame);
+    EXPECT_EQ(bytes_of("sun_shadow"), 0U);
+    EXPECT_EQ(bytes_of("flashlight"), 0U);
+    EXPECT_EQ(bytes_of("post"), 0U);
+    EXPECT_EQ(bytes_of("sky"), 0U);
+    ASSERT_EQ(renderer_->stats().passes.size(), 1U);
+    EXPECT_EQ(renderer_->stats().passes[0].name, "opaque");
+
+    renderer_->forget_scene();
+    EXPECT_EQ(bytes_of("meshes"), 0U);
+}
+
+TEST_F(FrameLightGl, PassesRunInTheirOrderAndFreeWhatTheyHeld) {
+    RenderFrame frame = sunny_box();
+    frame.depth_of_field = DepthOfField{};
+    frame.quality.anti_aliasing = AntiAliasing::Msaa2;
+    draw(frame);
+    const auto passes_named = [&] {
+        std::vector<std::string_view> names;
+        for (const PassTiming& pass : renderer_->stats().passes) names.push_back(pass.name);
+        return names;
+    };
+    EXPECT_EQ(passes_named(),
+              (std::vector<std::string_view>{"shadow.sun", "opaque", "resolve", "focus", "image"}));
+    EXPECT_GT(bytes_of("depth_of_field"), 0U);
+    frame.depth_of_field.reset();
+    frame.quality.anti_aliasing = AntiAliasing::Off;
+    draw(frame);
+    EXPECT_EQ(bytes_of("depth_of_field"), 0U);
+    for (const auto& name : passes_named()) EXPECT_NE(name, "resolve");
+}
+
+TEST_F(FrameLightGl, AQualityThatNeverDrawsThemLeavesThemOut) {
+    RenderFrame frame = sunny_box();
+    frame.occlusion = AmbientOcclusion{};
+    frame.shafts = SunShafts{};
+    frame.quality.ambient_occlusion = Drawn::Never;
+    frame.quality.sun_shafts = Drawn::OnGpu;  // tests draw on a CPU
+    draw(frame);
+    EXPECT_EQ(bytes_of("ambient_occlusion"), 0U);
+    EXPECT_EQ(bytes_of("sun_shafts"), 0U);
+}
+
+}  // namespace
+}  // namespace plumbline::render
