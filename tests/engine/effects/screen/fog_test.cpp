@@ -36,8 +36,11 @@ TEST(Fog, IsTheScenesUntilAnotherColourIsChosen) {
     const render::Fog own = *draw(run, effects).fog;
     EXPECT_TRUE(test::near(own.color, Vec3f{0.05F, 0.1F, 0.15F}, 1e-6)) << "dusk dims it too";
     EXPECT_FLOAT_EQ(own.density_per_m, 0.06F);
-    run->switches.fog_color = 1;
-    EXPECT_TRUE(test::near(draw(run, effects).fog->color, 0.5F * scene::kFogColors[1].color, 1e-6));
+    for (const std::size_t chosen : {1U, 2U}) {
+        run->switches.fog_color = chosen;
+        const Vec3f color = draw(run, effects).fog->color;
+        EXPECT_TRUE(test::near(color, 0.5F * scene::kFogColors[chosen].color, 1e-6)) << chosen;
+    }
     misty.fog->on = false;
     Running clear(misty);
     EffectRuntime others(*clear, kImage);

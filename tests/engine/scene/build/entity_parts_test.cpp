@@ -19,8 +19,12 @@ TEST(EntityParts, HaveTheSurfaceAndTheNamesOfTheWhole) {
     const TempFolder folder;
     SurfaceTable surfaces = test::plain_surfaces();
     surfaces.surfaces.push_back({.name = "ice"});
-    EntityDescription model = moving_model(folder, sled());
-    model.material = "frozen";
+    TriangleFile file;
+    file.json["nodes"] = {{{"mesh", 0}, {"name", "plate"}}};
+    file.json["materials"] = {{{"name", "frozen"}}};
+    file.primitive()["material"] = 0;
+    file.slide(0);
+    const EntityDescription model = moving_model(folder, file.glb());
     SceneDescription scene = test::scene_of({model});
     scene.materials["frozen"] = {.name = "frozen", .surface = "ice"};
     test::Running run(scene, surfaces);

@@ -15,6 +15,7 @@ TEST(EntityVisuals, LampsThatMayGoOutHaveADarkLook) {
     scene.materials["glow"] = {.name = "glow", .emissive = Vec3f{3.0F}, .roughness = 0.2F};
     test::Running run(scene);
     EXPECT_FALSE(run->registry.has<LampAppearance>(run->find("always")));
+    ASSERT_TRUE(run->registry.has<LampAppearance>(run->find("lamp")));
     const auto& look = run->registry.get<LampAppearance>(run->find("lamp"));
     const auto& visual = run->registry.get<Visual>(run->find("lamp"));
     ASSERT_EQ(look.off.size(), 1U);
@@ -44,6 +45,7 @@ TEST(EntityVisuals, TriggersTakeTheScaledPrimitive) {
     bare.name = "bare";
     bare.visual = {};
     test::Running run(test::scene_of({volume, bare}));
+    ASSERT_TRUE(run->registry.has<TriggerVolume>(run->find("volume")));
     const auto& trigger = run->registry.get<TriggerVolume>(run->find("volume"));
     EXPECT_EQ(trigger.times_left, 3);
     EXPECT_FALSE(run->registry.has<TriggerVolume>(run->find("bare")));

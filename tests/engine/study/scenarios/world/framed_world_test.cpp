@@ -50,5 +50,22 @@ TEST(FramedWorld, FloorsDriftAlongWithTheirScene) {
     }
 }
 
+// What rolls goes on rolling: its spin is scaled as its speed over its radius is.
+TEST(FramedWorld, SpinsAreScaledWithTheirScene) {
+    for (const Frame& frame : kFrames) {
+        FramedWorld world(frame, {.step_hz = 240, .substeps = 4});
+        world.floor(0.5);
+        const std::size_t ball =
+            world.sphere({0, 0.5, 0},
+                         0.5,
+                         {.friction = 0.5, .velocity_mps = {2, 0, 0}, .spin_radps = {0, 0, -4}});
+        world.build();
+        Course course(Course::Mode::Timed);
+        world.run(course, 1);
+        EXPECT_NEAR(world.velocity(ball).x, 2, 0.02);
+        EXPECT_NEAR(world.at(ball).x, 2, 0.02);
+    }
+}
+
 }  // namespace
 }  // namespace plumbline::study
