@@ -42,7 +42,7 @@ struct Chosen {
     std::vector<fs::path> scenes;
 };
 
-/// "A20" and "A20 e=0.5" stand for the scenarios that begin so.
+/// "A20" and "A20 H=1" stand for the scenarios that begin so.
 std::vector<const study::Scenario*> scenarios_like(std::string_view word) {
     std::vector<const study::Scenario*> like;
     for (const study::Scenario& scenario : study::scenarios()) {

@@ -1,12 +1,12 @@
 // Options that every command takes.
 #include "game/command_line/command_line.h"
 
+#include "tests/support/scoped_variable.h"
 #include "tests/support/temporary_folder.h"
 
 #include <CLI/CLI.hpp>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <optional>
 
 namespace plumbline::game {
@@ -74,31 +74,9 @@ TEST(CommandLine, OptionsThatContradictEachOtherAreRefused) {
     EXPECT_FALSE(parses({"--bind", "a=b", "c=d"})) << "one a word";
 }
 
-/// A variable of the environment while the test runs.
-class Variable {
-public:
-    Variable(const char* name, const char* value) : name_(name) {
-        if (const char* before = std::getenv(name)) before_ = before;
-        set(value);
-    }
-    ~Variable() { set(before_ ? before_->c_str() : nullptr); }
-    Variable(const Variable&) = delete;
-    Variable& operator=(const Variable&) = delete;
-
-private:
-    void set(const char* value) {
-        if (value != nullptr)
-            setenv(name_, value, 1);
-        else
-            unsetenv(name_);
-    }
-    const char* name_;
-    std::optional<std::string> before_;
-};
-
 TEST(CommandLine, WhatWasGivenNoNameGetsOneInTheUsersFolder) {
     const test::TemporaryFolder folder;
-    const Variable data("XDG_DATA_HOME", folder.path().c_str());
+    const test::ScopedVariable data("XDG_DATA_HOME", folder.path().string());
     const auto file = default_output("shots", "garden", ".png");
     ASSERT_TRUE(file.ok()) << file.error().message;
     EXPECT_EQ(file->parent_path(), folder.path() / "plumbline" / "shots");
@@ -108,8 +86,8 @@ TEST(CommandLine, WhatWasGivenNoNameGetsOneInTheUsersFolder) {
 }
 
 TEST(CommandLine, WithoutAHomeItSaysWhatToName) {
-    const Variable data("XDG_DATA_HOME", nullptr);
-    const Variable home("HOME", nullptr);
+    const test::ScopedVariable data("XDG_DATA_HOME", std::nullopt);
+    const test::ScopedVariable home("HOME", std::nullopt);
     EXPECT_EQ(default_output("shots", "garden", ".png").error().message,
               "nowhere to write: neither XDG_DATA_HOME nor HOME is set; name a place with --out");
 }

@@ -1,6 +1,7 @@
 #include "engine/core/io/files.h"
 
 #include "engine/core/io/files_impl.h"
+#include "tests/support/scoped_variable.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -15,31 +16,8 @@ namespace plumbline {
 namespace {
 
 namespace fs = std::filesystem;
+using test::ScopedVariable;
 using test::TemporaryFolder;
-
-/// Sets a variable of the environment while it lives.
-class ScopedVariable {
-public:
-    ScopedVariable(const char* name, const std::string& value) : name_(name) {
-        const char* before = std::getenv(name);
-        was_set_ = before != nullptr;
-        if (was_set_) before_ = before;
-        ::setenv(name, value.c_str(), 1);
-    }
-    ~ScopedVariable() {
-        if (was_set_)
-            ::setenv(name_, before_.c_str(), 1);
-        else
-            ::unsetenv(name_);
-    }
-    ScopedVariable(const ScopedVariable&) = delete;
-    ScopedVariable& operator=(const ScopedVariable&) = delete;
-
-private:
-    const char* name_;
-    bool was_set_{false};
-    std::string before_;
-};
 
 /// Works in `folder` while it lives.
 class ScopedCurrentFolder {
