@@ -2,6 +2,7 @@
 #include "engine/core/io/files.h"
 #include "engine/scene/paths/scene_list.h"
 #include "engine/scene/scene_file.h"
+#include "tests/engine/scene/sections/scene_file_fixture.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
