@@ -29,7 +29,8 @@ def run(script, printed_to, folder):
     """What is wrong with the run of one script, or None."""
     copy = folder / SOURCE / script
     shutil.copy(ROOT / SOURCE / script, copy)
-    for parts in ("hard_*.py", "house_plan.py", "scene_writer.py", "garden_*.py", "fairground_plan.py"):  # read by others
+    for parts in ("hard_*.py", "house_plan.py", "card_house.py", "scene_writer.py", "garden_*.py",
+                  "fairground_plan.py"):  # read by others
         for part in (ROOT / SOURCE).glob(parts):
             shutil.copy(part, folder / SOURCE)
     done = subprocess.run([sys.executable, "-B", str(copy)], cwd=folder, capture_output=True,
