@@ -124,9 +124,9 @@ A looser limit is a commit of its own that says so, and a line here.
 | `gate_test.cpp`, A09 at 90 degrees | 1e-3 | 4e-3 | the same: measured 2.7e-3, of second order in the step |
 | `gate_test.cpp`, A13 | 1e-4 | 2.5e-4 | the same: measured 1.6e-4 |
 | `free_flight_test.cpp`, momentum of a tumbling box in float64 | 20 roundings of 1e-14 | 100 | measured 81: 600 steps add up |
-| `character_contact_test.cpp`, out of a wall | 3.5 m/s | 4.05 at 240 Hz, else 3.5 | it comes out at 2.5 m/s; the last 6 mm, two skins, go at once, which is one step at 240 Hz |
-| `character_test.cpp`, 3 s of walking | 1 mm | 0.1 mm and a h^2 / 8: 5.7 mm at 30 Hz, 0.2 mm at 240 Hz | in the step that ends its acceleration the speed is taken to rise evenly |
-| `character_test.cpp`, feet on stairs | rise by 5 cm in a step | at 2.3 m/s, and by 1.5 times what the eye does | a rise in a step is another speed at every rate: 1.4 cm at 240 Hz are 3.4 m/s |
+| `character_contacts_test.cpp`, out of a wall | 3.5 m/s | 4.05 at 240 Hz, else 3.5 | it comes out at 2.5 m/s; the last 6 mm, two skins, go at once, which is one step at 240 Hz |
+| `character_walk_test.cpp`, 3 s of walking | 1 mm | 0.1 mm and a h^2 / 8: 5.7 mm at 30 Hz, 0.2 mm at 240 Hz | in the step that ends its acceleration the speed is taken to rise evenly |
+| `character_walk_test.cpp`, feet on stairs | rise by 5 cm in a step | at 2.3 m/s, and by 1.5 times what the eye does | a rise in a step is another speed at every rate: 1.4 cm at 240 Hz are 3.4 m/s |
 
 ## What is not here
 
