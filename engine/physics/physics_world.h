@@ -63,6 +63,9 @@ struct WorldFeatures {
     bool contact_events{true};
 };
 
+/// small_step: in a crowd so many dynamic bodies are near a dynamic one. Spheres of one size touch 12.
+inline constexpr std::uint32_t kNearestPairs = 100;
+
 /// What the latest step did to motion beside solving for it. small_step only, but for the speed
 /// limit.
 struct Interventions {
@@ -74,6 +77,7 @@ struct Interventions {
     std::uint32_t restored_islands{0};    ///< without a sane state: stand as before the step
     std::uint32_t limited_bodies{0};      ///< at the speed limit of the world
     std::uint32_t impacts{0};             ///< contacts that bounced
+    std::uint64_t left_out_pairs{0};      ///< of crowded bodies, for others that were nearer
 
     void add(const Interventions& more);
 };

@@ -202,6 +202,7 @@ private:
     void report_quarantined();
     void report_broken_joints();
     void warn_of_mass_ratio();
+    void warn_of_crowd();
     Result<physics::BodyId> end_of_joint(const std::string& name) const;
     void forget_destroyed();
 
@@ -213,6 +214,7 @@ private:
     Bodies bodies_;
     Names names_;
     MassRatio mass_ratio_;
+    bool crowd_named_{false};
     Tally tally_;
     physics::WorldFeatures features_{};
     std::unique_ptr<EntityBuilder> builder_;

@@ -132,13 +132,14 @@ std::string interventions_text(const physics::Interventions& done) {
     if (done.braked_islands > 0)
         parts.push_back(
             fmt::format("{:.3g} J braked in {} islands", done.braked_J, done.braked_islands));
-    const auto add = [&](std::uint32_t count, const char* what) {
+    const auto add = [&](std::uint64_t count, const char* what) {
         if (count > 0) parts.push_back(fmt::format("{} {}", count, what));
     };
     add(done.clamped_bodies, "bodies clamped");
     add(done.limited_bodies, "at the speed limit");
     add(done.unresolved_islands, "islands with joints too fast");
     add(done.restored_islands, "islands rolled back");
+    add(done.left_out_pairs, "pairs of crowds left out");
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -199,6 +200,7 @@ std::string interventions_json(const physics::Interventions& done) {
     json.key("restored_islands").number(done.restored_islands);
     json.key("limited_bodies").number(done.limited_bodies);
     json.key("impacts").number(done.impacts);
+    json.key("left_out_pairs").number(done.left_out_pairs);
     return json.end_object().str();
 }
 

@@ -194,6 +194,10 @@ void BulletEngine::set_box(const BodyRecord& record, const Box& box) {
                                 parts_->dispatcher.get());
 }
 
+void BulletEngine::forget_points(Pair& pair) {
+    parts_->own_pairs->forget_points(pair);
+}
+
 void BulletEngine::drop(Pair& pair) {
     parts_->own_pairs->remove(pair);
 }

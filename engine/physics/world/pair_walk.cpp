@@ -32,7 +32,8 @@ void list_manifolds(Pair& pair, std::vector<Manifold*>& list) {
 
 std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& touching) {
     ++number_;
-    looks_ = 0;
+    looks_ = left_out_ = 0;
+    nearest_.begin_step();
     met_.clear();
     struck_.clear();
     for (BodyRecord* record : bodies.dynamic()) look_at(*record, bodies);
@@ -55,7 +56,9 @@ void PairWalk::look_at(BodyRecord& body, AwakeBodies& bodies) {
         Pair& pair = *body.small.pairs[i].pair;
         if (pair.seen != number_) {
             pair.seen = number_;
-            if (boxes_overlap(pair)) {
+            if (boxes_overlap(pair) && !nearest_.takes_part(pair)) {
+                leave_out(pair);
+            } else if (boxes_overlap(pair)) {
                 look(pair, bodies);
                 if (pair.touches) met_.push_back(&pair);
             } else {
@@ -81,6 +84,12 @@ void PairWalk::look(Pair& pair, AwakeBodies& bodies) {
     note_impact(*pair.b, impact.on_b);
 }
 
+void PairWalk::leave_out(Pair& pair) {
+    ++left_out_;
+    pair.touches = false;
+    engine_.forget_points(pair);
+}
+
 /// Every body hands its impact on once.
 void PairWalk::note_impact(BodyRecord& record, const PredictedChange& impact) {
     const Vec3& known = record.small.predicted.change_mps;
@@ -102,7 +111,8 @@ bool PairWalk::spread_impacts(AwakeBodies& bodies) {
         for (BodyRecord* record : spreading_) record->small.predicted.spread = true;
         for (BodyRecord* record : spreading_) {
             for (const PairLink& link : record->small.pairs) {
-                if (boxes_overlap(*link.pair) && knows_less(*link.pair, step_))
+                if (boxes_overlap(*link.pair) && knows_less(*link.pair, step_) &&
+                    nearest_.takes_part(*link.pair))
                     look(*link.pair, bodies);
             }
         }

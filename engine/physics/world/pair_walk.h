@@ -4,6 +4,7 @@
 #include "engine/physics/bullet/contact/pair_collider.h"
 #include "engine/physics/bullet/engine.h"
 #include "engine/physics/world/awake_bodies.h"
+#include "engine/physics/world/nearest_pairs.h"
 
 #include <cstdint>
 #include <vector>
@@ -21,19 +22,24 @@ public:
     /// manifolds that have points, each awake body's pairs in the order of the other's id, a pair of
     /// two awake ones at the lower. Returns how many pairs were looked at.
     std::uint32_t collide(AwakeBodies& bodies, std::vector<Manifold*>& touching);
+    /// How many pairs the latest collide() left out of a crowd.
+    std::uint32_t left_out() const { return left_out_; }
 
 private:
     void look_at(BodyRecord& body, AwakeBodies& bodies);
     void look(Pair& pair, AwakeBodies& bodies);
+    void leave_out(Pair& pair);
     void note_impact(BodyRecord& record, const PredictedChange& impact);
     bool spread_impacts(AwakeBodies& bodies);
 
     BulletEngine& engine_;
     PairCollider collider_;
+    NearestPairs nearest_;
     CollideStep step_{};
     std::uint32_t number_{0};  ///< of the walk
     std::uint32_t looks_{0};   ///< in this walk
-    std::vector<Pair*> met_;   ///< with points
+    std::uint32_t left_out_{0};
+    std::vector<Pair*> met_;  ///< with points
     std::vector<BodyRecord*> struck_;
     std::vector<BodyRecord*> spreading_;
 };

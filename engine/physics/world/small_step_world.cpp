@@ -72,6 +72,7 @@ void SmallStepWorld::step(const WorldFeatures& wanted, bool want_contacts) {
     parts_.engine.find_pairs();
     cost.broad_ms += laps_.lap_ms();
     cost.pairs += pairs_.collide(bodies, touching_);
+    cost.interventions.left_out_pairs = pairs_.left_out();
     cost.narrow_ms += laps_.lap_ms();
 
     list_joints(bodies.dynamic(), parts_.joints, joined_);

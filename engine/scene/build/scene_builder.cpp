@@ -15,6 +15,8 @@ namespace {
 
 /// Looking for penetration costs a query a body; beyond this many it would be felt at the start.
 constexpr std::size_t kOverlapChecks = 2'000;
+/// ... and each pair found costs another: who reads of so many needs no exact count.
+constexpr std::size_t kOverlapsCounted = 1'000;
 constexpr double kMostSwing_rad = 0.5;  ///< of a spring in a sub-step
 constexpr Real kLeastInertia = 0.05_r;  ///< of the inertia of a ball that fits in
 
@@ -61,6 +63,7 @@ void warn_of_overlaps(Simulation& simulation) {
     Real deepest_m = 0;
     std::string deepest;
     for (const MovingBody& body : moving) {
+        if (pairs >= kOverlapsCounted) break;
         if (!body.convex || body.kind != physics::BodyKind::Dynamic) continue;
         const Pose pose = simulation.physics.state(body.body).world_from_body;
         const std::vector<physics::OverlapHit> hits =
@@ -81,7 +84,8 @@ void warn_of_overlaps(Simulation& simulation) {
     }
     if (pairs == 0) return;
     simulation.warnings.push_back(
-        fmt::format("{} {} interpenetrating; deepest: {}, by {:.3f} m",
+        fmt::format("{}{} {} interpenetrating; deepest of these: {}, by {:.3f} m",
+                    pairs < kOverlapsCounted ? "" : "at least ",
                     pairs,
                     pairs == 1 ? "pair of bodies starts" : "pairs of bodies start",
                     deepest,

@@ -96,6 +96,7 @@ void Simulation::step() {
     report_quarantined();
     report_broken_joints();
     warn_of_mass_ratio();
+    warn_of_crowd();
 }
 
 std::uint64_t Simulation::step_at(double time_s) const {
@@ -182,6 +183,18 @@ void Simulation::warn_of_mass_ratio() {
                         kWidestMassRatio));
         return;
     }
+}
+
+void Simulation::warn_of_crowd() {
+    const std::uint64_t left_out = physics.cost().interventions.left_out_pairs;
+    if (crowd_named_ || left_out == 0) return;
+    crowd_named_ = true;
+    warnings.push_back(fmt::format(
+        "{} pairs of bodies in a crowd push nothing at {:.3f} s: each body meets the {} "
+        "that are nearest",
+        left_out,
+        time_s(),
+        physics::kNearestPairs));
 }
 
 void Simulation::forget_destroyed() {

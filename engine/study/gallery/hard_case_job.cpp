@@ -41,7 +41,8 @@ physics::Interventions interventions_from(const nlohmann::json& json) {
             .unresolved_islands = json.at("unresolved_islands"),
             .restored_islands = json.at("restored_islands"),
             .limited_bodies = json.at("limited_bodies"),
-            .impacts = json.at("impacts")};
+            .impacts = json.at("impacts"),
+            .left_out_pairs = json.at("left_out_pairs")};
 }
 
 std::vector<RuleResult> results_of(const HardCaseJudge& judge) {

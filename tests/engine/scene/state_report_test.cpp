@@ -161,18 +161,24 @@ TEST(Interventions, AreToldWhereThereAreAny) {
     EXPECT_EQ(
         interventions_text({.unresolved_islands = 1, .restored_islands = 2, .limited_bodies = 4}),
         "4 at the speed limit, 1 islands with joints too fast, 2 islands rolled back");
+    EXPECT_EQ(interventions_text({.left_out_pairs = 5'000'000'000}),
+              "5000000000 pairs of crowds left out");
 }
 
 TEST(Interventions, AddUpOverSteps) {
     CostHistory costs;
-    costs.add({.interventions = {.braked_J = 0.5, .braked_islands = 1, .impacts = 2}});
-    costs.add({.interventions = {.braked_J = 0.25, .braked_islands = 3, .limited_bodies = 1}});
+    costs.add({.interventions = {
+                   .braked_J = 0.5, .braked_islands = 1, .impacts = 2, .left_out_pairs = 3}});
+    costs.add(
+        {.interventions = {
+             .braked_J = 0.25, .braked_islands = 3, .limited_bodies = 1, .left_out_pairs = 4}});
     const json written = json::parse(cost_json(costs))["interventions"];
     EXPECT_EQ(written["braked_J"], 0.75);
     EXPECT_EQ(written["braked_islands"], 4);
     EXPECT_EQ(written["limited_bodies"], 1);
     EXPECT_EQ(written["impacts"], 2);
     EXPECT_EQ(written["restored_islands"], 0);
+    EXPECT_EQ(written["left_out_pairs"], 7);
 }
 
 }  // namespace

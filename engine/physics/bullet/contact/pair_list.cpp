@@ -87,9 +87,13 @@ void PairList::forget_algorithm(BulletPair& pair) {
     pair.algorithm = nullptr;
 }
 
-void PairList::remove(Pair& pair) {
+void PairList::forget_points(Pair& pair) {
     forget_algorithm(bullet_side(pair));
-    pair.manifolds.clear();
+    pair.manifolds = {};
+}
+
+void PairList::remove(Pair& pair) {
+    forget_points(pair);
     pair.a->small.pairs.erase(place_of(*pair.a, pair.b->id));
     pair.b->small.pairs.erase(place_of(*pair.b, pair.a->id));
     free_.push_back(&bullet_side(pair));

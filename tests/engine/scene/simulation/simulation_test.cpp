@@ -229,6 +229,33 @@ TEST(Simulation, WarnsOfBodiesThatStartInsideEachOther) {
     EXPECT_TRUE(mentions(inside->warnings, "entity a (test.toml:10)"));
 }
 
+TEST(Simulation, AThousandBallsOnOneSpotPartByThePairsOfTheNearest) {
+    SceneDescription scene = scene_of({ground()});
+    scene.arrays.push_back({.name = "balls",
+                            .prefab = ball("ball", {}, 0.25_r),
+                            .origin_m = {0, 1, 0},
+                            .count = {1000, 1, 1},
+                            .spacing_m = {0, 0, 0}});
+    Running run(scene);
+    EXPECT_TRUE(mentions(run->warnings, "at least 1997 pairs of bodies start interpenetrating"))
+        << "999 with the first and 998 with the second";
+    const physics::StepCost& cost = run->physics.cost();
+    run.step(1);
+    // 1000 * 999 / 2 pairs, without the 100 nearest of each: 100 * 1000 - 100 * 101 / 2.
+    EXPECT_EQ(cost.interventions.left_out_pairs, 404'550U);
+    EXPECT_EQ(cost.contacts, 94'950U);
+    EXPECT_TRUE(mentions(run->warnings,
+                         "404550 pairs of bodies in a crowd push nothing at 0.017 s: each body "
+                         "meets the 100 that are nearest"));
+    const std::size_t told = run->warnings.size();
+    for (int i = 0; i < 5; ++i) {
+        run.step(1);
+        EXPECT_LE(cost.contacts, 100'000U + 1'000U) << "the ground's too";
+    }
+    EXPECT_EQ(run->warnings.size(), told) << "once is enough";
+    EXPECT_TRUE(run->physics.quarantined().empty());
+}
+
 TEST(Simulation, RefusesMoreBodiesThanItHolds) {
     SceneDescription scene = scene_of({});
     scene.arrays.push_back({.name = "heap",

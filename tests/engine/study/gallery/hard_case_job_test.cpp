@@ -35,7 +35,8 @@ TEST(Gallery, ARunThatTakesTooLongIsGivenUp) {
 TEST(Stability, ResultsSurviveTheirJson) {
     CaseResult before = result(false, -0.5);
     before.why = "a \"reason\"";
-    before.interventions = {.braked_J = 0.5, .braked_islands = 2, .clamped_bodies = 3};
+    before.interventions = {
+        .braked_J = 0.5, .braked_islands = 2, .clamped_bodies = 3, .left_out_pairs = 6};
     before.rules.push_back({.text = "height_m above 0",
                             .allowed = {Allowed::Kind::Near, 2, 0.5},
                             .value = std::nan(""),
@@ -48,6 +49,7 @@ TEST(Stability, ResultsSurviveTheirJson) {
     EXPECT_EQ(after->interventions.braked_J, 0.5);
     EXPECT_EQ(after->interventions.braked_islands, 2U);
     EXPECT_EQ(after->interventions.clamped_bodies, 3U);
+    EXPECT_EQ(after->interventions.left_out_pairs, 6U);
     ASSERT_EQ(after->rules.size(), 2U);
     EXPECT_EQ(after->rules[0].margin, -0.5);
     EXPECT_EQ(after->rules[0].allowed.kind, Allowed::Kind::Below);
