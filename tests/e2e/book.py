@@ -9,7 +9,7 @@ import sys
 import time
 
 from png import read_png
-from support import Program, expect, home, settings_in, virtual_screen
+from support import Program, app_settings, expect, home, settings_in, virtual_screen
 
 program_file = sys.argv[1]
 images = os.environ.get("PL_E2E_IMAGES")
@@ -30,6 +30,9 @@ class Stage:
         self.folder = folder / name
         self.folder.mkdir()
         self.shots = self.folder / "data" / "plumbline" / "shots"
+        settings = self.folder / "config" / "plumbline" / "app.toml"
+        settings.parent.mkdir(parents=True)
+        settings.write_text(app_settings("[image]\nrender_scale = 1.0\n"))  # colours as they were drawn, not scaled up
         self.game = Program([program_file, "play", f"book/{name}", "--size", "640x480", "--level", "high"],
                             settings_in(self.folder, screen), self.folder / "log.txt")
 
