@@ -294,28 +294,21 @@ def the_game_is_won_and_lost(screen, folder):
 
 def main():
     with virtual_screen("640x360") as screen, home() as folder:
-        scene = Scene(screen, folder, "nature")
-        try:
-            starts_as_the_report(scene)
-            moves_and_turns(scene)
-            shows_wires_and_points(scene)
-            fog_grows_denser(scene)
-            turns_the_sun(scene)
-            dims_the_light(scene)
-            switches_the_flashlight(scene)
-            aims_the_spotlight(scene)
-            records_and_plays_the_camera(scene)
-            report = scene.end()
-        finally:
-            scene.game.stop()
+        seen = set()
+        # Each from the start: where moving has led depends on how fast the machine draws.
+        for doings in ((starts_as_the_report, moves_and_turns),
+                       (shows_wires_and_points, fog_grows_denser, turns_the_sun, dims_the_light, switches_the_flashlight,
+                        aims_the_spotlight, records_and_plays_the_camera),
+                       (orbits_and_walks,)):
+            scene = Scene(screen, folder, "nature")
+            try:
+                for doing in doings:
+                    doing(scene)
+                seen |= {action for action, count in scene.end()["actions_seen"].items() if count > 0}
+            finally:
+                scene.game.stop()
         for action in ("camera_record", "camera_play", "camera_reload", "aim_spot", "fog_denser", "flashlight", "push"):
-            expect(report["actions_seen"].get(action, 0) > 0, f"{action} was seen: {report['actions_seen']}")
-        scene = Scene(screen, folder, "nature")
-        try:
-            orbits_and_walks(scene)
-            scene.end()
-        finally:
-            scene.game.stop()
+            expect(action in seen, f"{action} was seen: {seen}")
         the_game_is_won_and_lost(screen, folder)
 
 
