@@ -56,17 +56,17 @@ void PairWalk::look_at(BodyRecord& body, AwakeBodies& bodies) {
         Pair& pair = *body.small.pairs[i].pair;
         if (pair.seen != number_) {
             pair.seen = number_;
-            if (boxes_overlap(pair) && !nearest_.takes_part(pair)) {
-                leave_out(pair);
-            } else if (boxes_overlap(pair)) {
-                look(pair, bodies);
-                if (pair.touches) met_.push_back(&pair);
-            } else {
+            if (!boxes_overlap(pair)) {
                 if (pair.touches) collider_.separate(pair);
                 if (boxes_are_far(pair)) {
                     engine_.drop(pair);
                     continue;
                 }
+            } else if (nearest_.takes_part(pair)) {
+                look(pair, bodies);
+                if (pair.touches) met_.push_back(&pair);
+            } else {
+                leave_out(pair);
             }
         }
         ++i;
