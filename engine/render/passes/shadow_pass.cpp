@@ -64,9 +64,7 @@ bool is_bare_floor(const VisibleItem& caster,
                    const assets::AssetLibrary& library) {
     const Vec3f along{clip_from_world[0][2], clip_from_world[1][2], clip_from_world[2][2]};
     if (!is_static(caster) || !is_parallel(clip_from_world)) return false;
-    const Aabb bounds =
-        transformed(library.mesh(caster.item->mesh).bounds, caster.item->world_from_body);
-    const Vec3f in_map = transformed(bounds, clip_from_world).size();
+    const Vec3f in_map = transformed(caster.bounds_world, clip_from_world).size();
     if (std::min(in_map.x, in_map.y) < 1.0F) return false;  // half of the map's width
     return shades_nothing(frame, library, *caster.item, glm::normalize(along), kSunk_m);
 }
