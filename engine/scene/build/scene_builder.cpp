@@ -145,8 +145,7 @@ void warn_of_small_inertias(Simulation& simulation) {
         if (least_kgm2 >= kLeastInertia * ball_kgm2) continue;
         simulation.warnings.push_back(
             fmt::format("{}: a moment of inertia of {:g} kg m2, where a ball that fits into it has "
-                        "{:.3g}: it may fall "
-                        "through what it lies on",
+                        "{:.3g}: it may fall through what it lies on",
                         describe(simulation, moving.entity),
                         least_kgm2,
                         ball_kgm2));
