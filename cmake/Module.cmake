@@ -31,7 +31,7 @@ endfunction()
 # For what is not in the inner loop of a step or a frame: -O1 compiles in two thirds of the time.
 function(plumbline_rarely_run)
     foreach(target IN LISTS ARGN)
-        target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
+        target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
     endforeach()
 endfunction()
 
@@ -40,7 +40,7 @@ endfunction()
 # another level.
 function(plumbline_inner_loop)
     set_source_files_properties(${ARGN} PROPERTIES
-        COMPILE_OPTIONS $<$<CONFIG:RelWithDebInfo>:-O3>
+        COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>
         SKIP_UNITY_BUILD_INCLUSION ON
         SKIP_PRECOMPILE_HEADERS ON)
 endfunction()

@@ -86,7 +86,7 @@ void read_wind_sound(TableReader& wind_table, WindDescription& wind, const LoadC
 void read_wind(TableReader& root, SceneDescription& scene, const LoadContext& context) {
     auto table = root.table("wind");
     if (!table) return;
-    constexpr Range kSpeed_mps{0, 1000, "metres a second from 0 to 1000"};
+    constexpr Range kWindSpeed_mps{0, 1000, "metres a second from 0 to 1000"};
     constexpr Range kGustSize_m{0.5, 1000, "a length from 0.5 to 1000 m"};
     WindDescription wind;
     wind.location = table->location();
@@ -94,7 +94,7 @@ void read_wind(TableReader& root, SceneDescription& scene, const LoadContext& co
     if (std::hypot(direction.x, direction.z) < 1e-6_r)
         table->error("direction", "is upright; expected a direction along the ground");
     wind.direction = normalize_or(Vec3{direction.x, 0, direction.z}, wind.direction);
-    wind.speed_mps = table->number("speed_mps", wind.speed_mps, kSpeed_mps);
+    wind.speed_mps = table->number("speed_mps", wind.speed_mps, kWindSpeed_mps);
     wind.gusts = table->number("gusts", wind.gusts, kFraction);
     wind.gust_size_m = table->number("gust_size_m", wind.gust_size_m, kGustSize_m);
     read_wind_sound(*table, wind, context);

@@ -35,7 +35,7 @@ std::string jpeg_of(int side, const Bytes& pixel, J_COLOR_SPACE space) {
     return file;
 }
 
-void expect_near(const Bytes& found, const Bytes& expected) {
+void expect_bytes_near(const Bytes& found, const Bytes& expected) {
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 2) << i;
 }
@@ -44,12 +44,12 @@ TEST(JpegImport, reads_colour_and_grey) {
     const auto color = import_image_bytes(jpeg_of(1, {200, 100, 50}, JCS_RGB), "a.jpg");
     ASSERT_TRUE(color.ok()) << color.error().message;
     EXPECT_EQ(color->format, PixelFormat::Rgb8);
-    expect_near(color->bytes, {200, 100, 50});
+    expect_bytes_near(color->bytes, {200, 100, 50});
     // Told by content: the name says PNG.
     const auto grey = import_image_bytes(jpeg_of(1, {77}, JCS_GRAYSCALE), "a.png");
     ASSERT_TRUE(grey.ok()) << grey.error().message;
     EXPECT_EQ(grey->format, PixelFormat::R8);
-    expect_near(grey->bytes, {77});
+    expect_bytes_near(grey->bytes, {77});
 }
 
 TEST(JpegImport, converts_cmyk_as_adobe_stores_it) {
@@ -57,7 +57,7 @@ TEST(JpegImport, converts_cmyk_as_adobe_stores_it) {
     const auto image = import_image_bytes(jpeg_of(1, {255, 128, 0, 128}, JCS_CMYK), "a.jpg");
     ASSERT_TRUE(image.ok()) << image.error().message;
     EXPECT_EQ(image->format, PixelFormat::Rgb8);
-    expect_near(image->bytes, {128, 64, 0});
+    expect_bytes_near(image->bytes, {128, 64, 0});
 }
 
 TEST(JpegImport, refuses_files_that_break_off_anywhere) {
@@ -87,7 +87,7 @@ TEST(JpegImport, takes_cmyk_without_adobes_mark_as_ink) {
     file.erase(mark, bytes);
     const auto image = import_image_bytes(file, "a.jpg");
     ASSERT_TRUE(image.ok()) << image.error().message;
-    expect_near(image->bytes, {0, 64, 127});  // (255 - ink) x (255 - black) / 255
+    expect_bytes_near(image->bytes, {0, 64, 127});  // (255 - ink) x (255 - black) / 255
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ Transform placed_at(const Vec3& position_m, Real turn_rad = 0) {
     return {.rotation = Mat3{c, s, 0, -s, c, 0, 0, 0, 1}, .position_m = position_m};
 }
 
-void expect_near(const Vec3& found, const Vec3& wanted) {
+void expect_vector_near(const Vec3& found, const Vec3& wanted) {
     EXPECT_NEAR(glm::distance(found, wanted), 0, 4 * kPrimitiveNear)
         << found.x << ' ' << found.y << ' ' << found.z;
 }
@@ -43,7 +43,7 @@ TEST(Primitives, AStackedCubeHasFourPointsOnTheLower) {
     const PrimitiveContact found = collide_primitives({kCube, high}, {kCube, low}, 0.05_r);
     ASSERT_EQ(found.points().size(), 4U);
     for (const PrimitivePoint& point : found.points()) {
-        expect_near(point.normal, {0, 1, 0});
+        expect_vector_near(point.normal, {0, 1, 0});
         EXPECT_NEAR(point.on_b.y, 0.5_r, kPrimitiveNear);
         EXPECT_NEAR(point.distance_m, 0.01_r, kPrimitiveNear);
         // The common face reaches from -0.3 to 0.5.
@@ -59,13 +59,13 @@ TEST(Primitives, ASphereHasOnePointWhicheverComesFirst) {
     const Transform marble = placed_at({1.1_r, 0.7_r, 0.2_r});
     const auto first = collide_primitives({kMarble, marble}, {kCube, cube}, 0);
     ASSERT_EQ(first.points().size(), 1U);
-    expect_near(first.list[0].normal, {0, 1, 0});
-    expect_near(first.list[0].on_b, {1.1_r, 0.5_r, 0.2_r});
+    expect_vector_near(first.list[0].normal, {0, 1, 0});
+    expect_vector_near(first.list[0].on_b, {1.1_r, 0.5_r, 0.2_r});
     EXPECT_NEAR(first.list[0].distance_m, -0.05_r, kPrimitiveNear);
     const auto second = collide_primitives({kCube, cube}, {kMarble, marble}, 0);
     ASSERT_EQ(second.points().size(), 1U);
-    expect_near(second.list[0].normal, {0, -1, 0});
-    expect_near(second.list[0].on_b, {1.1_r, 0.45_r, 0.2_r});
+    expect_vector_near(second.list[0].normal, {0, -1, 0});
+    expect_vector_near(second.list[0].on_b, {1.1_r, 0.45_r, 0.2_r});
     EXPECT_EQ(second.list[0].distance_m, first.list[0].distance_m);
 }
 
@@ -76,8 +76,8 @@ TEST(Primitives, ALyingCapsuleHasAPointUnderEachEnd) {
     const auto found = collide_primitives({kRod, rod}, {kCube, cube}, 0);
     ASSERT_EQ(found.points().size(), 2U);
     // Its own +Y points along -x: the lower end is at +0.4.
-    expect_near(found.list[0].on_b, {0.4_r, 0.5_r, 0.1_r});
-    expect_near(found.list[1].on_b, {-0.4_r, 0.5_r, 0.1_r});
+    expect_vector_near(found.list[0].on_b, {0.4_r, 0.5_r, 0.1_r});
+    expect_vector_near(found.list[1].on_b, {-0.4_r, 0.5_r, 0.1_r});
     for (const PrimitivePoint& point : found.points())
         EXPECT_NEAR(point.distance_m, -0.01_r, 4 * kPrimitiveNear);
 }
@@ -99,9 +99,9 @@ TEST(TouchingCenter, IsOnTheAxisOfWhatIsRound) {
     const Transform at = placed_at({1, 2, 3});
     const Vec3 side{1, 0, 0};
     // 1 mm beside the sphere's surface: the centre is the sphere's own all the same.
-    expect_near(touching_center({kMarble, at}, {1.251_r, 2, 3}, side), {1, 2, 3});
-    expect_near(touching_center({kRod, at}, {1.1_r, 2.3_r, 3.001_r}, side), {1, 2.3_r, 3});
-    expect_near(touching_center({kCube, at}, {1.5_r, 2.3_r, 3}, side), {1.5_r, 2.3_r, 3});
+    expect_vector_near(touching_center({kMarble, at}, {1.251_r, 2, 3}, side), {1, 2, 3});
+    expect_vector_near(touching_center({kRod, at}, {1.1_r, 2.3_r, 3.001_r}, side), {1, 2.3_r, 3});
+    expect_vector_near(touching_center({kCube, at}, {1.5_r, 2.3_r, 3}, side), {1.5_r, 2.3_r, 3});
 }
 
 }  // namespace
