@@ -125,7 +125,7 @@ TEST(QualityControl, KeepsALevelThatWasAskedFor) {
     QualityControl control({.level = Level::High}, true);
     EXPECT_EQ(draw(control, {100.0, 1000.0}, 500), 0);
     EXPECT_EQ(control.level(), Level::High);
-    EXPECT_EQ(control.quality().render_scale, 0.9F);
+    EXPECT_EQ(control.quality().render_scale, 0.8F);
     EXPECT_EQ(QualityControl({.level = Level::High}, false).quality().render_scale, 1.0F);
     const QualityControl full({.level = Level::High, .render_scale = 1.0F}, true);
     EXPECT_EQ(full.quality().render_scale, 1.0F);
@@ -151,7 +151,7 @@ TEST(QualityControl, SaysWhatGaveWay) {
               "ambient occlusion, sun shafts, detail far off, grass 50 %, things below 4 px");
     const QualityControl high({.level = Level::High}, true);
     EXPECT_EQ(render::what_gave_way(high.quality()),
-              "render scale 90 %, ambient occlusion, sun shafts");
+              "render scale 80 %, ambient occlusion, sun shafts");
     const QualityControl on_gpu({.level = Level::High}, false);
     EXPECT_EQ(render::what_gave_way(on_gpu.quality()), "");
 }
