@@ -69,6 +69,14 @@ bool is_bare_floor(const VisibleItem& caster,
     return shades_nothing(frame, library, *caster.item, glm::normalize(along), kSunk_m);
 }
 
+/// In the sun's map: what can move will in the next frame, which then finds the rest drawn. A lamp has six
+/// maps, of places where less goes on.
+bool is_likely_to_move(const ShadowView& view, const std::vector<VisibleItem>& casters) {
+    if (view.from_lamp || view.moves) return false;
+    const auto still = std::ranges::count_if(casters, is_static);
+    return still > 0 && still < std::ssize(casters);
+}
+
 /// So many frames may a far cascade be behind what moves in it.
 constexpr int kFarLag_frames = 3;
 
@@ -129,7 +137,7 @@ void ShadowPass::show(std::size_t part,
         return;
     }
     ++stats.shadow_passes_rendered;
-    if (same_statics && !statics_.depth) make_map(statics_);
+    if (!statics_.depth && (same_statics || is_likely_to_move(view, casters))) make_map(statics_);
     shown.statics = statics;
     shown.moving = moving;
     shown.age_frames = 0;

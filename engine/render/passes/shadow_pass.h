@@ -1,5 +1,5 @@
 // The shadow map of a light: what it sees, as depth; several cascades lie side by side in one image.
-// Drawn again only when something in sight moved. Once something moves, what cannot is kept in a map of
+// Drawn again only when something in sight moved. Where something moves, what cannot is kept in a map of
 // its own, from which the moving things' map starts. Where far cascades show moving things only they may
 // lag: a few frames behind, they are drawn in turns.
 //
@@ -96,7 +96,7 @@ private:
               FrameStats& stats);
 
     Map shown_;
-    Map statics_;               ///< empty until something moves
+    Map statics_;  ///< empty until something moves, in the sun's map until something can
     std::uint32_t size_px_{0};  ///< of a part
     std::uint32_t columns_{0};
     std::uint32_t rows_{0};
