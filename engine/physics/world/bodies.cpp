@@ -217,10 +217,10 @@ void WorldBodies::apply_impulse_at(BodyId id, const Vec3& impulse_Ns, const Vec3
     if (!is_finite(impulse_Ns) || !is_finite(point_world)) return world_.poison(record);
     if (!pushable(record)) return;
     BodyMotion& motion = *record.motion;
-    const Vec3 impulse = impulse_Ns * record.traits.linear_factor;
     const Vec3 arm = point_world - motion.at.position_m;
-    motion.velocity_mps += impulse * motion.inverse_mass;
-    motion.spin_radps += angular_gain(motion, glm::cross(arm, impulse));
+    motion.velocity_mps += impulse_Ns * record.traits.linear_factor * motion.inverse_mass;
+    // What holds a body along an axis acts at its centre of mass: the whole impulse turns it.
+    motion.spin_radps += angular_gain(motion, glm::cross(arm, impulse_Ns));
     record.motion->ballistic.going = false;
     wake(id);
 }

@@ -60,6 +60,26 @@ TEST_P(LinearFactor, HeldAlongTheVerticalNothingFalls) {
     EXPECT_NEAR(test.at(held).x, 6, 1e-4);
 }
 
+TEST_P(LinearFactor, AnImpulseOffCentreTurnsAsTheForceOfAStepDoes) {
+    WorldDef world = def();
+    world.gravity_mps2 = {0, 0, 0};
+    for (const Vec3& along : {Vec3{0, 0, 6}, Vec3{0, 6, 0}, Vec3{2, 3, 6}}) {
+        TestWorld test(world);
+        const BodyDef held{.kind = BodyKind::Dynamic, .mass_kg = 2, .linear_factor = {1, 1, 0}};
+        const BodyId pushed = test.add(BoxShape{}, {0, 0, 0}, held);
+        const BodyId struck = test.add(BoxShape{}, {9, 0, 0}, held);
+        test.world.apply_force_at(pushed, along * 60.0_r, {0.5_r, 0, 0});
+        test.world.apply_impulse_at(struck, along, {9.5_r, 0, 0});
+        test.world.step();
+        EXPECT_NEAR(glm::length(test.spin(pushed) - test.spin(struck)), 0, 1e-4);
+        EXPECT_NEAR(glm::length(test.velocity(pushed) - test.velocity(struck)), 0, 1e-5);
+        EXPECT_EQ(test.velocity(struck).z, 0);
+        // m a^2 / 6 = 1/3, the arm 0.5 m.
+        const Vec3d whole = 1.5 * glm::cross(Vec3d{1, 0, 0}, Vec3d(along));
+        EXPECT_NEAR(glm::length(test.spin(struck) - whole), 0, 1e-4);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(WithEverySolver,
                          LinearFactor,
                          testing::Values(Solver::SmallStep, Solver::BulletSi),
