@@ -50,15 +50,16 @@ AssetLibrary::Images::Pixels AssetLibrary::Images::decode(const fs::path& file) 
 void AssetLibrary::prefetch_images(const fs::path& sky) {
     std::vector<fs::path> wished;
     if (!sky.empty()) std::ranges::copy(skybox_files(sky), std::back_inserter(wished));
-    for (const MaterialData& material : materials_) {
-        wished.insert(wished.end(),
-                      {material.base_color_map, material.normal_map, material.orm_map});
-    }
+    for (const MaterialData& material : materials_) wished.push_back(material.base_color_map);
+    prefetch_images(wished);
+}
+
+void AssetLibrary::prefetch_images(const std::vector<fs::path>& files) {
     std::size_t pending = 0;
     {
         const std::lock_guard lock(images_->mutex);
-        for (const fs::path& map : wished) {
-            const fs::path file = map.lexically_normal();
+        for (const fs::path& each : files) {
+            const fs::path file = each.lexically_normal();
             if (!file.empty() && images_->prefetched.insert(file).second) {
                 images_->waiting.push_back(file);
             }

@@ -81,11 +81,13 @@ public:
     std::size_t mesh_count() const { return meshes_.size(); }
     std::size_t material_count() const { return materials_.size(); }
 
-    /// Starts decoding the faces of the skybox in `sky` (empty: none), then the base colour, normal
-    /// and ORM maps that the materials name, on worker threads; call after a scene is loaded so that
-    /// the renderer finds them ready. Height maps wait until somebody takes them. Calling again adds
-    /// what is new.
+    /// Starts decoding the faces of the skybox in `sky` (empty: none), then the base colour maps that
+    /// the materials name, on worker threads; call after a scene is loaded so that the renderer finds
+    /// them ready.
     void prefetch_images(const std::filesystem::path& sky = {});
+    /// The same for images that are sure to be taken: what nobody takes stays in memory. Each is
+    /// decoded ahead once, however often it is named; empty paths are passed over.
+    void prefetch_images(const std::vector<std::filesystem::path>& files);
     /// Starts decoding the files one after the other, on a thread. At most once.
     void prefetch_sounds(std::vector<std::filesystem::path> files);
     /// The decoded image, waiting for it if need be; decoded now if nobody prefetched it. A broken

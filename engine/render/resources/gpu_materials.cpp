@@ -146,6 +146,7 @@ void GpuMaterials::update(const MaterialUse& use) {
     use_ = use;
     materials_.clear();
     std::vector<std::byte> bytes(count * stride_);
+    std::vector<TextureRequest> wanted;
     for (std::uint32_t id = 0; id < count; ++id) {
         assets::MaterialData material =
             id == 0 ? assets::MaterialData{} : library_.material(assets::MaterialId{id});
@@ -161,7 +162,10 @@ void GpuMaterials::update(const MaterialUse& use) {
         std::memcpy(bytes.data() + id * stride_, &block, sizeof(block));
         materials_.push_back(
             {.features = features_of(material), .textures = textures_of(material)});
+        const std::vector<TextureRequest>& textures = materials_.back().textures;
+        wanted.insert(wanted.end(), textures.begin(), textures.end());
     }
+    textures_.decode_ahead(wanted);
     blocks_.upload(bytes.data(), bytes.size());
 }
 

@@ -42,6 +42,14 @@ const gl::Texture& GpuTextures::get(const TextureRequest& request) {
     return add(request, *image, mip_chain(*image, request.content, request.alpha_cutoff));
 }
 
+void GpuTextures::decode_ahead(const std::vector<TextureRequest>& requests) {
+    std::vector<std::filesystem::path> files;
+    for (const TextureRequest& request : requests) {
+        if (!textures_.contains(Key{request.file, request.content})) files.push_back(request.file);
+    }
+    library_.prefetch_images(files);
+}
+
 void GpuTextures::load(const std::vector<TextureRequest>& requests,
                        const std::function<void()>& on_each) {
     struct UnderWay {

@@ -32,6 +32,8 @@ public:
 
     /// Uploads at the first call; the reference is good until clear().
     const gl::Texture& get(const TextureRequest& request);
+    /// Starts decoding the images that are not there yet.
+    void decode_ahead(const std::vector<TextureRequest>& requests);
     /// Uploads all that are not there yet, halving them on worker threads meanwhile; `on_each`: after
     /// every request.
     void load(const std::vector<TextureRequest>& requests, const std::function<void()>& on_each);

@@ -50,7 +50,8 @@ TEST(AssetImages, hands_over_images_prefetched_or_not) {
         library.add_material(material);
     }
     library.prefetch_images();
-    library.prefetch_images();
+    library.prefetch_images(std::vector<fs::path>(files.begin(), files.begin() + 20));
+    library.prefetch_images({files[0], fs::path()});
     for (std::size_t i = files.size(); i-- > 0;) {
         const auto image = library.take_image(files[i]);
         ASSERT_EQ(image->bytes, (std::vector<std::uint8_t>{static_cast<std::uint8_t>(i)}));
