@@ -33,13 +33,18 @@ void Renderer::prepare(const RenderFrame& frame, const std::function<void(float 
         if (tell) tell(std::min((done += 1.0F) / total, 1.0F));
     };
     r.scene.meshes.load(meshes, on_each);
+    for (const auto& [mesh, look] : looks) {
+        if (!r.scene.meshes.get(mesh).faceted) r.scene.smooth_looks.insert(look);
+    }
     std::set<FeatureSet> variants;
     for (const auto& [mesh, look] : looks) {
         const FeatureSet features = features_with(r.features, r.scene.meshes.get(mesh));
-        variants.insert(variant_of(look, features));
-        variants.insert(variant_of(look, features & ~kFlashlightFeatures));
-        if ((features & feature::kLightShadows) != 0)
-            variants.insert(variant_of(look, features & ~feature::kLightShadows));
+        const auto add = [&](FeatureSet used) {
+            variants.insert(variant_of(look, used, r.scene.smooth_looks));
+        };
+        add(features);
+        add(features & ~kFlashlightFeatures);
+        if ((features & feature::kLightShadows) != 0) add(features & ~feature::kLightShadows);
     }
     done = static_cast<float>(meshes.size());
     for (const FeatureSet variant : variants) {

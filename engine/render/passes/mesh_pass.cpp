@@ -87,11 +87,14 @@ FeatureSet features_with(FeatureSet frame_features, const GpuMesh& mesh) {
     return mesh.faceted ? frame_features | feature::kFaceted : frame_features;
 }
 
-FeatureSet variant_of(FeatureSet material_features, FeatureSet frame_features) {
+FeatureSet variant_of(FeatureSet material_features,
+                      FeatureSet frame_features,
+                      const std::set<FeatureSet>& smooth_looks) {
     // With maps there is too little to gain for shaders of their own.
     constexpr FeatureSet kMaps = feature::kBaseMap | feature::kNormalMap | feature::kOrmMap |
                                  feature::kEmissiveMap | feature::kUnlit;
-    if ((material_features & kMaps) != 0) frame_features &= ~feature::kFaceted;
+    if ((material_features & kMaps) != 0 || smooth_looks.contains(material_features))
+        frame_features &= ~feature::kFaceted;
     if ((material_features & feature::kUnlit) != 0) frame_features &= ~kLightFeatures;
     if ((frame_features & feature::kSkyLight) == 0) material_features &= ~feature::kSkyReflection;
     if ((material_features & feature::kAlphaMask) == 0) frame_features &= ~feature::kCoverage;
@@ -181,8 +184,9 @@ void MeshPass::draw(const DrawRun& run,
                     SceneResources& resources,
                     FrameStats& stats) const {
     const GpuMesh& mesh = resources.meshes.get(run.mesh);
-    const FeatureSet variant =
-        variant_of(resources.materials.features(run.material), features_with(features, mesh));
+    const FeatureSet variant = variant_of(resources.materials.features(run.material),
+                                          features_with(features, mesh),
+                                          resources.smooth_looks);
     const gl::Program* program =
         resources.shaders.find_or_similar(kMeshShader, variant, kSubstitutes);
     if (program == nullptr) return;

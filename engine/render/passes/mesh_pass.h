@@ -6,6 +6,7 @@
 #include "engine/render/passes/scene_resources.h"
 #include "engine/render/passes/scene_target.h"
 
+#include <set>
 #include <span>
 
 namespace plumbline::render {
@@ -65,7 +66,10 @@ private:
 
 /// Features of the frame, and those that the mesh adds.
 FeatureSet features_with(FeatureSet frame_features, const GpuMesh& mesh);
-/// Features of frame and mesh that a material makes use of; unlit ones need no lights.
-FeatureSet variant_of(FeatureSet material_features, FeatureSet frame_features);
+/// Features of frame and mesh that a material makes use of; unlit ones need no lights. A look in
+/// `smooth_looks` has no variant of its own for faceted meshes.
+FeatureSet variant_of(FeatureSet material_features,
+                      FeatureSet frame_features,
+                      const std::set<FeatureSet>& smooth_looks = {});
 
 }  // namespace plumbline::render

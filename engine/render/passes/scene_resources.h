@@ -9,6 +9,7 @@
 #include "engine/render/sky/gpu_sky.h"
 
 #include <array>
+#include <set>
 
 namespace plumbline::render {
 
@@ -29,6 +30,8 @@ struct SceneResources {
     GpuTextures textures;
     GpuMaterials materials;
     GpuSky sky;
+    /// Looks (material features) that some mesh has which is not faceted: faceted ones share its shader.
+    std::set<FeatureSet> smooth_looks;
 };
 
 inline constexpr ShaderPair kMeshShader{"mesh.vert", "mesh.frag"};

@@ -26,6 +26,22 @@ TEST_F(RendererPrepareGl, TheFirstFrameUploadsNothingMore) {
     EXPECT_EQ(draw(frame).bytes, prepared.bytes) << "and prepared or not it looks the same";
 }
 
+TEST_F(RendererPrepareGl, AFacetedThingSharesTheShaderOfASmoothOne) {
+    RenderFrame frame = sunny_box();
+    const auto ball = library_.add_mesh("ball", assets::sphere_mesh(0.5F));
+    add_item(
+        frame, ball, matt({0.2F, 0.3F, 0.8F}), glm::translate(Mat4f{1.0F}, {1.5F, 0.5F, 0.0F}));
+    const auto of_its_own = draw(frame);
+    const auto programs = renderer_->stats().new_programs;
+    make_renderer(PL_SOURCE_DIR "/shaders");
+    renderer_->prepare(frame);
+    const auto shared = draw(frame);
+    EXPECT_EQ(renderer_->stats().new_programs, programs - 1);
+    ASSERT_EQ(shared.bytes.size(), of_its_own.bytes.size());
+    for (std::size_t i = 0; i < shared.bytes.size(); ++i)
+        ASSERT_NEAR(shared.bytes[i], of_its_own.bytes[i], 1) << i;
+}
+
 TEST_F(RendererPrepareGl, AFrameWithoutPixelsOrThingsNeedsNothing) {
     RenderFrame frame = sunny_box();
     frame.width_px = 0;
