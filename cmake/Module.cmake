@@ -72,9 +72,7 @@ function(plumbline_module name)
         add_library(plumbline::${name}_f64 ALIAS plumbline_${name}_f64)
         plumbline_target_settings(plumbline_${name}_f64)
         target_compile_definitions(plumbline_${name}_f64 PUBLIC PL_DOUBLE_PRECISION)
-        # Float literals widen here by design; the float build is the one that watches conversions.
-        target_compile_options(plumbline_${name}_f64 PRIVATE
-            -Wno-double-promotion -Wno-float-conversion -Wno-conversion -Wno-useless-cast)
+        plumbline_no_conversion_warnings(plumbline_${name}_f64)
         foreach(dependency IN LISTS ARG_DEPENDS)
             if(TARGET plumbline_${dependency}_f64)
                 target_link_libraries(plumbline_${name}_f64 PUBLIC plumbline::${dependency}_f64)

@@ -16,3 +16,13 @@ function(plumbline_warnings target)
         $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-missing-field-initializers>
         $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-missing-field-initializers>)
 endfunction()
+
+# Where Real is double, float literals widen and casts to Real do nothing by design; the float build is
+# the one that watches conversions.
+function(plumbline_no_conversion_warnings)
+    foreach(target IN LISTS ARGN)
+        target_compile_options(${target} PRIVATE
+            -Wno-double-promotion -Wno-float-conversion -Wno-conversion
+            $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-useless-cast>)
+    endforeach()
+endfunction()

@@ -39,8 +39,8 @@ void Renderer::prepare(const RenderFrame& frame, const std::function<void(float 
     std::set<FeatureSet> variants;
     for (const auto& [mesh, look] : looks) {
         const FeatureSet features = features_with(r.features, r.scene.meshes.get(mesh));
-        const auto add = [&](FeatureSet used) {
-            variants.insert(variant_of(look, used, r.scene.smooth_looks));
+        const auto add = [&, material = look](FeatureSet used) {
+            variants.insert(variant_of(material, used, r.scene.smooth_looks));
         };
         add(features);
         add(features & ~kFlashlightFeatures);

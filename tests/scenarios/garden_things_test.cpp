@@ -99,13 +99,11 @@ TEST_F(GardenThings, TheSwingHasThePeriodOfItsBoards) {
     const std::array boards{Board{seat_y_m, {0.92_r, 0.045_r, 0.3_r}},
                             Board{-rope_m / 2, {0.028_r, rope_m, 0.028_r}},
                             Board{-rope_m / 2, {0.028_r, rope_m, 0.028_r}}};
-    Real mass = 0;
     Real moment = 0;
     Real inertia = 0;
     for (const Board& board : boards) {
         const Vec3 s = board.size_m;
         const Real part = s.x * s.y * s.z;
-        mass += part;
         moment += part * -board.y_m;
         inertia += part * (board.y_m * board.y_m + (s.y * s.y + s.z * s.z) / 12);
     }

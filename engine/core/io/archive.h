@@ -80,13 +80,18 @@ private:
     bool reads_{false};
 };
 
+inline std::uint64_t bits_of(double value) {
+    return std::bit_cast<std::uint64_t>(value);
+}
+inline std::uint64_t bits_of(float value) {
+    return bits_of(static_cast<double>(value));
+}
+
 template <class T>
 requires std::is_arithmetic_v<T> || std::is_enum_v<T>
 void serialize(Archive& archive, T& value) {
     if constexpr (std::is_floating_point_v<T>) {
-        // By value: a cast to the same type would be warned of.
-        const auto wide = [](auto number) -> double { return number; };
-        auto bits = std::bit_cast<std::uint64_t>(wide(value));
+        auto bits = bits_of(value);
         archive.number(bits);
         if (archive.reads()) value = static_cast<T>(std::bit_cast<double>(bits));
     } else if constexpr (std::is_same_v<T, bool>) {

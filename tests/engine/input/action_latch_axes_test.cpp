@@ -141,7 +141,7 @@ TEST(ActionLatchAxes, InvertedLookingGoesTheOtherWayForMouseAndStick) {
     for (const bool inverted : {false, true}) {
         Hands hands(inverted ? "[tuning]\ninvert_y = true\n" : "");
         hands.plug_pad();
-        hands.next.mouse_counts = {0.0F, 100.0F};  // down
+        hands.next.mouse_counts = {0.0, 100.0};  // down
         hands.frame();
         EXPECT_NEAR(
             hands.latch.take().look_pitch_rad, radians_from_degrees(inverted ? 6.6 : -6.6), 1e-6);

@@ -104,8 +104,9 @@ private:
                 }
             }
             std::ranges::sort(neighbours[v]);
-            const auto twice = std::ranges::unique(neighbours[v]);
-            neighbours[v].erase(twice.begin(), twice.end());
+            // clang 14 does not take the library's std::ranges::unique.
+            neighbours[v].erase(std::unique(neighbours[v].begin(), neighbours[v].end()),
+                                neighbours[v].end());
         }
         return minimum_degree_order(std::move(neighbours), weights, kMostMultiplyAdds);
     }
