@@ -60,7 +60,7 @@ inline TriangleFile skinned() {
     append_bytes<float>(matrices, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1});
     file.json["skins"] = {{{"joints", {1, 2}},
                            {"inverseBindMatrices", file.add_accessor(matrices, 5126, 2, "MAT4")}}};
-    file.json["animations"] = {Json::object()};
+    file.json["animations"] = Json::array({Json::object()});
     add_channel(file, add_sampler(file, {0, 1}, {0, 0, 2, 0, 4, 2}, "VEC3"), 2, "translation");
     return file;
 }

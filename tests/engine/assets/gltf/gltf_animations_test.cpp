@@ -9,7 +9,7 @@ namespace {
 
 TEST(GltfAnimations, that_is_no_good_is_left_out_alone) {
     TriangleFile file = two_nodes();
-    file.json["animations"] = {Json::object()};
+    file.json["animations"] = Json::array({Json::object()});
     add_channel(file, add_sampler(file, {1, 1}, {0, 0, 0, 1, 1, 1}, "VEC3"), 1, "translation");
     const Import import = import_bytes(file.gltf());
     ASSERT_TRUE(import.ok()) << import.error();
@@ -82,7 +82,7 @@ TEST(GltfAnimations, read_over_channels_of_others) {
                                R"({"path": "translation"})",
                                R"({"path": "weights", "node": 1})"}) {  // it has no targets
         TriangleFile file = two_nodes();
-        file.json["animations"] = {Json::object()};
+        file.json["animations"] = Json::array({Json::object()});
         const std::size_t sampler = add_sampler(file, {0, 2}, {0, 0, 0, 1, 1, 1}, "VEC3");
         add_channel(file, sampler, 1, "scale");
         file.json["animations"][0]["channels"].push_back(

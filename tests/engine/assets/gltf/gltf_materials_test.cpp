@@ -116,7 +116,7 @@ TEST(GltfImport, believes_red_to_be_occlusion_only_where_the_file_says_so) {
         file.json["textures"] = {{{"source", 0}}};
         Json material = {{"pbrMetallicRoughness", {{"metallicRoughnessTexture", {{"index", 0}}}}}};
         if (said) material["occlusionTexture"] = {{"index", 0}};
-        file.json["materials"] = {material};
+        file.json["materials"] = Json::array({material});
         file.primitive()["material"] = 0;
         const Import import = import_bytes(file.gltf());
         ASSERT_TRUE(import.ok()) << import.error();

@@ -135,7 +135,7 @@ TEST(ModelMerge, adds_targets_by_their_weights) {
     append_bytes<float>(offsets, {0, 0, 0, 0, 0, 4, 0, 0, 0});
     file.primitive()["targets"] = {{{"POSITION", file.add_accessor(offsets, 5126, 3, "VEC3")}}};
     file.json["meshes"][0]["weights"] = {0.25};
-    file.json["animations"] = {Json::object()};
+    file.json["animations"] = Json::array({Json::object()});
     add_channel(file, add_sampler(file, {0, 2}, {0, 1}, "SCALAR"), 0, "weights");
     const Import import = import_bytes(file.gltf());
     ASSERT_TRUE(import.ok()) << import.error();

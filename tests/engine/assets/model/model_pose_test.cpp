@@ -32,7 +32,7 @@ TEST(ModelAnimation, moves_a_child_with_its_parent_linearly_and_stops_at_both_en
 
 TEST(ModelAnimation, turns_the_short_way_round_at_an_even_rate) {
     TriangleFile file = two_nodes();
-    file.json["animations"] = {Json::object()};
+    file.json["animations"] = Json::array({Json::object()});
     const float half = std::sqrt(0.5F);
     // A quarter turn about y, its end written with the other sign.
     add_channel(
@@ -48,7 +48,7 @@ TEST(ModelAnimation, turns_the_short_way_round_at_an_even_rate) {
 
 TEST(ModelAnimation, steps_hold_and_splines_are_smooth) {
     TriangleFile file = two_nodes();
-    file.json["animations"] = {Json::object()};
+    file.json["animations"] = Json::array({Json::object()});
     add_channel(file, add_sampler(file, {0, 1}, {1, 1, 1, 3, 3, 3}, "VEC3", "STEP"), 1, "scale");
     // From 0 to 1 m with no slope at either end: half way at half time, 3t2 - 2t3 between.
     add_channel(file,
@@ -72,7 +72,7 @@ TEST(ModelParts, tell_what_moves_from_what_stands) {
     TriangleFile file = two_nodes();
     file.json["nodes"].push_back({{"name", "floor"}, {"mesh", 0}});
     file.json["scenes"][0]["nodes"] = {0, 2};
-    file.json["animations"] = {Json::object()};
+    file.json["animations"] = Json::array({Json::object()});
     add_channel(file, add_sampler(file, {0, 1}, {0, 0, 0, 1, 0, 0}, "VEC3"), 0, "translation");
     const Import import = import_bytes(file.gltf());
     ASSERT_TRUE(import.ok()) << import.error();
