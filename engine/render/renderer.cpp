@@ -317,7 +317,6 @@ void Renderer::forget_scene() {
     r.scene.textures.clear();
     r.scene.materials.clear();
     r.scene.sky.want(nullptr, {});
-    r.scene.smooth_looks.clear();
     r.drew_a_frame = false;
     r.sun_shadow.free();
     r.flashlight_shadow.free();

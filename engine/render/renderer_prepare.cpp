@@ -33,6 +33,7 @@ void Renderer::prepare(const RenderFrame& frame, const std::function<void(float 
         if (tell) tell(std::min((done += 1.0F) / total, 1.0F));
     };
     r.scene.meshes.load(meshes, on_each);
+    r.scene.smooth_looks.clear();
     for (const auto& [mesh, look] : looks) {
         if (!r.scene.meshes.get(mesh).faceted) r.scene.smooth_looks.insert(look);
     }
