@@ -51,6 +51,22 @@ MaterialBlock block_of(const assets::MaterialData& material) {
                        material.caustics}};
 }
 
+/// Of a material shaded by PBR: how it mirrors, and what is seen through it.
+FeatureSet mirror_features_of(const assets::MaterialData& material) {
+    FeatureSet features = 0;
+    if (material.orm_map.empty() && material.roughness < kMirrorRoughness)
+        features |= feature::kSkyReflection;
+    if (material.alpha_mode != assets::AlphaMode::Blend) return features;
+    if (material.ripple_slope > 0.0F && material.normal_map.empty()) {
+        features |= feature::kRipples;
+        if (sees_into(material)) features |= feature::kRefraction;
+        if (sees_into(material) && material.caustics > 0.0F) features |= feature::kCaustics;
+    } else if (material.ior > 0.0F) {
+        features |= feature::kGlass | feature::kSkyReflection;
+    }
+    return features;
+}
+
 }  // namespace
 
 FeatureSet features_of(const assets::MaterialData& material) {
@@ -81,20 +97,7 @@ FeatureSet features_of(const assets::MaterialData& material) {
     if (material.two_sided) features |= feature::kTwoSided;
     if (material.metallic > 0.0F) features |= feature::kMetal;
     if (is_thin(material)) features |= feature::kLeaf;
-    if (material.shading == assets::Shading::Pbr && material.orm_map.empty() &&
-        material.roughness < kMirrorRoughness) {
-        features |= feature::kSkyReflection;
-    }
-    if (material.shading == assets::Shading::Pbr && material.ripple_slope > 0.0F &&
-        material.alpha_mode == assets::AlphaMode::Blend && material.normal_map.empty()) {
-        features |= feature::kRipples;
-        if (sees_into(material)) features |= feature::kRefraction;
-        if (sees_into(material) && material.caustics > 0.0F) features |= feature::kCaustics;
-    }
-    if (material.ior > 0.0F && material.shading == assets::Shading::Pbr &&
-        material.alpha_mode == assets::AlphaMode::Blend && (features & feature::kRipples) == 0) {
-        features |= feature::kGlass | feature::kSkyReflection;
-    }
+    if (material.shading == assets::Shading::Pbr) features |= mirror_features_of(material);
     if (!material.height_map.empty() && material.height_depth > 0.0F &&
         !material.normal_map.empty()) {
         features |= feature::kParallax;

@@ -19,7 +19,7 @@
 namespace plumbline::scene {
 
 /// A group that no body can be in: `collides_with = []`.
-inline constexpr std::string_view kNoGroup = "";
+inline constexpr std::string_view kNoGroup{};
 
 inline constexpr std::array<std::string_view, 5> kSoundExtensions{
     ".ogg", ".wav", ".flac", ".opus", ".mp3"};
