@@ -29,7 +29,8 @@ def virtual_screen(size="1280x720"):
 @contextlib.contextmanager
 def home():
     """An empty home: no settings, no saves of the person who runs the test."""
-    with tempfile.TemporaryDirectory() as folder:
+    # A driver that was killed just now may still write its cache while the folder goes.
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         yield pathlib.Path(folder)
 
 
