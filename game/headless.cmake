@@ -21,7 +21,8 @@ foreach(suffix "" "_f64")
         PL_BULLET_VERSION="${BULLET_VERSION}" PL_BUILD_FLAGS="${plumbline_build_flags}")
     target_link_libraries(${target} PUBLIC plumbline::effects${suffix} PRIVATE plumbline::study${suffix} plumbline_command_docs CLI11::CLI11)
 endforeach()
-plumbline_no_conversion_warnings(plumbline_simulate_f64)
+target_compile_options(plumbline_simulate_f64 PRIVATE
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-useless-cast>)
 
 add_executable(plumbline-f64 main_f64.cpp)
 plumbline_target_settings(plumbline-f64)
