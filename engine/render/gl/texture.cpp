@@ -47,10 +47,10 @@ GlFormat format_of(TargetFormat format) {
             return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
         case TargetFormat::Pair16F:
             return {GL_RG16F, GL_RG, GL_HALF_FLOAT, 4};
-        case TargetFormat::Depth16:
-            return {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, 2};
         case TargetFormat::Depth24:
             return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4};
+        case TargetFormat::Depth32F:
+            return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4};
     }
     return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
 }

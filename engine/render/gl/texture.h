@@ -12,7 +12,7 @@
 namespace plumbline::render::gl {
 
 /// Srgb8: light that is drawn into it while GL_FRAMEBUFFER_SRGB is on becomes codes; else as Rgba8.
-enum class TargetFormat { Rgba8, Srgb8, HdrColor, Pair16F, Depth16, Depth24 };
+enum class TargetFormat { Rgba8, Srgb8, HdrColor, Pair16F, Depth24, Depth32F };
 enum class Filter { Nearest, Linear, LinearMipNearest, Trilinear };
 enum class TextureKind { Flat, Cube };
 

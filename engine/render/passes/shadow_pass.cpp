@@ -54,6 +54,9 @@ bool is_parallel(const Mat4f& clip_from_world) {
     return depth == Vec3f{0.0F};
 }
 
+/// In steps of a float from a half to one: 3e-5 of the light's range.
+constexpr float kBias_units = 512.0F;
+
 /// Resting bodies may have sunk so far into what they rest on.
 constexpr float kSunk_m = 0.05F;
 
@@ -85,7 +88,7 @@ constexpr int kFarLag_frames = 3;
 void ShadowPass::make_map(Map& map) const {
     map.framebuffer = {};
     map.depth = gl::Texture::target(
-        gl::TargetFormat::Depth16, size_px_ * columns_, size_px_ * rows_, gl::Filter::Linear);
+        gl::TargetFormat::Depth32F, size_px_ * columns_, size_px_ * rows_, gl::Filter::Linear);
     map.framebuffer = gl::Framebuffer{nullptr, &map.depth};
 }
 
@@ -245,7 +248,7 @@ void ShadowPass::draw(const ShadowView& view,
     // Casters between the light and the box keep casting: their depth is clamped, not cut.
     glEnable(GL_DEPTH_CLAMP);
     glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(view.slope_bias, 2.0F);
+    glPolygonOffset(view.slope_bias, kBias_units);
     instances_.upload(draws_.instances);
     for (const DrawRun& run : draws_.runs) {
         const bool masked = run.material.value != 0;

@@ -14,8 +14,8 @@ TEST_F(FrameLightGl, WhatAFrameDoesNotAskForHoldsNoMemory) {
     frame.flashlight = Flashlight{};
     frame.post = Post{.exposure = 1.0F, .bloom = 0.1F};
     draw(frame);
-    EXPECT_EQ(bytes_of("sun_shadow"), 256U * 256U * 2U);
-    EXPECT_EQ(bytes_of("flashlight"), 1024U * 1024U * 2U);
+    EXPECT_EQ(bytes_of("sun_shadow"), 256U * 256U * 4U);
+    EXPECT_EQ(bytes_of("flashlight"), 1024U * 1024U * 4U);
     EXPECT_GT(bytes_of("post"), 0U);
 
     frame.flashlight.reset();

@@ -110,20 +110,20 @@ TEST_F(FrameSetupImageGl, AFlashlightAtTheEyeNeedsNoShadowMap) {
 TEST_F(FrameSetupGl, ShadowsBeyondTheScenesDistanceTakeOneMoreCascade) {
     RenderFrame frame = sunny_box();
     draw(frame);
-    EXPECT_EQ(bytes_of("sun_shadow"), 256U * 256U * 2U);
+    EXPECT_EQ(bytes_of("sun_shadow"), 256U * 256U * 4U);
     frame.quality.far_shadows = true;
     draw(frame);
-    EXPECT_EQ(bytes_of("sun_shadow"), 2U * 256U * 256U * 2U);
+    EXPECT_EQ(bytes_of("sun_shadow"), 2U * 256U * 256U * 4U);
     frame.sun_shadow->cascades = 4;
     draw(frame);
-    EXPECT_EQ(bytes_of("sun_shadow"), 4U * 256U * 256U * 2U) << "no more than four";
+    EXPECT_EQ(bytes_of("sun_shadow"), 4U * 256U * 256U * 4U) << "no more than four";
     frame.sun_shadow->cascades = 1;
     frame.camera.far_m = frame.sun_shadow->distance_m;
     draw(frame);
-    EXPECT_EQ(bytes_of("sun_shadow"), 256U * 256U * 2U) << "nothing is seen beyond";
+    EXPECT_EQ(bytes_of("sun_shadow"), 256U * 256U * 4U) << "nothing is seen beyond";
     frame.quality.shadow_detail = 0.5F;
     draw(frame);
-    EXPECT_EQ(bytes_of("sun_shadow"), 128U * 128U * 2U);
+    EXPECT_EQ(bytes_of("sun_shadow"), 128U * 128U * 4U);
 }
 
 TEST_F(FrameSetupGl, ASunThatDoesNotReachTheGroundThrowsNoShadow) {

@@ -83,7 +83,7 @@ TEST_F(TextureGl, CountsItsBytesByFormatLevelsAndSamples) {
                                         std::pair{Srgb8, 4U},
                                         std::pair{HdrColor, 8U},
                                         std::pair{Pair16F, 4U},
-                                        std::pair{Depth16, 2U},
+                                        std::pair{Depth32F, 4U},
                                         std::pair{Depth24, 4U}}) {
         EXPECT_EQ(gl::bytes_per_pixel(format), bytes);
         EXPECT_EQ(gl::Texture::target(format, 5, 3, gl::Filter::Nearest).bytes(), 15U * bytes);

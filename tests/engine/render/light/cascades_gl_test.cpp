@@ -119,13 +119,13 @@ TEST_F(CascadesGl, FarShadowsReachAsFarAsOneSees) {
     const int lit = ground(image, -20.0F, -260.0F).value_or(0);
     EXPECT_GT(lit, 180);
     EXPECT_NEAR(ground(image, 12.0F, -260.0F).value_or(0), lit, 4) << "beyond the scene's distance";
-    EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{1024} * 1024 * 2);
+    EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{1024} * 1024 * 4);
     frame_.quality.far_shadows = true;
     image = draw(frame_);
     for (const float x : {4.0F, 12.0F, 24.0F})
         EXPECT_LT(ground(image, x, -260.0F).value_or(255), 20) << x;
     EXPECT_NEAR(ground(image, 40.0F, -260.0F).value_or(0), lit, 4);
-    EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{1024} * 1024 * 2 * 2) << "one cascade more";
+    EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{1024} * 1024 * 4 * 2) << "one cascade more";
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST_F(LightSetupGl, AsManyCastAndAsFinelyAsTheQualityAllows) {
     const auto some = draw(frame);
     EXPECT_EQ(renderer_->stats().shadowed_lights, 2U);
     EXPECT_EQ(renderer_->stats().unshadowed_lights, 1U);
-    EXPECT_EQ(bytes_of("light_shadows"), 2U * 6U * 64U * 64U * 2U);
+    EXPECT_EQ(bytes_of("light_shadows"), 2U * 6U * 64U * 64U * 4U);
     frame.quality.shadowed_lights = 0;
     const auto none = draw(frame);
     EXPECT_EQ(renderer_->stats().shadowed_lights, 0U);
@@ -36,11 +36,11 @@ TEST_F(LightSetupGl, AsManyCastAndAsFinelyAsTheQualityAllows) {
     frame.quality.shadowed_lights = 2;
     frame.quality.shadow_detail = 0.75F;
     draw(frame);
-    EXPECT_EQ(bytes_of("light_shadows"), 6U * 48U * 48U * 2U);
+    EXPECT_EQ(bytes_of("light_shadows"), 6U * 48U * 48U * 4U);
     // And no coarser than this.
     frame.quality.shadow_detail = 0.25F;
     draw(frame);
-    EXPECT_EQ(bytes_of("light_shadows"), 6U * 32U * 32U * 2U);
+    EXPECT_EQ(bytes_of("light_shadows"), 6U * 32U * 32U * 4U);
 }
 
 }  // namespace

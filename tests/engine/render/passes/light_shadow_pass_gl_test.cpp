@@ -219,7 +219,7 @@ TEST_F(LightShadowPassGl, CostNothingUnasked) {
     EXPECT_EQ(renderer_->stats().shadowed_lights, 0U);
     frame.light_shadows = LightShadows{};
     draw(frame);
-    EXPECT_EQ(bytes_of("light_shadows"), std::uint64_t{6} * 512 * 512 * 2);
+    EXPECT_EQ(bytes_of("light_shadows"), std::uint64_t{6} * 512 * 512 * 4);
     frame.quality.shadowed_lights = 0;
     draw(frame);
     EXPECT_EQ(bytes_of("light_shadows"), 0U);

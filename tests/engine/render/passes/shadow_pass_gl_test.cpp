@@ -120,7 +120,7 @@ TEST_F(ShadowPassGl, CascadesShowTheSameShadowNearAndFar) {
             EXPECT_NEAR(ground(image, x, 0.0F), ground(one, x, 0.0F), 4)
                 << cascades << ' ' << distance_m << ' ' << x;
         }
-        EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{2048} * 2048 * 2 * cascades);
+        EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{2048} * 2048 * 4 * cascades);
     }
 }
 
@@ -165,7 +165,7 @@ TEST_F(ShadowPassGl, WhatCannotMoveIsNotDrawnAgainForWhatMoves) {
     // First all, the still ones into a map of their own; from then on the box.
     EXPECT_EQ(triangles[1], triangles[0] - 24U);
     EXPECT_EQ(triangles[2], triangles[0] - 24U);
-    EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{2048} * 2048 * 2 * 2);
+    EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{2048} * 2048 * 4 * 2);
     for (std::size_t i = 0; i < places.size(); ++i) {
         move_to(places[i]);
         // Another size and back: everything is drawn anew.
@@ -174,14 +174,14 @@ TEST_F(ShadowPassGl, WhatCannotMoveIsNotDrawnAgainForWhatMoves) {
         frame_.sun_shadow->size_px = 2048;
         EXPECT_EQ(draw(frame_).bytes, moved[i].bytes) << i;
         EXPECT_EQ(renderer_->stats().triangles, triangles[0]);
-        EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{2048} * 2048 * 2 * 2);
+        EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{2048} * 2048 * 4 * 2);
     }
     // Where nothing stands still, nothing is kept until something has moved.
     frame_.items[0].is_static = false;
     frame_.items[2].is_static = false;
     frame_.sun_shadow->size_px = 1024;
     draw(frame_);
-    EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{1024} * 1024 * 2);
+    EXPECT_EQ(bytes_of("sun_shadow"), std::uint64_t{1024} * 1024 * 4);
 }
 
 TEST_F(ShadowPassGl, EndsWithItsDistance) {
