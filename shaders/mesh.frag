@@ -48,6 +48,7 @@ uniform sampler2D emissive_map;
 #if defined(PL_SKY_BY_VERTEX) && !defined(PL_UNLIT)
 #ifdef PL_FACETED
 flat in vec3 surface_sky_slope;
+flat in vec3 surface_sky_diffuse;
 #else
 in vec3 surface_sky_slope;
 #endif
@@ -195,8 +196,11 @@ vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
     vec3 slope = sky_slope(s.normal);
     vec3 slope_to_eye = sky_slope(s.to_eye);
 #endif
-    // What a matt white surface sends out under the sky.
-    vec3 diffuse = max(handed_sky_middle + 0.6666667 * slope, 0.0);
+#if defined(PL_SKY_BY_VERTEX) && defined(PL_FACETED)
+    vec3 diffuse = surface_sky_diffuse;
+#else
+    vec3 diffuse = sky_diffuse(handed_sky_middle, slope);
+#endif
 #ifdef PL_SKY_REFLECTION
     vec3 direction = reflect(-s.to_eye, s.normal);
 #ifdef PL_RIPPLES
@@ -358,6 +362,9 @@ void main() {
 #endif
 #ifdef PL_FOG
     color = mix(frame.fog.rgb, color, fog_transmittance(eye_distance_m));
+#endif
+#ifdef PL_CODES
+    color = srgb_from_linear(color);
 #endif
 #ifdef PL_BLEND
 #ifdef PL_REFRACTION

@@ -51,6 +51,7 @@ out vec4 surface_tangent_world;
 #if defined(PL_SKY_BY_VERTEX) && !defined(PL_UNLIT)
 #ifdef PL_FACETED
 flat out vec3 surface_sky_slope;
+flat out vec3 surface_sky_diffuse;
 #else
 out vec3 surface_sky_slope;
 #endif
@@ -115,6 +116,9 @@ void main() {
 #ifdef PL_SKY_BY_VERTEX
     surface_sky_slope = sky_slope(normal_world);
     surface_sky_slope_to_eye = sky_slope(surface_to_eye);
+#ifdef PL_FACETED
+    surface_sky_diffuse = sky_diffuse(handed_sky_middle, surface_sky_slope);
+#endif
 #endif
 #ifdef PL_NORMAL_MAP
     surface_tangent_world = vec4(to_world(vec4(tangent_body.xyz, 0.0)), tangent_body.w);

@@ -5,6 +5,7 @@
 
 in vec2 screen_uv;
 in vec3 ray_world;
+flat in float sky_brightness;
 uniform samplerCube sky_map;
 
 layout(location = 0) out vec4 out_color;
@@ -14,9 +15,12 @@ void main() {
 #ifdef PL_SKY_CODES
     color = linear_from_srgb(color);
 #endif
-    color *= frame.tone.w;
+    color *= sky_brightness;
 #ifdef PL_FOG
     color = mix(frame.fog.rgb, color, sky_transmittance(normalize(ray_world)));
+#endif
+#ifdef PL_CODES
+    color = srgb_from_linear(color);
 #endif
     out_color = vec4(color, 1.0);
 }

@@ -1,7 +1,10 @@
 // What of the scene's light passes read: for water, and between the scene and its tone curve.
+#include "engine/core/color.h"
 #include "engine/render/renderer_impl.h"
 
 #include <glad/gl.h>
+
+#include <cmath>
 
 namespace plumbline::render {
 
@@ -96,6 +99,30 @@ Mat4f Renderer::Impl::clip_before_from_world() const {
     return glm::perspective(camera.fov_y_rad, aspect, camera.near_m, camera.far_m) *
            glm::translate(glm::mat4_cast(glm::conjugate(blur.orientation_before)),
                           -blur.position_before_world);
+}
+
+void Renderer::Impl::adapt_exposure() {
+    if (!frame->post || !frame->post->adapts || !limits.half_float_targets)
+        return exposure_meter.free();
+    const gl::PassTimers::Scope timed(timers, "post.exposure");
+    const bool is_seen_live = target != PresentTarget::Offscreen;
+    block.tone.x *= exposure_meter.measure(
+        scene_target.color(),
+        is_seen_live ? ExposureMeter::Reading::Later : ExposureMeter::Reading::Now,
+        triangle,
+        scene,
+        stats);
+    frame_buffer.upload(&block, sizeof(block));
+}
+
+Vec3f Renderer::Impl::clear_color() const {
+    Vec3f light = frame->clear_color;
+    if (frame->fog) {
+        const float depth = frame->fog->density_per_m * frame->camera.far_m;
+        light = glm::mix(frame->fog->color, light, std::exp(-depth * depth));
+    }
+    if (!draws_codes) return light;
+    return {srgb_from_linear(light.x), srgb_from_linear(light.y), srgb_from_linear(light.z)};
 }
 
 }  // namespace plumbline::render

@@ -1,6 +1,7 @@
 // From a RenderFrame to the numbers that its passes read.
 #include "engine/core/log.h"
 #include "engine/render/culling/frustum.h"
+#include "engine/render/culling/occlusion_culling.h"
 #include "engine/render/light/shadow_fit.h"
 #include "engine/render/renderer_impl.h"
 
@@ -66,6 +67,7 @@ void Renderer::Impl::choose_features(const RenderFrame& new_frame) {
         if (new_frame.refraction->caustics) features |= feature::kCaustics;
     }
     if (scene_target.samples() > 1) features |= feature::kCoverage;
+    if (draws_codes) features |= feature::kCodes;
     if (!sun) features &= ~(feature::kSun | feature::kSunShadow | feature::kCaustics);
     if (sun) features |= feature::kSun;
 }
@@ -149,7 +151,7 @@ void Renderer::Impl::size_own_target() {
     if (color_image.width() == width_px && color_image.height() == height_px) return;
     own_framebuffer = {};
     color_image =
-        gl::Texture::target(gl::TargetFormat::Srgb8, width_px, height_px, gl::Filter::Nearest);
+        gl::Texture::target(gl::TargetFormat::Rgba8, width_px, height_px, gl::Filter::Nearest);
     depth_image =
         gl::Texture::target(gl::TargetFormat::Depth24, width_px, height_px, gl::Filter::Nearest);
     own_framebuffer = gl::Framebuffer{&color_image, &depth_image};
@@ -207,7 +209,8 @@ Result<Done> Renderer::Impl::try_scene_targets() {
                                has_motion_blur() || has_refraction()};
     stats.scene_width_px = post_view.scene_px.width;
     stats.scene_height_px = post_view.scene_px.height;
-    draws_codes = target == PresentTarget::Offscreen && post_view.has_no_steps();
+    draws_codes = target == PresentTarget::Offscreen && post_view.has_no_steps() &&
+                  !mixes_colors(*frame, scene.library);
     if (draws_codes) {
         scene_target = {};
         return post.resize(post_view);
@@ -338,20 +341,6 @@ void Renderer::Impl::set_up_flashlight(const Flashlight& flashlight) {
                        .size_px = flashlight.shadow_size_px};
 }
 
-void Renderer::Impl::adapt_exposure() {
-    if (!frame->post || !frame->post->adapts || !limits.half_float_targets)
-        return exposure_meter.free();
-    const gl::PassTimers::Scope timed(timers, "post.exposure");
-    const bool is_seen_live = target != PresentTarget::Offscreen;
-    block.tone.x *= exposure_meter.measure(
-        scene_target.color(),
-        is_seen_live ? ExposureMeter::Reading::Later : ExposureMeter::Reading::Now,
-        triangle,
-        scene,
-        stats);
-    frame_buffer.upload(&block, sizeof(block));
-}
-
 void Renderer::Impl::build_draw_lists() {
     opaque_draws.clear();
     translucent_draws.clear();
@@ -364,18 +353,34 @@ void Renderer::Impl::build_draw_lists() {
     const float lines = std::max(static_cast<float>(post_view.scene_px.height),
                                  0.6F * static_cast<float>(post_view.present_px.height));
     const float pixel_rad = 2.0F * std::tan(frame->camera.fov_y_rad * 0.5F) / lines;
-    std::vector<VisibleItem> visible =
-        cull(*frame,
-             scene.library,
-             {.frustum = Frustum{block.clip_from_world},
-              .eye_world = frame->camera.position_world,
-              .lods = quality.lod_error_px > 0.0F ? &scene.meshes.lods() : nullptr,
-              .error_rad = quality.lod_error_px * pixel_rad,
-              .smallest_rad = quality.smallest_px * pixel_rad,
-              .sorts_foliage = true,
-              .beam = beam ? &*beam : nullptr});
+    visible = cull(*frame,
+                   scene.library,
+                   {.frustum = Frustum{block.clip_from_world},
+                    .eye_world = frame->camera.position_world,
+                    .lods = quality.lod_error_px > 0.0F ? &scene.meshes.lods() : nullptr,
+                    .error_rad = quality.lod_error_px * pixel_rad,
+                    .smallest_rad = quality.smallest_px * pixel_rad,
+                    .sorts_foliage = true,
+                    .beam = beam ? &*beam : nullptr});
+    leave_out_hidden();
     build_draws(visible, scene.library, opaque_kind(), opaque_draws);
-    build_draws(std::move(visible), scene.library, DrawKind::Translucent, translucent_draws);
+    build_draws(visible, scene.library, DrawKind::Translucent, translucent_draws);
+}
+
+void Renderer::Impl::leave_out_hidden() {
+    if (opaque_kind() != DrawKind::Opaque || frame->fill_mode != FillMode::Filled) return;
+    const OcclusionView view{
+        .clip_from_world = block.clip_from_world,
+        .width_px = post_view.scene_px.width,
+        .height_px = post_view.scene_px.height,
+        .reach_px = post_view.samples > 1 ? kSamplesReach_px : kCenterReach_px};
+    remove_hidden(visible, scene.library, view);
+    if (sun_shadow_margin_m == 0.0F) return;
+    shadow_sight = {.view = view,
+                    .visible = visible,
+                    .light_direction_world = -Vec3f{block.to_sun_world},
+                    .margin_m = sun_shadow_margin_m};
+    sun_views.front().sight = &shadow_sight;
 }
 
 unsigned int Renderer::Impl::present_framebuffer() const {

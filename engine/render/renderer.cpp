@@ -66,13 +66,6 @@ void set_depth_test(DepthTest test) {
 // Casters of a lamp's shadow may be coarser by so much: a texel's width at two metres.
 constexpr float kLightShadowError_m = 0.008F;
 
-/// The background, which is as far as the camera sees.
-Vec3f background_of(const RenderFrame& frame) {
-    if (!frame.fog) return frame.clear_color;
-    const float depth = frame.fog->density_per_m * frame.camera.far_m;
-    return glm::mix(frame.fog->color, frame.clear_color, std::exp(-depth * depth));
-}
-
 /// The driver's report of lost devices, by the name under which it has one; null: it has none.
 ResetStatus reset_status_of(GlLoader loader) {
     const auto named = [&](const char* name) {
@@ -195,12 +188,11 @@ void Renderer::opaque() {
     const gl::PassTimers::Scope timed(r.timers, "opaque");
     if (r.draws_codes) {
         r.bind_present_target();
-        glEnable(GL_FRAMEBUFFER_SRGB);
     } else {
         r.scene_target.bind();
         if (r.light_format() == gl::TargetFormat::Srgb8) glEnable(GL_FRAMEBUFFER_SRGB);
     }
-    const Vec3f clear = background_of(*r.frame);
+    const Vec3f clear = r.clear_color();
     glClearColor(clear.x, clear.y, clear.z, 1.0F);
     glDepthMask(GL_TRUE);
     // The sky is drawn wherever nothing else is.

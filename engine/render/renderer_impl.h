@@ -57,8 +57,7 @@ struct Renderer::Impl {
     std::optional<DirectionalLight> sun;  ///< or moon, as it reaches the ground
     PostView post_view{};
     ScreenView screen_view{};
-    bool draws_codes{
-        false};  ///< the scene is drawn into the present target, which encodes its light
+    bool draws_codes{false};  ///< surfaces and sky write sRGB codes into the present target
     FrameBlock block;
     std::vector<ShadowView> sun_views;          ///< one a cascade
     float sun_shadow_margin_m{0.0F};            ///< as MeshView's
@@ -67,6 +66,8 @@ struct Renderer::Impl {
     LightShadowChoice light_choice;
     std::vector<LocalLight> lights_in_order;  ///< those that cast shadows first
     std::vector<Vec4f> light_shadow_numbers;  ///< of those
+    std::vector<VisibleItem> visible;
+    ShadowSight shadow_sight;
     DrawList opaque_draws;
     DrawList translucent_draws;
 
@@ -102,6 +103,8 @@ struct Renderer::Impl {
     /// Sizes targets, reads the frame's wishes into features and matrices; frees what it has none.
     void set_up(const RenderFrame& new_frame);
     void build_draw_lists();
+    /// Of what is visible, and of the casters in the sun's first map.
+    void leave_out_hidden();
     /// Without half floats light is kept as sRGB codes: white is the brightest.
     gl::TargetFormat light_format() const {
         return limits.half_float_targets ? gl::TargetFormat::HdrColor : gl::TargetFormat::Srgb8;
@@ -136,6 +139,8 @@ struct Renderer::Impl {
     /// For meshes in an image that is scaled up: base colours as fine as in the image shown.
     void bind_base_sampler();
     void bind_present_target() const;
+    /// The background, which is as far as the camera sees, as the image holds it.
+    Vec3f clear_color() const;
     unsigned int present_framebuffer() const;
 
 private:

@@ -9,9 +9,10 @@ vec3 linear_from_srgb(vec3 c) {
 }
 
 // Light to sRGB code values; within a tenth of one 8-bit step. A polynomial of the square root where
-// the standard's curve has a power: much cheaper on software GL.
+// the standard's curve has a power: much cheaper on software GL. Light above 1 gets codes above 1, which
+// images of 8 bits cut off.
 vec3 srgb_from_linear(vec3 light) {
-    vec3 c = clamp(light, 0.0, 1.0);
+    vec3 c = max(light, 0.0);
     vec3 s = sqrt(c);
     vec3 curve = -0.0401097 + s * (1.5179518 + s * (-1.4027401 + s * (2.0315797 + s * (-1.6236606 + s * 0.5173026))));
     return mix(curve, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));

@@ -13,6 +13,11 @@ vec3 sky_slope(vec3 d) {
                        frame.sky_light[3].rgb * d.x);
 }
 
+// What a matt white surface sends out under the sky, by the slope of its normal.
+vec3 sky_diffuse(vec3 middle, vec3 slope) {
+    return max(middle + 0.6666667 * slope, 0.0);
+}
+
 // Where no normal map turns the normal, slopes come from the vertices: they are linear, and reading
 // their uniforms in every pixel is dear on software GL.
 #if !defined(PL_NORMAL_MAP) && (!defined(PL_TWO_SIDED) || defined(PL_ALPHA_MASK))

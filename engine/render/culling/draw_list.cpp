@@ -145,10 +145,11 @@ void build_opaque(const std::vector<VisibleItem>& visible,
     });
 }
 
-void sort_far_to_near(std::vector<VisibleItem>& visible) {
+std::vector<VisibleItem> far_to_near(std::vector<VisibleItem> visible) {
     std::ranges::stable_sort(visible, [](const VisibleItem& a, const VisibleItem& b) {
         return a.distance_m > b.distance_m;
     });
+    return visible;
 }
 
 /// One instance a draw; of each item the parts that blend, or the others.
@@ -178,6 +179,14 @@ void build_one_by_one(const std::vector<VisibleItem>& visible,
 
 }  // namespace
 
+bool mixes_colors(const RenderFrame& frame, const assets::AssetLibrary& library) {
+    const bool has_stars = frame.sky && frame.sky->model;
+    if (has_stars || !frame.drops.empty() || !frame.water_rings.empty()) return true;
+    return std::ranges::any_of(frame.material_ids, [&](assets::MaterialId id) {
+        return look_of(library, id).alpha_mode == assets::AlphaMode::Blend;
+    });
+}
+
 std::vector<VisibleItem> cull(const RenderFrame& frame,
                               const assets::AssetLibrary& library,
                               const CullView& view) {
@@ -202,7 +211,7 @@ std::vector<VisibleItem> cull(const RenderFrame& frame,
     return visible;
 }
 
-void build_draws(std::vector<VisibleItem> visible,
+void build_draws(const std::vector<VisibleItem>& visible,
                  const assets::AssetLibrary& library,
                  DrawKind kind,
                  DrawList& list) {
@@ -214,8 +223,7 @@ void build_draws(std::vector<VisibleItem> visible,
             build_one_by_one(visible, library, false, list);
             break;
         case DrawKind::Translucent:
-            sort_far_to_near(visible);
-            build_one_by_one(visible, library, true, list);
+            build_one_by_one(far_to_near(visible), library, true, list);
             break;
     }
 }

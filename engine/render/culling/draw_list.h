@@ -69,6 +69,9 @@ struct CullView {
     const ConvexVolume* beam{nullptr};  ///< of the flashlight; null: there is none
 };
 
+/// Whether something may be drawn whose colour mixes with what is behind it.
+bool mixes_colors(const RenderFrame& frame, const assets::AssetLibrary& library);
+
 /// Items whose bounds touch the frustum, in the frame's order.
 std::vector<VisibleItem> cull(const RenderFrame& frame,
                               const assets::AssetLibrary& library,
@@ -82,7 +85,7 @@ enum class DrawKind {
 
 /// Distances are binned first, so that an instanced draw never spans near and far: overdraw is what
 /// costs. Within a bin equal (mesh, materials, in the beam or not) join, nearest first.
-void build_draws(std::vector<VisibleItem> visible,
+void build_draws(const std::vector<VisibleItem>& visible,
                  const assets::AssetLibrary& library,
                  DrawKind kind,
                  DrawList& list);

@@ -2,6 +2,7 @@
 
 #include "engine/core/hash.h"
 #include "engine/render/culling/frustum.h"
+#include "engine/render/culling/occlusion_culling.h"
 #include "engine/render/light/shadow_reach.h"
 
 #include <glad/gl.h>
@@ -121,6 +122,7 @@ void ShadowPass::render(std::span<const ShadowView> views,
                    is_bare_floor(caster, view.clip_from_world, frame, resources.library);
         });
         view.may_lag = i > 0;
+        if (view.may_lag) view.sight = nullptr;
         show(i, view, std::move(casters), resources, stats);
     }
 }
@@ -135,7 +137,8 @@ void ShadowPass::show(std::size_t part,
     Part& shown = drawn_[part];
     const bool may_lag = view.may_lag && ++shown.age_frames <= kFarLag_frames;
     const bool same_statics = shown.statics == statics;
-    if (same_statics && (shown.moving == moving || may_lag)) {
+    const bool same_moving = shown.moving == moving;
+    if (same_statics && (same_moving || may_lag) && !shown.is_partial) {
         ++stats.shadow_passes_cached;
         return;
     }
@@ -144,6 +147,10 @@ void ShadowPass::show(std::size_t part,
     shown.statics = statics;
     shown.moving = moving;
     shown.age_frames = 0;
+    const std::size_t all = casters.size();
+    if (view.sight != nullptr && !same_moving)
+        remove_unseen_casters(casters, resources.library, *view.sight);
+    shown.is_partial = casters.size() < all;
     if (statics_.depth && !view.moves) {
         draw_on_statics(view, part, std::move(casters), resources, stats);
         return;
@@ -236,10 +243,14 @@ void ShadowPass::draw(const ShadowView& view,
                       SceneResources& resources,
                       FrameStats& stats) {
     draws_.clear();
-    build_depth_draws(std::move(casters),
-                      resources.library,
-                      view.from_lamp ? Emitters::LetThrough : Emitters::Cast,
-                      draws_);
+    const Emitters emitters = view.from_lamp ? Emitters::LetThrough : Emitters::Cast;
+    remove_hidden(casters,
+                  resources.library,
+                  {.clip_from_world = view.clip_from_world,
+                   .width_px = size_px_,
+                   .height_px = size_px_,
+                   .emitters = emitters});
+    build_depth_draws(std::move(casters), resources.library, emitters, draws_);
     glEnable(GL_SCISSOR_TEST);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);

@@ -6,6 +6,7 @@
 // Does not move with its casters: the light's matrix comes from shadow_fit.
 #pragma once
 
+#include "engine/render/culling/occlusion_culling.h"
 #include "engine/render/gl/framebuffer.h"
 #include "engine/render/gl/texture.h"
 #include "engine/render/passes/scene_resources.h"
@@ -26,6 +27,8 @@ struct ShadowView {
     bool from_lamp{false};  ///< what shines does not cast: it is the lamp
     bool moves{false};      ///< itself: there is no use in keeping what it shows
     bool may_lag{false};    ///< behind moving things
+    /// While things move, those are left out whose shadows it does not see; null: none.
+    const ShadowSight* sight{nullptr};
 };
 
 class ShadowPass {
@@ -68,6 +71,7 @@ private:
         std::uint64_t moving{0};
         std::uint64_t in_statics_map{0};
         int age_frames{0};
+        bool is_partial{false};  ///< without casters whose shadows nobody saw
         std::uint64_t ground{
             0};  ///< what it shows outside of `drawn_over`: these statics; 0: unknown
         TexelRect drawn_over;

@@ -60,7 +60,7 @@ void render_sky(const FullscreenTriangle& triangle,
                 FeatureSet frame_features,
                 SceneResources& resources,
                 FrameStats& stats) {
-    FeatureSet features = frame_features & feature::kFog;
+    FeatureSet features = frame_features & (feature::kFog | feature::kCodes);
     glDisable(GL_CULL_FACE);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);

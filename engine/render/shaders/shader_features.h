@@ -55,6 +55,7 @@ inline constexpr FeatureSet kClouds = 1ULL << 36U;        ///< before a computed
 inline constexpr FeatureSet kLightShadows = 1ULL << 46U;  ///< with kLocalLights
 inline constexpr FeatureSet kContactHardening = 1ULL << 47U;  ///< with kSunShadow
 inline constexpr FeatureSet kCaustics = 1ULL << 51U;          ///< with kRefraction and kSun
+inline constexpr FeatureSet kCodes = 1ULL << 57U;             ///< surfaces and sky write sRGB codes
 // of the passes after the scene
 inline constexpr FeatureSet kToneMap = 1ULL << 24U;  ///< exposure and tone curve
 inline constexpr FeatureSet kBloom = 1ULL << 25U;
@@ -73,7 +74,7 @@ inline constexpr FeatureSet kShafts = 1ULL << 41U;     ///< light from air in th
 /// What a thing is drawn without where the flashlight cannot reach it.
 inline constexpr FeatureSet kFlashlightFeatures = feature::kFlashlight | feature::kFlashlightAtEye;
 
-inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 49> kFeatureNames{{
+inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 50> kFeatureNames{{
     {feature::kBlinnPhong, "PL_BLINN_PHONG"},
     {feature::kUnlit, "PL_UNLIT"},
     {feature::kBaseMap, "PL_BASE_MAP"},
@@ -119,6 +120,7 @@ inline constexpr std::array<std::pair<FeatureSet, std::string_view>, 49> kFeatur
     {feature::kGlass, "PL_GLASS"},
     {feature::kRefraction, "PL_REFRACTION"},
     {feature::kCaustics, "PL_CAUSTICS"},
+    {feature::kCodes, "PL_CODES"},
     {feature::kOcclusion, "PL_OCCLUSION"},
     {feature::kShafts, "PL_SHAFTS"},
     {feature::kMoved, "PL_MOVED"},
