@@ -1,24 +1,15 @@
 #include "engine/physics/world/nearest_pairs.h"
 
 #include "engine/physics/bullet/contact/pair_collider.h"
-#include "engine/physics/world/body_record.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace plumbline::physics {
-namespace {
 
-bool may_be_crowded(const BodyRecord& record) {
-    return record.small.pairs.size() > kNearestPairs && pushable(record);
-}
-
-}  // namespace
-
-bool NearestPairs::takes_part(const Pair& pair) {
+bool NearestPairs::is_near(const Pair& pair) {
     const BodyRecord& a = *pair.a;
     const BodyRecord& b = *pair.b;
-    if (!may_be_crowded(a) || !may_be_crowded(b)) return true;
     return rank_beside(a, b) <= last_beside(a) || rank_beside(b, a) <= last_beside(b);
 }
 

@@ -8,6 +8,7 @@
 #include "engine/core/math.h"
 #include "engine/physics/collision/pair.h"
 #include "engine/physics/physics_world.h"
+#include "engine/physics/world/body_record.h"
 
 #include <compare>
 #include <unordered_map>
@@ -21,9 +22,14 @@ public:
     /// Poses or boxes have changed.
     void begin_step() { last_.clear(); }
     /// Of bodies whose boxes overlap. Pairs with static, frozen and kinematic bodies always do.
-    bool takes_part(const Pair& pair);
+    bool takes_part(const Pair& pair) {
+        return !may_be_crowded(*pair.a) || !may_be_crowded(*pair.b) || is_near(pair);
+    }
 
 private:
+    static bool may_be_crowded(const BodyRecord& body) {
+        return body.small.pairs.size() > kNearestPairs && pushable(body);
+    }
     /// A body's place among those near another: by the distance to the ball round it, so that large
     /// ones come first, then by id.
     struct Rank {
@@ -33,6 +39,8 @@ private:
         friend auto operator<=>(const Rank&, const Rank&) = default;
     };
 
+    /// Of two that may be crowded.
+    bool is_near(const Pair& pair);
     static Rank rank_beside(const BodyRecord& body, const BodyRecord& other);
     const Rank& last_beside(const BodyRecord& body);
 

@@ -126,7 +126,7 @@ void match_manifolds(const btManifoldArray& from, Pair& pair) {
     const auto count = static_cast<std::size_t>(from.size());
     for (std::size_t i = 0; i < count; ++i) {
         const btPersistentManifold& manifold = *from[static_cast<int>(i)];
-        const auto number = static_cast<std::uint32_t>(manifold.m_companionIdA);
+        const std::uint32_t number = number_of(manifold);
         const auto place = to.begin() + static_cast<std::ptrdiff_t>(i);
         const auto found = std::find_if(
             place, to.end(), [number](const Manifold& known) { return known.number == number; });

@@ -7,6 +7,8 @@
 #include "engine/physics/bullet/rigid_body.h"
 #include "engine/physics/collision/pair.h"
 
+#include <cstdint>
+
 namespace plumbline::physics {
 
 /// The record behind a Bullet object of ours.
@@ -17,8 +19,17 @@ inline BodyRecord& record_of(const btCollisionObject& object) {
 /// The one manifold of a pair of primitives, made when first asked for.
 Manifold& sole_manifold(Pair& pair);
 
+inline std::uint32_t number_of(const btPersistentManifold& manifold) {
+    return static_cast<std::uint32_t>(manifold.m_companionIdA);
+}
+
 /// Makes `pair.manifolds` stand for Bullet's, one for one; those that are gone go with their loads.
 void match_manifolds(const btManifoldArray& from, Pair& pair);
+/// Whether they do, of pairs with one manifold; of others it is not looked.
+inline bool is_matched(const btManifoldArray& from, const Pair& pair) {
+    return from.size() == 1 && pair.manifolds.size() == 1 &&
+           pair.manifolds[0].number == number_of(*from[0]);
+}
 /// Makes `to.points` stand for Bullet's, one for one; points found again keep their loads.
 void match_points(btPersistentManifold& from, Manifold& to);
 /// Takes the same point out of both.

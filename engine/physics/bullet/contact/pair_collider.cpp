@@ -95,6 +95,12 @@ bool has_points(const Pair& pair) {
                                [](const Manifold& manifold) { return !manifold.points.empty(); });
 }
 
+/// Of others the manifolds stay the same from step to step.
+bool has_parts(const Pair& pair) {
+    return pair.a->rigid->getCollisionShape()->isCompound() ||
+           pair.b->rigid->getCollisionShape()->isCompound();
+}
+
 void drop_unreachable(btPersistentManifold& from,
                       Manifold& manifold,
                       Real near_m,
@@ -138,7 +144,9 @@ void PairCollider::Impl::collide_by_bullet(BulletPair& pair,
                                            Real reach_before_m,
                                            const CollideStep& step) {
     dispatcher.reach_m = pair.reach_m;
-    if (pair.algorithm != nullptr && (pair.round || pair.reach_m != reach_before_m)) {
+    const bool starts_with_list =
+        pair.algorithm != nullptr && (pair.round || pair.reach_m != reach_before_m);
+    if (starts_with_list) {
         list_manifolds_of(*pair.algorithm);
         for (int i = 0; i < manifolds.size(); ++i) {
             manifolds[i]->setContactBreakingThreshold(pair.reach_m);
@@ -146,8 +154,8 @@ void PairCollider::Impl::collide_by_bullet(BulletPair& pair,
         }
     }
     run_algorithm(pair);
-    list_manifolds_of(*pair.algorithm);
-    match_manifolds(manifolds, pair);
+    if (!starts_with_list || has_parts(pair)) list_manifolds_of(*pair.algorithm);
+    if (!is_matched(manifolds, pair)) match_manifolds(manifolds, pair);
     for (int i = 0; i < manifolds.size(); ++i) {
         btPersistentManifold& from = *manifolds[i];
         Manifold& manifold = pair.manifolds[static_cast<std::size_t>(i)];
