@@ -106,12 +106,12 @@ Real reach_of(const Pair& pair, const CollideStep& step) {
     const Vec3 apart = a.motion->velocity_mps - b.motion->velocity_mps;
     const Real speed = glm::length(apart) + spin_mps(a) + spin_mps(b) + predicted_mps(pair);
     const Real displacement = speed * step.step_s + step.fall_m;
-    const Real unswept = unswept_m(a) + unswept_m(b);
-    if (pair.boxes) return near_m(pair) + std::min(displacement, unswept);
     // Resting bodies keep the distances at which Bullet merges and keeps points.
-    if (2 * displacement <= pair.base_m) return pair.base_m;
+    if (!pair.boxes && 2 * displacement <= pair.base_m) return pair.base_m;
     // Points of round shapes are found at any distance; what others reach no further for is swept.
-    return pair.base_m + (pair.round ? displacement : std::min(displacement, unswept));
+    if (pair.round) return pair.base_m + displacement;
+    const Real unswept = unswept_m(a) + unswept_m(b);
+    return (pair.boxes ? near_m(pair) : pair.base_m) + std::min(displacement, unswept);
 }
 
 bool knows_less(const Pair& pair, const CollideStep& step) {
