@@ -159,13 +159,15 @@ bool is_parallel(const Mat4f& clip_from_world) {
 
 /// Takes a point into the rectangle and the range of depths, and gives its place in the image.
 Vec2f include(Outline& outline, const Vec4f& clip, const OcclusionView& view) {
-    if (!(clip.w > kNearest_w)) {
+    const bool parallel = is_parallel(view.clip_from_world);
+    // What the near plane cuts open hides nothing; parallel light's casters are not cut.
+    if (!(clip.w > kNearest_w) || (!parallel && clip.z < -clip.w)) {
         outline.is_before_eye = false;
         return {};
     }
     const Vec2f half_size = Vec2f{view.width_px, view.height_px} * 0.5F;
     const Vec2f at_px = (Vec2f{clip} / clip.w + 1.0F) * half_size;
-    const float depth = is_parallel(view.clip_from_world) ? clip.z : clip.w;
+    const float depth = parallel ? clip.z : clip.w;
     outline.min_px = glm::min(outline.min_px, at_px);
     outline.max_px = glm::max(outline.max_px, at_px);
     outline.near_depth = std::min(outline.near_depth, depth);

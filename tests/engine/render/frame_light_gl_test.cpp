@@ -33,6 +33,22 @@ TEST_F(FrameLightGl, WhatAFrameDoesNotAskForHoldsNoMemory) {
     EXPECT_EQ(bytes_of("meshes"), 0U);
 }
 
+// Without anything that blends surfaces write codes themselves; glass, even out of sight, needs the pass.
+TEST_F(FrameLightGl, CodesOfSurfacesAreThoseOfThePass) {
+    RenderFrame frame = sunny_box();
+    frame.clear_color = {0.02F, 0.4F, 0.9F};
+    const assets::ImageData by_surfaces = draw(frame);
+    ASSERT_EQ(renderer_->stats().passes.back().name, "opaque");
+    const assets::MaterialId glass =
+        library_.add_material({.name = "glass", .alpha_mode = assets::AlphaMode::Blend});
+    add_box(frame, Vec3f{1.0F}, {0.0F, 0.0F, 500.0F}, glass);
+    const assets::ImageData by_pass = draw(frame);
+    ASSERT_EQ(renderer_->stats().passes.back().name, "image");
+    ASSERT_EQ(by_pass.bytes.size(), by_surfaces.bytes.size());
+    for (std::size_t i = 0; i < by_pass.bytes.size(); ++i)
+        ASSERT_NEAR(by_pass.bytes[i], by_surfaces.bytes[i], 1) << i;
+}
+
 TEST_F(FrameLightGl, PassesRunInTheirOrderAndFreeWhatTheyHeld) {
     RenderFrame frame = sunny_box();
     frame.depth_of_field = DepthOfField{};

@@ -158,5 +158,21 @@ TEST_F(DrawListTest, DrawsWhatTheFlashlightReachesApart) {
     EXPECT_NE(apart.runs[0].in_beam, apart.runs[1].in_beam);
 }
 
+TEST_F(DrawListTest, GlassDropsRingsAndStarsMixColors) {
+    EXPECT_FALSE(mixes_colors(frame_of({{box_, red_, -5.0F}}), library_));
+    EXPECT_TRUE(mixes_colors(frame_of({{box_, red_, -5.0F}, {box_, glass_, -5.0F}}), library_));
+    frame_ = {};
+    frame_.sky = Sky{};
+    EXPECT_FALSE(mixes_colors(frame_, library_));
+    frame_.sky->model = SkyModel{};
+    EXPECT_TRUE(mixes_colors(frame_, library_));
+    frame_ = {};
+    frame_.drops.emplace_back();
+    EXPECT_TRUE(mixes_colors(frame_, library_));
+    frame_ = {};
+    frame_.water_rings.emplace_back();
+    EXPECT_TRUE(mixes_colors(frame_, library_));
+}
+
 }  // namespace
 }  // namespace plumbline::render

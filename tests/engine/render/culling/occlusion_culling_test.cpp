@@ -171,6 +171,14 @@ TEST_F(OcclusionCullingTest, ABoxRoundTheEyeHidesNothingAndIsNotHidden) {
     EXPECT_EQ(shown_count(), 2U);
 }
 
+TEST_F(OcclusionCullingTest, WhatTheNearPlaneCutsOpenHidesNothing) {
+    add_box({0.0F, 0.0F, -0.53F}, Vec3f{1.0F});  // from 3 cm on; the plane is 5 cm off
+    add_box({0.0F, 0.0F, -5.0F}, Vec3f{0.5F});
+    EXPECT_EQ(shown_count(), 2U);
+    frame_.items[0].world_from_body = glm::translate(Mat4f{1.0F}, Vec3f{0.0F, 0.0F, -0.56F});
+    EXPECT_EQ(shown_count(), 1U);
+}
+
 TEST_F(OcclusionCullingTest, SeveralBoxesHideTogetherUnlessSamplesShowTheirSeam) {
     // Their common edge lies between two columns' centres.
     add_box({-1.0F, 0.0F, -5.0F}, {2.0F, 2.0F, 1.0F});
