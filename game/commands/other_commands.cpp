@@ -26,7 +26,8 @@ bool is_binding_file(const std::filesystem::path& file) {
 ExitCode check_file(const std::filesystem::path& file, const DataFolders& folders) {
     Diagnostics faults;
     ExitCode when_bad = ExitCode::BadUsage;
-    if (file.filename() == "app.toml" || file.filename() == "app.ui.toml") {
+    const bool is_settings = file.filename() == "app.toml" || file.filename() == "app.ui.toml";
+    if (is_settings) {
         app::load_app_config({file}, faults);
     } else if (file.filename() == "surfaces.toml") {
         scene::load_surfaces(file, folders.assets, faults);
@@ -45,7 +46,10 @@ ExitCode check_file(const std::filesystem::path& file, const DataFolders& folder
         if (!scene && !faults.has_errors()) return when_bad;
         if (scene) scene::check_models(*scene, faults);
     }
-    for (const Diagnostic& fault : faults.list()) std::cout << to_string(fault) << '\n';
+    for (Diagnostic fault : faults.list()) {
+        if (is_settings) fault.file = file.string();  // without its folder in a log of the program
+        std::cout << to_string(fault) << '\n';
+    }
     const bool config_fault = when_bad == ExitCode::BadUsage && !faults.list().empty();
     return faults.has_errors() || config_fault ? when_bad : ExitCode::Good;
 }

@@ -63,7 +63,8 @@ TEST_F(OtherCommands, TheWorstFileDecides) {
     const CommandRun run = checked({good_scene(), bad_scene(), app});
     EXPECT_EQ(run.code, ExitCode::Refused);
     EXPECT_TRUE(run.out.starts_with((folder_ / "good.toml").string() + ": good\n")) << run.out;
-    EXPECT_NE(run.out.find("app.toml:2:5: warning: nothing.a: "), std::string::npos) << run.out;
+    const std::string fault = (folder_ / "app.toml").string() + ":2:5: warning: nothing.a: ";
+    EXPECT_NE(run.out.find(fault), std::string::npos) << run.out;
     EXPECT_EQ(checked({app, good_scene()}).code, ExitCode::BadUsage);
 }
 
