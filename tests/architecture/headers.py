@@ -22,6 +22,8 @@ def faults_of(header, options):
 
 
 def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
     options = options_of(pathlib.Path(sys.argv[1]))
     headers = sys.argv[2:] or own_files(ROOT, "engine", "game", suffixes=(".h",))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:

@@ -83,6 +83,8 @@ def main():
     if shutil.which(PROGRAM) is None:
         print(f"not checked: {PROGRAM} is not installed (cmake/packages.txt names it)")
         return SKIPPED
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
     build = pathlib.Path(sys.argv[1])
     if "--all" in sys.argv[2:]:
         names = own_files(ROOT, *FOLDERS, suffixes=(".cpp",))
