@@ -95,10 +95,10 @@ bool has_points(const Pair& pair) {
                                [](const Manifold& manifold) { return !manifold.points.empty(); });
 }
 
-/// Of others the manifolds stay the same from step to step.
+/// Pieces of compounds and faces of meshes get manifolds as they touch; two convex bodies keep theirs.
 bool has_parts(const Pair& pair) {
-    return pair.a->rigid->getCollisionShape()->isCompound() ||
-           pair.b->rigid->getCollisionShape()->isCompound();
+    return !pair.a->rigid->getCollisionShape()->isConvex() ||
+           !pair.b->rigid->getCollisionShape()->isConvex();
 }
 
 void drop_unreachable(btPersistentManifold& from,
