@@ -2,6 +2,7 @@
 
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/shape/primitive_shape.h"
+#include "engine/physics/world/body_record.h"
 
 #include <algorithm>
 #include <cmath>
