@@ -129,7 +129,8 @@ private:
 
     /// Where the outline begins and ends at the centres of each row, `reach_px` within its edge.
     void find_spans(const Outline& outline, const PixelSpan& rows, float reach_px) {
-        spans_.assign(static_cast<std::size_t>(rows.last - rows.first + 1), {});
+        const int count = rows.last - rows.first + 1;
+        spans_.assign(static_cast<std::size_t>(count), {});
         for_each_silhouette_edge(outline, [&](const Vec2f& low, const Vec2f& high) {
             if (high.y - low.y < 1e-5F) return;
             const PixelSpan crossed = centers_within(low.y, high.y, height_);
