@@ -22,17 +22,6 @@ Instance instance_of(const DrawItem& item) {
     return {.row_x = rows[0], .row_y = rows[1], .row_z = rows[2], .tint = Vec4f{item.tint, 1.0F}};
 }
 
-/// The material of one part; {} where the item brings too few.
-assets::MaterialId material_of(const VisibleItem& member, const assets::SubMesh& part) {
-    return part.material < member.materials.size() ? member.materials[part.material]
-                                                   : assets::MaterialId{};
-}
-
-const assets::MaterialData& look_of(const assets::AssetLibrary& library, assets::MaterialId id) {
-    static const assets::MaterialData plain{};
-    return id.value == 0 ? plain : library.material(id);
-}
-
 /// Fills what a draw of one part needs beyond its instances.
 void set_part(DrawRun& run, const assets::SubMesh& part, const assets::MaterialData& look) {
     run.first_index = part.first_index;
@@ -178,6 +167,16 @@ void build_one_by_one(const std::vector<VisibleItem>& visible,
 }
 
 }  // namespace
+
+assets::MaterialId material_of(const VisibleItem& member, const assets::SubMesh& part) {
+    return part.material < member.materials.size() ? member.materials[part.material]
+                                                   : assets::MaterialId{};
+}
+
+const assets::MaterialData& look_of(const assets::AssetLibrary& library, assets::MaterialId id) {
+    static const assets::MaterialData plain{};
+    return id.value == 0 ? plain : library.material(id);
+}
 
 bool mixes_colors(const RenderFrame& frame, const assets::AssetLibrary& library) {
     const bool has_stars = frame.sky && frame.sky->model;

@@ -57,6 +57,11 @@ struct VisibleItem {
     bool in_beam{false};     ///< the flashlight may reach it
 };
 
+/// The material of one part; {} where the item brings too few.
+assets::MaterialId material_of(const VisibleItem& member, const assets::SubMesh& part);
+/// The material's data; plain for {}.
+const assets::MaterialData& look_of(const assets::AssetLibrary& library, assets::MaterialId id);
+
 /// From where things are looked at, and how closely.
 struct CullView {
     Frustum frustum;

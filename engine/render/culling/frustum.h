@@ -13,6 +13,12 @@ namespace plumbline::render {
 /// kept in vain.
 bool may_touch(std::span<const Vec4f> planes_world, const Aabb& box_world);
 
+/// Whether the lines of sight are parallel: all has the same size in the image, however far.
+inline bool is_parallel(const Mat4f& clip_from_world) {
+    return Vec3f{clip_from_world[0][3], clip_from_world[1][3], clip_from_world[2][3]} ==
+           Vec3f{0.0F};
+}
+
 /// Six planes, inside positive. Taken from a matrix whose clip volume is OpenGL's (-w to w).
 class Frustum {
 public:

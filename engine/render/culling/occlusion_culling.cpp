@@ -1,5 +1,7 @@
 #include "engine/render/culling/occlusion_culling.h"
 
+#include "engine/render/culling/frustum.h"
+
 #include <glm/gtc/matrix_access.hpp>
 
 #include <algorithm>
@@ -154,10 +156,6 @@ private:
     std::vector<Span> spans_;  ///< of one outline
 };
 
-bool is_parallel(const Mat4f& clip_from_world) {
-    return glm::row(clip_from_world, 3) == Vec4f{0.0F, 0.0F, 0.0F, 1.0F};
-}
-
 /// Takes a point into the rectangle and the range of depths, and gives its place in the image.
 Vec2f include(Outline& outline, const Vec4f& clip, const OcclusionView& view) {
     const bool parallel = is_parallel(view.clip_from_world);
@@ -233,10 +231,7 @@ Outline shadow_outline(const VisibleItem& caster,
 
 bool is_opaque(const VisibleItem& item, const assets::AssetLibrary& library, Emitters emitters) {
     return std::ranges::all_of(item.parts, [&](const assets::SubMesh& part) {
-        if (part.material >= item.materials.size()) return true;
-        const assets::MaterialId id = item.materials[part.material];
-        if (id.value == 0) return true;
-        const assets::MaterialData& look = library.material(id);
+        const assets::MaterialData& look = look_of(library, material_of(item, part));
         if (emitters == Emitters::LetThrough && look.emissive != Vec3f{0.0F}) return false;
         return look.alpha_mode == assets::AlphaMode::Opaque;
     });

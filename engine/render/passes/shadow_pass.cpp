@@ -50,11 +50,6 @@ bool is_static(const VisibleItem& caster) {
     return caster.item->is_static;
 }
 
-bool is_parallel(const Mat4f& clip_from_world) {
-    const Vec3f depth{clip_from_world[0][3], clip_from_world[1][3], clip_from_world[2][3]};
-    return depth == Vec3f{0.0F};
-}
-
 /// In steps of a float from a half to one: 3e-5 of the light's range.
 constexpr float kBias_units = 512.0F;
 
