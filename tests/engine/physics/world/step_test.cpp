@@ -1,6 +1,10 @@
 // One fixed step: the same bits from the same calls, and who is taken out.
 #include "tests/engine/physics/test_world.h"
 
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <csignal>
 #include <limits>
 
 namespace plumbline::physics {
@@ -158,6 +162,51 @@ TEST(Quarantine, AbsurdForcesAreLimitedNotFatal) {
     test.world.step();
     EXPECT_LE(glm::length(test.velocity(pebble)), 1e4 * 1.001);
     EXPECT_TRUE(test.world.quarantined().empty());
+}
+
+/// While one lives, the thread is held up for 3 ms after every millisecond.
+class Interruptions {
+public:
+    Interruptions() {
+        std::signal(SIGALRM, [](int) {
+            usleep(3000);
+            come_after(1000);
+        });
+        come_after(1000);
+    }
+    Interruptions(const Interruptions&) = delete;
+    Interruptions& operator=(const Interruptions&) = delete;
+    ~Interruptions() {
+        std::signal(SIGALRM, SIG_IGN);
+        come_after(0);
+        std::signal(SIGALRM, SIG_DFL);
+    }
+
+private:
+    /// 0: never.
+    static void come_after(suseconds_t wait_us) {
+        const itimerval timer{.it_interval = {0, 0}, .it_value = {0, wait_us}};
+        setitimer(ITIMER_REAL, &timer, nullptr);
+    }
+};
+
+TEST(StepCost, CountsNothingThatOthersTook) {
+    for (const Solver solver : {Solver::SmallStep, Solver::BulletSi}) {
+        TestWorld test({.solver = solver});
+        test.ground();
+        heap(test, 60);
+        test.run(1.0);
+        const Interruptions interruptions;
+        for (int i = 0; i < 50; ++i) {
+            test.world.step();
+            const StepCost& cost = test.world.cost();
+            const FeatureUse& use = test.world.feature_use();
+            const double phases_ms = cost.broad_ms + cost.narrow_ms + cost.solve_ms +
+                                     cost.integrate_ms + use.sweep_ms + use.gyro_ms + use.events_ms;
+            EXPECT_GT(phases_ms, 0.0);
+            EXPECT_LE(phases_ms, cost.total_ms * (1 + 1e-9));
+        }
+    }
 }
 
 }  // namespace
