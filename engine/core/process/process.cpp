@@ -236,6 +236,9 @@ Result<ChildOutput> output_of(const ChildDef& def,
 
 void end_with_parent() {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // One that ended before that sends no signal, but its end of our output's pipe is closed.
+    pollfd output{STDOUT_FILENO, 0, 0};
+    if (poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0) raise(SIGKILL);
 }
 
 AnswerPipe::AnswerPipe() : file_(dup(STDOUT_FILENO)) {

@@ -80,7 +80,8 @@ Result<ChildOutput> output_of(const ChildDef& def,
                               std::size_t max_bytes,
                               double limit_s);
 
-/// From now on this process is killed when the one that started it ends.
+/// From now on this process is killed when the one that started it, and reads its output, ends; at
+/// once if it has ended.
 void end_with_parent();
 
 /// Of a process that answers the one that started it: takes the standard output over, and what else

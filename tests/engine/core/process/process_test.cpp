@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -163,6 +164,30 @@ TEST(ChildProcess, DoesNotOutliveItsOwner) {
     }
     EXPECT_EQ(::kill(pid, 0), -1);
     EXPECT_EQ(errno, ESRCH);
+}
+
+/// How a process ended that ends with its parent and writes to `output`.
+int end_of_one_that_writes_to(int output) {
+    const pid_t pid = fork();
+    if (pid == 0) {
+        dup2(output, STDOUT_FILENO);
+        end_with_parent();
+        _exit(3);
+    }
+    int how = 0;
+    EXPECT_EQ(waitpid(pid, &how, 0), pid);
+    return how;
+}
+
+TEST(EndWithParent, IsAtOnceWhereTheParentWasQuicker) {
+    std::array<int, 2> pipe_ends{};
+    ASSERT_EQ(pipe(pipe_ends.data()), 0);
+    const int heard = end_of_one_that_writes_to(pipe_ends[1]);
+    EXPECT_TRUE(WIFEXITED(heard) && WEXITSTATUS(heard) == 3);
+    close(pipe_ends[0]);
+    const int unheard = end_of_one_that_writes_to(pipe_ends[1]);
+    EXPECT_TRUE(WIFSIGNALED(unheard) && WTERMSIG(unheard) == SIGKILL);
+    close(pipe_ends[1]);
 }
 
 }  // namespace
