@@ -11,6 +11,20 @@ from support import Program, expect, home, settings_in, virtual_screen
 program_file = sys.argv[1]
 
 
+def is_running(process_id):
+    """What has ended, but was not yet waited for, does not run."""
+    try:
+        state = pathlib.Path(f"/proc/{process_id}/stat").read_text().rpartition(")")[2].split()[0]
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+    return state != "Z"
+
+
+def finished(folder):
+    """Files that say which workers came to their end; those half written have a dot in front."""
+    return list((folder / "cache/plumbline/shaders").glob("[!.]*"))
+
+
 def workers_of(game):
     """Process ids of the children that compile."""
     found = []
@@ -48,7 +62,7 @@ def a_worker_says_that_it_is_done(folder, environment):
 def it_runs_once_for_a_scene(folder, environment):
     game = play("falling_cube", folder, environment, "first")
     try:
-        until(lambda: list((folder / "cache/plumbline/shaders").glob("*")), "no worker ended", game, 240)
+        until(lambda: finished(folder), "no worker ended", game, 240)
     finally:
         game.stop()
     game = play("falling_cube", folder, environment, "second")
@@ -67,9 +81,9 @@ def it_ends_with_the_window(folder, environment):
             game.process.send_signal(how)
             game.wait(20)
             end_s = time.monotonic() + 10
-            while pathlib.Path(f"/proc/{worker}").exists() and time.monotonic() < end_s:
+            while is_running(worker) and time.monotonic() < end_s:
                 time.sleep(0.05)
-            expect(not pathlib.Path(f"/proc/{worker}").exists(), f"after {how} the worker still runs")
+            expect(not is_running(worker), f"after {how} the worker still runs")
         finally:
             game.stop()
 
