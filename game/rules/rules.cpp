@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace plumbline::game {
 
@@ -247,7 +248,8 @@ scene::ViewPoint PlaygroundGame::view(const scene::Simulation&,
     const Pose camera = looking(eye_m(blend, orientation), orientation);
     return {.world_from_camera = camera,
             .world_from_hand = hand_of(camera),
-            .fov_y_rad = glm::mix(previous_fov_rad_, fov_rad_, blend),
+            // To the bit the same where it stays: shadow maps are drawn anew for another one.
+            .fov_y_rad = std::lerp(previous_fov_rad_, fov_rad_, blend),
             .velocity_mps = viewer_velocity_mps(),
             .has_player = mode_ == MoveMode::Walk,
             .blend = blend};

@@ -218,6 +218,21 @@ TEST(Rules, TurnsByKeysAndZoomsByTheWheelWhileWalking) {
                 1e-4);
 }
 
+TEST(Rules, AFieldOfViewThatStaysIsTheSameToTheBitBetweenSteps) {
+    Playground play;
+    for (int zoom = 0; zoom < 5; ++zoom) {
+        const auto fov_rad = [&play](Real blend) {
+            return play.game->view(*play.simulation, blend, 0.0F, 0.0F).fov_y_rad;
+        };
+        for (int i = 0; i <= 1000; ++i)
+            EXPECT_EQ(fov_rad(static_cast<Real>(i) / 1000), fov_rad(1)) << zoom << ' ' << i;
+        const Real before_rad = fov_rad(1);
+        play.step(press({Action::ZoomIn}));
+        EXPECT_LT(fov_rad(1), before_rad);
+        play.step({});
+    }
+}
+
 TEST(Rules, AViewWithoutAPlayerStartsAtTheCamera) {
     scene::SceneDescription scene = meadow();
     scene.player.reset();
