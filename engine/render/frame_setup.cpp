@@ -297,6 +297,7 @@ void Renderer::Impl::set_up_light() {
         sun_views.push_back({.clip_from_world = fit.clip_from_world,
                              .eye_world = frame->camera.position_world - direction * 1e4F,
                              .size_px = size_px,
+                             .bias_units = kShadowBias_units / kSunMapDepth,
                              .error_m = is_coarse ? 0.5F * fit.texel_m : 0.0F});
     }
     // Unused ends lie beyond all: nothing is in a cascade that there is not.
@@ -305,7 +306,7 @@ void Renderer::Impl::set_up_light() {
     }
     if (quality.contact_hardening != Drawn::Never && shadow.angular_size_rad > 0.0F) {
         features |= feature::kContactHardening;
-        block.cascade_ends.w = std::tan(0.5F * shadow.angular_size_rad);
+        block.cascade_ends.w = kSunMapDepth * std::tan(0.5F * shadow.angular_size_rad);
     }
     // Filters and the way off the surface are a few texels; what the wind bends leaves its bounds.
     const bool is_sharp = (features & feature::kContactHardening) == 0;
@@ -315,7 +316,7 @@ void Renderer::Impl::set_up_light() {
     block.to_sun_world.w = 1.0F / distance_m;
     block.sun_radiance.w = 1.0F / static_cast<float>(size_px);
     block.clusters.z = 1.0F / static_cast<float>(count);
-    block.clusters.w = 1.5F / static_cast<float>(size_px);
+    block.clusters.w = 1.5F / (kSunMapDepth * static_cast<float>(size_px));
 }
 
 void Renderer::Impl::set_up_flashlight(const Flashlight& flashlight) {

@@ -40,7 +40,8 @@ struct FrameBlock {
     /// Of each wave of gusts: xy: its number along x and z, rad/m; z: phase now, rad; w: its speed over
     /// the length of its number.
     std::array<Vec4f, kGustWaves> gusts{};
-    /// Eye distance at which each but the last ends, m; w: tangent of half the sun's angular size.
+    /// Eye distance at which each but the last ends, m; w: tangent of half the sun's angular size, times
+    /// how much deeper than wide its map is.
     Vec4f cascade_ends{0.0F};
     /// From the first cascade's texture coordinates to each one's: xyz: offset; w: scale.
     std::array<Vec4f, kMaxCascades> cascades{};

@@ -47,12 +47,11 @@ const int kDiscTaps = 16;
 const mat2 kGoldenTurn = mat2(-0.737369, 0.675490, -0.675490, -0.737369);
 
 // The share of the sun's disc that is seen: as wide an edge as the disc at the mean distance of what
-// hides it (R. Fernando, "Percentage-Closer Soft Shadows", 2005). The sun's map is as deep as it is wide:
-// depths and places in it have one unit. `cosine`: of the light with the surface.
+// hides it (R. Fernando, "Percentage-Closer Soft Shadows", 2005). `cosine`: of the light with the surface.
 float disc_shadow(sampler2DShadow map, sampler2D depths, vec3 at, float cosine) {
     float texel = frame.sun_radiance.w;
-    float tangent = frame.cascade_ends.w;
-    float steep = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 0.05), 4.0);
+    float tangent = frame.cascade_ends.w;  // place in the map over depth in it
+    float steep = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 0.05), 4.0) / PL_SUN_MAP_DEPTH;
     float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
     vec2 first = vec2(cos(6.2831853 * noise), sin(6.2831853 * noise));
 #ifdef PL_CASCADES

@@ -52,21 +52,21 @@ SunShadowFit fit_sun_shadow(const ViewShape& view,
     const Ball ball = ball_around_view(view.fov_y_rad, view.aspect, distance_m);
     // A step of an eighth of the width shifts the ball by at most half of that off the centre.
     const float half_m = ball.radius_m * kStepsAcross / (kStepsAcross - 1.0F);
+    const float half_depth_m = half_m * kSunMapDepth;
     const float size = static_cast<float>(size_px);
     const float texel_m = 2.0F * half_m / size;
     const float step_m = std::max(std::floor(size / kStepsAcross), 1.0F) * texel_m;
+    // What is left of the depth beside the ball lets it go on for long before all depths change.
+    const Vec3f steps_m{step_m, step_m, 1.98F * (half_depth_m - ball.radius_m)};
 
     const Mat3f world_from_light = frame_along(-light_direction_world);
     const Mat3f light_from_world = glm::transpose(world_from_light);
     const Vec3f center_world = view.position_world + view.forward_world * ball.along_view_m;
-    const Vec3f center_light = glm::round(light_from_world * center_world / step_m) * step_m;
+    const Vec3f center_light = glm::round(light_from_world * center_world / steps_m) * steps_m;
 
     // x and y to -1…1; z, which points at the light, so that near the light is -1.
-    Mat4f clip_from_light{1.0F};
-    clip_from_light[0][0] = 1.0F / half_m;
-    clip_from_light[1][1] = 1.0F / half_m;
-    clip_from_light[2][2] = -1.0F / half_m;
-    clip_from_light[3] = Vec4f{-center_light.x, -center_light.y, center_light.z, half_m} / half_m;
+    const Vec3f scale = 1.0F / Vec3f{half_m, half_m, -half_depth_m};
+    const Mat4f clip_from_light = glm::translate(glm::scale(Mat4f{1.0F}, scale), -center_light);
     return {.clip_from_world = clip_from_light * Mat4f{light_from_world}, .texel_m = texel_m};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/math.h"
+#include "shaders/shared/limits.h"
 
 #include <cstdint>
 
@@ -19,10 +20,14 @@ struct SunShadowFit {
     float texel_m{0.0F};
 };
 
+/// So many times as deep as wide is the box that a map of the sun shows.
+inline constexpr float kSunMapDepth = PL_SUN_MAP_DEPTH;
+
 /// An orthographic box along the light that covers all points in sight within distance_m of the
 /// camera. Its size depends on fov, aspect, distance and light only; its centre moves in steps of an
-/// eighth of its size, each a whole number of texels. So the map is the same texel for texel while
-/// the camera stays within a step, and shadow edges never crawl.
+/// eighth of its width, each a whole number of texels, and in depth, where there is room, in steps of
+/// its width. So the map is the same texel for texel while the camera stays within a step, the same but
+/// for its place after one to the side, and shadow edges never crawl.
 SunShadowFit fit_sun_shadow(const ViewShape& view,
                             const Vec3f& light_direction_world,
                             float distance_m,

@@ -9,9 +9,35 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace plumbline::render {
 namespace {
+
+void add_caster(Hasher& hasher, const DrawItem& item, const assets::AssetLibrary& library) {
+    hasher.add(&item.mesh, sizeof(item.mesh));
+    // What bends or is read again keeps its id.
+    const auto version = library.mesh(item.mesh).version;
+    hasher.add(&version, sizeof(version));
+    hasher.add(&item.world_from_body, sizeof(item.world_from_body));
+}
+
+/// All that casts and cannot move, in sight or not, but for so many floors that were left out.
+std::uint64_t hash_of_statics(const RenderFrame& frame,
+                              const assets::AssetLibrary& library,
+                              std::size_t bare_floors,
+                              float error_m) {
+    Hasher hasher;
+    hasher.add(&bare_floors, sizeof(bare_floors));
+    hasher.add(&error_m, sizeof(error_m));
+    for (const DrawItem& item : frame.items) {
+        if (!item.is_static || !item.casts_shadow || item.mesh.value == 0) continue;
+        add_caster(hasher, item, library);
+        const std::span<const assets::MaterialId> materials = materials_of(frame, item);
+        hasher.add(materials.data(), materials.size_bytes());
+    }
+    return hasher.digest();
+}
 
 /// The light's volume, on and on towards the light: what stands there casts too.
 Frustum caster_volume(const Mat4f& clip_from_world) {
@@ -35,11 +61,7 @@ std::uint64_t hash_of(const ShadowView& view,
     for (const VisibleItem& caster : casters) {
         const DrawItem& item = *caster.item;
         if (item.is_static != (which == Casters::Static)) continue;
-        hasher.add(&item.mesh, sizeof(item.mesh));
-        // What bends or is read again keeps its id.
-        const auto version = library.mesh(item.mesh).version;
-        hasher.add(&version, sizeof(version));
-        hasher.add(&item.world_from_body, sizeof(item.world_from_body));
+        add_caster(hasher, item, library);
         hasher.add(caster.parts.data(), caster.parts.size_bytes());
         hasher.add(caster.materials.data(), caster.materials.size_bytes());
     }
@@ -49,9 +71,6 @@ std::uint64_t hash_of(const ShadowView& view,
 bool is_static(const VisibleItem& caster) {
     return caster.item->is_static;
 }
-
-/// In steps of a float from a half to one: 3e-5 of the light's range.
-constexpr float kBias_units = 512.0F;
 
 /// Resting bodies may have sunk so far into what they rest on.
 constexpr float kSunk_m = 0.05F;
@@ -112,10 +131,15 @@ void ShadowPass::render(std::span<const ShadowView> views,
                   .eye_world = view.eye_world,
                   .lods = view.error_m > 0.0F ? &resources.meshes.lods() : nullptr,
                   .error_m = view.error_m});
-        std::erase_if(casters, [&](const VisibleItem& caster) {
-            return !caster.item->casts_shadow ||
-                   is_bare_floor(caster, view.clip_from_world, frame, resources.library);
+        std::erase_if(casters,
+                      [](const VisibleItem& caster) { return !caster.item->casts_shadow; });
+        const std::size_t bare_floors = std::erase_if(casters, [&](const VisibleItem& caster) {
+            return is_bare_floor(caster, view.clip_from_world, frame, resources.library);
         });
+        const bool moved =
+            std::exchange(drawn_[i].view, view.clip_from_world) != view.clip_from_world;
+        if (moved && is_parallel(view.clip_from_world))
+            view.statics = hash_of_statics(frame, resources.library, bare_floors, view.error_m);
         view.may_lag = i > 0;
         if (view.may_lag) view.sight = nullptr;
         show(i, view, std::move(casters), resources, stats);
@@ -150,48 +174,9 @@ void ShadowPass::show(std::size_t part,
         draw_on_statics(view, part, std::move(casters), resources, stats);
         return;
     }
-    clear(shown_, part);
+    clear(shown_, part, whole());
     shown.ground = 0;
     draw(view, std::move(casters), resources, stats);
-}
-
-void ShadowPass::draw_on_statics(const ShadowView& view,
-                                 std::size_t part,
-                                 std::vector<VisibleItem> casters,
-                                 SceneResources& resources,
-                                 FrameStats& stats) {
-    const auto first_moving = std::stable_partition(casters.begin(), casters.end(), is_static);
-    std::vector<VisibleItem> moving{first_moving, casters.end()};
-    casters.erase(first_moving, casters.end());
-    Part& shown = drawn_[part];
-    if (shown.in_statics_map != shown.statics) {
-        shown.in_statics_map = shown.statics;
-        clear(statics_, part);
-        draw(view, std::move(casters), resources, stats);
-    }
-    // A copy of a part is cheaper on software GL than to clear it.
-    copy_statics(part, shown.ground == shown.statics ? shown.drawn_over : whole());
-    shown.ground = shown.statics;
-    shown.drawn_over = texels_of(view, moving);
-    aim(shown_, part);
-    draw(view, std::move(moving), resources, stats);
-}
-
-ShadowPass::TexelRect ShadowPass::texels_of(const ShadowView& view,
-                                            std::span<const VisibleItem> casters) const {
-    if (!is_parallel(view.clip_from_world)) return whole();
-    Aabb clip;
-    for (const VisibleItem& caster : casters)
-        clip.include(transformed(caster.bounds_world, view.clip_from_world));
-    if (clip.empty()) return {};
-    const auto size = static_cast<float>(size_px_);
-    const auto texel = [size](float at, float beside) {
-        return static_cast<int>(std::clamp((at * 0.5F + 0.5F) * size + beside, 0.0F, size));
-    };
-    return {texel(clip.min.x, -1.0F),
-            texel(clip.min.y, -1.0F),
-            texel(clip.max.x, 2.0F),
-            texel(clip.max.y, 2.0F)};
 }
 
 ShadowPass::TexelRect ShadowPass::placed(std::size_t part, const TexelRect& rect) const {
@@ -200,37 +185,20 @@ ShadowPass::TexelRect ShadowPass::placed(std::size_t part, const TexelRect& rect
     return {left + rect.left, bottom + rect.bottom, left + rect.right, bottom + rect.top};
 }
 
-void ShadowPass::aim(const Map& map, std::size_t part) const {
+void ShadowPass::aim(const Map& map, std::size_t part, const TexelRect& rect) const {
     glBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer.name());
     const auto size = static_cast<GLsizei>(size_px_);
     const TexelRect place = placed(part, {});
     glViewport(place.left, place.bottom, size, size);
-    glScissor(place.left, place.bottom, size, size);
+    const TexelRect cut = placed(part, rect);
+    glScissor(cut.left, cut.bottom, cut.right - cut.left, cut.top - cut.bottom);
 }
 
-void ShadowPass::clear(const Map& map, std::size_t part) const {
-    aim(map, part);
+void ShadowPass::clear(const Map& map, std::size_t part, const TexelRect& rect) const {
+    aim(map, part, rect);
     glEnable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
-}
-
-void ShadowPass::copy_statics(std::size_t part, const TexelRect& rect) const {
-    const TexelRect at = placed(part, rect);
-    if (at.left == at.right || at.bottom == at.top) return;
-    glDisable(GL_SCISSOR_TEST);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, statics_.framebuffer.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, shown_.framebuffer.name());
-    glBlitFramebuffer(at.left,
-                      at.bottom,
-                      at.right,
-                      at.top,
-                      at.left,
-                      at.bottom,
-                      at.right,
-                      at.top,
-                      GL_DEPTH_BUFFER_BIT,
-                      GL_NEAREST);
 }
 
 void ShadowPass::draw(const ShadowView& view,
@@ -254,7 +222,7 @@ void ShadowPass::draw(const ShadowView& view,
     // Casters between the light and the box keep casting: their depth is clamped, not cut.
     glEnable(GL_DEPTH_CLAMP);
     glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(view.slope_bias, kBias_units);
+    glPolygonOffset(view.slope_bias, view.bias_units);
     instances_.upload(draws_.instances);
     for (const DrawRun& run : draws_.runs) {
         const bool masked = run.material.value != 0;

@@ -1,7 +1,8 @@
 // The shadow map of a light: what it sees, as depth; several cascades lie side by side in one image.
 // Drawn again only when something in sight moved. Where something moves, what cannot is kept in a map of
-// its own, from which the moving things' map starts. Where far cascades show moving things only they may
-// lag: a few frames behind, they are drawn in turns.
+// its own, from which the moving things' map starts; where the light's view goes aside by whole texels, it
+// goes along, and only what comes into it is drawn. Where far cascades show moving things only they may lag:
+// a few frames behind, they are drawn in turns.
 //
 // Does not move with its casters: the light's matrix comes from shadow_fit.
 #pragma once
@@ -12,10 +13,14 @@
 #include "engine/render/passes/scene_resources.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace plumbline::render {
+
+/// In steps of a float from a half to one: 3e-5 of the light's range.
+inline constexpr float kShadowBias_units = 512.0F;
 
 /// How a shadow map is drawn for one frame.
 struct ShadowView {
@@ -23,10 +28,12 @@ struct ShadowView {
     Vec3f eye_world{0.0F};  ///< casters nearest to it are drawn first
     std::uint32_t size_px{1024};
     float slope_bias{1.5F};
-    float error_m{0.0F};    ///< casters may be coarser by so much; 0: full meshes
-    bool from_lamp{false};  ///< what shines does not cast: it is the lamp
-    bool moves{false};      ///< itself: there is no use in keeping what it shows
-    bool may_lag{false};    ///< behind moving things
+    float bias_units{kShadowBias_units};
+    float error_m{0.0F};       ///< casters may be coarser by so much; 0: full meshes
+    bool from_lamp{false};     ///< what shines does not cast: it is the lamp
+    bool moves{false};         ///< itself: there is no use in keeping what it shows
+    bool may_lag{false};       ///< behind moving things
+    std::uint64_t statics{0};  ///< hash of all that cannot move, wherever it is; 0: not known
     /// While things move, those are left out whose shadows it does not see; null: none.
     const ShadowSight* sight{nullptr};
 };
@@ -64,12 +71,20 @@ private:
         int bottom{0};
         int right{0};
         int top{0};
+        bool empty() const { return left >= right || bottom >= top; }
+        bool overlaps(const TexelRect& other) const {
+            return left < other.right && other.left < right && bottom < other.top &&
+                   other.bottom < top;
+        }
     };
     /// What one part shows; hashes.
     struct Part {
+        Mat4f view{0.0F};          ///< the latest, clip from world
         std::uint64_t statics{0};  ///< and the view
         std::uint64_t moving{0};
         std::uint64_t in_statics_map{0};
+        Mat4f statics_view{0.0F};      ///< of what is there
+        std::uint64_t all_statics{0};  ///< the view's then
         int age_frames{0};
         bool is_partial{false};  ///< without casters whose shadows nobody saw
         std::uint64_t ground{
@@ -85,9 +100,21 @@ private:
     TexelRect texels_of(const ShadowView& view, std::span<const VisibleItem> casters) const;
     /// Relative to the whole map.
     TexelRect placed(std::size_t part, const TexelRect& rect) const;
-    void aim(const Map& map, std::size_t part) const;
-    void clear(const Map& map, std::size_t part) const;
-    void copy_statics(std::size_t part, const TexelRect& rect) const;
+    /// At the part, of which no more than `rect` is drawn on.
+    void aim(const Map& map, std::size_t part, const TexelRect& rect) const;
+    void clear(const Map& map, std::size_t part, const TexelRect& rect) const;
+    /// Rectangles of one size in the whole maps.
+    static void copy(const Map& from, const TexelRect& rect, const Map& to, const TexelRect& into);
+    /// Texels by which what the statics' map holds has gone aside in this view; none: it holds nothing
+    /// that this one can use.
+    std::optional<glm::ivec2> shift_of(std::size_t part, const ShadowView& view) const;
+    /// What cannot move, into both maps.
+    void shift_statics(const ShadowView& view,
+                       std::size_t part,
+                       glm::ivec2 shift,
+                       std::span<const VisibleItem> casters,
+                       SceneResources& resources,
+                       FrameStats& stats);
     void draw_on_statics(const ShadowView& view,
                          std::size_t part,
                          std::vector<VisibleItem> casters,

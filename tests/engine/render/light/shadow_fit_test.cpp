@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace plumbline::render {
 namespace {
@@ -103,6 +104,26 @@ TEST(SunShadowFit, StaysPutWhileTheCameraMovesLittle) {
     }
     EXPECT_GE(moves, 8);
     EXPECT_LE(moves, 40);
+}
+
+TEST(SunShadowFit, DepthsStayWhileTheCameraGoesFar) {
+    // With the light, 60 m off: 1.98 (2 * 8 / 7 - 1) radii are one step.
+    const SunShadowFit first =
+        fit_sun_shadow(view_at(Vec3f{0.0F}, {0.0F, 0.0F, -1.0F}), kSun, kDistance_m, kSize_px);
+    const float radius_m = first.texel_m * static_cast<float>(kSize_px) * 0.5F * 7.0F / 8.0F;
+    const float step_m = 1.98F * (2.0F * 8.0F / 7.0F - 1.0F) * radius_m;
+    std::vector<float> places_m;
+    float before = clip_of(first, Vec3f{0.0F}).z;
+    for (float way_m = 0.0F; way_m < 3.0F * step_m; way_m += 0.1F) {
+        const SunShadowFit fit =
+            fit_sun_shadow(view_at(kSun * way_m, {0.0F, 0.0F, -1.0F}), kSun, kDistance_m, kSize_px);
+        const float z = clip_of(fit, Vec3f{0.0F}).z;
+        if (z != before) places_m.push_back(way_m);
+        before = z;
+    }
+    ASSERT_EQ(places_m.size(), 3U);
+    EXPECT_NEAR(places_m[1] - places_m[0], step_m, 0.2F);
+    EXPECT_NEAR(places_m[2] - places_m[1], step_m, 0.2F);
 }
 
 TEST(SunShadowFit, PutsWhatIsNearerTheLightInFront) {
