@@ -30,16 +30,16 @@ void install_global_callbacks() {
     btAlignedAllocSetCustom(allocate_or_throw, std::free);
     using Object = btCollisionObject;
     gCalculateCombinedFrictionCallback = [](const Object* a, const Object* b) -> btScalar {
-        return material_of(*a, *b).friction;
+        return friction_of(*a, *b);
     };
     gCalculateCombinedRestitutionCallback = [](const Object* a, const Object* b) -> btScalar {
-        return material_of(*a, *b).restitution;
+        return restitution_of(*a, *b);
     };
     gCalculateCombinedRollingFrictionCallback = [](const Object* a, const Object* b) -> btScalar {
-        return material_of(*a, *b).rolling_m;
+        return rolling_m_of(*a, *b);
     };
     gCalculateCombinedSpinningFrictionCallback = [](const Object* a, const Object* b) -> btScalar {
-        return material_of(*a, *b).spinning_m;
+        return spinning_m_of(*a, *b);
     };
 }
 

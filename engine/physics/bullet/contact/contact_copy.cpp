@@ -106,14 +106,6 @@ ManifoldPoint copied(const btManifoldPoint& point) {
     return copy;
 }
 
-PairMaterial material_of(const btCollisionObject& a, const btCollisionObject& b) {
-    // A sphere's own resistance holds on any ground, so one side's coefficient is enough.
-    return {.friction = std::sqrt(a.getFriction() * b.getFriction()),
-            .restitution = std::max(a.getRestitution(), b.getRestitution()),
-            .rolling_m = std::max(a.getRollingFriction(), b.getRollingFriction()),
-            .spinning_m = std::max(a.getSpinningFriction(), b.getSpinningFriction())};
-}
-
 Manifold& sole_manifold(Pair& pair) {
     if (pair.manifolds.empty()) {
         pair.manifolds.push_back(

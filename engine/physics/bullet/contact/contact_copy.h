@@ -7,6 +7,8 @@
 #include "engine/physics/bullet/rigid_body.h"
 #include "engine/physics/collision/pair.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace plumbline::physics {
@@ -45,7 +47,25 @@ void set_feature(const btManifoldPoint& point, std::uint32_t feature);
 /// Says that `point` is `old`, found again.
 void find_again(btManifoldPoint& point, const ManifoldPoint& old);
 
-/// What the materials of the two bodies make.
-PairMaterial material_of(const btCollisionObject& a, const btCollisionObject& b);
+// What the materials of the two bodies make. A sphere's own resistance holds on any ground, so one side's
+// coefficient is enough.
+inline btScalar friction_of(const btCollisionObject& a, const btCollisionObject& b) {
+    return std::sqrt(a.getFriction() * b.getFriction());
+}
+inline btScalar restitution_of(const btCollisionObject& a, const btCollisionObject& b) {
+    return std::max(a.getRestitution(), b.getRestitution());
+}
+inline btScalar rolling_m_of(const btCollisionObject& a, const btCollisionObject& b) {
+    return std::max(a.getRollingFriction(), b.getRollingFriction());
+}
+inline btScalar spinning_m_of(const btCollisionObject& a, const btCollisionObject& b) {
+    return std::max(a.getSpinningFriction(), b.getSpinningFriction());
+}
+inline PairMaterial material_of(const btCollisionObject& a, const btCollisionObject& b) {
+    return {.friction = friction_of(a, b),
+            .restitution = restitution_of(a, b),
+            .rolling_m = rolling_m_of(a, b),
+            .spinning_m = spinning_m_of(a, b)};
+}
 
 }  // namespace plumbline::physics
