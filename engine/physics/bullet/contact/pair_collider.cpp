@@ -178,13 +178,6 @@ void PairCollider::Impl::run_algorithm(BulletPair& pair) {
             dispatcher.findAlgorithm(&first, &second, nullptr, BT_CONTACT_POINT_ALGORITHMS);
     }
     GrownResult result(&first, &second, pair.base_m);
-    // Two spheres are the only shapes that look at nothing else. Compounds must not see it: they
-    // would throw the points of their children away.
-    const auto is_sphere = [](const BodyRecord& body) {
-        return body.traits.primitive.kind == Primitive::Kind::Sphere;
-    };
-    const bool spheres = is_sphere(*pair.a) && is_sphere(*pair.b);
-    result.m_closestPointDistanceThreshold = spheres ? pair.reach_m : btScalar(0);
     pair.algorithm->processCollision(&first, &second, info, &result);
 }
 

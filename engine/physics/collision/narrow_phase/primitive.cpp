@@ -67,16 +67,39 @@ PrimitiveContact points_of_spheres(std::span<const Vec3> centers,
     return contact;
 }
 
+/// A new point each time: what it carries is all that the manifold carries.
+PrimitiveContact point_of_spheres(const PlacedPrimitive& a,
+                                  const PlacedPrimitive& b,
+                                  Real reach_m) {
+    PrimitiveContact contact;
+    const Vec3& center_b = b.world_from_shape.position_m;
+    const Vec3 apart = a.world_from_shape.position_m - center_b;
+    const Real apart_m = glm::length(apart);
+    const Real distance_m = apart_m - (a.shape.radius_m + b.shape.radius_m);
+    if (distance_m > reach_m) return contact;
+    // Spheres with one centre part along x.
+    const bool has_direction = apart_m > std::numeric_limits<Real>::epsilon();
+    const Vec3 normal = has_direction ? apart * (1 / apart_m) : Vec3{1, 0, 0};
+    contact.list[contact.count++] = {normal, center_b + normal * b.shape.radius_m, distance_m};
+    return contact;
+}
+
+bool are_spheres(const Primitive& a, const Primitive& b) {
+    return a.kind == Primitive::Kind::Sphere && b.kind == Primitive::Kind::Sphere;
+}
+
 }  // namespace
 
 bool can_collide(const Primitive& a, const Primitive& b) {
     using enum Primitive::Kind;
-    return a.kind != None && b.kind != None && (a.kind == Box || b.kind == Box);
+    const bool has_box = a.kind == Box || b.kind == Box;
+    return a.kind != None && b.kind != None && (has_box || are_spheres(a, b));
 }
 
 PrimitiveContact collide_primitives(const PlacedPrimitive& a,
                                     const PlacedPrimitive& b,
                                     Real reach_m) {
+    if (are_spheres(a.shape, b.shape)) return point_of_spheres(a, b, reach_m);
     const bool box_is_b = b.shape.kind == Primitive::Kind::Box;
     const PlacedPrimitive& other = box_is_b ? a : b;
     const OrientedBox box = oriented(box_is_b ? b : a);

@@ -40,11 +40,12 @@ struct PrimitiveContact {
     std::span<const PrimitivePoint> points() const { return {list.data(), count}; }
 };
 
-/// Whether collide_primitives() knows the two: a box with a box, a sphere or a capsule.
+/// Whether collide_primitives() knows the two: a box with a box, a sphere or a capsule, or two spheres.
 bool can_collide(const Primitive& a, const Primitive& b);
 
-/// The points nearer than `reach_m`, always in the same order: those of two boxes, or of a box and
-/// spheres along a capsule's axis: its ends and, where an edge or a corner is nearer, between them.
+/// The points nearer than `reach_m`, always in the same order: those of two boxes, the one of two spheres,
+/// or of a box and spheres along a capsule's axis: its ends and, where an edge or a corner is nearer,
+/// between them.
 PrimitiveContact collide_primitives(const PlacedPrimitive& a,
                                     const PlacedPrimitive& b,
                                     Real reach_m);

@@ -26,12 +26,12 @@ void expect_vector_near(const Vec3& found, const Vec3& wanted) {
         << found.x << ' ' << found.y << ' ' << found.z;
 }
 
-TEST(Primitives, EveryPairWithABoxIsKnown) {
+TEST(Primitives, EveryPairWithABoxIsKnownAndThatOfSpheres) {
     for (const Primitive* other : {&kCube, &kMarble, &kRod}) {
         EXPECT_TRUE(can_collide(kCube, *other));
         EXPECT_TRUE(can_collide(*other, kCube));
     }
-    EXPECT_FALSE(can_collide(kMarble, kMarble));
+    EXPECT_TRUE(can_collide(kMarble, kMarble));
     EXPECT_FALSE(can_collide(kRod, kMarble));
     EXPECT_FALSE(can_collide(kCube, {}));
     EXPECT_FALSE(can_collide({}, kCube));
@@ -67,6 +67,31 @@ TEST(Primitives, ASphereHasOnePointWhicheverComesFirst) {
     expect_vector_near(second.list[0].normal, {0, -1, 0});
     expect_vector_near(second.list[0].on_b, {1.1_r, 0.45_r, 0.2_r});
     EXPECT_EQ(second.list[0].distance_m, first.list[0].distance_m);
+}
+
+TEST(Primitives, TwoSpheresHaveAPointOnTheLineOfTheirCentres) {
+    const Primitive ball{.kind = Kind::Sphere, .radius_m = 0.75_r};
+    const Transform low = placed_at({1, 2, 3}, 0.3_r);
+    // 3-4-5: the centres are 1.25 m apart, the surfaces a quarter.
+    const Transform high = placed_at({1.75_r, 3, 3}, 1.1_r);
+    const auto first = collide_primitives({kMarble, high}, {ball, low}, 0.251_r);
+    ASSERT_EQ(first.points().size(), 1U);
+    expect_vector_near(first.list[0].normal, {0.6_r, 0.8_r, 0});
+    expect_vector_near(first.list[0].on_b, {1.45_r, 2.6_r, 3});
+    EXPECT_NEAR(first.list[0].distance_m, 0.25_r, 4 * kPrimitiveNear);
+    const auto second = collide_primitives({ball, low}, {kMarble, high}, 0.251_r);
+    expect_vector_near(second.list[0].normal, {-0.6_r, -0.8_r, 0});
+    expect_vector_near(second.list[0].on_b, {1.6_r, 2.8_r, 3});
+    EXPECT_TRUE(collide_primitives({kMarble, high}, {ball, low}, 0.249_r).points().empty());
+}
+
+TEST(Primitives, SpheresWithOneCentrePartAlongX) {
+    const Transform there = placed_at({1, 2, 3});
+    const auto found = collide_primitives({kMarble, there}, {kMarble, there}, 0);
+    ASSERT_EQ(found.points().size(), 1U);
+    expect_vector_near(found.list[0].normal, {1, 0, 0});
+    expect_vector_near(found.list[0].on_b, {1.25_r, 2, 3});
+    EXPECT_NEAR(found.list[0].distance_m, -0.5_r, kPrimitiveNear);
 }
 
 TEST(Primitives, ALyingCapsuleHasAPointUnderEachEnd) {
