@@ -5,6 +5,7 @@
 #include <atomic>
 #include <csignal>
 #include <initializer_list>
+#include <string_view>
 
 namespace plumbline {
 namespace {
@@ -13,8 +14,21 @@ namespace {
 std::atomic<bool> signal_seen{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+std::atomic<int> unheeding_works{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+
+constexpr unsigned kGrace_s = 1;
+constexpr std::string_view kCutOff = "plumbline: ended within a step that took too long\n";
+
 extern "C" void note_signal(int) {
     if (signal_seen.exchange(true)) _exit(130);
+    alarm(kGrace_s);
+}
+
+extern "C" void cut_off(int) {
+    if (unheeding_works == 0) return;
+    [[maybe_unused]] const ssize_t told = write(STDERR_FILENO, kCutOff.data(), kCutOff.size());
+    _exit(130);
 }
 
 }  // namespace
@@ -23,7 +37,18 @@ void catch_interrupts() {
     struct sigaction action {};
     action.sa_handler = note_signal;
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
+    action.sa_handler = cut_off;
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGALRM, &action, nullptr);
     std::signal(SIGPIPE, SIG_IGN);
+}
+
+UnheedingWork::UnheedingWork() {
+    ++unheeding_works;
+}
+
+UnheedingWork::~UnheedingWork() {
+    --unheeding_works;
 }
 
 bool interrupted() {

@@ -8,4 +8,15 @@ namespace plumbline {
 void catch_interrupts();
 bool interrupted();
 
+/// Work in which nobody looks at the flag, as a step of physics is. If it still lasts a second after the
+/// signal, the program is ended there, with exit code 130 and a line on the standard error output: files are
+/// written whole or not at all, so none is left half written.
+class UnheedingWork {
+public:
+    UnheedingWork();
+    UnheedingWork(const UnheedingWork&) = delete;
+    UnheedingWork& operator=(const UnheedingWork&) = delete;
+    ~UnheedingWork();
+};
+
 }  // namespace plumbline

@@ -2,6 +2,7 @@
 
 #include "engine/core/hash.h"
 #include "engine/core/limits.h"
+#include "engine/core/process/interrupt.h"
 #include "engine/scene/build/entity_builder.h"
 #include "engine/scene/environment/sun_path.h"
 #include "engine/scene/simulation/entity_lookup.h"
@@ -83,7 +84,10 @@ void Simulation::step() {
     }
     move_along_paths();
     play_models();
-    physics.step();
+    {
+        const UnheedingWork work;
+        physics.step();
+    }
     ++clock_.steps;
     if (switches.sun_rotation_radps != 0.0F) {
         const float angle = switches.sun_rotation_radps * static_cast<float>(clock_.step_s);

@@ -1,5 +1,7 @@
 #include "engine/core/process/interrupt.h"
 
+#include "engine/core/time/stopwatch.h"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -34,6 +36,29 @@ TEST(InterruptDeathTest, TheSecondSignalEndsTheProgram) {
         },
         testing::ExitedWithCode(130),
         "");
+}
+
+[[noreturn]] void work_on(double seconds, bool heeding) {
+    catch_interrupts();
+    std::raise(SIGTERM);
+    const double end_s = wall_s() + seconds;
+    if (heeding) {
+        while (wall_s() < end_s) {
+        }
+        std::_Exit(interrupted() ? 7 : 1);
+    }
+    const UnheedingWork work;
+    while (wall_s() < end_s) {
+    }
+    std::_Exit(1);
+}
+
+TEST(InterruptDeathTest, WorkThatDoesNotLookIsCutOffAfterASecond) {
+    EXPECT_EXIT(work_on(60, false), testing::ExitedWithCode(130), "ended within a step");
+}
+
+TEST(InterruptDeathTest, WorkThatLooksMayTakeItsTime) {
+    EXPECT_EXIT(work_on(1.5, true), testing::ExitedWithCode(7), "");
 }
 
 /// 7 when writing into a pipe that nobody reads fails, and nothing else happens.
