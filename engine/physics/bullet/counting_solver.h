@@ -26,11 +26,11 @@ protected:
     }
 
     std::uint64_t rows() const {
-        return static_cast<std::uint64_t>(
-            this->m_tmpSolverContactConstraintPool.size() +
-            this->m_tmpSolverContactFrictionConstraintPool.size() +
-            this->m_tmpSolverContactRollingFrictionConstraintPool.size() +
-            this->m_tmpSolverNonContactConstraintPool.size());
+        const auto count = [](const auto& pool) { return static_cast<std::uint64_t>(pool.size()); };
+        return count(this->m_tmpSolverContactConstraintPool) +
+               count(this->m_tmpSolverContactFrictionConstraintPool) +
+               count(this->m_tmpSolverContactRollingFrictionConstraintPool) +
+               count(this->m_tmpSolverNonContactConstraintPool);
     }
 
     StepCost& cost_;
@@ -43,6 +43,7 @@ public:
     using CountingBase<Base>::CountingBase;
 
 protected:
+    // NOLINTNEXTLINE(readability-function-size): Bullet's parameters
     btScalar solveSingleIteration(int iteration,
                                   btCollisionObject** bodies,
                                   int body_count,
@@ -72,6 +73,7 @@ public:
         : CountingBase(cost, inner), sweeps_(static_cast<std::uint64_t>(sweeps)) {}
 
 protected:
+    // NOLINTNEXTLINE(readability-function-size): Bullet's parameters
     btScalar solveGroupCacheFriendlyIterations(btCollisionObject** bodies,
                                                int body_count,
                                                btPersistentManifold** manifolds,

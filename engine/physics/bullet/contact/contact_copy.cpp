@@ -90,8 +90,8 @@ void copy_point(const btManifoldPoint& from, ManifoldPoint& to) {
 
 }  // namespace
 
-// Bullet keeps the number where users may keep a pointer.
 void set_feature(const btManifoldPoint& point, std::uint32_t feature) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): a number where Bullet's users may keep a pointer
     point.m_userPersistentData = reinterpret_cast<void*>(static_cast<std::uintptr_t>(feature));
 }
 
