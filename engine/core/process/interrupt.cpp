@@ -1,5 +1,7 @@
 #include "engine/core/process/interrupt.h"
 
+#include "engine/core/process/exit_code.h"
+
 #include <unistd.h>
 
 #include <atomic>
@@ -17,18 +19,19 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 std::atomic<int> unheeding_works{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
+constexpr int kExitCode = static_cast<int>(ExitCode::Interrupted);
 constexpr unsigned kGrace_s = 1;
 constexpr std::string_view kCutOff = "plumbline: ended within a step that took too long\n";
 
 extern "C" void note_signal(int) {
-    if (signal_seen.exchange(true)) _exit(130);
+    if (signal_seen.exchange(true)) _exit(kExitCode);
     alarm(kGrace_s);
 }
 
 extern "C" void cut_off(int) {
     if (unheeding_works == 0) return;
     [[maybe_unused]] const ssize_t told = write(STDERR_FILENO, kCutOff.data(), kCutOff.size());
-    _exit(130);
+    _exit(kExitCode);
 }
 
 }  // namespace
