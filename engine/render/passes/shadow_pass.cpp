@@ -136,9 +136,7 @@ void ShadowPass::render(std::span<const ShadowView> views,
         const std::size_t bare_floors = std::erase_if(casters, [&](const VisibleItem& caster) {
             return is_bare_floor(caster, view.clip_from_world, frame, resources.library);
         });
-        const bool moved =
-            std::exchange(drawn_[i].view, view.clip_from_world) != view.clip_from_world;
-        if (moved && is_parallel(view.clip_from_world))
+        if (view.clip_from_world != drawn_[i].view && is_parallel(view.clip_from_world))
             view.statics = hash_of_statics(frame, resources.library, bare_floors, view.error_m);
         view.may_lag = i > 0;
         if (view.may_lag) view.sight = nullptr;
@@ -172,11 +170,12 @@ void ShadowPass::show(std::size_t part,
     shown.is_partial = casters.size() < all;
     if (statics_.depth && !view.moves) {
         draw_on_statics(view, part, std::move(casters), resources, stats);
-        return;
+    } else {
+        clear(shown_, part, whole());
+        shown.ground = 0;
+        draw(view, std::move(casters), resources, stats);
     }
-    clear(shown_, part, whole());
-    shown.ground = 0;
-    draw(view, std::move(casters), resources, stats);
+    shown.view = view.clip_from_world;
 }
 
 ShadowPass::TexelRect ShadowPass::placed(std::size_t part, const TexelRect& rect) const {

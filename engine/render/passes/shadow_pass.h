@@ -79,12 +79,11 @@ private:
     };
     /// What one part shows; hashes.
     struct Part {
-        Mat4f view{0.0F};          ///< the latest, clip from world
+        Mat4f view{0.0F};          ///< in which it is drawn: clip from world
         std::uint64_t statics{0};  ///< and the view
         std::uint64_t moving{0};
         std::uint64_t in_statics_map{0};
-        Mat4f statics_view{0.0F};      ///< of what is there
-        std::uint64_t all_statics{0};  ///< the view's then
+        std::uint64_t all_statics{0};  ///< the view's when that was drawn
         int age_frames{0};
         bool is_partial{false};  ///< without casters whose shadows nobody saw
         std::uint64_t ground{

@@ -38,7 +38,6 @@ void ShadowPass::draw_on_statics(const ShadowView& view,
             draw(view, std::move(casters), resources, stats);
         }
         shown.in_statics_map = shown.statics;
-        shown.statics_view = view.clip_from_world;
         shown.all_statics = view.statics;
     }
     // A copy of a part is cheaper on software GL than to clear it.
@@ -54,7 +53,7 @@ std::optional<glm::ivec2> ShadowPass::shift_of(std::size_t part, const ShadowVie
     const Part& held = drawn_[part];
     if (view.statics == 0 || view.statics != held.all_statics) return {};
     const Mat4f& now = view.clip_from_world;
-    const Mat4f& before = held.statics_view;
+    const Mat4f& before = held.view;
     if (!is_parallel(now) || Mat3f{now} != Mat3f{before} || now[3].z != before[3].z) return {};
     const auto size = static_cast<float>(size_px_);
     const Vec2f moved_px = Vec2f{now[3] - before[3]} * (0.5F * size);
