@@ -59,10 +59,21 @@ def rendered(scene, hour, folder, environment):
 def played(scene, hour, folder, environment):
     game = Program([program_file, "play", scene, "--hour", str(hour), "--size", "320x180", "--no-sound"], environment,
                    folder / f"{hour}.txt")
+    shots = folder / "data/plumbline/shots"
+    rows, light, since_s = None, [0.0], 0.0
+
+    def stays():
+        """Shaders that nobody has compiled yet come one a frame, however long one takes."""
+        nonlocal rows, light, since_s
+        rows = read_png(game.screenshot(shots))
+        before, light = light, mean(rows, 0.4, 0.6, 0.55, 0.75)
+        if abs(light[0] - before[0]) > 1:
+            since_s = time.monotonic()
+        return time.monotonic() - since_s > 3
     try:
-        game.ready(folder / "data/plumbline/shots")
-        time.sleep(1.5)  # shaders that nobody has compiled yet come one a frame
-        return read_png(game.screenshot(folder / "data/plumbline/shots"))
+        game.ready(shots)
+        game.until(stays, "it does not come to rest")
+        return rows
     finally:
         game.stop()
 
