@@ -15,6 +15,7 @@
 #include "engine/physics/joint.h"
 #include "engine/physics/query.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -37,6 +38,11 @@ enum class Solver : std::uint8_t {
     BulletDantzig,
     BulletPgs,
 };
+inline constexpr std::array kSolvers{Solver::SmallStep,
+                                     Solver::BulletSi,
+                                     Solver::BulletNncg,
+                                     Solver::BulletDantzig,
+                                     Solver::BulletPgs};
 
 std::string_view solver_name(Solver solver);  ///< "bullet_si"
 std::optional<Solver> solver_from_name(std::string_view name);
@@ -63,11 +69,11 @@ struct WorldFeatures {
     bool contact_events{true};
 };
 
-/// small_step: in a crowd so many dynamic bodies are near a dynamic one. Spheres of one size touch 12.
+/// In a crowd so many dynamic bodies are near a dynamic one. Spheres of one size touch 12.
 inline constexpr std::uint32_t kNearestPairs = 100;
 
 /// What the latest step did to motion beside solving for it. small_step only, but for the speed
-/// limit.
+/// limit, crowds and islands too large for a matrix.
 struct Interventions {
     double braked_J{0};               ///< that the energy guard took out
     std::uint32_t braked_islands{0};  ///< from so many islands
@@ -77,6 +83,7 @@ struct Interventions {
     std::uint32_t restored_islands{0};    ///< without a sane state: stand as before the step
     std::uint32_t limited_bodies{0};      ///< at the speed limit of the world
     std::uint32_t impacts{0};             ///< contacts that bounced
+    std::uint32_t oversized_islands{0};   ///< bullet_dantzig and bullet_pgs: swept, as by bullet_si
     std::uint64_t left_out_pairs{0};      ///< of crowded bodies, for others that were nearer
 
     void add(const Interventions& more);

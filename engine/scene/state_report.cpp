@@ -139,6 +139,7 @@ std::string interventions_text(const physics::Interventions& done) {
     add(done.limited_bodies, "at the speed limit");
     add(done.unresolved_islands, "islands with joints too fast");
     add(done.restored_islands, "islands rolled back");
+    add(done.oversized_islands, "islands too large for a matrix");
     add(done.left_out_pairs, "pairs of crowds left out");
     return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -200,6 +201,7 @@ std::string interventions_json(const physics::Interventions& done) {
     json.key("restored_islands").number(done.restored_islands);
     json.key("limited_bodies").number(done.limited_bodies);
     json.key("impacts").number(done.impacts);
+    json.key("oversized_islands").number(done.oversized_islands);
     json.key("left_out_pairs").number(done.left_out_pairs);
     return json.end_object().str();
 }

@@ -9,11 +9,6 @@ namespace {
 
 using physics::Solver;
 
-constexpr std::array<Solver, 5> kSolvers{Solver::SmallStep,
-                                         Solver::BulletSi,
-                                         Solver::BulletNncg,
-                                         Solver::BulletDantzig,
-                                         Solver::BulletPgs};
 constexpr std::array<int, 5> kRates_hz{30, 60, 120, 240, 480};
 
 void use_numbers(study::Setting& setting, const scene::Preset& preset) {
@@ -26,7 +21,7 @@ void use_numbers(study::Setting& setting, const scene::Preset& preset) {
 }  // namespace
 
 std::span<const Solver> offered_solvers() {
-    return kSolvers;
+    return physics::kSolvers;
 }
 
 std::span<const int> offered_rates_hz() {

@@ -66,13 +66,53 @@ protected:
     }
 };
 
+/// Rows of the largest matrix that is made: a few of it take 1 GB. A heap of a thousand bodies on one spot
+/// would ask for 300 GB.
+inline constexpr std::uint64_t kMostMatrixRows = 8192;
+
 /// The matrix solvers sweep inside their own loops: every row counts once per sweep asked for.
+/// Islands of too many rows are swept as by bullet_si.
 class CountingMatrixSolver final : public CountingBase<btMLCPSolver> {
 public:
     CountingMatrixSolver(StepCost& cost, btMLCPSolverInterface* inner, int sweeps)
         : CountingBase(cost, inner), sweeps_(static_cast<std::uint64_t>(sweeps)) {}
 
 protected:
+    // NOLINTNEXTLINE(readability-function-size): Bullet's parameters
+    btScalar solveGroupCacheFriendlySetup(btCollisionObject** bodies,
+                                          int body_count,
+                                          btPersistentManifold** manifolds,
+                                          int manifold_count,
+                                          btTypedConstraint** constraints,
+                                          int constraint_count,
+                                          const btContactSolverInfo& info,
+                                          btIDebugDraw* drawer) override {
+        std::uint64_t rows = 6 * static_cast<std::uint64_t>(constraint_count);
+        for (int i = 0; i < manifold_count; ++i)
+            rows += 3 * static_cast<std::uint64_t>(manifolds[i]->getNumContacts());
+        is_oversized_ = rows > kMostMatrixRows;
+        if (is_oversized_) {
+            ++cost_.interventions.oversized_islands;
+            return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlySetup(
+                bodies,
+                body_count,
+                manifolds,
+                manifold_count,
+                constraints,
+                constraint_count,
+                info,
+                drawer);
+        }
+        return btMLCPSolver::solveGroupCacheFriendlySetup(bodies,
+                                                          body_count,
+                                                          manifolds,
+                                                          manifold_count,
+                                                          constraints,
+                                                          constraint_count,
+                                                          info,
+                                                          drawer);
+    }
+
     // NOLINTNEXTLINE(readability-function-size): Bullet's parameters
     btScalar solveGroupCacheFriendlyIterations(btCollisionObject** bodies,
                                                int body_count,
@@ -82,6 +122,18 @@ protected:
                                                int constraint_count,
                                                const btContactSolverInfo& info,
                                                btIDebugDraw* drawer) override {
+        if (is_oversized_) {
+            cost_.row_solves += static_cast<std::uint64_t>(info.m_numIterations) * rows();
+            return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyIterations(
+                bodies,
+                body_count,
+                manifolds,
+                manifold_count,
+                constraints,
+                constraint_count,
+                info,
+                drawer);
+        }
         cost_.row_solves += sweeps_ * rows();
         return btMLCPSolver::solveGroupCacheFriendlyIterations(bodies,
                                                                body_count,
@@ -95,6 +147,7 @@ protected:
 
 private:
     std::uint64_t sweeps_;
+    bool is_oversized_{false};  ///< the island at work
 };
 
 }  // namespace plumbline::physics

@@ -43,22 +43,6 @@ void install_global_callbacks() {
     };
 }
 
-/// Groups must agree both ways, something must be able to give way, and no joint forbids it.
-class PairFilter final : public btOverlapFilterCallback {
-public:
-    bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
-        const auto& object_a = *static_cast<const btCollisionObject*>(a->m_clientObject);
-        const auto& object_b = *static_cast<const btCollisionObject*>(b->m_clientObject);
-        if (object_a.isStaticOrKinematicObject() && object_b.isStaticOrKinematicObject()) {
-            return false;
-        }
-        const BodyRecord& record_a = record_of(object_a);
-        const BodyRecord& record_b = record_of(object_b);
-        return may_touch(record_a.filter, record_b.filter) &&
-               !collision_excluded(record_a, record_b);
-    }
-};
-
 // From so many bodies on, and after each so many, the broad phase's tree is made anew while bodies are added.
 constexpr int kManyBodies = 4096;
 constexpr int kBodiesBetween = 1024;
@@ -127,17 +111,20 @@ BulletEngine::BulletEngine(const WorldDef& def, StepCost& solved)
         parts.pairs = std::move(pairs);
     } else {
         parts.dispatcher = std::make_unique<btCollisionDispatcher>(parts.configuration.get());
-        parts.pairs = std::make_unique<btHashedOverlappingPairCache>();
+        parts.pairs = std::make_unique<CountedPairs>();
     }
     parts.mesh_contacts = std::make_unique<MeshContacts>(*parts.dispatcher);
     parts.pair_filter = std::make_unique<PairFilter>();
     parts.pairs->setOverlapFilterCallback(parts.pair_filter.get());
     parts.broadphase = std::make_unique<btDbvtBroadphase>(parts.pairs.get());
+    parts.nearest =
+        std::make_unique<NearestPairs>(*parts.broadphase, *parts.pairs, *parts.pair_filter);
     make_solver(def, parts);
     parts.world = std::make_unique<StepWorld>(parts.dispatcher.get(),
                                               parts.broadphase.get(),
                                               parts.solver.get(),
                                               parts.configuration.get(),
+                                              *parts.nearest,
                                               def.gravity_mps2);
     set_up_solver(def, parts);
 }
@@ -155,6 +142,7 @@ void BulletEngine::add(BodyRecord& record) {
 
 void BulletEngine::remove(BodyRecord& record) {
     parts_->world->removeRigidBody(record.rigid.get());
+    record.crowd.reset();
 }
 
 void BulletEngine::refresh_box(BodyRecord& record) {
@@ -194,8 +182,8 @@ void BulletEngine::set_box(const BodyRecord& record, const Box& box) {
                                 parts_->dispatcher.get());
 }
 
-void BulletEngine::forget_points(Pair& pair) {
-    parts_->own_pairs->forget_points(pair);
+NearestPairs& BulletEngine::nearest_pairs() const {
+    return *parts_->nearest;
 }
 
 void BulletEngine::drop(Pair& pair) {

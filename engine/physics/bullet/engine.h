@@ -10,6 +10,7 @@
 
 namespace plumbline::physics {
 
+class NearestPairs;
 class StepWorld;
 
 class BulletEngine {
@@ -38,8 +39,7 @@ public:
     void find_pairs();
     void set_box(const BodyRecord& record, const Box& box);
     void drop(Pair& pair);
-    /// Frees all that the pair has for contact points; the broad phase goes on knowing it.
-    void forget_points(Pair& pair);
+    NearestPairs& nearest_pairs() const;
 
     // --- bullet_*
     /// `after_solve` is called in each substep, with the velocities before it in the records.

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "engine/physics/bullet/contact/mesh_contact.h"
+#include "engine/physics/bullet/contact/nearest_pairs.h"
 #include "engine/physics/bullet/contact/pair_dispatch.h"
+#include "engine/physics/bullet/contact/pair_filter.h"
 #include "engine/physics/bullet/contact/pair_list.h"
 #include "engine/physics/bullet/contact/part_contacts.h"
 #include "engine/physics/bullet/engine.h"
@@ -22,8 +24,9 @@ struct BulletEngine::Parts {
     std::unique_ptr<btCollisionDispatcher> dispatcher;  ///< small_step: a PairDispatcher
     std::unique_ptr<btOverlappingPairCache> pairs;
     PairList* own_pairs{nullptr};  ///< small_step: `pairs`
-    std::unique_ptr<btOverlapFilterCallback> pair_filter;
+    std::unique_ptr<PairFilter> pair_filter;
     std::unique_ptr<btDbvtBroadphase> broadphase;
+    std::unique_ptr<NearestPairs> nearest;
     StepCost* solved{nullptr};  ///< what solvers count into
     std::unique_ptr<btMLCPSolverInterface> pivot_solver;
     std::unique_ptr<btConstraintSolver> solver;

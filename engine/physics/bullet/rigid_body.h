@@ -3,6 +3,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <cstdint>
 #include <memory>
 
 namespace plumbline::physics {
@@ -10,6 +11,7 @@ namespace plumbline::physics {
 struct RigidBody : btRigidBody {
     using btRigidBody::btRigidBody;
 
+    std::uint32_t pairs{0};                    ///< bullet_*: in Bullet's cache
     std::unique_ptr<btCompoundShape> wrapper;  ///< when the mass frame is not the shape's own
 };
 

@@ -2,6 +2,8 @@
 
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/bullet/contact/contact_copy.h"
+#include "engine/physics/bullet/contact/nearest_pairs.h"
+#include "engine/physics/bullet/contact/pair_filter.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/rotations.h"
 #include "engine/physics/dynamics/body_motion.h"
@@ -16,8 +18,9 @@ StepWorld::StepWorld(btDispatcher* dispatcher,
                      btBroadphaseInterface* pairs,
                      btConstraintSolver* solver,
                      btCollisionConfiguration* configuration,
+                     NearestPairs& nearest,
                      const Vec3& gravity_mps2)
-    : btDiscreteDynamicsWorld(dispatcher, pairs, solver, configuration) {
+    : btDiscreteDynamicsWorld(dispatcher, pairs, solver, configuration), nearest_(nearest) {
     set_gravity(gravity_mps2);
     // Same calls, same bits: pair order must not depend on where the heap put things.
     getDispatchInfo().m_deterministicOverlappingPairs = true;
@@ -66,10 +69,34 @@ void StepWorld::performDiscreteCollisionDetection() {
     // Boxes are up to date: integrateTransforms() left them so, and whoever moves a body between
     // steps updates its box there.
     computeOverlappingPairs();
+    thin_crowds();
     cost.broad_ms += laps_.lap_ms();
     getDispatcher()->dispatchAllCollisionPairs(
         getBroadphase()->getOverlappingPairCache(), getDispatchInfo(), getDispatcher());
     cost.narrow_ms += laps_.lap_ms();
+}
+
+/// Crowded bodies get the pairs that they miss and lose those that take no part.
+void StepWorld::thin_crowds() {
+    nearest_.begin_step();
+    bool any_crowded = false;
+    for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
+        BodyRecord& record = record_of(*m_nonStaticRigidBodies[i]);
+        if (record.crowd == nullptr || !is_active(record)) continue;
+        any_crowded = true;
+        nearest_.complete(record);
+    }
+    if (!any_crowded) return;
+    btOverlappingPairCache& pairs = *getPairCache();
+    for (int i = pairs.getNumOverlappingPairs() - 1; i >= 0; --i) {
+        btBroadphaseProxy* first = pairs.getOverlappingPairArray()[i].m_pProxy0;
+        btBroadphaseProxy* second = pairs.getOverlappingPairArray()[i].m_pProxy1;
+        const BodyRecord& a = record_behind(*first);
+        const BodyRecord& b = record_behind(*second);
+        if ((is_active(a) || is_active(b)) && !nearest_.take(a, b))
+            pairs.removeOverlappingPair(first, second, getDispatcher());
+    }
+    cost.interventions.left_out_pairs = nearest_.left_out();
 }
 
 void StepWorld::solveConstraints(btContactSolverInfo& info) {

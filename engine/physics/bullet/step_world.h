@@ -19,6 +19,7 @@
 namespace plumbline::physics {
 
 struct BodyRecord;
+class NearestPairs;
 
 class StepWorld final : public btDiscreteDynamicsWorld {
 public:
@@ -26,6 +27,7 @@ public:
               btBroadphaseInterface* pairs,
               btConstraintSolver* solver,
               btCollisionConfiguration* configuration,
+              NearestPairs& nearest,
               const Vec3& gravity_mps2);
 
     void set_gravity(const Vec3& gravity_mps2);
@@ -53,6 +55,9 @@ private:
     void slide(BodyRecord& record, btScalar step_s);
     void move(BodyRecord& record, btScalar step_s);
 
+    void thin_crowds();
+
+    NearestPairs& nearest_;
     Vec3d gravity_mps2_{0, 0, 0};
     std::vector<BodyRecord*> turning_;
     std::vector<BodyRecord*> swept_;

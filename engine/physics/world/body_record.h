@@ -11,6 +11,7 @@
 #include "engine/physics/world/island_sleep.h"
 
 #include <algorithm>
+#include <compare>
 #include <memory>
 #include <vector>
 
@@ -93,6 +94,22 @@ struct SmallStepBody {
     std::vector<PairLink> pairs;  ///< by the other body's id
 };
 
+/// A body's place among those near another: by the distance to the ball round it, so that large ones
+/// come first, then by id.
+struct NearRank {
+    Real distance_m{0};
+    BodyId id{};
+
+    friend auto operator<=>(const NearRank&, const NearRank&) = default;
+};
+
+/// Of a body with more than kNearestPairs pairs: NearestPairs chooses which it has with others such.
+struct Crowd {
+    NearRank last{};             ///< of the nearest
+    std::uint32_t ranked{0};     ///< the step that `last` is of
+    std::uint32_t completed{0};  ///< the step in which its pairs were completed last
+};
+
 /// A body: who it is, and its parts. What the inner loops of a step move is apart, in `motion`.
 struct BodyRecord {
     BodyRecord();
@@ -117,7 +134,8 @@ struct BodyRecord {
     KinematicDrive drive{};
     SweptBody sweep{};
     SmallStepBody small{};
-    std::vector<JointId> joints;  ///< that hold it, broken ones included, in order of creation
+    std::unique_ptr<Crowd> crowd;  ///< none: not crowded
+    std::vector<JointId> joints;   ///< that hold it, broken ones included, in order of creation
     /// Bodies that joints keep it from touching, once for each such joint.
     std::vector<const BodyRecord*> excluded;
     std::unique_ptr<RigidBody> rigid;  ///< Bullet's side: bullet/body.h

@@ -32,17 +32,26 @@ void list_manifolds(Pair& pair, std::vector<Manifold*>& list) {
 
 std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& touching) {
     ++number_;
-    looks_ = left_out_ = 0;
+    looks_ = 0;
     nearest_.begin_step();
     met_.clear();
     struck_.clear();
+    for (const auto moving : {bodies.dynamic(), bodies.kinematic()}) {
+        for (BodyRecord* record : moving) {
+            if (record->crowd != nullptr) nearest_.complete(*record);
+        }
+    }
     for (BodyRecord* record : bodies.dynamic()) look_at(*record, bodies);
     for (BodyRecord* record : bodies.kinematic()) look_at(*record, bodies);
     // What was woken looks at its own pairs, which may wake more.
     bool met_in_order = true;
     std::size_t looked = 0;
     do {
-        for (; looked < bodies.woken().size(); ++looked) look_at(*bodies.woken()[looked], bodies);
+        for (; looked < bodies.woken().size(); ++looked) {
+            BodyRecord& woken = *bodies.woken()[looked];
+            if (woken.crowd != nullptr) nearest_.complete(woken);
+            look_at(woken, bodies);
+        }
         if (!struck_.empty()) met_in_order = false;
     } while (spread_impacts(bodies) || looked < bodies.woken().size());
     if (bodies.admit_woken()) met_in_order = false;
@@ -62,11 +71,12 @@ void PairWalk::look_at(BodyRecord& body, AwakeBodies& bodies) {
                     engine_.drop(pair);
                     continue;
                 }
-            } else if (nearest_.takes_part(pair)) {
+            } else if (nearest_.take(*pair.a, *pair.b)) {
                 look(pair, bodies);
                 if (pair.touches) met_.push_back(&pair);
             } else {
-                leave_out(pair);
+                engine_.drop(pair);
+                continue;
             }
         }
         ++i;
@@ -82,12 +92,6 @@ void PairWalk::look(Pair& pair, AwakeBodies& bodies) {
     const PairImpact impact = impact_of(pair, step_);
     note_impact(*pair.a, impact.on_a);
     note_impact(*pair.b, impact.on_b);
-}
-
-void PairWalk::leave_out(Pair& pair) {
-    ++left_out_;
-    pair.touches = false;
-    engine_.forget_points(pair);
 }
 
 /// Every body hands its impact on once.
@@ -112,7 +116,7 @@ bool PairWalk::spread_impacts(AwakeBodies& bodies) {
         for (BodyRecord* record : spreading_) {
             for (const PairLink& link : record->small.pairs) {
                 if (boxes_overlap(*link.pair) && knows_less(*link.pair, step_) &&
-                    nearest_.takes_part(*link.pair))
+                    nearest_.takes_part(*link.pair->a, *link.pair->b))
                     look(*link.pair, bodies);
             }
         }

@@ -1,10 +1,10 @@
 // What touches what in a step of small_step, and who wakes by it.
 #pragma once
 
+#include "engine/physics/bullet/contact/nearest_pairs.h"
 #include "engine/physics/bullet/contact/pair_collider.h"
 #include "engine/physics/bullet/engine.h"
 #include "engine/physics/world/awake_bodies.h"
-#include "engine/physics/world/nearest_pairs.h"
 
 #include <cstdint>
 #include <vector>
@@ -14,7 +14,8 @@ namespace plumbline::physics {
 /// Walks the pairs of the bodies that move: what sleeps costs nothing.
 class PairWalk {
 public:
-    explicit PairWalk(BulletEngine& engine) : engine_(engine), collider_(engine) {}
+    explicit PairWalk(BulletEngine& engine)
+        : engine_(engine), collider_(engine), nearest_(engine.nearest_pairs()) {}
 
     /// Of the steps from now on.
     void set_step(const CollideStep& step) { step_ = step; }
@@ -23,23 +24,21 @@ public:
     /// two awake ones at the lower. Returns how many pairs were looked at.
     std::uint32_t collide(AwakeBodies& bodies, std::vector<Manifold*>& touching);
     /// How many pairs the latest collide() left out of a crowd.
-    std::uint32_t left_out() const { return left_out_; }
+    std::uint64_t left_out() const { return nearest_.left_out(); }
 
 private:
     void look_at(BodyRecord& body, AwakeBodies& bodies);
     void look(Pair& pair, AwakeBodies& bodies);
-    void leave_out(Pair& pair);
     void note_impact(BodyRecord& record, const PredictedChange& impact);
     bool spread_impacts(AwakeBodies& bodies);
 
     BulletEngine& engine_;
     PairCollider collider_;
-    NearestPairs nearest_;
+    NearestPairs& nearest_;
     CollideStep step_{};
     std::uint32_t number_{0};  ///< of the walk
     std::uint32_t looks_{0};   ///< in this walk
-    std::uint32_t left_out_{0};
-    std::vector<Pair*> met_;  ///< with points
+    std::vector<Pair*> met_;   ///< with points
     std::vector<BodyRecord*> struck_;
     std::vector<BodyRecord*> spreading_;
 };

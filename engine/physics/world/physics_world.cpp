@@ -75,6 +75,7 @@ void Interventions::add(const Interventions& more) {
     restored_islands += more.restored_islands;
     limited_bodies += more.limited_bodies;
     impacts += more.impacts;
+    oversized_islands += more.oversized_islands;
     left_out_pairs += more.left_out_pairs;
 }
 const StepCost& WorldReport::cost() const {

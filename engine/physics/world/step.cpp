@@ -137,6 +137,7 @@ void advance_bullet(WorldState& world, bool want_contacts) {
     world.cost.row_solves = solved.row_solves;
     world.cost.contacts = solved.contacts;
     world.cost.interventions.limited_bodies = limited_bodies;
+    world.cost.interventions.oversized_islands = solved.interventions.oversized_islands;
     world.use = engine.use();
 }
 

@@ -222,14 +222,9 @@ Accuracy read_accuracy(TableReader& table) {
     accuracy.step_hz_given = table.has("step_hz");
     accuracy.solver_given = table.has("solver");
 
-    constexpr std::array kSolvers{physics::Solver::SmallStep,
-                                  physics::Solver::BulletSi,
-                                  physics::Solver::BulletNncg,
-                                  physics::Solver::BulletDantzig,
-                                  physics::Solver::BulletPgs};
-    std::array<std::string_view, kSolvers.size()> solver_names{};
-    std::ranges::transform(kSolvers, solver_names.begin(), physics::solver_name);
-    accuracy.solver = kSolvers[table.choice("solver", 0, solver_names)];
+    std::array<std::string_view, physics::kSolvers.size()> solver_names{};
+    std::ranges::transform(physics::kSolvers, solver_names.begin(), physics::solver_name);
+    accuracy.solver = physics::kSolvers[table.choice("solver", 0, solver_names)];
     constexpr std::array<std::string_view, 2> kMethods{"direct", "iterative"};
     accuracy.joints = static_cast<physics::JointMethod>(table.choice("joints", 0, kMethods));
     if (accuracy.substeps && accuracy.substeps_max && *accuracy.substeps > *accuracy.substeps_max) {

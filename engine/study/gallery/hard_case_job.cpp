@@ -42,6 +42,7 @@ physics::Interventions interventions_from(const nlohmann::json& json) {
             .restored_islands = json.at("restored_islands"),
             .limited_bodies = json.at("limited_bodies"),
             .impacts = json.at("impacts"),
+            .oversized_islands = json.at("oversized_islands"),
             .left_out_pairs = json.at("left_out_pairs")};
 }
 

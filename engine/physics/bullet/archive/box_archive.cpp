@@ -2,8 +2,7 @@
 #include "engine/physics/bullet/archive/box_archive.h"
 
 #include "engine/physics/bullet/archive/bullet_fields.h"
-#include "engine/physics/bullet/rigid_body.h"
-#include "engine/physics/world/body_record.h"
+#include "engine/physics/bullet/contact/pair_filter.h"
 
 #include <algorithm>
 #include <array>
@@ -15,10 +14,6 @@ namespace {
 
 constexpr std::uint32_t kInner = ~0U;
 constexpr std::string_view kOtherBoxes = "its broad phase has other bodies";
-
-btDbvtProxy& proxy_of(const BodyRecord& record) {
-    return static_cast<btDbvtProxy&>(*record.rigid->getBroadphaseHandle());
-}
 
 using Places = std::map<const void*, std::uint32_t>;  ///< of bodies in the list, by their objects
 

@@ -164,10 +164,18 @@ void serialize_engine(Archive& archive,
     serialize_boxes(archive, *parts.broadphase, in_world);
     if (archive.failed()) return;
     ContactArchive contacts(archive, *parts.dispatcher, parts.world->getDispatchInfo());
+    parts.pair_filter->takes_crowds = true;  // those of crowds have been chosen
     if (is_small)
         serialize_small_pairs(archive, parts, scope, contacts);
     else
         serialize_bullet_pairs(archive, *parts.pairs, scope, contacts);
+    parts.pair_filter->takes_crowds = false;
+    scope.bodies.each([&](BodyId id, const std::unique_ptr<BodyRecord>& record) {
+        if (!scope.holds(id)) return;
+        bool is_crowded = record->crowd != nullptr;
+        archive(is_crowded);
+        if (archive.reads()) record->crowd = is_crowded ? std::make_unique<Crowd>() : nullptr;
+    });
     bool is_whole = scope.is_whole();
     archive(is_whole);
     if (is_whole) contacts.order();

@@ -1,6 +1,7 @@
 #include "engine/physics/bullet/contact/pair_list.h"
 
 #include "engine/physics/bullet/contact/contact_copy.h"
+#include "engine/physics/bullet/contact/pair_filter.h"
 #include "engine/physics/world/body_record.h"
 
 #include <algorithm>
@@ -20,10 +21,6 @@ Links::iterator place_of(BodyRecord& record, BodyId other) {
 
 bool is_pair_with(const BodyRecord& record, Links::iterator place, BodyId other) {
     return place != record.small.pairs.end() && place->other == other;
-}
-
-BodyRecord& record_behind(const btBroadphaseProxy& proxy) {
-    return physics::record_of(*static_cast<const btCollisionObject*>(proxy.m_clientObject));
 }
 
 bool is_box(const BodyRecord& record) {
@@ -76,6 +73,7 @@ btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
     pair->primitives = can_collide(a.traits.primitive, b.traits.primitive);
     few.small.pairs.insert(place, {many.id, pair});
     many.small.pairs.insert(place_of(many, few.id), {few.id, pair});
+    for (BodyRecord* record : {&a, &b}) note_crowd(*record, record->small.pairs.size());
     ++size_;
     return nullptr;
 }
@@ -87,13 +85,9 @@ void PairList::forget_algorithm(BulletPair& pair) {
     pair.algorithm = nullptr;
 }
 
-void PairList::forget_points(Pair& pair) {
+void PairList::remove(Pair& pair) {
     forget_algorithm(bullet_side(pair));
     pair.manifolds = {};
-}
-
-void PairList::remove(Pair& pair) {
-    forget_points(pair);
     pair.a->small.pairs.erase(place_of(*pair.a, pair.b->id));
     pair.b->small.pairs.erase(place_of(*pair.b, pair.a->id));
     free_.push_back(&bullet_side(pair));

@@ -37,9 +37,8 @@ public:
     PairList& operator=(const PairList&) = delete;
 
     std::size_t size() const { return size_; }
-    void remove(Pair& pair);
     /// Frees its manifolds and what finds their points.
-    void forget_points(Pair& pair);
+    void remove(Pair& pair);
     /// Every manifold, in an order that does not depend on addresses.
     template <class Fn>
     void each_manifold(Fn&& fn) const {

@@ -1,31 +1,33 @@
-// Which pairs there are.
+// Pairs come and go with the boxes.
 #include "tests/engine/physics/test_world.h"
 
 namespace plumbline::physics {
 namespace {
 
-TEST(Filters, BothSidesMustAgree) {
-    TestWorld test;
-    test.add(PlaneShape{},
-             {0, 0, 0},
-             {.kind = BodyKind::Static, .filter = {.group = 2, .collides_with = 1}});
-    const BodyId willing =
-        test.add(BoxShape{},
-                 {0, 0.5_r, 0},
-                 {.kind = BodyKind::Dynamic, .filter = {.group = 1, .collides_with = 2}});
-    const BodyId refuses =
-        test.add(BoxShape{},
-                 {3, 0.5_r, 0},
-                 {.kind = BodyKind::Dynamic, .filter = {.group = 1, .collides_with = 4}});
-    const BodyId unseen =
-        test.add(BoxShape{},
-                 {6, 0.5_r, 0},
-                 {.kind = BodyKind::Dynamic, .filter = {.group = 4, .collides_with = 2}});
-    test.run(0.5);
-    EXPECT_NEAR(test.at(willing).y, 0.5, 0.01);
-    const double fallen = 0.5 - 0.5 * kG * 0.25;
-    EXPECT_NEAR(test.at(refuses).y, fallen, 1e-5);
-    EXPECT_NEAR(test.at(unseen).y, fallen, 1e-5);
+std::uint32_t pairs_looked_at(TestWorld& test) {
+    test.world.step();
+    return test.world.cost().pairs;
+}
+
+TEST(PairList, HasThePairsOfBodiesThatMeetAgain) {
+    TestWorld test(weightless());
+    const BodyId still = test.add(SphereShape{.radius_m = 0.5_r}, {0, 0, 0});
+    const BodyId goes = test.add(SphereShape{.radius_m = 0.5_r}, {1.01_r, -0.3_r, 0});
+    test.add(SphereShape{.radius_m = 0.5_r}, {0, 1.01_r, 0});
+    const auto put = [&](BodyId id, const Vec3& at) {
+        BodyState state = test.world.state(id);
+        state.world_from_body.position = at;
+        test.world.set_pose(id, state.world_from_body);
+    };
+    EXPECT_EQ(pairs_looked_at(test), 2U);
+    for (int i = 0; i < 3; ++i) {
+        put(goes, {9, 0, 0});
+        EXPECT_EQ(pairs_looked_at(test), 1U);
+        put(goes, {-1.01_r, -0.3_r, 0});
+        EXPECT_EQ(pairs_looked_at(test), 2U);
+    }
+    test.world.destroy_body(still);
+    EXPECT_EQ(pairs_looked_at(test), 0U);
 }
 
 }  // namespace
