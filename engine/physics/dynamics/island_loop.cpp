@@ -88,8 +88,9 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     h_ = static_cast<Real>(h);
     const Real bounce_mps = 2 * settings.gravity_mps2 * h_ + kSlowestBounce_mps;
     contacts.begin_step(bodies, h_, settings.push_mps, bounce_mps);
-    impacts_.begin_step(contacts, bodies, bounce_mps);
     if (!joints.empty()) joint_system_.start(bodies, joints, h, settings.joint_method);
+    const bool stiff_springs = !joints.empty() && joint_system_.has_stiff_springs();
+    impacts_.begin_step(contacts, bodies, bounce_mps, !stiff_springs);
     for (SolverBody& body : bodies) body.start_speed_mps = glm::length(body.velocity_mps);
     guard_.begin(bodies, contacts.constraints, joints, h_);
     for (int i = 0; i < settings.substeps; ++i) substep();

@@ -110,8 +110,8 @@ double inverse_mass_of(const Simulation& simulation, const std::string& name) {
     return mass_kg > 0 ? 1 / static_cast<double>(mass_kg) : 0;
 }
 
-/// A spring swings its bodies at the root of k / m. Where that turns far within the shortest sub-step, an
-/// impact gives energy.
+/// A spring swings its bodies at the root of k / m. Where that turns far within the shortest sub-step, the
+/// swing is slower than it should be or is not there at all.
 void warn_of_stiff_springs(Simulation& simulation) {
     const physics::WorldDef& def = simulation.physics.def();
     const double shortest_s = def.step_s / std::max(def.substeps, def.substeps_max);
@@ -124,7 +124,7 @@ void warn_of_stiff_springs(Simulation& simulation) {
         const double most_Npm = std::pow(kMostSwing_rad / shortest_s, 2) / inverse_kg;
         simulation.warnings.push_back(fmt::format(
             "{}: joint {}: {:g} N/m swings its bodies faster than {:.0f} sub-steps a second "
-            "can follow, so that impacts may give them energy; up to {:.3g} N/m they can",
+            "can follow: it holds them, but swings slower or not at all; up to {:.3g} N/m they can",
             to_string(joint.location),
             joint.name,
             joint.stiffness_Npm,

@@ -58,12 +58,13 @@ struct Approach {
 void aim(const ContactConstraint& constraint,
          const Approach& approach,
          Real substep_s,
+         bool may_shift,
          ImpactPoint& impact) {
     const auto [separation_m, speed_mps, opening_mps2] = approach;
     const Real fall = -2 * opening_mps2 * separation_m;
     const Real at_surface = std::sqrt(std::max(speed_mps * speed_mps + fall, Real{0}));
     const Real out_mps = constraint.restitution * at_surface;
-    if (!constraint.whole_spheres() || separation_m < 0) {
+    if (!may_shift || !constraint.whole_spheres() || separation_m < 0) {
         impact.target_mps = std::sqrt(std::max(out_mps * out_mps - fall, Real{0}));
         return;
     }
@@ -159,10 +160,12 @@ void solve_impacts(std::span<ImpactPoint> impacts,
 
 void ImpactPass::begin_step(ContactSet& contacts,
                             std::span<SolverBody> bodies,
-                            Real threshold_mps) {
+                            Real threshold_mps,
+                            bool may_shift) {
     contacts_ = &contacts;
     bodies_ = bodies;
     threshold_mps_ = threshold_mps;
+    may_shift_ = may_shift;
     pairs_.clear();
     const std::vector<ContactConstraint>& constraints = contacts.constraints;
     for (std::uint32_t i = 0; i < constraints.size();) {
@@ -211,7 +214,7 @@ bool ImpactPass::gather(const Pair& pair) {
             if (separation + h * reached_mps > kTouching_m) continue;
             if (speed < -threshold_mps_) {
                 fast = true;
-                aim(constraint, {separation, speed, opening_mps2}, h, impact);
+                aim(constraint, {separation, speed, opening_mps2}, h, may_shift_, impact);
             }
             impacts_.push_back(impact);
         }

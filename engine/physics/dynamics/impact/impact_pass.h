@@ -30,8 +30,12 @@ struct ImpactPoint {
 
 class ImpactPass {
 public:
-    /// Finds the pairs that may bounce. `threshold_mps`: slower impacts do not bounce.
-    void begin_step(ContactSet& contacts, std::span<SolverBody> bodies, Real threshold_mps);
+    /// Finds the pairs that may bounce. `threshold_mps`: slower impacts do not bounce. `may_shift`: no
+    /// stiff spring, which a shift of a sphere would stretch, holds a body.
+    void begin_step(ContactSet& contacts,
+                    std::span<SolverBody> bodies,
+                    Real threshold_mps,
+                    bool may_shift);
     bool needed() const { return !pairs_.empty(); }
     /// Returns the number of impacts solved.
     std::uint32_t run();
@@ -47,6 +51,7 @@ private:
     ContactSet* contacts_{nullptr};
     std::span<SolverBody> bodies_;
     Real threshold_mps_{0};
+    bool may_shift_{true};
     std::vector<Pair> pairs_;
     std::vector<ImpactPoint> impacts_;  ///< of the pair at hand
 };

@@ -367,13 +367,23 @@ void DirectJoints::push_springs(JointGroup& group,
         const StiffRow row = push_row(spring, SpringLine(spring), duration_s);
         bias_[spring.node].x = row.bias_mps;
         compliance_[spring.node] = row.compliance;
-        group.rows[spring.node].active = 0b001;
+    }
+    for (JointSpring& spring : springs) spring.kept_Ns = 0;
+    adjust_springs(group, springs);
+}
+
+void DirectJoints::adjust_springs(JointGroup& group, std::span<JointSpring> springs) {
+    for (const JointSpring& spring : springs) {
+        if (spring.stiffness_Npm > 0) group.rows[spring.node].active = 0b001;
     }
     take_half_of_steady(group, 1);
     solve_springs(group);
     take_half_of_steady(group, -1);
     for (JointSpring& spring : springs) {
-        spring.kept_Ns = group.rows[spring.node].is_active(0) ? x_[spring.node].x : 0;
+        if (!group.rows[spring.node].is_active(0)) continue;
+        const double more = x_[spring.node].x;
+        spring.kept_Ns += more;
+        bias_[spring.node].x += compliance_[spring.node] * more;
     }
     push_springs_only(group, springs);
 }

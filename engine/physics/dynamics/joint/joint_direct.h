@@ -20,6 +20,8 @@ public:
     /// The damping of stiff springs and their push before the motion, in view of what the joints
     /// will make of it.
     void push_springs(JointGroup& group, std::span<JointSpring> springs, double duration_s);
+    /// What contacts changed since that push, the springs take in view. Bodies have not moved.
+    void adjust_springs(JointGroup& group, std::span<JointSpring> springs);
     /// As JointWork.
     double unresolved() const { return stiffness_.unresolved(); }
 

@@ -9,6 +9,8 @@ namespace {
 /// Springs on one body may together have this much of (angular frequency * sub-step)^2, and of
 /// damping rate * sub-step, to be followed explicitly; 4 would be unstable.
 constexpr double kMostExplicit = 0.25;
+/// ... and above this of it the swing is not followed at all.
+constexpr double kMostImplicit = 400;
 /// Decays over a sub-step up to this are followed exactly.
 constexpr double kExactDecay = 0.5;
 
@@ -89,6 +91,15 @@ void SpringLine::push(const JointSpring& spring, double impulse_Ns) const {
     spring.b->spin_radps += response_b * impulse_Ns;
 }
 
+bool is_unresolved(const SolverJoint& spring,
+                   std::span<const SolverBody> bodies,
+                   double substep_s) {
+    const double inverse_mass = most_inverse_mass(bodies[spring.a], spring.anchor_in_a) +
+                                most_inverse_mass(bodies[spring.b], spring.anchor_in_b);
+    return static_cast<double>(spring.stiffness_Npm) * substep_s * substep_s * inverse_mass >
+           kMostImplicit;
+}
+
 void find_stiff_springs(std::span<const SolverBody> bodies,
                         std::span<const SolverJoint> joints,
                         double substep_s,
@@ -142,7 +153,9 @@ void push_soft_spring(const JointSpring& spring,
 }
 
 StiffRow push_row(const JointSpring& spring, const SpringLine& line, double duration_s) {
-    // The force is that of the middle of the motion, stiffness * (extension + duration * speed).
+    // The force is that of the middle of the motion, stiffness * (extension + duration * speed), or that of
+    // its end, for all of the sub-step.
+    if (spring.unresolved) duration_s *= 2;
     const double extension_m = line.length_m - spring.rest_m;
     double per_speed = spring.stiffness_Npm * duration_s;
     // Where damping wins, bodies creep: the speed at which both are equal is what moves them.
@@ -190,16 +203,24 @@ void damp_stiff_spring(const JointSpring& spring, JointGroup& group) {
 }
 
 void push_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group) {
+    spring.kept_Ns = 0;
+    adjust_stiff_spring(spring, duration_s, group);
+}
+
+void adjust_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group) {
     const SpringLine line(spring);
     if (!(line.inverse_mass > 0) || !(spring.stiffness_Npm > 0)) return;
     const StiffRow row = push_row(spring, line, duration_s);
-    spring.kept_Ns =
-        -(line.mean_speed(spring) + row.bias_mps) / (line.inverse_mass + row.compliance);
-    line.push(spring, spring.kept_Ns);
-    add_to_totals(spring, line, spring.kept_Ns, group);
+    const double more =
+        -(line.mean_speed(spring) + row.bias_mps + row.compliance * spring.kept_Ns) /
+        (line.inverse_mass + row.compliance);
+    spring.kept_Ns += more;
+    line.push(spring, more);
+    add_to_totals(spring, line, more, group);
 }
 
 void repeat_stiff_spring(const JointSpring& spring, JointGroup& group) {
+    if (spring.unresolved) return;
     const SpringLine line(spring);
     line.push(spring, spring.kept_Ns);
     add_to_totals(spring, line, spring.kept_Ns, group);

@@ -3,8 +3,9 @@
 // Soft ones (a sub-step is a small part of their period) push explicitly, half before the bodies
 // move and half after, with a force that makes the period of two free bodies right; their damping
 // is the exact decay between those pushes. Stiff ones follow the implicit midpoint rule, solved
-// together with the joints: it keeps the energy at any stiffness. Their damping comes before it and
-// only ever takes energy.
+// together with the joints: it keeps the energy. Their damping comes before it and only ever takes
+// energy. Springs that swing more than three times within a sub-step follow implicit Euler, which
+// takes that swing away: what a turn of bodies stretches them by in a sub-step would swing on.
 #pragma once
 
 #include "engine/physics/dynamics/joint/joint_group.h"
@@ -21,7 +22,8 @@ struct JointSpring {
     double stiffness_Npm{0};
     double damping_Nspm{0};
     double rest_m{0};
-    double kept_Ns{0};  ///< stiff: the push before the motion, which the one after repeats
+    double kept_Ns{0};       ///< stiff: the pushes before the motion, which the one after repeats
+    bool unresolved{false};  ///< stiff: all of its push comes before the motion
 };
 
 /// A spring at its bodies' poses: its direction and what the bodies are along it.
@@ -41,6 +43,8 @@ struct SpringLine {
     void push(const JointSpring& spring, double impulse_Ns) const;
 };
 
+/// Whether the spring swings its bodies too fast for the sub-step to show. By masses and anchors alone.
+bool is_unresolved(const SolverJoint& spring, std::span<const SolverBody> bodies, double substep_s);
 /// Which joints are springs that a sub-step of this length can't follow explicitly. By masses and
 /// anchors alone, so that it does not change while they move. `by_body` is room to work in.
 void find_stiff_springs(std::span<const SolverBody> bodies,
@@ -62,7 +66,7 @@ struct StiffRow {
     double bias_mps{0};
     double compliance{0};  ///< 1/kg
 };
-/// Its push before the motion; `speed` is the mean one, of the motion.
+/// Its push before the motion; `speed` is the mean one, of the motion. `duration_s`: half a sub-step.
 StiffRow push_row(const JointSpring& spring, const SpringLine& line, double duration_s);
 /// Its damping over a whole sub-step, of the speed the sub-step began with. Not to be asked for
 /// without damping.
@@ -77,6 +81,8 @@ StartOfSubstep start_of_substep(const JointBody& body, double substep_s);
 /// A stiff spring by itself: its damping, its half push before the motion.
 void damp_stiff_spring(const JointSpring& spring, JointGroup& group);
 void push_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group);
+/// What contacts changed since the half push before the motion, the push takes in view.
+void adjust_stiff_spring(JointSpring& spring, double duration_s, JointGroup& group);
 /// The half push after the motion.
 void repeat_stiff_spring(const JointSpring& spring, JointGroup& group);
 

@@ -35,13 +35,16 @@ void list_soft_springs(JointGroup& group,
 }
 
 /// Springs that are rows.
-void list_stiff_springs(JointGroup& group, std::vector<JointSpring>& list) {
+void list_stiff_springs(std::span<const SolverBody> bodies,
+                        JointGroup& group,
+                        std::vector<JointSpring>& list) {
     list.clear();
     for (std::uint32_t node = 0; node < group.topology->nodes.size(); ++node) {
         const std::uint32_t joint = group.topology->nodes[node].joint;
         if (group.joints[joint].kind != JointKind::Spring) continue;
         list.push_back(spring_of(joint, group));
         list.back().node = node;
+        list.back().unresolved = is_unresolved(group.joints[joint], bodies, group.substep_s);
     }
 }
 
@@ -91,6 +94,7 @@ struct JointSystem::Impl {
     void find_forms(std::span<const SolverBody> bodies);
     void begin_substep();
     void push_springs(double duration_s);
+    void adjust_springs();
     void finish_joint(std::size_t index);
 };
 
@@ -133,6 +137,14 @@ void JointSystem::Impl::push_springs(double duration_s) {
     }
 }
 
+/// Contacts changed the velocities since the push before the motion.
+void JointSystem::Impl::adjust_springs() {
+    if (stiff_springs.empty() || phase != Phase::Pushed) return;
+    if (is_direct()) return direct.adjust_springs(group, stiff_springs);
+    for (JointSpring& spring : stiff_springs)
+        adjust_stiff_spring(spring, group.substep_s / 2, group);
+}
+
 void JointSystem::Impl::finish_joint(std::size_t index) {
     SolverJoint& joint = group.joints[index];
     joint.total_impulse_Ns = group.totals[index].impulse_Ns;
@@ -173,7 +185,7 @@ void JointSystem::start(std::span<SolverBody> bodies,
     impl.method = group.topology->too_dear ? JointMethod::Iterative : method;
     group.start(bodies);
     list_soft_springs(group, impl.forms, impl.soft_springs);
-    list_stiff_springs(group, impl.stiff_springs);
+    list_stiff_springs(bodies, group, impl.stiff_springs);
     if (impl.is_direct()) {
         impl.direct.start(group);
     } else {
@@ -195,6 +207,7 @@ void JointSystem::push_springs(double duration_s) {
 void JointSystem::solve_velocities() {
     Impl& impl = *impl_;
     impl.group.read_velocities();
+    impl.adjust_springs();
     if (impl.is_direct()) {
         impl.direct.solve_velocities(impl.group);
     } else {
@@ -250,6 +263,10 @@ void JointSystem::finish() {
 
 bool JointSystem::solves_before_motion() const {
     return !impl_->is_direct() || !impl_->group.bounds.empty();
+}
+
+bool JointSystem::has_stiff_springs() const {
+    return !impl_->stiff_springs.empty();
 }
 
 const JointWork& JointSystem::work() const {

@@ -98,6 +98,8 @@ public:
     /// If not, correct_positions() finds the same impulses, and the solve may be left out.
     bool solves_before_motion() const;
 
+    /// Springs that sub-steps do not follow explicitly. From start() on.
+    bool has_stiff_springs() const;
     const JointWork& work() const;
 
 private:

@@ -37,8 +37,8 @@ TEST(SceneBuilder, WarnsOfSpringsThatSwingFasterThanTheShortestSubstep) {
         warnings_of(on_a_spring(116e3_r)),
         std::vector<std::string>{
             "test.toml:40: joint coil: 116000 N/m swings its bodies faster than 960 sub-steps "
-            "a second can follow, so that impacts may give them energy; up to 1.15e+05 N/m "
-            "they can"});
+            "a second can follow: it holds them, but swings slower or not at all; up to "
+            "1.15e+05 N/m they can"});
     EXPECT_TRUE(warnings_of(on_a_spring(116e3_r), {.step_hz = 120}).empty());
     // Twice as stiff where only one end moves.
     SceneDescription hung = on_a_spring(230e3_r);
