@@ -3,6 +3,7 @@
 
 #include "engine/physics/physics_world.h"
 
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 #include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
@@ -93,6 +94,7 @@ protected:
         is_oversized_ = rows > kMostMatrixRows;
         if (is_oversized_) {
             ++cost_.interventions.oversized_islands;
+            // NOLINTNEXTLINE(bugprone-parent-virtual-call): on purpose past the matrix
             return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlySetup(
                 bodies,
                 body_count,
@@ -124,6 +126,7 @@ protected:
                                                btIDebugDraw* drawer) override {
         if (is_oversized_) {
             cost_.row_solves += static_cast<std::uint64_t>(info.m_numIterations) * rows();
+            // NOLINTNEXTLINE(bugprone-parent-virtual-call): likewise
             return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyIterations(
                 bodies,
                 body_count,

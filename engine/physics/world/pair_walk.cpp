@@ -63,24 +63,24 @@ std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& tou
 void PairWalk::look_at(BodyRecord& body, AwakeBodies& bodies) {
     for (std::size_t i = 0; i < body.small.pairs.size();) {
         Pair& pair = *body.small.pairs[i].pair;
-        if (pair.seen != number_) {
-            pair.seen = number_;
-            if (!boxes_overlap(pair)) {
-                if (pair.touches) collider_.separate(pair);
-                if (boxes_are_far(pair)) {
-                    engine_.drop(pair);
-                    continue;
-                }
-            } else if (nearest_.take(*pair.a, *pair.b)) {
-                look(pair, bodies);
-                if (pair.touches) met_.push_back(&pair);
-            } else {
-                engine_.drop(pair);
-                continue;
-            }
-        }
-        ++i;
+        if (pair.seen == number_ || keep(pair, bodies))
+            ++i;
+        else
+            engine_.drop(pair);
     }
+}
+
+/// Looks at the pair, once a walk. Whether it goes on being one.
+bool PairWalk::keep(Pair& pair, AwakeBodies& bodies) {
+    pair.seen = number_;
+    if (!boxes_overlap(pair)) {
+        if (pair.touches) collider_.separate(pair);
+        return !boxes_are_far(pair);
+    }
+    if (!nearest_.take(*pair.a, *pair.b)) return false;
+    look(pair, bodies);
+    if (pair.touches) met_.push_back(&pair);
+    return true;
 }
 
 void PairWalk::look(Pair& pair, AwakeBodies& bodies) {

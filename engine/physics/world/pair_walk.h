@@ -28,6 +28,7 @@ public:
 
 private:
     void look_at(BodyRecord& body, AwakeBodies& bodies);
+    bool keep(Pair& pair, AwakeBodies& bodies);
     void look(Pair& pair, AwakeBodies& bodies);
     void note_impact(BodyRecord& record, const PredictedChange& impact);
     bool spread_impacts(AwakeBodies& bodies);

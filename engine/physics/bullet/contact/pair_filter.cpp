@@ -1,6 +1,6 @@
 #include "engine/physics/bullet/contact/pair_filter.h"
 
-#include "engine/physics/bullet/body.h"
+#include "engine/physics/bullet/contact/contact_copy.h"
 
 namespace plumbline::physics {
 namespace {
