@@ -8,6 +8,7 @@
 
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
+#include <BulletCollision/NarrowPhaseCollision/btMinkowskiPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
@@ -17,6 +18,8 @@
 namespace plumbline::physics {
 namespace {
 
+/// How btGjkPairDetector finds points: ways above it are what it does when there is no penetration depth.
+constexpr int kByPenetration = 3;
 /// Closer than this is touching. Ten times what float32 resolves 10 m from a shape's middle.
 constexpr btScalar kTouch_m = btScalar(1e-5);
 /// A motion this much along a surface is not into it: contact normals carry such noise.
@@ -102,6 +105,35 @@ void cast_at(const btConvexShape& moving,
     }
 }
 
+struct Closest {
+    std::optional<ClosestPoints> points;
+    int way{0};  ///< how btGjkPairDetector found them
+};
+
+// NOLINTNEXTLINE(readability-function-size): two placed shapes, and what is asked of them
+Closest find_closest(const btConvexShape& a,
+                     const btTransform& world_from_a,
+                     const btConvexShape& b,
+                     const btTransform& world_from_b,
+                     btScalar max_distance,
+                     btConvexPenetrationDepthSolver& depth) {
+    btVoronoiSimplexSolver simplex;
+    btGjkPairDetector detector(&a, &b, &simplex, &depth);
+    btGjkPairDetector::ClosestPointInput input;
+    input.m_transformA = world_from_a;
+    input.m_transformB = world_from_b;
+    const btScalar reach = max_distance + a.getMargin() + b.getMargin();
+    input.m_maximumDistanceSquared = reach * reach;
+    btPointCollector result;
+    detector.getClosestPoints(input, result, nullptr);
+    if (!result.m_hasResult || result.m_distance > max_distance)
+        return {.points = std::nullopt, .way = detector.m_lastUsedMethod};
+    return {.points = ClosestPoints{.normal = result.m_normalOnBInWorld,
+                                    .point_on_b = result.m_pointInWorld,
+                                    .distance = result.m_distance},
+            .way = detector.m_lastUsedMethod};
+}
+
 }  // namespace
 
 bool BodyFilter::sees(const BodyRecord& record) const {
@@ -117,20 +149,20 @@ std::optional<ClosestPoints> closest_points(const btConvexShape& a,
                                             const btConvexShape& b,
                                             const btTransform& world_from_b,
                                             btScalar max_distance) {
-    btVoronoiSimplexSolver simplex;
     btGjkEpaPenetrationDepthSolver depth;
-    btGjkPairDetector detector(&a, &b, &simplex, &depth);
-    btGjkPairDetector::ClosestPointInput input;
-    input.m_transformA = world_from_a;
-    input.m_transformB = world_from_b;
-    const btScalar reach = max_distance + a.getMargin() + b.getMargin();
-    input.m_maximumDistanceSquared = reach * reach;
-    btPointCollector result;
-    detector.getClosestPoints(input, result, nullptr);
-    if (!result.m_hasResult || result.m_distance > max_distance) return std::nullopt;
-    return ClosestPoints{.normal = result.m_normalOnBInWorld,
-                         .point_on_b = result.m_pointInWorld,
-                         .distance = result.m_distance};
+    return find_closest(a, world_from_a, b, world_from_b, max_distance, depth).points;
+}
+
+std::optional<ClosestPoints> closest_points_at_any_depth(const btConvexShape& a,
+                                                         const btTransform& world_from_a,
+                                                         const btConvexShape& b,
+                                                         const btTransform& world_from_b,
+                                                         btScalar max_distance) {
+    btGjkEpaPenetrationDepthSolver depth;
+    const Closest closest = find_closest(a, world_from_a, b, world_from_b, max_distance, depth);
+    if (closest.way <= kByPenetration) return closest.points;
+    btMinkowskiPenetrationDepthSolver by_directions;
+    return find_closest(a, world_from_a, b, world_from_b, max_distance, by_directions).points;
 }
 
 std::vector<const BodyRecord*> bodies_in_box(const btCollisionWorld& world,

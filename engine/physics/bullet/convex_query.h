@@ -36,6 +36,14 @@ std::optional<ClosestPoints> closest_points(const btConvexShape& a,
                                             const btTransform& world_from_b,
                                             btScalar max_distance);
 
+/// The same for shapes that stand in each other by kilometres too, where the expanding polytope gives up
+/// and says nothing of use. Slower there.
+std::optional<ClosestPoints> closest_points_at_any_depth(const btConvexShape& a,
+                                                         const btTransform& world_from_a,
+                                                         const btConvexShape& b,
+                                                         const btTransform& world_from_b,
+                                                         btScalar max_distance);
+
 /// Bodies whose boxes touch the given box, in the order of their ids.
 std::vector<const BodyRecord*> bodies_in_box(const btCollisionWorld& world,
                                              const btVector3& box_min,

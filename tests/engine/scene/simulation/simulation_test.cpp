@@ -229,6 +229,13 @@ TEST(Simulation, WarnsOfBodiesThatStartInsideEachOther) {
     EXPECT_TRUE(mentions(inside->warnings, "entity a (test.toml:10)"));
 }
 
+// FAULTS 19: Bullet's penetration depth gives up on it.
+TEST(Simulation, WarnsOfABoxOfTenKilometresRoundTheGround) {
+    Running run(scene_of({ground(), box("box", {0, 0, 0}, {1e4_r, 1e4_r, 1e4_r})}));
+    EXPECT_TRUE(mentions(run->warnings, "1 pair of bodies starts interpenetrating"));
+    EXPECT_TRUE(mentions(run->warnings, "by 5000"));
+}
+
 TEST(Simulation, AThousandBallsOnOneSpotPartByThePairsOfTheNearest) {
     SceneDescription scene = scene_of({ground()});
     scene.arrays.push_back({.name = "balls",
