@@ -72,7 +72,7 @@ Result<Done> Session::build(const scene::OpenedScene& opened, const Prepare& pre
     game = std::move(game_made);
     judge = std::move(judge_made);
     simulation = std::move(*built);
-    for (const std::string& warning : simulation->warnings) log_line(LogLevel::Warning, warning);
+    simulation->log_new_warnings();
     return Done{};
 }
 

@@ -59,7 +59,7 @@ Result<Done> load(const SimulateOptions& options, World& world) {
     if (!built) return built.error();
     world.simulation = std::move(*built);
     study::play_case_events(*world.simulation);
-    for (const std::string& warning : world.simulation->warnings) log_warning("{}", warning);
+    world.simulation->log_new_warnings();
     return Done{};
 }
 
@@ -117,6 +117,7 @@ private:
 
     void step() {
         effects::advance(simulation_, effects_, game_, {});
+        simulation_.log_new_warnings();
         costs_.add(simulation_.physics.cost());
         if (simulation_.steps() % steps_between_traces_ == 0) trace();
     }

@@ -125,7 +125,7 @@ def a_heap_on_one_spot_takes_memory_by_its_bodies():
         done = subprocess.run([program, "simulate", scene, "--seconds", "0.033", "--solver", solver], env=environment, capture_output=True,
                               text=True, timeout=200, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (room, room)))
         assert done.returncode == 0 and "2000 moving bodies" in done.stdout, done
-        assert "pairs of bodies in a crowd push nothing" in done.stderr, done
+        assert done.stderr.count("pairs of bodies in a crowd push nothing") == 1, done
 
 
 # FAULTS 21: it was "std::bad_alloc".
