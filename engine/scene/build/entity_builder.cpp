@@ -12,6 +12,7 @@ namespace plumbline::scene {
 namespace {
 
 constexpr std::size_t kGroupBits = 32;
+constexpr Real kLeastInertia = 0.05_r;  ///< of the inertia of a ball that fits in
 
 // By reference: a cast of a value would be idle in the float build, and warned of.
 float narrow(const Real& value) {
@@ -222,6 +223,27 @@ Result<BuiltShape> EntityBuilder::shape_of(const EntityDescription& description,
     return built;
 }
 
+/// Every solid body's moments are above those of a ball that fits into it. Contacts would turn one whose
+/// file says far less away under them.
+std::optional<Vec3> EntityBuilder::inertia_of(const EntityDescription& description,
+                                              Real mass_kg,
+                                              const BuiltShape& shape) {
+    const std::optional<Vec3>& given = description.body->inertia_kgm2;
+    if (!given || description.body->kind != physics::BodyKind::Dynamic) return given;
+    const Real ball_kgm2 = 0.4_r * mass_kg * shape.inner_radius_m * shape.inner_radius_m;
+    const Vec3 taken = glm::max(*given, Vec3(kLeastInertia * ball_kgm2));
+    if (taken != *given) {
+        warn_once(fmt::format(
+            "{}: a moment of inertia of {:g} kg m2, where a ball that fits into it has "
+            "{:.3g}: {:.3g} is used, as with less it would turn through what it lies on",
+            place_of(description, description.name),
+            std::min({given->x, given->y, given->z}),
+            ball_kgm2,
+            kLeastInertia * ball_kgm2));
+    }
+    return taken;
+}
+
 Result<physics::BodyId> EntityBuilder::body_of(const EntityDescription& description,
                                                const Appearance& appearance,
                                                std::uint16_t surface_index,
@@ -254,7 +276,7 @@ Result<physics::BodyId> EntityBuilder::body_of(const EntityDescription& descript
          .shape = shape->id,
          .world_from_body = description.world_from_body,
          .mass_kg = is_dynamic ? mass_kg : Real{0},
-         .inertia_kgm2 = body.inertia_kgm2,
+         .inertia_kgm2 = inertia_of(description, mass_kg, *shape),
          .center_of_mass_m = body.center_of_mass_m,
          .velocity_mps = body.velocity_mps,
          .angular_velocity_radps = body.angular_velocity_radps,

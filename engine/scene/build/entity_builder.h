@@ -53,6 +53,9 @@ private:
                                     const Appearance& appearance,
                                     std::uint16_t surface,
                                     ecs::Entity entity);
+    std::optional<Vec3> inertia_of(const EntityDescription& description,
+                                   Real mass_kg,
+                                   const BuiltShape& shape);
     void track(const EntityDescription& description,
                ecs::Entity entity,
                physics::BodyId body,

@@ -18,7 +18,6 @@ constexpr std::size_t kOverlapChecks = 2'000;
 /// ... and each pair found costs another: who reads of so many needs no exact count.
 constexpr std::size_t kOverlapsCounted = 1'000;
 constexpr double kMostSwing_rad = 0.5;  ///< of a spring in a sub-step
-constexpr Real kLeastInertia = 0.05_r;  ///< of the inertia of a ball that fits in
 
 std::size_t copies_of(const ArrayDescription& array) {
     std::size_t copies = 1;
@@ -133,25 +132,6 @@ void warn_of_stiff_springs(Simulation& simulation) {
     }
 }
 
-/// Every solid body's moments are above those of a ball that fits into it. Contacts of one whose file says
-/// far less turn it away under them.
-void warn_of_small_inertias(Simulation& simulation) {
-    for (const MovingBody& moving : simulation.moving_bodies()) {
-        if (moving.kind != physics::BodyKind::Dynamic) continue;
-        const physics::MassProperties mass = simulation.physics.mass_properties(moving.body);
-        const Real ball_kgm2 = 0.4_r * mass.mass_kg * moving.inner_radius_m * moving.inner_radius_m;
-        const Vec3& inertia = mass.inertia_kgm2;
-        const Real least_kgm2 = std::min({inertia.x, inertia.y, inertia.z});
-        if (least_kgm2 >= kLeastInertia * ball_kgm2) continue;
-        simulation.warnings.push_back(
-            fmt::format("{}: a moment of inertia of {:g} kg m2, where a ball that fits into it has "
-                        "{:.3g}: it may fall through what it lies on",
-                        describe(simulation, moving.entity),
-                        least_kgm2,
-                        ball_kgm2));
-    }
-}
-
 void warn_of_lights(Simulation& simulation) {
     std::size_t lights = 0;
     simulation.registry.view<const PointLight>().each(
@@ -202,7 +182,6 @@ Result<std::unique_ptr<Simulation>> build_simulation(const SceneDescription& des
     }
     warn_of_joints(*simulation);
     warn_of_stiff_springs(*simulation);
-    warn_of_small_inertias(*simulation);
     warn_of_overlaps(*simulation);
     warn_of_lights(*simulation);
     return simulation;

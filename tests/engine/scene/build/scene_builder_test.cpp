@@ -59,8 +59,9 @@ TEST(SceneBuilder, WarnsOfInertiasThatNoSolidBodyHas) {
     EXPECT_EQ(
         warnings_of(scene),
         std::vector<std::string>{
-            "entity thing (test.toml:10): a moment of inertia of 1e-06 kg m2, where a ball that "
-            "fits into it has 0.1: it may fall through what it lies on"});
+            "test.toml:10: entity thing: a moment of inertia of 1e-06 kg m2, where a ball that "
+            "fits into it has 0.1: 0.005 is used, as with less it would turn through what it lies "
+            "on"});
 }
 
 }  // namespace

@@ -229,6 +229,18 @@ TEST(Simulation, WarnsOfBodiesThatStartInsideEachOther) {
     EXPECT_TRUE(mentions(inside->warnings, "entity a (test.toml:10)"));
 }
 
+// FAULTS 19: it fell through the ground.
+TEST(Simulation, ACubeOfNextToNoInertiaStandsOnTheGround) {
+    EntityDescription thing = cube("thing", {0, 1.5_r, 0});
+    thing.world_from_body.orientation = glm::angleAxis(0.1_r, glm::normalize(Vec3{1, 0, 0.5_r}));
+    thing.body->mass_kg = 1;
+    thing.body->inertia_kgm2 = Vec3{1e-6_r, 1e-6_r, 1e-6_r};
+    Running run(scene_of({ground(), thing}));
+    run.step(300);
+    const ecs::Entity entity = run->find("thing");
+    EXPECT_NEAR(run->registry.get<Transform>(entity).world_from_body.position.y, 0.5, 0.01);
+}
+
 // FAULTS 19: Bullet's penetration depth gives up on it.
 TEST(Simulation, WarnsOfABoxOfTenKilometresRoundTheGround) {
     Running run(scene_of({ground(), box("box", {0, 0, 0}, {1e4_r, 1e4_r, 1e4_r})}));
