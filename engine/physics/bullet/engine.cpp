@@ -102,20 +102,20 @@ BulletEngine::BulletEngine(const WorldDef& def, StepCost& solved)
     install_global_callbacks();
     Parts& parts = *parts_;
     parts.solved = &solved;
+    parts.pair_filter = std::make_unique<PairFilter>();
     parts.configuration = std::make_unique<btDefaultCollisionConfiguration>();
     if (def.solver == Solver::SmallStep) {
         parts.dispatcher = std::make_unique<PairDispatcher>(parts.configuration.get());
         parts.part_contacts = std::make_unique<PartContacts>(*parts.dispatcher);
-        auto pairs = std::make_unique<PairList>(*parts.dispatcher);
+        auto pairs = std::make_unique<PairList>(*parts.dispatcher, *parts.pair_filter);
         parts.own_pairs = pairs.get();
         parts.pairs = std::move(pairs);
     } else {
         parts.dispatcher = std::make_unique<btCollisionDispatcher>(parts.configuration.get());
-        parts.pairs = std::make_unique<CountedPairs>();
+        parts.pairs = std::make_unique<CountedPairs>(*parts.pair_filter);
+        parts.pairs->setOverlapFilterCallback(parts.pair_filter.get());
     }
     parts.mesh_contacts = std::make_unique<MeshContacts>(*parts.dispatcher);
-    parts.pair_filter = std::make_unique<PairFilter>();
-    parts.pairs->setOverlapFilterCallback(parts.pair_filter.get());
     parts.broadphase = std::make_unique<btDbvtBroadphase>(parts.pairs.get());
     parts.nearest =
         std::make_unique<NearestPairs>(*parts.broadphase, *parts.pairs, *parts.pair_filter);
@@ -197,10 +197,10 @@ void BulletEngine::begin_step(const WorldFeatures& features, std::function<void(
     world.features = features;
     world.after_solve = std::move(after_solve);
     bool any_turns = false;
-    each_moving([&](BodyRecord& record) {
-        write_rigid_start(record);
-        any_turns = any_turns || feels_gyro(record, features);
-    });
+    for (BodyRecord* record : moving()) {
+        write_rigid_start(*record);
+        any_turns = any_turns || feels_gyro(*record, features);
+    }
     if (features.gyro_waits_for_spin) world.features.gyroscopic_torque = any_turns;
 }
 
@@ -228,9 +228,15 @@ const FeatureUse& BulletEngine::use() const {
     return parts_->world->use;
 }
 
-void BulletEngine::each_moving(const std::function<void(BodyRecord&)>& visit) const {
-    const auto& moving = parts_->world->getNonStaticRigidBodies();
-    for (int i = 0; i < moving.size(); ++i) visit(record_of(*moving[i]));
+void BulletEngine::list_moving() {
+    const auto& rigids = parts_->world->getNonStaticRigidBodies();
+    parts_->moving.resize(static_cast<std::size_t>(rigids.size()));
+    for (int i = 0; i < rigids.size(); ++i)
+        parts_->moving[static_cast<std::size_t>(i)] = &record_of(*rigids[i]);
+}
+
+std::span<BodyRecord* const> BulletEngine::moving() const {
+    return parts_->moving;
 }
 
 }  // namespace plumbline::physics

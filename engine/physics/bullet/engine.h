@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 
 namespace plumbline::physics {
 
@@ -50,7 +51,9 @@ public:
     void change(const WorldDef& before, const WorldDef& after);
     const StepCost& cost() const;
     const FeatureUse& use() const;
-    void each_moving(const std::function<void(BodyRecord&)>& visit) const;
+    /// Those that are not static, in the order of its lists, as they are when a step begins.
+    void list_moving();
+    std::span<BodyRecord* const> moving() const;
 
     struct Parts;
     Parts& parts() const { return *parts_; }

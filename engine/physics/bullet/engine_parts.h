@@ -14,6 +14,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
+#include <vector>
 
 namespace plumbline::physics {
 
@@ -22,15 +23,16 @@ struct BulletEngine::Parts {
     std::unique_ptr<PartContacts> part_contacts;  ///< small_step only
     std::unique_ptr<MeshContacts> mesh_contacts;
     std::unique_ptr<btCollisionDispatcher> dispatcher;  ///< small_step: a PairDispatcher
+    std::unique_ptr<PairFilter> pair_filter;
     std::unique_ptr<btOverlappingPairCache> pairs;
     PairList* own_pairs{nullptr};  ///< small_step: `pairs`
-    std::unique_ptr<PairFilter> pair_filter;
     std::unique_ptr<btDbvtBroadphase> broadphase;
     std::unique_ptr<NearestPairs> nearest;
     StepCost* solved{nullptr};  ///< what solvers count into
     std::unique_ptr<btMLCPSolverInterface> pivot_solver;
     std::unique_ptr<btConstraintSolver> solver;
     std::unique_ptr<StepWorld> world;
+    std::vector<BodyRecord*> moving;  ///< as list_moving() found them
 };
 
 }  // namespace plumbline::physics

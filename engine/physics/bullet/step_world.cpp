@@ -69,7 +69,7 @@ void StepWorld::performDiscreteCollisionDetection() {
     // Boxes are up to date: integrateTransforms() left them so, and whoever moves a body between
     // steps updates its box there.
     computeOverlappingPairs();
-    thin_crowds();
+    if (nearest_.needed()) thin_crowds();
     cost.broad_ms += laps_.lap_ms();
     getDispatcher()->dispatchAllCollisionPairs(
         getBroadphase()->getOverlappingPairCache(), getDispatchInfo(), getDispatcher());

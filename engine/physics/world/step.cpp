@@ -21,6 +21,11 @@ Vec3 limited(const Vec3& v, Real limit) {
     return largest > limit / length ? direction * (limit / length) : v;
 }
 
+/// Nearly always: then limited() has nothing to do.
+bool is_far_below(const Vec3& v, Real limit) {
+    return 4 * glm::dot(v, v) < limit * limit;
+}
+
 /// Keeps a caller's force from driving the body past the speed limit within this step: Bullet
 /// would turn 1e9 N on a pebble into infinities that reach its neighbours.
 void limit_force(BodyRecord& record, Real step_s) {
@@ -62,15 +67,16 @@ void prepare_kinematic(BodyRecord& record, Real step_s) {
 bool prepare_dynamic(BodyRecord& record, Real step_s) {
     add_force(record, record.traits.weight_N);
     if (record.applied.by_caller) limit_force(record, step_s);
-    bool was_limited = false;
     const Vec3 v = record.motion->velocity_mps;
+    const Vec3 w = record.motion->spin_radps;
+    if (is_far_below(v, kMaxSpeed_mps) && is_far_below(w, kMaxSpin_radps)) return false;
+    bool was_limited = false;
     const Vec3 velocity = limited(v, kMaxSpeed_mps);
     if (velocity != v) {
         record.motion->velocity_mps = velocity;
         record.motion->ballistic.going = false;
         was_limited = true;
     }
-    const Vec3 w = record.motion->spin_radps;
     const Vec3 spin = limited(w, kMaxSpin_radps);
     if (spin != w) {
         record.motion->spin_radps = spin;
@@ -82,7 +88,10 @@ bool prepare_dynamic(BodyRecord& record, Real step_s) {
 
 template <class Fn>
 void each_moving(const WorldState& world, Fn&& fn) {
-    if (!world.small) return world.engine->each_moving(fn);
+    if (!world.small) {
+        for (BodyRecord* record : world.engine->moving()) fn(*record);
+        return;
+    }
     for (BodyRecord* record : world.small->bodies.dynamic()) fn(*record);
     for (BodyRecord* record : world.small->bodies.kinematic()) fn(*record);
 }
@@ -121,6 +130,7 @@ void advance_bullet(WorldState& world, bool want_contacts) {
     BulletEngine& engine = *world.engine;
     std::function<void()> after_solve;
     if (want_contacts) after_solve = [&world] { gather_events(world, false, world.gathered); };
+    engine.list_moving();
     const std::uint32_t limited_bodies = prepare_bodies(world);
     prepare_joints(world);
     engine.begin_step(world.features, std::move(after_solve));

@@ -174,7 +174,9 @@ void serialize_engine(Archive& archive,
         if (!scope.holds(id)) return;
         bool is_crowded = record->crowd != nullptr;
         archive(is_crowded);
-        if (archive.reads()) record->crowd = is_crowded ? std::make_unique<Crowd>() : nullptr;
+        if (!archive.reads()) return;
+        record->crowd = is_crowded ? std::make_unique<Crowd>() : nullptr;
+        parts.pair_filter->has_crowds |= is_crowded;
     });
     bool is_whole = scope.is_whole();
     archive(is_whole);

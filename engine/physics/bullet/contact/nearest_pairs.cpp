@@ -34,6 +34,10 @@ NearRank rank_beside(const BodyRecord& body, const BodyRecord& other) {
 
 }  // namespace
 
+bool NearestPairs::needed() const {
+    return filter_.has_crowds;
+}
+
 void NearestPairs::begin_step() {
     ++step_;
     crowded_ = taken_ = 0;

@@ -26,6 +26,8 @@ public:
     NearestPairs(const btDbvtBroadphase& boxes, btOverlappingPairCache& pairs, PairFilter& filter)
         : boxes_(boxes), pairs_(pairs), filter_(filter) {}
 
+    /// Whether any body ever was crowded.
+    bool needed() const;
     /// Poses or boxes have changed.
     void begin_step();
     /// Adds what is missing among the pairs of an active crowded body; every such body is completed in

@@ -24,13 +24,18 @@ bool PairFilter::needBroadphaseCollision(btBroadphaseProxy* first,
     return may_touch(a.filter, b.filter) && !collision_excluded(a, b);
 }
 
+void PairFilter::begin_crowd(BodyRecord& record) {
+    record.crowd = std::make_unique<Crowd>();
+    has_crowds = true;
+}
+
 btBroadphasePair* CountedPairs::addOverlappingPair(btBroadphaseProxy* first,
                                                    btBroadphaseProxy* second) {
     const int before = getNumOverlappingPairs();
     btBroadphasePair* pair = btHashedOverlappingPairCache::addOverlappingPair(first, second);
     if (getNumOverlappingPairs() == before) return pair;
     for (const btBroadphaseProxy* proxy : {first, second})
-        note_crowd(record_behind(*proxy), ++pairs_of(*proxy));
+        filter_.note_pair(record_behind(*proxy), ++pairs_of(*proxy));
     return pair;
 }
 

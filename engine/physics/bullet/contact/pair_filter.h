@@ -13,20 +13,23 @@ public:
     bool needBroadphaseCollision(btBroadphaseProxy* first,
                                  btBroadphaseProxy* second) const override;
 
-    bool takes_crowds{
-        false};  ///< whoever asks has chosen the pair or goes on choosing: NearestPairs
+    /// One of so many pairs of the body has been made: whether it is in a crowd.
+    void note_pair(BodyRecord& record, std::size_t pairs) {
+        if (pairs > kNearestPairs && record.crowd == nullptr && pushable(record))
+            begin_crowd(record);
+    }
+
+    bool takes_crowds{false};  ///< whoever asks has chosen the pair
+    bool has_crowds{false};    ///< there was one
+
+private:
+    void begin_crowd(BodyRecord& record);
 };
 
 /// The body behind a box of the broad phase, and its box.
 BodyRecord& record_behind(const btBroadphaseProxy& proxy);
 inline btDbvtProxy& proxy_of(const BodyRecord& record) {
     return static_cast<btDbvtProxy&>(*record.rigid->getBroadphaseHandle());
-}
-
-/// A pair more that lists `pairs` of a body in all: whether the body is in a crowd.
-inline void note_crowd(BodyRecord& record, std::size_t pairs) {
-    if (pairs > kNearestPairs && record.crowd == nullptr && pushable(record))
-        record.crowd = std::make_unique<Crowd>();
 }
 
 /// Of two such bodies NearestPairs chooses the pair; the broad phase does not.
@@ -37,11 +40,16 @@ inline bool are_crowded(const BodyRecord& a, const BodyRecord& b) {
 /// Bullet's own pairs, counted by body.
 class CountedPairs final : public btHashedOverlappingPairCache {
 public:
+    /// The filter, which is set as well, outlives it.
+    explicit CountedPairs(PairFilter& filter) : filter_(filter) {}
     btBroadphasePair* addOverlappingPair(btBroadphaseProxy* first,
                                          btBroadphaseProxy* second) override;
     void* removeOverlappingPair(btBroadphaseProxy* first,
                                 btBroadphaseProxy* second,
                                 btDispatcher* dispatcher) override;
+
+private:
+    PairFilter& filter_;
 };
 
 }  // namespace plumbline::physics

@@ -1,7 +1,6 @@
 #include "engine/physics/bullet/contact/pair_list.h"
 
 #include "engine/physics/bullet/contact/contact_copy.h"
-#include "engine/physics/bullet/contact/pair_filter.h"
 #include "engine/physics/world/body_record.h"
 
 #include <algorithm>
@@ -37,7 +36,8 @@ bool is_single(const BodyRecord& record) {
 
 }  // namespace
 
-PairList::PairList(btDispatcher& dispatcher) : dispatcher_(dispatcher) {}
+PairList::PairList(btDispatcher& dispatcher, PairFilter& filter)
+    : dispatcher_(dispatcher), filter_(filter) {}
 
 PairList::~PairList() {
     for (BulletPair& pair : pool_) forget_algorithm(pair);
@@ -73,7 +73,7 @@ btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
     pair->primitives = can_collide(a.traits.primitive, b.traits.primitive);
     few.small.pairs.insert(place, {many.id, pair});
     many.small.pairs.insert(place_of(many, few.id), {few.id, pair});
-    for (BodyRecord* record : {&a, &b}) note_crowd(*record, record->small.pairs.size());
+    for (BodyRecord* record : {&a, &b}) filter_.note_pair(*record, record->small.pairs.size());
     ++size_;
     return nullptr;
 }

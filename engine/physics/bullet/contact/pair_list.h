@@ -4,6 +4,7 @@
 // bodies that it moves, and finds them in an order that ids decide.
 #pragma once
 
+#include "engine/physics/bullet/contact/pair_filter.h"
 #include "engine/physics/collision/pair.h"
 
 #include <btBulletDynamicsCommon.h>
@@ -31,7 +32,7 @@ inline const BulletPair& bullet_side(const Pair& pair) {
 
 class PairList final : public btOverlappingPairCache {
 public:
-    explicit PairList(btDispatcher& dispatcher);
+    PairList(btDispatcher& dispatcher, PairFilter& filter);
     ~PairList() override;
     PairList(const PairList&) = delete;
     PairList& operator=(const PairList&) = delete;
@@ -57,11 +58,11 @@ public:
     void removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy, btDispatcher*) override;
     void cleanProxyFromPairs(btBroadphaseProxy*, btDispatcher*) override {}
     void cleanOverlappingPair(btBroadphasePair&, btDispatcher*) override {}
-    void setOverlapFilterCallback(btOverlapFilterCallback* filter) override { filter_ = filter; }
-    btOverlapFilterCallback* getOverlapFilterCallback() override { return filter_; }
+    void setOverlapFilterCallback(btOverlapFilterCallback*) override {}
+    btOverlapFilterCallback* getOverlapFilterCallback() override { return &filter_; }
     bool needsBroadphaseCollision(btBroadphaseProxy* first,
                                   btBroadphaseProxy* second) const override {
-        return filter_ == nullptr || filter_->needBroadphaseCollision(first, second);
+        return filter_.needBroadphaseCollision(first, second);
     }
     bool hasDeferredRemoval() override { return false; }
 
@@ -78,7 +79,7 @@ private:
     void forget_algorithm(BulletPair& pair);
 
     btDispatcher& dispatcher_;
-    btOverlapFilterCallback* filter_{nullptr};
+    PairFilter& filter_;
     btBroadphasePairArray none_;
     std::deque<BulletPair> pool_;
     std::vector<BulletPair*> free_;
