@@ -105,35 +105,6 @@ void cast_at(const btConvexShape& moving,
     }
 }
 
-struct Closest {
-    std::optional<ClosestPoints> points;
-    int way{0};  ///< how btGjkPairDetector found them
-};
-
-// NOLINTNEXTLINE(readability-function-size): two placed shapes, and what is asked of them
-Closest find_closest(const btConvexShape& a,
-                     const btTransform& world_from_a,
-                     const btConvexShape& b,
-                     const btTransform& world_from_b,
-                     btScalar max_distance,
-                     btConvexPenetrationDepthSolver& depth) {
-    btVoronoiSimplexSolver simplex;
-    btGjkPairDetector detector(&a, &b, &simplex, &depth);
-    btGjkPairDetector::ClosestPointInput input;
-    input.m_transformA = world_from_a;
-    input.m_transformB = world_from_b;
-    const btScalar reach = max_distance + a.getMargin() + b.getMargin();
-    input.m_maximumDistanceSquared = reach * reach;
-    btPointCollector result;
-    detector.getClosestPoints(input, result, nullptr);
-    if (!result.m_hasResult || result.m_distance > max_distance)
-        return {.points = std::nullopt, .way = detector.m_lastUsedMethod};
-    return {.points = ClosestPoints{.normal = result.m_normalOnBInWorld,
-                                    .point_on_b = result.m_pointInWorld,
-                                    .distance = result.m_distance},
-            .way = detector.m_lastUsedMethod};
-}
-
 }  // namespace
 
 bool BodyFilter::sees(const BodyRecord& record) const {
@@ -144,25 +115,32 @@ bool BodyFilter::sees(const BodyRecord& record) const {
            (unseen_group == 0 || record.sweep.group != unseen_group);
 }
 
+// NOLINTNEXTLINE(readability-function-size): two placed shapes, and what is asked of them
 std::optional<ClosestPoints> closest_points(const btConvexShape& a,
                                             const btTransform& world_from_a,
                                             const btConvexShape& b,
                                             const btTransform& world_from_b,
-                                            btScalar max_distance) {
+                                            btScalar max_distance,
+                                            AtDepth at_depth) {
+    btVoronoiSimplexSolver simplex;
     btGjkEpaPenetrationDepthSolver depth;
-    return find_closest(a, world_from_a, b, world_from_b, max_distance, depth).points;
-}
-
-std::optional<ClosestPoints> closest_points_at_any_depth(const btConvexShape& a,
-                                                         const btTransform& world_from_a,
-                                                         const btConvexShape& b,
-                                                         const btTransform& world_from_b,
-                                                         btScalar max_distance) {
-    btGjkEpaPenetrationDepthSolver depth;
-    const Closest closest = find_closest(a, world_from_a, b, world_from_b, max_distance, depth);
-    if (closest.way <= kByPenetration) return closest.points;
-    btMinkowskiPenetrationDepthSolver by_directions;
-    return find_closest(a, world_from_a, b, world_from_b, max_distance, by_directions).points;
+    btGjkPairDetector detector(&a, &b, &simplex, &depth);
+    btGjkPairDetector::ClosestPointInput input;
+    input.m_transformA = world_from_a;
+    input.m_transformB = world_from_b;
+    const btScalar reach = max_distance + a.getMargin() + b.getMargin();
+    input.m_maximumDistanceSquared = reach * reach;
+    btPointCollector result;
+    detector.getClosestPoints(input, result, nullptr);
+    if (at_depth == AtDepth::Any && detector.m_lastUsedMethod > kByPenetration) {
+        btMinkowskiPenetrationDepthSolver by_directions;
+        btGjkPairDetector(&a, &b, &simplex, &by_directions)
+            .getClosestPoints(input, result, nullptr);
+    }
+    if (!result.m_hasResult || result.m_distance > max_distance) return std::nullopt;
+    return ClosestPoints{.normal = result.m_normalOnBInWorld,
+                         .point_on_b = result.m_pointInWorld,
+                         .distance = result.m_distance};
 }
 
 std::vector<const BodyRecord*> bodies_in_box(const btCollisionWorld& world,

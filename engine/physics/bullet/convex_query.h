@@ -9,6 +9,7 @@
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <btBulletCollisionCommon.h>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -29,20 +30,17 @@ struct CastHit {
     const BodyRecord* record{nullptr};
 };
 
+/// The expanding polytope gives up on shapes that stand in each other by kilometres and says nothing of
+/// use; trying directions, which is slower, does not.
+enum class AtDepth : std::uint8_t { Usual, Any };
+
 /// None when they are farther apart than max_distance.
 std::optional<ClosestPoints> closest_points(const btConvexShape& a,
                                             const btTransform& world_from_a,
                                             const btConvexShape& b,
                                             const btTransform& world_from_b,
-                                            btScalar max_distance);
-
-/// The same for shapes that stand in each other by kilometres too, where the expanding polytope gives up
-/// and says nothing of use. Slower there.
-std::optional<ClosestPoints> closest_points_at_any_depth(const btConvexShape& a,
-                                                         const btTransform& world_from_a,
-                                                         const btConvexShape& b,
-                                                         const btTransform& world_from_b,
-                                                         btScalar max_distance);
+                                            btScalar max_distance,
+                                            AtDepth at_depth = AtDepth::Usual);
 
 /// Bodies whose boxes touch the given box, in the order of their ids.
 std::vector<const BodyRecord*> bodies_in_box(const btCollisionWorld& world,

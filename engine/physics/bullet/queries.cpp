@@ -94,8 +94,8 @@ std::vector<OverlapHit> WorldQueries::overlaps(ShapeId shape,
                     low,
                     high,
                     [&](const btConvexShape& piece, const btTransform& world_from_piece) {
-                        const auto closest = closest_points_at_any_depth(
-                            *record.convex, at, piece, world_from_piece, margin_m);
+                        const auto closest = closest_points(
+                            *record.convex, at, piece, world_from_piece, margin_m, AtDepth::Any);
                         if (!closest) return;
                         hits.push_back({.body = other->id,
                                         .user = other->user,
