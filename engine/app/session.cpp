@@ -72,7 +72,8 @@ Result<Done> Session::build(const scene::OpenedScene& opened, const Prepare& pre
     game = std::move(game_made);
     judge = std::move(judge_made);
     simulation = std::move(*built);
-    simulation->log_new_warnings();
+    warning_log = {};
+    warning_log.log_new(*simulation);
     return Done{};
 }
 

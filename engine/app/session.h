@@ -7,6 +7,7 @@
 #include "engine/effects/saved_game.h"
 #include "engine/scene/game.h"
 #include "engine/scene/open_scene.h"
+#include "engine/scene/warning_log.h"
 #include "engine/study/gallery/hard_case_judge.h"
 
 #include <filesystem>
@@ -58,6 +59,7 @@ public:
     std::unique_ptr<scene::Simulation> simulation;
     std::unique_ptr<scene::Game> game;
     std::unique_ptr<effects::EffectRuntime> effects;
+    scene::WarningLog warning_log;
     std::unique_ptr<study::HardCaseJudge> judge;  ///< null for a scene without [hard_case]
 
 private:

@@ -122,7 +122,7 @@ void Stepper::step(input::ActionLatch& latch, FrameReport& report) {
     effects::advance(*session_->simulation, *session_->effects, *session_->game, actions);
     // A toggled grab that found or kept nothing is over.
     if (!session_->game->holds()) latch.release(Action::Grab);
-    session_->simulation->log_new_warnings();
+    session_->warning_log.log_new(*session_->simulation);
     if (session_->judge) session_->judge->after_step(*session_->simulation);
     report.add_step(session_->simulation->physics.cost());
     if (after_step) after_step();

@@ -117,8 +117,6 @@ public:
     Random random;
     std::vector<audio::SoundCue> cues;  ///< asked for since the last frame took them
     std::vector<std::string> warnings;
-    /// Each warning once.
-    void log_new_warnings();
     ContactListeners contact_listeners;  ///< contact events are made while there are any
 
     const SceneDescription& description() const { return description_; }
@@ -217,7 +215,6 @@ private:
     Names names_;
     MassRatio mass_ratio_;
     bool crowd_named_{false};
-    std::size_t warnings_logged_{0};
     Tally tally_;
     physics::WorldFeatures features_{};
     std::unique_ptr<EntityBuilder> builder_;

@@ -11,6 +11,7 @@
 #include "engine/scene/open_scene.h"
 #include "engine/scene/scene_file.h"
 #include "engine/scene/state_report.h"
+#include "engine/scene/warning_log.h"
 #include "engine/study/auto_preset/auto_accuracy.h"
 #include "engine/study/gallery/case_events.h"
 #include "game/command_line/refuse.h"
@@ -31,6 +32,7 @@ struct World {
     assets::AssetLibrary library;
     std::optional<scene::OpenedScene> opened;
     std::unique_ptr<scene::Simulation> simulation;
+    scene::WarningLog warning_log;
 };
 
 Result<Done> load(const SimulateOptions& options, World& world) {
@@ -59,7 +61,7 @@ Result<Done> load(const SimulateOptions& options, World& world) {
     if (!built) return built.error();
     world.simulation = std::move(*built);
     study::play_case_events(*world.simulation);
-    world.simulation->log_new_warnings();
+    world.warning_log.log_new(*world.simulation);
     return Done{};
 }
 
@@ -70,6 +72,7 @@ public:
         : options_(options),
           opened_(*world.opened),
           simulation_(*world.simulation),
+          warning_log_(world.warning_log),
           game_(simulation_.description().camera),
           effects_(simulation_, {.frame = false, .sound = false}) {}
 
@@ -117,7 +120,7 @@ private:
 
     void step() {
         effects::advance(simulation_, effects_, game_, {});
-        simulation_.log_new_warnings();
+        warning_log_.log_new(simulation_);
         costs_.add(simulation_.physics.cost());
         if (simulation_.steps() % steps_between_traces_ == 0) trace();
     }
@@ -131,6 +134,7 @@ private:
     const SimulateOptions& options_;
     const scene::OpenedScene& opened_;
     scene::Simulation& simulation_;
+    scene::WarningLog& warning_log_;
     scene::NoGame game_;
     effects::EffectRuntime effects_;
     std::uint64_t steps_wanted_{0};

@@ -2,7 +2,6 @@
 
 #include "engine/core/hash.h"
 #include "engine/core/limits.h"
-#include "engine/core/log.h"
 #include "engine/core/process/interrupt.h"
 #include "engine/scene/build/entity_builder.h"
 #include "engine/scene/environment/sun_path.h"
@@ -200,11 +199,6 @@ void Simulation::warn_of_crowd() {
         left_out,
         time_s(),
         physics::kNearestPairs));
-}
-
-void Simulation::log_new_warnings() {
-    for (; warnings_logged_ < warnings.size(); ++warnings_logged_)
-        log_line(LogLevel::Warning, warnings[warnings_logged_]);
 }
 
 void Simulation::forget_destroyed() {

@@ -156,16 +156,19 @@ void load_from(PhysicsWorld& saved, PhysicsWorld& other) {
 }
 
 TEST(NearestPairs, OfASavedWorldAreTheSame) {
-    BallsOnASpot crowd(250);
-    BallsOnASpot loaded(250);
-    crowd.test.world.step();
-    EXPECT_GT(left_out(crowd.test.world), 0U);
-    load_from(crowd.test.world, loaded.test.world);
-    for (int i = 0; i < 10; ++i) {
+    for (const Solver solver : {Solver::SmallStep, Solver::BulletSi}) {
+        BallsOnASpot crowd(250, solver);
+        BallsOnASpot loaded(250, solver);
         crowd.test.world.step();
-        loaded.test.world.step();
-        EXPECT_EQ(left_out(loaded.test.world), left_out(crowd.test.world));
-        EXPECT_EQ(loaded.test.hash(loaded.balls), crowd.test.hash(crowd.balls)) << i;
+        EXPECT_GT(left_out(crowd.test.world), 0U);
+        load_from(crowd.test.world, loaded.test.world);
+        for (int i = 0; i < 10; ++i) {
+            crowd.test.world.step();
+            loaded.test.world.step();
+            EXPECT_EQ(left_out(loaded.test.world), left_out(crowd.test.world));
+            EXPECT_EQ(loaded.test.hash(loaded.balls), crowd.test.hash(crowd.balls))
+                << solver_name(solver) << i;
+        }
     }
 }
 
