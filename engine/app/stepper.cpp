@@ -76,8 +76,10 @@ std::string bodies_apart(const TapeState& there,
 }  // namespace
 
 Stepper::Stepper(Session& session, const StepperDef& def)
-    : session_(&session), seed_(def.seed), recorder_(header_of(session, def.seed)) {
-    steps_ = def.first_step;
+    : session_(&session),
+      seed_(def.seed),
+      recorder_(header_of(session, def.seed)),
+      steps_(def.first_step) {
     if (def.random_seed) random_actions_.emplace(*def.random_seed);
 }
 

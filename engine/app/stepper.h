@@ -61,7 +61,7 @@ private:
     TapeRecorder recorder_;
     std::optional<TapePlayer> player_;
     std::optional<RandomActions> random_actions_;
-    std::uint64_t steps_{0};  ///< since the start, across resets
+    std::uint64_t steps_;  ///< since the start, across resets
     std::array<std::uint64_t, kActionCount> presses_{};
     std::vector<std::uint32_t> prints_;  ///< of the states since the last one that was noted
     std::string divergence_;
