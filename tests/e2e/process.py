@@ -120,7 +120,7 @@ def a_heap_on_one_spot_takes_memory_by_its_bodies():
     scene.write_text('[scene]\ntitle = "heap"\n[[prefab]]\nname = "ball"\nprimitive = { sphere = 0.2 }\n'
                      'body = { kind = "dynamic", mass_kg = 1 }\n'
                      '[[array]]\nname = "heap"\nprefab = "ball"\ncount = [2000, 1, 1]\nspacing_m = [0, 0, 0]\n')
-    room = 720 << 20
+    room = 600 << 20
     for solver in ("small_step", "bullet_si", "bullet_pgs"):
         done = subprocess.run([program, "simulate", scene, "--seconds", "0.033", "--solver", solver], env=environment, capture_output=True,
                               text=True, timeout=200, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (room, room)))
