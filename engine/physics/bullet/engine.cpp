@@ -113,7 +113,6 @@ BulletEngine::BulletEngine(const WorldDef& def, StepCost& solved)
     } else {
         parts.dispatcher = std::make_unique<btCollisionDispatcher>(parts.configuration.get());
         parts.pairs = std::make_unique<CountedPairs>(*parts.pair_filter);
-        parts.pairs->setOverlapFilterCallback(parts.pair_filter.get());
     }
     parts.mesh_contacts = std::make_unique<MeshContacts>(*parts.dispatcher);
     parts.broadphase = std::make_unique<btDbvtBroadphase>(parts.pairs.get());

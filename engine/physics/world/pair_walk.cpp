@@ -36,11 +36,7 @@ std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& tou
     nearest_.begin_step();
     met_.clear();
     struck_.clear();
-    for (const auto moving : {bodies.dynamic(), bodies.kinematic()}) {
-        for (BodyRecord* record : moving) {
-            if (record->crowd != nullptr) nearest_.complete(*record);
-        }
-    }
+    if (nearest_.needed()) complete_crowds(bodies);
     for (BodyRecord* record : bodies.dynamic()) look_at(*record, bodies);
     for (BodyRecord* record : bodies.kinematic()) look_at(*record, bodies);
     // What was woken looks at its own pairs, which may wake more.
@@ -58,6 +54,14 @@ std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& tou
     if (!met_in_order) list_met(bodies.dynamic(), met_);
     for (Pair* pair : met_) list_manifolds(*pair, touching);
     return looks_;
+}
+
+void PairWalk::complete_crowds(const AwakeBodies& bodies) {
+    for (const auto moving : {bodies.dynamic(), bodies.kinematic()}) {
+        for (BodyRecord* record : moving) {
+            if (record->crowd != nullptr) nearest_.complete(*record);
+        }
+    }
 }
 
 void PairWalk::look_at(BodyRecord& body, AwakeBodies& bodies) {

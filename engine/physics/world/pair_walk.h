@@ -27,6 +27,7 @@ public:
     std::uint64_t left_out() const { return nearest_.left_out(); }
 
 private:
+    void complete_crowds(const AwakeBodies& bodies);
     void look_at(BodyRecord& body, AwakeBodies& bodies);
     bool keep(Pair& pair, AwakeBodies& bodies);
     void look(Pair& pair, AwakeBodies& bodies);

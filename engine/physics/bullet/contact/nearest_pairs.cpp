@@ -10,9 +10,7 @@ namespace plumbline::physics {
 namespace {
 
 bool boxes_meet(const BodyRecord& a, const BodyRecord& b) {
-    const btBroadphaseProxy& box_a = proxy_of(a);
-    const btBroadphaseProxy& box_b = proxy_of(b);
-    return TestAabbAgainstAabb2(box_a.m_aabbMin, box_a.m_aabbMax, box_b.m_aabbMin, box_b.m_aabbMax);
+    return boxes_overlap(proxy_of(a), proxy_of(b));
 }
 
 /// Lists the bodies of leaves.

@@ -199,9 +199,8 @@ void PairCollider::separate(Pair& pair) {
 }
 
 bool boxes_overlap(const Pair& pair) {
-    const btBroadphaseProxy& a = *bullet_side(pair).box_a;
-    const btBroadphaseProxy& b = *bullet_side(pair).box_b;
-    return TestAabbAgainstAabb2(a.m_aabbMin, a.m_aabbMax, b.m_aabbMin, b.m_aabbMax);
+    const BulletPair& side = bullet_side(pair);
+    return boxes_overlap(*side.box_a, *side.box_b);
 }
 
 bool boxes_are_far(const Pair& pair) {

@@ -32,6 +32,10 @@ inline btDbvtProxy& proxy_of(const BodyRecord& record) {
     return static_cast<btDbvtProxy&>(*record.rigid->getBroadphaseHandle());
 }
 
+inline bool boxes_overlap(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+    return TestAabbAgainstAabb2(a.m_aabbMin, a.m_aabbMax, b.m_aabbMin, b.m_aabbMax);
+}
+
 /// Of two such bodies NearestPairs chooses the pair; the broad phase does not.
 inline bool are_crowded(const BodyRecord& a, const BodyRecord& b) {
     return a.crowd != nullptr && b.crowd != nullptr && pushable(a) && pushable(b);
@@ -40,8 +44,10 @@ inline bool are_crowded(const BodyRecord& a, const BodyRecord& b) {
 /// Bullet's own pairs, counted by body.
 class CountedPairs final : public btHashedOverlappingPairCache {
 public:
-    /// The filter, which is set as well, outlives it.
-    explicit CountedPairs(PairFilter& filter) : filter_(filter) {}
+    /// The filter outlives it.
+    explicit CountedPairs(PairFilter& filter) : filter_(filter) {
+        setOverlapFilterCallback(&filter);
+    }
     btBroadphasePair* addOverlappingPair(btBroadphaseProxy* first,
                                          btBroadphaseProxy* second) override;
     void* removeOverlappingPair(btBroadphaseProxy* first,
