@@ -8,26 +8,14 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <array>
-
 namespace plumbline::game {
-
-namespace {
-
-constexpr std::array kSolvers{physics::Solver::SmallStep,
-                              physics::Solver::BulletSi,
-                              physics::Solver::BulletNncg,
-                              physics::Solver::BulletDantzig,
-                              physics::Solver::BulletPgs};
-
-}  // namespace
 
 void take_solver(const std::string& name, std::optional<physics::Solver>& solver) {
     solver = physics::solver_from_name(name);
     if (solver) return;
     std::vector<std::string_view> known;
     std::string list;
-    for (const physics::Solver each : kSolvers) {
+    for (const physics::Solver each : physics::kSolvers) {
         known.push_back(physics::solver_name(each));
         list += (list.empty() ? "" : ", ") + std::string(physics::solver_name(each));
     }

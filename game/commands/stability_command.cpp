@@ -30,11 +30,7 @@ constexpr int kImageHeight_px = 150;
 
 std::vector<Solver> solvers_of(const StabilityOptions& options) {
     if (options.solver) return {*options.solver};
-    return {Solver::SmallStep,
-            Solver::BulletSi,
-            Solver::BulletNncg,
-            Solver::BulletDantzig,
-            Solver::BulletPgs};
+    return {physics::kSolvers.begin(), physics::kSolvers.end()};
 }
 
 /// The command of the whole that a shard is of.

@@ -15,12 +15,6 @@ namespace {
 using test::SceneRun;
 using test::TemporaryFolder;
 
-constexpr std::array kSolvers{physics::Solver::SmallStep,
-                              physics::Solver::BulletSi,
-                              physics::Solver::BulletNncg,
-                              physics::Solver::BulletDantzig,
-                              physics::Solver::BulletPgs};
-
 /// Files below assets/scenes.
 std::vector<std::string> every_scene() {
     std::vector<std::string> names;
@@ -37,7 +31,7 @@ TEST_P(SavedScene, GoesOnToTheSameBitsWithEverySolver) {
     constexpr std::uint64_t kAfter = 30;
     constexpr std::size_t kMostBodies = 40;
     const TemporaryFolder folder;
-    for (const physics::Solver solver : kSolvers) {
+    for (const physics::Solver solver : physics::kSolvers) {
         SCOPED_TRACE(physics::solver_name(solver));
         SceneRun first(GetParam(), {.solver = solver});
         ASSERT_TRUE(first.simulation);

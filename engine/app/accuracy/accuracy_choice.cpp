@@ -20,10 +20,6 @@ void use_numbers(study::Setting& setting, const scene::Preset& preset) {
 
 }  // namespace
 
-std::span<const Solver> offered_solvers() {
-    return physics::kSolvers;
-}
-
 std::span<const int> offered_rates_hz() {
     return kRates_hz;
 }

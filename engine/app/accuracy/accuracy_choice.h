@@ -8,7 +8,6 @@
 
 namespace plumbline::app {
 
-std::span<const physics::Solver> offered_solvers();
 std::span<const int> offered_rates_hz();
 
 /// The same rate and precision with another solver, its numbers as "balanced" has them.

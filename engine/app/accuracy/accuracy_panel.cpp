@@ -30,7 +30,7 @@ bool choose_solver(const char* label, Setting& setting) {
     const std::string now(physics::solver_name(setting.solver));
     if (!ImGui::BeginCombo(label, now.c_str())) return false;
     bool changed = false;
-    for (const Solver solver : offered_solvers()) {
+    for (const Solver solver : physics::kSolvers) {
         const std::string name(physics::solver_name(solver));
         if (!ImGui::Selectable(name.c_str(), solver == setting.solver)) continue;
         changed = solver != setting.solver;

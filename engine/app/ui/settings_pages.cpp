@@ -257,7 +257,7 @@ void MenuPages::add_accuracy(Page& page) {
         presets.cells.push_back(choice(std::string(preset.name), with_preset(now, preset.name)));
     }
     Line solvers{.kind = LineKind::Cells, .label = "Solver"};
-    for (const physics::Solver solver : offered_solvers()) {
+    for (const physics::Solver solver : physics::kSolvers) {
         const study::Setting other = solver == now.solver ? now : with_solver(now, solver);
         solvers.cells.push_back(choice(std::string(physics::solver_name(solver)), other));
     }

@@ -9,12 +9,6 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr std::array kEverySolver{Solver::SmallStep,
-                                  Solver::BulletSi,
-                                  Solver::BulletNncg,
-                                  Solver::BulletDantzig,
-                                  Solver::BulletPgs};
-
 HullShape wedge() {
     return {{{-0.4_r, -0.3_r, -0.3_r},
              {0.4_r, -0.3_r, -0.3_r},
@@ -143,7 +137,7 @@ WorldDef def_of(Solver solver) {
 }
 
 TEST(WorldArchive, PutBackItGoesOnToTheSameBits) {
-    for (const Solver solver : kEverySolver) {
+    for (const Solver solver : kSolvers) {
         // The matrix solvers take seconds for what the others do in a blink.
         const bool is_slow = solver == Solver::BulletDantzig || solver == Solver::BulletPgs;
         for (const int before : {0, 1, 45, 120, 300}) {
