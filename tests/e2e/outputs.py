@@ -102,14 +102,14 @@ def the_standard_output_has_a_name():
 
 
 def what_cannot_be_written_is_found_first():
-    nowhere = "/nonexistent/a"
+    blocked = folder / "a_file"
+    blocked.write_text("")
+    nowhere = str(blocked / "below")  # a file is no folder, for root too
     run("play", CUBE, "--record", nowhere, code=1, says=nowhere)  # not: no display
     run("play", CUBE, "--report", nowhere, code=1, says=nowhere)
     run("simulate", "assets/scenes/pile.toml", "--seconds", 1e6, "--state", nowhere, code=1, says=nowhere)
     run("simulate", "assets/scenes/pile.toml", "--seconds", 1e6, "--trace", folder, code=1, says="Is a directory")
     run("render", "garden", "--at", 1e6, "--report", nowhere, code=1, says=nowhere)
-    blocked = folder / "a_file"
-    blocked.write_text("")
     for command in ("study", "stability", "tour"):
         done = run(command, "--out", blocked / "below", code=1, says="a_file/below")
         assert not done.stdout, done.stdout
