@@ -3,10 +3,13 @@
 
     tidy.py BUILD            what differs from the last landed state, and what is not committed
     tidy.py BUILD --all      every source file of engine/ and game/
+    tidy.py BUILD --alone    of each module the source that was changed last, compiled by itself with the build's compiler
 
 BUILD is a build folder, configured: its compile_commands.json says where libraries are. The last landed state is
-$PLUMBLINE_LANDED, or else where this branch left its upstream, origin's HEAD or main. On that state itself nothing
-differs. A changed header is checked with the source file of its name.
+$PLUMBLINE_LANDED, or else where this branch left its upstream, origin's HEAD or main. On that state itself, as in a fresh
+clone, the RECENT sources that were committed last are checked. A changed header is checked with the source file of its name.
+
+Unity builds share includes and options between files; --alone finds a source that leans on its neighbours.
 """
 
 import concurrent.futures
@@ -24,6 +27,7 @@ from sources import ROOT, own_files
 SKIPPED = 77
 PROGRAM = "clang-tidy-14"
 FOLDERS = ("engine", "game")
+RECENT = 4  # sources
 
 
 def git(*words):
@@ -44,6 +48,13 @@ def changed(base):
     names = git("diff", "--name-only", base).splitlines()
     names += git("ls-files", "--others", "--exclude-standard", *FOLDERS).splitlines()
     return sorted({name for name in names if name.split("/")[0] in FOLDERS and (ROOT / name).is_file()})
+
+
+def committed_last(folders, most):
+    """The sources below `folders` that were committed last, at most so many, the newest first."""
+    names = git("log", "-n", "200", "--no-renames", "--format=", "--name-only", "--", *folders).splitlines()
+    sources = [name for name in dict.fromkeys(names) if name.endswith(".cpp") and (ROOT / name).is_file()]
+    return sources[:most]
 
 
 def sources_of(names):
@@ -72,32 +83,48 @@ def options_of(build):
     return ["-std=c++20", "-xc++", *(word for pair in options for word in pair)]
 
 
-def check(name, options):
-    done = subprocess.run([PROGRAM, "--quiet", str(ROOT / name), "--", *options], cwd=ROOT, capture_output=True,
-                          text=True, check=False)
-    said = [line for line in done.stdout.splitlines() if line.strip()]
-    return said if done.returncode != 0 or said else []
+def said_by(command):
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    said = [line for line in (done.stdout + (done.stderr if done.returncode != 0 else "")).splitlines() if line.strip()]
+    return said or ([f"{command[0]}: exit {done.returncode}"] if done.returncode != 0 else [])
+
+
+def compile_alone(build):
+    """The source of each module that was changed last, without its neighbours and the precompiled header."""
+    modules = [*(f"engine/{folder.name}" for folder in sorted((ROOT / "engine").iterdir()) if folder.is_dir()), "game"]
+    names = [name for module in modules for name in committed_last([module], 1) or own_files(ROOT, module, suffixes=(".cpp",))[:1]]
+    compiler = shlex.split(json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))[0]["command"])[0]
+    compiler = compiler.replace("gcc", "g++").replace("/cc", "/c++")
+    command = [compiler, "-fsyntax-only", *options_of(build)]
+    return names, lambda name: said_by([*command, str(ROOT / name)])
+
+
+def names_to_check(everything):
+    if everything:
+        return own_files(ROOT, *FOLDERS, suffixes=(".cpp",))
+    base = landed()
+    return sources_of(changed(base)) or committed_last(FOLDERS, RECENT) if base else []
 
 
 def main():
-    if shutil.which(PROGRAM) is None:
-        print(f"not checked: {PROGRAM} is not installed (cmake/packages.txt names it)")
-        return SKIPPED
     if len(sys.argv) < 2:
         sys.exit(__doc__)
     build = pathlib.Path(sys.argv[1])
-    if "--all" in sys.argv[2:]:
-        names = own_files(ROOT, *FOLDERS, suffixes=(".cpp",))
+    if "--alone" in sys.argv[2:]:
+        names, check = compile_alone(build)
     else:
-        base = landed()
-        if not base:
-            print("not checked: nothing tells the last landed state (set PLUMBLINE_LANDED to a commit)")
+        if shutil.which(PROGRAM) is None:
+            print(f"not checked: {PROGRAM} is not installed (cmake/packages.txt names it)")
             return SKIPPED
-        names = sources_of(changed(base))
-    options = options_of(build)
+        names = names_to_check("--all" in sys.argv[2:])
+        options = options_of(build)
+        check = lambda name: said_by([PROGRAM, "--quiet", str(ROOT / name), "--", *options])
+    if not names:
+        print("not checked: nothing tells the last landed state (set PLUMBLINE_LANDED to a commit)")
+        return SKIPPED
     seen = set()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
-        for said in workers.map(lambda name: check(name, options), names):
+        for said in workers.map(check, names):
             text = "\n".join(said)
             for found in re.split(r"\n(?=/[^ ]+:\d+:\d+: (?:error|warning))", text):
                 if found and found not in seen:  # a header's, with each of its users
