@@ -53,43 +53,42 @@ struct Command {
 
 CLI::App* add_play(CLI::App& app, PlayOptions& options) {
     CLI::App* play =
-        app.add_subcommand("play", "A scene in a window (also without the word: plumbline SCENE)");
+        app.add_subcommand("play", "Play a scene in a window (short form: plumbline SCENE)");
     play->add_option(
         "scene",
         options.scene,
-        "A .toml or .json scene, a model (.glb .gltf .obj .ply .stl .dae .fbx), or a name "
-        "below assets/scenes");
-    play->add_option("--size", options.size, "WIDTHxHEIGHT of the window");
-    play->add_option("--level", options.level, "Of the image: auto, low, medium or high")
+        "Scene (.toml, .json), model (.glb .gltf .obj .ply .stl .dae .fbx), or scene name from "
+        "assets/scenes");
+    play->add_option("--size", options.size, "Window size, WIDTHxHEIGHT");
+    play->add_option("--level", options.level, "Image quality: auto, low, medium or high")
         ->check(CLI::IsMember({"auto", "low", "medium", "high"}));
-    play->add_option("--hour", options.hour, "Hour of the day, in a scene with [time]")
+    play->add_option("--hour", options.hour, "Time of day in hours, for scenes with [time]")
         ->check(between(0, 24));
-    play->add_option("--seconds", options.seconds, "Ends after so much time")
+    play->add_option("--seconds", options.seconds, "Exit after this time in seconds")
         ->check(positive_up_to(kLongestRun_s));
-    play->add_option(
-        "--load", options.load, "Goes on from a saved game; without a scene, from that of its own");
-    play->add_option("--record", options.record, "Writes every action to this file");
-    play->add_option("--replay", options.replay, "Plays such a file instead of you")
+    play->add_option("--load",
+                     options.load,
+                     "Continue from a saved game; without SCENE, in the scene it was saved in");
+    play->add_option("--record", options.record, "Record all input to this file");
+    play->add_option("--replay", options.replay, "Replay a recorded input file")
         ->excludes("--record");
-    play->add_option("--report", options.report, "Writes what it cost (JSON)");
-    play->add_option(
-        "--camera-path",
-        options.camera_path,
-        "Plays this path of the camera, as camera_record or the garden report wrote it");
-    play->add_option("--random-input", options.random_input, "Random input from this seed plays")
+    play->add_option("--report", options.report, "Write a performance report (JSON)");
+    play->add_option("--camera-path", options.camera_path, "Play a recorded camera path");
+    play->add_option("--random-input", options.random_input, "Generate random input from this seed")
         ->excludes("--replay");
-    play->add_option(
-        "--expect-hash", options.expect_hash, "Exit code 5 unless the end state has this hash");
-    play->add_option("--audio-device", options.audio_device, "Name of the sound device");
+    play->add_option("--expect-hash",
+                     options.expect_hash,
+                     "Exit with code 5 unless the final state has this hash");
+    play->add_option("--audio-device", options.audio_device, "Sound device name");
     return play;
 }
 
 CLI::App* add_viewer(CLI::App& app, PlayOptions& options) {
     CLI::App* viewer = app.add_subcommand(
-        "viewer", "As play, with the controls of model viewers: for JSON scenes and models");
-    viewer->add_option("scene", options.scene, "A .json scene, or as for play")->required();
-    viewer->add_option("--size", options.size, "WIDTHxHEIGHT of the window");
-    viewer->add_option("--seconds", options.seconds, "Ends after so much time")
+        "viewer", "Same as play with model viewer controls, for JSON scenes and models");
+    viewer->add_option("scene", options.scene, "JSON scene, or as for play")->required();
+    viewer->add_option("--size", options.size, "Window size, WIDTHxHEIGHT");
+    viewer->add_option("--seconds", options.seconds, "Exit after this time in seconds")
         ->check(positive_up_to(kLongestRun_s));
     return viewer;
 }
@@ -97,82 +96,84 @@ CLI::App* add_viewer(CLI::App& app, PlayOptions& options) {
 CLI::App* add_render(CLI::App& app, RenderOptions& options) {
     constexpr double kMostFrames = 1e9;
     constexpr double kMostTurn_deg = 36'000;
-    CLI::App* render = app.add_subcommand("render", "One image, without a window");
+    CLI::App* render = app.add_subcommand("render", "Render a scene to an image without a window");
     render->add_option("scene", options.scene, "As for play")->required();
-    render->add_option("--out",
-                       options.out,
-                       "The PNG file, or - for the standard output; without --out and --report "
-                       "one in ~/.local/share/plumbline/shots");
     render->add_option(
-        "--size", options.size, "WIDTHxHEIGHT; if not given 1280x720, or what a JSON scene says");
+        "--out",
+        options.out,
+        "PNG file, or - for standard output; default without --report: a new file in "
+        "~/.local/share/plumbline/shots");
+    render->add_option("--size",
+                       options.size,
+                       "Image size, WIDTHxHEIGHT; default: 1280x720, or the size in a JSON scene");
     render
-        ->add_option("--level",
-                     options.level,
-                     "Of the image: low, medium or high; without it nothing is left out")
+        ->add_option(
+            "--level", options.level, "Image quality: low, medium or high; default: everything on")
         ->check(CLI::IsMember({"low", "medium", "high"}));
     render
         ->add_option("--render-scale",
                      options.render_scale,
-                     "With --level: of width and height, instead of the level's own")
+                     "With --level: render scale, instead of that of the level")
         ->check(between(0.4, 1.0));
-    render->add_option("--at", options.at_s, "Simulated seconds before the image")
+    render->add_option("--at", options.at_s, "Simulated seconds before the image is rendered")
         ->check(between(0.0, kLongestRun_s));
-    render->add_option("--camera", options.camera, "x,y,z,yaw,pitch in metres and degrees");
-    render->add_option("--shading", options.shading, "pbr, blinn_phong or unlit, for everything");
+    render->add_option(
+        "--camera", options.camera, "Camera as x,y,z,yaw,pitch in metres and degrees");
+    render->add_option(
+        "--shading", options.shading, "Shading of all materials: pbr, blinn_phong or unlit");
     render
         ->add_option("--frames",
                      options.frames,
-                     "Draws so many frames, one step each; where --out names a folder, all of "
-                     "them go there")
+                     "Render this many frames, one step each; if --out is a folder, every frame is "
+                     "written to it")
         ->check(between(1.0, kMostFrames));
     render
         ->add_option("--camera-path",
                      options.camera_path,
-                     "The camera goes along this path, a frame for each step")
+                     "Move the camera along this path, one frame per step")
         ->excludes("--camera");
-    render->add_option("--video", options.video, "A film (.mp4) of all frames, by ffmpeg");
-    render
-        ->add_option(
-            "--orbit", options.orbit_deg, "Degrees that the camera goes round during the frames")
+    render->add_option("--video", options.video, "Video (.mp4) of all frames, written with ffmpeg");
+    render->add_option("--orbit", options.orbit_deg, "Degrees the camera orbits over all frames")
         ->check(between(-kMostTurn_deg, kMostTurn_deg))
         ->excludes("--camera-path");
-    render->add_option("--sun-turn", options.sun_degps, "Degrees a second that the sun turns")
+    render->add_option("--sun-turn", options.sun_degps, "Sun rotation in degrees per second")
         ->check(between(-kMostTurn_deg, kMostTurn_deg));
-    render->add_option("--hour", options.hour, "Hour of the day, in a scene with [time]")
+    render->add_option("--hour", options.hour, "Time of day in hours, for scenes with [time]")
         ->check(between(0, 24));
-    render->add_option("--report", options.report, "Writes what it cost (JSON)");
-    render->add_flag("--textures", options.textures, "With the textures of a JSON scene");
-    render->add_flag("--shadows", options.shadows, "With the sun's shadows in a JSON scene");
-    render->add_flag("--flashlight", options.flashlight, "Switches the flashlight on");
-    render->add_flag("--fog", options.fog, "Switches fog on");
+    render->add_option("--report", options.report, "Write a performance report (JSON)");
+    render->add_flag("--textures", options.textures, "Enable the textures of a JSON scene");
+    render->add_flag("--shadows", options.shadows, "Enable sun shadows in a JSON scene");
+    render->add_flag("--flashlight", options.flashlight, "Turn the flashlight on");
+    render->add_flag("--fog", options.fog, "Turn fog on");
     return render;
 }
 
 CLI::App* add_tour(CLI::App& app, TourOptions& options) {
     CLI::App* tour =
-        app.add_subcommand("tour", "Images of a scene into a folder, without a window");
+        app.add_subcommand("tour", "Render a tour of a scene into a folder, without a window");
     tour->add_option("scene", options.scene, "As for play");
-    tour->add_option("--out", options.out, "The folder");
+    tour->add_option("--out", options.out, "Output folder");
     tour->add_option("--size", options.size, "WIDTHxHEIGHT");
     return tour;
 }
 
 CLI::App* add_scenes(CLI::App& app, Words& words) {
-    CLI::App* scenes = app.add_subcommand("scenes", "The scenes that play takes by name");
-    scenes->add_flag("--json", words.list_as_json, "As JSON");
+    CLI::App* scenes = app.add_subcommand("scenes", "List the scenes that play accepts by name");
+    scenes->add_flag("--json", words.list_as_json, "Print as JSON");
     return scenes;
 }
 
 CLI::App* add_explain(CLI::App& app, Words& words) {
     CLI::App* explain =
-        app.add_subcommand("explain", "Which effects a scene calls for, why, and what they cost");
+        app.add_subcommand("explain", "List the effects a scene uses, why, and their cost");
     explain->add_option("scene", words.explained_scene, "As for play")->required();
-    explain->add_flag("--json", words.explain_as_json, "As JSON");
+    explain->add_flag("--json", words.explain_as_json, "Print as JSON");
     return explain;
 }
 
 CLI::App* add_check(CLI::App& app, Words& words) {
-    CLI::App* check = app.add_subcommand("check", "Names every fault of scenes and config files");
+    CLI::App* check =
+        app.add_subcommand("check", "Check scenes and config files and list every error");
     check->add_option("files", words.checked, "Scenes or config files")->required();
     return check;
 }
@@ -199,19 +200,20 @@ std::vector<Command> add_commands(CLI::App& app, Words& words) {
     });
     add(add_explain(app, words),
         [&] { return run_explain(words.explained_scene, words.explain_as_json); });
-    add(app.add_subcommand("controls", "What every action is bound to, and where that was said"),
+    add(app.add_subcommand("controls",
+                           "List the binding of every action and the file it comes from"),
         [&] { return run_controls(words.common); });
     add(add_check(app, words), [&] { return run_check(words.checked); });
-    add(app.add_subcommand("study-worker", "Answers the jobs of a study")->group(""), [] {
+    add(app.add_subcommand("study-worker", "Internal: run jobs for a study")->group(""), [] {
         study::run_study_worker();
         return ExitCode::Good;
     });
     CLI::App* reader =
-        app.add_subcommand("model-worker", "Reads a Collada or FBX file for another")->group("");
+        app.add_subcommand("model-worker", "Internal: convert a Collada or FBX file")->group("");
     reader->add_option("file", words.foreign_model)->required();
     add(reader, [&] { return assets::run_model_worker(words.foreign_model); });
     CLI::App* shaders =
-        app.add_subcommand("shader-worker", "Compiles ahead what a scene may need")->group("");
+        app.add_subcommand("shader-worker", "Internal: compile shaders in advance")->group("");
     shaders->add_option("scene", words.shader_scene)->required();
     shaders->add_option("done", words.shaders_done)->required();
     add(shaders, [&] { return run_shader_worker(words.shader_scene, words.shaders_done); });

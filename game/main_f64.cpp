@@ -19,11 +19,11 @@ int run_commands(int argc, char** argv) {
     app.fallthrough();
     bool verbose = false;
     bool quiet = false;
-    app.add_flag("--verbose", verbose, "Says more");
-    app.add_flag("--quiet", quiet, "Says only what went wrong");
+    app.add_flag("--verbose", verbose, "Verbose output");
+    app.add_flag("--quiet", quiet, "Print errors only");
     SimulateOptions options;
     add_simulate(app, options);
-    app.add_subcommand("study-worker", "Answers the jobs of a study")->group("");
+    app.add_subcommand("study-worker", "Internal: run jobs for a study")->group("");
     add_program_words(app);
     try {
         app.parse(argc, argv);

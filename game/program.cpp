@@ -15,7 +15,7 @@ int run_to_the_end(int (*commands)(int, char**), int argc, char** argv) {
     try {
         return commands(argc, argv);
     } catch (const std::bad_alloc&) {
-        std::fputs("plumbline: error: there is not enough memory for that\n", stderr);
+        std::fputs("plumbline: error: out of memory\n", stderr);
         return static_cast<int>(ExitCode::OutOfMemory);
     } catch (const std::exception& fault) {
         return static_cast<int>(refuse({.message = fault.what()}));

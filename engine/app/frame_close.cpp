@@ -90,7 +90,7 @@ FrameParts* open_parts = nullptr;
 
 void close_open_parts() {
     if (open_parts == nullptr) return;
-    log_error("the display is gone");
+    log_error("lost the connection to the display");
     open_parts->write_files();
 }
 

@@ -37,7 +37,7 @@ void FrameParts::start_or_end_film() {
     }
     film_ = std::move(*film);
     film_next_s_ = window_.now_s();
-    say("a film is taken until the same key is pressed again");
+    say("recording video; press the same key to stop");
 }
 
 void FrameParts::film_frame() {
@@ -45,7 +45,7 @@ void FrameParts::film_frame() {
     const platform::PixelSize size = window_.framebuffer_size();
     if (static_cast<std::uint32_t>(size.width) != film_->def().width_px ||
         static_cast<std::uint32_t>(size.height) != film_->def().height_px) {
-        say("the window has another size: the film ends");
+        say("window resized: video recording stopped");
         end_film();
         return;
     }
@@ -59,7 +59,7 @@ void FrameParts::film_frame() {
 void FrameParts::end_film() {
     const Result<Done> finished = film_->finish();
     const std::string line =
-        finished ? "film saved: " + film_->def().file.string() : finished.error().message;
+        finished ? "video saved: " + film_->def().file.string() : finished.error().message;
     say(line);
     // The window may be closing.
     if (finished) {

@@ -91,7 +91,7 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
     const double now_s = window_.now_s();
     // It would lie over the start page.
     if (renderer->draws_in_software() && !menu_.open() && !std::exchange(said_software_, true))
-        overlay_.say("drawing on the CPU (no GPU driver): expect few frames a second", now_s);
+        overlay_.say("software rendering (no GPU driver): expect a low frame rate", now_s);
     for (const std::string& message : hud.messages) overlay_.say_latest(message, now_s);
     if (controls_.parts.stats) ledger_ = session_.effects->ledger();
     const bool hints = config_.current().hints && !def_.unattended;

@@ -36,7 +36,7 @@ std::string lines_of(const Diagnostics& faults) {
     for (std::size_t i = 0; i < std::min(kShown, faults.list().size()); ++i)
         lines += (i > 0 ? "\n" : "") + to_string(faults.list()[i]);
     if (faults.list().size() > kShown)
-        lines += fmt::format("\nand {} more; plumbline check names them all",
+        lines += fmt::format("\n… and {} more; run `plumbline check` to list all",
                              faults.list().size() - kShown);
     return lines;
 }
@@ -168,7 +168,7 @@ ui::MenuWorld FrameParts::menu_world() {
         .forget_first_minute =
             [this] {
                 first_minute_.forget();
-                say("the first hints come again");
+                say("hints reset");
             }};
 }
 
@@ -201,13 +201,13 @@ void FrameParts::say_faults() {
 void FrameParts::reload_settings(double now_s) {
     if (bindings_.reload_if_changed(now_s)) {
         latch.set_bindings(bindings_.current());
-        overlay_.say("controls read again", now_s);
+        overlay_.say("controls reloaded", now_s);
         log_faults(bindings_.faults());
         bindings_fault_ = lines_of(bindings_.faults());
     }
     if (config_.reload_if_changed(now_s)) {
         apply_config();
-        overlay_.say("settings read again", now_s);
+        overlay_.say("settings reloaded", now_s);
         log_faults(config_.faults());
         config_fault_ = lines_of(config_.faults());
     }
@@ -271,9 +271,9 @@ void FrameParts::say_slow_motion() {
     const std::optional<double> share = slow_motion_.look(window_.now_s(), clock.too_slow_s());
     if (!share) return;
     say(
-        fmt::format("slow motion: physics takes longer than real time ({:.0f} % of it is lost). "
-                    "Lower its rate or its sub-steps in the accuracy panel ({}), give the scene "
-                    "preset = \"draft\", or have fewer things",
+        fmt::format("slow motion: physics is slower than real time ({:.0f} % dropped). Lower the "
+                    "step rate or the sub-steps in the accuracy panel ({}), set preset = "
+                    "\"draft\" in the scene, or remove objects",
                     100.0 * *share,
                     hint_for(latch.bindings(), Action::AccuracyPanel, latch.last_device())));
 }
@@ -288,7 +288,7 @@ void FrameParts::finish_frame(double frame_start_s, double present_s) {
     if (report.frames() == 0 && !renderer->shader_fault().empty())
         end_with(ExitCode::NoDisplay, renderer->shader_fault());
     if (renderer->device_lost())
-        end_with(ExitCode::RunFailed, "the graphics device was reset, which ends the play");
+        end_with(ExitCode::RunFailed, "the graphics device was reset; the session ends");
     session_.effects->add_render_stats(renderer->stats(), renderer->gpu_bytes());
     const double wall_ms = (wall_s() - frame_start_s) * 1e3;
     report.add_frame(wall_ms, renderer->stats());

@@ -155,7 +155,7 @@ Result<Done> within_memory(const Build& build) {
     try {
         return build();
     } catch (const std::bad_alloc&) {
-        const char* message = "there is not enough memory for this scene: the one before stays";
+        const char* message = "not enough memory for this scene; the current scene stays open";
         log_error("{}", message);
         return Error{.message = message};
     }

@@ -53,7 +53,7 @@ void FrameParts::take_opened() {
 void FrameParts::reset_scene() {
     stepper.reset();
     accuracy_.after_rebuild(clock);
-    say("the scene from its start");
+    say("scene reset");
 }
 
 void FrameParts::reload_files() {
@@ -69,7 +69,7 @@ void FrameParts::reload_shaders() {
 
 void FrameParts::reload_scene() {
     if (stepper.replaying()) {
-        say("a replay runs: the scene stays as it was recorded");
+        say("not available during a replay");
         return;
     }
     const Result<Done> reloaded = within_memory([this] { return session_.reload(); });
@@ -79,24 +79,24 @@ void FrameParts::reload_scene() {
     stepper.begin_anew();
     renderer->forget_scene();
     accuracy_.after_rebuild(clock);
-    say("scene read again");
+    say("scene reloaded");
 }
 
 void FrameParts::reload_what_was_saved(double now_s) {
     if (scene_watch_.saved(now_s)) reload_scene();
     if (shader_watch_.take_changed(now_s).empty()) return;
     reload_shaders();
-    if (renderer->shader_fault().empty()) say("shaders read again");
+    if (renderer->shader_fault().empty()) say("shaders reloaded");
 }
 
 void FrameParts::save_image() {
     const auto saved = save_screenshot(*renderer, def_.user_data_folder / "shots", scene_name());
-    say(saved ? "image saved: " + saved->string() : saved.error().message);
+    say(saved ? "screenshot saved: " + saved->string() : saved.error().message);
 }
 
 void FrameParts::save_recording_so_far() {
     if (accuracy_.changed()) {
-        say("the accuracy was changed: this play cannot be recorded");
+        say("cannot save an input recording: the accuracy settings were changed during play");
         return;
     }
     const std::filesystem::path folder = def_.user_data_folder / "recordings";
@@ -106,7 +106,7 @@ void FrameParts::save_recording_so_far() {
     }
     const std::filesystem::path file = unused_file(folder, scene_name(), ".tape");
     const Result<Done> saved = stepper.save_recording(file);
-    say(saved ? "actions so far saved: " + file.string() : saved.error().message);
+    say(saved ? "input recording saved: " + file.string() : saved.error().message);
 }
 
 std::string FrameParts::scene_name() const {

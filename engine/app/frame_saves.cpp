@@ -17,7 +17,7 @@ std::string other_slots(const std::vector<ui::SaveSlot>& slots, int refused) {
         if (slot.number == refused || slot.saved.empty()) continue;
         numbers += fmt::format("{}{}", numbers.empty() ? "" : ", ", slot.number);
     }
-    return numbers.empty() ? "" : fmt::format("; other games are in slots {}", numbers);
+    return numbers.empty() ? "" : fmt::format("; slots with saved games: {}", numbers);
 }
 
 }  // namespace
@@ -29,16 +29,17 @@ fs::path FrameParts::file_of_slot(int slot) const {
 
 void FrameParts::save_game(int slot) {
     if (slot > 0) save_slot_ = slot;
-    if (def_.user_data_folder.empty()) return say("no folder of yours to save games in");
+    if (def_.user_data_folder.empty())
+        return say("cannot save: no user data folder (XDG_DATA_HOME and HOME are not set)");
     const fs::path file = file_of_slot(save_slot_);
     const Result<Done> saved = session_.save(file, stepper.steps());
     if (!saved) log_error("{}", saved.error().message);
-    say(saved ? fmt::format("game saved in slot {}: {}", save_slot_, file.string())
+    say(saved ? fmt::format("saved to slot {}: {}", save_slot_, file.string())
               : saved.error().message);
 }
 
 void FrameParts::load_game(int slot) {
-    if (stepper.replaying()) return say("a replay runs: the scene stays as it was recorded");
+    if (stepper.replaying()) return say("not available during a replay");
     if (slot > 0) save_slot_ = slot;
     const fs::path file = file_of_slot(save_slot_);
     std::error_code ignored;
@@ -59,7 +60,7 @@ void FrameParts::load_game(int slot) {
     accuracy_.after_load(before, clock);
     resumes_toggles_ = true;
     say(fmt::format(
-        "slot {}: {:.1f} s from the scene's start", save_slot_, session_.simulation->time_s()));
+        "slot {} loaded ({:.1f} s into the scene)", save_slot_, session_.simulation->time_s()));
 }
 
 std::vector<ui::SaveSlot> FrameParts::save_slots() const {

@@ -67,7 +67,7 @@ void Mixer::Impl::watch_device(double now_s) {
         next_check_s = now_s;
     }
     if (!said_silent) {
-        log_note("no sound device: silence, trying again every {} s", kRetry_s);
+        log_note("no sound device: sound is off; retrying every {} s", kRetry_s);
         said_silent = true;
         if (next_check_s <= 0.0) next_check_s = now_s + kRetry_s;
     }

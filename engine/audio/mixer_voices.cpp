@@ -40,7 +40,7 @@ const SampleBuffer& Mixer::Impl::buffer_of(assets::SoundId sound) {
     if (!is_new) return buffer;
     const assets::SoundData& data = library.sound(sound);
     if (!is_sound(data)) {
-        log_warning("a sound of {} Hz, {} channels and {} samples is left out",
+        log_warning("skipped a sound with {} Hz, {} channels and {} samples",
                     data.sample_rate_hz,
                     data.channels,
                     data.samples.size());
@@ -56,8 +56,7 @@ const SampleBuffer& Mixer::Impl::buffer_of(assets::SoundId sound) {
                  static_cast<ALsizei>(buffer.bytes),
                  data.sample_rate_hz);
     if (alGetError() != AL_NO_ERROR) {
-        log_warning("a sound of {} bytes does not fit the sound device and is left out",
-                    buffer.bytes);
+        log_warning("skipped a sound of {} bytes: it does not fit the sound device", buffer.bytes);
         alDeleteBuffers(1, &buffer.name);
         buffer = {};
         return buffer;

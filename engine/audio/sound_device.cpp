@@ -74,8 +74,9 @@ SoundDevice::~SoundDevice() {
 bool SoundDevice::open(const std::string& name) {
     ALCdevice* device = open_by_name(name);
     if (device == nullptr && !name.empty()) {
-        log_warning(
-            "no sound device \"{}\": the default one is used. There are: {}", name, list_devices());
+        log_warning("no sound device named \"{}\": using the default device. Available devices: {}",
+                    name,
+                    list_devices());
         device = open_by_name({});
     }
     return adopt(device, nullptr);
@@ -134,7 +135,7 @@ void SoundDevice::find_filters() {
 
 void SoundDevice::say_no_filters() {
     if (device_ == nullptr || std::exchange(said_no_filters_, true)) return;
-    log_note("sound: no filters here (EFX): walls only make quieter, rooms do not reverberate");
+    log_note("sound: EFX is not available: walls only reduce volume, and rooms have no reverb");
 }
 
 void SoundDevice::set_low_pass(ALuint source, float openness) {

@@ -63,9 +63,9 @@ std::string describe_any_context() {
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     GLFWwindow* probe = glfwCreateWindow(16, 16, "", nullptr, nullptr);
-    if (probe == nullptr) return "no OpenGL at all";
+    if (probe == nullptr) return "no OpenGL";
     glfwMakeContextCurrent(probe);
-    std::string found = "a context that answers nothing";
+    std::string found = "a context without version information";
     const auto get_string = reinterpret_cast<GetString>(glfwGetProcAddress("glGetString"));
     if (get_string != nullptr) {
         constexpr std::array<unsigned int, 3> kNames{0x1F00, 0x1F01, 0x1F02};
@@ -225,7 +225,8 @@ Result<std::unique_ptr<Window>> Window::open(const WindowDef& def) {
     }
     if (window != nullptr) glfwMakeContextCurrent(window);
     if (window == nullptr || glfwGetProcAddress("glGetString") == nullptr) {
-        Error error = no_gl_error(window == nullptr ? words : "its functions cannot be loaded");
+        Error error =
+            no_gl_error(window == nullptr ? words : "the OpenGL functions cannot be loaded");
         if (window != nullptr) glfwDestroyWindow(window);
         if (open_window_count == 0) glfwTerminate();
         return error;
@@ -262,7 +263,7 @@ InputSnapshot Window::poll_input() {
     if (snapshot.lost_focus) capture_pointer(false);
     if (impl_->wants_fullscreen && !fullscreen()) {
         // GLFW took the window off a monitor that went away.
-        log_note("the monitor of the full screen is gone: back to a window");
+        log_note("the fullscreen monitor was disconnected: switched to windowed mode");
         impl_->wants_fullscreen = false;
         impl_->leave_fullscreen();
     }
@@ -330,7 +331,7 @@ void Window::set_fullscreen(bool fullscreen_wanted) {
         GLFWmonitor* monitor = monitor_of(area);
         const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
         if (mode == nullptr) {
-            log_warning("no monitor to fill: the window stays a window");
+            log_warning("no monitor for fullscreen: staying in windowed mode");
             return;
         }
         impl_->windowed = area;

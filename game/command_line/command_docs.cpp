@@ -16,45 +16,45 @@ namespace {
 constexpr std::string_view kFilesAndCodes = R"(.SH FILES
 .TP
 .I $XDG_CONFIG_HOME/plumbline, ~/.config/plumbline
-Your settings and controls. A missing file means the settings that are shipped.
+User settings and controls. Where a file is missing, the shipped settings apply.
 .TP
 .I $XDG_DATA_HOME/plumbline, ~/.local/share/plumbline
-Images and recordings.
+Screenshots, videos, saved games, recordings and user scenes.
 .TP
 .I $XDG_CACHE_HOME/plumbline, ~/.cache/plumbline
-Studies of scenes; they can be made again.
+Cached studies of scenes. Safe to delete.
 .TP
 .I ../share/plumbline
-From the program's folder: the scenes, models, sounds, shaders and settings that are shipped.
+Relative to the program: the shipped scenes, models, sounds, shaders and settings.
 .SH ENVIRONMENT
 .TP
 .B PLUMBLINE_DATA
-The folder of the shipped files, as \fB\-\-data\fR.
+Folder of the shipped files, same as \fB\-\-data\fR.
 .TP
 .B XDG_CONFIG_HOME, XDG_DATA_HOME, XDG_CACHE_HOME
-Where they are empty or relative, they count as unset.
+Base folders. Empty or relative values are ignored.
 .SH EXIT STATUS
 .TP
 .B 0
-good
+success
 .TP
 .B 1
-failed while running
+run-time failure
 .TP
 .B 2
-an option or a setting is wrong
+invalid option or setting
 .TP
 .B 3
-no display, or no OpenGL that can be used
+no display, or no usable OpenGL
 .TP
 .B 4
-a scene or a model was refused
+invalid scene, model or other input file
 .TP
 .B 5
-a hash or another expectation differs
+a hash or another expectation did not match
 .TP
 .B 6
-memory was refused
+out of memory
 .TP
 .B 130
 interrupted

@@ -21,19 +21,18 @@ bool parse_side(std::string_view text, int& side) {
 }  // namespace
 
 void add_common_options(CLI::App& app, CommonOptions& options) {
-    app.add_option("--config",
-                   options.config_folder,
-                   "Folder of your settings, instead of ~/.config/plumbline")
+    app.add_option(
+           "--config", options.config_folder, "Settings folder, instead of ~/.config/plumbline")
         ->check(CLI::ExistingDirectory);
-    app.add_flag("--safe", options.safe, "Built-in settings only: reads no file of yours")
+    app.add_flag("--safe", options.safe, "Use built-in settings only; ignore user files")
         ->excludes("--config");
     app.add_option("--bind", options.binds, "action=key[,key]; may be repeated")
         ->allow_extra_args(false);
     app.add_option(
-        "--profile", options.profile, "Controls of config/controls: book, nature, viewer");
-    app.add_flag("--no-sound", options.no_sound, "Opens no sound device");
-    app.add_flag("--verbose", options.verbose, "Says more");
-    app.add_flag("--quiet", options.quiet, "Says only what went wrong")->excludes("--verbose");
+        "--profile", options.profile, "Control profile from config/controls: book, nature, viewer");
+    app.add_flag("--no-sound", options.no_sound, "Disable sound");
+    app.add_flag("--verbose", options.verbose, "Verbose output");
+    app.add_flag("--quiet", options.quiet, "Print errors only")->excludes("--verbose");
 }
 
 void apply_log_level(const CommonOptions& options) {
@@ -60,8 +59,7 @@ Result<std::filesystem::path> default_output(const std::string& kind,
     const std::filesystem::path data = user_data_folder();
     if (data.empty()) {
         return Error{.message =
-                         "nowhere to write: neither XDG_DATA_HOME nor HOME is set; name a "
-                         "place with --out"};
+                         "no output folder: neither XDG_DATA_HOME nor HOME is set; use --out"};
     }
     const std::filesystem::path folder = data / kind;
     if (const Result<Done> made = make_output_folder(folder, {}); !made) return made.error();

@@ -13,7 +13,7 @@ namespace plumbline::game {
 inline Result<Done> set_hour(const std::optional<double>& hour, scene::Simulation& simulation) {
     if (!hour) return Done{};
     if (!hour_of(simulation))
-        return Error{.message = "--hour: the scene has no [time]; its sun stands still",
+        return Error{.message = "--hour: the scene has no [time], so its sun does not move",
                      .exit_code = ExitCode::BadUsage};
     set_hour(simulation, *hour);
     return Done{};

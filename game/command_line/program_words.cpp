@@ -30,8 +30,8 @@ std::string version_text() {
 
 void add_program_words(CLI::App& app) {
     app.footer(
-        "Exit codes: 0 good, 1 failed, 2 bad option or setting, 3 no display or no OpenGL, "
-        "4 scene or file refused,\n5 a hash or expectation differs, 6 not enough memory, "
+        "Exit codes: 0 success, 1 failure, 2 invalid option or setting, 3 no display or OpenGL, "
+        "4 invalid scene or file,\n5 hash or expectation mismatch, 6 out of memory, "
         "130 interrupted.");
     app.set_version_flag("--version",
                          fmt::format("{}\nBullet {} in {}, OpenGL 3.3 core\n{}: {}",
@@ -40,16 +40,17 @@ void add_program_words(CLI::App& app) {
                                      kPrecisionName,
                                      study::build_text(),
                                      PL_BUILD_FLAGS),
-                         "Version, precision and how it was built");
+                         "Print version, precision and build type");
     app.add_option_function<std::string>(
            "--data",
            [](const std::string& folder) {
                ::setenv("PLUMBLINE_DATA", std::filesystem::absolute(folder).c_str(), 1);
            },
-           "Folder of the program's own files: assets, shaders, config")
+           "Data folder with assets, shaders and config")
         ->check(CLI::ExistingDirectory);
 
-    CLI::App* data = app.add_subcommand("help-data", "Manual page and completion")->group("");
+    CLI::App* data =
+        app.add_subcommand("help-data", "Print the manual page or shell completion")->group("");
     data->require_option(1);
     const std::string footer = fmt::format("plumbline {}", PL_VERSION);
     add_printing_flag(*data, "--man", [&app, footer] { return man_page(app, footer); });

@@ -19,13 +19,17 @@ void add_shard_options(CLI::App& command,
     CLI::Option* part = command.add_option_function<std::string>(
         "--shard",
         [&shard](const std::string& text) { shard = study::shard_from(text); },
-        "I/N: of N parts of the runs just the I-th, for --merge to put together");
+        "Run only part I of N (I/N); combine the parts with --merge");
     part->check([](const std::string& text) {
-        return study::shard_from(text) ? std::string()
-                                       : "expected I/N, like 2/4 for the second of four";
+        return study::shard_from(text)
+                   ? std::string()
+                   : "expected I/N, for example 2/4 for the second of four parts";
     });
     part->needs(&out);
-    command.add_option("--merge", merge, "Runs nothing: one table of the folders of all parts")
+    command
+        .add_option("--merge",
+                    merge,
+                    "Combine the result folders of all parts into one report; runs nothing")
         ->excludes(part)
         ->needs(&out);
 }

@@ -98,14 +98,13 @@ ExitCode run_effects_study(const std::filesystem::path& scene, std::optional<dou
                 EffectImages(std::move(*studio)).measure(run.pairs);
             costs->insert(costs->begin(), image.begin(), image.end());
         } else {
-            log_warning("effects of the image are left out: {}", studio.error().message);
+            log_warning("image effects were not measured: {}", studio.error().message);
         }
     }
     std::cout << study::effects_text(run, *costs);
-    std::cout << fmt::format(
-                     "Images are {} x {}; what a GPU does beside the CPU is not in their ms.\n",
-                     kStudioWidth_px,
-                     kStudioHeight_px)
+    std::cout << fmt::format("Images are {} x {}; times are CPU times and exclude GPU work.\n",
+                             kStudioWidth_px,
+                             kStudioHeight_px)
               << std::flush;
     return interrupted() ? ExitCode::Interrupted : ExitCode::Good;
 }

@@ -46,7 +46,7 @@ public:
         try {
             return open_scene(name, hour);
         } catch (const std::bad_alloc&) {
-            return Error{.message = fmt::format("there is not enough memory for {}", name),
+            return Error{.message = fmt::format("not enough memory for {}", name),
                          .exit_code = ExitCode::OutOfMemory};
         }
     }
@@ -162,7 +162,7 @@ void tidy_up() {
     }
     const std::filesystem::path report = take_crash_report(user_state_folder());
     if (report.empty()) return;
-    log_warning("the last run crashed: {}; with --safe only built-in settings are used",
+    log_warning("the last run crashed: {}; start with --safe to use built-in settings only",
                 report.string());
 }
 

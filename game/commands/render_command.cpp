@@ -244,7 +244,7 @@ ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
     if (const Result<Done> written = assets::write_png(sheet, contact_sheet(images)); !written) {
         return refuse(written.error());
     }
-    std::cout << "all of them on one sheet: " << printable(sheet.string()) << '\n';
+    std::cout << "contact sheet: " << printable(sheet.string()) << '\n';
     return ExitCode::Good;
 }
 

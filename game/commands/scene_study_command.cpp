@@ -31,12 +31,12 @@ std::optional<study::SceneStudy> kept_study(const SceneStudyCommand& command,
     std::optional<study::CachedStudy> kept = study::find_study(folder, key);
     if (!kept || kept->grid != study::GridSize::Full) return {};
     if (command.seconds && std::abs(*command.seconds - kept->study.seconds) > 1e-3) return {};
-    std::cerr << fmt::format("from the study of {}\n", kept->made_on);
+    std::cerr << fmt::format("from the cached study {}\n", kept->made_on);
     return std::move(kept->study);
 }
 
 void print(const SceneStudyCommand& command, const study::SceneStudy& study) {
-    if (!study.complete) std::cout << "Interrupted: this is what was done by then.\n";
+    if (!study.complete) std::cout << "Interrupted: partial results.\n";
     if (command.wish.tolerance || command.wish.budget_ms) {
         std::cout << study::wish_text(study, command.wish);
     } else {
@@ -72,7 +72,7 @@ Result<study::SceneStudy> run_scene_study(const SceneStudyCommand& command) {
         folder,
         key,
         {.study = *made, .grid = study::GridSize::Full, .made_on = study::today_text()});
-    if (!kept) log_warning("the study is not kept: {}", kept.error().message);
+    if (!kept) log_warning("the study could not be cached: {}", kept.error().message);
     return made;
 }
 

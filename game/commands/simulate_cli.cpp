@@ -27,39 +27,42 @@ void take_solver(const std::string& name, std::optional<physics::Solver>& solver
 
 CLI::App* add_simulate(CLI::App& app, SimulateOptions& options) {
     CLI::App* simulate =
-        app.add_subcommand("simulate", "Steps a scene and writes what became of it");
+        app.add_subcommand("simulate", "Run a scene without a window and report its final state");
     simulate
-        ->add_option("scene", options.scene, "A scene or model file, or a name below assets/scenes")
+        ->add_option(
+            "scene", options.scene, "Scene or model file, or a scene name from assets/scenes")
         ->required();
-    simulate->add_option("--seconds", options.seconds, "Simulated time")
+    simulate->add_option("--seconds", options.seconds, "Simulated time in seconds")
         ->check(between(0.0, kLongestRun_s));
     simulate->add_option_function<std::string>(
         "--solver",
         [&options](const std::string& name) { take_solver(name, options.solver); },
         "small_step, bullet_si, bullet_nncg, bullet_dantzig or bullet_pgs");
-    simulate->add_option("--hz", options.step_hz, "Steps a second")
+    simulate->add_option("--hz", options.step_hz, "Step rate, Hz")
         ->check(CLI::Range(limits::kStepHzMin, limits::kStepHzMax));
-    simulate->add_option("--substeps", options.substeps, "Parts of each step, exactly")
+    simulate->add_option("--substeps", options.substeps, "Sub-steps per step (fixed count)")
         ->check(CLI::Range(1, 1'000));
-    simulate->add_option("--iterations", options.iterations, "Solver sweeps")
+    simulate->add_option("--iterations", options.iterations, "Solver iterations")
         ->check(CLI::Range(1, 10'000));
-    simulate->add_option("--seed", options.seed, "Of everything random");
+    simulate->add_option("--seed", options.seed, "Random seed");
     simulate
-        ->add_option("--load", options.load_file, "Goes on from a saved game, for --seconds more")
+        ->add_option(
+            "--load", options.load_file, "Continue from a saved game, for another --seconds")
         ->excludes("--solver", "--hz", "--substeps", "--iterations", "--seed");
-    simulate->add_option("--save", options.save_file, "Saves the game at the end");
+    simulate->add_option("--save", options.save_file, "Save the game at the end");
     simulate->add_option("--state",
                          options.state_file,
-                         "Writes the state at the end (JSON); - is the standard output");
-    simulate->add_option("--trace", options.trace_file, "Writes states on the way (JSON lines)");
+                         "Write the final state as JSON; - writes to standard output");
+    simulate->add_option("--trace", options.trace_file, "Write intermediate states as JSON lines");
     simulate->add_option("--every", options.trace_every_s, "Simulated time between trace lines")
         ->check(between(0.0, kLongestRun_s));
-    simulate->add_option(
-        "--expect-hash", options.expect_hash, "Exit code 5 unless the end state has this hash");
+    simulate->add_option("--expect-hash",
+                         options.expect_hash,
+                         "Exit with code 5 unless the final state has this hash");
     simulate
         ->add_option("--drive-fps",
                      options.drive_fps,
-                     "Takes the steps as a window with this frame rate would; same result")
+                     "Group steps as a window at this frame rate would; the result is the same")
         ->check(between(1.0, 100'000.0));
     return simulate;
 }

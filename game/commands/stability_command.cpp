@@ -99,27 +99,27 @@ ExitCode judged(const study::StabilityTable& table, bool expect_green) {
 }  // namespace
 
 CLI::App* add_stability(CLI::App& app, StabilityOptions& options) {
-    CLI::App* stability =
-        app.add_subcommand("stability", "Runs the gallery of hard cases: who holds which");
-    stability->add_option("cases", options.cases, "Ids like H05; none: all of the tier");
+    CLI::App* stability = app.add_subcommand(
+        "stability", "Run the hard cases with every solver and report which pass");
+    stability->add_option("cases", options.cases, "Case ids such as H05; default: all of the tier");
     stability->add_option_function<std::string>(
         "--solver",
         [&options](const std::string& name) { take_solver(name, options.solver); },
-        "One solver only; all if not given");
-    stability->add_option("--tier", options.tier, "ci, or all with the long ones")
+        "Solver; default: all");
+    stability->add_option("--tier", options.tier, "ci, or all to include the long cases")
         ->check(CLI::IsMember({"ci", "all"}));
     CLI::Option* out =
         stability->add_option("--out", options.out, "Folder for stability.json and stability.html");
     add_shard_options(*stability, *out, options.shard, options.merge);
-    stability->add_option("--jobs", options.jobs, "Runs at once; as many as cores if not given")
+    stability->add_option("--jobs", options.jobs, "Parallel runs; default: number of cores")
         ->check(CLI::Range(1, 256));
-    stability->add_flag("--rates", options.rates, "At 30 and 240 Hz as well");
+    stability->add_flag("--rates", options.rates, "Also run at 30 and 240 Hz");
     stability->add_flag(
-        "!--no-pictures", options.images, "Leaves the images of the end states out");
-    stability->add_flag(
-        "--expect-green",
-        options.expect_green,
-        "Exit code 5 when small_step breaks a rule that is not known red, or holds one that is");
+        "!--no-pictures", options.images, "Do not render images of the final states");
+    stability->add_flag("--expect-green",
+                        options.expect_green,
+                        "Exit with code 5 if small_step fails a rule not listed in known_red, or "
+                        "passes one that is");
     return stability;
 }
 

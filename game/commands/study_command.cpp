@@ -60,7 +60,7 @@ Error unknown_case(const std::string& word) {
     std::string message = fmt::format("there is no scenario and no scene \"{}\"", word);
     const std::string_view nearest = nearest_name(word, known);
     if (!nearest.empty()) message += fmt::format("; the nearest is \"{}\"", nearest);
-    return {.message = message + "; plumbline study --list names all scenarios",
+    return {.message = message + "; run `plumbline study --list` to list all scenarios",
             .exit_code = ExitCode::BadUsage};
 }
 
@@ -243,8 +243,8 @@ ExitCode finish_study(const study::Findings& findings, const fs::path& folder) {
         std::cout << printable((folder / kReportPage).string()) << '\n';
     }
     if (findings.complete) return ExitCode::Good;
-    log_warning("interrupted: what was done by then is {}",
-                folder.empty() ? "above" : "above and written");
+    log_warning("interrupted: partial results are {}",
+                folder.empty() ? "shown above" : "shown above and written");
     return ExitCode::Interrupted;
 }
 
@@ -284,37 +284,40 @@ ExitCode run_image_study(const StudyOptions& options) {
 }  // namespace
 
 CLI::App* add_study(CLI::App& app, StudyOptions& options) {
-    CLI::App* study = app.add_subcommand("study", "What accuracy costs: error against CPU time");
+    CLI::App* study =
+        app.add_subcommand("study", "Measure error against CPU time for scenarios or scenes");
     study->add_option(
-        "cases", options.cases, "Scenarios (A20, or A for all that begin so) or scenes; none: all");
-    CLI::Option* out =
-        study->add_option("--out",
-                          options.out,
-                          "Folder for report.html, findings.json and findings.csv; one in "
-                          "~/.local/share/plumbline/studies if not given");
+        "cases",
+        options.cases,
+        "Scenarios (A20, or A for all starting with A) or scenes; default: all scenarios");
+    CLI::Option* out = study->add_option(
+        "--out",
+        options.out,
+        "Folder for report.html, findings.json and findings.csv; default: a new one in "
+        "~/.local/share/plumbline/studies");
     add_shard_options(*study, *out, options.shard, options.merge);
-    study->add_flag("--quick", options.quick, "Two solvers, four step rates");
-    study->add_flag("--list", options.list, "Names all scenarios");
-    study->add_flag("--effects", options.effects, "What each effect of a scene costs")
+    study->add_flag("--quick", options.quick, "Two solvers and four step rates only");
+    study->add_flag("--list", options.list, "List all scenarios");
+    study->add_flag("--effects", options.effects, "Measure the cost of each effect of a scene")
         ->excludes("--shard", "--merge");
     study
         ->add_flag("--picture",
                    options.image,
-                   "What a scene's image costs and how near it comes to one with exact shadows")
+                   "Measure image cost and error against a reference with exact shadows")
         ->excludes("--effects", "--shard", "--merge");
-    study->add_option("--jobs", options.jobs, "Runs at once; as many as cores if not given")
+    study->add_option("--jobs", options.jobs, "Parallel runs; default: number of cores")
         ->check(CLI::Range(1, 256));
-    study->add_option("--seconds", options.seconds, "Of a scene: simulated time")
+    study->add_option("--seconds", options.seconds, "Scenes: simulated time in seconds")
         ->check(positive_up_to(kLongestRun_s));
     study
         ->add_option("--tolerance",
                      options.tolerance,
-                     "Of a scene: just the lines for a relative error of at most this")
+                     "Scenes: print only the settings for this maximum relative error")
         ->check(positive_up_to(1.0));
     study
         ->add_option("--budget-ms",
                      options.budget_ms,
-                     "Of a scene: just the lines for at most so many CPU ms a frame")
+                     "Scenes: print only the settings for this CPU budget, ms per frame")
         ->check(positive_up_to(1e6));
     return study;
 }

@@ -39,7 +39,7 @@ void Goal::begin(const scene::Simulation& simulation) {
 
 std::optional<std::string> Goal::refusal() const {
     if (end_ != scene::GoalEnd::Open || !goal_.throws || thrown_ < *goal_.throws) return {};
-    return "nothing is left to throw";
+    return "no throws left";
 }
 
 void Goal::count_throw(const scene::Simulation& simulation) {

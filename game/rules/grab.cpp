@@ -63,10 +63,10 @@ std::optional<Looked> looked_at(const scene::Simulation& simulation, const Aim& 
 
 std::optional<std::string> Grab::take(scene::Simulation& simulation, const Aim& aim) {
     const auto looked = looked_at(simulation, aim, kReach_m);
-    if (!looked || !simulation.registry.alive(looked->entity)) return "nothing in reach";
+    if (!looked || !simulation.registry.alive(looked->entity)) return "nothing within reach";
     physics::PhysicsWorld& world = simulation.physics;
-    if (world.kind(looked->body) != physics::BodyKind::Dynamic) return "it does not move";
-    if (world.frozen(looked->body)) return "it is frozen";
+    if (world.kind(looked->body) != physics::BodyKind::Dynamic) return "this object is fixed";
+    if (world.frozen(looked->body)) return "this object is frozen";
     const Real mass = world.mass_properties(looked->body).mass_kg;
     if (mass > kMostMass_kg) return "too heavy to lift";
     entity_ = looked->entity;

@@ -52,7 +52,7 @@ PlaygroundGame::PlaygroundGame(scene::Simulation& simulation,
         start_feet_m_ = scene.player->feet_position_m;
         player_.emplace(simulation, start_feet_m_);
         if (glm::length(player_->state().feet_position_m - start_feet_m_) > 0.01_r) {
-            say("the start was blocked: moved to the nearest free place");
+            say("spawn point blocked: moved to the nearest free spot");
             start_feet_m_ = player_->state().feet_position_m;
         }
         return;
@@ -169,10 +169,10 @@ void PlaygroundGame::change_speed(const Actions& actions) {
     const int notches = actions.presses(Action::Push) - actions.presses(Action::Pull);
     if (notches == 0 || grab_.holding() || mode_ == MoveMode::Orbit) return;
     if (mode_ == MoveMode::Walk) {
-        say(fmt::format("walking at {:.2g} m/s", player_->change_pace(notches)));
+        say(fmt::format("walk speed {:.2g} m/s", player_->change_pace(notches)));
     } else {
         fly_.change_speed(notches);
-        say(fmt::format("flying at {:.2g} m/s", fly_.speed_mps()));
+        say(fmt::format("fly speed {:.2g} m/s", fly_.speed_mps()));
     }
 }
 
@@ -189,7 +189,7 @@ void PlaygroundGame::next_mode(scene::Simulation& simulation) {
     if (mode_ == MoveMode::Walk || (mode_ == MoveMode::Orbit && is_small)) {
         mode_ = MoveMode::Fly;
         fly_.place(eye);
-        say("flying: the wheel sets the speed");
+        say("fly mode (mouse wheel sets the speed)");
     } else if (mode_ == MoveMode::Fly) {
         mode_ = MoveMode::Orbit;
         const Aim now = aim();
@@ -200,7 +200,7 @@ void PlaygroundGame::next_mode(scene::Simulation& simulation) {
         const Real unseen_m = is_model ? model_radius_m_ : kDefaultOrbit_m;
         const Real distance = seen ? seen->distance_m : unseen_m;
         orbit_.place(eye + forward * distance, distance, look_.pitch_rad());
-        say("orbiting what you looked at");
+        say("orbit mode");
     } else {
         mode_ = MoveMode::Walk;
         const physics::CharacterDef def;
@@ -210,7 +210,7 @@ void PlaygroundGame::next_mode(scene::Simulation& simulation) {
         } else {
             player_.emplace(simulation, feet);
         }
-        say("walking");
+        say("walk mode");
     }
 }
 
@@ -233,7 +233,7 @@ void PlaygroundGame::judge(scene::Simulation& simulation) {
     const Real depth = scene.kill_below_m.value_or(start_feet_m_.y - kLostBelow_m);
     if (player_->state().feet_position_m.y >= depth) return;
     player_->teleport(start_feet_m_);
-    say("fell out of the world: back at the start");
+    say("fell out of the world: returned to the spawn point");
 }
 
 scene::ViewPoint PlaygroundGame::view(const scene::Simulation&,

@@ -41,7 +41,7 @@ void PlaygroundGame::lift(scene::Simulation& simulation, const Actions& actions)
             [&](const scene::MovingBody& moving) { return is_loose(world, moving.body); });
         if (!is_loose(world, lifted_) && pointer_ && first != simulation.moving_bodies().end())
             lifted_ = first->body;
-        if (!is_loose(world, lifted_)) say("nothing to lift there");
+        if (!is_loose(world, lifted_)) say("nothing to lift");
     }
     if (actions.is_held(Action::Lift) && is_loose(world, lifted_))
         simulation.physics.apply_force(lifted_, {0, kLift_N, 0});
@@ -51,7 +51,7 @@ void PlaygroundGame::explode(scene::Simulation& simulation, const Actions& actio
     if (actions.presses(Action::Explode) == 0) return;
     physics::PhysicsWorld& world = simulation.physics;
     const auto looked = looked_at(simulation, aim(), kArm_m);
-    if (!looked) return say("nothing there to explode at");
+    if (!looked) return say("nothing to explode there");
     if (!explosion_) {
         const auto made = world.create_shape(physics::SphereShape{kExplosion_m});
         if (made) explosion_ = *made;

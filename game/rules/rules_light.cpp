@@ -23,20 +23,20 @@ void PlaygroundGame::light(scene::Simulation& simulation, const Actions& actions
         if (described.flashlight) {
             switches.turn("flashlight", !switches.is_on("flashlight", described.flashlight->on));
         } else {
-            say("no flashlight in this scene");
+            say("this scene has no flashlight");
         }
     }
     change_fog(simulation, actions);
     aim_spot(simulation, actions);
     const bool wants_sun =
         actions.presses(Action::SunFaster) + actions.presses(Action::SunStop) > 0;
-    if (wants_sun && !described.sun) say("no sun in this scene");
+    if (wants_sun && !described.sun) say("this scene has no sun");
     switches.sun_rotation_radps +=
         kSunNotch_radps * static_cast<float>(actions.presses(Action::SunFaster));
     if (actions.presses(Action::SunStop) > 0) switches.sun_rotation_radps = 0.0F;
     if (const auto hour = hour_of(simulation); hour && wants_sun) {
         const auto minutes = static_cast<int>(*hour * 60);
-        say(fmt::format("{}:{:02}, {:.0f} minutes a second",
+        say(fmt::format("time {}:{:02}, {:.0f} min per second",
                         minutes / 60,
                         minutes % 60,
                         degrees_from_radians(switches.sun_rotation_radps) * 4.0F));
@@ -88,7 +88,7 @@ void PlaygroundGame::aim_spot(scene::Simulation& simulation, const Actions& acti
         least_m = distance_m;
     }
     if (!nearest) {
-        if (presses > 0) say("no spotlight in this scene");
+        if (presses > 0) say("this scene has no spotlight");
         return;
     }
     const Vec3 far_point = now.eye_m + now.forward * kSpotReach_m;
@@ -99,7 +99,7 @@ void PlaygroundGame::aim_spot(scene::Simulation& simulation, const Actions& acti
     const Vec3 direction =
         glm::conjugate(stand.orientation) * normalize_or(path, Vec3{0, Real{-1}, 0});
     light.direction_body = Vec3f(direction);
-    if (presses > 0) say("the spotlight shines where you look");
+    if (presses > 0) say("spotlight aimed");
 }
 
 }  // namespace plumbline::game

@@ -46,7 +46,7 @@ void PlaygroundGame::begin_goal(const scene::Simulation& simulation) {
 
 bool PlaygroundGame::is_guarded(ecs::Entity entity) {
     if (!goal_ || !goal_->guards(entity)) return false;
-    say("hands off: it is for throwing at");
+    say("this object is a target: throw something at it");
     return true;
 }
 
@@ -72,8 +72,9 @@ void PlaygroundGame::put_one(scene::Simulation& simulation, const Vec3& velocity
     }
     if (goal_) goal_->count_throw(simulation);
     if (things_.keep_limit(simulation)) {
-        say(fmt::format("more than {} things: the oldest one goes for each new one",
-                        Things::kMost));
+        say(fmt::format(
+            "limit of {} dropped objects reached: the oldest one is removed for each new one",
+            Things::kMost));
     }
 }
 
@@ -111,7 +112,7 @@ void PlaygroundGame::launch(scene::Simulation& simulation, Real charge) {
     if (!grab_.holding()) {
         put_one(simulation, velocity);
     } else if (!grab_.throw_it(simulation, now, velocity)) {
-        say("it is behind a wall: pull it out first");
+        say("cannot release it behind a wall: pull it out first");
     }
 }
 
@@ -152,12 +153,12 @@ void PlaygroundGame::freeze(scene::Simulation& simulation) {
         body = looked->body;
     }
     if (!world.contains(body) || world.kind(body) != physics::BodyKind::Dynamic) {
-        say("nothing to freeze there");
+        say("nothing to freeze");
         return;
     }
     const bool freezes = !world.frozen(body);
     world.set_frozen(body, freezes);
-    say(freezes ? "frozen" : "free again");
+    say(freezes ? "frozen" : "unfrozen");
 }
 
 void PlaygroundGame::remove_looked_at(scene::Simulation& simulation) {
@@ -167,7 +168,7 @@ void PlaygroundGame::remove_looked_at(scene::Simulation& simulation) {
         const bool movable = looked && simulation.registry.alive(looked->entity) &&
                              simulation.physics.kind(looked->body) == physics::BodyKind::Dynamic;
         if (!movable) {
-            say("nothing to remove there");
+            say("nothing to delete");
             return;
         }
         entity = looked->entity;

@@ -43,12 +43,12 @@ void PlaygroundGame::next_view(const scene::ViewerDescription& viewer) {
                                       viewer.radius_m,
                                       viewer.radius_m * kFarthestOrbit_radii);
         orbit_.place(eye + forward * ahead, ahead, look_.pitch_rad());
-        say("orbiting what you looked at");
+        say("orbit mode");
     } else {
         const Vec3 eye = eye_m(1, orientation);
         mode_ = MoveMode::Fly;
         fly_.place(eye);
-        say("flying: the wheel sets the speed");
+        say("fly mode (mouse wheel sets the speed)");
     }
 }
 
@@ -94,21 +94,21 @@ void PlaygroundGame::show_lit(scene::Simulation& simulation, const Actions& acti
     if (actions.presses(Action::Shading) % 2 == 1) {
         const bool was_lit = switches.shading == assets::Shading::BlinnPhong;
         switches.shading = was_lit ? std::nullopt : std::optional(assets::Shading::BlinnPhong);
-        say(was_lit ? "as the scene shades it" : "lit, Blinn-Phong");
+        say(was_lit ? "scene shading" : "Blinn-Phong shading");
     }
     if (actions.presses(Action::Textures) % 2 == 1) {
         switches.textures = !switches.textures;
-        say(switches.textures ? "with textures" : "without textures");
+        say(switches.textures ? "textures on" : "textures off");
     }
     if (actions.presses(Action::SunShadow) % 2 == 1) {
         const scene::SceneDescription& scene = simulation.description();
         if (!scene.sun || !scene.sun->shadow) {
-            say("no sun that casts shadows in this scene");
+            say("this scene has no shadow-casting sun");
             return;
         }
         const bool on = !switches.is_on("sun_shadow", !scene.viewer);
         switches.turn("sun_shadow", on);
-        say(on ? "with the sun's shadows" : "without the sun's shadows");
+        say(on ? "sun shadows on" : "sun shadows off");
     }
 }
 

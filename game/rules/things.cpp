@@ -193,7 +193,7 @@ Result<ecs::Entity> Things::put(scene::Simulation& simulation,
     description.body->velocity_mps = velocity;
     const ecs::Entity entity = simulation.spawn(description);
     if (!simulation.registry.alive(entity)) {
-        return Error{fmt::format("cannot make a {}", name_of_kind(kind))};
+        return Error{fmt::format("cannot create a {}", name_of_kind(kind))};
     }
     const physics::BodyId body = simulation.registry.get<scene::BodyRef>(entity).body;
     const Vec3 size = size_of(simulation, body, thing);
@@ -210,7 +210,7 @@ Result<ecs::Entity> Things::put(scene::Simulation& simulation,
     const auto place = box ? free_place(simulation.physics, aim, room, kReach_m) : std::nullopt;
     if (!place) {
         destroy(simulation, entity);
-        return Error{fmt::format("no room for a {} there", name_of_kind(kind))};
+        return Error{fmt::format("no room for a {}", name_of_kind(kind))};
     }
     const Pose pose{.position = *place - turn * middle, .orientation = turn};
     simulation.physics.set_pose(body, pose);

@@ -163,7 +163,7 @@ def a_window_that_closes_ends_the_film(folder):
         assert game.wait(30) == 130, game.log()
 
     log, films = films_in(folder, None, close)
-    assert log.count("film saved: ") == 1 and len(films) == 1, log
+    assert log.count("video saved: ") == 1 and len(films) == 1, log
     assert frames_that_play(films[0]) >= 10
     told = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "format=duration", "-of", "csv=p=0", films[0]],
                           capture_output=True, text=True)

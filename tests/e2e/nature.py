@@ -14,7 +14,7 @@ from support import Program, expect, home, read_json, settings_in, virtual_scree
 program_file = sys.argv[1]
 images = os.environ.get("PL_E2E_IMAGES")  # a folder: keeps what was on the screen
 
-RECORDED = "the camera's path is recorded until"
+RECORDED = "recording the camera path"
 
 
 class Scene:
@@ -254,7 +254,7 @@ def records_and_plays_the_camera(scene):
     # The report's own kind of file: half a second high above, looking down.
     file.write_text("0.1 -1 0.1 0 25 0\n" * 600)
     scene.game.press("r")
-    scene.game.until_said("camera path of 10.0 s read")
+    scene.game.until_said("camera path loaded (10.0 s)")
     scene.game.press("space")
     scene.seen("way_of_the_report", lambda rows: difference(there, rows) > 10, "it is seen from above")
 

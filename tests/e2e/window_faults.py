@@ -89,7 +89,7 @@ def a_scene_too_large_for_memory_leaves_the_running_one(folder, environment):  #
         usual = resource.prlimit(game.process.pid, resource.RLIMIT_AS)
         resource.prlimit(game.process.pid, resource.RLIMIT_AS, (used + (48 << 20), usual[1]))
         scene.write_text(head + cube + array % 999)
-        game.until_said("there is not enough memory for this scene: the one before stays")
+        game.until_said("not enough memory for this scene; the current scene stays open")
         resource.prlimit(game.process.pid, resource.RLIMIT_AS, usual)
         time.sleep(1)
         snap(game, "no_memory")

@@ -87,7 +87,7 @@ TEST(Book, DeletesTheBodyUnderThePointerHoweverFar) {
     EXPECT_FALSE(play.simulation->registry.alive(play.simulation->find("b")));
     play.step(at(play, {20, 0, 0}, press({Action::Remove})));
     EXPECT_TRUE(play.simulation->registry.alive(play.simulation->find("ground")));
-    EXPECT_EQ(play.messages().back(), "nothing to remove there");
+    EXPECT_EQ(play.messages().back(), "nothing to delete");
 }
 
 // SOURCES A34: what is dragged stays as far from the eye as it was, and keeps its turn.

@@ -69,7 +69,7 @@ std::string AccuracyControl::apply(const AccuracyRequest& request, FrameClock& c
             // What a case showed at one setting says nothing about another.
             if (const Result<Done> reset = session_.reset(); !reset) return reset.error().message;
             after_rebuild(clock);
-            said += "; the case starts anew";
+            said += "; hard case restarted";
         } else {
             use(*request.setting, clock);
         }
@@ -80,13 +80,14 @@ std::string AccuracyControl::apply(const AccuracyRequest& request, FrameClock& c
             study::Ghost::start(*session_.simulation, *request.start_ghost);
         if (!started) return started.error().message;
         ghost_ = std::move(*started);
-        said = fmt::format("ghost from here: {}", study::setting_text(*request.start_ghost));
+        said = fmt::format("ghost started: {}", study::setting_text(*request.start_ghost));
     }
     if (request.adopt) {
         const auto written = write_adopted_copy(session_.description().file,
                                                 setting(),
                                                 scene::scene_folders(session_.folders().assets));
-        said = written ? fmt::format("adopted in {}", written->string()) : written.error().message;
+        said = written ? fmt::format("accuracy saved to {}", written->string())
+                       : written.error().message;
     }
     return said;
 }

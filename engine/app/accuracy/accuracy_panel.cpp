@@ -88,20 +88,20 @@ void draw_gauges(const AccuracyGauges& gauges) {
     const double other =
         cost.cpu_ms_total - cost.broad_ms - cost.narrow_ms - cost.solve_ms - cost.integrate_ms;
     text(fmt::format(
-        "{:.3f} ms a step, {:.1f} ms a second", cost.cpu_ms_total / steps, gauges.ms_per_s));
+        "{:.3f} ms per step, {:.1f} ms per second", cost.cpu_ms_total / steps, gauges.ms_per_s));
     text(fmt::format("broad {:.3f}  narrow {:.3f}  solve {:.3f}  move {:.3f}  other {:.3f}",
                      cost.broad_ms / steps,
                      cost.narrow_ms / steps,
                      cost.solve_ms / steps,
                      cost.integrate_ms / steps,
                      std::max(0.0, other / steps)));
-    text(fmt::format("up to {} sub-steps, {} islands, {:.0f} s lost",
+    text(fmt::format("up to {} sub-steps, {} islands, {:.0f} s dropped",
                      gauges.most_substeps,
                      gauges.islands,
                      gauges.lost_s));
     text(fmt::format(
-        "energy {:.4g} J, {:+.2g} J in a second", gauges.energy_J, gauges.energy_change_J));
-    text(fmt::format("deepest penetration {:.3f} mm, largest joint error {:.3f} mm",
+        "energy {:.4g} J, change {:+.2g} J per second", gauges.energy_J, gauges.energy_change_J));
+    text(fmt::format("max penetration {:.3f} mm, max joint error {:.3f} mm",
                      gauges.max_penetration_m * 1e3,
                      gauges.max_joint_error_m * 1e3));
     const std::string done = scene::interventions_text(gauges.cost.interventions);
@@ -143,15 +143,15 @@ void draw_ghost(const AccuracyControl& control, AccuracyRequest& request) {
         if (ghost != nullptr) text(fmt::format("no ghost: {}", ghost->failure()));
         if (ImGui::Button("ghost from here")) request.start_ghost = finer(control.setting());
         ImGui::SameLine();
-        text("a finer world beside this one");
+        text("the same scene at higher accuracy");
         return;
     }
     text(fmt::format("ghost: {}", study::setting_text(ghost->setting())));
     if (ghost->behind_s() > 0.25)
-        text(fmt::format("{:.1f} s behind: too fine for real time here", ghost->behind_s()));
-    plot("largest, mm", ghost->history(), &study::GhostDistance::largest_m, 1e3);
-    plot("mean, mm", ghost->history(), &study::GhostDistance::mean_m, 1e3);
-    plot("here, ms/s", ghost->history(), &study::GhostDistance::visible_ms_per_s, 1);
+        text(fmt::format("{:.1f} s behind: too expensive to run in real time", ghost->behind_s()));
+    plot("max distance, mm", ghost->history(), &study::GhostDistance::largest_m, 1e3);
+    plot("mean distance, mm", ghost->history(), &study::GhostDistance::mean_m, 1e3);
+    plot("this world, ms/s", ghost->history(), &study::GhostDistance::visible_ms_per_s, 1);
     plot("ghost, ms/s", ghost->history(), &study::GhostDistance::ghost_ms_per_s, 1);
     if (ImGui::Button("ghost from here")) request.start_ghost = ghost->setting();
     ImGui::SameLine();
@@ -182,14 +182,15 @@ AccuracyRequest draw_accuracy(const AccuracyControl& control,
                      ImGuiWindowFlags_NoFocusOnAppearing);
     taken_px = width + margin;
     ImGui::PushItemWidth(width * 0.5F);
-    text("What accuracy costs, over the last second");
+    text("Accuracy and cost (last second)");
     ImGui::Separator();
     Setting setting = control.setting();
     if (control.recorded())
-        text(fmt::format("{}\nA recording keeps its accuracy.", study::setting_text(setting)));
+        text(fmt::format("{}\nAccuracy is locked while recording or replaying.",
+                         study::setting_text(setting)));
     else if (choose_setting(setting))
         request.setting = setting;
-    text(fmt::format("{} here; plumbline-f64 steps in double",
+    text(fmt::format("{}; plumbline-f64 runs in double precision",
                      study::precision_name(setting.precision)));
     ImGui::Separator();
     draw_gauges(control.gauges(clock));

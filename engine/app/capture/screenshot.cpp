@@ -32,7 +32,7 @@ Result<fs::path> save_screenshot(const render::Renderer& renderer,
                                  const fs::path& folder,
                                  const std::string& scene) {
     if (folder.empty())
-        return Error{.message = "no folder for images: neither XDG_DATA_HOME nor HOME is set"};
+        return Error{.message = "no folder for screenshots: neither XDG_DATA_HOME nor HOME is set"};
     if (const Result<Done> made = make_folder(folder); !made) return made.error();
     const fs::path file = unused_file(folder, scene, ".png");
     if (const Result<Done> written = assets::write_png(file, renderer.read_pixels()); !written) {

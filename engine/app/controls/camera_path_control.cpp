@@ -53,7 +53,7 @@ bool CameraPathControl::read() {
     }
     path_ = std::move(*path);
     playing_ = false;  // where it had got to was a place on the former path
-    say_(fmt::format("camera path of {:.1f} s read: {}", path_.length_s(), file().string()));
+    say_(fmt::format("camera path loaded ({:.1f} s): {}", path_.length_s(), file().string()));
     return true;
 }
 
@@ -65,7 +65,7 @@ void CameraPathControl::begin_recording() {
     }
     recording_.emplace();
     at_s_ = 0;
-    say_("the camera's path is recorded until the same key is pressed again");
+    say_("recording the camera path; press the same key to stop");
 }
 
 Result<Done> CameraPathControl::save() {
@@ -85,12 +85,12 @@ void CameraPathControl::end_recording() {
     scene::CameraPath recorded = std::move(*recording_);
     recording_.reset();
     if (recorded.size() < 2) {
-        say_("nothing was recorded");
+        say_("empty camera path: nothing was recorded");
         return;
     }
     path_ = std::move(recorded);
     const Result<Done> saved = save();
-    say_(saved ? fmt::format("camera path of {:.1f} s saved: {}", path_.length_s(), file().string())
+    say_(saved ? fmt::format("camera path saved ({:.1f} s): {}", path_.length_s(), file().string())
                : saved.error().message);
 }
 
@@ -99,7 +99,7 @@ void CameraPathControl::play(const std::string& record_key) {
     std::error_code ignored;
     if (path_.empty() && !file().empty() && std::filesystem::exists(file(), ignored)) read();
     if (path_.empty()) {
-        say_(fmt::format("no camera path of this scene yet: {} records one", record_key));
+        say_(fmt::format("this scene has no camera path yet; record one with {}", record_key));
         return;
     }
     playing_ = true;
@@ -147,9 +147,9 @@ scene::ViewPoint CameraPathControl::see(const scene::ViewPoint& view, double now
 }
 
 std::string CameraPathControl::status() const {
-    if (recording_) return fmt::format("recording the camera: {:.1f} s", at_s_);
+    if (recording_) return fmt::format("recording camera path: {:.1f} s", at_s_);
     if (!playing_) return {};
-    return fmt::format("camera path: {:.1f} of {:.1f} s", at_s_, path_.length_s());
+    return fmt::format("playing camera path: {:.1f} / {:.1f} s", at_s_, path_.length_s());
 }
 
 }  // namespace plumbline::app

@@ -20,7 +20,7 @@ void apply_time_actions(input::ActionLatch& latch,
     const int faster = latch.take_frame_presses(Action::Faster);
     for (int i = 0; i < slower; ++i) clock.set_speed(clock.speed() * 0.5);
     for (int i = 0; i < faster; ++i) clock.set_speed(clock.speed() * 2.0);
-    if (slower + faster > 0) say(fmt::format("speed x{:g}", clock.speed()));
+    if (slower + faster > 0) say(fmt::format("speed {:g}x", clock.speed()));
     if (latch.take_frame_presses(Action::Reset) > 0) controls.reset = true;
     if (latch.take_frame_presses(Action::QuickSave) > 0) controls.save_slot = 0;
     if (latch.take_frame_presses(Action::QuickLoad) > 0) controls.load_slot = 0;
@@ -60,7 +60,7 @@ void refuse_unbuilt_actions(input::ActionLatch& latch,
     for (std::size_t i = 0; i < kActionCount; ++i) {
         const auto action = static_cast<Action>(i);
         if (in_this_version(action) || latch.take_frame_presses(action) == 0) continue;
-        say(fmt::format("\"{}\" is not in this version", action_words(action)));
+        say(fmt::format("\"{}\" is not available", action_words(action)));
     }
 }
 

@@ -35,15 +35,16 @@ std::vector<HudLine> status_lines(const OverlayInput& input) {
     }
     if (!input.camera_path.empty()) add(input.camera_path);
     if (input.clock.paused()) add("paused");
-    if (input.clock.speed() != 1.0) add(fmt::format("speed x{:g}", input.clock.speed()));
+    if (input.clock.speed() != 1.0) add(fmt::format("speed {:g}x", input.clock.speed()));
     if (input.clock.lost_s() >= 0.1)
-        add(fmt::format("{:.1f} s lost: too slow here for real time", input.clock.lost_s()));
+        add(fmt::format("{:.1f} s dropped: slower than real time", input.clock.lost_s()));
     if (input.sound_silent) add("no sound device");
     if (!input.simulation.physics.quarantined().empty()) {
-        add(fmt::format("{} bodies taken out (not finite)",
+        add(fmt::format("{} bodies removed (non-finite state)",
                         input.simulation.physics.quarantined().size()));
     }
-    if (input.lines_not_shown > 0) add(fmt::format("{} lines not shown", input.lines_not_shown));
+    if (input.lines_not_shown > 0)
+        add(fmt::format("{} debug lines not shown", input.lines_not_shown));
     if (line.empty()) return {};
     return {{.text = line}};
 }
@@ -60,7 +61,7 @@ std::vector<HudLine> verdict_lines(const OverlayInput& input) {
     std::vector<HudLine> lines{
         {.text = fmt::format("{}  {}  {:.1f} of {:g} s",
                              hard.id,
-                             open ? "holds so far" : study::verdict_name(judge.verdict()),
+                             open ? "passing so far" : study::verdict_name(judge.verdict()),
                              std::min(input.simulation.time_s(), hard.seconds),
                              hard.seconds),
          .tone = tone_of(judge.verdict())}};
@@ -85,12 +86,12 @@ std::vector<HudLine> goal_lines(const OverlayInput& input, const scene::GoalStat
     std::vector<HudLine> lines{{.text = goal.text, .tone = Tone::Head}};
     std::string now = fmt::format("{} of {}", std::min(goal.counted, goal.wanted), goal.wanted);
     if (goal.left_s) now += fmt::format("   {} left", clock_text(*goal.left_s));
-    if (goal.throws_left) now += fmt::format("   {} to throw", *goal.throws_left);
+    if (goal.throws_left) now += fmt::format("   {} throws left", *goal.throws_left);
     lines.push_back({.text = now});
     if (goal.end == scene::GoalEnd::Open) return lines;
     const bool won = goal.end == scene::GoalEnd::Won;
     lines.push_back(
-        {.text = fmt::format("{}   {}: once more",
+        {.text = fmt::format("{}   {}: play again",
                              won ? fmt::format("Won in {:.1f} s", goal.passed_s) : "Lost",
                              hint_for(input.bindings, Action::Reset, input.device)),
          .tone = won ? Tone::Good : Tone::Bad});

@@ -122,8 +122,8 @@ void apply_entry(const std::string& file,
     }
     const std::string_view nearest = nearest_name(key, known);
     fault(nearest.empty()
-              ? "no such setting. Line ignored."
-              : fmt::format("no such setting. Nearest: \"{}\". Line ignored.", nearest));
+              ? "unknown setting. Line ignored."
+              : fmt::format("unknown setting. Nearest: \"{}\". Line ignored.", nearest));
 }
 
 void apply_layer(const std::filesystem::path& path, AppConfig& config, Diagnostics& faults) {
@@ -168,7 +168,7 @@ void apply_layer(const std::filesystem::path& path, AppConfig& config, Diagnosti
                         .line = static_cast<int>(table.source().begin.line),
                         .column = static_cast<int>(table.source().begin.column),
                         .key = std::string(name),
-                        .message = "\"picture\" is called \"image\" now"});
+                        .message = "\"picture\" was renamed to \"image\""});
             name = "image";
         }
         for (const auto& [key, node] : *entries) {
@@ -191,34 +191,34 @@ std::uint8_t* place_of(Enum& value) {
 
 std::vector<Setting> settings_of(AppConfig& config) {
     return {
-        {"window", "width", IntSetting{&config.width, 64, 16384}, "Width at the start"},
-        {"window", "height", IntSetting{&config.height, 64, 16384}, "Height at the start"},
-        {"window", "vsync", &config.vsync, "Wait for the screen (vsync)"},
-        {"window", "max_fps", IntSetting{&config.max_fps, 10, 10000}, "Frames a second at most"},
-        {"window", "pause_on_focus_loss", &config.pause_on_focus_loss, "Pause in the background"},
+        {"window", "width", IntSetting{&config.width, 64, 16384}, "Window width"},
+        {"window", "height", IntSetting{&config.height, 64, 16384}, "Window height"},
+        {"window", "vsync", &config.vsync, "VSync"},
+        {"window", "max_fps", IntSetting{&config.max_fps, 10, 10000}, "Frame rate limit"},
+        {"window", "pause_on_focus_loss", &config.pause_on_focus_loss, "Pause when unfocused"},
         {"image",
          "level",
          WordSetting{place_of(config.quality_level), kImageLevelNames},
-         "Level of detail"},
-        {"image", "target_ms", FloatSetting{&config.target_ms, 4, 200}, "Auto: ms a frame"},
+         "Quality level"},
+        {"image", "target_ms", FloatSetting{&config.target_ms, 4, 200}, "Auto: target frame time"},
         {"image", "render_scale", FloatSetting{&config.render_scale, 0, 1}, "Render scale"},
         {"image",
          "anti_aliasing",
          WordSetting{place_of(config.anti_aliasing), kEdgeWishNames},
-         "Smooth edges"},
+         "Anti-aliasing"},
         {"image", "fov_deg", FloatSetting{&config.fov_deg, 30, 120}, "Field of view"},
-        {"hud", "ui_scale", FloatSetting{&config.ui_scale, 0, 3}, "Size of text"},
-        {"hud", "hints", &config.hints, "Hints"},
+        {"hud", "ui_scale", FloatSetting{&config.ui_scale, 0, 3}, "UI scale"},
+        {"hud", "hints", &config.hints, "Tutorial hints"},
         {"hud", "reduce_motion", &config.reduce_motion, "Reduce motion"},
-        {"sound", "master_gain", FloatSetting{&config.master_gain, 0, 1}, "Everything"},
-        {"sound", "effects_gain", FloatSetting{&config.effects_gain, 0, 1}, "Impacts and steps"},
-        {"sound", "ambience_gain", FloatSetting{&config.ambience_gain, 0, 1}, "Surroundings"},
-        {"sound", "ui_gain", FloatSetting{&config.ui_gain, 0, 1}, "Menu"},
+        {"sound", "master_gain", FloatSetting{&config.master_gain, 0, 1}, "Master volume"},
+        {"sound", "effects_gain", FloatSetting{&config.effects_gain, 0, 1}, "Effects volume"},
+        {"sound", "ambience_gain", FloatSetting{&config.ambience_gain, 0, 1}, "Ambience volume"},
+        {"sound", "ui_gain", FloatSetting{&config.ui_gain, 0, 1}, "Menu volume"},
         {"sound", "mute", &config.mute, "Mute"},
         {"sound", "mono", &config.mono, "Mono"},
         {"sound", "doppler", &config.doppler, "Doppler shift"},
-        {"sound", "captions", &config.captions, "Captions of loud sounds"},
-        {"sound", "voices", IntSetting{&config.voices, 1, 256}, "Sounds at the same time"},
+        {"sound", "captions", &config.captions, "Sound captions"},
+        {"sound", "voices", IntSetting{&config.voices, 1, 256}, "Voice limit"},
     };
 }
 

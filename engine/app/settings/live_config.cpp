@@ -82,9 +82,11 @@ Result<Done> write_user_setting(const std::filesystem::path& user_folder,
                                 std::string_view name,
                                 std::string_view text) {
     const auto not_stored = [](std::string_view why) {
-        return Error{.message = fmt::format("changes last for this session: {}", why)};
+        return Error{.message = fmt::format(
+                         "settings cannot be saved and last for this session only: {}", why)};
     };
-    if (user_folder.empty()) return not_stored("there is no folder for your settings");
+    if (user_folder.empty())
+        return not_stored("no user settings folder (XDG_CONFIG_HOME and HOME are not set)");
     const Result<Done> written = write_file_and_folder(user_folder / name, text);
     if (!written) return not_stored(written.error().message);
     return Done{};

@@ -98,7 +98,7 @@ bool Canvas::Impl::load_thumbnail(const std::string& name) {
     if (file.empty()) return false;
     const Result<assets::ImageData> image = assets::import_image(file.mapped());
     if (!image) {
-        log_note("no image of {}: {}", name, image.error().message);
+        log_note("no thumbnail for {}: {}", name, image.error().message);
         return false;
     }
     const std::uint32_t bytes = assets::bytes_per_pixel(image->format);

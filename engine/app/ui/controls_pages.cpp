@@ -58,13 +58,12 @@ Line MenuPages::binding_line(Action action) {
     const bool can_toggle =
         action == Action::Crouch || action == Action::Sprint || action == Action::Grab;
     if (can_toggle) {
-        line.cells.push_back(
-            {.text = holds ? "while held" : "on and off", .activate = [this, index, holds] {
-                 change_bindings([&](input::Bindings& wanted) {
-                     wanted.hold_mode[index] =
-                         holds ? input::HoldMode::Toggle : input::HoldMode::Hold;
-                 });
-             }});
+        line.cells.push_back({.text = holds ? "hold" : "toggle", .activate = [this, index, holds] {
+                                  change_bindings([&](input::Bindings& wanted) {
+                                      wanted.hold_mode[index] =
+                                          holds ? input::HoldMode::Toggle : input::HoldMode::Hold;
+                                  });
+                              }});
     }
     if (!input::same_inputs(stored, below, action) ||
         stored.hold_mode[index] != below.hold_mode[index]) {
@@ -85,8 +84,9 @@ Page MenuPages::controls() {
                                      world_.change_bindings(world_.bindings.below());
                                  }}}});
     page.lines.push_back({.kind = LineKind::Text,
-                          .label = "Choose a key to press another one in its place, + to add one; "
-                                   "Delete takes it away. Everything is stored at once."});
+                          .label =
+                              "Select a binding to replace it, + to add one; Delete removes it. "
+                              "Changes are saved immediately."});
     std::optional<ActionGroup> group;
     for (std::size_t i = 0; i < kActionCount; ++i) {
         const auto action = static_cast<Action>(i);
@@ -96,15 +96,14 @@ Page MenuPages::controls() {
             group = group_of(action);
             page.lines.push_back(
                 {.kind = LineKind::Heading, .label = std::string(group_words(*group))});
-            page.lines.push_back({.kind = LineKind::Cells,
-                                  .cells = {{.text = "Reset this group",
-                                             .icon = Icon::Again,
-                                             .activate = [this, of = *group] {
-                                                 change_bindings([&](input::Bindings& wanted) {
-                                                     input::reset_group(
-                                                         wanted, world_.bindings.below(), of);
-                                                 });
-                                             }}}});
+            page.lines.push_back(
+                {.kind = LineKind::Cells,
+                 .cells = {
+                     {.text = "Reset group", .icon = Icon::Again, .activate = [this, of = *group] {
+                          change_bindings([&](input::Bindings& wanted) {
+                              input::reset_group(wanted, world_.bindings.below(), of);
+                          });
+                      }}}});
         }
         page.lines.push_back(binding_line(action));
     }
@@ -121,14 +120,14 @@ void MenuPages::wait_for_press(Slot slot) {
 }
 
 Page MenuPages::press_page() {
-    Page page{.title = fmt::format("Press what shall do: {}", action_words(slot_.action)),
+    Page page{.title = fmt::format("Press a key for: {}", action_words(slot_.action)),
               .most_width = 40.0F};
     if (!refused_.empty()) page.lines.push_back({.kind = LineKind::Text, .label = refused_});
     page.lines.push_back(
         {.kind = LineKind::Text,
          .label =
-             "A key, a mouse button, the wheel, a pad button, a trigger or a stick; with Ctrl, "
-             "Shift, Alt or Super held as a chord. Escape leaves it as it was."});
+             "Key, mouse button, wheel, gamepad button, trigger or stick; hold Ctrl, Shift, Alt or "
+             "Super for a chord. Escape cancels."});
     return page;
 }
 
@@ -164,27 +163,27 @@ void MenuPages::bind(Slot slot, const input::Input& input) {
 }
 
 Page MenuPages::conflict_page() {
-    Page page{.title = fmt::format("{} is taken", label_of(*wanted_)), .most_width = 40.0F};
+    Page page{.title = fmt::format("{} is already in use", label_of(*wanted_)),
+              .most_width = 40.0F};
     std::string others;
     for (const Action other :
          input::also_drives(world_.bindings.stored(), *wanted_, slot_.action)) {
         others += fmt::format("{}\"{}\"", others.empty() ? "" : " and ", action_words(other));
     }
     page.lines.push_back({.kind = LineKind::Text,
-                          .label = fmt::format("{} does {} now. Shall it do \"{}\" instead?",
+                          .label = fmt::format("{} is bound to {}. Bind it to \"{}\" instead?",
                                                label_of(*wanted_),
                                                others,
                                                action_words(slot_.action))});
-    page.lines.push_back({.kind = LineKind::List,
-                          .cells = {{.text = fmt::format("Yes: {}", action_words(slot_.action)),
-                                     .activate =
-                                         [this] {
-                                             bind(slot_, *wanted_);
-                                             menu_.back();
-                                         }},
-                                    {.text = fmt::format("No: it stays with {}", others),
-                                     .icon = Icon::Back,
-                                     .activate = [this] { menu_.back(); }}}});
+    page.lines.push_back(
+        {.kind = LineKind::List,
+         .cells = {{.text = "Rebind",
+                    .activate =
+                        [this] {
+                            bind(slot_, *wanted_);
+                            menu_.back();
+                        }},
+                   {.text = "Cancel", .icon = Icon::Back, .activate = [this] { menu_.back(); }}}});
     return page;
 }
 

@@ -126,6 +126,10 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size_px, ImU32 
             return pen.disc(0, 0, 0.24F);
         case Icon::Off:
             return pen.circle(0, 0, 0.38F);
+        case Icon::Save:  // a floppy disk
+            pen.box(-0.42F, -0.42F, 0.42F, 0.42F);
+            pen.filled_box(-0.2F, -0.42F, 0.2F, -0.12F);
+            return pen.box(-0.25F, 0.06F, 0.25F, 0.42F);
         case Icon::Light:
             pen.filled_box(-0.45F, -0.12F, 0.0F, 0.12F);
             pen.triangle(-0.05F, 0.0F, 0.18F, -0.26F, 0.18F, 0.26F);

@@ -11,7 +11,7 @@
 namespace plumbline::app::ui {
 
 Line MenuPages::fog_colors() {
-    Line colors{.kind = LineKind::Cells, .label = "Its colour"};
+    Line colors{.kind = LineKind::Cells, .label = "Fog colour"};
     for (std::size_t i = 0; i < scene::kFogColors.size(); ++i) {
         colors.cells.push_back({.text = std::string(scene::kFogColors[i].name),
                                 .activate =
@@ -52,7 +52,7 @@ void MenuPages::add_light(Page& page) {
                           })}});
     page.lines.push_back(
         {.kind = LineKind::Cells,
-         .label = "How dense",
+         .label = "Fog density",
          .cells = {factor(fmt::format("{:.2g} per m", fog.density_per_m * now.fog_density_scale),
                           now.fog_density_scale,
                           scene::kThinnestFog,
@@ -72,8 +72,7 @@ void MenuPages::add_light(Page& page) {
                           [](scene::LiveSwitches& s, float value) { s.light_scale = value; })}});
     if (const std::optional<double> hour = world_.hour()) add_hour(page, *hour);
     page.lines.push_back({.kind = LineKind::Text,
-                          .label = "These hold until you leave the scene or start it again; keys "
-                                   "do the same in play."});
+                          .label = "These settings last until you reset or leave the scene."});
 }
 
 void MenuPages::add_hour(Page& page, double hour) {
@@ -89,8 +88,8 @@ void MenuPages::add_hour(Page& page, double hour) {
                                            world_.set_hour)}});
     scene::LiveSwitches& now = world_.switches();
     const bool by_themselves = !now.effects.contains("lamps");
-    Line lamps{.kind = LineKind::Cells, .label = "Lamps that wait for the dark"};
-    lamps.cells.push_back({.text = "by themselves",
+    Line lamps{.kind = LineKind::Cells, .label = "Lamps"};
+    lamps.cells.push_back({.text = "automatic",
                            .activate = [this] { world_.switches().effects.erase("lamps"); },
                            .marked = by_themselves});
     for (const bool on : {true, false}) {

@@ -27,7 +27,8 @@ enum class Icon : std::uint8_t {
     Accuracy,
     On,
     Off,
-    Light
+    Light,
+    Save
 };
 
 /// Something that can be chosen. Functions that are empty are not offered.

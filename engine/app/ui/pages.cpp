@@ -88,8 +88,8 @@ void MenuPages::add_scenes(Page& page) {
         const bool hard = name == kHardFolder;
         shipped.cells.push_back(
             {.text = hard ? "Hard cases" : folder_words(name),
-             .note = hard ? fmt::format("{} scenes: each asks one hard thing of the solver and "
-                                        "says at once whether it holds",
+             .note = hard ? fmt::format("{} stress tests of the solver, each with pass rules that "
+                                        "are checked live",
                                         scenes.size())
                           : fmt::format("{} scenes", scenes.size()),
              .thumbnail = hard ? std::string(kHardImage) : scenes.front()->name,
@@ -135,25 +135,25 @@ Page MenuPages::in_play() {
     Page page{.title = world_.scene_title, .most_width = 26.0F};
     page.lines.push_back(
         {.kind = LineKind::List,
-         .cells = {{.text = "Go on", .icon = Icon::Play, .activate = [this] { menu_.close(); }},
-                   {.text = "Start the scene again",
+         .cells = {{.text = "Resume", .icon = Icon::Play, .activate = [this] { menu_.close(); }},
+                   {.text = "Reset scene",
                     .icon = Icon::Again,
                     .activate =
                         [this] {
                             world_.start_again();
                             menu_.close();
                         }},
-                   to_page("Other scenes", Icon::Scenes, &MenuPages::all_scenes),
+                   to_page("Scenes", Icon::Scenes, &MenuPages::all_scenes),
                    to_page("Settings", Icon::Settings, &MenuPages::settings),
                    to_page("Controls", Icon::Keys, &MenuPages::controls),
                    to_page("Help", Icon::Help, &MenuPages::help),
-                   to_page("Saved games", Icon::Back, &MenuPages::saved_games),
+                   to_page("Saved games", Icon::Save, &MenuPages::saved_games),
                    {.text = "Quit", .icon = Icon::Quit, .activate = [this] { world_.quit(); }}}});
     return page;
 }
 
 Page MenuPages::saved_games() {
-    Page page{.title = fmt::format("Saved games of {}", world_.scene_title), .most_width = 32.0F};
+    Page page{.title = fmt::format("Saved games: {}", world_.scene_title), .most_width = 32.0F};
     page.lines.push_back({.kind = LineKind::Cells, .cells = {back_cell()}});
     for (const SaveSlot& slot : world_.save_slots()) {
         Line line{
@@ -178,7 +178,7 @@ Page MenuPages::saved_games() {
 }
 
 Page MenuPages::all_scenes() {
-    Page page{.title = "Other scenes"};
+    Page page{.title = "Scenes"};
     page.lines.push_back({.kind = LineKind::Cells, .cells = {back_cell()}});
     add_scenes(page);
     return page;
@@ -190,7 +190,7 @@ Page MenuPages::help() {
         {.kind = LineKind::Cells,
          .cells = {back_cell(),
                    to_page("Controls", Icon::Keys, &MenuPages::controls),
-                   {.text = "Show the first hints again", .icon = Icon::Again, .activate = [this] {
+                   {.text = "Reset hints", .icon = Icon::Again, .activate = [this] {
                         world_.forget_first_minute();
                     }}}});
     const input::Bindings& bindings = world_.bindings.current();

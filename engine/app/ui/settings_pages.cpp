@@ -17,13 +17,13 @@ struct NamedTuning {
     std::string_view key;
     std::string_view label;
 };
-constexpr std::array<NamedTuning, 7> kTuning{{{"mouse_deg_per_count", "Mouse: speed"},
-                                              {"invert_y", "Up and down exchanged"},
-                                              {"pad_look_deg_per_sec", "Stick: speed"},
-                                              {"pad_inner_dead_zone", "Stick: at rest below"},
-                                              {"pad_outer_dead_zone", "Stick: full above"},
-                                              {"pad_curve", "Stick: finer near the middle"},
-                                              {"trigger_threshold", "Trigger: pressed from"}}};
+constexpr std::array<NamedTuning, 7> kTuning{{{"mouse_deg_per_count", "Mouse sensitivity"},
+                                              {"invert_y", "Invert Y axis"},
+                                              {"pad_look_deg_per_sec", "Stick sensitivity"},
+                                              {"pad_inner_dead_zone", "Stick inner dead zone"},
+                                              {"pad_outer_dead_zone", "Stick outer dead zone"},
+                                              {"pad_curve", "Stick response curve"},
+                                              {"trigger_threshold", "Trigger threshold"}}};
 
 /// As floats are written: without the digits that a float cannot hold.
 float tidy(double value) {
@@ -39,7 +39,7 @@ Cell number_cell(std::string_view key,
         return slider(fmt::format("{:.0f}°", now), static_cast<double>(now), 30, 120, 5, take);
     }
     if (key == "target_ms") {
-        return slider(fmt::format("{:.0f} ms, {:.0f} a second", now, 1000.0F / now),
+        return slider(fmt::format("{:.0f} ms ({:.0f} fps)", now, 1000.0F / now),
                       static_cast<double>(now),
                       5,
                       100,
@@ -49,7 +49,7 @@ Cell number_cell(std::string_view key,
     if (key == "render_scale") {
         // The lowest step is 0: by the level.
         const auto by_level = [take](double value) { take(value < 0.25 ? 0.0 : value); };
-        return slider(now == 0.0F ? "by the level" : percent(now),
+        return slider(now == 0.0F ? "automatic" : percent(now),
                       now == 0.0F ? 0.2 : static_cast<double>(now),
                       0.2,
                       1,
@@ -58,7 +58,7 @@ Cell number_cell(std::string_view key,
     }
     if (key == "ui_scale") {
         const auto automatic = [take](double value) { take(value < 0.75 ? 0.0 : value); };
-        return slider(now == 0.0F ? "by the window" : percent(now),
+        return slider(now == 0.0F ? "automatic" : percent(now),
                       now == 0.0F ? 0.5 : static_cast<double>(now),
                       0.5,
                       3,
@@ -176,7 +176,7 @@ void MenuPages::add_mouse(Page& page) {
     }
     page.lines.push_back(
         {.kind = LineKind::Cells,
-         .cells = {{.text = "Reset these", .icon = Icon::Again, .activate = [this] {
+         .cells = {{.text = "Reset to defaults", .icon = Icon::Again, .activate = [this] {
                         change_bindings([this](input::Bindings& wanted) {
                             wanted.tuning = world_.bindings.below().tuning;
                         });
@@ -190,8 +190,8 @@ Page MenuPages::settings() {
         const char* text;
         Icon icon;
     };
-    constexpr std::array<NamedTab, 6> kTabs{{{Tab::Image, "Image", Icon::Image},
-                                             {Tab::Screen, "Screen", Icon::Screen},
+    constexpr std::array<NamedTab, 6> kTabs{{{Tab::Image, "Graphics", Icon::Image},
+                                             {Tab::Screen, "Display", Icon::Screen},
                                              {Tab::Sound, "Sound", Icon::Sound},
                                              {Tab::Mouse, "Mouse and pad", Icon::Mouse},
                                              {Tab::Light, "Light and fog", Icon::Light},
@@ -224,7 +224,7 @@ Page MenuPages::settings() {
     add_settings(page, tables);
     page.lines.push_back(
         {.kind = LineKind::Cells,
-         .cells = {{.text = "Reset these", .icon = Icon::Again, .activate = [this, tables] {
+         .cells = {{.text = "Reset to defaults", .icon = Icon::Again, .activate = [this, tables] {
                         AppConfig wanted = world_.config.current();
                         AppConfig below = world_.config.below();
                         const std::vector<Setting> to = settings_of(wanted);
@@ -241,9 +241,10 @@ Page MenuPages::settings() {
 void MenuPages::add_accuracy(Page& page) {
     const study::Setting now = world_.accuracy();
     page.lines.push_back(
-        {.kind = LineKind::Text, .label = fmt::format("Now: {}", study::setting_text(now))});
+        {.kind = LineKind::Text, .label = fmt::format("Current: {}", study::setting_text(now))});
     if (world_.accuracy_is_recorded) {
-        page.lines.push_back({.kind = LineKind::Text, .label = "A recording keeps its accuracy."});
+        page.lines.push_back(
+            {.kind = LineKind::Text, .label = "Accuracy is locked while recording or replaying."});
         return;
     }
     const auto choice = [&](std::string text, const study::Setting& setting) {
@@ -261,7 +262,7 @@ void MenuPages::add_accuracy(Page& page) {
         const study::Setting other = solver == now.solver ? now : with_solver(now, solver);
         solvers.cells.push_back(choice(std::string(physics::solver_name(solver)), other));
     }
-    Line rates{.kind = LineKind::Cells, .label = "Steps a second"};
+    Line rates{.kind = LineKind::Cells, .label = "Step rate, Hz"};
     for (const int hz : offered_rates_hz()) {
         study::Setting other = now;
         other.step_hz = hz;
@@ -270,18 +271,15 @@ void MenuPages::add_accuracy(Page& page) {
     page.lines.push_back(std::move(presets));
     page.lines.push_back(std::move(solvers));
     page.lines.push_back(std::move(rates));
-    page.lines.push_back(
-        {.kind = LineKind::Cells,
-         .cells = {{.text = "Keep it: write a copy of the scene with this accuracy",
-                    .icon = Icon::Scenes,
-                    .activate = world_.adopt_accuracy}}});
+    page.lines.push_back({.kind = LineKind::Cells,
+                          .cells = {{.text = "Save a copy of the scene with these settings",
+                                     .icon = Icon::Scenes,
+                                     .activate = world_.adopt_accuracy}}});
     page.lines.push_back(
         {.kind = LineKind::Text,
-         .label =
-             "Unlike the other settings this one holds until you leave the scene: a scene says "
-             "itself how it is stepped, so that it goes the same way for everybody, each "
-             "time, in play, simulate and a replay. A copy keeps it, among your scenes. What "
-             "it costs and how good it is stands in the accuracy panel in play."});
+         .label = "Accuracy belongs to the scene file, so that everybody gets the same simulation. "
+                  "Changes made here last until you leave the scene; save a copy to keep them. The "
+                  "accuracy panel shows cost and error during play."});
 }
 
 }  // namespace plumbline::app::ui

@@ -25,7 +25,7 @@ struct FogColor {
     Vec3f color;  ///< linear; of the first: the scene says
 };
 
-inline constexpr std::array<FogColor, 6> kFogColors{{{"as the scene has it", {}},
+inline constexpr std::array<FogColor, 6> kFogColors{{{"scene colour", {}},
                                                      {"white", {0.85F, 0.88F, 0.9F}},
                                                      {"grey", {0.35F, 0.37F, 0.4F}},
                                                      {"blue", {0.22F, 0.33F, 0.5F}},

@@ -89,7 +89,7 @@ TEST(CommandLine, WithoutAHomeItSaysWhatToName) {
     const test::ScopedVariable data("XDG_DATA_HOME", std::nullopt);
     const test::ScopedVariable home("HOME", std::nullopt);
     EXPECT_EQ(default_output("shots", "garden", ".png").error().message,
-              "nowhere to write: neither XDG_DATA_HOME nor HOME is set; name a place with --out");
+              "no output folder: neither XDG_DATA_HOME nor HOME is set; use --out");
 }
 
 }  // namespace

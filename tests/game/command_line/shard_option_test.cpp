@@ -43,7 +43,8 @@ TEST_F(ShardOption, NamesAPartOfAWhole) {
 TEST_F(ShardOption, OtherWordsAreNoPart) {
     for (const char* bad : {"", "2", "0/4", "5/4", "-1/4", "1/0", "1/4/2", "a/b", "1/10001"}) {
         const std::string said = parse({"--out", "x", "--shard", bad});
-        EXPECT_NE(said.find("expected I/N, like 2/4 for the second of four"), std::string::npos)
+        EXPECT_NE(said.find("expected I/N, for example 2/4 for the second of four parts"),
+                  std::string::npos)
             << bad << ": " << said;
     }
 }

@@ -34,7 +34,7 @@ TEST_F(StudyCommand, AWordThatNothingBeginsWithIsToldTheNearest) {
     EXPECT_EQ(run.code, ExitCode::BadUsage);
     EXPECT_EQ(run.said,
               "plumbline: error: there is no scenario and no scene \"A2O\"; the nearest is "
-              "\"A20\"; plumbline study --list names all scenarios\n");
+              "\"A20\"; run `plumbline study --list` to list all scenarios\n");
     const CommandRun far = studied({.cases = {"quaternions"}});
     EXPECT_EQ(far.said,
               "plumbline: error: there is no scenario and no scene \"quaternions\"; plumbline "

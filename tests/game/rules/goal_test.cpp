@@ -93,7 +93,7 @@ TEST(Goal, IsLostWhenNothingIsLeftToThrow) {
     Playground play(shelf());
     for (int i = 0; i < 4; ++i) throw_at(play, {6, 1, -2});
     play.step(press({Action::Drop}));
-    EXPECT_EQ(play.messages().back(), "nothing is left to throw");
+    EXPECT_EQ(play.messages().back(), "no throws left");
     EXPECT_EQ(play.thing_count(), 4U);
     play.run(5.5);
     EXPECT_EQ(state(play).end, GoalEnd::Open) << "the last one may still do its work";
@@ -110,7 +110,7 @@ TEST(Goal, HandsLeaveItsThingsAloneAndOnlyItsThingIsThrown) {
     Playground play(scene);
     play.step(press({Action::Grab}));
     EXPECT_FALSE(play.game->holds());
-    EXPECT_EQ(play.messages().back(), "hands off: it is for throwing at");
+    EXPECT_EQ(play.messages().back(), "this object is a target: throw something at it");
     play.step(press({Action::Remove}));
     EXPECT_TRUE(play.simulation->registry.alive(play.simulation->find("can.1")));
     play.step(press({Action::Select3}));

@@ -81,11 +81,11 @@ TEST(Grab, RefusesWhatIsTooHeavyOrDoesNotMove) {
     fixed.step(look(0.0F, -0.3F));
     fixed.step(press({Action::Grab}));
     EXPECT_FALSE(fixed.game->grab().holding());
-    EXPECT_EQ(fixed.messages(), std::vector<std::string>{"it does not move"});
+    EXPECT_EQ(fixed.messages(), std::vector<std::string>{"this object is fixed"});
 
     Playground nothing;
     nothing.step(press({Action::Grab}));
-    EXPECT_EQ(nothing.messages(), std::vector<std::string>{"nothing in reach"});
+    EXPECT_EQ(nothing.messages(), std::vector<std::string>{"nothing within reach"});
 }
 
 TEST(Grab, LetsGoWithTheKeyAndWhenTheThingIsGone) {

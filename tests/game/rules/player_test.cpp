@@ -34,7 +34,7 @@ TEST(Player, ABlockedStartIsMovedAndTold) {
     PlaygroundGame game(**built, "no such folder");
     EXPECT_NEAR(game.player()->state().feet_position_m.y, 2, 0.2);
     EXPECT_EQ(game.hud(**built).messages,
-              std::vector<std::string>{"the start was blocked: moved to the nearest free place"});
+              std::vector<std::string>{"spawn point blocked: moved to the nearest free spot"});
 }
 
 TEST(Player, PaceChangesByAQuarterBetweenAQuarterAndThreeTimes) {

@@ -60,7 +60,7 @@ TEST(RulesForces, WithoutAFreePointerTheSameKeysGoWhereTheCameraLooks) {
     Playground play(stage_with({floor_at(-5), loose("box", {0, 0, 0})}));
     play.simulation->physics.set_pose(play.body("box"), {.position = {0, 0, 0}});
     play.step(press({Action::Lift}));
-    EXPECT_EQ(play.messages().back(), "nothing to lift there") << "15 m are out of reach";
+    EXPECT_EQ(play.messages().back(), "nothing to lift") << "15 m are out of reach";
     EXPECT_FALSE(play.game->hud(*play.simulation).crosshair) << "none while orbiting";
 }
 
@@ -68,7 +68,7 @@ TEST(RulesForces, WhatIsFrozenOrHeavyStaysWhereItIs) {
     Playground play(stage_with({floor_at(0), loose("box", {0, 1, 0})}));
     play.simulation->physics.set_frozen(play.body("box"), true);
     play.step(at(play, {0, 1, 0}, press({Action::Lift})));
-    EXPECT_EQ(play.messages().back(), "nothing to lift there");
+    EXPECT_EQ(play.messages().back(), "nothing to lift");
     play.step(at(play, {1, 0, 0}, press({Action::Explode})));
     EXPECT_EQ(play.state("box").velocity_mps, Vec3(0, 0, 0));
 }
@@ -76,7 +76,7 @@ TEST(RulesForces, WhatIsFrozenOrHeavyStaysWhereItIs) {
 TEST(RulesForces, AnExplosionNeedsSomethingToExplodeAt) {
     Playground play(stage_with({floor_at(0), loose("box", {0, 1, 0})}));
     play.step(at(play, {0, 40, 0}, press({Action::Explode})));
-    EXPECT_EQ(play.messages().back(), "nothing there to explode at");
+    EXPECT_EQ(play.messages().back(), "nothing to explode there");
     EXPECT_NEAR(glm::length(play.state("box").velocity_mps), 0, 1e-3);
 }
 

@@ -37,7 +37,7 @@ TEST(RulesLight, TheNearestSpotShinesWhereOneLooksWhileTheKeyIsDown) {
     const Vec3 wanted = glm::normalize(seen - Vec3{3, 4, -2});
     EXPECT_NEAR(glm::distance(spot_direction(play, "lamp"), wanted), 0, 1e-3);
     EXPECT_NEAR(glm::distance(spot_direction(play, "far"), untouched), 0, 1e-6);
-    EXPECT_EQ(play.messages(), std::vector<std::string>{"the spotlight shines where you look"});
+    EXPECT_EQ(play.messages(), std::vector<std::string>{"spotlight aimed"});
 
     Actions held = hold({Action::AimSpot});
     held.look_yaw_rad = 0.4F;
@@ -58,7 +58,7 @@ TEST(RulesLight, TheNearestSpotShinesWhereOneLooksWhileTheKeyIsDown) {
 TEST(RulesLight, WithoutASpotItSaysSo) {
     Playground play;
     play.step(press({Action::AimSpot}));
-    EXPECT_EQ(play.messages(), std::vector<std::string>{"no spotlight in this scene"});
+    EXPECT_EQ(play.messages(), std::vector<std::string>{"this scene has no spotlight"});
 }
 
 // SOURCES B26
@@ -77,7 +77,7 @@ TEST(RulesLight, FogGrowsDenserAndThinnerAndTakesColours) {
     play.step(press({Action::FogDenser}));
     EXPECT_TRUE(switches.is_on("fog", scene.fog->on)) << "who changes it wants to see it";
     EXPECT_EQ(switches.fog_density_scale, 1.25F);
-    EXPECT_EQ(play.messages(), std::vector<std::string>{"fog: 0.05 per m, as the scene has it"});
+    EXPECT_EQ(play.messages(), std::vector<std::string>{"fog: 0.05 per m, scene colour"});
     for (int i = 0; i < 100; ++i) play.step(press({Action::FogThinner}));
     EXPECT_EQ(switches.fog_density_scale, 0.05F) << "the thinnest";
     for (int i = 0; i < 100; ++i) play.step(press({Action::FogDenser}));
@@ -95,7 +95,7 @@ TEST(RulesLight, TheWheelSetsThePace) {
     play.step(press({Action::Push}));
     play.step(press({Action::Push}));
     EXPECT_EQ(play.messages(),
-              (std::vector<std::string>{"walking at 2.2 m/s", "walking at 2.8 m/s"}));
+              (std::vector<std::string>{"walk speed 2.2 m/s", "walk speed 2.8 m/s"}));
     const Real from = play.feet().z;
     play.run(3, hold({Action::Forward}));
     EXPECT_NEAR(from - play.feet().z, 1.8 * 1.25 * 1.25 * 3, 0.1);
@@ -107,7 +107,7 @@ TEST(RulesLight, TheWheelSetsThePace) {
     play.step(press({Action::MoveMode}));
     play.messages();
     play.step(press({Action::Push}));
-    EXPECT_EQ(play.messages(), std::vector<std::string>{"flying at 6.2 m/s"});
+    EXPECT_EQ(play.messages(), std::vector<std::string>{"fly speed 6.2 m/s"});
 }
 
 // SOURCES B9: Q and E of the profile nature.

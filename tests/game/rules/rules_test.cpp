@@ -82,7 +82,7 @@ TEST(Rules, RemovesWhatIsLookedAtButNotTheGround) {
     play.step(press({Action::Remove}));
     EXPECT_FALSE(play.simulation->registry.alive(play.simulation->find("box")));
     play.step(press({Action::Remove}));
-    EXPECT_EQ(play.messages(), std::vector<std::string>{"nothing to remove there"});
+    EXPECT_EQ(play.messages(), std::vector<std::string>{"nothing to delete"});
     EXPECT_TRUE(play.simulation->registry.alive(play.simulation->find("ground")));
 }
 
@@ -118,7 +118,7 @@ TEST(Rules, TheFlashlightOnlyWorksWhereThereIsOne) {
     Playground dark;
     dark.step(press({Action::Flashlight}));
     EXPECT_TRUE(dark.simulation->switches.effects.empty());
-    EXPECT_EQ(dark.messages(), std::vector<std::string>{"no flashlight in this scene"});
+    EXPECT_EQ(dark.messages(), std::vector<std::string>{"this scene has no flashlight"});
 
     scene::SceneDescription scene = meadow();
     scene.flashlight.emplace();

@@ -4,36 +4,34 @@
 #include <gtest/gtest.h>
 
 #include <set>
-#include <utility>
 
 namespace plumbline::app {
 namespace {
 
 TEST(ActionWords, EveryActionHasItsOwn) {
-    // "back" is a way to walk and, in the menu, the way out.
-    std::set<std::pair<bool, std::string_view>> words;
+    std::set<std::string_view> words;
     for (std::size_t i = 0; i < kActionCount; ++i) {
         const auto action = static_cast<Action>(i);
         EXPECT_FALSE(action_words(action).empty()) << action_name(action);
-        const bool in_menu = group_of(action) == ActionGroup::Menu;
-        EXPECT_TRUE(words.emplace(in_menu, action_words(action)).second) << action_words(action);
+        EXPECT_TRUE(words.insert(action_words(action)).second) << action_words(action);
     }
-    EXPECT_EQ(action_words(Action::Drop), "drop the chosen thing");
+    EXPECT_EQ(action_words(Action::Drop), "Drop the selected object");
 }
 
 TEST(ActionWords, EveryGroupHasItsOwn) {
     std::set<std::string_view> words;
     for (std::size_t i = 0; i < kActionCount; ++i)
         words.insert(group_words(group_of(static_cast<Action>(i))));
-    EXPECT_EQ(words,
-              (std::set<std::string_view>{
-                  "Moving", "Things", "View", "Light", "Camera path", "Time", "Menu"}));
+    EXPECT_EQ(
+        words,
+        (std::set<std::string_view>{
+            "Movement", "Objects", "View", "Light and fog", "Camera path", "Simulation", "Menu"}));
 }
 
 TEST(ActionWords, WhatAModelByItselfTakesIsNoPlayAndTheOtherWayRound) {
     for (std::size_t i = 0; i < kActionCount; ++i) {
         const auto action = static_cast<Action>(i);
-        const bool of_models = action_words(action).starts_with("a model by itself");
+        const bool of_models = action_words(action).starts_with("Model viewer:");
         EXPECT_EQ(is_for_play(action), !of_models) << action_name(action);
         EXPECT_TRUE(!of_models || is_for_models(action)) << action_name(action);
         EXPECT_TRUE(group_of(action) != ActionGroup::Things || !is_for_models(action))

@@ -54,7 +54,7 @@ TEST_F(CameraPaths, WhatIsRecordedPlaysAtTheSameSpeed) {
     EXPECT_EQ(control_.status(), "recording the camera: 2.0 s");
     frame(kRecord);
     EXPECT_FALSE(control_.recording());
-    EXPECT_EQ(said_.back(), "camera path of 2.0 s saved: " + file().string());
+    EXPECT_EQ(said_.back(), "camera path saved (2.0 s): " + file().string());
     frames(300);
     EXPECT_NEAR(frame(kPlay).world_from_camera.position.x, from, 1e-4);
     for (int i = 1; i <= 60; ++i) {
@@ -119,10 +119,10 @@ TEST_F(CameraPaths, ABadFileIsNamedAndThePathInUseStays) {
 TEST_F(CameraPaths, WithoutAPathItSaysHowToGetOne) {
     frame(kPlay);
     EXPECT_FALSE(control_.playing());
-    EXPECT_EQ(said_.back().find("no camera path of this scene yet: "), 0U);
+    EXPECT_EQ(said_.back().find("this scene has no camera path yet"), 0U);
     frame(kRecord);
     frame(kRecord);
-    EXPECT_EQ(said_.back(), "nothing was recorded");
+    EXPECT_EQ(said_.back(), "empty camera path: nothing was recorded");
     EXPECT_FALSE(std::filesystem::exists(file()));
 }
 

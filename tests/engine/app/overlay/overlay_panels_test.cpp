@@ -64,7 +64,7 @@ TEST_F(OverlayPanels, TheStatusNamesWhatIsNotAsUsual) {
     now.sound_silent = true;
     now.lines_not_shown = 12;
     EXPECT_EQ(words_of(panels::hud_texts(now).status),
-              Words{"Q: barrel   a path is recorded   paused   speed x0.5   no sound device   "
+              Words{"Q: barrel   a path is recorded   paused   speed 0.5x   no sound device   "
                     "12 lines not shown"});
 }
 
@@ -80,17 +80,17 @@ TEST_F(OverlayPanels, AGoalTellsHowItStandsAndHowItEnded) {
     hud_.goal = scene::GoalState{
         .text = "knock them over", .counted = 3, .wanted = 5, .left_s = 61.2, .throws_left = 2};
     EXPECT_EQ(words_of(panels::hud_texts(input()).verdict),
-              (Words{"knock them over", "3 of 5   1:02 left   2 to throw"}));
+              (Words{"knock them over", "3 of 5   1:02 left   2 throws left"}));
     hud_.goal = scene::GoalState{.text = "knock them over",
                                  .counted = 7,
                                  .wanted = 5,
                                  .end = scene::GoalEnd::Won,
                                  .passed_s = 12.34};
     const std::vector<ui::HudLine> won = panels::hud_texts(input()).verdict;
-    EXPECT_EQ(words_of(won), (Words{"knock them over", "5 of 5", "Won in 12.3 s   R: once more"}));
+    EXPECT_EQ(words_of(won), (Words{"knock them over", "5 of 5", "Won in 12.3 s   R: play again"}));
     EXPECT_EQ(won[2].tone, ui::Tone::Good);
     hud_.goal->end = scene::GoalEnd::Lost;
-    EXPECT_EQ(panels::hud_texts(input()).verdict[2].text, "Lost   R: once more");
+    EXPECT_EQ(panels::hud_texts(input()).verdict[2].text, "Lost   R: play again");
     EXPECT_EQ(panels::hud_texts(input()).verdict[2].tone, ui::Tone::Bad);
 }
 

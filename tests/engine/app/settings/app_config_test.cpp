@@ -87,7 +87,7 @@ TEST_F(AppConfigTest, TheOldNameOfATableIsReadWithOneWarning) {
     const AppConfig config = load("[picture]\nlevel = \"low\"\nfov_deg = 60\n");
     EXPECT_EQ(config.quality_level, QualityLevel::Low);
     EXPECT_EQ(config.fov_deg, 60.0F);
-    EXPECT_EQ(only_fault(), "app.toml:1:2: warning: picture: \"picture\" is called \"image\" now");
+    EXPECT_EQ(only_fault(), "app.toml:1:2: warning: picture: \"picture\" was renamed to \"image\"");
 }
 
 TEST_F(AppConfigTest, ASyntaxErrorLeavesTheLowerLayerStanding) {

@@ -9,8 +9,8 @@ class ControlsPages : public PagesTest {};
 TEST_F(ControlsPages, AKeyIsBoundByPressingItAndKeptOverARestart) {
     keys({kEscape});
     choose("Controls");
-    choose("Q", "drop the chosen thing");
-    EXPECT_TRUE(control_->menu().page().title.starts_with("Press what shall do"));
+    choose("Q", "Drop the selected object");
+    EXPECT_TRUE(control_->menu().page().title.starts_with("Press a key for:"));
     keys({'K'});
     EXPECT_EQ(words(Action::Drop), (std::vector<std::string>{"k", "pad.right_bumper"}));
     EXPECT_NE(written("bindings.ui.toml").find("drop = [\"k\", \"pad.right_bumper\"]"),
@@ -35,11 +35,11 @@ TEST_F(ControlsPages, AChordAWheelStepAMouseButtonAndAPadButtonCanBeBound) {
         {{.events = {{DeviceEventKind::Key, 346, true}, {DeviceEventKind::Key, 346, false}}},
          "right_alt"}};
     for (const auto& [input, word] : presses) {
-        choose("+", "drop the chosen thing");
+        choose("+", "Drop the selected object");
         take(input);
         EXPECT_EQ(words(Action::Drop).back(), word);
     }
-    choose("+", "drop the chosen thing");
+    choose("+", "Drop the selected object");
     InputSnapshot trigger;
     trigger.pad_present = true;
     trigger.pad_axes = {0.0F, 0.0F, 0.0F, 0.0F, -1.0F, -1.0F};
@@ -52,17 +52,17 @@ TEST_F(ControlsPages, AChordAWheelStepAMouseButtonAndAPadButtonCanBeBound) {
 TEST_F(ControlsPages, AConflictNamesBothActionsAndAsks) {
     keys({kEscape});
     choose("Controls");
-    choose("Q", "drop the chosen thing");
+    choose("Q", "Drop the selected object");
     keys({'F'});
-    EXPECT_EQ(control_->menu().page().title, "F is taken");
+    EXPECT_EQ(control_->menu().page().title, "F is already in use");
     EXPECT_EQ(control_->menu().page().lines[0].label,
-              "F does \"flashlight on and off\" now. Shall it do \"drop the chosen thing\" "
+              "F is bound to \"Flashlight on/off\". Bind it to \"Drop the selected object\" "
               "instead?");
-    choose("No");
+    choose("Cancel");
     EXPECT_EQ(words(Action::Drop)[0], "q");
-    choose("Q", "drop the chosen thing");
+    choose("Q", "Drop the selected object");
     keys({'F'});
-    choose("Yes");
+    choose("Rebind");
     EXPECT_EQ(words(Action::Drop)[0], "f");
     EXPECT_EQ(words(Action::Flashlight), std::vector<std::string>{"pad.y"});
     start();
@@ -73,7 +73,7 @@ TEST_F(ControlsPages, AConflictNamesBothActionsAndAsks) {
 TEST_F(ControlsPages, EscapeLeavesABindingAsItWas) {
     keys({kEscape});
     choose("Controls");
-    choose("Q", "drop the chosen thing");
+    choose("Q", "Drop the selected object");
     keys({kEscape});
     EXPECT_EQ(control_->menu().page().title, "Controls");
     EXPECT_EQ(words(Action::Drop)[0], "q");
@@ -83,7 +83,7 @@ TEST_F(ControlsPages, EscapeLeavesABindingAsItWas) {
 TEST_F(ControlsPages, WhatCannotBeHeldIsRefusedWithItsReason) {
     keys({kEscape});
     choose("Controls");
-    choose("W", "forward");
+    choose("W", "Move forward");
     InputSnapshot wheel;
     wheel.events = {{DeviceEventKind::Wheel, 0, true}};
     take(wheel);
@@ -97,16 +97,16 @@ TEST_F(ControlsPages, WhatCannotBeHeldIsRefusedWithItsReason) {
 TEST_F(ControlsPages, OneAGroupAndAllAreReset) {
     keys({kEscape});
     choose("Controls");
-    ASSERT_TRUE(point_at("Q", "drop the chosen thing"));
+    ASSERT_TRUE(point_at("Q", "Drop the selected object"));
     keys({kDelete});
     EXPECT_EQ(words(Action::Drop), std::vector<std::string>{"pad.right_bumper"});
-    choose("reset", "drop the chosen thing");
+    choose("reset", "Drop the selected object");
     EXPECT_EQ(words(Action::Drop), (std::vector<std::string>{"q", "pad.right_bumper"}));
     EXPECT_EQ(written("bindings.ui.toml").find("drop"), std::string::npos);
 
-    choose("Q", "drop the chosen thing");
+    choose("Q", "Drop the selected object");
     keys({'K'});
-    choose("H", "this help");
+    choose("H", "Help");
     keys({'I'});
     choose("Reset all");
     for (const Action action : {Action::Drop, Action::Help})
@@ -124,16 +124,16 @@ TEST_F(ControlsPages, OfferHoldsWhereBothMakeSenseAndResetWhereSomethingDiffers)
         return texts;
     };
     using Texts = std::vector<std::string>;
-    EXPECT_EQ(cells_of("this help"), (Texts{"H", "+"}));
-    EXPECT_EQ(cells_of("look around"), Texts{}) << "no press names a whole stick";
-    EXPECT_EQ(cells_of("run").back(), "while held");
-    choose("while held", "run");
+    EXPECT_EQ(cells_of("Help"), (Texts{"H", "+"}));
+    EXPECT_EQ(cells_of("Look around"), Texts{}) << "no press names a whole stick";
+    EXPECT_EQ(cells_of("Sprint").back(), "hold");
+    choose("hold", "Sprint");
     EXPECT_EQ(bindings_->current().hold_mode[index_of(Action::Sprint)], input::HoldMode::Toggle);
     lay_out();
-    const Texts run = cells_of("run");
+    const Texts run = cells_of("Sprint");
     EXPECT_EQ(run.back(), "reset");
-    EXPECT_EQ(run[run.size() - 2], "on and off");
-    choose("reset", "run");
+    EXPECT_EQ(run[run.size() - 2], "toggle");
+    choose("reset", "Sprint");
     EXPECT_EQ(bindings_->current().hold_mode[index_of(Action::Sprint)], input::HoldMode::Hold);
 }
 

@@ -60,12 +60,12 @@ TEST_P(HudAtSize, NothingLeavesTheWindowAndNothingOverlaps) {
     const float font_px = font_size_px(width, height, 1, 0);
     const TextSize text = plain_text(font_px);
     HudTexts texts;
-    texts.status = {{.text = "Q: crate   paused   speed x0.5   12.3 s lost: too slow here for "
-                             "real time   no sound device"}};
-    texts.verdict = {{.text = "H05  holds so far  3.2 of 10 s"},
+    texts.status = {{.text = "Q: crate   paused   speed 0.5x   12.3 s dropped: slower than real "
+                             "time   9 debug lines not shown"}};
+    texts.verdict = {{.text = "H05  passing so far  3.2 of 10 s"},
                      {.text = "the tower stands: 0.0012  within 0.5 of 1 mm"}};
     texts.target = {{.text = "oak crate, 30 kg"}};
-    texts.hint = {{.text = "Left mouse: throw one; held, it flies harder"}};
+    texts.hint = {{.text = "Left mouse: throw one (hold to throw harder)"}};
     texts.captions = {{.text = "< wood hits stone"}, {.text = "garden gate: creaking >"}};
     for (int i = 0; i < 6; ++i)
         texts.messages.push_back(

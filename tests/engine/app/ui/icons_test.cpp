@@ -26,7 +26,7 @@ TEST(Icons, StayWithinTheirSquareAtAnySize) {
     canvas.resize(640, 360, 1.0F, 0.0F);
     canvas.begin({});
     for (const float size_px : {8.0F, 64.0F}) {
-        for (int i = 1; i <= static_cast<int>(Icon::Light); ++i) {
+        for (int i = 1; i <= static_cast<int>(Icon::Save); ++i) {
             const auto corners = corners_of(static_cast<Icon>(i), {100, 100}, size_px);
             EXPECT_FALSE(corners.empty()) << i;
             // Half a line's width and the fringe of its smoothed edge may stand out.
@@ -48,7 +48,7 @@ TEST(Icons, DifferFromEachOther) {
     canvas.resize(640, 360, 1.0F, 0.0F);
     canvas.begin({});
     std::set<std::vector<std::pair<float, float>>> images;
-    for (int i = 1; i <= static_cast<int>(Icon::Light); ++i) {
+    for (int i = 1; i <= static_cast<int>(Icon::Save); ++i) {
         std::vector<std::pair<float, float>> image;
         for (const ImVec2& corner : corners_of(static_cast<Icon>(i), {0, 0}, 32.0F))
             image.emplace_back(corner.x, corner.y);

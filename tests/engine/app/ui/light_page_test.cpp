@@ -12,10 +12,10 @@ TEST_F(LightPage, FogIsOfTheVisitAndChangedByTheStepsOfItsKeys) {
     choose("Settings");
     choose("Light and fog");
     EXPECT_FALSE(switches_.is_on("fog", false));
-    choose("white", "Its colour");
+    choose("white", "Fog colour");
     EXPECT_EQ(switches_.fog_color, 1U);
     EXPECT_TRUE(switches_.is_on("fog", false)) << "who changes it wants to see it";
-    ASSERT_TRUE(point_at("0.04 per m", "How dense"));
+    ASSERT_TRUE(point_at("0.04 per m", "Fog density"));
     constexpr int kRight = 262;
     keys({kRight});
     EXPECT_NEAR(switches_.fog_density_scale, 1.25, 0.02);
@@ -44,11 +44,11 @@ TEST_F(LightPage, TheHourMovesByQuartersAndLampsGoByThemselvesOnOrOff) {
     EXPECT_DOUBLE_EQ(*hour_, 12.25);
     keys({kLeft, kLeft});
     EXPECT_DOUBLE_EQ(*hour_, 11.75);
-    choose("on", "Lamps that wait for the dark");
+    choose("on", "Lamps");
     EXPECT_TRUE(switches_.is_on("lamps", false));
-    choose("off", "Lamps that wait for the dark");
+    choose("off", "Lamps");
     EXPECT_FALSE(switches_.is_on("lamps", true));
-    choose("by themselves", "Lamps that wait for the dark");
+    choose("automatic", "Lamps");
     EXPECT_FALSE(switches_.effects.contains("lamps"));
 }
 

@@ -47,13 +47,13 @@ TEST_P(PagesAtSize, NothingIsCutAndNothingOverlaps) {
     keys({kEscape});
     choose("Settings");
     for (const char* tab :
-         {"Image", "Screen", "Sound", "Mouse and pad", "Light and fog", "Accuracy"}) {
+         {"Graphics", "Display", "Sound", "Mouse and pad", "Light and fog", "Accuracy"}) {
         choose(tab);
         look();
     }
     choose("Controls");
     look();
-    choose("Q", "drop the chosen thing");
+    choose("Q", "Drop the selected object");
     look();
     keys({'F'});
     look();

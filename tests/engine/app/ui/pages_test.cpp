@@ -8,7 +8,7 @@ namespace {
 TEST_F(PagesTest, EscapeAndEnterLeadInAndOut) {
     keys({kEscape});
     EXPECT_TRUE(control_->open());
-    EXPECT_EQ(cell(control_->menu().focus()).text, "Go on");
+    EXPECT_EQ(cell(control_->menu().focus()).text, "Resume");
     keys({kEnter});
     EXPECT_FALSE(control_->open());
 }

@@ -9,7 +9,7 @@ class SettingsPages : public PagesTest {};
 TEST_F(SettingsPages, SettingsAreStoredAtOnceAndKeptOverARestart) {
     keys({kEscape});
     choose("Settings");
-    choose("low", "Level of detail");
+    choose("low", "Quality level");
     EXPECT_EQ(config_->current().quality_level, QualityLevel::Low);
     EXPECT_NE(written("app.ui.toml").find("level = \"low\""), std::string::npos);
     ASSERT_TRUE(point_at("70", "Field of view"));
@@ -25,7 +25,7 @@ TEST_F(SettingsPages, SettingsAreStoredAtOnceAndKeptOverARestart) {
 
     keys({kEscape});
     choose("Settings");
-    choose("Reset these");
+    choose("Reset to defaults");
     EXPECT_EQ(config_->current().quality_level, QualityLevel::Auto);
     EXPECT_EQ(config_->current().fov_deg, 70.0F);
     EXPECT_TRUE(config_->current().mute);  // another page's
@@ -35,10 +35,10 @@ TEST_F(SettingsPages, AccuracyIsOfTheSceneAndACopyKeepsIt) {
     keys({kEscape});
     choose("Settings");
     choose("Accuracy");
-    choose("120", "Steps a second");
+    choose("120", "Step rate, Hz");
     EXPECT_EQ(accuracy_.step_hz, 120);
     EXPECT_EQ(written("app.ui.toml"), "") << "no setting of the person's";
-    choose("Keep it");
+    choose("Save a copy");
     EXPECT_TRUE(adopted_);
 }
 
@@ -47,7 +47,7 @@ TEST_F(SettingsPages, SlidersHaveAWordAtTheLowestStepThatIsZero) {
     constexpr int kLeft = 263;
     keys({kEscape});
     choose("Settings");
-    ASSERT_TRUE(point_at("by the level", "Render scale"));
+    ASSERT_TRUE(point_at("automatic", "Render scale"));
     keys({kRight});
     EXPECT_EQ(config_->current().render_scale, 0.25F);
     keys({kRight});
@@ -61,15 +61,15 @@ TEST_F(SettingsPages, TheMousesSpeedMovesByEqualFactorsAndResets) {
     keys({kEscape});
     choose("Settings");
     choose("Mouse and pad");
-    ASSERT_TRUE(point_at("0.066", "Mouse: speed"));
+    ASSERT_TRUE(point_at("0.066", "Mouse sensitivity"));
     keys({kRight});
     // From 0.001 to 2 in 44 equal factors; from between two of them to the next.
     const double notch = std::log2(2.0 / 0.001) / 44.0;
     const double next = std::ceil(std::log2(0.066 / 0.001) / notch) * notch;
     EXPECT_NEAR(bindings_->current().tuning.mouse_deg_per_count, 0.001 * std::exp2(next), 1e-4);
-    choose("off", "Up and down exchanged");
+    choose("off", "Invert Y axis");
     EXPECT_TRUE(bindings_->current().tuning.invert_y);
-    choose("Reset these");
+    choose("Reset to defaults");
     EXPECT_EQ(bindings_->current().tuning.mouse_deg_per_count, 0.066F);
     EXPECT_FALSE(bindings_->current().tuning.invert_y);
 }
@@ -88,10 +88,10 @@ TEST_F(SettingsPages, OfferEachPresetAndSolverAndMarkWhatIsInForce) {
     };
     choose("bullet_si", "Solver");
     EXPECT_EQ(accuracy_.solver, physics::Solver::BulletSi);
-    choose("240", "Steps a second");
+    choose("240", "Step rate, Hz");
     lay_out();
     EXPECT_EQ(marked("Solver"), std::vector<std::string>{"bullet_si"});
-    EXPECT_EQ(marked("Steps a second"), std::vector<std::string>{"240"});
+    EXPECT_EQ(marked("Step rate, Hz"), std::vector<std::string>{"240"});
     EXPECT_EQ(accuracy_.step_hz, 240);
     for (const Line& line : control_->menu().page().lines)
         for (const Cell& each : line.cells) EXPECT_NE(each.text, "auto") << "a study's to choose";

@@ -104,13 +104,13 @@ TEST_F(PagesTest, HelpListsOnlyWhatThisVersionDoes) {
     std::string all;
     for (const Line& line : control_->menu().page().lines)
         all += line.label + "=" + line.value + "\n";
-    EXPECT_NE(all.find("M=switch between walking, flying and orbiting"), std::string::npos) << all;
-    EXPECT_NE(all.find("Ctrl+R=read the scene's file again"), std::string::npos);
+    EXPECT_NE(all.find("M=Switch between walk, fly and orbit"), std::string::npos) << all;
+    EXPECT_NE(all.find("Ctrl+R=Reload the scene file"), std::string::npos);
     EXPECT_EQ(all.find("save the state"), std::string::npos);
     EXPECT_EQ(all.find("camera path"), std::string::npos);
     EXPECT_EQ(all.find("move_mode"), std::string::npos);
-    EXPECT_NE(all.find("=drop the chosen thing"), std::string::npos);
-    EXPECT_EQ(all.find("a model by itself"), std::string::npos);
+    EXPECT_NE(all.find("=Drop the selected object"), std::string::npos);
+    EXPECT_EQ(all.find("Model viewer"), std::string::npos);
 }
 
 TEST_F(PagesTest, HelpAtAModelListsWhatOneDoesWithModels) {
@@ -120,9 +120,9 @@ TEST_F(PagesTest, HelpAtAModelListsWhatOneDoesWithModels) {
     std::string all;
     for (const Line& line : control_->menu().page().lines)
         all += line.label + "=" + line.value + "\n";
-    EXPECT_EQ(all.find("drop the chosen thing"), std::string::npos) << all;
-    EXPECT_EQ(all.find("jump"), std::string::npos);
-    EXPECT_NE(all.find("Left mouse=a model by itself: held, the mouse turns it"), std::string::npos)
+    EXPECT_EQ(all.find("Drop the selected object"), std::string::npos) << all;
+    EXPECT_EQ(all.find("Jump"), std::string::npos);
+    EXPECT_NE(all.find("Left mouse=Model viewer: rotate the model (hold)"), std::string::npos)
         << all;
 }
 
