@@ -38,7 +38,7 @@ add_custom_target(plumbline_help_data ALL DEPENDS ${made_files})
 
 install(FILES cmake/install/plumbline.desktop
     DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
-install(FILES cmake/install/org.example.plumbline.metainfo.xml DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo")
+install(FILES cmake/install/alt.plumbline.plumbline.metainfo.xml DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo")
 set(icons "${CMAKE_INSTALL_DATADIR}/icons/hicolor")
 install(FILES cmake/install/icons/plumbline.svg DESTINATION "${icons}/scalable/apps")
 foreach(side 48 128 256)

@@ -1,14 +1,14 @@
 # `cpack --preset package`: a .deb of what Install.cmake puts in place.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME plumbline)
-set(CPACK_PACKAGE_CONTACT "The Plumbline authors <plumbline@example.org>")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "physics playground that shows what accuracy costs")
+# As the licence names them; the project has no address.
+set(CPACK_PACKAGE_CONTACT "The Plumbline authors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "physics playground with measurable accuracy")
 set(CPACK_PACKAGE_DESCRIPTION
-"Walk through a garden with a flashlight in your hand; drop, grab, throw,
-freeze and stack things that a rigid-body simulation moves. Any scene can be
-run at several settings and compared with what is right: error beside
-milliseconds, on screen and in a report. A gallery of hard cases is there to
-walk into, and runs without a window too.")
+"Walk through a garden with a flashlight; drop, grab, throw, freeze and stack
+objects in a rigid-body simulation. Run any scene at several accuracy settings
+and compare error and CPU time with a reference, on screen or in a report. A
+gallery of hard cases can be walked into, or run without a window.")
 set(CPACK_PACKAGE_DIRECTORY "${CMAKE_BINARY_DIR}/package")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -30,9 +30,9 @@ file(WRITE "${CMAKE_BINARY_DIR}/install/copyright" "Plumbline\n\n${licence}\nMod
 file(WRITE "${CMAKE_BINARY_DIR}/install/changelog"
 "plumbline (${PROJECT_VERSION}) unstable; urgency=medium
 
-  * The sources' own history says what changed.
+  * See the history of the sources.
 
- -- ${CPACK_PACKAGE_CONTACT}  Sun, 22 Nov 2026 00:00:00 +0000
+ -- ${CPACK_PACKAGE_CONTACT} <>  Sun, 22 Nov 2026 00:00:00 +0000
 ")
 execute_process(COMMAND gzip -9nf "${CMAKE_BINARY_DIR}/install/changelog")
 install(FILES "${CMAKE_BINARY_DIR}/install/copyright" "${CMAKE_BINARY_DIR}/install/changelog.gz"

@@ -93,7 +93,7 @@ void FrameParts::draw_overlay(const render::RenderFrame& frame) {
     if (renderer->draws_in_software() && !menu_.open() && !std::exchange(said_software_, true))
         overlay_.say("software rendering (no GPU driver): expect a low frame rate", now_s);
     for (const std::string& message : hud.messages) overlay_.say_latest(message, now_s);
-    if (controls_.parts.stats) ledger_ = session_.effects->ledger();
+    if (controls_.parts.stats != StatsPage::Off) ledger_ = session_.effects->ledger();
     const bool hints = config_.current().hints && !def_.unattended;
     const HintScene hint_scene{
         .has_flashlight = session_.simulation->description().flashlight.has_value(),

@@ -16,6 +16,11 @@ using nlohmann::json;
 
 constexpr std::size_t kRecentFrames = 120;
 constexpr std::size_t kLongFrames = 5;
+constexpr double kSmoothing = 1.0 / 30.0;
+
+std::span<const float> last_of(const std::vector<float>& values) {
+    return std::span(values).last(std::min(kRecentFrames, values.size()));
+}
 
 json to_json(const scene::Percentiles& values) {
     return {
@@ -71,7 +76,11 @@ void FrameReport::add_frame(double wall_ms, const render::FrameStats& stats) {
     ++frames_;
     frame_ms_.push_back(static_cast<float>(wall_ms));
     for (const render::PassTiming& pass : stats.passes) {
-        PassTotal& total = passes_[std::string(pass.name)];
+        const auto [known, is_new] = passes_.try_emplace(std::string(pass.name));
+        PassTotal& total = known->second;
+        const double share = is_new ? 1.0 : kSmoothing;
+        total.recent_cpu_ms += share * (pass.cpu_ms - total.recent_cpu_ms);
+        total.recent_gpu_ms += share * (pass.gpu_ms - total.recent_gpu_ms);
         total.cpu_ms += pass.cpu_ms;
         if (pass.gpu_ms >= 0.0) {
             total.gpu_ms += pass.gpu_ms;
@@ -96,9 +105,26 @@ void FrameReport::keep_if_long(float frame_ms, const render::FrameStats& stats) 
 }
 
 scene::Percentiles FrameReport::recent_frame_ms() const {
-    const std::size_t count = std::min(kRecentFrames, frame_ms_.size());
-    return scene::percentiles_of(
-        std::vector<float>(frame_ms_.end() - static_cast<std::ptrdiff_t>(count), frame_ms_.end()));
+    const std::span<const float> recent = recent_frames();
+    return scene::percentiles_of({recent.begin(), recent.end()});
+}
+
+std::span<const float> FrameReport::recent_frames() const {
+    return last_of(frame_ms_);
+}
+
+std::span<const float> FrameReport::recent_steps() const {
+    return last_of(physics_.step_ms);
+}
+
+std::vector<render::PassTiming> FrameReport::recent_passes() const {
+    std::vector<render::PassTiming> passes = last_.passes;
+    for (render::PassTiming& pass : passes) {
+        const PassTotal& total = passes_.at(std::string(pass.name));
+        pass.cpu_ms = total.recent_cpu_ms;
+        if (pass.gpu_ms >= 0.0) pass.gpu_ms = total.recent_gpu_ms;
+    }
+    return passes;
 }
 
 std::string FrameReport::json(const ReportContext& context) const {

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,11 @@ public:
     std::uint64_t frames() const { return frames_; }
     /// Of the last 120 frames, for the HUD.
     scene::Percentiles recent_frame_ms() const;
+    /// At most the last 120, oldest first: ms of frames and of physics steps.
+    std::span<const float> recent_frames() const;
+    std::span<const float> recent_steps() const;
+    /// The passes of the last frame, their times smoothed over some thirty frames.
+    std::vector<render::PassTiming> recent_passes() const;
     const render::FrameStats& last_stats() const { return last_; }
     const physics::Interventions& interventions() const { return physics_.interventions; }
     double startup_ms() const { return startup_ms_; }
@@ -65,6 +71,8 @@ private:
         double cpu_ms{0};
         double gpu_ms{0};
         std::uint64_t gpu_samples{0};
+        double recent_cpu_ms{0};
+        double recent_gpu_ms{0};
     };
 
     struct MenuFrame {

@@ -276,8 +276,4 @@ const std::array<std::uint64_t, kActionCount>& ActionLatch::presses_seen() const
     return impl_->presses_seen;
 }
 
-std::uint64_t ActionLatch::mouse_jumps_dropped() const {
-    return impl_->jumps_dropped;
-}
-
 }  // namespace plumbline::input

@@ -65,8 +65,6 @@ public:
 
     /// Presses per action since the start, for the report; for look: updates that turned the view.
     const std::array<std::uint64_t, kActionCount>& presses_seen() const;
-    /// Mouse motions left out because nobody moves that far in a frame.
-    std::uint64_t mouse_jumps_dropped() const;
 
 private:
     struct Impl;

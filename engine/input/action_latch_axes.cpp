@@ -11,9 +11,6 @@ namespace {
 constexpr float kTriggerHysteresis = 0.1F;
 constexpr float kRestZone = 0.3F;  // a stick that came closer to its centre is trusted
 constexpr double kMaxLookStep_s = 0.1;
-constexpr double kJump_counts = 1'000.0;  // in a frame of kJumpFrame_s or less
-constexpr double kLargestJump_counts = 4'000.0;
-constexpr double kJumpFrame_s = 0.02;
 
 /// Walking follows the stick's travel; everything else is pressed when an axis passes a threshold.
 bool is_analog(Action action) {
@@ -81,13 +78,7 @@ void ActionLatch::Impl::follow_look(const InputSnapshot& input, double elapsed_s
         if (source.kind == DeviceKind::MouseMove && !focus.ui_mouse && !focus.pointer) {
             const double right = input.mouse_counts[0];
             const double down = input.mouse_counts[1];
-            const double limit = std::clamp(
-                kJump_counts * elapsed_s / kJumpFrame_s, kJump_counts, kLargestJump_counts);
-            // Written so that a number which is none fails too.
-            if (!(std::abs(right) <= limit && std::abs(down) <= limit)) {
-                ++jumps_dropped;
-                continue;
-            }
+            if (!std::isfinite(right) || !std::isfinite(down)) continue;
             const auto deg_per_count = static_cast<double>(tuning.mouse_deg_per_count);
             yaw_deg -= right * deg_per_count;
             pitch_deg -= down * deg_per_count * up;

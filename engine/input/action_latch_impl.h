@@ -48,7 +48,6 @@ struct ActionLatch::Impl {
     double yaw_rad{0.0};
     double pitch_rad{0.0};
     double last_now_s{0.0};
-    std::uint64_t jumps_dropped{0};
     LastDevice last_device{LastDevice::KeyboardMouse};
     InputFocus focus{};
     bool updated_once{false};

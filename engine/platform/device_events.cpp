@@ -67,7 +67,7 @@ void DeviceEvents::on_cursor(double x, double y) {
     cursor_ = {x, y};
     // A free pointer that drags moves the view of those who look at something.
     if (!std::exchange(cursor_known_, true) || (!captured_ && next_.buttons.none())) return;
-    // Window systems warp the pointer now and then; nobody turns that far between two reports.
+    // Window systems warp the pointer now and then; no mouse moves that far between two reports.
     if (std::abs(right) > kJump_counts || std::abs(down) > kJump_counts) {
         ++jumps_dropped_;
         return;

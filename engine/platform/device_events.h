@@ -20,7 +20,7 @@ struct PadReading {
 class DeviceEvents {
 public:
     static constexpr double kStall_s = 0.25;
-    static constexpr double kJump_counts = 1'000.0;
+    static constexpr double kJump_counts = 4'000.0;   ///< one report above it is dropped
     static constexpr std::size_t kMaxEvents = 1'024;  ///< a poll; later presses are dropped
     static constexpr int kMaxNotches = 32;            ///< a poll and direction
 

@@ -135,6 +135,20 @@ GLFWmonitor* monitor_of(const Rectangle& window) {
     return best;
 }
 
+/// No larger than the monitor's work area: what lies outside cannot be seen, and without a window
+/// manager nobody can move the window.
+PixelSize fitted(int width, int height) {
+    PixelSize size{std::clamp(width, kSmallestSide, kLargestSide),
+                   std::clamp(height, kSmallestSide, kLargestSide)};
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return size;
+    PixelSize room;
+    glfwGetMonitorWorkarea(monitor, nullptr, nullptr, &room.width, &room.height);
+    if (room.width >= kSmallestSide) size.width = std::min(size.width, room.width);
+    if (room.height >= kSmallestSide) size.height = std::min(size.height, room.height);
+    return size;
+}
+
 }  // namespace
 
 struct Window::Impl {
@@ -209,13 +223,12 @@ Result<std::unique_ptr<Window>> Window::open(const WindowDef& def) {
     std::setlocale(LC_CTYPE, "");
     if (glfwInit() != GLFW_TRUE) return no_display_error(last_glfw_words());
 
-    const int width = std::clamp(def.width, kSmallestSide, kLargestSide);
-    const int height = std::clamp(def.height, kSmallestSide, kLargestSide);
+    const PixelSize size = fitted(def.width, def.height);
     GLFWwindow* window = nullptr;
     std::string words;
     for (const GlVersion version : kGlVersions) {
         set_hints(def, version);
-        window = glfwCreateWindow(width, height, def.title.c_str(), nullptr, nullptr);
+        window = glfwCreateWindow(size.width, size.height, def.title.c_str(), nullptr, nullptr);
         if (window != nullptr) {
             log_debug("window: OpenGL {}.{} core", version.major, version.minor);
             break;
@@ -356,9 +369,8 @@ bool Window::fullscreen() const {
 
 void Window::show(const std::string& title, int width, int height) {
     set_title(title);
-    glfwSetWindowSize(impl_->window,
-                      std::clamp(width, kSmallestSide, kLargestSide),
-                      std::clamp(height, kSmallestSide, kLargestSide));
+    const PixelSize size = fitted(width, height);
+    glfwSetWindowSize(impl_->window, size.width, size.height);
     glfwShowWindow(impl_->window);
     impl_->visible = true;
     impl_->windowed = rectangle_of(impl_->window);

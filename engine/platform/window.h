@@ -47,17 +47,18 @@ public:
     float content_scale() const;
     bool iconified() const;
 
-    /// Hides and captures the pointer, with raw motion where there is such; the first delta after
-    /// capture and jumps over 1,000 counts are dropped.
+    /// Hides and captures the pointer, with raw motion where available. Drops the first delta after
+    /// capture and single reports above DeviceEvents::kJump_counts.
     void capture_pointer(bool captured);
     bool pointer_captured() const;
     void set_fullscreen(bool fullscreen);
     bool fullscreen() const;
     void set_vsync(bool vsync);
     void set_title(const std::string& title);
-    /// Of one that was opened with `visible` false; sizes in screen coordinates.
+    /// Shows a window that was opened with `visible` false; sizes in screen coordinates, at most the
+    /// monitor's.
     void show(const std::string& title, int width, int height);
-    /// Pointer motions left out because nobody moves that far at once.
+    /// Pointer reports dropped because the window system, not a person, moved the pointer.
     std::uint64_t pointer_jumps_dropped() const;
 
     GlLoader gl_loader() const;

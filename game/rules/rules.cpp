@@ -51,10 +51,11 @@ PlaygroundGame::PlaygroundGame(scene::Simulation& simulation,
         look_.set(scene.player->yaw_rad, scene.player->pitch_rad);
         start_feet_m_ = scene.player->feet_position_m;
         player_.emplace(simulation, start_feet_m_);
-        if (glm::length(player_->state().feet_position_m - start_feet_m_) > 0.01_r) {
+        // On paving is where the scene meant it.
+        const Vec3 feet_m = player_->state().feet_position_m;
+        if (glm::length(feet_m - start_feet_m_) > player_->def().step_up_m)
             say("spawn point blocked: moved to the nearest free spot");
-            start_feet_m_ = player_->state().feet_position_m;
-        }
+        start_feet_m_ = feet_m;
         return;
     }
     mode_ = MoveMode::Fly;

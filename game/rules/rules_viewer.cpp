@@ -5,12 +5,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace plumbline::game {
 namespace {
 
 constexpr Real kTurntable_radps = 0.5_r;
 constexpr Real kFarthestOrbit_radii = 50;
+
+/// Switched by a key at a model by itself.
+struct Aid {
+    Action action;
+    bool scene::LiveSwitches::*on;
+    std::string_view name;
+};
+constexpr std::array kAids{Aid{Action::Grid, &scene::LiveSwitches::grid, "grid"},
+                           Aid{Action::Axes, &scene::LiveSwitches::axes, "axes"},
+                           Aid{Action::Normals, &scene::LiveSwitches::normals, "normals"},
+                           Aid{Action::Turntable, &scene::LiveSwitches::turntable, "turntable"},
+                           Aid{Action::Ground, &scene::LiveSwitches::ground, "ground"}};
 
 }  // namespace
 
@@ -63,11 +77,8 @@ void PlaygroundGame::turn_model(const Actions& actions) {
 
 void PlaygroundGame::switch_aids(scene::Simulation& simulation, const Actions& actions) {
     scene::LiveSwitches& switches = simulation.switches;
-    const auto toggle = [&](Action action, bool& on) {
-        if (actions.presses(action) % 2 == 1) on = !on;
-    };
     for (auto [entity, playing] : simulation.registry.view<scene::PlayingModel>()) {
-        toggle(Action::AnimationPause, playing.paused);
+        if (actions.presses(Action::AnimationPause) % 2 == 1) playing.paused = !playing.paused;
         const assets::MovingModel* model = simulation.library().moving(playing.model);
         if (model == nullptr || actions.presses(Action::NextAnimation) == 0) continue;
         const auto count = static_cast<std::uint32_t>(model->data.animations.size());
@@ -79,13 +90,21 @@ void PlaygroundGame::switch_aids(scene::Simulation& simulation, const Actions& a
                         model->data.animations[playing.animation].name));
     }
     show_lit(simulation, actions);
+    for (const Aid& aid : kAids) {
+        if (actions.presses(aid.action) == 0) continue;
+        if (model_radius_m_ <= 0) {
+            say(fmt::format("{}: only available in the model viewer", aid.name));
+            continue;
+        }
+        if (actions.presses(aid.action) % 2 == 1) switches.*aid.on = !(switches.*aid.on);
+        say(fmt::format("{} {}", aid.name, switches.*aid.on ? "on" : "off"));
+    }
+    if (const int backgrounds = actions.presses(Action::Background); backgrounds > 0) {
+        if (model_radius_m_ > 0) switches.background += backgrounds;
+        say(model_radius_m_ > 0 ? "next background"
+                                : "background: only available in the model viewer");
+    }
     if (model_radius_m_ <= 0) return;
-    toggle(Action::Grid, switches.grid);
-    toggle(Action::Axes, switches.axes);
-    toggle(Action::Normals, switches.normals);
-    toggle(Action::Turntable, switches.turntable);
-    toggle(Action::Ground, switches.ground);
-    switches.background += actions.presses(Action::Background);
     if (switches.turntable && views_model()) look_.turn_smoothly(kTurntable_radps * step_s_, 0);
 }
 

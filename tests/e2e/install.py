@@ -46,7 +46,7 @@ def what_is_there():
             data + "assets/scenes/garden.toml", data + "assets/scenes/hard/H05.toml", data + "assets/data/peers.csv",
             data + "shaders/mesh.vert", data + "config/bindings.toml", "share/applications/plumbline.desktop",
             "share/icons/hicolor/scalable/apps/plumbline.svg", "share/icons/hicolor/48x48/apps/plumbline.png",
-            "share/metainfo/org.example.plumbline.metainfo.xml", "share/man/man1/plumbline.1.gz",
+            "share/metainfo/alt.plumbline.plumbline.metainfo.xml", "share/man/man1/plumbline.1.gz",
             "share/bash-completion/completions/plumbline-f64", "share/zsh/vendor-completions/_plumbline",
             "share/fish/vendor_completions.d/plumbline.fish"]:
         assert name in there, f"{name} is not installed"
@@ -160,7 +160,7 @@ def the_tools_take_them():
               ["zsh", "-n", *(prefix / "share/zsh/vendor-completions").iterdir()],
               ["fish", "--no-execute", *(prefix / "share/fish/vendor_completions.d").iterdir()],
               ["desktop-file-validate", prefix / "share/applications/plumbline.desktop"],
-              ["appstreamcli", "validate", "--no-net", prefix / "share/metainfo/org.example.plumbline.metainfo.xml"]]
+              ["appstreamcli", "validate", "--no-net", prefix / "share/metainfo/alt.plumbline.plumbline.metainfo.xml"]]
     checks += [["man", "--warnings", "-E", "UTF-8", "-l", "-Tutf8", "-Z", page]
                for page in (prefix / "share/man/man1").iterdir()]
     for words in checks:

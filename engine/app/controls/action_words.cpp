@@ -113,7 +113,7 @@ std::string_view group_words(ActionGroup group) {
         case ActionGroup::View:
             return "View";
         case ActionGroup::Light:
-            return "Light and fog";
+            return "Light";
         case ActionGroup::CameraPath:
             return "Camera path";
         case ActionGroup::Time:

@@ -37,7 +37,8 @@ void apply_view_actions(input::ActionLatch& latch,
         controls.fill_mode = controls.fill_mode == mode ? FillMode::Filled : mode;
     };
     if (toggles(Action::Hud)) controls.parts.hud = !controls.parts.hud;
-    if (toggles(Action::Stats)) controls.parts.stats = !controls.parts.stats;
+    for (int i = latch.take_frame_presses(Action::Stats); i > 0; --i)
+        controls.parts.stats = next(controls.parts.stats);
     if (toggles(Action::AccuracyPanel)) controls.parts.accuracy = !controls.parts.accuracy;
     if (toggles(Action::CollisionShapes)) controls.collision_shapes = !controls.collision_shapes;
     if (toggles(Action::CollisionBoxes)) controls.collision_boxes = !controls.collision_boxes;

@@ -99,16 +99,25 @@ std::string hint_for(const input::Bindings& bindings, Action action, input::Last
     for (const Input& input : bindings.of(action)) {
         if (on_pad(input) == want_pad) return label_of(input);
     }
-    return bindings.of(action).empty() ? "unbound" : label_of(bindings.of(action).front());
+    return bindings.of(action).empty() ? std::string(kUnbound)
+                                       : label_of(bindings.of(action).front());
 }
 
-std::string all_labels(const input::Bindings& bindings, Action action) {
+std::string all_labels(const input::Bindings& bindings, Action action, bool with_pad) {
     std::string text;
     for (const Input& input : bindings.of(action)) {
+        if (on_pad(input) && !with_pad) continue;
         if (!text.empty()) text += " or ";
         text += label_of(input);
     }
-    return text.empty() ? "unbound" : text;
+    return text.empty() ? std::string(kUnbound) : text;
+}
+
+std::string walk_labels(const input::Bindings& bindings, input::LastDevice device) {
+    std::string text;
+    for (const Action each : {Action::Forward, Action::Left, Action::Back, Action::Right})
+        text += (text.empty() ? "" : " ") + hint_for(bindings, each, device);
+    return text;
 }
 
 }  // namespace plumbline::app

@@ -45,7 +45,7 @@ struct Overlay::Impl {
     platform::Window& window;
     ui::Canvas canvas;
     std::deque<panels::Message> messages;
-    float side_panel_px{0.0F};  // as wide as the accuracy panel was in the last frame
+    bool sound_was_silent{false};
 };
 
 Overlay::Overlay(platform::Window& window, const std::filesystem::path& thumbnails)
@@ -96,6 +96,10 @@ AccuracyRequest Overlay::draw(const OverlayInput& input,
                               const ui::MenuControl& menu) {
     std::erase_if(impl_->messages,
                   [&](const panels::Message& m) { return m.until_s < input.now_s; });
+    // The start page is not written over.
+    if (!menu.open() &&
+        std::exchange(impl_->sound_was_silent, input.sound_silent) != input.sound_silent)
+        say(input.sound_silent ? "no sound device: sound is off" : "sound is back", input.now_s);
     ui::Canvas& canvas = impl_->canvas;
     ImGui_ImplOpenGL3_NewFrame();
     canvas.begin(devices);

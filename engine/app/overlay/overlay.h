@@ -12,6 +12,7 @@
 #include "engine/scene/game.h"
 #include "engine/study/gallery/hard_case_judge.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,10 +24,18 @@ namespace ui {
 class MenuControl;
 }
 
+/// The statistics key goes through them.
+enum class StatsPage : std::uint8_t { Off, Summary, FullTable };
+
+constexpr StatsPage next(StatsPage page) {
+    return page == StatsPage::FullTable ? StatsPage::Off
+                                        : static_cast<StatsPage>(static_cast<int>(page) + 1);
+}
+
 /// Which parts are shown.
 struct OverlayParts {
     bool hud{true};
-    bool stats{false};
+    StatsPage stats{StatsPage::Off};
     bool accuracy{false};
 };
 

@@ -1,7 +1,7 @@
 #include "engine/app/controls/key_labels.h"
 #include "engine/app/overlay/overlay_panels_impl.h"
+#include "engine/app/overlay/rule_text.h"
 #include "engine/app/ui/canvas_impl.h"
-#include "engine/core/process/process_memory.h"
 
 #include <fmt/format.h>
 
@@ -15,13 +15,9 @@ using ui::Tone;
 
 /// "W A S D: walk", by what the keys print.
 std::string hint_text(const OverlayInput& input, FirstStep step) {
-    std::string keys = hint_for(input.bindings, action_of(step), input.device);
-    if (step == FirstStep::Walk) {
-        const std::array directions{Action::Forward, Action::Left, Action::Back, Action::Right};
-        keys.clear();
-        for (const Action each : directions)
-            keys += (keys.empty() ? "" : " ") + hint_for(input.bindings, each, input.device);
-    }
+    const std::string keys = step == FirstStep::Walk
+                                 ? walk_labels(input.bindings, input.device)
+                                 : hint_for(input.bindings, action_of(step), input.device);
     return fmt::format("{}: {}", keys, step_words(step));
 }
 
@@ -38,7 +34,6 @@ std::vector<HudLine> status_lines(const OverlayInput& input) {
     if (input.clock.speed() != 1.0) add(fmt::format("speed {:g}x", input.clock.speed()));
     if (input.clock.lost_s() >= 0.1)
         add(fmt::format("{:.1f} s dropped: slower than real time", input.clock.lost_s()));
-    if (input.sound_silent) add("no sound device");
     if (!input.simulation.physics.quarantined().empty()) {
         add(fmt::format("{} bodies removed (non-finite state)",
                         input.simulation.physics.quarantined().size()));
@@ -66,12 +61,7 @@ std::vector<HudLine> verdict_lines(const OverlayInput& input) {
                              hard.seconds),
          .tone = tone_of(judge.verdict())}};
     for (const study::RuleState& rule : judge.rules()) {
-        lines.push_back({.text = rule.seen ? fmt::format("{}: {:.3g}  {}",
-                                                         rule.text,
-                                                         rule.value,
-                                                         study::margin_text(rule.margin()))
-                                           : rule.text,
-                         .tone = tone_of(rule.verdict)});
+        lines.push_back({.text = rule_text(rule), .tone = tone_of(rule.verdict)});
     }
     return lines;
 }
@@ -98,105 +88,11 @@ std::vector<HudLine> goal_lines(const OverlayInput& input, const scene::GoalStat
     return lines;
 }
 
-/// A model by itself: its file and what it is made of.
-std::vector<HudLine> model_lines(const scene::Simulation& simulation) {
-    const assets::AssetLibrary& library = simulation.library();
-    std::vector<HudLine> lines;
-    for (auto [entity, name, visual] :
-         simulation.registry.view<const scene::Name, const scene::Visual>()) {
-        if (name.text != "model") continue;
-        const assets::MeshData& mesh = library.mesh(visual.mesh);
-        const Vec3f size = mesh.bounds.size();
-        lines.push_back({.text = simulation.description().file.filename().string()});
-        lines.push_back({.text = fmt::format("triangles {}   vertices {}   materials {}",
-                                             mesh.indices.size() / 3,
-                                             mesh.vertices.size(),
-                                             visual.materials.size())});
-        lines.push_back(
-            {.text = fmt::format("size {:.4g} x {:.4g} x {:.4g} m", size.x, size.y, size.z)});
-    }
-    return lines;
-}
-
-/// Of each pass and each effect.
-void add_costs(const OverlayInput& input, std::vector<HudLine>& lines) {
-    const auto add = [&](std::string line) { lines.push_back({.text = std::move(line)}); };
-    for (const render::PassTiming& pass : input.report.last_stats().passes) {
-        const std::string gpu = pass.gpu_ms >= 0.0 ? fmt::format("{:.2f}", pass.gpu_ms) : "-";
-        add(fmt::format("{}: cpu {:.2f}  gpu {} ms", pass.name, pass.cpu_ms, gpu));
-    }
-    for (const effects::LedgerLine& line : input.ledger) {
-        if (line.exists)
-            add(fmt::format("{}: {} calls  {:.2f} ms", line.name, line.calls, line.cpu_ms));
-    }
-}
-
-std::vector<HudLine> stats_lines(const OverlayInput& input) {
-    const scene::Percentiles frame = input.report.recent_frame_ms();
-    const physics::StepCost& cost = input.simulation.physics.cost();
-    const render::FrameStats& stats = input.report.last_stats();
-    std::vector<HudLine> lines;
-    const auto add = [&](std::string line) { lines.push_back({.text = std::move(line)}); };
-    add(fmt::format("{:.1f} frames/s   frame {:.1f} ms   p95 {:.1f}   p99 {:.1f}",
-                    frame.median > 0.0 ? 1000.0 / frame.median : 0.0,
-                    frame.median,
-                    frame.p95,
-                    frame.p99));
-    add(
-        fmt::format("physics {:.2f} ms a step: broad {:.2f}  narrow {:.2f}  solve {:.2f}  "
-                    "integrate {:.2f}",
-                    cost.total_ms,
-                    cost.broad_ms,
-                    cost.narrow_ms,
-                    cost.solve_ms,
-                    cost.integrate_ms));
-    add(fmt::format("{:.0f} Hz x {}   {} bodies, {} awake   {} contacts   {:.2f} s lost",
-                    1.0 / input.simulation.step_s(),
-                    most_substeps(input.simulation.physics),
-                    input.simulation.physics.body_count(),
-                    input.simulation.physics.awake_count(),
-                    cost.contacts,
-                    input.clock.lost_s()));
-    add(fmt::format("deepest contact {:.2f} mm",
-                    input.simulation.physics.max_penetration_m() * 1e3));
-    if (const std::string done = scene::interventions_text(input.report.interventions());
-        !done.empty())
-        add(fmt::format("beside solving: {}", done));
-    const QualityInForce& image = input.report.image();
-    const std::string without = render::what_gave_way(image.quality);
-    add(fmt::format("image {}{}  {} x {}{}",
-                    image.level,
-                    image.is_automatic ? " (auto)" : "",
-                    stats.scene_width_px,
-                    stats.scene_height_px,
-                    without.empty() ? "" : "; gave way: " + without));
-    add(fmt::format("{} draws  {} triangles  {} instances  shadow maps {} drawn {} kept",
-                    stats.draw_calls,
-                    stats.triangles,
-                    stats.instances,
-                    stats.shadow_passes_rendered,
-                    stats.shadow_passes_cached));
-    if (stats.shadowed_lights + stats.unshadowed_lights > 0)
-        add(fmt::format("shadows of {} lamps, {} in sight go without",
-                        stats.shadowed_lights,
-                        stats.unshadowed_lights));
-    add_costs(input, lines);
-    add(fmt::format("memory {:.0f} MiB at most",
-                    static_cast<double>(peak_resident_bytes()) / 1048576.0));
-    return lines;
-}
-
 }  // namespace
 
 ui::HudTexts hud_texts(const OverlayInput& input) {
     ui::HudTexts texts;
-    if (input.parts.stats) {
-        texts.side = stats_lines(input);
-        if (input.simulation.description().shows_model) {
-            const std::vector<HudLine> model = model_lines(input.simulation);
-            texts.side.insert(texts.side.begin(), model.begin(), model.end());
-        }
-    }
+    texts.side = stats_lines(input);
     if (!input.parts.hud) return texts;
     texts.status = status_lines(input);
     if (input.judge != nullptr) texts.verdict = verdict_lines(input);

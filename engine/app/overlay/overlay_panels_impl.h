@@ -22,6 +22,8 @@ constexpr std::string_view stem_of(std::string_view text) {
 
 /// All that is written over the image in play, but for messages.
 ui::HudTexts hud_texts(const OverlayInput& input);
+/// The statistics page that is on; none: empty.
+std::vector<ui::HudLine> stats_lines(const OverlayInput& input);
 std::vector<ui::HudLine> message_lines(const std::deque<Message>& messages,
                                        double now_s,
                                        bool reduce_motion);

@@ -102,23 +102,26 @@ void apply_entry(const std::string& file,
                     .file = file,
                     .line = static_cast<int>(node.source().begin.line),
                     .column = static_cast<int>(node.source().begin.column),
-                    .key = fmt::format("{}.{}", table, key),
+                    .key = table.empty() ? std::string(key) : fmt::format("{}.{}", table, key),
                     .message = std::move(message)});
     };
     if (table == "time" && key == "max_steps_per_frame") {
-        fault(
-            "no longer a setting: time is lost only where physics itself is too slow. Line "
-            "ignored.");
+        fault("this setting was removed. Line ignored.");
         return;
     }
     std::vector<std::string_view> known;
     for (const Setting& setting : settings_of(config)) {
         if (setting.table == table && setting.key == key) {
             const std::string wrong = set(setting.target, node);
-            if (!wrong.empty()) fault(wrong + "; the value before it stands");
+            if (!wrong.empty()) fault(wrong + "; keeping the previous value");
             return;
         }
         known.push_back(setting.key);
+        // A key above the first table.
+        if (table.empty() && setting.key == key) {
+            fault(fmt::format("expected below [{}]. Line ignored.", setting.table));
+            return;
+        }
     }
     const std::string_view nearest = nearest_name(key, known);
     fault(nearest.empty()

@@ -3,6 +3,7 @@
 #include "engine/assets/image/image_import.h"
 #include "engine/core/log.h"
 
+#include <fmt/format.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -18,6 +19,8 @@ constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 // Latin, Greek and Cyrillic (key labels of other layouts), dashes and quotes, arrows.
 constexpr std::array<ImWchar, 11> kLetters{
     0x20, 0x17F, 0x370, 0x3FF, 0x400, 0x52F, 0x2010, 0x203A, 0x2190, 0x2199, 0};
+
+constexpr ImU32 kBar = IM_COL32(38, 92, 138, 200);
 
 ImU32 color_of(Tone tone, float alpha) {
     const auto a = static_cast<int>(std::clamp(alpha, 0.0F, 1.0F) * 255.0F);
@@ -233,9 +236,55 @@ void Canvas::draw(const HudPanel& panel, float opacity, Layer layer) {
                        {panel.box.right(), panel.box.bottom()},
                        IM_COL32(12, 12, 16, static_cast<int>(opacity * strongest * 255.0F)),
                        impl_->font_px * 0.3F);
-    for (const PlacedText& text : panel.texts)
-        impl_->text(
-            list, text.box, color_of(text.line.tone, text.line.alpha), text.line.text, panel.scale);
+    for (const PlacedText& text : panel.texts) impl_->line(list, text, panel.scale);
+}
+
+void Canvas::Impl::line(ImDrawList& list, const PlacedText& placed, float scale) {
+    const HudLine& line = placed.line;
+    const Box& box = placed.box;
+    const ImU32 color = color_of(line.tone, line.alpha);
+    if (line.share > 0.0F)
+        list.AddRectFilled({box.x, box.y},
+                           {box.x + box.width * std::min(line.share, 1.0F), box.bottom()},
+                           kBar,
+                           scale * font_px * 0.15F);
+    if (!line.graph.empty()) graph(list, box, line);
+    Box words = box;
+    if (!line.value.empty()) {
+        const float width = std::ceil(scale * text_size.width_px(line.value)) + 1.0F;
+        words.width = std::max(1.0F, box.width - width - scale * font_px);
+        text(list, {box.right() - width, box.y, width, box.height}, color, line.value, scale);
+    }
+    text(list, words, color, line.text, scale);
+}
+
+void Canvas::Impl::graph(ImDrawList& list, const Box& box, const HudLine& line) const {
+    constexpr std::size_t kColumns = 120;
+    const float gap = font_px * 0.2F;
+    const float top = box.y + gap;
+    const float height = box.height - 2 * gap;
+    list.AddRectFilled({box.x, top}, {box.right(), top + height}, IM_COL32(0, 0, 0, 110));
+    const float column = box.width / static_cast<float>(kColumns);
+    // The latest stands at the right edge.
+    const std::size_t empty = kColumns - std::min(kColumns, line.graph.size());
+    for (std::size_t i = 0; i < line.graph.size() && i < kColumns; ++i) {
+        const float value = line.graph[i];
+        const float share = std::clamp(value / line.graph_top, 0.0F, 1.0F);
+        const float x = box.x + column * static_cast<float>(empty + i);
+        const bool over = line.graph_budget > 0.0F && value > line.graph_budget;
+        list.AddRectFilled({x, top + height * (1.0F - share)},
+                           {x + std::max(1.0F, column), top + height},
+                           color_of(over ? Tone::Head : Tone::Good, 0.8F));
+    }
+    if (line.graph_budget <= 0.0F || line.graph_budget > line.graph_top) return;
+    const float y = top + height * (1.0F - line.graph_budget / line.graph_top);
+    list.AddLine({box.x, y}, {box.right(), y}, IM_COL32(255, 255, 255, 170));
+    const std::string budget = fmt::format("{:.1f} ms", line.graph_budget);
+    list.AddText(ImGui::GetIO().Fonts->Fonts[0],
+                 font_px * 0.75F,
+                 {box.x + gap, std::max(top, y - font_px * 0.8F)},
+                 IM_COL32(255, 255, 255, 200),
+                 budget.c_str());
 }
 
 void Canvas::end() {

@@ -40,6 +40,8 @@ struct Canvas::Impl {
               ImU32 color,
               const std::string& words,
               float scale = 1.0F);
+    void line(ImDrawList& list, const PlacedText& placed, float scale);
+    void graph(ImDrawList& list, const Box& box, const HudLine& line) const;
 };
 
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size_px, ImU32 color);

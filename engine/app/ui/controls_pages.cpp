@@ -166,15 +166,19 @@ Page MenuPages::conflict_page() {
     Page page{.title = fmt::format("{} is already in use", label_of(*wanted_)),
               .most_width = 40.0F};
     std::string others;
-    for (const Action other :
-         input::also_drives(world_.bindings.stored(), *wanted_, slot_.action)) {
+    std::string unbound;
+    const input::Bindings& stored = world_.bindings.stored();
+    for (const Action other : input::also_drives(stored, *wanted_, slot_.action)) {
         others += fmt::format("{}\"{}\"", others.empty() ? "" : " and ", action_words(other));
+        if (stored.of(other).size() == 1)
+            unbound += fmt::format(" \"{}\" will then have no binding.", action_words(other));
     }
     page.lines.push_back({.kind = LineKind::Text,
-                          .label = fmt::format("{} is bound to {}. Bind it to \"{}\" instead?",
+                          .label = fmt::format("{} is bound to {}. Bind it to \"{}\" instead?{}",
                                                label_of(*wanted_),
                                                others,
-                                               action_words(slot_.action))});
+                                               action_words(slot_.action),
+                                               unbound)});
     page.lines.push_back(
         {.kind = LineKind::List,
          .cells = {{.text = "Rebind",

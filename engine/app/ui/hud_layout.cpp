@@ -9,7 +9,8 @@ namespace {
 constexpr float kMargin = 0.8F;  // of the font's size
 constexpr float kPad = 0.5F;
 constexpr float kPanelGap = 0.5F;
-constexpr float kSideWidth = 29.0F;
+constexpr float kSideWidth = 27.0F;
+constexpr float kGraph = 2.4F;  // height
 
 class Placer {
 public:
@@ -26,8 +27,15 @@ public:
         float widest = 0.0F;
         float y = pad;
         for (const HudLine& line : lines) {
-            const float width = std::min(wrap, std::ceil(scale * text_.width_px(line.text)) + 1.0F);
-            const float height = scale * text_.height_px(line.text, width / scale);
+            const bool is_wide = !line.value.empty() || !line.graph.empty();
+            const float width =
+                is_wide ? wrap
+                        : std::min(wrap, std::ceil(scale * text_.width_px(line.text)) + 1.0F);
+            const float for_value = line.value.empty() ? 0.0F : text_.width_px(line.value) + em_;
+            const float graph = line.graph.empty() ? 0.0F : kGraph * em;
+            const float height =
+                scale * text_.height_px(line.text, std::max(em_, width / scale - for_value)) +
+                graph;
             panel.texts.push_back({line, {pad, y, width, height}});
             widest = std::max(widest, width);
             y += height + em * 0.1F;

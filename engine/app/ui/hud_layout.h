@@ -15,13 +15,18 @@ struct HudLine {
     std::string text;
     Tone tone{Tone::Plain};
     float alpha{1.0F};
+    std::string value{};         ///< at the right edge; such a line is as wide as its panel may be
+    float share{0.0F};           ///< how much of the line is filled behind the text: a bar
+    std::vector<float> graph{};  ///< columns below the text, oldest first; as wide as may be
+    float graph_top{1.0F};       ///< value at the graph's upper edge
+    float graph_budget{0.0F};    ///< value at which a line goes across
 };
 
 /// What is written over the image; an empty list: nothing of it.
 struct HudTexts {
     std::vector<HudLine> status;    ///< top left: what is not as usual
     std::vector<HudLine> verdict;   ///< below it: how a hard case stands
-    std::vector<HudLine> side;      ///< top right: what a frame costs
+    std::vector<HudLine> side;      ///< top right: frame statistics
     std::vector<HudLine> target;    ///< below the crosshair: what is looked at
     std::vector<HudLine> messages;  ///< above the captions, newest last; the oldest go first
     std::vector<HudLine> captions;  ///< above the hint: what is heard

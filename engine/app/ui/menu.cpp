@@ -74,9 +74,10 @@ const Cell* Menu::cell_at(CellPlace place) const {
 }
 
 const PlacedCell* Menu::under(float x, float y) const {
-    if (!open() || !layout_.view.contains(x, y)) return nullptr;
+    if (!open()) return nullptr;
     const auto found = std::ranges::find_if(layout_.cells, [&](const PlacedCell& cell) {
-        return cell.box.contains(x, y + pages_.back().scroll_px);
+        return (cell.pinned || layout_.view.contains(x, y)) &&
+               shown_box(cell, pages_.back().scroll_px).contains(x, y);
     });
     return found == layout_.cells.end() ? nullptr : &*found;
 }

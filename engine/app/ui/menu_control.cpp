@@ -18,6 +18,7 @@ void MenuControl::take_event(const DeviceEvent& event, const input::Bindings& bi
 }
 
 InputSnapshot MenuControl::take(const InputSnapshot& input, const input::Bindings& bindings) {
+    pages_.set_pad_present(input.pad_present);
     InputSnapshot rest = input;
     rest.events.clear();
     const auto cursor_x = static_cast<float>(input.cursor_px[0]);

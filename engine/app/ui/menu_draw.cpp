@@ -40,11 +40,14 @@ public:
         list_.AddRectFilled({0.0F, 0.0F}, display, kShade);
         list_.AddRectFilled(corner(layout.panel), far_corner(layout.panel), kPanel, em_ * 0.4F);
         canvas_.text(list_, layout.title, kHead, menu_.page().title);
+        for (const PlacedCell& cell : layout.cells)
+            if (cell.pinned) draw_cell(cell);
         // The frame of what is chosen stands a little outside.
         const Box clip = inset(layout.view, -em_ * 0.15F, -em_ * 0.15F);
         list_.PushClipRect(corner(clip), far_corner(clip), true);
         draw_labels();
-        for (const PlacedCell& cell : layout.cells) draw_cell(cell);
+        for (const PlacedCell& cell : layout.cells)
+            if (!cell.pinned) draw_cell(cell);
         list_.PopClipRect();
         draw_scroll_bar();
     }
@@ -88,8 +91,8 @@ private:
     void draw_cell(const PlacedCell& placed) {
         const Line& line = menu_.page().lines[placed.place.line];
         const Cell& cell = line.cells[placed.place.cell];
-        const Box box = scrolled(placed.box);
-        if (!seen(box)) return;
+        const Box box = shown_box(placed, menu_.scroll_px());
+        if (!placed.pinned && !seen(box)) return;
         const float round = em_ * 0.3F;
         list_.AddRectFilled(
             corner(box), far_corner(box), cell.marked ? kMarked : kCellColor, round);

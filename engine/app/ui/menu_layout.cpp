@@ -17,8 +17,8 @@ constexpr float kKeysWidth = 26.0F;  // of a column of keys, at least
 
 class Layouter {
 public:
-    Layouter(MenuLayout& layout, float font_px, const TextSize& text)
-        : out_(layout), em_(font_px), text_(text), y_(layout.view.y) {}
+    Layouter(MenuLayout& layout, float font_px, const TextSize& text, bool pins = false)
+        : out_(layout), em_(font_px), text_(text), y_(layout.view.y), pins_(pins) {}
 
     void add(const Line& line, std::size_t index) {
         if (line.kind != LineKind::Keys) finish_keys();
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    void put(CellPlace place, const Box& box) { out_.cells.push_back({place, box}); }
+    void put(CellPlace place, const Box& box) { out_.cells.push_back({place, box, pins_}); }
 
     void label(float x, float width, const std::string& text, float least_height) {
         const float height =
@@ -157,6 +157,7 @@ private:
     float em_;
     const TextSize& text_;
     float y_;
+    bool pins_;
     int key_column_{0};
     float keys_height_{0.0F};
 };
@@ -164,6 +165,18 @@ private:
 const PlacedCell* find(const MenuLayout& layout, CellPlace place) {
     const auto found = std::ranges::find(layout.cells, place, &PlacedCell::place);
     return found == layout.cells.end() ? nullptr : &*found;
+}
+
+/// What scrolls begins below it.
+void pin_first_line(const Line& line, float font_px, const TextSize& text, MenuLayout& layout) {
+    Layouter layouter(layout, font_px, text, true);
+    layouter.add(line, 0);
+    layouter.finish();
+    layout.pinned = layout.view;
+    layout.pinned.height = layout.content_height;
+    const float taken = layout.content_height + font_px * 0.3F;
+    layout.view.y += taken;
+    layout.view.height -= taken;
 }
 
 float middle_x(const Box& box) {
@@ -176,6 +189,12 @@ bool overlap(const Box& a, const Box& b) {
     constexpr float kTouch_px = 0.01F;
     return a.x + kTouch_px < b.right() && b.x + kTouch_px < a.right() &&
            a.y + kTouch_px < b.bottom() && b.y + kTouch_px < a.bottom();
+}
+
+Box shown_box(const PlacedCell& cell, float scroll_px) {
+    Box box = cell.box;
+    if (!cell.pinned) box.y -= scroll_px;
+    return box;
 }
 
 MenuLayout layout_of(const Page& page,
@@ -195,9 +214,12 @@ MenuLayout layout_of(const Page& page,
     const float top = layout.title.bottom() + font_px * 0.5F;
     layout.view = {
         layout.title.x, top, layout.title.width, layout.panel.bottom() - pad * 0.6F - top};
+    const std::size_t pinned_lines = page.pins_first_line && !page.lines.empty() ? 1 : 0;
+    if (pinned_lines > 0) pin_first_line(page.lines.front(), font_px, text, layout);
     Layouter layouter(layout, font_px, text);
-    for (std::size_t i = 0; i < page.lines.size(); ++i) layouter.add(page.lines[i], i);
+    for (std::size_t i = pinned_lines; i < page.lines.size(); ++i) layouter.add(page.lines[i], i);
     layouter.finish();
+    if (pinned_lines > 0) return layout;
     // A page that needs less than the window is as high as it needs, in the middle.
     const float spare = layout.view.height - layout.content_height;
     if (spare >= 0.0F) {
@@ -244,8 +266,10 @@ float clamp_scroll(const MenuLayout& layout, float scroll_px) {
 float scroll_to(const MenuLayout& layout, CellPlace place, float scroll_px) {
     const PlacedCell* cell = find(layout, place);
     if (cell == nullptr) return clamp_scroll(layout, scroll_px);
+    if (cell->pinned) return clamp_scroll(layout, scroll_px);
     // The first line of cells brings what stands above it along.
-    if (cell->place == layout.cells.front().place) return 0.0F;
+    const auto first = std::ranges::find(layout.cells, false, &PlacedCell::pinned);
+    if (cell->place == first->place) return 0.0F;
     const float above = cell->box.y - layout.view.y;
     const float below = cell->box.bottom() - layout.view.bottom();
     return clamp_scroll(layout, std::clamp(scroll_px, std::min(below, above), above));

@@ -33,16 +33,21 @@ struct CellPlace {
 struct PlacedCell {
     CellPlace place;
     Box box;
+    bool pinned{false};  ///< does not scroll
 };
 
 struct MenuLayout {
     Box panel;                      ///< in the window
     Box title;                      ///< in the panel's head, never scrolled
+    Box pinned;                     ///< the first line, where the page pins it; else empty
     Box view;                       ///< what scrolls is seen through it
     std::vector<Box> labels;        ///< of each line, before scrolling; Keys: label and value
     std::vector<PlacedCell> cells;  ///< before scrolling, in the page's order
     float content_height{0.0F};     ///< more than view.height: it scrolls
 };
+
+/// Where the cell is seen when the page is scrolled so far.
+Box shown_box(const PlacedCell& cell, float scroll_px);
 
 /// How wide a text is and how high it stands when wrapped at a width.
 struct TextSize {

@@ -65,6 +65,8 @@ struct Page {
     std::string title;
     std::vector<Line> lines;
     float most_width{64.0F};  ///< of the panel, in letters' heights
+    /// Tabs: the first line does not scroll, and the panel is as high as the window whatever is below.
+    bool pins_first_line{false};
 };
 
 }  // namespace plumbline::app::ui

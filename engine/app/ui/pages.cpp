@@ -18,6 +18,27 @@ constexpr std::string_view kHardFolder = "hard";
 constexpr std::string_view kHardImage = "hard/H15";
 constexpr std::string_view kBenchFolder = "bench";
 
+// What a newcomer needs, in the order of need; with walking they are ten.
+constexpr std::array kEssentialInPlay{Action::Look,
+                                      Action::Jump,
+                                      Action::Drop,
+                                      Action::Throw,
+                                      Action::Grab,
+                                      Action::UndoDrop,
+                                      Action::Flashlight,
+                                      Action::Reset,
+                                      Action::Menu};
+constexpr std::array kEssentialAtModel{Action::TurnModel,
+                                       Action::ShiftModel,
+                                       Action::ZoomIn,
+                                       Action::ZoomOut,
+                                       Action::Turntable,
+                                       Action::Wireframe,
+                                       Action::Grid,
+                                       Action::MoveMode,
+                                       Action::Screenshot,
+                                       Action::Menu};
+
 /// "hard/H05" is in "hard", "bench/peers/x" in "bench/peers"; a scene at the top in "".
 std::string folder_of(const scene::ListedScene& scene) {
     const std::size_t slash = scene.name.rfind('/');
@@ -195,6 +216,17 @@ Page MenuPages::help() {
                     }}}});
     const input::Bindings& bindings = world_.bindings.current();
     const bool at_model = world_.looks_at_model();
+    const std::span<const Action> essential =
+        at_model ? std::span(kEssentialAtModel) : std::span(kEssentialInPlay);
+    page.lines.push_back({.kind = LineKind::Heading, .label = "Essentials"});
+    if (!at_model)
+        page.lines.push_back({.kind = LineKind::Keys,
+                              .label = walk_labels(bindings, input::LastDevice::KeyboardMouse),
+                              .value = "Move"});
+    for (const Action action : essential)
+        page.lines.push_back({.kind = LineKind::Keys,
+                              .label = all_labels(bindings, action, has_pad_),
+                              .value = std::string(action_words(action))});
     constexpr std::array kGroups{ActionGroup::Walk,
                                  ActionGroup::Things,
                                  ActionGroup::View,
@@ -202,22 +234,28 @@ Page MenuPages::help() {
                                  ActionGroup::CameraPath,
                                  ActionGroup::Time,
                                  ActionGroup::Menu};
-    for (const ActionGroup group : kGroups) {
-        std::vector<Line> lines;
-        for (std::size_t i = 0; i < kActionCount; ++i) {
-            const auto action = static_cast<Action>(i);
-            if (group_of(action) != group || !in_this_version(action)) continue;
-            if (bindings.of(action).empty()) continue;
-            if (at_model ? !is_for_models(action) : !is_for_play(action)) continue;
-            lines.push_back({.kind = LineKind::Keys,
-                             .label = all_labels(bindings, action),
-                             .value = std::string(action_words(action))});
-        }
-        if (lines.empty()) continue;
-        page.lines.push_back({.kind = LineKind::Heading, .label = std::string(group_words(group))});
-        std::ranges::move(lines, std::back_inserter(page.lines));
-    }
+    for (const ActionGroup group : kGroups) add_help_group(page, group, essential);
     return page;
+}
+
+void MenuPages::add_help_group(Page& page, ActionGroup group, std::span<const Action> shown_above) {
+    const input::Bindings& bindings = world_.bindings.current();
+    const bool at_model = world_.looks_at_model();
+    std::vector<Line> lines;
+    for (std::size_t i = 0; i < kActionCount; ++i) {
+        const auto action = static_cast<Action>(i);
+        if (group_of(action) != group || !in_this_version(action)) continue;
+        if (at_model ? !is_for_models(action) : !is_for_play(action)) continue;
+        if (std::ranges::find(shown_above, action) != shown_above.end()) continue;
+        std::string keys = all_labels(bindings, action, has_pad_);
+        if (keys == kUnbound) continue;
+        lines.push_back({.kind = LineKind::Keys,
+                         .label = std::move(keys),
+                         .value = std::string(action_words(action))});
+    }
+    if (lines.empty()) return;
+    page.lines.push_back({.kind = LineKind::Heading, .label = std::string(group_words(group))});
+    std::ranges::move(lines, std::back_inserter(page.lines));
 }
 
 }  // namespace plumbline::app::ui

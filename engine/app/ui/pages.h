@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,8 @@ public:
     Page in_play();
     Page help();
 
+    /// Whether a gamepad is plugged in: the help speaks of its buttons only then.
+    void set_pad_present(bool present) { has_pad_ = present; }
     /// While a press is waited for, the devices' events belong here and nowhere else.
     bool waits_for_press() const { return capture_.has_value(); }
     void take_press(const InputSnapshot& input);
@@ -84,6 +87,7 @@ private:
     void add_scenes(Page& page);
     Cell to_page(std::string text, Icon icon, Page (MenuPages::*page)());
     Cell back_cell();
+    void add_help_group(Page& page, ActionGroup group, std::span<const Action> shown_above);
 
     // settings_pages.cpp
     Page settings();
@@ -110,6 +114,7 @@ private:
     Menu& menu_;
     MenuWorld world_;
     Tab tab_{Tab::Image};
+    bool has_pad_{false};
     bool capture_begins_{false};
     std::optional<input::PressCapture> capture_;
     Slot slot_;

@@ -184,7 +184,7 @@ void MenuPages::add_mouse(Page& page) {
 }
 
 Page MenuPages::settings() {
-    Page page{.title = "Settings"};
+    Page page{.title = "Settings", .pins_first_line = true};
     struct NamedTab {
         Tab tab;
         const char* text;

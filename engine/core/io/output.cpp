@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -42,6 +43,12 @@ bool is_written_through(const fs::path& path) {
     struct stat status {};
     return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) &&
            !S_ISDIR(status.st_mode);
+}
+
+/// A pipe whose reader, `head` for one, has seen enough: no fault of anybody's.
+bool reader_has_gone(int descriptor) {
+    pollfd pipe{.fd = descriptor, .events = POLLOUT, .revents = 0};
+    return ::poll(&pipe, 1, 0) == 1 && (pipe.revents & POLLERR) != 0;
 }
 
 int open_for_writing(const fs::path& path) {
@@ -96,7 +103,7 @@ Result<Done> flush_standard_output() {
     errno = 0;
     std::cout.flush();
     const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
-    if (whole) return Done{};
+    if (whole || reader_has_gone(STDOUT_FILENO)) return Done{};
     const char* why = errno != 0 ? std::strerror(errno) : "some of it was lost";
     return Error{.message = fmt::format("cannot write to the standard output: {}", why)};
 }

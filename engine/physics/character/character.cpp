@@ -88,16 +88,29 @@ void Character::Impl::serialize(Archive& archive) {
 }
 
 void Character::Impl::find_free_place(const Vec3& wanted) {
+    constexpr int kTries = 200;
+    constexpr double kApart_m = 0.1;
     feet = Vec3d(wanted);
-    const auto has_floor = [&](const Vec3& from) {
-        return probe.ray(from + kUp * 0.1_r, from - kUp * 1000.0_r).has_value();
+    const auto has_floor = [&](const Vec3d& from) {
+        const Vec3 at(from);
+        return probe.ray(at + kUp * 0.1_r, at - kUp * 1000.0_r).has_value();
     };
-    if (!has_floor(wanted)) {
-        // Below everything: the ground, if there is any, is above.
-        const auto above = probe.ray(wanted + kUp * 500.0_r, wanted);
-        if (above) feet = Vec3d(above->point_world);
+    if (probe.is_free(feet) && has_floor(feet)) return;
+    // In paving or in a floor: the person stands on it.
+    if (const auto floor = probe.ray(wanted + kUp * def.step_up_m, wanted)) {
+        feet = Vec3d(floor->point_world);
+        if (probe.is_free(feet)) return;
     }
-    for (int i = 0; i < 200 && !probe.is_free(feet); ++i) feet.y += 0.1;
+    // The nearest place above, so that a roof is the last of all.
+    for (int i = 0; i < kTries; ++i) {
+        feet = Vec3d(wanted) + Vec3d(kUp) * (kApart_m * i);
+        if (probe.is_free(feet) && has_floor(feet)) return;
+    }
+    // Far below everything: the ground, if there is any, is above.
+    feet = Vec3d(wanted);
+    if (const auto above = probe.ray(wanted + kUp * 500.0_r, wanted))
+        feet = Vec3d(above->point_world);
+    for (int i = 0; i < kTries && !probe.is_free(feet); ++i) feet.y += kApart_m;
 }
 
 void Character::Impl::teleport(const Vec3& place) {

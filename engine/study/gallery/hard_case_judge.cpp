@@ -67,6 +67,7 @@ std::string rule_text(const scene::HardCaseRule& rule, double seconds) {
 RuleState state_of(const scene::HardCaseRule& rule, double seconds) {
     RuleState state;
     state.text = rule_text(rule, seconds);
+    state.measure = rule.measure;
     if (rule.below) state.allowed = {Allowed::Kind::Below, *rule.below, 0};
     if (rule.above) state.allowed = {Allowed::Kind::Above, *rule.above, 0};
     if (rule.near) state.allowed = {Allowed::Kind::Near, *rule.near, rule.within};

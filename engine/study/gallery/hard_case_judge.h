@@ -33,7 +33,8 @@ struct Allowed {
 
 /// One rule and how it stands.
 struct RuleState {
-    std::string text;  ///< "drift_m of cube.* at most 0.01, from 5 s"
+    std::string text;     ///< "drift_m of cube.* at most 0.01, from 5 s"
+    std::string measure;  ///< "drift_m"
     Allowed allowed{};
     double from_s{0};
     double to_s{0};

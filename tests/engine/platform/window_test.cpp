@@ -54,6 +54,20 @@ TEST_F(WindowTest, FollowsResizes) {
     EXPECT_EQ(window_->framebuffer_size().height, 300);
 }
 
+TEST_F(WindowTest, IsNoLargerThanTheMonitor) {  // of 1024 x 768
+    Result<std::unique_ptr<Window>> large =
+        Window::open({.title = "large", .width = 1280, .height = 720, .vsync = false});
+    ASSERT_TRUE(large.ok());
+    EXPECT_EQ((*large)->window_size().width, 1024);
+    EXPECT_EQ((*large)->window_size().height, 720);
+    (*large)->show("larger", 2000, 2000);
+    EXPECT_TRUE(poll_until([&](const InputSnapshot&) {
+        (*large)->poll_input();
+        return (*large)->window_size().height == 768;
+    }));
+    EXPECT_EQ((*large)->window_size().width, 1024);
+}
+
 TEST_F(WindowTest, ResizeStormEndsAtTheLastSize) {  // A11
     for (int i = 0; i < 10; ++i) {
         const int width = 100 + (i * 37) % 300;

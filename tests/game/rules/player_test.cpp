@@ -37,6 +37,15 @@ TEST(Player, ABlockedStartIsMovedAndTold) {
               std::vector<std::string>{"spawn point blocked: moved to the nearest free spot"});
 }
 
+TEST(Player, AStartOnPavingIsNotBlocked) {
+    scene::SceneDescription scene = meadow();
+    scene.entities.push_back(block("paving", {4, 0.1_r, 4}, {0, 0.05_r, 0}));
+    scene.player = scene::PlayerDescription{.feet_position_m = {0, 0, 0}};
+    Playground play(scene);
+    EXPECT_NEAR(play.game->player()->state().feet_position_m.y, 0.1, 2e-3);
+    EXPECT_TRUE(play.messages().empty());
+}
+
 TEST(Player, PaceChangesByAQuarterBetweenAQuarterAndThreeTimes) {
     Playground play;
     Player player(*play.simulation, {20, 0, 0});

@@ -84,9 +84,19 @@ TEST(Viewer, SwitchesItsAids) {
     EXPECT_TRUE(play.simulation->switches.grid);
     EXPECT_FALSE(play.simulation->switches.ground);
     EXPECT_EQ(play.simulation->switches.background, 1);
+    EXPECT_EQ(play.messages(),
+              (std::vector<std::string>{"grid on", "ground off", "next background"}));
     play.step(press({Action::Turntable}));
     play.run(1);
     EXPECT_NEAR(std::atan2(eye(play).x, eye(play).z), 0.5, 0.02) << "half a radian a second";
+}
+
+TEST(Viewer, ItsKeysSayElsewhereWhereTheyWork) {
+    Playground play;
+    play.step(press({Action::Ground, Action::Background}));
+    EXPECT_EQ(play.messages(),
+              (std::vector<std::string>{"ground: only available in the model viewer",
+                                        "background: only available in the model viewer"}));
 }
 
 /// A JSON scene of that radius, looked at from (0, -3, 0) along +Y with +Z up.

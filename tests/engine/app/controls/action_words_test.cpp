@@ -22,10 +22,9 @@ TEST(ActionWords, EveryGroupHasItsOwn) {
     std::set<std::string_view> words;
     for (std::size_t i = 0; i < kActionCount; ++i)
         words.insert(group_words(group_of(static_cast<Action>(i))));
-    EXPECT_EQ(
-        words,
-        (std::set<std::string_view>{
-            "Movement", "Objects", "View", "Light and fog", "Camera path", "Simulation", "Menu"}));
+    EXPECT_EQ(words,
+              (std::set<std::string_view>{
+                  "Movement", "Objects", "View", "Light", "Camera path", "Simulation", "Menu"}));
 }
 
 TEST(ActionWords, WhatAModelByItselfTakesIsNoPlayAndTheOtherWayRound) {

@@ -29,7 +29,9 @@ TEST(KeyLabels, AHintFollowsTheDeviceUsedLast) {
     EXPECT_EQ(hint_for(bindings, Action::Drop, input::LastDevice::KeyboardMouse), "Q");
     EXPECT_EQ(hint_for(bindings, Action::Drop, input::LastDevice::Gamepad), "Right bumper");
     EXPECT_EQ(hint_for(bindings, Action::UndoDrop, input::LastDevice::Gamepad), "Z");
-    EXPECT_EQ(all_labels(bindings, Action::Throw), "Left mouse or Right trigger");
+    EXPECT_EQ(all_labels(bindings, Action::Throw, true), "Left mouse or Right trigger");
+    EXPECT_EQ(all_labels(bindings, Action::Throw, false), "Left mouse");
+    EXPECT_EQ(walk_labels(bindings, input::LastDevice::KeyboardMouse), "W A S D");
 }
 
 }  // namespace

@@ -58,8 +58,8 @@ TEST_F(AppConfigTest, ABadEntryCostsOnlyItself) {
     EXPECT_EQ(config.width, 1280);
     EXPECT_EQ(config.height, 480);
     EXPECT_EQ(only_fault(),
-              "app.toml:2:9: warning: window.width: expected a whole number from 64 to 16384; the "
-              "value before it stands");
+              "app.toml:2:9: warning: window.width: expected a whole number from 64 to 16384; "
+              "keeping the previous value");
 }
 
 TEST_F(AppConfigTest, NotFiniteIsOutOfRange) {
@@ -73,14 +73,19 @@ TEST_F(AppConfigTest, AnUnknownKeyNamesTheNearest) {
     load("[window]\nwitdh = 800\n");
     EXPECT_EQ(
         only_fault(),
-        "app.toml:2:9: warning: window.witdh: no such setting. Nearest: \"width\". Line ignored.");
+        "app.toml:2:9: warning: window.witdh: unknown setting. Nearest: \"width\". Line ignored.");
+}
+
+TEST_F(AppConfigTest, AKeyAboveItsTableNamesTheTable) {
+    load("level = \"low\"\n");
+    EXPECT_EQ(only_fault(), "app.toml:1:9: warning: level: expected below [image]. Line ignored.");
 }
 
 TEST_F(AppConfigTest, AnOldFileWithTheStepLimitIsReadWithOneWarning) {
     EXPECT_EQ(load("[time]\nmax_steps_per_frame = 4\n[window]\nwidth = 800\n").width, 800);
     EXPECT_EQ(only_fault(),
-              "app.toml:2:23: warning: time.max_steps_per_frame: no longer a setting: time is lost "
-              "only where physics itself is too slow. Line ignored.");
+              "app.toml:2:23: warning: time.max_steps_per_frame: this setting was removed. Line "
+              "ignored.");
 }
 
 TEST_F(AppConfigTest, TheOldNameOfATableIsReadWithOneWarning) {
@@ -108,8 +113,8 @@ TEST_F(AppConfigTest, ALevelIsAWord) {
     EXPECT_EQ(load("[image]\nanti_aliasing = \"msaa4\"\n").anti_aliasing, EdgeWish::Msaa4);
     EXPECT_EQ(load("[image]\nlevel = \"best\"\n").quality_level, QualityLevel::Auto);
     EXPECT_EQ(only_fault(),
-              "app.toml:2:9: warning: image.level: expected one of auto, low, medium, high; the "
-              "value before it stands");
+              "app.toml:2:9: warning: image.level: expected one of auto, low, medium, high; "
+              "keeping the previous value");
 }
 
 TEST_F(AppConfigTest, TheWrittenTextHoldsOnlyWhatDiffersAndReadsBack) {

@@ -70,6 +70,16 @@ TEST_F(ControlsPages, AConflictNamesBothActionsAndAsks) {
     EXPECT_EQ(words(Action::Flashlight), std::vector<std::string>{"pad.y"});
 }
 
+TEST_F(ControlsPages, AConflictSaysWhichActionIsLeftWithoutABinding) {
+    keys({kEscape});
+    choose("Controls");
+    choose("Q", "Drop the selected object");
+    keys({'G'});
+    EXPECT_EQ(control_->menu().page().lines[0].label,
+              "G is bound to \"Fog on/off\". Bind it to \"Drop the selected object\" instead? "
+              "\"Fog on/off\" will then have no binding.");
+}
+
 TEST_F(ControlsPages, EscapeLeavesABindingAsItWas) {
     keys({kEscape});
     choose("Controls");

@@ -104,8 +104,8 @@ protected:
             if (!cell(placed.place).text.starts_with(text)) continue;
             for (int i = 0; i < 400; ++i) {
                 const Box& view = control_->menu().layout().view;
-                const float y = placed.box.y - control_->menu().scroll_px() + 2.0F;
-                if (y > view.y && y < view.bottom()) {
+                const float y = shown_box(placed, control_->menu().scroll_px()).y + 2.0F;
+                if (placed.pinned || (y > view.y && y < view.bottom())) {
                     InputSnapshot input;
                     input.cursor_px = {static_cast<double>(placed.box.x) + 2.0,
                                        static_cast<double>(y)};

@@ -74,6 +74,33 @@ TEST_F(SettingsPages, TheMousesSpeedMovesByEqualFactorsAndResets) {
     EXPECT_FALSE(bindings_->current().tuning.invert_y);
 }
 
+// Whoever goes through the tabs finds them where they were.
+TEST_F(SettingsPages, TheTabsStayWhereTheyAreOnEveryTabAndWhenThePageScrolls) {
+    keys({kEscape});
+    choose("Settings");
+    const auto tabs = [this] {
+        std::vector<std::pair<float, float>> places;
+        for (const PlacedCell& placed : control_->menu().layout().cells) {
+            const Box box = shown_box(placed, control_->menu().scroll_px());
+            if (placed.place.line == 0) places.emplace_back(box.x, box.y);
+        }
+        return places;
+    };
+    resize(640, 360);
+    const auto at_first = tabs();
+    const Box panel = control_->menu().layout().panel;
+    ASSERT_EQ(at_first.size(), 8U);
+    for (const char* tab : {"Display", "Sound", "Mouse and pad", "Light and fog", "Accuracy"}) {
+        choose(tab);
+        lay_out();
+        EXPECT_EQ(tabs(), at_first) << tab;
+        EXPECT_EQ(control_->menu().layout().panel.height, panel.height) << tab;
+    }
+    keys({267});
+    EXPECT_GT(control_->menu().scroll_px(), 0.0F) << "the text below the accuracy is long";
+    EXPECT_EQ(tabs(), at_first);
+}
+
 TEST_F(SettingsPages, OfferEachPresetAndSolverAndMarkWhatIsInForce) {
     keys({kEscape});
     choose("Settings");

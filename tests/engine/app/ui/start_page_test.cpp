@@ -3,6 +3,7 @@
 #include "tests/engine/app/ui/pages_fixture.h"
 
 #include <algorithm>
+#include <set>
 
 namespace plumbline::app::ui {
 namespace {
@@ -111,6 +112,40 @@ TEST_F(PagesTest, HelpListsOnlyWhatThisVersionDoes) {
     EXPECT_EQ(all.find("move_mode"), std::string::npos);
     EXPECT_NE(all.find("=Drop the selected object"), std::string::npos);
     EXPECT_EQ(all.find("Model viewer"), std::string::npos);
+}
+
+TEST_F(PagesTest, HelpBeginsWithTheTenKeysThatMatterMost) {
+    keys({'H'});
+    const std::vector<Line>& lines = control_->menu().page().lines;
+    ASSERT_GT(lines.size(), 13U);
+    EXPECT_EQ(lines[1].label, "Essentials");
+    EXPECT_EQ(lines[2].label + "=" + lines[2].value, "W A S D=Move");
+    std::set<std::string> values;
+    for (std::size_t i = 2; i < 12; ++i) {
+        EXPECT_EQ(lines[i].kind, LineKind::Keys) << i;
+        values.insert(lines[i].value);
+    }
+    EXPECT_EQ(lines[12].kind, LineKind::Heading);
+    // What is said above is not said again below.
+    for (std::size_t i = 12; i < lines.size(); ++i) EXPECT_FALSE(values.contains(lines[i].value));
+}
+
+TEST_F(PagesTest, HelpSpeaksOfAPadOnlyWhereOneIsPluggedIn) {
+    const auto words_of_pads = [this] {
+        std::string found;
+        for (const Line& line : control_->menu().page().lines)
+            for (const char* word : {"Pad ", "stick", "bumper", "trigger", "(A)"})
+                if (line.kind == LineKind::Keys && line.label.find(word) != std::string::npos)
+                    found += line.label + "\n";
+        return found;
+    };
+    keys({'H'});
+    EXPECT_EQ(words_of_pads(), "");
+    InputSnapshot with_pad;
+    with_pad.pad_present = true;
+    take(with_pad);
+    lay_out();
+    EXPECT_NE(words_of_pads().find("Space or South (A)"), std::string::npos);
 }
 
 TEST_F(PagesTest, HelpAtAModelListsWhatOneDoesWithModels) {

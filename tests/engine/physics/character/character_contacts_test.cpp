@@ -104,6 +104,28 @@ TEST(CharacterStart, MovesUpOutOfTheGroundAndWalls) {
     EXPECT_NEAR(stage.rest(1).feet_position_m.y, 0, 1e-3);
 }
 
+// Scenes that put a person at height 0 on paving, or in a room with a floor, mean the top of it.
+TEST(CharacterStart, StandsOnPavingAndOnTheFloorOfARoomNotOnItsRoof) {
+    Stage stage;
+    stage.ground();
+    stage.wall({4, 0.08_r, 4}, {0, 0.04_r, 0});
+    stage.enter({0, 0, 0});
+    EXPECT_NEAR(stage.feet().y, 0.08, 2e-3);
+    stage.wall({4, 0.6_r, 4}, {20, 0.3_r, 0});
+    stage.wall({4, 0.2_r, 4}, {20, 3.5_r, 0});
+    stage.person->teleport({20, 0, 0});
+    EXPECT_NEAR(stage.feet().y, 0.6, 0.11) << "in the room";
+}
+
+// A room that stands over a hole: nothing is below its floor.
+TEST(CharacterStart, BelowAFloorWithNothingUnderItIsInTheRoom) {
+    Stage stage;
+    stage.wall({4, 0.6_r, 4}, {0, 0.3_r, 0});
+    stage.wall({4, 0.2_r, 4}, {0, 3.5_r, 0});
+    stage.enter({0, 0.1_r, 0});
+    EXPECT_NEAR(stage.feet().y, 0.6, 0.11);
+}
+
 TEST_P(CharacterAmongAtRate, PushesTenKilogramsAndNotTenTonnes) {
     for (const Real mass : {10.0_r, 10000.0_r}) {
         Stage stage(GetParam());

@@ -1,0 +1,227 @@
+// The statistics over the image: a summary that is read at a glance, or the full table.
+#include "engine/app/overlay/overlay_panels_impl.h"
+#include "engine/core/process/process_memory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace plumbline::app::panels {
+namespace {
+
+using ui::HudLine;
+using ui::Tone;
+
+constexpr std::size_t kMostExpensive = 3;
+constexpr float kFrameBudget_ms = 1000.0F / 60.0F;
+
+struct NamedCost {
+    std::string name;
+    double ms{0};
+};
+
+HudLine head(std::string text) {
+    return {.text = std::move(text), .tone = Tone::Head};
+}
+
+HudLine row(std::string text, std::string value) {
+    return {.text = std::move(text), .value = std::move(value)};
+}
+
+HudLine graph(std::span<const float> values, float budget, float least_top) {
+    HudLine line{.graph = {values.begin(), values.end()}, .graph_budget = budget};
+    const auto most = std::ranges::max_element(line.graph);
+    line.graph_top = std::max(least_top, most == line.graph.end() ? 0.0F : *most * 1.1F);
+    return line;
+}
+
+/// Works on the GPU and on the CPU at the same time: the longer of the two counts.
+double cost_of(const render::PassTiming& pass) {
+    return std::max(pass.cpu_ms, pass.gpu_ms);
+}
+
+std::vector<NamedCost> pass_costs(const FrameReport& report) {
+    std::vector<NamedCost> costs;
+    for (const render::PassTiming& pass : report.recent_passes())
+        costs.push_back({std::string(pass.name), cost_of(pass)});
+    return costs;
+}
+
+/// Mean over all frames: what an effect does in one frame is too little to be timed.
+std::vector<NamedCost> effect_costs(const OverlayInput& input) {
+    const auto frames = static_cast<double>(std::max<std::uint64_t>(1, input.report.frames()));
+    std::vector<NamedCost> costs;
+    for (const effects::LedgerLine& line : input.ledger)
+        if (line.exists) costs.push_back({std::string(line.name), line.cpu_ms / frames});
+    return costs;
+}
+
+void add_most_expensive(std::vector<NamedCost> costs, std::vector<HudLine>& lines) {
+    std::ranges::sort(costs, std::ranges::greater{}, &NamedCost::ms);
+    if (costs.size() > kMostExpensive) costs.resize(kMostExpensive);
+    for (const NamedCost& cost : costs) {
+        lines.push_back(row(cost.name, fmt::format("{:.2f} ms", cost.ms)));
+        const double most = costs.front().ms;
+        lines.back().share = most > 0.0 ? static_cast<float>(cost.ms / most) : 0.0F;
+    }
+}
+
+int most_substeps(const physics::PhysicsWorld& world) {
+    int most = world.def().substeps;
+    for (const physics::IslandInfo& island : world.islands())
+        most = std::max(most, island.substeps);
+    return most;
+}
+
+HudLine frame_line(const FrameReport& report) {
+    const scene::Percentiles frame = report.recent_frame_ms();
+    HudLine line = row(fmt::format("{:.0f} fps   {:.1f} ms",
+                                   frame.median > 0.0 ? 1000.0 / frame.median : 0.0,
+                                   frame.median),
+                       fmt::format("p99 {:.1f} ms", frame.p99));
+    line.tone = Tone::Head;
+    return line;
+}
+
+HudLine step_line(const scene::Simulation& simulation) {
+    HudLine line =
+        row(fmt::format("Physics   {:.2f} ms per step", simulation.physics.cost().total_ms),
+            fmt::format(
+                "{:.0f} Hz x {}", 1.0 / simulation.step_s(), most_substeps(simulation.physics)));
+    line.tone = Tone::Head;
+    return line;
+}
+
+HudLine image_line(const FrameReport& report) {
+    const QualityInForce& image = report.image();
+    const render::FrameStats& stats = report.last_stats();
+    return row(fmt::format("Image quality {}{}", image.level, image.is_automatic ? " (auto)" : ""),
+               fmt::format("{} x {}", stats.scene_width_px, stats.scene_height_px));
+}
+
+HudLine memory_line() {
+    return row("Peak memory",
+               fmt::format("{:.0f} MiB", static_cast<double>(peak_resident_bytes()) / 1048576.0));
+}
+
+void add_world(const OverlayInput& input, std::vector<HudLine>& lines) {
+    const physics::PhysicsWorld& world = input.simulation.physics;
+    lines.push_back(row(fmt::format("{} bodies, {} awake", world.body_count(), world.awake_count()),
+                        fmt::format("{} contacts", world.cost().contacts)));
+    if (input.clock.lost_s() >= 0.1)
+        lines.push_back(
+            row("Dropped time (too slow)", fmt::format("{:.1f} s", input.clock.lost_s())));
+}
+
+std::vector<HudLine> summary(const OverlayInput& input) {
+    const auto step_ms = static_cast<float>(input.simulation.step_s() * 1000.0);
+    std::vector<HudLine> lines{frame_line(input.report),
+                               graph(input.report.recent_frames(), kFrameBudget_ms, 20.0F),
+                               step_line(input.simulation),
+                               graph(input.report.recent_steps(), step_ms, 0.5F)};
+    add_world(input, lines);
+    lines.push_back(head("Most expensive passes"));
+    add_most_expensive(pass_costs(input.report), lines);
+    if (std::vector<NamedCost> effects = effect_costs(input); !effects.empty()) {
+        lines.push_back(head("Most expensive effects"));
+        add_most_expensive(std::move(effects), lines);
+    }
+    lines.push_back(image_line(input.report));
+    lines.push_back(memory_line());
+    lines.push_back({.text = fmt::format("{}: full table",
+                                         hint_for(input.bindings, Action::Stats, input.device)),
+                     .tone = Tone::Faint});
+    return lines;
+}
+
+void add_step_phases(const physics::StepCost& cost, std::vector<HudLine>& lines) {
+    const auto add = [&](const char* name, double ms) {
+        lines.push_back(row(name, fmt::format("{:.2f} ms", ms)));
+    };
+    add("  broad phase", cost.broad_ms);
+    add("  narrow phase", cost.narrow_ms);
+    add("  solver", cost.solve_ms);
+    add("  integration", cost.integrate_ms);
+}
+
+void add_drawn(const FrameReport& report, std::vector<HudLine>& lines) {
+    const render::FrameStats& stats = report.last_stats();
+    lines.push_back(image_line(report));
+    if (const std::string without = render::what_gave_way(report.image().quality); !without.empty())
+        lines.push_back({.text = "Reduced: " + without});
+    lines.push_back(row("Draw calls", fmt::format("{}", stats.draw_calls)));
+    lines.push_back(row("Triangles", fmt::format("{}", stats.triangles)));
+    lines.push_back(row("Instances", fmt::format("{}", stats.instances)));
+    lines.push_back(
+        row("Shadow maps",
+            fmt::format(
+                "{} drawn, {} cached", stats.shadow_passes_rendered, stats.shadow_passes_cached)));
+    if (stats.shadowed_lights + stats.unshadowed_lights > 0)
+        lines.push_back(row(
+            "Lamps",
+            fmt::format(
+                "{} with shadows, {} without", stats.shadowed_lights, stats.unshadowed_lights)));
+}
+
+std::vector<HudLine> full_table(const OverlayInput& input) {
+    const scene::Percentiles frame = input.report.recent_frame_ms();
+    const physics::PhysicsWorld& world = input.simulation.physics;
+    std::vector<HudLine> lines{frame_line(input.report),
+                               row("Frame p95", fmt::format("{:.1f} ms", frame.p95)),
+                               step_line(input.simulation)};
+    add_step_phases(world.cost(), lines);
+    add_world(input, lines);
+    lines.push_back(
+        row("Max penetration", fmt::format("{:.2f} mm", world.max_penetration_m() * 1e3)));
+    if (const std::string done = scene::interventions_text(input.report.interventions());
+        !done.empty())
+        lines.push_back({.text = "Solver interventions: " + done});
+    add_drawn(input.report, lines);
+    lines.push_back(memory_line());
+    lines.push_back(head("Passes: CPU and GPU ms"));
+    for (const render::PassTiming& pass : input.report.recent_passes()) {
+        const std::string gpu = pass.gpu_ms >= 0.0 ? fmt::format("{:.2f}", pass.gpu_ms) : "-";
+        lines.push_back(row(std::string(pass.name), fmt::format("{:.2f}  {}", pass.cpu_ms, gpu)));
+    }
+    lines.push_back(head("Effects: CPU ms per frame"));
+    for (const NamedCost& effect : effect_costs(input))
+        lines.push_back(row(effect.name, fmt::format("{:.3f}", effect.ms)));
+    lines.push_back(
+        {.text = fmt::format("{}: close", hint_for(input.bindings, Action::Stats, input.device)),
+         .tone = Tone::Faint});
+    return lines;
+}
+
+/// A model by itself: its file and what it is made of.
+std::vector<HudLine> model_lines(const scene::Simulation& simulation) {
+    const assets::AssetLibrary& library = simulation.library();
+    std::vector<HudLine> lines;
+    for (auto [entity, name, visual] :
+         simulation.registry.view<const scene::Name, const scene::Visual>()) {
+        if (name.text != "model") continue;
+        const assets::MeshData& mesh = library.mesh(visual.mesh);
+        const Vec3f size = mesh.bounds.size();
+        lines.push_back(head(simulation.description().file.filename().string()));
+        lines.push_back(row("Triangles", fmt::format("{}", mesh.indices.size() / 3)));
+        lines.push_back(row("Vertices", fmt::format("{}", mesh.vertices.size())));
+        lines.push_back(row("Materials", fmt::format("{}", visual.materials.size())));
+        lines.push_back(
+            row("Size", fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.x, size.y, size.z)));
+    }
+    return lines;
+}
+
+}  // namespace
+
+std::vector<HudLine> stats_lines(const OverlayInput& input) {
+    std::vector<HudLine> lines;
+    if (input.parts.stats == StatsPage::Off) return lines;
+    if (input.simulation.description().shows_model) lines = model_lines(input.simulation);
+    std::vector<HudLine> costs =
+        input.parts.stats == StatsPage::Summary ? summary(input) : full_table(input);
+    std::ranges::move(costs, std::back_inserter(lines));
+    return lines;
+}
+
+}  // namespace plumbline::app::panels
