@@ -235,7 +235,7 @@ std::vector<std::string> with_command(const CLI::App& app, int argc, char** argv
 
 int run_commands(int argc, char** argv) {
     return_large_blocks_early();
-    CLI::App app("Plumbline: a physics playground that shows what accuracy costs", "plumbline");
+    CLI::App app("Plumbline: a physics playground with measurable accuracy", "plumbline");
     app.require_subcommand(1);
     app.fallthrough();
     Words words;

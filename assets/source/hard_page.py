@@ -4,25 +4,31 @@ from hard_scene import number, reached_text
 
 INTRODUCTION = """# The gallery of hard cases
 
-Scenes that are known to make physics engines fall over, fly apart, tunnel or creep, each with its own
-pass rule in numbers. `assets/source/make_hard_scenes.py` writes them and this page; the rules' words are
-explained in [SCENE-FORMAT.md](SCENE-FORMAT.md#hard-cases).
+![The first rows of the gallery's page: a column for each solver, pass or fail with its margin and cost](images/gallery.png)
+
+71 scenes that are known to make physics engines collapse, explode, tunnel or creep, each with its own pass rules in
+numbers. `assets/source/make_hard_scenes.py` writes the scenes and this page;
+[SCENE-FORMAT.md](SCENE-FORMAT.md#hard-cases) explains the measures.
 
 ```
-plumbline stability                            # every case of the CI tier, every solver
+plumbline stability                            # the 67 cases of the CI tier, every solver
 plumbline stability H05 H30 --solver small_step
-plumbline stability --tier all --rates --out DIR   # the long ones too, at 30, 60 and 240 Hz; JSON and a page
-plumbline play hard/H05                        # walk round in one; its rules stand on the screen
+plumbline stability --tier all --rates --out DIR   # all 71, at 30, 60 and 240 Hz; JSON and a page
+plumbline play hard/H05                        # walk around in one; its rules are on the screen
 ```
 
-Every solver runs at the game's setting: 60 Hz and the default preset. A case passes when every rule of its own
-holds to the end, all bodies stay finite, none falls out of the world, the deepest contact stays at every step
-under 2 % of the smallest edge (or what the case says), and the energy never rises 1 % above its start where
-nothing feeds energy in, and the energy guard takes no more than 1 % of the start's out. A case that is judged on
-penetration later, or not on energy, says why in its file and below.
-`stability` ends with exit code 0 once it ran; with `--expect-green` with 5 when small_step at 60 Hz breaks a rule that
-no `known_red` of the case lists, when one that is listed holds again or got worse, and when its limit lies half as far
-outside again as what was measured. Some are held to their rules at 30 and 240 Hz and in float64 too
+Every solver runs at the game's setting: 60 Hz and the default preset. A case passes if
+
+- each of its own rules holds to the end,
+- all bodies stay finite and none falls out of the world,
+- the deepest contact of every step stays below 2 % of the smallest edge (or the case's own limit),
+- the energy never rises 1 % above its start where nothing adds energy, and
+- the energy guard removes no more than 1 % of the initial energy.
+
+A case that judges penetration later, or does not judge energy, says why in its file and below.
+`stability` exits with code 0 after a complete run. With `--expect-green` it exits with code 5 if small_step at 60 Hz fails a
+rule that is not in `known_red` of the case, if a listed rule passes again or got worse, or if the listed limit is more
+than half as far outside again as the measured value. Some cases are tested at 30 and 240 Hz and in float64 too
 (`tests/scenarios/families/gallery_case_test.cpp`).
 
 | case | shows | passes | known to fail |

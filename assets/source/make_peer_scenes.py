@@ -13,7 +13,9 @@ import random
 
 from card_house import SIZE_M, card_house
 
-FOLDER = pathlib.Path(__file__).resolve().parent.parent / "scenes" / "bench" / "peers"
+ASSETS = pathlib.Path(__file__).resolve().parent.parent
+FOLDER = ASSETS / "scenes" / "bench" / "peers"
+MODELS = ASSETS / "models" / "bench"
 
 HEAD = """# {about}.
 # Written by assets/source/make_peer_scenes.py; tests/benchmarks/peer_scenes.cpp measures it.
@@ -21,6 +23,7 @@ HEAD = """# {about}.
 [scene]
 title = "{name}"
 description = "{about}"
+include = ["scenes/materials.toml"]
 
 [world]
 gravity_mps2 = [0, {gravity!r}, 0]
@@ -28,9 +31,37 @@ gravity_mps2 = [0, {gravity!r}, 0]
 [camera]
 position_m = {camera}
 target_m = {target}
+fov_deg = {fov}
 
 [sun]
-direction = [-0.4, -1, -0.3]
+direction = [-0.545, -0.53, -0.65]
+color = [1.0, 0.93, 0.82]
+intensity = 3.4
+shadow = {{ size_px = 2048, distance_m = {shadow} }}
+
+[sky]
+skybox = "skies/garden"
+
+[ambient]
+color = [0.3, 0.33, 0.38]
+
+[post]
+exposure = 0.95
+
+[[material]]
+name = "paint_orange"
+base_color = [0.8, 0.28, 0.04]
+roughness = 0.5
+
+[[material]]
+name = "paint_blue"
+base_color = [0.06, 0.22, 0.45]
+roughness = 0.5
+
+[[material]]
+name = "paint_cream"
+base_color = [0.75, 0.68, 0.52]
+roughness = 0.6
 """
 
 CUBE = "box = [1, 1, 1]"
@@ -50,32 +81,64 @@ def ball_inertia(mass, radius):
     return [0.4 * mass * radius * radius] * 3
 
 
+def write_prism(path, outline, depth):
+    """An outline in the xy plane, counter-clockwise, as a solid of that depth along z."""
+    count, half = len(outline), depth / 2
+    faces = [[(*corner, half) for corner in outline], [(*corner, -half) for corner in reversed(outline)]]
+    for i in range(count):
+        (ax, ay), (bx, by) = outline[i], outline[(i + 1) % count]
+        faces.append([(ax, ay, half), (ax, ay, -half), (bx, by, -half), (bx, by, half)])
+    lines = ["# A stone of the arch. Written by assets/source/make_peer_scenes.py."]
+    for face in faces:
+        lines += [f"v {x:.9g} {y:.9g} {z:.9g}" for x, y, z in face]
+    at = 1
+    for face in faces:
+        lines.append("f " + " ".join(str(at + i) for i in range(len(face))))
+        at += len(face)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
 class Scene:
     """The text of one scene file."""
 
-    def __init__(self, name, about, camera, target, gravity=-9.81):
+    def __init__(self, name, about, camera, target, gravity=-9.81, fov=50, shadow=60):
         self.name = name
         self.parts = [HEAD.format(name=name, about=about, camera=numbers(camera),
-                                  target=numbers(target), gravity=gravity)]
+                                  target=numbers(target), gravity=gravity, fov=fov, shadow=shadow)]
 
     def ground(self, friction, restitution=0.0):
         self.parts.append(f"""[[entity]]
 name = "ground"
 position_m = [0, -1, 0]
 primitive = {{ box = [200, 2, 200] }}
+material = "gravel"
+casts_shadow = false
 [entity.body]
 kind = "static"
 friction = {friction!r}
 restitution = {restitution!r}
 """)
 
-    def prefab(self, name, shape, mass, inertia, friction, restitution=0.0, extra="", looks=True):
-        """`looks`: the shape is drawn too; hulls are shapes of bodies only."""
-        drawn = f"primitive = {{ {shape} }}\n" if looks else ""
-        body = "" if looks else f"shape = {{ {shape} }}\n"
+    def backdrop(self, top):
+        """Ground that is only seen: nothing of the scene reaches it."""
+        self.parts.append(f"""[[entity]]
+name = "ground"
+position_m = [0, {top - 1!r}, 0]
+primitive = {{ box = [200, 2, 200] }}
+material = "gravel"
+casts_shadow = false
+""")
+
+    def prefab(self, name, shape, mass, inertia, friction, restitution=0.0, extra="", material="wood", drawn=""):
+        """`drawn`: a model or primitive in place of the body's shape, as its line of the file."""
+        body = f"shape = {{ {shape} }}\n" if drawn else ""
+        drawn = drawn or f"primitive = {{ {shape} }}"
         self.parts.append(f"""[[prefab]]
 name = "{name}"
-{drawn}[prefab.body]
+{drawn}
+material = "{material}"
+[prefab.body]
 {body}mass_kg = {mass!r}
 inertia_kgm2 = {numbers(inertia)}
 friction = {friction!r}
@@ -150,28 +213,35 @@ def heavy(ratio):
     scene = Scene(f"heavy{ratio}", f"A cube with one {ratio} times as heavy on it", (3, 2, 5), (0, 1, 0))
     scene.cubes()
     mass = DENSITY_KGPM3 * ratio
-    scene.prefab("load", CUBE, mass, box_inertia(mass, (1, 1, 1)), 0.6)
+    scene.prefab("load", CUBE, mass, box_inertia(mass, (1, 1, 1)), 0.6, material="rustmetal")
     scene.entity("lower", "cube", (0.0, 0.5, 0.0))
     scene.entity("upper", "load", (0.0, 1.5, 0.0))
     return scene
 
 
 def chain(name, about, along, size):
-    """50 links of 0.4 m and 1 kg from an anchor at y = 30, a ball of 100 kg at the end."""
-    scene = Scene(name, about, (22, 26, 30), (5, 24, 0))
+    """50 links of 0.4 m and 1 kg from an anchor at y = 30, a ball of 100 kg at the end. Drawn three
+    times as thick as they are, to be seen as a whole."""
+    scene = Scene(name, about, (10, 19, 24), (5 * along[0], 20.5 + 1.5 * along[0], 0), fov=60)
+    scene.backdrop(0)
     untouched = "collides_with = []\n"
     scene.parts.append("""[[entity]]
 name = "anchor"
 position_m = [0, 30, 0]
-primitive = { sphere = 0.05 }
+primitive = { sphere = 0.3 }
+material = "paint_blue"
 [entity.body]
+shape = { sphere = 0.05 }
 kind = "static"
 friction = 0.6
 restitution = 0
 collides_with = []
 """)
-    scene.prefab("link", f"box = {numbers(size)}", 1.0, box_inertia(1.0, size), 0.6, extra=untouched)
-    scene.prefab("weight", "sphere = 0.25", 100.0, ball_inertia(100.0, 0.25), 0.6, extra=untouched)
+    thick = numbers([side if side == max(size) else round(3 * side, 3) for side in size])
+    scene.prefab("link", f"box = {numbers(size)}", 1.0, box_inertia(1.0, size), 0.6, extra=untouched,
+                 material="paint_orange", drawn=f"primitive = {{ box = {thick} }}")
+    scene.prefab("weight", "sphere = 0.25", 100.0, ball_inertia(100.0, 0.25), 0.6, extra=untouched,
+                 material="rustmetal", drawn="primitive = { sphere = 0.6 }")
 
     def at(distance):
         return [0.0 + along[0] * distance, 30.0 + along[1] * distance, 0.0]
@@ -186,9 +256,9 @@ collides_with = []
 
 
 def ball_on_ground(name, about, friction, restitution, mass, place, body):
-    scene = Scene(name, about, (4, 4, 16), (place[0], 2, place[2]))
+    scene = Scene(name, about, (place[0] + 4, max(4, place[1] / 2), place[2] + 16), (place[0], place[1] / 2, place[2]))
     scene.ground(friction, restitution)
-    scene.prefab("ball", "sphere = 0.5", mass, ball_inertia(mass, 0.5), friction, restitution)
+    scene.prefab("ball", "sphere = 0.5", mass, ball_inertia(mass, 0.5), friction, restitution, material="paint_orange")
     scene.entity("ball", "ball", place, body=body)
     return scene
 
@@ -216,6 +286,7 @@ def dzhani():
     """Bar 1 x 0.2 x 0.2 m and stem 0.2 x 0.4 x 0.2 m: only their mass and inertia, and a box."""
     scene = Scene("dzhani", "A T-handle turns about its middle axis, weightless", (1, 1, 2.5),
                   (0, 0, 0), gravity=0.0)
+    scene.backdrop(-1.5)
     bar, stem = (1.0, 0.2, 0.2), (0.2, 0.4, 0.2)
     bar_mass, stem_mass = DENSITY_KGPM3 * math.prod(bar), DENSITY_KGPM3 * math.prod(stem)
     mass = bar_mass + stem_mass
@@ -225,7 +296,7 @@ def dzhani():
     inertia[0] += apart
     inertia[2] += apart
     scene.prefab("handle", "box = [1, 0.6, 0.2]", mass, inertia, 0.6,
-                 extra="angular_velocity_radps = [0.01, 5, 0.01]\ncollides_with = []\n")
+                 extra="angular_velocity_radps = [0.01, 5, 0.01]\ncollides_with = []\n", material="paint_orange")
     scene.entity("handle", "handle", (0.0, 0.0, 0.0))
     return scene
 
@@ -233,7 +304,7 @@ def dzhani():
 def s666():
     scene = Scene("s666", "6 x 6 x 6 frictionless balls fall and run apart", (3, 2, 4), (0, 0.5, 0))
     scene.ground(0.0)
-    scene.prefab("ball", "sphere = 0.1", 10.0, ball_inertia(10.0, 0.1), 0.0)
+    scene.prefab("ball", "sphere = 0.1", 10.0, ball_inertia(10.0, 0.1), 0.0, material="paint_orange")
     rng = random.Random(42)
     for i in range(216):
         x, z, y = i // 36, i // 6 % 6, i % 6
@@ -260,7 +331,9 @@ def arch():
                mass * (along + across)]
     outline = [(-a, low - centre), (a, low - centre), (b, high - centre), (-b, high - centre)]
     points = [numbers((x, y, z)) for z in (-depth / 2, depth / 2) for x, y in outline]
-    scene.prefab("stone", f"hull_m = [{', '.join(points)}]", mass, inertia, 0.6, looks=False)
+    write_prism(MODELS / "arch_stone.obj", outline, depth)
+    scene.prefab("stone", f"hull_m = [{', '.join(points)}]", mass, inertia, 0.6, material="paint_cream",
+                 drawn='model = "models/bench/arch_stone.obj"')
     for i in range(15):
         angle = half + 2 * half * i
         turn = (angle - math.pi / 2) / 2
@@ -274,7 +347,7 @@ def cards():
     scene = Scene("cards", "A house of 40 cards", (0.9, 1, 3), (0.8, 0.8, 0))
     scene.ground(0.7)
     mass = DENSITY_KGPM3 * math.prod(SIZE_M)
-    scene.prefab("card", f"box = {numbers(SIZE_M)}", mass, box_inertia(mass, SIZE_M), 0.7)
+    scene.prefab("card", f"box = {numbers(SIZE_M)}", mass, box_inertia(mass, SIZE_M), 0.7, material="paint_cream")
     for i, (x, y, angle_deg) in enumerate(card_house()):
         turn = math.radians(angle_deg) / 2
         scene.entity(f"card_{i}", "card", (x, y, 0.0), (math.cos(turn), 0.0, 0.0, math.sin(turn)))
