@@ -71,14 +71,14 @@ bool choose_count(const char* label, int& value, int least, int most, const char
 }
 
 bool choose_setting(Setting& setting) {
-    bool changed = choose_rate("steps", setting);
-    changed |= choose_count("sub-steps",
+    bool changed = choose_rate("Step rate", setting);
+    changed |= choose_count("Sub-steps",
                             setting.substeps,
                             setting.solver == Solver::SmallStep ? 0 : 1,
                             kMostSubsteps,
                             setting.substeps == 0 ? "on demand" : "%d");
-    changed |= choose_count("iterations", setting.iterations, 1, kMostIterations, "%d");
-    changed |= choose_solver("solver", setting);
+    changed |= choose_count("Iterations", setting.iterations, 1, kMostIterations, "%d");
+    changed |= choose_solver("Solver", setting);
     return changed;
 }
 
@@ -105,7 +105,7 @@ void draw_gauges(const AccuracyGauges& gauges) {
                      gauges.max_penetration_m * 1e3,
                      gauges.max_joint_error_m * 1e3));
     const std::string done = scene::interventions_text(gauges.cost.interventions);
-    text(fmt::format("beside solving: {}", done.empty() ? "nothing" : done));
+    text(fmt::format("interventions: {}", done.empty() ? "none" : done));
 }
 
 void plot(const char* label,
@@ -140,8 +140,8 @@ Setting finer(Setting setting) {
 void draw_ghost(const AccuracyControl& control, AccuracyRequest& request) {
     const study::Ghost* ghost = control.ghost();
     if (ghost == nullptr || !ghost->failure().empty()) {
-        if (ghost != nullptr) text(fmt::format("no ghost: {}", ghost->failure()));
-        if (ImGui::Button("ghost from here")) request.start_ghost = finer(control.setting());
+        if (ghost != nullptr) text(fmt::format("ghost failed: {}", ghost->failure()));
+        if (ImGui::Button("Start ghost")) request.start_ghost = finer(control.setting());
         ImGui::SameLine();
         text("the same scene at higher accuracy");
         return;
@@ -153,12 +153,12 @@ void draw_ghost(const AccuracyControl& control, AccuracyRequest& request) {
     plot("mean distance, mm", ghost->history(), &study::GhostDistance::mean_m, 1e3);
     plot("this world, ms/s", ghost->history(), &study::GhostDistance::visible_ms_per_s, 1);
     plot("ghost, ms/s", ghost->history(), &study::GhostDistance::ghost_ms_per_s, 1);
-    if (ImGui::Button("ghost from here")) request.start_ghost = ghost->setting();
+    if (ImGui::Button("Restart ghost")) request.start_ghost = ghost->setting();
     ImGui::SameLine();
-    if (ImGui::Button("no ghost")) request.stop_ghost = true;
+    if (ImGui::Button("Stop ghost")) request.stop_ghost = true;
     text(
-        "Outlined where it is a millimetre off or more.\nIt feels neither your hands nor what you "
-        "drop.");
+        "Outlines show bodies that are 1 mm or more apart.\nThe ghost does not feel your hands or "
+        "what you drop.");
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ AccuracyRequest draw_accuracy(const AccuracyControl& control,
     ImGui::Separator();
     draw_ghost(control, request);
     ImGui::Separator();
-    if (ImGui::Button("adopt")) request.adopt = true;
+    if (ImGui::Button("Save copy")) request.adopt = true;
     text("Writes this setting into a copy of the scene.");
     ImGui::PopItemWidth();
     ImGui::End();

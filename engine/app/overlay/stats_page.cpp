@@ -1,4 +1,5 @@
 // The statistics over the image: a summary that is read at a glance, or the full table.
+#include "engine/app/controls/key_labels.h"
 #include "engine/app/overlay/overlay_panels_impl.h"
 #include "engine/core/process/process_memory.h"
 
@@ -6,6 +7,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
+#include <span>
 
 namespace plumbline::app::panels {
 namespace {
@@ -30,7 +33,7 @@ HudLine row(std::string text, std::string value) {
 }
 
 HudLine graph(std::span<const float> values, float budget, float least_top) {
-    HudLine line{.graph = {values.begin(), values.end()}, .graph_budget = budget};
+    HudLine line{.text = {}, .graph = {values.begin(), values.end()}, .graph_budget = budget};
     const auto most = std::ranges::max_element(line.graph);
     line.graph_top = std::max(least_top, most == line.graph.end() ? 0.0F : *most * 1.1F);
     return line;
@@ -65,13 +68,6 @@ void add_most_expensive(std::vector<NamedCost> costs, std::vector<HudLine>& line
         const double most = costs.front().ms;
         lines.back().share = most > 0.0 ? static_cast<float>(cost.ms / most) : 0.0F;
     }
-}
-
-int most_substeps(const physics::PhysicsWorld& world) {
-    int most = world.def().substeps;
-    for (const physics::IslandInfo& island : world.islands())
-        most = std::max(most, island.substeps);
-    return most;
 }
 
 HudLine frame_line(const FrameReport& report) {

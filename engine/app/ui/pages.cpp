@@ -216,8 +216,8 @@ Page MenuPages::help() {
                     }}}});
     const input::Bindings& bindings = world_.bindings.current();
     const bool at_model = world_.looks_at_model();
-    const std::span<const Action> essential =
-        at_model ? std::span(kEssentialAtModel) : std::span(kEssentialInPlay);
+    const std::span<const Action> essential = at_model ? std::span<const Action>(kEssentialAtModel)
+                                                       : std::span<const Action>(kEssentialInPlay);
     page.lines.push_back({.kind = LineKind::Heading, .label = "Essentials"});
     if (!at_model)
         page.lines.push_back({.kind = LineKind::Keys,
