@@ -77,7 +77,7 @@ render::RenderFrame FrameParts::extract(const scene::ViewPoint& view) {
     frame.quality = quality_control_.quality();
     session_.effects->extract(*session_.simulation, view, frame);
     accuracy_.take_answers();
-    accuracy_.add_ghost_lines(frame.lines);
+    accuracy_.add_ghost_lines(frame.lines, Vec3f(view.world_from_camera.position));
     if (controls_.collision_shapes)
         session_.simulation->physics.add_debug_lines(frame.lines, view.world_from_camera.position);
     if (controls_.collision_boxes)

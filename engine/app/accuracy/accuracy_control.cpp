@@ -6,13 +6,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace plumbline::app {
 namespace {
 
 constexpr double kWindow_s = 1.0;
-constexpr Vec3f kGhostColor{0.35F, 0.85F, 1.0F};
+constexpr Vec3f kGhostColor{0.2F, 0.9F, 1.0F};
+constexpr Vec3f kGhostRim{0.0F, 0.03F, 0.06F};
 
 /// Nothing that an outline would show.
 bool looks_the_same(const Pose& a, const Pose& b) {
@@ -21,6 +23,27 @@ bool looks_the_same(const Pose& a, const Pose& b) {
     const Real turned = std::min(glm::length(a.orientation - b.orientation),
                                  glm::length(a.orientation + b.orientation));
     return glm::distance(a.position, b.position) < kApart_m && turned < kTurned;
+}
+
+/// Lines as wide as several pixels, with a dark rim: seen at a glance on any ground.
+void add_wide(const LineList& thin, const Vec3f& eye_world, LineList& lines) {
+    constexpr float kPixel = 0.0013F;  // of the distance; 50 degrees over 720 lines
+    // The rim first: what is drawn later covers it.
+    constexpr std::array kStrokes{-2.0F, 2.0F, -1.0F, 1.0F, 0.0F};
+    for (const float stroke : kStrokes) {
+        for (std::size_t i = 0; i + 1 < thin.vertices.size(); i += 2) {
+            const Vec3f& from = thin.vertices[i].position_world;
+            const Vec3f& to = thin.vertices[i + 1].position_world;
+            const Vec3f sight = (from + to) * 0.5F - eye_world;
+            const Vec3f across = glm::cross(to - from, sight);
+            const float length = glm::length(across);
+            if (!(length > 0.0F)) continue;
+            const Vec3f aside = across * (stroke * kPixel * glm::length(sight) / length);
+            lines.add(from + aside,
+                      to + aside,
+                      std::abs(stroke) > 1.5F ? kGhostRim : thin.vertices[i].color);
+        }
+    }
 }
 
 }  // namespace
@@ -112,21 +135,23 @@ void AccuracyControl::take_answers() {
     if (ghost_) ghost_->take_answers();
 }
 
-void AccuracyControl::add_ghost_lines(LineList& lines) const {
+void AccuracyControl::add_ghost_lines(LineList& lines, const Vec3f& eye_world) const {
     if (!ghost_ || !ghost_->failure().empty()) return;
     const scene::Simulation& simulation = *session_.simulation;
     const std::span<const physics::BodyId> bodies = ghost_->bodies();
     const std::vector<study::GhostBody>& poses = ghost_->latest().bodies;
+    LineList thin;
     // Both lists are in the order in which bodies came.
     std::size_t next = 0;
     for (const scene::MovingBody& moving : simulation.moving_bodies()) {
         while (next < bodies.size() && bodies[next] < moving.body) ++next;
-        if (next == bodies.size()) return;
+        if (next == bodies.size()) break;
         if (bodies[next] != moving.body) continue;
         const Pose pose{Vec3(poses[next].position_m), Quat(poses[next].orientation)};
         if (looks_the_same(simulation.physics.state(moving.body).world_from_body, pose)) continue;
-        simulation.physics.add_shape_lines(moving.shape, pose, kGhostColor, lines);
+        simulation.physics.add_shape_lines(moving.shape, pose, kGhostColor, thin);
     }
+    add_wide(thin, eye_world, lines);
 }
 
 study::Setting AccuracyControl::setting() const {

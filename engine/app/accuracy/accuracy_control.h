@@ -56,7 +56,7 @@ public:
     void take_answers();
     /// Outlines of the ghost's bodies that are more than a millimetre off the visible ones, as of the
     /// latest time that it has reached.
-    void add_ghost_lines(LineList& lines) const;
+    void add_ghost_lines(LineList& lines, const Vec3f& eye_world) const;
 
     /// As the world runs now.
     study::Setting setting() const;

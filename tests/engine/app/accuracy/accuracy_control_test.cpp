@@ -36,7 +36,7 @@ TEST_F(SessionTest, AnotherSettingStartsAHardCaseAnew) {
     EXPECT_EQ(session->judge->verdict(), study::Verdict::Pass);
     const study::Setting other{.solver = physics::Solver::BulletSi, .step_hz = 120, .substeps = 1};
     const std::string said = accuracy.apply({.setting = other}, clock);
-    EXPECT_NE(said.find("the case starts anew"), std::string::npos) << said;
+    EXPECT_NE(said.find("hard case restarted"), std::string::npos) << said;
     EXPECT_EQ(session->judge->verdict(), study::Verdict::Undecided);
     EXPECT_FALSE(session->judge->over());
     EXPECT_EQ(session->simulation->steps(), 0U);

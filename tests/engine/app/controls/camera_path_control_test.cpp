@@ -51,7 +51,7 @@ TEST_F(CameraPaths, WhatIsRecordedPlaysAtTheSameSpeed) {
     const Real from = frame(kRecord).world_from_camera.position.x;
     EXPECT_TRUE(control_.recording());
     frames(120);
-    EXPECT_EQ(control_.status(), "recording the camera: 2.0 s");
+    EXPECT_EQ(control_.status(), "recording camera path: 2.0 s");
     frame(kRecord);
     EXPECT_FALSE(control_.recording());
     EXPECT_EQ(said_.back(), "camera path saved (2.0 s): " + file().string());
@@ -63,7 +63,7 @@ TEST_F(CameraPaths, WhatIsRecordedPlaysAtTheSameSpeed) {
         EXPECT_NEAR(
             seen.world_from_hand.position.x - seen.world_from_camera.position.x, 0.25, 1e-4);
     }
-    EXPECT_EQ(control_.status(), "camera path: 1.0 of 2.0 s");
+    EXPECT_EQ(control_.status(), "playing camera path: 1.0 / 2.0 s");
     frames(62);
     EXPECT_FALSE(control_.playing()) << "it ends by itself";
     const double here_m = now_s_ - 100;

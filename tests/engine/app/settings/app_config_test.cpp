@@ -65,8 +65,8 @@ TEST_F(AppConfigTest, ABadEntryCostsOnlyItself) {
 TEST_F(AppConfigTest, NotFiniteIsOutOfRange) {
     EXPECT_EQ(load("[sound]\nmaster_gain = nan\n").master_gain, 1.0F);
     EXPECT_EQ(only_fault(),
-              "app.toml:2:15: warning: sound.master_gain: expected a number from 0 to 1; the value "
-              "before it stands");
+              "app.toml:2:15: warning: sound.master_gain: expected a number from 0 to 1; "
+              "keeping the previous value");
 }
 
 TEST_F(AppConfigTest, AnUnknownKeyNamesTheNearest) {
@@ -200,8 +200,8 @@ TEST_F(LiveConfigTest, IsReadAgainWhenTheHandWrittenFileIsSaved) {
     EXPECT_EQ(config.current().fov_deg, 70.0F);
     ASSERT_EQ(config.faults().list().size(), 1U);
     EXPECT_EQ(to_string(config.faults().list()[0]),
-              "app.toml:4:11: warning: image.fov_deg: expected a number from 30 to 120; the value "
-              "before it stands");
+              "app.toml:4:11: warning: image.fov_deg: expected a number from 30 to 120; "
+              "keeping the previous value");
 
     EXPECT_TRUE(saved("[sound\nmaster_gain = 0.1\n"));
     EXPECT_EQ(config.current().master_gain, 0.75F) << "what was in force stays";
@@ -269,7 +269,8 @@ TEST_F(LiveConfigTest, WhereNothingCanBeWrittenTheChangeLastsForTheSession) {
         wanted.mute = true;
         const Result<Done> stored = config.change(wanted);
         ASSERT_FALSE(stored);
-        EXPECT_TRUE(stored.error().message.starts_with("changes last for this session: "))
+        EXPECT_TRUE(stored.error().message.starts_with(
+            "settings cannot be saved and last for this session only: "))
             << stored.error().message;
         EXPECT_TRUE(config.current().mute);
     }

@@ -86,7 +86,7 @@ TEST_F(SettingsPages, TheTabsStayWhereTheyAreOnEveryTabAndWhenThePageScrolls) {
         }
         return places;
     };
-    resize(640, 360);
+    resize(400, 220);
     const auto at_first = tabs();
     const Box panel = control_->menu().layout().panel;
     ASSERT_EQ(at_first.size(), 8U);

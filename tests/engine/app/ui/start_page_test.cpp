@@ -108,7 +108,6 @@ TEST_F(PagesTest, HelpListsOnlyWhatThisVersionDoes) {
     EXPECT_NE(all.find("M=Switch between walk, fly and orbit"), std::string::npos) << all;
     EXPECT_NE(all.find("Ctrl+R=Reload the scene file"), std::string::npos);
     EXPECT_EQ(all.find("save the state"), std::string::npos);
-    EXPECT_EQ(all.find("camera path"), std::string::npos);
     EXPECT_EQ(all.find("move_mode"), std::string::npos);
     EXPECT_NE(all.find("=Drop the selected object"), std::string::npos);
     EXPECT_EQ(all.find("Model viewer"), std::string::npos);
