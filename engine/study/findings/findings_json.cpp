@@ -1,5 +1,6 @@
 #include "engine/study/findings/findings_json.h"
 
+#include "engine/core/hash.h"
 #include "engine/scene/formats/json_read.h"
 #include "engine/study/findings/findings_json_impl.h"
 
@@ -186,7 +187,24 @@ std::optional<Shard> shard_of(const Json& findings) {
     return Shard{.index = json.at("index"), .of = json.at("of"), .what = json.at("what")};
 }
 
+std::string text_of(const Json& json, int indent = -1) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+/// Of all but the sum itself, however it is laid out.
+std::string sum_of(Json json) {
+    json.erase("sum");
+    const std::string text = text_of(json);
+    Hasher hasher;
+    hasher.add(text.data(), text.size());
+    return hex_of(hasher.digest());
+}
+
 Findings findings_from(const Json& json) {
+    const std::string sum = json.at("sum");
+    if (sum != sum_of(json))
+        throw std::runtime_error(fmt::format(
+            "its checksum is {}, it should be {}: something in it was changed", sum_of(json), sum));
     return {.command = json.at("command"),
             .machine = json.at("machine"),
             .build = json.at("build"),
@@ -196,10 +214,6 @@ Findings findings_from(const Json& json) {
             .clock_spread = json.at("clock_spread"),
             .subjects = list_from(json.at("subjects"), subject_from),
             .images = list_from(json.at("images"), image_from)};
-}
-
-std::string text_of(const Json& json, int indent = -1) {
-    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -305,6 +319,7 @@ std::string findings_to_json(const Findings& findings) {
               {"images", array_of(findings.images)}};
     if (const auto& shard = findings.shard)
         json["shard"] = {{"index", shard->index}, {"of", shard->of}, {"what", shard->what}};
+    json["sum"] = sum_of(json);
     return fmt::format("{}\n", text_of(json, 1));
 }
 

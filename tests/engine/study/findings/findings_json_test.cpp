@@ -9,6 +9,18 @@
 namespace plumbline::study {
 namespace {
 
+// A part whose number was changed was merged without a word.
+TEST(FindingsJson, ANumberThatWasChangedIsRefused) {
+    std::string text = findings_to_json(a_study());
+    const std::size_t at = text.find("1e-300");
+    ASSERT_NE(at, std::string::npos);
+    text[at] = '2';
+    const Result<Findings> read = findings_from_json(text);
+    ASSERT_FALSE(read.ok());
+    EXPECT_NE(read.error().message.find("something in it was changed"), std::string::npos)
+        << read.error().message;
+}
+
 TEST(FindingsJson, ReadsBackWhatItWrote) {
     const std::string text = findings_to_json(a_study());
     const Result<Findings> read = findings_from_json(text);
