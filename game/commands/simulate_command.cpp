@@ -85,17 +85,23 @@ public:
         return effects::save_game(file, running(), simulation_.steps());
     }
 
-    void all_steps() {
+    /// The error is that of the trace, which ends the run.
+    Result<Done> all_steps() {
         const auto steps_in = [this](double duration_s) {
             return static_cast<std::uint64_t>(std::llround(duration_s / simulation_.step_s()));
         };
         steps_wanted_ = simulation_.steps() + steps_in(options_.seconds);
         steps_between_traces_ = std::max<std::uint64_t>(1, steps_in(options_.trace_every_s));
+        if (!options_.trace_file.empty()) traced_ = trace_.open(options_.trace_file);
         trace();
-        if (!options_.drive_fps) {
+        if (options_.drive_fps)
+            step_by_frames();
+        else
             while (!done()) step();
-            return;
-        }
+        return traced_ ? trace_.close() : traced_;
+    }
+
+    void step_by_frames() {
         FrameClock clock(simulation_.step_s());
         for (std::uint64_t frame = 0; !done(); ++frame) {
             const double now_s = static_cast<double>(frame) / *options_.drive_fps;
@@ -109,14 +115,13 @@ public:
         return scene::state_json(
             simulation_, costs_, effects::ledger_json(effects_.ledger()), lost_s_, one_line);
     }
-    const std::string& trace_lines() const { return trace_; }
     const scene::CostHistory& costs() const { return costs_; }
 
 private:
     effects::RunningGame running() {
         return {.opened = opened_, .simulation = simulation_, .effects = effects_, .game = game_};
     }
-    bool done() const { return simulation_.steps() >= steps_wanted_ || interrupted(); }
+    bool done() const { return simulation_.steps() >= steps_wanted_ || interrupted() || !traced_; }
 
     void step() {
         effects::advance(simulation_, effects_, game_, {});
@@ -126,9 +131,8 @@ private:
     }
 
     void trace() {
-        if (options_.trace_file.empty()) return;
-        trace_ += state(true);
-        trace_ += '\n';
+        if (options_.trace_file.empty() || !traced_) return;
+        traced_ = trace_.write(state(true) + "\n");
     }
 
     const SimulateOptions& options_;
@@ -140,7 +144,8 @@ private:
     std::uint64_t steps_wanted_{0};
     std::uint64_t steps_between_traces_{1};
     scene::CostHistory costs_;
-    std::string trace_;
+    GrowingOutput trace_;
+    Result<Done> traced_{Done{}};
     double lost_s_{0.0};
 };
 
@@ -197,16 +202,16 @@ ExitCode run_simulate(const SimulateOptions& options) {
         const Result<Done> there = run.go_on_from(options.load_file);
         if (!there) return refuse(there.error());
     }
-    run.all_steps();
+    const Result<Done> traced = run.all_steps();
     print_summary(summary_stream(options), simulation, run.costs());
 
     ExitCode code = interrupted() ? ExitCode::Interrupted : ExitCode::Good;
+    if (!traced) code = refuse(traced.error());
     const auto write = [&](const fs::path& file, const std::string& text) {
         const Result<Done> written = write_output(file, text);
         if (!written) code = refuse(written.error());
     };
     if (!options.state_file.empty()) write(options.state_file, run.state(false) + "\n");
-    if (!options.trace_file.empty()) write(options.trace_file, run.trace_lines());
     if (!options.save_file.empty()) {
         if (const Result<Done> saved = run.save(options.save_file); !saved)
             code = refuse(saved.error());

@@ -17,6 +17,7 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace plumbline {
 namespace fs = std::filesystem;
@@ -51,9 +52,11 @@ bool reader_has_gone(int descriptor) {
     return ::poll(&pipe, 1, 0) == 1 && (pipe.revents & POLLERR) != 0;
 }
 
-int open_for_writing(const fs::path& path) {
+int open_for_writing(const fs::path& path, int flags = 0) {
+    constexpr mode_t kMode = 0666;
     while (true) {
-        const int file = file_calls().open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY, 0);
+        const int file =
+            file_calls().open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | flags, kMode);
         if (file >= 0 || errno != EINTR || interrupted()) return file;
     }
 }
@@ -62,6 +65,10 @@ int open_for_writing(const fs::path& path) {
 
 bool is_standard_output(const fs::path& path) {
     return descriptor_named(path) == STDOUT_FILENO;
+}
+
+bool is_replaced(const fs::path& path) {
+    return !path.empty() && !descriptor_named(path) && !is_written_through(path);
 }
 
 Result<Done> check_output(const fs::path& path) {
@@ -96,6 +103,34 @@ Result<Done> write_output(const fs::path& path, std::string_view bytes) {
     if (!file.open()) return system_error("cannot open", path);
     if (!write_all(file.number(), bytes)) return system_error("cannot write", path);
     if (!file.close_now()) return system_error("cannot finish", path);
+    return Done{};
+}
+
+GrowingOutput::~GrowingOutput() {
+    if (is_own_) file_calls().close(descriptor_);
+}
+
+Result<Done> GrowingOutput::open(const fs::path& path) {
+    path_ = path;
+    if (const std::optional<int> number = descriptor_named(path)) {
+        descriptor_ = *number;
+        return *number == STDOUT_FILENO ? flush_standard_output() : Done{};
+    }
+    descriptor_ = open_for_writing(path, is_written_through(path) ? 0 : O_CREAT | O_TRUNC);
+    is_own_ = descriptor_ >= 0;
+    if (!is_own_) return system_error("cannot open", path);
+    return Done{};
+}
+
+Result<Done> GrowingOutput::write(std::string_view bytes) {
+    if (descriptor_ < 0 || write_all(descriptor_, bytes)) return Done{};
+    return system_error("cannot write", path_);
+}
+
+Result<Done> GrowingOutput::close() {
+    const bool closes = std::exchange(is_own_, false);
+    const int descriptor = std::exchange(descriptor_, -1);
+    if (closes && file_calls().close(descriptor) != 0) return system_error("cannot finish", path_);
     return Done{};
 }
 
