@@ -32,7 +32,7 @@ struct PlayDef {
     bool sound{true};
     std::string audio_device;
     std::optional<double> seconds{};           ///< ends after so much wall time
-    std::filesystem::path record;              ///< recording written at the end
+    std::filesystem::path record;              ///< recording, written as it grows
     std::filesystem::path report;              ///< report written at the end
     std::optional<std::string> expect_hash{};  ///< of the last scene's state at the end
     StepperDef steps{};

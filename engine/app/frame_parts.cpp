@@ -56,7 +56,9 @@ Result<std::unique_ptr<FrameParts>> FrameParts::create(platform::Window& window,
     Result<std::unique_ptr<render::Renderer>> renderer = render::Renderer::create(
         window.gl_loader(), render::PresentTarget::Window, def.shader_folder, session.library);
     if (!renderer) return renderer.error();
-    Result<Stepper> stepper = Stepper::create(session, def.steps);
+    StepperDef steps = def.steps;
+    steps.record = def.record;
+    Result<Stepper> stepper = Stepper::create(session, steps);
     if (!stepper) return stepper.error();
     std::unique_ptr<FrameParts> parts(new FrameParts(
         window, session, bindings, config, def, std::move(*stepper), std::move(*renderer)));

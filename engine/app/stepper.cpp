@@ -40,7 +40,7 @@ std::vector<std::uint16_t> body_prints(const scene::Simulation& simulation) {
     return prints;
 }
 
-/// "first after step 83"; recordings of format 1 know it to sixty steps only.
+/// "first after step 83".
 std::string first_step_apart(const TapeState& there, const TapeState& here, std::uint64_t steps) {
     if (there.steps.size() == here.steps.size()) {
         const auto [first, ignored] = std::ranges::mismatch(there.steps, here.steps);
@@ -78,7 +78,8 @@ std::string bodies_apart(const TapeState& there,
 Stepper::Stepper(Session& session, const StepperDef& def)
     : session_(&session),
       seed_(def.seed),
-      recorder_(header_of(session, def.seed)),
+      record_(def.record),
+      recorder_(header_of(session, def.seed), def.record),
       steps_(def.first_step) {
     if (def.random_seed) random_actions_.emplace(*def.random_seed);
 }
@@ -88,6 +89,10 @@ Result<Stepper> Stepper::create(Session& session, const StepperDef& def) {
     if (!def.replay.empty()) {
         Result<TapePlayer> player = TapePlayer::open(def.replay, header_of(session, def.seed));
         if (!player) return player.error();
+        if (!player->whole())
+            log_warning("{}: the recording breaks off after {} steps: it is replayed up to there",
+                        def.replay.string(),
+                        player->steps());
         stepper.player_ = std::move(*player);
         // Each line tells what changed since the one before.
         for (std::uint64_t step = 0; step < def.first_step; ++step) stepper.player_->step(step);
@@ -168,7 +173,7 @@ void Stepper::reset() {
 }
 
 void Stepper::begin_anew(std::uint64_t first_step) {
-    recorder_ = TapeRecorder(header_of(*session_, seed_));
+    recorder_ = TapeRecorder(header_of(*session_, seed_), record_);
     steps_ = first_step;
     prints_.clear();
 }

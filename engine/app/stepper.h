@@ -15,7 +15,8 @@
 namespace plumbline::app {
 
 struct StepperDef {
-    std::filesystem::path replay;                ///< empty: none
+    std::filesystem::path replay{};              ///< empty: none
+    std::filesystem::path record{};              ///< grows with every step; empty: none
     std::optional<std::uint64_t> random_seed{};  ///< --random-input
     std::uint64_t seed{1};                       ///< of the simulation, noted in recordings
     std::uint64_t first_step{0};  ///< where the session's saved game stood; 0: at the start
@@ -58,6 +59,7 @@ private:
 
     Session* session_;
     std::uint64_t seed_;
+    std::filesystem::path record_;
     TapeRecorder recorder_;
     std::optional<TapePlayer> player_;
     std::optional<RandomActions> random_actions_;

@@ -1,18 +1,15 @@
-// Where the actions of a step come from: the person, a recording, or chance. Whatever the source,
-// what a step was told can be written down, and the file replays it bit for bit.
+// A recording: what every step was told, whoever told it, in a file that replays it bit for bit.
 //
-// File: one JSON object a line. First a header {format, scene, scene_hash, precision, step_s, seed};
-// then steps in order, {n, down, up, pressed, amount, look, pointer}: which actions went down and up,
-// which amounts changed, how often each was pressed, how far the look turned in this step, and where
-// a free pointer went to (null: there is none any more). A step
-// without a line holds what the one before held. {n, reset: true} is before step n. Every 60 steps
-// {n, hash, steps, bodies}: the state after n steps, eight hex digits of the hash after each of the
-// latest steps, and "index:four digits" of every body whose fingerprint changed since the line
-// before. At the end {n, end: true, hash, sum}, the sum being that of all lines above. Format 1, with {held, pressed, amount} whole in each line
-// and no fingerprints, is read as well.
+// File: "PLUMTAPE", the format (u32), then records. A record is the size of its body (u32), that size
+// with every bit turned round, the XXH3 of the body (u64), and the body: kind, step, and what stands in
+// the kind's serialize(). The header comes first, then what happened in the order in which it did. A step
+// without a record was told the same as the one before. Every 60 steps there is the state after so many,
+// and at the end one record that says so. Records are appended as they are made: where a program was
+// killed the end is missing, and the recording is good up to there.
 #pragma once
 
 #include "engine/core/actions.h"
+#include "engine/core/io/archive.h"
 #include "engine/core/random.h"
 #include "engine/core/result.h"
 
@@ -33,89 +30,107 @@ struct TapeHeader {
     std::string precision;
     double step_s{0};
     std::uint64_t seed{0};
+
+    void serialize(Archive& archive) { archive(scene, scene_hash, precision, step_s, seed); }
 };
 
 /// Fingerprints of a state, short ones: they find where two runs parted, the full hash says that
 /// they did.
 struct TapeState {
     std::uint64_t hash{0};
-    std::vector<std::uint32_t> steps;   ///< one a step since the state before, the latest last
-    std::vector<std::uint16_t> bodies;  ///< one a moving body, in the simulation's order
+    std::vector<std::uint32_t> steps{};   ///< one a step since the state before, the latest last
+    std::vector<std::uint16_t> bodies{};  ///< one a moving body, in the simulation's order
+
+    void serialize(Archive& archive) { archive(hash, steps, bodies); }
 };
 
-/// Collects what steps were told, in a temporary file without a name: however long the session, it
-/// takes no memory, and a killed program leaves nothing behind.
+/// Appends what steps are told to a file, at once: however long the session, it takes no memory.
 class TapeRecorder {
 public:
-    /// Beyond this much text the recording ends, and is good up to there.
+    /// Beyond this much the recording ends, and is good up to there.
     static constexpr std::size_t kMostBytes = 250ULL * 1024 * 1024;
 
-    explicit TapeRecorder(const TapeHeader& header, std::size_t most_bytes = kMostBytes);
+    /// `file` is made, in place of what is there, with the first record. Empty, or no regular file: a
+    /// temporary file without a name stands for it, for save().
+    explicit TapeRecorder(TapeHeader header,
+                          std::filesystem::path file = {},
+                          std::size_t most_bytes = kMostBytes);
 
     void add_step(std::uint64_t step,
                   const Actions& actions);  ///< steps like the last cost nothing
     void add_reset(std::uint64_t step);
-    /// `state.bodies` may grow and shrink; what stays the same costs nothing.
-    void add_state(std::uint64_t steps, const TapeState& state);
+    /// Something that the step was asked for besides actions, in the caller's own form.
+    void add_request(std::uint64_t step, std::string request);
+    void add_state(std::uint64_t steps, TapeState state);
 
-    /// Writes what there is so far, ended after `steps`, where the state's hash is `hash`. It goes on.
+    /// What there is so far, ended after `steps`, where the state's hash is `hash`: the recorder's own
+    /// file is closed by it, any other gets a copy, and the recording goes on.
     Result<Done> save(const std::filesystem::path& file, std::uint64_t steps, std::uint64_t hash);
 
 private:
     struct CloseFile {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    void add_line(const std::string& line);
+    void add(const std::string& record);
+    bool open();
+    void fail();
 
-    std::unique_ptr<std::FILE, CloseFile> spool_;
-    std::string failed_;  ///< why nothing more is written; empty: it is
-    std::size_t bytes_{0};
+    TapeHeader header_;
+    std::filesystem::path file_;
     std::size_t most_bytes_;
+    std::unique_ptr<std::FILE, CloseFile> out_;
+    std::string fault_;  ///< why nothing more is written; empty: it is
+    std::size_t bytes_{0};
     Actions before_{};
-    std::vector<std::uint16_t> bodies_;
-    /// The latest state, where a full tape ends.
+    /// The latest state, where a full recording ends.
     std::uint64_t state_after_{0};
     std::uint64_t state_hash_{0};
     bool full_{false};
 };
 
-/// Plays a file back. Holds its text, and reads a line when its step has come.
+struct TapeRecord;
+
+/// Plays a file back. Holds its bytes, and reads a record when its step has come.
 class TapePlayer {
 public:
-    /// Refuses what is not a recording, or one of another scene, precision or step (exit code 5,
-    /// the message names both sides).
+    /// Refuses what is no recording or a damaged one, and one of another scene, precision or step (exit
+    /// code 5, the message names both sides).
     static Result<TapePlayer> open(const std::filesystem::path& file, const TapeHeader& expected);
-    TapePlayer(TapePlayer&&) noexcept;
-    TapePlayer& operator=(TapePlayer&&) noexcept;
-    ~TapePlayer();
+    /// ... of bytes that are there already; `file` is for the message.
+    static Result<TapePlayer> from(std::string bytes,
+                                   const std::filesystem::path& file,
+                                   const TapeHeader& expected);
 
-    /// Before step number `step` since the start: what it is told, and whether the scene is built
-    /// anew for it. Call with 0, 1, 2, …
+    /// Before step number `step` since the start: what it is told, whether the scene is built anew for
+    /// it, and what else was asked for. Call with 0, 1, 2, …
     struct Told {
         Actions actions{};
         bool reset{false};
+        std::vector<std::string> requests{};
     };
     Told step(std::uint64_t step);
     /// The recorded state after so many steps, where the file has one. After step(steps - 1).
     std::optional<TapeState> state_after(std::uint64_t steps);
     bool ended(std::uint64_t steps) const { return steps >= steps_; }
+    std::uint64_t steps() const { return steps_; }
+    /// False: the end is missing, as after a crash.
+    bool whole() const { return whole_; }
     std::uint64_t seed() const { return seed_; }
 
 private:
-    struct Line;
-    TapePlayer();
-    /// The first line that is not played, or null at the end. Throws where it is none.
-    const Line* next();
-    TapeState state_of(const Line& line);
+    TapePlayer() = default;
+    std::string read_header(const TapeHeader& expected);
+    std::string read_all();
+    std::optional<TapeRecord> peek(std::size_t& next, std::string& fault) const;
+    Actions told_by(const TapeRecord& record) const;
 
-    std::string text_;
-    std::size_t at_{0};  ///< where the line after next_ begins
-    std::unique_ptr<Line> next_;
-    int format_{0};
+    std::string bytes_;
+    std::size_t at_{0};  ///< where the first record begins that was not played
+    std::vector<std::optional<Action>> actions_;  ///< by the numbers that the file gives them
     std::uint64_t steps_{0};
     std::uint64_t seed_{0};
+    bool whole_{false};
     Actions now_{};
-    std::vector<std::uint16_t> bodies_;
 };
 
 /// Random input: any action at any time, the same ones for the same seed (--random-input).
