@@ -4,6 +4,7 @@
 #include "engine/core/io/archive.h"
 #include "engine/core/io/saved_file.h"
 #include "engine/core/limits.h"
+#include "engine/core/text/printable.h"
 #include "engine/scene/simulation/simulation_archive.h"
 
 #include <fmt/format.h>
@@ -130,7 +131,11 @@ Result<Done> save_game(const fs::path& file, const RunningGame& running, std::ui
 Result<SavedGame> read_saved_game(const fs::path& file) {
     const Result<std::string> bytes = read_file(file, kSavedFileBytes);
     if (!bytes) return Error{bytes.error().message, ExitCode::Refused};
-    const Result<std::string_view> content = unshelled(*bytes, file);
+    return saved_game_from(*bytes, file);
+}
+
+Result<SavedGame> saved_game_from(std::string_view bytes, const fs::path& file) {
+    const Result<std::string_view> content = unshelled(bytes, file);
     if (!content) return content.error();
     SavedGame saved;
     Archive archive(*content);
@@ -141,6 +146,11 @@ Result<SavedGame> read_saved_game(const fs::path& file) {
                        fmt::format("a saved game of {}; this program computes in {}",
                                    saved.precision,
                                    kPrecisionName));
+    if (saved.build != kBuild)
+        return refusal(file,
+                       fmt::format("saved by version {} of the program; this is version {}",
+                                   printable(saved.build),
+                                   kBuild));
     saved.state = content->substr(content->size() - archive.left());
     return saved;
 }

@@ -48,6 +48,8 @@ Result<Done> save_game(const std::filesystem::path& file,
 /// Refused (exit code 4): what is no saved game, cut, damaged, of another format or precision. The
 /// message names the file and what was expected.
 Result<SavedGame> read_saved_game(const std::filesystem::path& file);
+/// ... of bytes that are there already; `file` is for the message.
+Result<SavedGame> saved_game_from(std::string_view bytes, const std::filesystem::path& file);
 /// `running` is freshly built. Refused: another scene, other files, another kind of game; then it is fit
 /// only to be thrown away, as it is when the error comes later.
 Result<Done> put_back(const SavedGame& saved,

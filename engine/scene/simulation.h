@@ -25,6 +25,12 @@
 #include <string_view>
 #include <vector>
 
+namespace plumbline::assets {
+constexpr Shading last_of(Shading) {
+    return Shading::Unlit;
+}
+}  // namespace plumbline::assets
+
 namespace plumbline::scene {
 
 class EntityBuilder;

@@ -9,6 +9,12 @@
 #include <string>
 #include <vector>
 
+namespace plumbline::scene {
+constexpr GoalEnd last_of(GoalEnd) {
+    return GoalEnd::Lost;
+}
+}  // namespace plumbline::scene
+
 namespace plumbline::game {
 
 class Goal {

@@ -199,7 +199,9 @@ void Grab::serialize(Archive& archive, scene::Simulation& simulation) {
             last_target_,
             stuck_s_);
     if (!archive.reads() || !holding()) return;
-    if (archive.expect(simulation.registry.alive(entity_), "what is in the hand is not there"))
+    const auto* ref = simulation.registry.find<scene::BodyRef>(entity_);
+    const bool is_there = ref != nullptr && ref->body == body_ && mass_kg_ > 0 && radius_m_ > 0;
+    if (archive.expect(is_there, "what is in the hand is not there"))
         simulation.registry.add<Held>(entity_, mass_kg_);
 }
 

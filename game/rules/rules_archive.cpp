@@ -4,6 +4,10 @@
 
 namespace plumbline::game {
 
+constexpr MoveMode last_of(MoveMode) {
+    return MoveMode::Orbit;
+}
+
 void PlaygroundGame::serialize(Archive& archive, scene::Simulation& simulation) {
     // The person's body first gives up its place: a thing may have had it.
     bool walks = player_.has_value();
@@ -16,6 +20,9 @@ void PlaygroundGame::serialize(Archive& archive, scene::Simulation& simulation) 
     if (archive.reads() && walks) player_.emplace(simulation, start_feet_m_);
     if (player_) archive(*player_);
     archive(step_s_, mode_, look_, fly_, orbit_, things_);
+    archive.expect(step_s_ > 0 && step_s_ <= 1 && (player_ || mode_ != MoveMode::Walk),
+                   "nobody is there who walks");
+    if (archive.failed()) return;
     grab_.serialize(archive, simulation);
     if (goal_) archive(*goal_);
     archive(base_fov_rad_,

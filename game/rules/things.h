@@ -63,7 +63,10 @@ public:
     ecs::Entity make_again(scene::Simulation& simulation,
                            const std::string& kind,
                            const std::string& name);
-    void serialize(Archive& archive) { archive(chosen_, serial_, limit_told_, dropped_); }
+    void serialize(Archive& archive) {
+        archive.within(chosen_, std::size_t{0}, kThingCount - 1);
+        archive(serial_, limit_told_, dropped_);
+    }
 
 private:
     static constexpr std::size_t kShot = kThingCount;

@@ -4,15 +4,22 @@
 //
 // A type says its fields once, in such a function beside it or in a member `serialize(Archive&)`;
 // the archive then writes them or reads them. Integers keep their size, lowest byte first; every
-// floating-point number takes eight bytes, so that both precisions read the same file.
+// floating-point number takes eight bytes, so that both precisions read the same file. What is read may
+// come from a stranger: a number that is not finite in its own type, an enumerator that is none and a
+// list longer than the bytes that are left fail the archive. Of an enumeration that is saved it is said,
+// in its own namespace, which is the last one:
+//
+//     constexpr JointKind last_of(JointKind) { return JointKind::Spring; }
 #pragma once
 
 #include "engine/core/id.h"
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -68,10 +75,17 @@ public:
                                    static_cast<std::uint8_t>(raw[i]));
     }
     void text(std::string& value);
+    /// A number from `low` to `high`; others fail, and are `low`.
+    template <class T>
+    void within(T& value, T low, T high) {
+        (*this)(value);
+        if (!expect(value >= low && value <= high, kOutOfRange)) value = low;
+    }
     /// How many follow; each takes a byte at least, so a count that cannot be is refused here.
     std::size_t count(std::size_t size);
 
 private:
+    static constexpr std::string_view kOutOfRange = "a number is out of its range";
     std::string_view bytes(std::size_t size);
 
     std::string written_;
@@ -93,7 +107,10 @@ void serialize(Archive& archive, T& value) {
     if constexpr (std::is_floating_point_v<T>) {
         auto bits = bits_of(value);
         archive.number(bits);
-        if (archive.reads()) value = static_cast<T>(std::bit_cast<double>(bits));
+        if (!archive.reads()) return;
+        const auto number = std::bit_cast<double>(bits);
+        const bool fits = std::abs(number) <= static_cast<double>(std::numeric_limits<T>::max());
+        value = archive.expect(fits, "a number is not finite") ? static_cast<T>(number) : T{0};
     } else if constexpr (std::is_same_v<T, bool>) {
         auto raw = static_cast<std::uint8_t>(value);
         archive.number(raw);
@@ -103,7 +120,12 @@ void serialize(Archive& archive, T& value) {
             conditional_t<std::is_enum_v<T>, std::underlying_type<T>, std::type_identity<T>>::type;
         auto raw = static_cast<std::make_unsigned_t<Integer>>(value);
         archive.number(raw);
-        if (archive.reads()) value = static_cast<T>(raw);
+        if (!archive.reads()) return;
+        if constexpr (std::is_enum_v<T>) {
+            const bool is_one = std::cmp_less_equal(raw, static_cast<Integer>(last_of(T{})));
+            if (!archive.expect(is_one, "a choice is none of those there are")) raw = 0;
+        }
+        value = static_cast<T>(raw);
     }
 }
 
@@ -146,8 +168,12 @@ void serialize(Archive& archive, std::pair<A, B>& pair) {
 template <class T>
 void serialize(Archive& archive, std::vector<T>& values) {
     const std::size_t size = archive.count(values.size());
-    if (archive.reads()) values.assign(size, T{});
-    for (T& value : values) archive(value);
+    if (!archive.reads()) {
+        for (T& value : values) archive(value);
+        return;
+    }
+    values.clear();
+    for (std::size_t i = 0; i < size && !archive.failed(); ++i) archive(values.emplace_back());
 }
 
 template <class Key>
@@ -168,7 +194,7 @@ void serialize(Archive& archive, std::map<Key, Value, Order>& values) {
         return;
     }
     values.clear();
-    for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t i = 0; i < size && !archive.failed(); ++i) {
         Key key{};
         archive(key);
         archive(values[key]);

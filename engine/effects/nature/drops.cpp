@@ -199,7 +199,7 @@ void Drops::step(float step_s, const Obstacles& obstacles, const Vec3f& wind_mps
 }
 
 void Drops::serialize(Archive& archive) {
-    for (Nozzle& nozzle : nozzles_) archive(nozzle.due);
+    for (Nozzle& nozzle : nozzles_) archive.within(nozzle.due, 0.0F, kMostPerSecond);
     archive(random_, drops_, rings_, in_l_, out_l_);
 }
 

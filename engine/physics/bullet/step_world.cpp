@@ -49,7 +49,8 @@ void StepWorld::predictUnconstraintMotion(btScalar) {
     for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
         btRigidBody& rigid = *m_nonStaticRigidBodies[i];
         BodyRecord& record = record_of(rigid);
-        note_before(record);
+        // What the substep before made no number keeps its last place: there it is taken out.
+        if (is_finite(record.motion->at.position_m)) note_before(record);
         if (rigid.isKinematicObject()) continue;
         if (record.traits.linear_damping_factor != 1) {
             rigid.setLinearVelocity(rigid.getLinearVelocity() *

@@ -79,6 +79,10 @@ void Character::Impl::serialize(Archive& archive) {
             wedged_s,
             eye,
             state);
+    constexpr double kFarthest_m = 1e8;
+    const bool is_near =
+        glm::length(feet) < kFarthest_m && glm::length(Vec3d{velocity}) < kFarthest_m;
+    archive.expect(is_near && dt > 0 && dt <= 1, "the person is nowhere");
     if (!archive.reads() || archive.failed()) return;
     world.destroy_body(body);
     body = {};

@@ -22,6 +22,10 @@ inline constexpr Real kTouch_m = 0.002_r;
 inline constexpr int kSlides = 5;
 inline const Vec3 kUp{0, 1, 0};
 
+constexpr Footing last_of(Footing) {
+    return Footing::Air;
+}
+
 inline Vec3 level(const Vec3& v) {
     return {v.x, 0, v.z};
 }

@@ -1,15 +1,21 @@
 // Everything that decides how bodies and joints go on, as fields of an archive.
 #include "engine/physics/bullet/archive/engine_archive.h"
 #include "engine/physics/world/archive_fields.h"
+#include "engine/physics/world/restored.h"
 #include "engine/physics/world/world_state.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace plumbline::physics {
 namespace {
 
+constexpr int kMostSubsteps = 1'000;
+
 bool is_possible(const WorldDef& def) {
-    return def.step_s > 0 && def.step_s <= 1 && def.substeps >= 1 && def.substeps <= 1'000 &&
-           def.substeps_max <= 1'000 && def.iterations >= 1 && def.iterations <= 10'000 &&
-           is_finite(def.gravity_mps2) && !solver_name(def.solver).empty();
+    return def.step_s > 0 && def.step_s <= 1 && def.substeps >= 1 &&
+           def.substeps <= kMostSubsteps && def.substeps_max <= kMostSubsteps &&
+           def.iterations >= 1 && def.iterations <= 10'000;
 }
 
 void serialize_body(Archive& archive, BodyRecord& record) {
@@ -21,10 +27,10 @@ void serialize_body(Archive& archive, BodyRecord& record) {
             record.drive.driven,
             record.applied.by_caller,
             record.small.awake,
-            record.small.box_stale,
-            record.small.substeps,
-            record.small.substeps_held,
-            record.small.sleeping_island,
+            record.small.box_stale);
+    archive.within(record.small.substeps, 0, kMostSubsteps);
+    archive.within(record.small.substeps_held, 0, std::numeric_limits<int>::max());
+    archive(record.small.sleeping_island,
             record.joints,
             record.small.rest,
             record.drive.target,
@@ -143,6 +149,9 @@ void PhysicsWorld::serialize(Archive& archive, const std::function<bool(BodyId)>
     serialize_bodies(archive, scope, world);
     serialize_joints(archive, scope, world.joints);
     if (archive.reads() && !archive.failed()) {
+        if (const std::string fault = fault_of_restored(world); !fault.empty()) archive.fail(fault);
+    }
+    if (archive.reads() && !archive.failed()) {
         world.build_engine(def);
         world.bodies.each(
             [&](BodyId, std::unique_ptr<BodyRecord>& record) { suit_to_world(def, *record); });
@@ -156,6 +165,9 @@ void PhysicsWorld::serialize(Archive& archive, const std::function<bool(BodyId)>
                 world.events,
                 world.events_asleep,
                 world.slept_through);
+        archive.expect(std::ranges::all_of(world.broken_joints,
+                                           [&](JointId id) { return world.joints.contains(id); }),
+                       "a joint that broke is not there");
     }
     if (archive.reads() && archive.failed()) abandon(world);
 }

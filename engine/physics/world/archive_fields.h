@@ -9,6 +9,16 @@
 
 namespace plumbline::physics {
 
+constexpr Solver last_of(Solver) {
+    return kSolvers.back();
+}
+constexpr JointKind last_of(JointKind) {
+    return JointKind::Spring;
+}
+constexpr JointMethod last_of(JointMethod) {
+    return JointMethod::Iterative;
+}
+
 inline void serialize(Archive& archive, WorldDef& def) {
     archive(def.gravity_mps2,
             def.step_s,

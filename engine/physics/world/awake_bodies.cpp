@@ -129,6 +129,37 @@ void AwakeBodies::serialize(Archive& archive, const BodyScope& scope) {
     for (std::vector<BodyRecord*>* list : {&awake_, &woken_, &kinematic_})
         physics::serialize(archive, *list, scope);
     sleeping_islands_.serialize(archive, scope);
+    archive.expect(!archive.reads() || is_sound(scope), "who sleeps and who is awake do not agree");
+}
+
+/// Whether each body is where its own record says, once.
+bool AwakeBodies::is_sound(const BodyScope& scope) const {
+    const auto is_awake = [](const BodyRecord* record) {
+        return pushable(*record) && record->small.awake;
+    };
+    const auto drives = [](const BodyRecord* record) {
+        return record->kind == BodyKind::Kinematic && record->in_world && record->small.awake;
+    };
+    const auto rises = [](const std::vector<BodyRecord*>& list) {
+        return std::ranges::adjacent_find(list, [](const BodyRecord* a, const BodyRecord* b) {
+                   return !by_id(a, b);
+               }) == list.end();
+    };
+    if (!rises(awake_) || !rises(kinematic_) || !std::ranges::all_of(awake_, is_awake) ||
+        !std::ranges::all_of(woken_, is_awake) || !std::ranges::all_of(kinematic_, drives))
+        return false;
+    std::vector<const BodyRecord*> all(awake_.begin(), awake_.end());
+    all.insert(all.end(), woken_.begin(), woken_.end());
+    all.insert(all.end(), kinematic_.begin(), kinematic_.end());
+    std::ranges::sort(all, by_id);
+    std::size_t awake = 0;
+    std::size_t asleep = 0;
+    scope.bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+        awake += record->small.awake ? 1U : 0U;
+        asleep += record->small.sleeping_island != 0 ? 1U : 0U;
+    });
+    return std::ranges::adjacent_find(all) == all.end() && all.size() == awake &&
+           sleeping_islands_.count() == asleep;
 }
 
 }  // namespace plumbline::physics

@@ -50,6 +50,7 @@ public:
     void serialize(Archive& archive, const BodyScope& scope);
 
 private:
+    bool is_sound(const BodyScope& scope) const;
     void wake_one(BodyRecord& record);
     void wake_joined(const JointTable& joints);
 

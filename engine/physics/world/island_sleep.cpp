@@ -24,6 +24,8 @@ constexpr double kGrowth = 1.5;
 /// Ways shorter than this share of the radius are rounding and say nothing about growth.
 constexpr double kNoiseShare = 1e-4;
 
+constexpr std::string_view kOtherSleepers = "who sleeps together does not agree";
+
 double slow_mps(double radius_m, double gravity_mps2) {
     return std::max(kSlowShare * std::sqrt(2 * gravity_mps2 * radius_m),
                     kSlowRadii_per_s * radius_m);
@@ -110,10 +112,31 @@ std::vector<BodyRecord*> SleepingIslands::end(std::uint32_t sleeping_island) {
     return std::exchange(bodies_[sleeping_island - 1], {});
 }
 
+std::size_t SleepingIslands::count() const {
+    std::size_t count = 0;
+    for (const std::vector<BodyRecord*>& together : bodies_) count += together.size();
+    return count;
+}
+
 void SleepingIslands::serialize(Archive& archive, const BodyScope& scope) {
     bodies_.resize(archive.count(bodies_.size()));
-    for (std::vector<BodyRecord*>& together : bodies_) physics::serialize(archive, together, scope);
+    for (std::size_t i = 0; i < bodies_.size() && !archive.failed(); ++i) {
+        physics::serialize(archive, bodies_[i], scope);
+        const auto is_here = [i](const BodyRecord* record) {
+            return sleeps(*record) && record->small.sleeping_island == i + 1;
+        };
+        if (archive.reads())
+            archive.expect(std::ranges::all_of(bodies_[i], is_here), kOtherSleepers);
+    }
     archive(free_);
+    if (!archive.reads() || archive.failed()) return;
+    std::vector<bool> is_free(bodies_.size(), false);
+    for (const std::uint32_t number : free_) {
+        const bool is_new = number >= 1 && number <= bodies_.size() && !is_free[number - 1] &&
+                            bodies_[number - 1].empty();
+        if (!archive.expect(is_new, kOtherSleepers)) return;
+        is_free[number - 1] = true;
+    }
 }
 
 }  // namespace plumbline::physics

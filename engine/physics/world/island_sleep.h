@@ -40,6 +40,8 @@ public:
     std::uint32_t add(std::span<BodyRecord* const> bodies);
     /// The bodies of a sleeping island, by their ids; it ends.
     std::vector<BodyRecord*> end(std::uint32_t sleeping_island);
+    /// How many bodies sleep so.
+    std::size_t count() const;
     void serialize(Archive& archive, const BodyScope& scope);
 
 private:

@@ -101,6 +101,17 @@ bool is_moving_kinematic(const BodyRecord* record) {
            is_active(*record);
 }
 
+/// Ends what the joint does: it carries nothing any more and its bodies may touch.
+void detach_joint(JointRecord& joint, BulletEngine& engine) {
+    joint.bullet.reset();
+    if (joint.b == nullptr || joint.def.collide) return;
+    forget_one(joint.a->excluded, joint.b);
+    forget_one(joint.b->excluded, joint.a);
+    engine.admit_pair(*joint.a, *joint.b);
+}
+
+}  // namespace
+
 std::string fault_of(const JointDef& joint, const BodyTable& bodies) {
     const auto* a = bodies.find(joint.a);
     if (a == nullptr) return "a is no body";
@@ -113,17 +124,6 @@ std::string fault_of(const JointDef& joint, const BodyTable& bodies) {
         return "neither body can move; at least one must be dynamic";
     return fault_of_numbers(joint);
 }
-
-/// Ends what the joint does: it carries nothing any more and its bodies may touch.
-void detach_joint(JointRecord& joint, BulletEngine& engine) {
-    joint.bullet.reset();
-    if (joint.b == nullptr || joint.def.collide) return;
-    forget_one(joint.a->excluded, joint.b);
-    forget_one(joint.b->excluded, joint.a);
-    engine.admit_pair(*joint.a, *joint.b);
-}
-
-}  // namespace
 
 void keep_apart(JointRecord& joint) {
     if (joint.b == nullptr || joint.def.collide) return;
@@ -207,7 +207,7 @@ Result<JointId> WorldJoints::create_joint(const JointDef& joint_def) {
     joint.a = &world_.body(joint_def.a);
     joint.b = joint_def.b ? &world_.body(joint_def.b) : nullptr;
     joint.solver = placed_joint(joint_def, mass_pose(*joint.a), mass_pose_of_b(joint));
-    joint.solver.key = (std::uint64_t{id.index} << 32U) | id.generation;
+    joint.solver.key = key_of(id);
     measure(joint);
     joint.a->joints.push_back(id);
     if (joint.b != nullptr) joint.b->joints.push_back(id);

@@ -201,7 +201,8 @@ void WorldState::quarantine(BodyRecord& record) {
     clear_forces(record);
     record.motion->velocity_mps = {0, 0, 0};
     record.motion->spin_radps = {0, 0, 0};
-    record.motion->ballistic.going = false;
+    record.motion->ballistic = {};  // may be no numbers, and nobody asks any more
+    record.small.rest = {};
     quarantined.push_back(record.id);
 }
 

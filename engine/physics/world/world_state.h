@@ -80,6 +80,12 @@ std::vector<ContactEvent> finished_events(const WorldState& world,
                                           std::vector<ContactEvent> before);
 
 // --- joints.cpp
+/// What is wrong with a joint that somebody asks for, between bodies as they are; empty: nothing.
+std::string fault_of(const JointDef& joint, const BodyTable& bodies);
+/// By which the solver knows a joint again.
+constexpr std::uint64_t key_of(JointId id) {
+    return (std::uint64_t{id.index} << 32U) | id.generation;
+}
 /// The two do not touch while the joint holds.
 void keep_apart(JointRecord& joint);
 /// Before the first substep: what a moving kinematic body holds wakes.

@@ -2,6 +2,7 @@
 #include "engine/scene/simulation/simulation_archive.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace plumbline::scene {
@@ -92,6 +93,7 @@ private:
     void serialize_components();
     void serialize_moving();
     void serialize_joints();
+    void check_restored();
 
     Simulation& simulation_;
     Archive& archive_;
@@ -223,6 +225,7 @@ void SimulationArchive::serialize_moving() {
         if (!archive_.expect(found != known.end(), kOtherThings)) return;
         moving = found->second;
         moving.awake = awake;
+        known.erase(found);  // each once
     }
 }
 
@@ -230,6 +233,25 @@ void SimulationArchive::serialize_joints() {
     const std::size_t count = archive_.count(simulation_.bodies_.joints.size());
     if (!archive_.expect(count == simulation_.bodies_.joints.size(), kOtherThings)) return;
     for (SceneJoint& joint : simulation_.bodies_.joints) archive_(joint.joint);
+}
+
+/// What steps and images lean on and no field by itself shows.
+void SimulationArchive::check_restored() {
+    const Simulation::Clock& clock = simulation_.clock_;
+    constexpr std::uint64_t kMostSteps = 1ULL << 40U;
+    archive_.expect(clock.since_step <= clock.steps && clock.steps < kMostSteps &&
+                        clock.since_s >= 0 && clock.since_s < 1e12,
+                    "its clock cannot stand there");
+    archive_.expect(simulation_.switches.fog_color < kFogColors.size(), "its fog has no colour");
+    const CameraDescription& camera = simulation_.description_.camera;
+    archive_.expect(camera.fov_y_rad > 0 && camera.fov_y_rad < kPi &&
+                        glm::length(camera.up) > 1e-6_r &&
+                        glm::length(camera.target_m - camera.position_m) > 1e-6_r,
+                    "its camera sees nothing");
+    for (auto [entity, at] : simulation_.registry.view<const Transform>()) {
+        const Real turn = glm::length(at.world_from_body.orientation);
+        archive_.expect(std::abs(turn - 1) < 0.01_r, "a thing is not turned by a rotation");
+    }
 }
 
 void SimulationArchive::serialize_state() {
@@ -253,6 +275,7 @@ void SimulationArchive::serialize_state() {
              simulation_.description_.camera.target_m,
              simulation_.description_.camera.up,
              simulation_.description_.camera.fov_y_rad);
+    if (archive_.reads()) check_restored();
     ++simulation_.revision_;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <new>
 
@@ -13,6 +14,7 @@ namespace plumbline::physics {
 namespace {
 
 constexpr std::uint32_t kInner = ~0U;
+constexpr int kMostCounted = 1'000'000;
 constexpr std::string_view kOtherBoxes = "its broad phase has other bodies";
 
 using Places = std::map<const void*, std::uint32_t>;  ///< of bodies in the list, by their objects
@@ -216,6 +218,30 @@ void list_first(btDbvtProxy& proxy, btDbvtProxy*& list) {
     list = &proxy;
 }
 
+/// Whether the list has each number below `count` once.
+bool is_permutation(std::vector<std::uint32_t> list, std::size_t count) {
+    std::ranges::sort(list);
+    if (list.size() != count) return false;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (list[i] != i) return false;
+    }
+    return true;
+}
+
+/// The broad phase's place in its own round, and its counts.
+void serialize_round(Archive& archive, btDbvtBroadphase& broadphase) {
+    archive.within(broadphase.m_stageCurrent, 0, int{btDbvtBroadphase::STAGECOUNT} - 1);
+    archive(broadphase.m_newpairs);
+    archive.within(broadphase.m_fixedleft, 0, kMostCounted);
+    archive(broadphase.m_updates_call,
+            broadphase.m_updates_done,
+            broadphase.m_updates_ratio,
+            broadphase.m_pid);
+    archive.within(broadphase.m_cid, 0, kMostCounted);
+    archive.within(broadphase.m_gid, 0, std::numeric_limits<int>::max() - kMostCounted);
+    archive(broadphase.m_needcleanup);
+}
+
 /// Bodies by the broad phase's lists, the oldest of each first.
 std::vector<std::uint32_t> listed(const btDbvtBroadphase& broadphase, const Places& places) {
     std::vector<std::uint32_t> order;
@@ -240,18 +266,18 @@ void serialize_boxes(Archive& archive,
     std::vector<std::uint32_t> order = listed(broadphase, places);
     std::array<BoxTree, 2> trees = trees_of(broadphase, places);
     archive(order, trees);
-    const bool whole = order.size() == in_world.size() &&
-                       std::ranges::all_of(order, [&](auto i) { return i < in_world.size(); });
-    if (!archive.expect(whole, kOtherBoxes)) return;
+    if (!archive.expect(is_permutation(order, in_world.size()), kOtherBoxes)) return;
     if (archive.reads()) {
         const bool is_whole = are_sound(trees, in_world.size());
         (is_whole ? rebuild : insert)(broadphase, trees, in_world);
         for (btDbvtProxy*& list : broadphase.m_stageRoots) list = nullptr;
     }
+    std::vector<int> numbers;
     const std::vector<int> tree = trees_by_body(trees, in_world.size());
     for (const std::uint32_t place : order) {
         btDbvtProxy& proxy = proxy_of(*in_world[place]);
         archive(proxy.m_uniqueId, proxy.m_aabbMin, proxy.m_aabbMax, proxy.stage);
+        numbers.push_back(proxy.m_uniqueId);
         const bool is_fixed = tree[place] == btDbvtBroadphase::FIXED_SET;
         const bool sound = proxy.stage >= 0 && proxy.stage <= btDbvtBroadphase::STAGECOUNT &&
                            is_fixed == (proxy.stage == btDbvtBroadphase::STAGECOUNT);
@@ -259,16 +285,12 @@ void serialize_boxes(Archive& archive,
             proxy.stage = is_fixed ? int{btDbvtBroadphase::STAGECOUNT} : 0;
         if (archive.reads()) list_first(proxy, broadphase.m_stageRoots[proxy.stage]);
     }
-    archive(broadphase.m_stageCurrent,
-            broadphase.m_newpairs,
-            broadphase.m_fixedleft,
-            broadphase.m_updates_call,
-            broadphase.m_updates_done,
-            broadphase.m_updates_ratio,
-            broadphase.m_pid,
-            broadphase.m_cid,
-            broadphase.m_gid,
-            broadphase.m_needcleanup);
+    serialize_round(archive, broadphase);
+    std::ranges::sort(numbers);
+    archive.expect(
+        std::ranges::adjacent_find(numbers) == numbers.end() &&
+            (numbers.empty() || (numbers.front() >= 0 && numbers.back() <= broadphase.m_gid)),
+        kOtherBoxes);
 }
 
 }  // namespace plumbline::physics

@@ -46,6 +46,8 @@ btTransform world_from_child(const btCollisionObjectWrapper& wrap, int child) {
     return wrap.getWorldTransform() * compound_of(wrap).getChildTransform(child);
 }
 
+constexpr std::string_view kTooManyPoints = "a contact has too many points";
+
 void serialize_point(Archive& archive, btManifoldPoint& p) {
     archive(p.m_localPointA,
             p.m_localPointB,
@@ -81,9 +83,7 @@ void serialize_manifold(Archive& archive, btPersistentManifold& manifold) {
     btScalar breaking_m = manifold.getContactBreakingThreshold();
     btScalar processing_m = manifold.getContactProcessingThreshold();
     archive(count, breaking_m, processing_m, manifold.m_companionIdA);
-    if (!archive.expect(count >= 0 && count <= MANIFOLD_CACHE_SIZE,
-                        "a contact has too many points"))
-        return;
+    if (!archive.expect(count >= 0 && count <= MANIFOLD_CACHE_SIZE, kTooManyPoints)) return;
     if (archive.reads()) {
         manifold.clearManifold();
         manifold.setNumContacts(count);
@@ -103,7 +103,10 @@ void serialize_side(Archive& archive, ContactSide& side) {
 
 /// The points of primitives: all that their next look, and whoever asks before it, reads.
 void serialize_points(Archive& archive, std::vector<ManifoldPoint>& points) {
-    points.resize(archive.count(points.size()));
+    std::size_t count = archive.count(points.size());
+    archive.expect(count <= MANIFOLD_CACHE_SIZE, kTooManyPoints);
+    if (archive.failed()) count = 0;
+    points.resize(count);
     for (ManifoldPoint& point : points) {
         serialize_side(archive, point.a);
         serialize_side(archive, point.b);
@@ -295,14 +298,19 @@ void ContactArchive::order() {
     const int count = dispatcher_.getNumManifolds();
     if (!archive_.expect(static_cast<std::size_t>(count) == manifolds_.size(), kOtherContacts))
         return;
+    std::vector<int> places;
+    for (const btPersistentManifold* manifold : manifolds_) places.push_back(manifold->m_index1a);
+    archive_(places);
+    std::vector<int> sorted = places;
+    std::ranges::sort(sorted);
+    bool each_once = places.size() == manifolds_.size();
+    for (int i = 0; i < count && each_once; ++i)
+        each_once = sorted[static_cast<std::size_t>(i)] == i;
+    if (!archive_.expect(each_once, kOtherContacts) || !archive_.reads()) return;
     btPersistentManifold** listed = dispatcher_.getInternalManifoldPointer();
-    for (btPersistentManifold* manifold : manifolds_) {
-        int place = manifold->m_index1a;
-        archive_(place);
-        if (!archive_.expect(place >= 0 && place < count, kOtherContacts)) return;
-        if (!archive_.reads()) continue;
-        listed[place] = manifold;
-        manifold->m_index1a = place;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        listed[places[i]] = manifolds_[i];
+        manifolds_[i]->m_index1a = places[i];
     }
 }
 

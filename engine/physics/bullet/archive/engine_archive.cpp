@@ -51,8 +51,12 @@ std::vector<BodyRecord*> serialize_lists(Archive& archive,
         return record->in_world && !record->rigid->isStaticObject();
     };
     const auto count = static_cast<std::size_t>(world.getNonStaticRigidBodies().size());
-    if (archive.expect(moving.size() == count && std::ranges::all_of(moving, is_moving),
-                       kOtherBodies))
+    std::vector<BodyRecord*> sorted = moving;
+    std::ranges::sort(sorted, by_id);
+    const bool each_once = std::ranges::adjacent_find(sorted) == sorted.end();
+    if (archive.expect(
+            moving.size() == count && each_once && std::ranges::all_of(moving, is_moving),
+            kOtherBodies))
         world.list_moving(moving);
     return in_world;
 }
@@ -69,8 +73,11 @@ void serialize_constraints(Archive& archive,
     }
     archive(order);
     for (const JointId id : order) {
-        if (!archive.expect(joints.contains(id), "a constraint has no joint")) return;
-        JointRecord& joint = *joints.get(id);
+        const auto* found = joints.find(id);
+        const bool holds = found != nullptr && !(*found)->state.broken &&
+                           (!archive.reads() || (*found)->bullet == nullptr);
+        if (!archive.expect(holds, "a constraint has no joint")) return;
+        JointRecord& joint = **found;
         if (archive.reads()) joint.bullet = std::make_unique<BulletJoint>(joint, world);
         archive(*joint.bullet);
     }
@@ -96,8 +103,14 @@ void serialize_small_pairs(Archive& archive,
                 add_pair(*parts.pairs, *record, **found);
             }
         }
+        const auto is_meant = [&](const PairLink& link) {
+            return id < link.other && scope.holds(link.other);
+        };
+        const auto made =
+            static_cast<std::size_t>(std::ranges::count_if(record->small.pairs, is_meant));
+        if (!archive.expect(made == others.size(), kOtherBodies)) return;
         for (const PairLink& link : record->small.pairs) {
-            if (link.other < id || !scope.holds(link.other) || archive.failed()) continue;
+            if (!is_meant(link) || archive.failed()) continue;
             Pair& pair = *link.pair;
             archive(pair.reach_m, pair.touches);
             dispatcher.reach_m = pair.reach_m;
@@ -145,7 +158,8 @@ void serialize_rigid(Archive& archive, BodyRecord& record) {
     btRigidBody& rigid = *record.rigid;
     btScalar idle_s = rigid.getDeactivationTime();
     int activation = rigid.getActivationState();
-    archive(idle_s, activation);
+    archive(idle_s);
+    archive.within(activation, ACTIVE_TAG, DISABLE_SIMULATION);
     if (!archive.reads()) return;
     write_rigid_motion(record);
     rigid.setDeactivationTime(idle_s);

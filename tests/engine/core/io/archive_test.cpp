@@ -11,6 +11,9 @@ namespace {
 struct Tag;
 using Number = Id<Tag>;
 enum class Kind : std::uint8_t { One, Two };
+constexpr Kind last_of(Kind) {
+    return Kind::Two;
+}
 
 struct Everything {
     bool yes{true};
