@@ -3,8 +3,9 @@
 another scene is refused."""
 import subprocess
 import sys
+import time
 
-from support import app_settings, expect, home, settings_in, virtual_screen
+from support import Recording, app_settings, expect, home, settings_in, virtual_screen
 
 program_file = sys.argv[1]
 
@@ -18,6 +19,23 @@ def state_of(run):
     lines = [line for line in run.stderr.splitlines() if ", state " in line]
     expect(lines, "no state line:\n" + run.stderr)
     return lines[-1].rsplit(" ", 1)[-1]
+
+
+def a_killed_session_is_replayed_up_to_there(environment, folder):
+    """What was recorded was on the disk only once the program ended in order."""
+    tape = folder / "killed.tape"
+    game = subprocess.Popen([program_file, "play", "falling_cube", "--size", "320x180", "--random-input", "7", "--no-sound",
+                             "--record", str(tape)], env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    end_s = time.monotonic() + 60
+    while not tape.exists() or tape.stat().st_size < 5_000:
+        expect(game.poll() is None and time.monotonic() < end_s, "nothing is recorded while it runs")
+        time.sleep(0.05)
+    game.kill()
+    game.wait()
+    expect(not Recording(tape).whole, "its end is there, though it was killed")
+    again = play(environment, "falling_cube", "--size", "320x180", "--replay", str(tape))
+    expect(again.returncode == 0, f"replay: exit {again.returncode}\n{again.stderr}")
+    expect("the recording breaks off after " in again.stderr, again.stderr)
 
 
 with virtual_screen() as screen, home() as folder:
@@ -39,3 +57,4 @@ with virtual_screen() as screen, home() as folder:
     expect(wrong_hash.returncode == 5, f"a wrong hash gives exit {wrong_hash.returncode}")
     other_scene = play(environment, "falling_cube", "--size", "320x180", "--replay", tape)
     expect(other_scene.returncode == 5 and "recorded in the scene playroom.toml, this one is falling_cube.toml" in other_scene.stderr, other_scene.stderr)
+    a_killed_session_is_replayed_up_to_there(environment, folder)

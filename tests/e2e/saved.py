@@ -2,7 +2,6 @@
 """Saved games: from the command line in both precisions, with files that are no such games, on a disk that is full;
 and in a window, in the middle of the garden with a crate in hand: quit, load, go on, and the bits are the same."""
 import contextlib
-import json
 import pathlib
 import resource
 import signal
@@ -10,7 +9,7 @@ import subprocess
 import sys
 import time
 
-from support import Program, expect, home, settings_in, virtual_screen
+from support import Program, Recording, expect, home, settings_in, virtual_screen
 
 program, program_f64 = sys.argv[1:3]
 
@@ -109,15 +108,6 @@ def wait_for(file, running):
     raise AssertionError(f"no {file} within 20 s:\n" + running.log())
 
 
-def held_at_end(tape):
-    held = set()
-    for line in tape.read_text().splitlines():
-        told = json.loads(line)
-        held |= set(told.get("down", []))
-        held -= set(told.get("up", []))
-    return held
-
-
 def play_with_a_crate_in_hand(folder, environment, tape, slot):
     """Looks down, so that the crate is put on the ground where one looks; saves with it in hand, walks on. The state in the end."""
     with playing(environment, folder, "garden", "--record", tape) as running:
@@ -140,7 +130,7 @@ def a_crate_in_hand_stays_there(folder, environment):
     tape = folder / "session.tape"
     slot = folder / "data" / "plumbline" / "saves" / "garden-1.save"
     state = play_with_a_crate_in_hand(folder, environment, tape, slot)
-    expect("grab" in held_at_end(tape), f"nothing is in the hand at the end: {held_at_end(tape)}")
+    expect("grab" in Recording(tape).held, f"nothing is in the hand at the end: {Recording(tape).held}")
     said = run("play", "--load", slot, "--replay", tape, "--size", "320x180", "--no-sound", "--expect-hash", state,
                environment=environment)
     expect(state_of(said) == state, "the game that was loaded ends elsewhere:\n" + said)

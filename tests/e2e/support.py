@@ -52,6 +52,40 @@ def settings_in(folder, environment):
             "XDG_DATA_HOME": str(folder / "data"), "ALSOFT_DRIVERS": "null"}
 
 
+class Recording:
+    """A file of `play --record` (engine/app/controls/action_tape.h): its scene, the actions that it tells of, those that are
+    held at its end, whether there is a pointer in it, and whether its end is there."""
+    HEADER, STEP, END = 0, 1, 5
+
+    def __init__(self, path):
+        self.scene, self.told, self.held, self.has_pointer, self.whole = "", set(), set(), False, False
+        names, data = [], pathlib.Path(path).read_bytes()
+        expect(data.startswith(b"PLUMTAPE"), f"{path} is no recording: {data[:20]}")
+        at = 12
+        while at + 16 <= len(data):
+            size = int.from_bytes(data[at:at + 4], "little")
+            body = data[at + 16:at + 16 + size]
+            at += 16 + size
+            if len(body) < size:
+                break
+            kind, rest = body[0], body[9:]
+            if kind == self.HEADER:
+                texts = []
+                for _ in range(3):
+                    length = int.from_bytes(rest[:8], "little")
+                    texts.append(rest[8:8 + length].decode())
+                    rest = rest[8 + length:]
+                self.scene, names = texts[0], rest[24:].decode().split()
+            elif kind == self.STEP:
+                count = int.from_bytes(rest[:8], "little")
+                for i in range(count):
+                    action, held = rest[8 + 11 * i], rest[9 + 11 * i]
+                    self.told.add(names[action])
+                    (self.held.add if held else self.held.discard)(names[action])
+                self.has_pointer |= rest[8 + 11 * count + 16] != 0
+            self.whole = kind == self.END
+
+
 class Program:
     """A running `plumbline play`, and what a person does to it."""
 
