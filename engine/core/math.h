@@ -5,6 +5,8 @@
 // or computes is Real; what the GPU reads is float (Vec3f, Mat4f).
 #pragma once
 
+#include "engine/core/portable_math.h"
+
 #include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -74,11 +76,33 @@ glm::vec<3, T> normalize_or(const glm::vec<3, T>& v, const glm::vec<3, T>& fallb
     return length > static_cast<T>(1e-12) ? v / length : fallback;
 }
 
+/// The rotation by an angle about a unit axis; glm::angleAxis without the C library's sine.
+template <class T>
+glm::qua<T> portable_angle_axis(T angle_rad, const glm::vec<3, T>& axis) {
+    const T half_rad = angle_rad * static_cast<T>(0.5);
+    return {portable_cos(half_rad), axis * portable_sin(half_rad)};
+}
+
+/// From a (0) to b (1) at a steady rate along the shorter arc; glm::slerp without the C library's sine.
+template <class T>
+glm::qua<T> portable_slerp(const glm::qua<T>& a, glm::qua<T> b, T share) {
+    T cosine = glm::dot(a, b);
+    if (cosine < 0) {
+        b = -b;
+        cosine = -cosine;
+    }
+    // So near that the sines of both shares are the shares themselves.
+    if (cosine > 1 - glm::epsilon<T>()) return a * (1 - share) + b * share;
+    const T angle_rad = portable_acos(cosine);
+    return (a * portable_sin((1 - share) * angle_rad) + b * portable_sin(share * angle_rad)) /
+           portable_sin(angle_rad);
+}
+
 /// Rotation about x, then y, then z, as scene files give it; degrees.
 inline Quat quat_from_euler_deg(const Vec3& angles_deg) {
-    const Quat about_x = glm::angleAxis(radians_from_degrees(angles_deg.x), Vec3{1, 0, 0});
-    const Quat about_y = glm::angleAxis(radians_from_degrees(angles_deg.y), Vec3{0, 1, 0});
-    const Quat about_z = glm::angleAxis(radians_from_degrees(angles_deg.z), Vec3{0, 0, 1});
+    const Quat about_x = portable_angle_axis(radians_from_degrees(angles_deg.x), Vec3{1, 0, 0});
+    const Quat about_y = portable_angle_axis(radians_from_degrees(angles_deg.y), Vec3{0, 1, 0});
+    const Quat about_z = portable_angle_axis(radians_from_degrees(angles_deg.z), Vec3{0, 0, 1});
     return about_z * about_y * about_x;
 }
 

@@ -30,7 +30,7 @@ inline Vec3 transform_point(const Pose& pose, const Vec3& point) {
 /// shorter arc.
 inline Pose blend(const Pose& a, const Pose& b, Real t) {
     return {.position = a.position + (b.position - a.position) * t,
-            .orientation = glm::slerp(a.orientation, b.orientation, t)};
+            .orientation = portable_slerp(a.orientation, b.orientation, t)};
 }
 
 inline bool is_finite(const Pose& pose) {

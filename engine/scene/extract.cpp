@@ -62,8 +62,8 @@ void add_lights(const Simulation& simulation,
              .radius_m = light.radius_m,
              .is_spot = light.is_spot,
              .direction_world = orientation * light.direction_body,
-             .inner_cos = std::cos(light.inner_rad),
-             .outer_cos = std::cos(light.outer_rad),
+             .inner_cos = portable_cos(light.inner_rad),
+             .outer_cos = portable_cos(light.outer_rad),
              .casts_shadow = light.casts_shadow});
     }
     if (frame.lights.size() <= limits::kLights) return;

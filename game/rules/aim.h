@@ -23,10 +23,10 @@ struct Aim {
 
 /// Level and unit; yaw 0 looks down -Z, left is positive.
 inline Vec3 level_forward(Real yaw_rad) {
-    return {-std::sin(yaw_rad), 0, -std::cos(yaw_rad)};
+    return {-portable_sin(yaw_rad), 0, -portable_cos(yaw_rad)};
 }
 inline Vec3 level_right(Real yaw_rad) {
-    return {std::cos(yaw_rad), 0, -std::sin(yaw_rad)};
+    return {portable_cos(yaw_rad), 0, -portable_sin(yaw_rad)};
 }
 
 }  // namespace plumbline::game

@@ -21,7 +21,8 @@ constexpr Real kOrbitZoom_per_s = 1.5_r;
 constexpr Real kOrbitNotch = 0.88_r;
 
 Quat orientation_of(Real yaw_rad, Real pitch_rad) {
-    return glm::angleAxis(yaw_rad, Vec3{0, 1, 0}) * glm::angleAxis(pitch_rad, Vec3{1, 0, 0});
+    return portable_angle_axis(yaw_rad, Vec3{0, 1, 0}) *
+           portable_angle_axis(pitch_rad, Vec3{1, 0, 0});
 }
 
 Real clamped_pitch(Real pitch_rad) {
@@ -98,7 +99,7 @@ int notches_of(const Actions& actions, Action more, Action less) {
 
 void CameraLook::aim_along(const Vec3& direction) {
     const Vec3 unit = normalize_or(direction, Vec3{0, 0, -1});
-    set(std::atan2(-unit.x, -unit.z), std::asin(std::clamp(unit.y, Real{-1}, Real{1})));
+    set(portable_atan2(-unit.x, -unit.z), portable_asin(std::clamp(unit.y, Real{-1}, Real{1})));
 }
 
 void CameraLook::begin_step() {
@@ -141,8 +142,7 @@ void FlyCamera::place(const Vec3& position_m) {
 }
 
 void FlyCamera::change_speed(int notches) {
-    speed_mps_ = std::clamp(
-        speed_mps_ * std::pow(kNotch, static_cast<Real>(notches)), slowest_mps_, fastest_mps_);
+    speed_mps_ = std::clamp(speed_mps_ * whole_power(kNotch, notches), slowest_mps_, fastest_mps_);
 }
 
 void FlyCamera::suit(Real radius_m) {
@@ -164,7 +164,7 @@ void FlyCamera::act(const Actions& actions,
     wish += up_ * (travel_of(actions, Action::Jump) - travel_of(actions, Action::Crouch));
     if (glm::length(wish) > 1) wish = glm::normalize(wish);
     wish *= speed_mps_ * (actions.is_held(Action::Sprint) ? kSprint : Real{1});
-    velocity_mps_ += (wish - velocity_mps_) * (1 - std::exp(-step_s / kFlySmoothing_s));
+    velocity_mps_ += (wish - velocity_mps_) * (1 - portable_exp(-step_s / kFlySmoothing_s));
     previous_m_ = position_m_;
     position_m_ += velocity_mps_ * step_s;
     const auto is_above = [&](const Vec3& eye_m, Real clearance_m) {
@@ -218,8 +218,8 @@ void OrbitCamera::act_smoothly(const Actions& actions, CameraLook& look, Real st
     const Real zoom = travel_of(actions, Action::ZoomOut) - travel_of(actions, Action::ZoomIn);
     const int notches = actions.presses(Action::Push) - actions.presses(Action::Pull) +
                         notches_of(actions, Action::ZoomIn, Action::ZoomOut);
-    distance_m_ *= std::exp(zoom * kOrbitZoom_per_s * step_s) *
-                   std::pow(kOrbitNotch, static_cast<Real>(notches));
+    distance_m_ *=
+        portable_exp(zoom * kOrbitZoom_per_s * step_s) * whole_power(kOrbitNotch, notches);
 }
 
 void OrbitCamera::act_by_steps(const Actions& actions, CameraLook& look, Real step_s) {

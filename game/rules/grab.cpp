@@ -41,7 +41,7 @@ Vec3 rotation_vector(Quat rotation) {
     const Vec3 axis{rotation.x, rotation.y, rotation.z};
     const Real sine = glm::length(axis);
     if (sine < 1e-7_r) return {0, 0, 0};
-    return axis * (2 * std::atan2(sine, rotation.w) / sine);
+    return axis * (2 * portable_atan2(sine, rotation.w) / sine);
 }
 
 Vec3 middle_of(const physics::PhysicsWorld& world, physics::BodyId body) {
@@ -81,7 +81,7 @@ std::optional<std::string> Grab::take(scene::Simulation& simulation, const Aim& 
     distance_m_ = by_pointer_
                       ? looked->distance_m
                       : std::clamp(glm::length(middle - aim.eye_m), kNearest_m, kFarthest_m);
-    const Quat view = glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0});
+    const Quat view = portable_angle_axis(aim.yaw_rad, Vec3{0, 1, 0});
     middle_from_point_ =
         by_pointer_ ? glm::conjugate(view) * (looked->point_m - middle) : Vec3{0, 0, 0};
     view_from_body_ = glm::conjugate(view) * world.state(body_).world_from_body.orientation;
@@ -106,13 +106,14 @@ void Grab::change_distance(Real by_m) {
 
 void Grab::rotate(Real yaw_rad, Real pitch_rad) {
     // About the view's own up and right, as the hand would turn it.
-    view_from_body_ = glm::normalize(glm::angleAxis(yaw_rad, Vec3{0, 1, 0}) *
-                                     glm::angleAxis(pitch_rad, Vec3{1, 0, 0}) * view_from_body_);
+    view_from_body_ =
+        glm::normalize(portable_angle_axis(yaw_rad, Vec3{0, 1, 0}) *
+                       portable_angle_axis(pitch_rad, Vec3{1, 0, 0}) * view_from_body_);
 }
 
 Vec3 Grab::target_of(const scene::Simulation& simulation, const Aim& aim) const {
     Vec3 target = aim.eye_m + aim.forward * distance_m_ -
-                  glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0}) * middle_from_point_;
+                  portable_angle_axis(aim.yaw_rad, Vec3{0, 1, 0}) * middle_from_point_;
     // Looking down must not press it into the person's own feet.
     const Vec3 aside{target.x - aim.eye_m.x, 0, target.z - aim.eye_m.z};
     const Real keep = aim.keep_away_m > 0 ? aim.keep_away_m + std::min(radius_m_, 0.5_r) : 0;
@@ -177,7 +178,7 @@ void Grab::pull_round(scene::Simulation& simulation, const Aim& aim) {
     const Real dt = static_cast<Real>(simulation.step_s());
     const physics::BodyState state = world.state(body_);
     const Quat& now = state.world_from_body.orientation;
-    const Quat wanted = glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0}) * view_from_body_;
+    const Quat wanted = portable_angle_axis(aim.yaw_rad, Vec3{0, 1, 0}) * view_from_body_;
     const Vec3 offset = rotation_vector(glm::normalize(wanted * glm::conjugate(now)));
     const Vec3 next = shortened(
         damped(state.angular_velocity_radps, offset, Vec3{0, 0, 0}, kTurnStiffness_radps, dt),

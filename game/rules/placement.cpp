@@ -22,7 +22,7 @@ std::optional<Vec3> free_place(const physics::PhysicsWorld& world,
                                const Aim& aim,
                                const Room& room,
                                Real reach_m) {
-    const Quat turn = glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0});
+    const Quat turn = portable_angle_axis(aim.yaw_rad, Vec3{0, 1, 0});
     const Real radius = reach_along(room.size_m, turn, aim.forward);
     const Real farthest = reach_m + radius;
     // The person's own capsule counts for the place, not for the sight.

@@ -60,8 +60,7 @@ void Player::teleport(const Vec3& feet_m) {
 }
 
 Real Player::change_pace(int notches) {
-    pace_ = std::clamp(
-        pace_ * std::pow(kPaceNotch, static_cast<Real>(notches)), kSlowestPace, kFastestPace);
+    pace_ = std::clamp(pace_ * whole_power(kPaceNotch, notches), kSlowestPace, kFastestPace);
     return pace_ * def().walk_speed_mps;
 }
 

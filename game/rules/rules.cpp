@@ -222,7 +222,7 @@ void PlaygroundGame::zoom(const Actions& actions) {
     const auto notches = static_cast<Real>(notches_of(actions, Action::ZoomOut, Action::ZoomIn));
     const Real change = wider * kZoom_per_s * step_s_ + notches * kZoomNotch;
     if (change == 0) return;
-    fov_rad_ = std::clamp(fov_rad_ * std::exp(change), kNarrowest_rad, kWidest_rad);
+    fov_rad_ = std::clamp(fov_rad_ * portable_exp(change), kNarrowest_rad, kWidest_rad);
 }
 
 void PlaygroundGame::judge(scene::Simulation& simulation) {

@@ -44,10 +44,10 @@ void PlaygroundGame::light(scene::Simulation& simulation, const Actions& actions
     const int brighter =
         actions.presses(Action::LightBrighter) - actions.presses(Action::LightDimmer);
     if (brighter != 0) {
-        switches.light_scale = std::clamp(
-            switches.light_scale * std::pow(scene::kLiveNotch, static_cast<float>(brighter)),
-            scene::kDimmestLight,
-            scene::kBrightestLight);
+        switches.light_scale =
+            std::clamp(switches.light_scale * whole_power(scene::kLiveNotch, brighter),
+                       scene::kDimmestLight,
+                       scene::kBrightestLight);
         say(fmt::format("light: {:.0f} %", 100.0F * switches.light_scale));
     }
 }
@@ -62,10 +62,10 @@ void PlaygroundGame::change_fog(scene::Simulation& simulation, const Actions& ac
     if (denser == 0 && colors == 0) return;
     // Who changes it wants to see it.
     switches.turn("fog", true);
-    switches.fog_density_scale = std::clamp(
-        switches.fog_density_scale * std::pow(scene::kLiveNotch, static_cast<float>(denser)),
-        scene::kThinnestFog,
-        scene::kDensestFog);
+    switches.fog_density_scale =
+        std::clamp(switches.fog_density_scale * whole_power(scene::kLiveNotch, denser),
+                   scene::kThinnestFog,
+                   scene::kDensestFog);
     switches.fog_color =
         (switches.fog_color + static_cast<std::size_t>(colors)) % scene::kFogColors.size();
     const float density_per_m = described.value_or(scene::FogDescription{}).density_per_m;

@@ -188,7 +188,7 @@ Result<ecs::Entity> Things::put(scene::Simulation& simulation,
     Thing& thing = things_[kind];
     scene::EntityDescription description = thing.description;
     // It appears level and turned as the person looks; its size is known once one exists.
-    const Quat turn = glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0});
+    const Quat turn = portable_angle_axis(aim.yaw_rad, Vec3{0, 1, 0});
     description.world_from_body = {.position = aim.eye_m};
     description.body->velocity_mps = velocity;
     const ecs::Entity entity = simulation.spawn(description);

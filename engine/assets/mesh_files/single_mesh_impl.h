@@ -11,7 +11,7 @@ namespace plumbline::assets {
 /// A model of one node, turned so that the file's +Z becomes our +Y.
 inline ModelData model_with_z_up(ModelMesh mesh, bool has_colors) {
     ModelNode node{.name = mesh.name, .meshes = {0}};
-    node.rest.rotation = glm::angleAxis(radians_from_degrees(-90.0F), Vec3f{1, 0, 0});
+    node.rest.rotation = portable_angle_axis(radians_from_degrees(-90.0F), Vec3f{1, 0, 0});
     // Exact, where the quaternion would round.
     node.parent_from_node = Mat4f{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
     ModelData model;

@@ -70,7 +70,7 @@ std::vector<float> sampled(const AnimationChannel& channel, float time_s) {
         const auto turn = [&](std::size_t key) {
             return Quatf{plain(key, 3), plain(key, 0), plain(key, 1), plain(key, 2)};
         };
-        const Quatf at = glm::slerp(turn(span.before), turn(span.after), span.share);
+        const Quatf at = portable_slerp(turn(span.before), turn(span.after), span.share);
         return {at.x, at.y, at.z, at.w};
     }
     for (std::size_t i = 0; i < width; ++i) {

@@ -86,14 +86,15 @@ Drop Drops::leaving(const Nozzle& nozzle) {
         // At random: in turn, they would leave in a spiral that the eye sees.
         const float angle = 2.0F * glm::pi<float>() * static_cast<float>(random_.below(streams)) /
                             static_cast<float>(streams);
-        ahead = nozzle.axis_x * std::cos(angle) + nozzle.axis_z * std::sin(angle);
+        ahead = nozzle.axis_x * portable_cos(angle) + nozzle.axis_z * portable_sin(angle);
         place += ahead * static_cast<float>(ring.radius_m);
         x = nozzle.direction;
         z = glm::cross(x, ahead);
     }
-    const Vec3f aside = x * std::cos(turn) + z * std::sin(turn);
+    const Vec3f aside = x * portable_cos(turn) + z * portable_sin(turn);
     return {.position_world = place,
-            .velocity_mps = (ahead * std::cos(tilt) + aside * std::sin(tilt)) * nozzle.speed_mps,
+            .velocity_mps =
+                (ahead * portable_cos(tilt) + aside * portable_sin(tilt)) * nozzle.speed_mps,
             .radius_m = nozzle.radius_m,
             .drag_per_m = nozzle.drag_per_m,
             .held_l = nozzle.held_l,
@@ -133,7 +134,7 @@ std::optional<Drops::PoolHit> Drops::pool_met(const Vec3f& from, const Vec3f& to
         const float share = (from.y - pool.center_world.y) / (from.y - to.y);
         const Vec3f place = glm::mix(from, to, share);
         const Vec3f off = place - pool.center_world;
-        const float reach_m = pool.radius_m - std::hypot(off.x, off.z);
+        const float reach_m = pool.radius_m - glm::length(glm::vec2{off.x, off.z});
         if (reach_m >= 0.0F) return PoolHit{place, reach_m};
     }
     return {};
@@ -162,9 +163,9 @@ void Drops::splash(const Vec3f& place, const Drop& drop) {
     const float speed = std::min(0.35F * glm::length(drop.velocity_mps), 1.4F);
     const float aside = random_.uniform(0.1F, 0.6F);
     splashes_.push_back({.position_world = place,
-                         .velocity_mps = speed * Vec3f{aside * std::cos(turn),
+                         .velocity_mps = speed * Vec3f{aside * portable_cos(turn),
                                                        random_.uniform(0.5F, 1.0F),
-                                                       aside * std::sin(turn)},
+                                                       aside * portable_sin(turn)},
                          .radius_m = kSplashSize * drop.radius_m,
                          .ends_at_s = kSplashLife_s,
                          .rank = random_.uniform()});

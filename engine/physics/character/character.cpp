@@ -19,7 +19,7 @@ Eye settled(Eye eye, Real wanted_m, Real rate_m, Real most_offset_m, Real dt) {
     eye.height_m += std::clamp(wanted_m - eye.height_m, -rate_m, rate_m);
     // Critically damped, solved exactly, so that it is the same at every step length.
     eye.offset_m = std::clamp(eye.offset_m, -most_offset_m, most_offset_m);
-    const Real decay = std::exp(-kEyeStiffness_radps * dt);
+    const Real decay = portable_exp(-kEyeStiffness_radps * dt);
     const Real slope = eye.offset_mps + kEyeStiffness_radps * eye.offset_m;
     const Real offset = (eye.offset_m + slope * dt) * decay;
     eye.offset_mps = (eye.offset_mps - kEyeStiffness_radps * slope * dt) * decay;
@@ -35,7 +35,7 @@ Character::Impl::Impl(PhysicsWorld& physics_world, const CharacterDef& definitio
       probe(physics_world, definition),
       dt(static_cast<Real>(physics_world.def().step_s)),
       gravity_mps2(-physics_world.def().gravity_mps2.y),
-      cos_limit(std::cos(definition.max_slope_rad)),
+      cos_limit(portable_cos(definition.max_slope_rad)),
       eye{.height_m = definition.height_m - definition.eye_below_top_m} {
     PL_ASSERT(is_finite(definition.feet_position_m), "feet at a finite place");
     const std::array<Real, 2> heights{def.height_m, def.crouched_height_m};

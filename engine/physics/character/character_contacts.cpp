@@ -179,9 +179,9 @@ bool Character::Impl::escape() {
         const Real distance = 0.1_r * static_cast<Real>(ring);
         for (int i = 0; i <= kDirections; ++i) {
             const Real angle = 2 * kPi * static_cast<Real>(i) / kDirections;
-            const Vec3 displacement = i == kDirections
-                                          ? kUp * distance
-                                          : Vec3{std::cos(angle), 0, std::sin(angle)} * distance;
+            const Vec3 displacement =
+                i == kDirections ? kUp * distance
+                                 : Vec3{portable_cos(angle), 0, portable_sin(angle)} * distance;
             const Vec3d place = feet + Vec3d(displacement);
             if (!probe.is_free(place)) continue;
             const auto pinching = probe.touches(feet, 0);

@@ -148,7 +148,7 @@ Support CapsuleProbe::support_of(const CapsuleContact& contact, const Vec3d& fee
                     .contact_normal = contact.normal,
                     .point = contact.point,
                     .body = contact.body};
-    const Real cos_limit = std::cos(def_.max_slope_rad);
+    const Real cos_limit = portable_cos(def_.max_slope_rad);
     support.walkable = contact.normal.y >= cos_limit;
     const Vec3 outward = level(contact.point - Vec3(feet));
     const Real distance = glm::length(outward);

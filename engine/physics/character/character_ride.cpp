@@ -12,7 +12,7 @@ constexpr Real kLostRide_m = 0.5_r;
 
 /// The turn about +Y within a rotation.
 Real yaw_of(const Quat& rotation) {
-    return std::remainder(2 * std::atan2(rotation.y, rotation.w), 2 * kPi);
+    return std::remainder(2 * portable_atan2(rotation.y, rotation.w), 2 * kPi);
 }
 
 /// Where a body will be after the step, going on as it does.
@@ -21,8 +21,9 @@ Pose coast(const BodyState& state, Real dt) {
     Pose next = state.world_from_body;
     next.position += state.velocity_mps * dt;
     if (speed > 1e-9_r) {
-        next.orientation = glm::normalize(
-            glm::angleAxis(speed * dt, state.angular_velocity_radps / speed) * next.orientation);
+        next.orientation =
+            glm::normalize(portable_angle_axis(speed * dt, state.angular_velocity_radps / speed) *
+                           next.orientation);
     }
     return next;
 }

@@ -71,7 +71,7 @@ void integrate_ballistic(BodyRecord& record,
     const Vec3d v = ballistic.velocity_mps;
     const double k = record.traits.linear_damping_per_s;
     if (k > 0) {
-        const double lost = -std::expm1(-k * h);  // 1 - exp(-k h), exact for small k h too
+        const double lost = -portable_expm1(-k * h);  // 1 - exp(-k h), exact for small k h too
         const Vec3d terminal = acceleration / k;
         ballistic.position_m += terminal * h + (v - terminal) * (lost / k);
         ballistic.velocity_mps = v + (terminal - v) * lost;
@@ -90,8 +90,8 @@ void integrate_ballistic(BodyRecord& record,
     const Vec3d turning = torque_free ? ballistic.spin_radps : Vec3d(spin);
     ballistic.spin_radps = turning;
     if (torque_free && angular_k > 0) {
-        turning_s = -std::expm1(-angular_k * h) / angular_k;
-        ballistic.spin_radps *= std::exp(-angular_k * h);
+        turning_s = -portable_expm1(-angular_k * h) / angular_k;
+        ballistic.spin_radps *= portable_exp(-angular_k * h);
         record.motion->spin_radps = Vec3(ballistic.spin_radps);
     }
 

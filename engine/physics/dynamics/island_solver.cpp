@@ -49,10 +49,10 @@ SolverBody dynamic_body(const BodyRecord& record, const IslandStep& step, double
     }
     if (record.traits.linear_damping_per_s > 0)
         body.linear_damping_factor =
-            static_cast<Real>(std::exp(-record.traits.linear_damping_per_s * h));
+            static_cast<Real>(portable_exp(-record.traits.linear_damping_per_s * h));
     if (record.traits.angular_damping_per_s > 0)
         body.angular_damping_factor =
-            static_cast<Real>(std::exp(-record.traits.angular_damping_per_s * h));
+            static_cast<Real>(portable_exp(-record.traits.angular_damping_per_s * h));
     return body;
 }
 

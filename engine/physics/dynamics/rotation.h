@@ -19,8 +19,8 @@ glm::qua<T> turn_by(const glm::vec<3, T>& spin_radps, T duration_s) {
         return {
             1 - half * half / 2, spin_radps.x * scale, spin_radps.y * scale, spin_radps.z * scale};
     }
-    const T scale = std::sin(half) / rate;
-    return {std::cos(half), spin_radps.x * scale, spin_radps.y * scale, spin_radps.z * scale};
+    const T scale = portable_sin(half) / rate;
+    return {portable_cos(half), spin_radps.x * scale, spin_radps.y * scale, spin_radps.z * scale};
 }
 
 /// Torque-free turning of a rigid body for `duration_s` that keeps the angular momentum: the spin

@@ -7,7 +7,7 @@ namespace plumbline::physics {
 namespace {
 
 Real kept_after(double damping_per_s, double duration_s) {
-    return static_cast<Real>(std::exp(-damping_per_s * duration_s));
+    return static_cast<Real>(portable_exp(-damping_per_s * duration_s));
 }
 
 void check_def(const WorldDef& def) {

@@ -43,7 +43,7 @@ Result<Done> build_array(const ArrayDescription& array, EntityBuilder& builder) 
                 const Vec3 cell{static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)};
                 copy.world_from_body.position = array.origin_m + array.spacing_m * cell;
                 copy.world_from_body.orientation =
-                    glm::angleAxis(glm::dot(array.turn_rad, cell), Vec3{0, 1, 0}) *
+                    portable_angle_axis(glm::dot(array.turn_rad, cell), Vec3{0, 1, 0}) *
                     array.prefab.world_from_body.orientation;
                 const Result<ecs::Entity> made =
                     builder.build(copy, fmt::format("{}.{}.{}.{}", array.name, x, y, z));
@@ -120,7 +120,7 @@ void warn_of_stiff_springs(Simulation& simulation) {
                                   (joint.b == "world" ? 0 : inverse_mass_of(simulation, joint.b));
         const double swing_radps = std::sqrt(static_cast<double>(joint.stiffness_Npm) * inverse_kg);
         if (swing_radps * shortest_s <= kMostSwing_rad) continue;
-        const double most_Npm = std::pow(kMostSwing_rad / shortest_s, 2) / inverse_kg;
+        const double most_Npm = whole_power(kMostSwing_rad / shortest_s, 2) / inverse_kg;
         simulation.warnings.push_back(fmt::format(
             "{}: joint {}: {:g} N/m swings its bodies faster than {:.0f} sub-steps a second "
             "can follow: it holds them, but swings slower or not at all; up to {:.3g} N/m they can",

@@ -71,7 +71,7 @@ void add_content(Hasher& hasher, const ShapeDef& shape) {
 void add_ring(std::vector<Vec3>& points, Real radius_m, Real y_m) {
     for (int i = 0; i < kRingPoints; ++i) {
         const Real angle = Real{2} * kPi * static_cast<Real>(i) / kRingPoints;
-        points.push_back({radius_m * std::cos(angle), y_m, radius_m * std::sin(angle)});
+        points.push_back({radius_m * portable_cos(angle), y_m, radius_m * portable_sin(angle)});
     }
 }
 
@@ -80,8 +80,8 @@ void add_cap(std::vector<Vec3>& points, Real radius_m, Real equator_y_m, Real si
     for (const Real latitude_deg : {0.0_r, 30.0_r, 60.0_r}) {
         const Real latitude = radians_from_degrees(latitude_deg);
         add_ring(points,
-                 radius_m * std::cos(latitude),
-                 equator_y_m + sign * radius_m * std::sin(latitude));
+                 radius_m * portable_cos(latitude),
+                 equator_y_m + sign * radius_m * portable_sin(latitude));
     }
     points.push_back({0, equator_y_m + sign * radius_m, 0});
 }
@@ -249,7 +249,7 @@ Real inner_radius_of(const ShapeDef& shape) {
                    },
                    [](const CylinderShape& s) { return std::min(s.radius_m, s.height_m * 0.5_r); },
                    [](const ConeShape& s) {
-                       const Real slant = std::hypot(s.radius_m, s.height_m);
+                       const Real slant = glm::length(Vec2{s.radius_m, s.height_m});
                        return s.radius_m * s.height_m / (s.radius_m + slant);
                    },
                    [](const CompoundShape& s) {

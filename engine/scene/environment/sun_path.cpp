@@ -16,10 +16,10 @@ struct SkyFrame {
 
 SkyFrame frame_of(const TimeDescription& place) {
     const double turn = place.north_rad;
-    const Vec3d north{-std::sin(turn), 0, -std::cos(turn)};
+    const Vec3d north{-portable_sin(turn), 0, -portable_cos(turn)};
     const Vec3d up{0, 1, 0};
-    const double sine = std::sin(place.latitude_rad);
-    const double cosine = std::cos(place.latitude_rad);
+    const double sine = portable_sin(place.latitude_rad);
+    const double cosine = portable_cos(place.latitude_rad);
     return {.pole = cosine * north + sine * up,
             .highest = cosine * up - sine * north,
             .west = glm::cross(up, north)};
@@ -34,17 +34,18 @@ Vec3f sky_pole(const TimeDescription& place) {
 Vec3d to_sun_at(const TimeDescription& place, double hour) {
     constexpr double kTilt_rad = radians_from_degrees(23.45);
     const double declination =
-        kTilt_rad * std::sin(2 * glm::pi<double>() * (284 + place.day_of_year) / 365);
+        kTilt_rad * portable_sin(2 * glm::pi<double>() * (284 + place.day_of_year) / 365);
     const double angle = kRadPerHour * (hour - 12);
     const SkyFrame sky = frame_of(place);
-    return std::sin(declination) * sky.pole +
-           std::cos(declination) * (std::cos(angle) * sky.highest + std::sin(angle) * sky.west);
+    return portable_sin(declination) * sky.pole +
+           portable_cos(declination) *
+               (portable_cos(angle) * sky.highest + portable_sin(angle) * sky.west);
 }
 
 double hour_of_sun(const TimeDescription& place, const Vec3f& to_sun) {
     const SkyFrame sky = frame_of(place);
     const Vec3d sun(to_sun);
-    const double angle = std::atan2(glm::dot(sun, sky.west), glm::dot(sun, sky.highest));
+    const double angle = portable_atan2(glm::dot(sun, sky.west), glm::dot(sun, sky.highest));
     const double hour = 12 + angle / kRadPerHour;
     return hour >= 24 ? hour - 24 : hour;
 }

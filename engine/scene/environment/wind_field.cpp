@@ -37,7 +37,7 @@ Vec3 wind_at(const WindDescription& wind, const Vec3& place_world, double time_s
     for (const GustWave& wave : waves_at(wind, time_s)) {
         const Vec2 number = wave.number_radpm;
         const Real sine =
-            std::sin(number.x * place_world.x + number.y * place_world.z + wave.phase_rad);
+            portable_sin(number.x * place_world.x + number.y * place_world.z + wave.phase_rad);
         const Real strength = wave.speed_mps * sine / glm::length(number);
         velocity += Vec3{-number.y, 0, number.x} * strength;
     }

@@ -176,7 +176,7 @@ private:
         scene_.camera = {.position_m = Vec3(eye),
                          .target_m = Vec3(eye - back),
                          .up = Vec3(up),
-                         .fov_y_rad = static_cast<Real>(2.0 * std::atan(tangent)),
+                         .fov_y_rad = static_cast<Real>(2.0 * portable_atan2(tangent, 1.0)),
                          .near_m = static_cast<Real>(near_m),
                          .far_m = static_cast<Real>(far_m)};
         viewer_.up = Vec3(transform.up.value_or(up));

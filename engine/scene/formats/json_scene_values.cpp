@@ -37,7 +37,8 @@ std::optional<glm::dmat4> rotation_of(const Json& value,
         faults.error(path, "the axis is zero; expected [degrees, x, y, z]");
         return std::nullopt;
     }
-    return glm::rotate(glm::dmat4{1.0}, radians_from_degrees((*parts)[0]), glm::normalize(axis));
+    return glm::mat4_cast(
+        portable_angle_axis(radians_from_degrees((*parts)[0]), glm::normalize(axis)));
 }
 
 std::optional<glm::dmat4> look_at(const Json& value,

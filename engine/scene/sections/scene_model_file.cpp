@@ -66,7 +66,7 @@ void place_on_stage(SceneDescription& scene, const Aabb& bounds) {
     const Real radius_m = std::max(static_cast<Real>(sphere.radius), kLeastRadius_m);
     scene.model_radius_m = radius_m;
     CameraDescription& camera = scene.camera;
-    const Real distance_m = radius_m / std::sin(camera.fov_y_rad / 2);
+    const Real distance_m = radius_m / portable_sin(camera.fov_y_rad / 2);
     camera.target_m = Vec3{sphere.center};
     camera.position_m = camera.target_m + glm::normalize(Vec3{1.0_r, 0.6_r, 1.6_r}) * distance_m;
     camera.near_m = radius_m * kNearShare;

@@ -91,7 +91,7 @@ void read_wind(TableReader& root, SceneDescription& scene, const LoadContext& co
     WindDescription wind;
     wind.location = table->location();
     const Vec3 direction(table->direction("direction", Vec3d(wind.direction)));
-    if (std::hypot(direction.x, direction.z) < 1e-6_r)
+    if (glm::length(Vec2{direction.x, direction.z}) < 1e-6_r)
         table->error("direction", "is upright; expected a direction along the ground");
     wind.direction = normalize_or(Vec3{direction.x, 0, direction.z}, wind.direction);
     wind.speed_mps = table->number("speed_mps", wind.speed_mps, kWindSpeed_mps);

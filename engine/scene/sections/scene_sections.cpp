@@ -90,13 +90,13 @@ void read_orbit(TableReader& camera_table, CameraDescription& camera) {
         const Real length_m = glm::length(away);
         const Real height = length_m > 0 ? std::clamp(away.y / length_m, Real{-1}, Real{1}) : 0;
         const Real distance_m = table->number("distance_m", length_m, kDistance_m);
-        const Real pitch_rad = radians_from_degrees(
-            table->number("pitch_deg", degrees_from_radians(std::asin(height)), kSteepness_deg));
-        const Real yaw_rad = radians_from_degrees(
-            table->number("yaw_deg", degrees_from_radians(std::atan2(-away.x, -away.z)), kYaw_deg));
-        const Vec3 direction{-std::sin(yaw_rad) * std::cos(pitch_rad),
-                             std::sin(pitch_rad),
-                             -std::cos(yaw_rad) * std::cos(pitch_rad)};
+        const Real pitch_rad = radians_from_degrees(table->number(
+            "pitch_deg", degrees_from_radians(portable_asin(height)), kSteepness_deg));
+        const Real yaw_rad = radians_from_degrees(table->number(
+            "yaw_deg", degrees_from_radians(portable_atan2(-away.x, -away.z)), kYaw_deg));
+        const Vec3 direction{-portable_sin(yaw_rad) * portable_cos(pitch_rad),
+                             portable_sin(pitch_rad),
+                             -portable_cos(yaw_rad) * portable_cos(pitch_rad)};
         camera.position_m = camera.target_m + world_from_upright * direction * distance_m;
     }
     table->finish();

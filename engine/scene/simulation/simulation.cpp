@@ -94,7 +94,7 @@ void Simulation::step() {
         const Vec3 up = description_.viewer ? description_.viewer->up : Vec3{0, 1, 0};
         // About the earth's axis the sky turns from east to west.
         const Vec3f axis = description_.time ? -sky_pole(*description_.time) : Vec3f(up);
-        switches.sun_direction = glm::angleAxis(angle, axis) * switches.sun_direction;
+        switches.sun_direction = portable_angle_axis(angle, axis) * switches.sun_direction;
     }
     sync_transforms();
     report_quarantined();
@@ -259,7 +259,7 @@ Pose pose_on_path(const MotionPath& path, double time_s) {
         const double angle = std::fmod(turn_radps * time_s, 2.0 * glm::pi<double>());
         const Vec3 axis = path.spin_radps / static_cast<Real>(turn_radps);
         pose.orientation =
-            glm::normalize(glm::angleAxis(static_cast<Real>(angle), axis) * pose.orientation);
+            glm::normalize(portable_angle_axis(static_cast<Real>(angle), axis) * pose.orientation);
     }
     if (path.points_m.empty() || path.period_s <= Real{0}) return pose;
 
@@ -280,7 +280,7 @@ Pose pose_on_path(const MotionPath& path, double time_s) {
     const double leg_m = path_m[leg] - path_m[leg - 1];
     const double part =
         leg_m > 0.0 ? std::clamp((done_m - path_m[leg - 1]) / leg_m, 0.0, 1.0) : 1.0;
-    const double eased = 0.5 - 0.5 * std::cos(glm::pi<double>() * part);
+    const double eased = 0.5 - 0.5 * portable_cos(glm::pi<double>() * part);
     const Vec3& from = path.points_m[leg - 1];
     pose.position = from + (path.points_m[leg] - from) * static_cast<Real>(eased);
     return pose;

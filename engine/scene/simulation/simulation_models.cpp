@@ -24,7 +24,7 @@ bool is_a_jump(const Pose& from, const Pose& to) {
     constexpr Real kWide_rad = 0.35_r;
     const Real cosine = std::abs(glm::dot(from.orientation, to.orientation));
     return glm::distance(from.position, to.position) > kJump_m ||
-           2 * std::acos(std::min(cosine, Real{1})) > kWide_rad;
+           2 * portable_acos(std::min(cosine, Real{1})) > kWide_rad;
 }
 
 }  // namespace

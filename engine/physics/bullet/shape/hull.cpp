@@ -66,8 +66,9 @@ std::vector<Vec3d> thinned(const std::vector<Vec3d>& corners) {
         for (int i = 0; i < kDirections && count < kMaxHullCorners; i += stride) {
             const double y = 1.0 - 2.0 * (i + 0.5) / kDirections;
             const double ring = std::sqrt(1.0 - y * y);
-            const Vec3d direction{
-                ring * std::cos(kGoldenAngle_rad * i), y, ring * std::sin(kGoldenAngle_rad * i)};
+            const Vec3d direction{ring * portable_cos(kGoldenAngle_rad * i),
+                                  y,
+                                  ring * portable_sin(kGoldenAngle_rad * i)};
             std::size_t best = 0;
             for (std::size_t c = 1; c < corners.size(); ++c) {
                 if (glm::dot(corners[c], direction) > glm::dot(corners[best], direction)) best = c;
@@ -139,7 +140,7 @@ FlatBox flat_box_around(const std::vector<Vec3>& points_m) {
     double best_area = std::numeric_limits<double>::max();
     for (int i = 0; i < kSteps; ++i) {
         const double angle = radians_from_degrees(90.0 * i / kSteps);
-        const Vec3d x = std::cos(angle) * u + std::sin(angle) * v;
+        const Vec3d x = portable_cos(angle) * u + portable_sin(angle) * v;
         const Vec3d z = glm::cross(x, normal);
         const Mat3d box_from_outer = glm::transpose(Mat3d{x, normal, z});
         Vec3d low{std::numeric_limits<double>::max()};

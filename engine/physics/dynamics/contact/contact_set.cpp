@@ -30,7 +30,7 @@ Vec3 direction_of(std::uint32_t n) {
     const Real height = 1 - (2 * static_cast<Real>(n % kDirections) + 1) / kDirections;
     const Real around = std::sqrt(1 - height * height);
     const Real angle = static_cast<Real>(n % kDirections) * 2.39996323_r;  // golden angle
-    return {around * std::cos(angle), height, around * std::sin(angle)};
+    return {around * portable_cos(angle), height, around * portable_sin(angle)};
 }
 
 inline Lanes opening_speeds(const ContactConstraint& constraint,

@@ -95,7 +95,7 @@ void solve_friction(ImpactPoint& impact,
         next[t] =
             impact.tangent_Ns[t] - impact.tangent_mass[t] * glm::dot(slip, constraint.tangent[t]);
     const Real limit = constraint.friction * impact.normal_Ns;
-    const Real length = std::hypot(next[0], next[1]);
+    const Real length = glm::length(Vec2{next[0], next[1]});
     const Real kept = length > limit ? limit / length : Real{1};
     Vec3 change_Ns{0, 0, 0};
     for (int t = 0; t < 2; ++t) {

@@ -79,8 +79,8 @@ inline Quatd small_turn(const Vec3d& turn_rad) {
     double sine_by_angle = 0.5 * (1 - square / 6 * (1 - square / 20 * (1 - square / 42)));
     if (square > 0.0025) {
         const double half = std::sqrt(square);
-        cosine = std::cos(half);
-        sine_by_angle = 0.5 * std::sin(half) / half;
+        cosine = portable_cos(half);
+        sine_by_angle = 0.5 * portable_sin(half) / half;
     }
     return {cosine, turn_rad * sine_by_angle};
 }

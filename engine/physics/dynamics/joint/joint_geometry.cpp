@@ -29,7 +29,8 @@ double excess(double value, const std::optional<std::array<Real, 2>>& limits) {
 }
 
 double angle_of(const Quatd& rotation) {
-    return 2.0 * std::atan2(std::hypot(rotation.x, rotation.y, rotation.z), std::abs(rotation.w));
+    return 2.0 * portable_atan2(glm::length(Vec3d{rotation.x, rotation.y, rotation.z}),
+                                std::abs(rotation.w));
 }
 
 double cone_excess(const SolverJoint& joint, const JointSides& sides) {
@@ -78,13 +79,13 @@ JointSides joint_sides(const SolverJoint& joint, const MassPose& a, const MassPo
     sides.turned = glm::conjugate(frame_b) * frame_a;
     sides.along_m = glm::dot(sides.gap_m, sides.axis_b);
     sides.across_m = glm::length(sides.gap_m - sides.along_m * sides.axis_b);
-    sides.angle_between_rad = std::atan2(glm::length(glm::cross(sides.axis_a, sides.axis_b)),
-                                         glm::dot(sides.axis_a, sides.axis_b));
+    sides.angle_between_rad = portable_atan2(glm::length(glm::cross(sides.axis_a, sides.axis_b)),
+                                             glm::dot(sides.axis_a, sides.axis_b));
     return sides;
 }
 
 double twist_about_x(const Quatd& rotation) {
-    return unwrapped(2.0 * std::atan2(rotation.x, rotation.w), 0);
+    return unwrapped(2.0 * portable_atan2(rotation.x, rotation.w), 0);
 }
 
 double unwrapped(double angle_rad, double near_rad) {

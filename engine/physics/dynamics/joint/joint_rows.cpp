@@ -51,7 +51,7 @@ Vec3d turn_between(const Vec3d& from, const Vec3d& to) {
     const Vec3d sine = glm::cross(from, to);
     const double length = glm::length(sine);
     const double cosine = glm::dot(from, to);
-    if (length > 1e-12) return sine * (std::atan2(length, cosine) / length);
+    if (length > 1e-12) return sine * (portable_atan2(length, cosine) / length);
     if (cosine > 0) return sine;
     // Opposite: any way round.
     const Vec3d other = std::abs(from.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
@@ -64,7 +64,7 @@ Vec3d turn_of(const Quatd& rotation) {
     const Vec3d sine{sign * rotation.x, sign * rotation.y, sign * rotation.z};
     const double length = glm::length(sine);
     if (length < 1e-12) return 2.0 * sine;
-    return sine * (2.0 * std::atan2(length, sign * rotation.w) / length);
+    return sine * (2.0 * portable_atan2(length, sign * rotation.w) / length);
 }
 
 }  // namespace
@@ -311,7 +311,7 @@ Vec3d JointRows::swing_errors(const JointBody& body_a, const JointBody& body_b) 
     const Vec3d axis_a = body_a.axes * frames.axis_in_a;
     const Vec3d axis_b = body_b.axes * frames.axes_in_b.row[0];
     const double cosine = glm::dot(axis_a, axis_b);
-    const double swing = std::atan2(glm::length(glm::cross(axis_a, axis_b)), cosine);
+    const double swing = portable_atan2(glm::length(glm::cross(axis_a, axis_b)), cosine);
     return {swing, 0, (bounded & 0b100) != 0 ? twist(body_a, body_b) : 0.0};
 }
 
@@ -324,7 +324,7 @@ bool JointRows::has_position(int row, std::span<const JointBody> bodies) const {
 double JointRows::twist(const JointBody& body_a, const JointBody& body_b) const {
     const Quatd turned = glm::conjugate(body_b.orientation * frames.turn_in_b) *
                          (body_a.orientation * frames.turn_in_a);
-    return unwrapped(2.0 * std::atan2(turned.x, turned.w), near_rad);
+    return unwrapped(2.0 * portable_atan2(turned.x, turned.w), near_rad);
 }
 
 Vec3d JointRows::force_on_a(const Vec3d& impulse) const {

@@ -27,7 +27,7 @@ double most_inverse_mass(const SolverBody& body, const Vec3d& anchor) {
 /// 1 - (sin(x)/x)^2.
 double lost_by_steps(double x) {
     if (x < 1e-3) return x * x / 3;
-    const double quotient = std::sin(x) / x;
+    const double quotient = portable_sin(x) / x;
     return 1 - quotient * quotient;
 }
 
@@ -134,8 +134,8 @@ void push_soft_spring(const JointSpring& spring,
     if (!(line.inverse_mass > 0)) return;
     const auto damp = [&] {
         if (!(spring.damping_Nspm > 0)) return;
-        const double lost =
-            -std::expm1(-spring.damping_Nspm * line.inverse_mass * duration_s) / line.inverse_mass;
+        const double lost = -portable_expm1(-spring.damping_Nspm * line.inverse_mass * duration_s) /
+                            line.inverse_mass;
         const double impulse = -line.mean_speed(spring) * lost;
         line.push(spring, impulse);
         add_to_totals(spring, line, impulse, group);
@@ -169,7 +169,7 @@ StiffRow damping_row(const JointSpring& spring, double inverse_mass, double subs
     const double decay = spring.damping_Nspm * inverse_mass * substep_s;
     // The exact decay of two free bodies; implicit Euler where it is nearly all in one sub-step:
     // bodies that joints make heavier must not be stopped as if they were light.
-    const double compliance = decay < kExactDecay ? inverse_mass / std::expm1(decay)
+    const double compliance = decay < kExactDecay ? inverse_mass / portable_expm1(decay)
                                                   : 1 / (spring.damping_Nspm * substep_s);
     return {.bias_mps = 0, .compliance = compliance};
 }
