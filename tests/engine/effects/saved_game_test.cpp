@@ -1,6 +1,8 @@
 // Where the slots of scenes are. That a saved game goes on to the same bits: tests/scenarios/saved_game_test.cpp.
 #include "engine/effects/saved_game.h"
 
+#include "engine/core/io/archive.h"
+#include "engine/core/io/saved_file.h"
 #include "engine/scene/paths/scene_list.h"
 #include "tests/support/temporary_folder.h"
 
@@ -54,6 +56,25 @@ TEST(SaveSlots, ScenesOfOneNameInTwoFoldersShareNone) {
 TEST(SaveSlots, OfAModelAndASceneOfOneStemAreTwo) {
     EXPECT_NE(save_slot("data", kShipped, kShipped / "scenes/viewer/triangle.toml", 1),
               save_slot("data", kShipped, kShipped / "scenes/viewer/triangle.obj", 1));
+}
+
+TEST(SavedGameHead, OfAnotherVersionOfTheProgramIsRefused) {
+    std::string precision = kPrecisionName;
+    std::string build = "9.9";
+    std::string scene = "a.toml";
+    std::string game = "no game";
+    double time_s = 1;
+    std::uint64_t steps = 60;
+    std::vector<SavedGame::File> files;
+    Archive head;
+    head(precision, build, scene, game, time_s, steps, files);
+    const Result<SavedGame> read = saved_game_from(shelled(head.written()), "a.save");
+    ASSERT_FALSE(read.ok());
+    EXPECT_EQ(read.error().exit_code, ExitCode::Refused);
+    EXPECT_EQ(
+        read.error().message.find("a.save: saved by version 9.9 of the program; this is version "),
+        0U)
+        << read.error().message;
 }
 
 }  // namespace

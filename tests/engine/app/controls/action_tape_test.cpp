@@ -1,5 +1,6 @@
 #include "engine/app/controls/action_tape.h"
 
+#include "engine/core/hash.h"
 #include "engine/core/io/files.h"
 
 #include <gtest/gtest.h>
@@ -167,8 +168,14 @@ std::string random_tape(std::uint64_t steps, std::size_t bytes_beside_end = 0) {
     return *read_file(tape_file(), 1 << 20) + std::string(bytes_beside_end, 'x');
 }
 
+/// Where the header's record of a recording ends, and that of its end begins.
+std::size_t header_bytes() {
+    constexpr std::size_t kEndBytes = 16 + 1 + 8 + 8;
+    return random_tape(0).size() - kEndBytes;
+}
+
 // EXPERIENCE E7
-TEST(ActionTape, RefusesWhatItDoesNotReadByName) {
+TEST(ActionTape, RefusesANewerFormatAndAnotherSceneByName) {
     std::string newer = random_tape(1);
     newer[8] = 4;
     EXPECT_EQ(refusal(newer).message,
@@ -178,6 +185,47 @@ TEST(ActionTape, RefusesWhatItDoesNotReadByName) {
     EXPECT_EQ(refusal("hello").message,
               "a.tape: not a recording: it does not begin with \"PLUMTAPE\"");
     EXPECT_EQ(refusal(newer).exit_code, ExitCode::Differs);
+    TapeHeader other = kHeader;
+    other.scene = "b.toml";
+    other.scene_hash = "22";
+    const Result<TapePlayer> player = TapePlayer::from(random_tape(1), "a.tape", other);
+    ASSERT_FALSE(player.ok());
+    EXPECT_EQ(player.error().message, "a.tape: recorded in the scene a.toml, this one is b.toml");
+}
+
+// Records with the right checksum, whose fields no recorder writes.
+TEST(ActionTape, HostileLinesAreRefused) {
+    const auto said = [](std::uint8_t kind, auto... fields) {
+        Archive body;
+        std::uint64_t step = 1;
+        body(kind, step, fields...);
+        Hasher hasher;
+        hasher.add(body.written().data(), body.written().size());
+        auto size = static_cast<std::uint32_t>(body.written().size());
+        std::uint32_t turned = ~size;
+        std::uint64_t sum = hasher.digest();
+        Archive head;
+        head(size, turned, sum);
+        return refusal(random_tape(0).substr(0, header_bytes()) + head.written() + body.written())
+            .message;
+    };
+    constexpr std::uint8_t kStep = 1;
+    constexpr std::uint8_t kState = 4;
+    const std::array<float, 2> level{};
+    // One change: number of the action, held, pressed, amount; then the look and no pointer.
+    const auto change = [&](std::uint8_t action, double amount, std::array<float, 2> look) {
+        return said(kStep, std::uint64_t{1}, action, true, std::uint8_t{1}, amount, look, false);
+    };
+    EXPECT_EQ(change(0, 1, level), "");
+    EXPECT_TRUE(change(0, 1e7, level).ends_with(": 10000000 is no amount"));
+    EXPECT_TRUE(change(0, 1e300, level).ends_with(": a number is not finite"));
+    EXPECT_TRUE(change(250, 1, level).ends_with(": there is no action 250"));
+    EXPECT_TRUE(change(0, 1, {0, 2e6F}).ends_with(": 2000000 is no angle"));
+    EXPECT_TRUE(said(9).ends_with(": a choice is none of those there are"));
+    EXPECT_TRUE(said(kStep, ~std::uint64_t{0}).ends_with(": its state ends early"));
+    EXPECT_TRUE(said(kState, std::uint64_t{7}, std::uint64_t{1} << 40U)
+                    .ends_with(": its state ends early"));
+    EXPECT_TRUE(said(2, std::uint8_t{0}).ends_with(": it goes on after its end"));
 }
 
 // EXPERIENCE E6

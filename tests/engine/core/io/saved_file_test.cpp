@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 namespace plumbline {
 namespace {
 
@@ -42,7 +45,7 @@ TEST(SavedFile, NoticesEveryFlippedBit) {
         EXPECT_TRUE(fault.starts_with("one.save: ")) << i;
         const std::size_t byte = i / 8;
         const std::string_view said = byte < 8    ? "no saved game"
-                                      : byte < 12 ? "; this program reads format 7"
+                                      : byte < 12 ? "; this program reads format 8"
                                       : byte < 20 ? "a "
                                                   : "a damaged saved game: its checksum is ";
         EXPECT_NE(fault.find(said), std::string::npos) << fault;
@@ -55,8 +58,15 @@ TEST(SavedFile, NamesTheOtherFormat) {
         bytes[8] = static_cast<char>(format);
         EXPECT_EQ(fault_of(bytes),
                   "one.save: a saved game of format " + std::to_string(format) +
-                      "; this program reads format 7");
+                      "; this program reads format 8");
     }
+}
+
+// The page said 5 when it was 7.
+TEST(SavedFile, TheirPageNamesTheFormat) {
+    std::ifstream page(std::string(PL_SOURCE_DIR) + "/docs/SAVED-GAMES.md");
+    const std::string text{std::istreambuf_iterator<char>(page), {}};
+    EXPECT_NE(text.find("format, now " + std::to_string(kSavedFormat) + " |"), std::string::npos);
 }
 
 }  // namespace
