@@ -2,6 +2,7 @@
 
 #include "engine/assets/foreign/foreign_import.h"
 #include "engine/core/process/crash_report.h"
+#include "engine/core/process/interrupt.h"
 #include "engine/core/process/process_memory.h"
 #include "engine/study/workers/worker.h"
 #include "game/command_line/command_line.h"
@@ -254,7 +255,10 @@ int run_commands(int argc, char** argv) {
     const auto chosen = std::ranges::find_if(
         commands, [](const Command& command) { return command.word->parsed(); });
     const bool is_hidden = chosen->word->get_group().empty();
-    if (!is_hidden) report_crashes(user_state_folder(), version_text() + "\n" + typed);
+    if (!is_hidden) {
+        report_crashes(user_state_folder(), version_text() + "\n" + typed);
+        catch_interrupts();
+    }
     return static_cast<int>(chosen->run());
 }
 

@@ -2,6 +2,7 @@
 // what the precision changes.
 
 #include "engine/core/log.h"
+#include "engine/core/process/interrupt.h"
 #include "engine/study/workers/worker.h"
 #include "game/command_line/parse_error.h"
 #include "game/command_line/program_words.h"
@@ -36,6 +37,7 @@ int run_commands(int argc, char** argv) {
         study::run_study_worker();
         return static_cast<int>(ExitCode::Good);
     }
+    catch_interrupts();
     return static_cast<int>(run_simulate(options));
 }
 

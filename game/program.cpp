@@ -1,9 +1,9 @@
 #include "game/program.h"
 
 #include "engine/core/io/output.h"
+#include "engine/core/process/interrupt.h"
 #include "game/command_line/refuse.h"
 
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -25,8 +25,13 @@ int run_to_the_end(int (*commands)(int, char**), int argc, char** argv) {
 }  // namespace
 
 int run_program(int (*commands)(int, char**), int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN);
-    const int code = run_to_the_end(commands, argc, argv);
+    ignore_write_signals();
+    int code = run_to_the_end(commands, argc, argv);
+    const int interrupted_code = static_cast<int>(ExitCode::Interrupted);
+    if (interrupted() && (code == 0 || code == interrupted_code)) {
+        std::fputs("plumbline: interrupted\n", stderr);
+        code = interrupted_code;
+    }
     const Result<Done> written = flush_standard_output();
     if (written) return code;
     const ExitCode failed = refuse(written.error());

@@ -1,5 +1,6 @@
 #include "engine/app/offscreen_run.h"
 
+#include "engine/core/process/interrupt.h"
 #include "engine/core/time/stopwatch.h"
 #include "engine/scene/extract.h"
 
@@ -34,7 +35,7 @@ OffscreenRun::OffscreenRun(Session& session, const OffscreenDef& def)
 }
 
 void OffscreenRun::simulate(std::uint64_t steps) {
-    for (std::uint64_t i = 0; i < steps; ++i) {
+    for (std::uint64_t i = 0; i < steps && !interrupted(); ++i) {
         effects::advance(*session_.simulation, *session_.effects, *session_.game, {});
         report_.add_step(session_.simulation->physics.cost());
     }

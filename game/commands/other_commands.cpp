@@ -3,6 +3,7 @@
 #include "engine/app/offscreen_run.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
+#include "engine/core/process/interrupt.h"
 #include "engine/core/text/printable.h"
 #include "engine/scene/scene_file.h"
 #include "game/command_line/camera_text.h"
@@ -105,6 +106,7 @@ ExitCode run_check(const std::vector<std::filesystem::path>& files) {
     if (!folders) return refuse(folders.error());
     ExitCode worst = ExitCode::Good;
     for (const std::filesystem::path& file : files) {
+        if (interrupted()) return ExitCode::Interrupted;
         const ExitCode code = check_file(file, *folders);
         if (code == ExitCode::Good) std::cout << printable(file.string()) << ": good\n";
         if (static_cast<int>(code) > static_cast<int>(worst)) worst = code;

@@ -153,13 +153,9 @@ void show_bar(platform::Window& window,
 
 /// What an earlier run left that did not end as it should.
 void tidy_up() {
-    const std::filesystem::path data = user_data_folder();
-    remove_stale_saves(user_config_folder());
-    if (!data.empty()) {
-        remove_stale_saves(data / "shots");
-        remove_stale_saves(data / "recordings");
-        remove_stale_saves(data / "saves");
-    }
+    for (const std::filesystem::path& folder :
+         {user_config_folder(), user_data_folder(), user_state_folder(), user_cache_folder()})
+        if (!folder.empty()) remove_stale_saves_below(folder);
     const std::filesystem::path report = take_crash_report(user_state_folder());
     if (report.empty()) return;
     log_warning("the last run crashed: {}; start with --safe to use built-in settings only",
@@ -241,7 +237,7 @@ ExitCode run_play(const PlayOptions& options, const CommonOptions& common) {
         height = viewer->height_px;
     }
     (*window)->show(title_of(**session), width, height);
-    catch_interrupts();
+    const PollsInterrupts polls;
     app::LiveBindings bindings(bindings_def(common, *folders));
     play.open_scene = [&](const std::filesystem::path& file) {
         return sessions.open(file.string());

@@ -4,6 +4,7 @@
 #include "engine/assets/image/image_import.h"
 #include "engine/core/io/files.h"
 #include "engine/core/io/output.h"
+#include "engine/core/process/interrupt.h"
 #include "engine/core/text/printable.h"
 #include "engine/scene/camera_path.h"
 #include "engine/scene/environment/sun_hour.h"
@@ -153,6 +154,7 @@ Result<Done> draw_frames(const RenderOptions& options,
     app::OffscreenRun& run = *studio.run;
     run.simulate(steps_in(options.at_s, simulation));
     for (std::uint64_t frame = 0; frame < std::max<std::uint64_t>(options.frames, 1); ++frame) {
+        if (interrupted()) return Done{};
         if (frame > 0) run.simulate(1);
         const double share = static_cast<double>(frame) / static_cast<double>(options.frames);
         const double angle_rad = radians_from_degrees(options.orbit_deg * share);
@@ -163,6 +165,7 @@ Result<Done> draw_frames(const RenderOptions& options,
         if (const Result<Done> drawn = run.draw(seen); !drawn) return drawn;
         if (const Result<Done> kept = files->take(run); !kept) return kept;
     }
+    const PollsInterrupts closing;  // a film takes as long as ffmpeg needs
     return files->close();
 }
 
@@ -197,6 +200,7 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
     }
     if (const Result<Done> drawn = draw_frames(options, *studio, view, path); !drawn)
         return refuse(drawn.error());
+    if (interrupted()) return ExitCode::Interrupted;
     const app::OffscreenRun& run = *studio->run;
     if (!image->empty()) {
         if (const Result<Done> written = assets::write_png(*image, run.pixels()); !written) {
@@ -222,6 +226,7 @@ ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
     const scene::SceneDescription& scene = studio->session->simulation->description();
     std::vector<assets::ImageData> images;
     for (const scene::ViewDescription& stop : tour_stops(scene)) {
+        if (interrupted()) return ExitCode::Interrupted;
         scene::LiveSwitches& switches = studio->session->simulation->switches;
         switches.turn("flashlight", stop.flashlight);
         switches.light_scale = stop.light_scale;

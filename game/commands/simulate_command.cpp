@@ -190,7 +190,6 @@ void print_summary(std::ostream& out,
 }  // namespace
 
 ExitCode run_simulate(const SimulateOptions& options) {
-    catch_interrupts();
     for (const fs::path& file : {options.state_file, options.trace_file, options.save_file}) {
         if (const Result<Done> open = check_output(file); !open) return refuse(open.error());
     }
@@ -202,6 +201,7 @@ ExitCode run_simulate(const SimulateOptions& options) {
         const Result<Done> there = run.go_on_from(options.load_file);
         if (!there) return refuse(there.error());
     }
+    const PollsInterrupts polls;
     const Result<Done> traced = run.all_steps();
     print_summary(summary_stream(options), simulation, run.costs());
 

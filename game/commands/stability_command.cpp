@@ -130,7 +130,7 @@ ExitCode run_stability(const StabilityOptions& options) {
         const Result<Done> open = make_output_folder(options.out, {kTable, kStabilityPage});
         if (!open) return refuse(open.error());
     }
-    catch_interrupts();
+    const PollsInterrupts polls;
     const int workers = options.jobs > 0 ? options.jobs : study::default_workers();
     const std::size_t all = table->runs.size();
     const Result<bool> finished =

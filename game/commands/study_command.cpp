@@ -328,7 +328,7 @@ ExitCode run_study(const StudyOptions& options) {
         return ExitCode::Good;
     }
     if (!options.merge.empty()) return merge_study(options);
-    catch_interrupts();
+    const PollsInterrupts polls;
     if (options.effects) return study_effects(options);
     if (options.image) return run_image_study(options);
     const Result<Chosen> chosen = chosen_by(options);

@@ -11,6 +11,8 @@ import tempfile
 import time
 
 program, program_f64 = sys.argv[1:3]
+# Who runs this as a script's background job ignores SIGINT, and so would the program.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 folder = pathlib.Path(tempfile.mkdtemp())
 environment = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
 environment.update(HOME=str(folder), XDG_CONFIG_HOME=str(folder / "config"), XDG_DATA_HOME=str(folder / "data"))

@@ -29,7 +29,6 @@ printf '%s\\n' "$@" > "$FILM_WORDS"
 
 def run(folder, path, *words, size=(WIDTH, HEIGHT), file_bytes=None):
     def limit():
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
         resource.setrlimit(resource.RLIMIT_FSIZE, (file_bytes, file_bytes))
 
     environment = dict(os.environ, HOME=str(folder), PATH=path, FILM_WORDS=str(folder / "words"),
@@ -101,6 +100,36 @@ def half_a_fragment_is_cut_off(folder):
             assert shown.returncode == 1, shown
             assert shown.stderr.count("ffmpeg ended with exit code 1 (No space left); what was written") == 1, shown
             assert (place / "a.mp4").read_bytes() == whole, len(rest)
+
+
+def an_earlier_film_stays_until_the_new_one_is_whole(folder):  # FAULTS N11
+    film = folder / "a.mp4"
+    film.write_text("earlier")
+    film.chmod(0o600)
+    into_its_file = 'for last; do :; done; cat > "${last#file:}"'
+    path = with_stand_in(folder, f"{into_its_file}; exit 3")
+    shown = run(folder, path, "--frames", "3", "--video", "a.mp4")
+    assert shown.returncode == 1 and "ffmpeg ended with exit code 3; the earlier one stays\n" in shown.stderr, shown
+    assert film.read_text() == "earlier"
+    for number, code in ((signal.SIGTERM, 130), (signal.SIGKILL, -signal.SIGKILL)):
+        environment = dict(os.environ, HOME=str(folder), PATH=path, FILM_WORDS=str(folder / "words"))
+        running = subprocess.Popen([PROGRAM.resolve(), "render", SCENE, "--size", "80x60", "--frames", "100000", "--video", "a.mp4"],
+                                   cwd=folder, env=environment, stderr=subprocess.PIPE, text=True)
+        while not any(part.stat().st_size for part in folder.glob(".plumbline-saving-*")):
+            assert running.poll() is None, running.communicate()
+            time.sleep(0.05)
+        running.send_signal(number)
+        assert running.wait(60) == code, running.communicate()
+        assert film.read_text() == "earlier"
+        # Killed it could not remove what it had begun.
+        left = list(folder.glob(".plumbline-saving-*"))
+        assert len(left) == (number == signal.SIGKILL) and all(part.suffix == ".mp4" for part in left), left
+        for part in left:
+            part.unlink()
+    (folder / "tools/ffmpeg").write_text(STAND_IN.format(body=into_its_file))
+    shown = run(folder, path, "--frames", "3", "--video", "a.mp4")
+    assert shown.returncode == 0 and film.stat().st_size == 3 * WIDTH * HEIGHT * 3, shown
+    assert film.stat().st_mode & 0o777 == 0o600 and not list(folder.glob(".plumbline-saving-*"))
 
 
 def frames_that_play(film):
@@ -190,7 +219,8 @@ def a_film_that_breaks_is_told_and_play_goes_on(folder):
 
 
 TESTS = (images_of_every_frame, one_image_as_before, a_film_is_handed_to_ffmpeg, no_ffmpeg_is_said,
-         an_ffmpeg_that_stops_is_said, half_a_fragment_is_cut_off, a_film_plays, a_full_disk_leaves_a_film_that_plays,
+         an_ffmpeg_that_stops_is_said, half_a_fragment_is_cut_off,
+         an_earlier_film_stays_until_the_new_one_is_whole, a_film_plays, a_full_disk_leaves_a_film_that_plays,
          a_window_that_closes_ends_the_film, a_film_that_breaks_is_told_and_play_goes_on)
 
 if __name__ == "__main__":

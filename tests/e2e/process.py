@@ -13,6 +13,8 @@ import tempfile
 import time
 
 program, program_f64 = sys.argv[1:3]
+# Who runs this as a script's background job ignores SIGINT, and so would the program.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 folder = pathlib.Path(tempfile.mkdtemp())
 environment = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
 environment.update(HOME=str(folder), XDG_CONFIG_HOME=str(folder / "config"), XDG_DATA_HOME=str(folder / "data"),
@@ -47,9 +49,9 @@ def pile_of(bodies):
     return scene
 
 
-def wait_until_it_catches_signals(process):
+def wait_until_it_catches_signals(process, numbers=(signal.SIGINT, signal.SIGTERM, signal.SIGHUP)):
     """From here on a signal is the program's, not the system's. What it does next is load the scene."""
-    caught = sum(1 << (number - 1) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP))
+    caught = sum(1 << (number - 1) for number in numbers)
     for _ in range(10_000):
         status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
         if int(status.split("SigCgt:")[1].split()[0], 16) & caught == caught:
@@ -60,11 +62,11 @@ def wait_until_it_catches_signals(process):
 
 # EXPERIENCE I1 and I2: the first signal ends the run with its files, the second ends the program.
 def a_second_interrupt_leaves_at_once():
-    for numbers, written in (([signal.SIGINT], True), ([signal.SIGINT, signal.SIGTERM], False)):
+    for bodies, numbers, written in ((500, [signal.SIGINT], True), (40_000, [signal.SIGINT, signal.SIGTERM], False)):
         state = folder / "interrupted.json"
-        busy = start("simulate", pile_of(40_000), "--seconds", 3600, "--state", state)
+        busy = start("simulate", pile_of(bodies), "--seconds", 3600, "--state", state)
         wait_until_it_catches_signals(busy)
-        # It loads, which asks for no signals. Stopped, it gets both together however fast it is.
+        # Stopped, it gets both together however fast it is.
         for number in [signal.SIGSTOP, *numbers, signal.SIGCONT]:
             busy.send_signal(number)
         said = busy.communicate(timeout=60)
@@ -72,6 +74,46 @@ def a_second_interrupt_leaves_at_once():
         assert state.exists() == written, (numbers, said)
         assert not (folder / "state/plumbline/crash.txt").exists()
         state.unlink(missing_ok=True)
+
+
+# FAULTS N12: render, tour, explain and check were ended by the system, without a line.
+def every_command_hears_a_signal():
+    many = [pile_of(5_000)] * 1000
+    for number, *words in ((signal.SIGTERM, "render", CUBE, "--frames", 100_000, "--size", "64x64", "--out", folder / "frames"),
+                           (signal.SIGHUP, "render", CUBE, "--at", 3e6), (signal.SIGTERM, "tour", "garden", "--out", folder / "tour"),
+                           (signal.SIGTERM, "explain", "garden"), (signal.SIGTERM, "check", *many),
+                           (signal.SIGTERM, "simulate", pile_of(49_950), "--seconds", 3600),
+                           (signal.SIGTERM, "study", "A02", "--out", folder / "study"),
+                           (signal.SIGTERM, "stability", "--out", folder / "stability")):
+        busy = start(*words)
+        wait_until_it_catches_signals(busy)
+        busy.send_signal(number)
+        _, said = busy.communicate(timeout=60)
+        assert busy.returncode == 130 and said.count("plumbline: interrupted") == 1, (words[:2], busy.returncode, said)
+
+
+# FAULTS N12: as a shell starts the background jobs of a script.
+def what_is_ignored_at_the_start_stays_ignored():
+    job = subprocess.Popen([program, "simulate", CUBE, "--seconds", "1e6"], env=environment, stdout=subprocess.PIPE,
+                           stderr=subprocess.PIPE, text=True, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
+    wait_until_it_catches_signals(job, (signal.SIGTERM,))
+    job.send_signal(signal.SIGINT)
+    time.sleep(0.5)
+    assert job.poll() is None, job.communicate()
+    job.terminate()
+    _, said = job.communicate(timeout=20)
+    assert job.returncode == 130 and said.count("plumbline: interrupted") == 1, (job.returncode, said)
+
+
+# FAULTS N10: SIGXFSZ ended it with 153, without a line.
+def a_limit_on_files_is_a_line_and_a_code():
+    save = folder / "limited.save"
+    save.write_text("earlier")
+    for of in (program, program_f64):
+        done = run("simulate", "assets/scenes/pile.toml", "--seconds", "0.05", "--save", save, of=of, code=1, says="File too large",
+                   limits=[(resource.RLIMIT_FSIZE, 10 << 10)])
+        assert done.stderr.count("\n") == 1, done
+        assert save.read_text() == "earlier" and not list(folder.glob(".plumbline-saving-*"))
 
 
 # EXPERIENCE I4
@@ -86,7 +128,7 @@ def a_crash_leaves_a_report_and_the_next_start_says_so():
     report = folder / "state/plumbline/crash.txt"
     assert running.returncode == -signal.SIGSEGV and str(report) in said, (running.returncode, said)
     text = report.read_text()
-    assert "simulate" in text and "signal SIGSEGV" in text and "plumbline(" in text.split("backtrace:")[1], text
+    assert "simulate" in text and "signal SIGSEGV" in text and "(_ZN9plumbline" in text.split("backtrace:")[1], text
     said = run("play", CUBE, "--no-sound", code=3, says="with --safe only built-in settings are used").stderr
     assert "crash.old.txt" in said
     assert "crash" not in run("play", CUBE, "--no-sound", code=3).stderr, "told once"
@@ -246,7 +288,8 @@ def names_may_be_anything():
         assert done.returncode == 0 and b"shots" in done.stdout, done
 
 
-for test in (a_second_interrupt_leaves_at_once, a_crash_leaves_a_report_and_the_next_start_says_so, refused_memory_is_a_line_and_a_code,
+for test in (a_second_interrupt_leaves_at_once, every_command_hears_a_signal, what_is_ignored_at_the_start_stays_ignored,
+             a_limit_on_files_is_a_line_and_a_code, a_crash_leaves_a_report_and_the_next_start_says_so, refused_memory_is_a_line_and_a_code,
              a_heap_on_one_spot_takes_memory_by_its_bodies,
              a_model_too_large_for_memory_is_a_line_and_a_code,
              threads_that_cannot_be_made_are_not_needed, few_file_handles_do, two_copies_do_not_meet, any_date_will_do, names_may_be_anything):

@@ -10,6 +10,8 @@ import sys
 import tempfile
 import time
 
+# Who runs this as a script's background job ignores SIGINT, and so would the program.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 program = sys.argv[1]
 folder = pathlib.Path(tempfile.mkdtemp())
 environment = {**os.environ, "HOME": str(folder), "XDG_CONFIG_HOME": str(folder / "config")}

@@ -11,6 +11,8 @@ import tempfile
 import time
 
 program, program_f64 = sys.argv[1:3]
+# Who runs this as a script's background job ignores SIGINT, and so would the program.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 folder = pathlib.Path(tempfile.mkdtemp())
 cache = folder / "cache"
 environment = {**os.environ, "HOME": str(folder), "XDG_CONFIG_HOME": str(folder / "config"),

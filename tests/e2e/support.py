@@ -3,9 +3,13 @@ import contextlib
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import tempfile
 import time
+
+# Who runs a test as a script's background job ignores SIGINT, and so would the program.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @contextlib.contextmanager

@@ -1,5 +1,6 @@
 #include "engine/app/capture/video_file.h"
 
+#include "engine/core/io/files.h"
 #include "engine/core/io/output.h"
 
 #include <fmt/format.h>
@@ -32,7 +33,7 @@ bool is_installed(std::string_view program) {
     return false;
 }
 
-std::vector<std::string> words_for(const VideoDef& def) {
+std::vector<std::string> words_for(const VideoDef& def, const std::filesystem::path& written) {
     const std::string rate = fmt::format("{}", def.frames_per_s);
     // What comes: bare images, one after the other; by the clock, or at an even pace.
     std::vector<std::string> words{"-loglevel", "error", "-y", "-f", "rawvideo"};
@@ -47,7 +48,7 @@ std::vector<std::string> words_for(const VideoDef& def) {
     add({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-preset", "ultrafast"});
     add({"-crf", "20", "-pix_fmt", "yuv420p", "-g", fmt::format("{}", def.frames_per_s / 2)});
     // A file in fragments, each of which plays by itself; no name is taken for an option or an address.
-    add({"-movflags", "frag_keyframe+empty_moov+default_base_moof", "file:" + def.file.string()});
+    add({"-movflags", "frag_keyframe+empty_moov+default_base_moof", "file:" + written.string()});
     return words;
 }
 
@@ -97,17 +98,36 @@ Result<std::unique_ptr<VideoFile>> VideoFile::start(const VideoDef& def) {
             "images can be had without: render --frames N --out FOLDER"};
     }
     if (const Result<Done> open = check_output(def.file); !open) return open.error();
-    Result<ChildProcess> ffmpeg = ChildProcess::start(
-        {.program = "ffmpeg", .arguments = words_for(def), .own_group = true, .tells_us = true});
+    std::filesystem::path written = def.file;
+    std::error_code failed;
+    if (std::filesystem::is_regular_file(def.file, failed)) {
+        const Result<std::filesystem::path> beside = make_file_beside(def.file);
+        if (!beside) return beside.error();
+        written = *beside;
+    }
+    Result<ChildProcess> ffmpeg = ChildProcess::start({.program = "ffmpeg",
+                                                       .arguments = words_for(def, written),
+                                                       .own_group = true,
+                                                       .tells_us = true});
     if (!ffmpeg) return ffmpeg.error();
-    return std::unique_ptr<VideoFile>(new VideoFile(def, std::move(*ffmpeg)));
+    return std::unique_ptr<VideoFile>(new VideoFile(def, std::move(written), std::move(*ffmpeg)));
 }
 
-VideoFile::VideoFile(const VideoDef& def, ChildProcess ffmpeg)
-    : def_(def), ffmpeg_(std::move(ffmpeg)), writer_([this] { write_images(); }) {}
+VideoFile::VideoFile(const VideoDef& def, std::filesystem::path written, ChildProcess ffmpeg)
+    : def_(def),
+      written_(std::move(written)),
+      ffmpeg_(std::move(ffmpeg)),
+      writer_([this] { write_images(); }) {}
 
 VideoFile::~VideoFile() {
-    static_cast<void>(finish());
+    if (ended_) return;
+    static_cast<void>(end());
+    if (replaces()) remove_written();
+}
+
+void VideoFile::remove_written() const {
+    std::error_code ignored;
+    std::filesystem::remove(written_, ignored);
 }
 
 bool VideoFile::is_full() const {
@@ -150,19 +170,31 @@ void VideoFile::write_images() {
     }
 }
 
-Result<Done> VideoFile::finish() {
+ChildEnd VideoFile::end() {
     {
         const std::scoped_lock lock(mutex_);
-        if (std::exchange(ended_, true)) return Done{};
+        ended_ = true;
         changed_.notify_all();
     }
     writer_.join();
     ffmpeg_.close_input();
-    const ChildEnd end = ffmpeg_.end(kGrace_s);
-    const Left left = keep_whole_fragments(def_.file);
+    return ffmpeg_.end(kGrace_s);
+}
+
+Result<Done> VideoFile::finish() {
+    if (ended_) return Done{};
+    const ChildEnd end = this->end();
+    const Left left = keep_whole_fragments(written_);
     // A disk that is full at the very end is no failure to ffmpeg.
-    if (end.good && !broken_ && left != Left::Part) return Done{};
+    if (end.good && !broken_ && left != Left::Part)
+        return replaces() ? replace_by(def_.file, written_) : Done{};
     const std::string words = end.words.empty() ? "read no more" : words_of(end);
+    if (replaces()) {
+        remove_written();
+        return Error{fmt::format("the film {} was not written: ffmpeg {}; the earlier one stays",
+                                 def_.file.string(),
+                                 words)};
+    }
     if (left == Left::Nothing) {
         return Error{
             fmt::format("the film {} was not written: ffmpeg {}", def_.file.string(), words)};

@@ -26,12 +26,13 @@ struct VideoDef {
     bool live{false};
 };
 
-/// However it ends, what was written until then plays: the film is in fragments of half a second.
+/// However it ends, what was written until then plays: the film is in fragments of half a second. A film
+/// that was there before stays until the new one is whole.
 class VideoFile {
 public:
     /// The error (exit code 1) says that ffmpeg is not there, or that the file cannot be written.
     static Result<std::unique_ptr<VideoFile>> start(const VideoDef& def);
-    /// Ends the film as finish() does, without a word.
+    /// A film that finish() did not end is not whole: one that was there before stays.
     ~VideoFile();
     VideoFile(const VideoFile&) = delete;
     VideoFile& operator=(const VideoFile&) = delete;
@@ -49,10 +50,14 @@ public:
     Result<Done> finish();
 
 private:
-    VideoFile(const VideoDef& def, ChildProcess ffmpeg);
+    VideoFile(const VideoDef& def, std::filesystem::path written, ChildProcess ffmpeg);
     void write_images();
+    bool replaces() const { return written_ != def_.file; }
+    void remove_written() const;
+    ChildEnd end();
 
     VideoDef def_;
+    std::filesystem::path written_;  ///< by ffmpeg: the file, or one beside it that replaces it
     ChildProcess ffmpeg_;
     mutable std::mutex mutex_;
     std::condition_variable changed_;

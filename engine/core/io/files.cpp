@@ -2,6 +2,7 @@
 
 #include "engine/core/io/files_impl.h"
 #include "engine/core/process/interrupt.h"
+#include "engine/core/process/process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -27,6 +29,7 @@ fs::path folder_of(const fs::path& path) {
 /// How files begin that are being written. Short, so that any name that the system takes can be
 /// saved under; nothing that a person would name a file.
 constexpr std::string_view kTemporaryPrefix = ".plumbline-saving-";
+constexpr std::size_t kLongestEnding = 16;
 
 /// Differs between processes, threads and times, so that two savers never share a file.
 std::string temporary_name() {
@@ -74,11 +77,45 @@ bool take_over_owner_and_mode(int file, const struct stat& old) {
     return ::fchmod(file, mode) == 0;
 }
 
-/// A new empty file in the folder of `target`: its descriptor and its path.
+/// A new empty file in the folder of `target`: its descriptor and its path, with the target's ending, by
+/// which other programs know what to write.
 int open_temporary(const Target& target, fs::path& temporary) {
     temporary = folder_of(target.path) / temporary_name();
+    const fs::path ending = target.path.extension();
+    if (ending.native().size() <= kLongestEnding) temporary += ending;
     const mode_t mode = target.exists ? 0600 : 0666;
     return file_calls().open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+}
+
+/// Why the old file stands; the temporary one is gone.
+Error give_up(std::string_view what, const fs::path& path, const fs::path& temporary) {
+    Error error = system_error(what, path);
+    ::unlink(temporary.c_str());
+    return error;
+}
+
+/// Stores the temporary file and puts it in the target's place.
+Result<Done> put_in_place(Descriptor& file,
+                          const fs::path& temporary,
+                          const Target& target,
+                          const fs::path& path) {
+    if (file_calls().sync(file.number()) != 0) return give_up("cannot store", path, temporary);
+    if (!file.close_now()) return give_up("cannot finish", path, temporary);
+    if (file_calls().rename(temporary.c_str(), target.path.c_str()) != 0)
+        return give_up("cannot replace", path, temporary);
+    // From here on the new file stands; whether the folder is stored now or later, it is whole.
+    Descriptor folder(
+        file_calls().open(folder_of(target.path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC, 0));
+    if (folder.open()) file_calls().sync(folder.number());
+    return Done{};
+}
+
+/// Whether the process that named a temporary file still runs, as far as can be seen from here.
+bool is_at_work(std::string_view temporary) {
+    temporary.remove_prefix(kTemporaryPrefix.size());
+    pid_t process = 0;
+    std::from_chars(temporary.data(), temporary.data() + temporary.size(), process);
+    return process_runs(process);
 }
 
 bool is_data_root(const fs::path& root) {
@@ -200,23 +237,30 @@ Result<Done> write_file_atomically(const fs::path& path, std::string_view bytes)
     fs::path temporary;
     Descriptor file(open_temporary(*target, temporary));
     if (!file.open()) return system_error("cannot create a file beside", path);
-    const auto give_up = [&](std::string_view what) {
-        Error error = system_error(what, path);
-        ::unlink(temporary.c_str());
-        return error;
-    };
     if (target->exists && !take_over_owner_and_mode(file.number(), target->status))
-        return give_up("cannot keep the mode of");
-    if (!write_all(file.number(), bytes)) return give_up("cannot write");
-    if (file_calls().sync(file.number()) != 0) return give_up("cannot store");
-    if (!file.close_now()) return give_up("cannot finish");
-    if (file_calls().rename(temporary.c_str(), target->path.c_str()) != 0)
-        return give_up("cannot replace");
-    // From here on the new file stands; whether the folder is stored now or later, it is whole.
-    Descriptor folder(
-        file_calls().open(folder_of(target->path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC, 0));
-    if (folder.open()) file_calls().sync(folder.number());
-    return Done{};
+        return give_up("cannot keep the mode of", path, temporary);
+    if (!write_all(file.number(), bytes)) return give_up("cannot write", path, temporary);
+    return put_in_place(file, temporary, *target, path);
+}
+
+Result<fs::path> make_file_beside(const fs::path& path) {
+    const Result<Target> target = find_target(path);
+    if (!target) return target.error();
+    remove_stale_saves(folder_of(target->path));
+    fs::path temporary;
+    const Descriptor file(open_temporary(*target, temporary));
+    if (!file.open()) return system_error("cannot create a file beside", path);
+    if (target->exists && !take_over_owner_and_mode(file.number(), target->status))
+        return give_up("cannot keep the mode of", path, temporary);
+    return temporary;
+}
+
+Result<Done> replace_by(const fs::path& path, const fs::path& temporary) {
+    const Result<Target> target = find_target(path);
+    if (!target) return target.error();
+    Descriptor file(file_calls().open(temporary.c_str(), O_RDONLY | O_CLOEXEC, 0));
+    if (!file.open()) return give_up("cannot open", path, temporary);
+    return put_in_place(file, temporary, *target, path);
 }
 
 Result<Done> make_folder(const fs::path& folder) {
@@ -247,10 +291,22 @@ void remove_stale_saves(const fs::path& folder) {
     std::error_code failed;
     for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
          entry.increment(failed)) {
-        if (!entry->path().filename().string().starts_with(kTemporaryPrefix)) continue;
+        const std::string name = entry->path().filename().string();
+        if (!name.starts_with(kTemporaryPrefix) || is_at_work(name)) continue;
         struct stat status {};
         if (::lstat(entry->path().c_str(), &status) != 0 || !S_ISREG(status.st_mode)) continue;
         if (std::time(nullptr) - status.st_mtime > kLongestSave_s) ::unlink(entry->path().c_str());
+    }
+}
+
+void remove_stale_saves_below(const fs::path& folder) {
+    remove_stale_saves(folder);
+    std::error_code failed;
+    for (fs::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end;
+         entry.increment(failed)) {
+        std::error_code ignored;
+        if (entry->is_directory(ignored) && !entry->is_symlink(ignored))
+            remove_stale_saves(entry->path());
     }
 }
 

@@ -39,9 +39,16 @@ Result<Done> write_file_atomically(const std::filesystem::path& path, std::strin
 Result<Done> make_folder(const std::filesystem::path& folder);
 /// As write_file_atomically, in a folder that is made where it is missing.
 Result<Done> write_file_and_folder(const std::filesystem::path& path, std::string_view bytes);
-/// Removes what killed programs left of their saves in `folder`. A save takes far less than a
-/// minute; older ones are nobody's. Should one be somebody's after all, only that save fails.
+/// As write_file_atomically for what another program writes: a new empty file beside `path`, with its ending
+/// and its mode, and what puts that file in the place of `path` once it is whole.
+Result<std::filesystem::path> make_file_beside(const std::filesystem::path& path);
+Result<Done> replace_by(const std::filesystem::path& path, const std::filesystem::path& temporary);
+/// Removes what killed programs left of their saves in `folder`: files that no running process of this
+/// machine named and nobody has written to for a minute. Should one be somebody's after all, only that
+/// save fails.
 void remove_stale_saves(const std::filesystem::path& folder);
+/// ... and in all folders below it.
+void remove_stale_saves_below(const std::filesystem::path& folder);
 
 /// `reference`, as a file writes it, below `root`: relative, forward slashes, no way out of root,
 /// links followed and still inside. The error says which rule it breaks.

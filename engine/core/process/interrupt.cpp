@@ -6,7 +6,6 @@
 
 #include <atomic>
 #include <csignal>
-#include <initializer_list>
 #include <string_view>
 
 namespace plumbline {
@@ -16,12 +15,14 @@ namespace {
 std::atomic<bool> signal_seen{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-std::atomic<int> unheeding_works{0};
+std::atomic<int> polling{0};   // PollsInterrupts that live
+std::atomic<int> ignoring{0};  // IgnoresInterrupts that live
 static_assert(std::atomic<int>::is_always_lock_free);
 
 constexpr int kExitCode = static_cast<int>(ExitCode::Interrupted);
 constexpr unsigned kGrace_s = 1;
-constexpr std::string_view kCutOff = "plumbline: ended within a step that took too long\n";
+constexpr std::string_view kCutOff =
+    "plumbline: interrupted: ended within work that took too long\n";
 
 extern "C" void note_signal(int) {
     if (signal_seen.exchange(true)) _exit(kExitCode);
@@ -29,9 +30,14 @@ extern "C" void note_signal(int) {
 }
 
 extern "C" void cut_off(int) {
-    if (unheeding_works == 0) return;
+    if (polling > 0 && ignoring == 0) return;
     [[maybe_unused]] const ssize_t told = write(STDERR_FILENO, kCutOff.data(), kCutOff.size());
     _exit(kExitCode);
+}
+
+bool is_ignored(int number) {
+    struct sigaction now {};
+    return sigaction(number, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
 }
 
 }  // namespace
@@ -39,19 +45,33 @@ extern "C" void cut_off(int) {
 void catch_interrupts() {
     struct sigaction action {};
     action.sa_handler = note_signal;
-    for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+    if (!is_ignored(SIGINT)) sigaction(SIGINT, &action, nullptr);
+    if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);
     action.sa_handler = cut_off;
     action.sa_flags = SA_RESTART;
     sigaction(SIGALRM, &action, nullptr);
+}
+
+void ignore_write_signals() {
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
-UnheedingWork::UnheedingWork() {
-    ++unheeding_works;
+PollsInterrupts::PollsInterrupts() {
+    ++polling;
 }
 
-UnheedingWork::~UnheedingWork() {
-    --unheeding_works;
+PollsInterrupts::~PollsInterrupts() {
+    --polling;
+}
+
+IgnoresInterrupts::IgnoresInterrupts() {
+    ++ignoring;
+}
+
+IgnoresInterrupts::~IgnoresInterrupts() {
+    --ignoring;
 }
 
 bool interrupted() {

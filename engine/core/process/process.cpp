@@ -234,6 +234,10 @@ Result<ChildOutput> output_of(const ChildDef& def,
     return output;
 }
 
+bool process_runs(pid_t number) {
+    return number > 0 && (::kill(number, 0) == 0 || errno == EPERM);
+}
+
 void end_with_parent() {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     // One that ended before that sends no signal, but its end of our output's pipe is closed.

@@ -80,6 +80,9 @@ Result<ChildOutput> output_of(const ChildDef& def,
                               std::size_t max_bytes,
                               double limit_s);
 
+/// Whether a process of this number runs, as far as can be seen from here.
+bool process_runs(pid_t number);
+
 /// From now on this process is killed when the one that started it, and reads its output, ends; at
 /// once if it has ended.
 void end_with_parent();

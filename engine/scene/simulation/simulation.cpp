@@ -85,7 +85,7 @@ void Simulation::step() {
     move_along_paths();
     play_models();
     {
-        const UnheedingWork work;
+        const IgnoresInterrupts work;
         physics.step();
     }
     ++clock_.steps;

@@ -252,15 +252,57 @@ TEST(SaveFaults, WhatAKilledSaveLeftGoesWithALaterOne) {
     EXPECT_EQ(folder.read("save"), "new");
 }
 
+constexpr int kNobody = 999'999'999;  // beyond every system's last process
+
+/// As a save of a process names its file meanwhile.
+std::string saving_by(int process, int number) {
+    return ".plumbline-saving-" + std::to_string(process) + "-5-" + std::to_string(number);
+}
+
 // EXPERIENCE E2: at a start, without a save.
 TEST(SaveFaults, WhatKilledSavesLeftCanBeSwept) {
     const TemporaryFolder folder;
-    for (int i = 0; i < 32; ++i)
-        make_older(folder.write(".plumbline-saving-9-9-" + std::to_string(i), "half"), 61);
-    folder.write(".plumbline-saving-1-2-3", "young");
+    for (int i = 0; i < 32; ++i) make_older(folder.write(saving_by(kNobody, i), "half"), 61);
+    folder.write(saving_by(kNobody, 32), "young");
+    make_older(folder.write(saving_by(::getpid(), 1), "a film that waits for its next frame"), 600);
     remove_stale_saves(folder.path());
-    EXPECT_EQ(folder.count(), 1U);
+    EXPECT_EQ(folder.count(), 2U);
     remove_stale_saves(folder / "no such folder");
+}
+
+TEST(SaveFaults, WhatKilledSavesLeftCanBeSweptInAllFoldersBelow) {
+    const TemporaryFolder folder;
+    const TemporaryFolder elsewhere;
+    fs::create_directories(folder / "saves/garden");
+    fs::create_directory_symlink(elsewhere.path(), folder / "link");
+    for (const char* below : {"", "saves/", "saves/garden/", "link/"})
+        make_older(folder.write(below + saving_by(kNobody, 1), "half"), 61);
+    folder.write("saves/garden/slot_1", "whole");
+    remove_stale_saves_below(folder.path());
+    EXPECT_EQ(folder.count(), 2U) << "saves and the link";
+    EXPECT_FALSE(fs::exists(folder / ("saves/" + saving_by(kNobody, 1))));
+    EXPECT_FALSE(fs::exists(folder / ("saves/garden/" + saving_by(kNobody, 1))));
+    EXPECT_EQ(folder.read("saves/garden/slot_1"), "whole");
+    EXPECT_EQ(elsewhere.count(), 1U) << "links lead to folders that may not be ours";
+}
+
+// What another program writes, as ffmpeg a film.
+TEST(SaveFaults, AFileBesideTakesThePlaceWithModeAndEnding) {
+    const TemporaryFolder folder;
+    const fs::path film = folder.write("film.mp4", "earlier");
+    fs::permissions(film, fs::perms::owner_read | fs::perms::owner_write);
+    const Result<fs::path> beside = make_file_beside(film);
+    ASSERT_TRUE(beside.ok());
+    EXPECT_EQ(beside->extension(), ".mp4");
+    EXPECT_EQ(folder.read("film.mp4"), "earlier");
+    folder.write(beside->filename().string(), "later");
+    ASSERT_TRUE(replace_by(film, *beside));
+    EXPECT_EQ(folder.read("film.mp4"), "later");
+    EXPECT_EQ(fs::status(film).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    EXPECT_EQ(folder.count(), 1U);
+    EXPECT_FALSE(replace_by(film, folder / "no such file"));
+    EXPECT_EQ(folder.read("film.mp4"), "later");
+    EXPECT_FALSE(make_file_beside(folder / "no such folder/film.mp4"));
 }
 
 TEST(SaveFaults, OtherPeoplesFilesAreLeftAlone) {
