@@ -16,8 +16,8 @@ struct CharacterDef {
     Real eye_below_top_m{0.15_r};
     Real step_up_m{0.35_r};
     Real max_slope_rad{radians_from_degrees(45.0_r)};
-    Real mass_kg{80};  ///< for pushing and for weight on what it stands on
-    Real max_push_N{400};
+    Real mass_kg{80};      ///< for pushing and for weight on what it stands on
+    Real max_push_N{550};  ///< what soles hold: 0.7 of the weight
     Real walk_speed_mps{1.8_r};
     Real run_speed_mps{4.5_r};
     Real crouch_speed_mps{0.9_r};
@@ -48,8 +48,10 @@ struct CharacterState {
     bool crouched{false};
     bool crouch_wanted{false};  ///< else it crouches because there is no room to stand
     Real landing_speed_mps{0};  ///< > 0 in the step in which it touched down
-    Real ridden_yaw_rad{0};     ///< how far what it stands on turned it in this step, about +Y
-    bool squeezed{false};       ///< something moving leaves it no room at the moment
+    /// How far a platform turned it in this step, about +Y: what moves along a path, and a flat face of
+    /// something at least as heavy as the person that does not tumble. Balls and crates turn nobody.
+    Real ridden_yaw_rad{0};
+    bool squeezed{false};  ///< something moving leaves it no room at the moment
 
     void serialize(auto& archive) {
         archive(feet_position_m, eye_position_m, velocity_mps, walking_mps, footing, ground_body);

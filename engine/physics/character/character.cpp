@@ -182,7 +182,8 @@ void Character::Impl::update(const CharacterInput& input) {
     move_swept(way_to_gaps(), {});
     ride = ride_on_ground();
     press_down();
-    state.ridden_yaw_rad = ridden_yaw_rad + carry();
+    const Real carried_yaw_rad = carry();
+    state.ridden_yaw_rad = is_on_a_platform() ? ridden_yaw_rad + carried_yaw_rad : Real{0};
     if (!is_finite(Vec3(feet)) || !is_finite(velocity)) {
         feet = start;
         velocity = {0, 0, 0};

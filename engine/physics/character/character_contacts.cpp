@@ -11,6 +11,8 @@ constexpr Real kPushOut_mps = 2.5_r;         // how fast a person comes out of a
 constexpr Real kSlop_m = 0.0005_r;           // deeper than this is worth a correction
 constexpr Real kSteppable_kg = 25;           // lighter things are pushed, not climbed …
 constexpr Real kSteppableHeight_m = 0.12_r;  // … unless they lie as flat as this
+constexpr Real kHandHeight = 0.7_r;          // of the person's height
+constexpr Real kArm_m = 0.1_r;               // beyond the person's own surface
 constexpr int kPasses = 8;
 
 }  // namespace
@@ -39,21 +41,34 @@ Real Character::Impl::push(const CapsuleContact& hit, const Vec3& wanted_velocit
     const Vec3 into = normalize_or(-level(hit.normal), Vec3{0, 0, 0});
     const Real wanted = glm::dot(wanted_velocity, into);
     if (wanted <= 0 || std::abs(hit.normal.y) > 0.8_r) return 0;
-    const Real away = glm::dot(world.state(hit.body).velocity_mps, into);
-    const Real mass = world.mass_properties(hit.body).mass_kg;
-    const Real impulse = std::min(mass * (wanted - away), def.max_push_N * dt);
+    const auto away_of = [&](BodyId other) {
+        return glm::dot(world.state(other).velocity_mps, into);
+    };
+    const Hands hands = hands_on(hit, into);
+    const Real mass = world.mass_properties(hands.body).mass_kg;
+    const Real impulse = std::min(mass * (wanted - away_of(hands.body)), def.max_push_N * dt);
     if (impulse > 0) {
-        // Hands push at the height of the body's middle, so that crates slide and slabs topple.
-        Vec3 low{};
-        Vec3 high{};
-        world.bounds(hit.body, low, high);
-        const Real foot = static_cast<Real>(feet.y);
-        Vec3 point = hit.point;
-        point.y = std::clamp((low.y + high.y) / 2, foot, foot + 0.8_r * probe.height_m());
-        world.wake(hit.body);
-        push(hit.body, into * impulse, point);
+        world.wake(hands.body);
+        push(hands.body, into * impulse, hands.point);
     }
-    return std::clamp(away, Real{0}, wanted);
+    return std::clamp(away_of(hit.body), Real{0}, wanted);
+}
+
+/// On what stands at their height; else on what the person ran into, at the height of its middle, so that
+/// crates slide and slabs topple.
+Character::Impl::Hands Character::Impl::hands_on(const CapsuleContact& hit,
+                                                 const Vec3& into) const {
+    const Vec3 shoulders = Vec3(feet) + kUp * (kHandHeight * probe.height_m());
+    const auto met = probe.ray(shoulders, shoulders + into * (def.radius_m + kArm_m));
+    if (met && world.kind(met->body) == BodyKind::Dynamic && !world.frozen(met->body))
+        return {.body = met->body, .point = met->point_world};
+    Vec3 low{};
+    Vec3 high{};
+    world.bounds(hit.body, low, high);
+    const Real foot = static_cast<Real>(feet.y);
+    Vec3 point = hit.point;
+    point.y = std::clamp((low.y + high.y) / 2, foot, foot + kHandHeight * probe.height_m());
+    return {.body = hit.body, .point = point};
 }
 
 Real Character::Impl::move_swept(const Vec3& displacement, BodyId ignored) {

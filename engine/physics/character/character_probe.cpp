@@ -12,6 +12,7 @@ constexpr Real kLeastCosine = 0.05_r;
 // 4 cm; the last one looks at the near side, for ridges.
 constexpr std::array<Real, 3> kAsides_m{0.01_r, 0.05_r, -0.01_r};
 constexpr Real kProbe_m = 0.06_r;    // and how far above and below
+constexpr Real kFoot_m = 0.1_r;      // a flat face goes on so far around the point that carries
 constexpr Real kSameFace = 0.998_r;  // cosine of 3.6 degrees: more than rays' normals are off
 
 CapsuleShape query_capsule(const CharacterDef& def, Real height_m) {
@@ -141,6 +142,18 @@ bool CapsuleProbe::is_free(const Vec3d& feet) const {
 
 std::optional<RayHit> CapsuleProbe::ray(const Vec3& from, const Vec3& to) const {
     return world_.cast_ray(from, to, filter({}));
+}
+
+bool CapsuleProbe::is_flat(const Support& support) const {
+    for (const Vec3& aside : {Vec3{kFoot_m, 0, 0}, Vec3{0, 0, kFoot_m}}) {
+        for (const Vec3& there : {support.point + aside, support.point - aside}) {
+            const auto face = ray(there + kUp * kProbe_m, there - kUp * kProbe_m);
+            if (face && face->body == support.body &&
+                glm::dot(face->normal_world, support.face_normal) < kSameFace)
+                return false;
+        }
+    }
+    return true;
 }
 
 Support CapsuleProbe::support_of(const CapsuleContact& contact, const Vec3d& feet) const {

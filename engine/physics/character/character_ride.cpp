@@ -9,6 +9,8 @@ namespace {
 
 // A body that jumps farther than this in a step was put elsewhere; the person stays.
 constexpr Real kLostRide_m = 0.5_r;
+// A platform turns about level axes no faster than this.
+constexpr Real kTumbling_radps = 0.5_r;
 
 /// The turn about +Y within a rotation.
 Real yaw_of(const Quat& rotation) {
@@ -60,6 +62,14 @@ Real Character::Impl::follow_ride() {
                                                                : coast(found, dt);
     ride->velocity = (transform_point(ride->next, ride->anchor_body) - real) / dt;
     return turned_rad;
+}
+
+bool Character::Impl::is_on_a_platform() const {
+    if (!ride) return false;
+    if (world.kind(ride->body) == BodyKind::Kinematic) return true;
+    const Vec3 tumbling = level(world.state(ride->body).angular_velocity_radps);
+    if (gives_way_to_us(ride->body) || glm::length(tumbling) > kTumbling_radps) return false;
+    return probe.is_flat(ground);
 }
 
 std::optional<Ride> Character::Impl::ride_on_ground() const {

@@ -101,6 +101,8 @@ public:
     bool is_free(const Vec3d& feet) const;
     std::optional<RayHit> ray(const Vec3& from, const Vec3& to) const;
     Support support_of(const CapsuleContact& contact, const Vec3d& feet) const;
+    /// Whether the face has one normal all around the point that carries; a ball's has another everywhere.
+    bool is_flat(const Support& support) const;
 
 private:
     Pose pose_at(const Vec3d& feet) const;
@@ -189,6 +191,12 @@ private:
     Vec3 way_to_gaps() const;
     bool escape();
     Real push(const CapsuleContact& hit, const Vec3& velocity) const;
+    /// Which body the hands push, and where.
+    struct Hands {
+        BodyId body{};
+        Vec3 point{0};
+    };
+    Hands hands_on(const CapsuleContact& hit, const Vec3& into) const;
     bool gives_way_to_us(BodyId body) const;
     bool may_step_on(BodyId body, Real height_m) const;
     Vec3 slide_freely(const Vec3& displacement, BodyId ignored);
@@ -202,6 +210,8 @@ private:
     std::optional<Ride> ride_on_ground() const;
     /// Goes where what carries the person will go in the coming step. How far that turns, about +Y.
     Real carry();
+    /// What it rides turns it: see CharacterState::ridden_yaw_rad.
+    bool is_on_a_platform() const;
     void press_down() const;
     void push(BodyId pushed, const Vec3& impulse_Ns, const Vec3& point_world) const;
 

@@ -150,6 +150,45 @@ TEST_P(CharacterAmongAtRate, PushesTenKilogramsAndNotTenTonnes) {
     }
 }
 
+// FAULTS N31: 400 N did nothing to a stack that weighs 883 N, and friction at the bottom was all they met.
+TEST_P(CharacterAmongAtRate, WalksThreeStackedCratesAwayOrOver) {
+    for (const Real friction : {0.5_r, 0.63_r}) {
+        Stage stage(GetParam());
+        stage.world.create_body({.shape = stage.shape(BoxShape{{100, 1, 100}}),
+                                 .world_from_body = {.position = {0, -0.5_r, 0}},
+                                 .friction = friction});
+        BodyId top{};
+        for (int i = 0; i < 3; ++i)
+            top = stage.add(BoxShape{{0.8_r, 0.8_r, 0.8_r}},
+                            {0, 0.4_r + 0.8_r * static_cast<Real>(i), -1.2_r},
+                            {.kind = BodyKind::Dynamic, .mass_kg = 30, .friction = friction});
+        stage.enter({0, 0, 0});
+        stage.walk(3);
+        EXPECT_LT(stage.at(top).z, -2.2) << "friction " << friction;
+    }
+}
+
+TEST_P(CharacterAmongAtRate, PushesAsHardAsTheSolesHold) {
+    // 550 N against friction of half the weight: 112 kg are as much as moves.
+    for (const Real mass_kg : {105.0_r, 120.0_r}) {
+        Stage stage(GetParam());
+        stage.ground();
+        const BodyId box =
+            stage.add(BoxShape{{0.8_r, 0.8_r, 0.8_r}},
+                      {0, 0.4_r, -1.2_r},
+                      {.kind = BodyKind::Dynamic, .mass_kg = mass_kg, .friction = 0.5_r});
+        stage.enter({0, 0, 0});
+        stage.walk(3);
+        const double way_m = -1.2 - stage.at(box).z;
+        const double a_mps2 = (550 - 0.5 * 9.81 * 105) / 105;
+        if (mass_kg < 112) {
+            EXPECT_NEAR(way_m, a_mps2 * 2.6 * 2.6 / 2, 0.4) << "from when it was reached";
+        } else {
+            EXPECT_LT(way_m, 0.1);
+        }
+    }
+}
+
 TEST_P(CharacterAmongAtRate, StandsAndWalksOnACrateWithoutShakingIt) {
     Stage stage(GetParam());
     stage.ground();

@@ -78,6 +78,71 @@ TEST_P(CharacterRiding, WalksOnAMovingPlatformAsOnTheGroundAndTakesItsSpeedAlong
     EXPECT_NEAR(left.velocity_mps.x, 2, 1e-2);
 }
 
+/// Sums up how far the person is turned by what is under the feet, which turns about +Y at 1 rad/s.
+Real turned_in_two_seconds(Stage& stage, const ShapeDef& shape, Real top_m, Real mass_kg) {
+    const BodyId body =
+        stage.add(shape,
+                  {0, top_m / 2, 0},
+                  {.kind = BodyKind::Dynamic, .mass_kg = mass_kg, .can_sleep = false});
+    stage.enter({0.2_r, top_m, 0});
+    stage.rest(0.2_r);
+    Real yaw = 0;
+    for (int i = 0; i < stage.steps_in(2); ++i) {
+        stage.world.set_velocity(body, {0, 0, 0}, {0, 1, 0});
+        const CharacterState& state = stage.step();
+        EXPECT_EQ(state.ground_body, body) << "in step " << i;
+        yaw += state.ridden_yaw_rad;
+    }
+    return yaw;
+}
+
+TEST_P(CharacterRiding, AHeavyFlatThingTurnsThePersonAndALightOneDoesNot) {
+    for (const ShapeDef& shape :
+         {ShapeDef{BoxShape{{3, 0.3_r, 3}}}, ShapeDef{CylinderShape{1.5_r, 0.3_r}}}) {
+        Stage heavy(GetParam());
+        heavy.ground(0);
+        EXPECT_NEAR(turned_in_two_seconds(heavy, shape, 0.3_r, 400), 2, 0.1);
+        Stage light(GetParam());
+        light.ground(0);
+        EXPECT_EQ(turned_in_two_seconds(light, shape, 0.3_r, 30), 0);
+    }
+}
+
+// FAULTS N27: a ball under the feet turned the view.
+TEST_P(CharacterRiding, ABallUnderTheFeetTurnsNobodyHoweverHeavy) {
+    for (const Real mass_kg : {5.0_r, 400.0_r}) {
+        Stage stage(GetParam());
+        stage.ground();
+        const BodyId ball =
+            stage.add(SphereShape{0.5_r},
+                      {0, 0.5_r, 0},
+                      {.kind = BodyKind::Dynamic, .mass_kg = mass_kg, .can_sleep = false});
+        stage.enter({0.02_r, 1, 0.03_r});
+        int ridden = 0;
+        for (int i = 0; i < stage.steps_in(1); ++i) {
+            stage.world.set_velocity(ball, stage.world.state(ball).velocity_mps, {0.3_r, 2, 0.2_r});
+            const CharacterState& state = stage.step({.direction_world = kRight * 0.1_r});
+            ridden += state.ground_body == ball ? 1 : 0;
+            ASSERT_EQ(state.ridden_yaw_rad, 0);
+        }
+        EXPECT_GT(ridden, 2) << "it did stand on it";
+    }
+}
+
+TEST_P(CharacterRiding, AHeavySlabThatTumblesTurnsNobody) {
+    Stage stage(GetParam());
+    stage.ground();
+    const BodyId slab = stage.add(BoxShape{{3, 0.3_r, 3}},
+                                  {0, 0.15_r, 0},
+                                  {.kind = BodyKind::Dynamic, .mass_kg = 400, .can_sleep = false});
+    stage.enter({0.2_r, 0.3_r, 0});
+    stage.rest(0.2_r);
+    for (int i = 0; i < stage.steps_in(0.5_r); ++i) {
+        stage.world.set_velocity(slab, {0, 0, 0}, {0.6_r, 1, 0});
+        EXPECT_EQ(stage.step().ridden_yaw_rad, 0);
+    }
+}
+
 TEST_P(CharacterRiding, IsWeighedByWhatItStandsOn) {
     // A plank on a pivot: 80 kg on one end against 60 kg on the other.
     for (const Real counter_kg : {60.0_r, 120.0_r}) {
