@@ -16,6 +16,7 @@ using nlohmann::json;
 
 constexpr std::size_t kRecentFrames = 120;
 constexpr std::size_t kLongFrames = 5;
+constexpr double kInterval_s = 5;
 constexpr double kSmoothing = 1.0 / 30.0;
 
 std::span<const float> last_of(const std::vector<float>& values) {
@@ -44,6 +45,13 @@ nlohmann::json json_of_menus(const MenuFrames& frames) {
     return menus;
 }
 
+json json_of_interval(const ReportInterval& interval) {
+    return {{"end_s", interval.end_s},
+            {"frames", interval.frames},
+            {"process_cpu_ms_per_frame", interval.cpu_ms_per_frame},
+            {"resident_bytes", interval.resident_bytes}};
+}
+
 template <class LongFrames>
 nlohmann::json json_of_longest(const LongFrames& frames) {
     nlohmann::json longest = nlohmann::json::array();
@@ -68,6 +76,7 @@ void FrameReport::add_frame(double wall_ms, const render::FrameStats& stats) {
         startup_ms_ = (chosen_s_ ? last_wall_s_ - *chosen_s_ : seconds_since_process_start()) * 1e3;
         first_frame_wall_s_ = last_wall_s_;
         first_frame_cpu_s_ = last_cpu_s_;
+        interval_cpu_s_ = last_cpu_s_;
     }
     if (std::exchange(opens_menu_, false) && frames_ > 0)
         menu_frames_.push_back({.frame_ms = static_cast<float>(wall_ms),
@@ -90,6 +99,20 @@ void FrameReport::add_frame(double wall_ms, const render::FrameStats& stats) {
     shadow_rendered_ += stats.shadow_passes_rendered;
     shadow_cached_ += stats.shadow_passes_cached;
     last_ = stats;
+    const double began_s = intervals_.empty() ? 0.0 : intervals_.back().end_s;
+    if (last_wall_s_ - first_frame_wall_s_ - began_s < kInterval_s) return;
+    intervals_.push_back(open_interval());
+    interval_cpu_s_ = last_cpu_s_;
+    interval_frames_ = frames_;
+}
+
+ReportInterval FrameReport::open_interval() const {
+    const std::uint64_t frames = frames_ - interval_frames_;
+    return {.end_s = last_wall_s_ - first_frame_wall_s_,
+            .frames = frames,
+            .cpu_ms_per_frame = (last_cpu_s_ - interval_cpu_s_) * 1e3 /
+                                static_cast<double>(std::max<std::uint64_t>(frames, 1)),
+            .resident_bytes = resident_bytes()};
 }
 
 void FrameReport::keep_if_long(float frame_ms, const render::FrameStats& stats) {
@@ -173,6 +196,9 @@ std::string FrameReport::json(const ReportContext& context) const {
           {"version", context.gl.version}}},
         {"effects", json::parse(effects::ledger_json(context.ledger))},
         {"actions_seen", json_of_presses(context.presses_seen)}};
+    for (const ReportInterval& interval : intervals_)
+        report["intervals"].push_back(json_of_interval(interval));
+    report["intervals"].push_back(json_of_interval(open_interval()));
     if (!context.before.empty()) report["before"] = json::parse(context.before);
     // A file's name may be no text.
     return report.dump(2, ' ', false, json::error_handler_t::replace) + "\n";

@@ -35,6 +35,14 @@ struct ReportContext {
     std::string before{};  ///< of the scene before this one in the session; empty: there was none
 };
 
+/// What frames cost and how much memory the process held, in the seconds up to a time.
+struct ReportInterval {
+    double end_s{0};  ///< since the first frame
+    std::uint64_t frames{0};
+    double cpu_ms_per_frame{0};  ///< of the whole process
+    std::size_t resident_bytes{0};
+};
+
 /// Collects frame by frame; ask for the JSON at the end.
 class FrameReport {
 public:
@@ -88,6 +96,8 @@ private:
         std::vector<render::PassTiming> passes;
     };
     void keep_if_long(float frame_ms, const render::FrameStats& stats);
+    /// Of the frames since the latest one that was kept.
+    ReportInterval open_interval() const;
 
     std::optional<double> chosen_s_;
     QualityInForce image_;
@@ -106,6 +116,9 @@ private:
     double first_frame_cpu_s_{0};
     double last_wall_s_{0};
     double last_cpu_s_{0};
+    std::vector<ReportInterval> intervals_;
+    double interval_cpu_s_{0};  ///< at the beginning of the open one
+    std::uint64_t interval_frames_{0};
 };
 
 }  // namespace plumbline::app

@@ -2,8 +2,20 @@
 
 #include <malloc.h>
 #include <sys/resource.h>
+#include <unistd.h>
+
+#include <fstream>
 
 namespace plumbline {
+
+std::size_t resident_bytes() {
+    std::ifstream statm("/proc/self/statm");
+    std::size_t total_pages = 0;
+    std::size_t resident_pages = 0;
+    statm >> total_pages >> resident_pages;
+    const long page_bytes = ::sysconf(_SC_PAGESIZE);
+    return resident_pages * static_cast<std::size_t>(page_bytes > 0 ? page_bytes : 0);
+}
 
 std::size_t peak_resident_bytes() {
     rusage usage{};

@@ -4,6 +4,9 @@
 
 namespace plumbline {
 
+/// The memory that this process has resident now, in bytes; 0 where the system does not tell.
+std::size_t resident_bytes();
+
 /// The most memory this process has had resident, in bytes; 0 where the system does not tell.
 std::size_t peak_resident_bytes();
 

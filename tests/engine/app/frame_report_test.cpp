@@ -31,6 +31,17 @@ protected:
     FrameReport report_;
 };
 
+TEST_F(FrameReportTest, TellsMemoryAndCostOfTheLatestSeconds) {
+    for (int i = 0; i < 3; ++i) report_.add_frame(10.0, {});
+    const std::vector<char> more(64U << 20U, 'x');
+    const Json told = json()["intervals"];
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(told[0]["frames"], 3);
+    EXPECT_GE(told[0]["process_cpu_ms_per_frame"], 0.0);
+    EXPECT_GT(told[0]["resident_bytes"], more.size());
+    EXPECT_LE(told[0]["resident_bytes"], json()["peak_rss_bytes"]);
+}
+
 TEST_F(FrameReportTest, AveragesPassesAndTellsWhatWasNotMeasured) {
     report_.add_frame(10.0, {.passes = {{"opaque", 2.0, -1.0}, {"sky", 1.0, 4.0}}});
     report_.add_frame(30.0,
