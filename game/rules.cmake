@@ -20,6 +20,9 @@ add_library(plumbline_rules STATIC
     "${CMAKE_CURRENT_LIST_DIR}/rules/rules_viewer.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/rules/rules_things.cpp"
     "${CMAKE_CURRENT_LIST_DIR}/rules/things.cpp"
-    "${CMAKE_CURRENT_LIST_DIR}/rules/things.h")
+    "${CMAKE_CURRENT_LIST_DIR}/rules/things.h"
+    "${CMAKE_CURRENT_LIST_DIR}/rules/rules_use.cpp"
+    "${CMAKE_CURRENT_LIST_DIR}/rules/use.cpp"
+    "${CMAKE_CURRENT_LIST_DIR}/rules/use.h")
 plumbline_target_settings(plumbline_rules)
 target_link_libraries(plumbline_rules PUBLIC plumbline::scene)

@@ -186,6 +186,7 @@ for i, (name, x, z, turn) in enumerate([
     entity(f"{name}_{i + 1}" if name in ("chair", "bench") else name, in_house(x, plan.FLOOR, z), prefab=f'"{name}"', rotation_deg=f"[0, {turn}, 0]")
 entity("counter", in_house(-2.38, plan.FLOOR, 2.26), model='"models/furniture_counter.glb"', body=['kind = "static"', compound([box((0, 0.44, 0), (1.86, 0.88, 0.6))])])
 entity("stove", in_house(*plan.CHIMNEY[:1], plan.FLOOR, plan.CHIMNEY[1]), model='"models/furniture_stove.glb"', rotation_deg="[0, 90, 0]",
+       light='{ kind = "point", color = [1, 0.42, 0.14], intensity = 1.4, radius_m = 3.4, offset_m = [0, 0.34, 0.34], on = false }',
        body=['kind = "static"', compound([box((0, 0.4, 0), (0.56, 0.8, 0.48)), "{ cylinder = [0.075, 1.7], position_m = [0, 1.65, -0.06] }"])])
 entity("rug", in_house(1.85, plan.FLOOR + 0.004, 0.35), primitive="{ box = [1.1, 0.008, 1.7] }", material='"cloth"', casts_shadow="false")
 prefab("pot", ['model = "models/pot.glb"', "[prefab.body]", compound([box((0, 0.07, 0), (0.16, 0.14, 0.16)), prism(0.132, 0.14, 0.205)]), "mass_kg = 1.8", "restitution = 0.1"], "clay pot")

@@ -78,6 +78,8 @@ render::RenderFrame FrameParts::extract(const scene::ViewPoint& view) {
     session_.effects->extract(*session_.simulation, view, frame);
     accuracy_.take_answers();
     accuracy_.add_ghost_lines(frame.lines, Vec3f(view.world_from_camera.position));
+    if (controls_.parts.hud && !menu_.open())
+        session_.game->add_lines(*session_.simulation, view.blend, frame.lines);
     if (controls_.collision_shapes)
         session_.simulation->physics.add_debug_lines(frame.lines, view.world_from_camera.position);
     if (controls_.collision_boxes)

@@ -37,6 +37,7 @@ constexpr std::array<ActionRow, kActionCount> kRows{{
     {"drop", Things},
     {"throw", Things},
     {"grab", Things},
+    {"use", Things},
     {"rotate_held", Things},
     {"push", Things},
     {"pull", Things},

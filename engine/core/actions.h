@@ -37,6 +37,7 @@ enum class Action : std::uint8_t {
     Drop,
     Throw,
     Grab,
+    Use,
     RotateHeld,
     Push,
     Pull,

@@ -36,6 +36,7 @@ constexpr auto kDefaults = std::to_array<DefaultRow>({
     {Action::Drop, "q pad.right_bumper"},
     {Action::Throw, "mouse.left pad.right_trigger"},
     {Action::Grab, "e mouse.right pad.x"},
+    {Action::Use, "c pad.left_trigger"},
     {Action::RotateHeld, "t mouse.middle pad.left_bumper"},
     {Action::Push, "wheel.up page_up pad.dpad_up"},
     {Action::Pull, "wheel.down page_down pad.dpad_down"},

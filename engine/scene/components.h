@@ -85,8 +85,7 @@ struct PointLight {
     bool casts_shadow{false};
 };
 
-/// What a lamp that waits for the dark looks like by day: its Visual's materials without what they
-/// emit.
+/// What a lamp looks like while it is off: its Visual's materials without what they emit.
 struct LampAppearance {
     std::vector<assets::MaterialId> off;
 };

@@ -9,6 +9,8 @@ namespace plumbline::scene {
 
 namespace {
 
+constexpr float kLit = 0.05F;  // a lamp with less of its light looks as it does when it is off
+
 /// How far lamps that wait for the dark are up: they come on while the sun's last five degrees sink,
 /// and where light is turned down by hand.
 float dark_lamps(const Simulation& simulation) {
@@ -33,9 +35,8 @@ void add_items(const Simulation& simulation,
         if (simulation.registry.has<PlayingModel>(entity)) continue;  // an effect draws its parts
         const Pose pose = drawn_pose(simulation, entity, transform, blend_share);
         const LampAppearance* lamp = simulation.registry.find<LampAppearance>(entity);
-        const bool is_off =
-            lamp != nullptr &&
-            lamp_share(simulation.registry.get<PointLight>(entity).on, dark) < 0.05F;
+        const bool is_off = lamp != nullptr &&
+                            lamp_share(simulation.registry.get<PointLight>(entity).on, dark) < kLit;
         render::add_item(frame,
                          {.mesh = visual.mesh,
                           .world_from_body = matrix_of(pose, transform.scale),
@@ -76,6 +77,10 @@ void add_lights(const Simulation& simulation,
 }
 
 }  // namespace
+
+bool is_lit(const Simulation& simulation, const PointLight& light) {
+    return lamp_share(light.on, dark_lamps(simulation)) >= kLit;
+}
 
 Pose drawn_pose(const Simulation& simulation,
                 ecs::Entity entity,

@@ -15,6 +15,9 @@ render::RenderFrame extract(const Simulation& simulation,
                             std::uint32_t width_px,
                             std::uint32_t height_px);
 
+/// Whether it shines now, by itself or by hand.
+bool is_lit(const Simulation& simulation, const PointLight& light);
+
 /// Where an image of that instant shows the entity: between its last two poses if it can move.
 Pose drawn_pose(const Simulation& simulation,
                 ecs::Entity entity,

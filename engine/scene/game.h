@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/actions.h"
+#include "engine/core/lines.h"
 #include "engine/core/pose.h"
 #include "engine/scene/simulation.h"
 #include "engine/scene/simulation/simulation_archive.h"
@@ -52,6 +53,7 @@ struct HudContent {
     float charge{0.0F};        ///< 0…1 while a throw is charged
     std::string chosen_thing;  ///< "barrel"; empty: nothing can be dropped
     std::string looking_at;    ///< what is in reach, for people: "oak crate, 30 kg"; or empty
+    std::string use;           ///< what the use key would do: "open"; or empty
     std::optional<GoalState> goal{};
     std::vector<std::string> messages;  ///< newest last; the app fades them
 };
@@ -76,6 +78,8 @@ public:
     /// The pointer stays the person's: the view follows it while a button is down.
     virtual bool frees_pointer() const { return false; }
     virtual HudContent hud(const Simulation&) { return {}; }
+    /// Outlines that belong to the HUD, of an instant between the last two steps.
+    virtual void add_lines(const Simulation&, Real /*blend*/, LineList&) const {}
 
     /// Only a game of the same kind goes on from a saved one: "playground".
     virtual std::string_view kind() const { return "no game"; }

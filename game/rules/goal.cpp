@@ -53,9 +53,9 @@ bool Goal::guards(ecs::Entity entity) const {
 }
 
 bool Goal::counts(const scene::Simulation& simulation, ecs::Entity thing) const {
-    const bool is_there = simulation.registry.alive(thing);
-    if (!is_there) return !goal_.inside;
-    const Vec3 at_m = simulation.registry.get<scene::Transform>(thing).world_from_body.position;
+    const auto* place = simulation.registry.find<scene::Transform>(thing);
+    if (place == nullptr) return !goal_.inside;
+    const Vec3 at_m = place->world_from_body.position;
     if (goal_.below_m) return at_m.y < *goal_.below_m;
     return goal_.inside ? is_within(*goal_.inside, at_m) : !is_within(*goal_.outside, at_m);
 }

@@ -99,6 +99,11 @@ void Grab::release(scene::Simulation& simulation) {
     body_ = {};
 }
 
+void Grab::forget_gone(scene::Simulation& simulation) {
+    const bool is_there = simulation.registry.alive(entity_) && simulation.physics.contains(body_);
+    if (holding() && !is_there) release(simulation);
+}
+
 void Grab::change_distance(Real by_m) {
     const Real farthest_m = by_pointer_ ? Aim::kSight_m : kFarthest_m;
     distance_m_ = std::clamp(distance_m_ + by_m, kNearest_m, farthest_m);
@@ -134,7 +139,7 @@ Vec3 Grab::target_of(const scene::Simulation& simulation, const Aim& aim) const 
 void Grab::pull(scene::Simulation& simulation, const Aim& aim) {
     if (!holding()) return;
     physics::PhysicsWorld& world = simulation.physics;
-    if (!simulation.registry.alive(entity_) || !world.contains(body_) || world.frozen(body_)) {
+    if (world.frozen(body_)) {
         release(simulation);
         return;
     }

@@ -22,10 +22,13 @@ public:
     /// is. Returns why not, or nothing.
     std::optional<std::string> take(scene::Simulation& simulation, const Aim& aim);
     void release(scene::Simulation& simulation);
+    /// Opens the hand when what it holds left the world; else entity() and body() are alive.
+    void forget_gone(scene::Simulation& simulation);
     bool holding() const { return entity_.generation != 0; }
     ecs::Entity entity() const { return entity_; }
+    physics::BodyId body() const { return body_; }
 
-    /// One step of the spring. Opens the hand when the thing is gone, frozen or out of reach.
+    /// One step of the spring. Opens the hand when the thing is frozen or out of reach.
     void pull(scene::Simulation& simulation, const Aim& aim);
     void change_distance(Real by_m);
     void rotate(Real yaw_rad, Real pitch_rad);

@@ -16,6 +16,15 @@ constexpr Real kHeardLanding_mps = 1;
 constexpr Real kPaceNotch = 1.25_r;
 constexpr Real kSlowestPace = 0.25_r;
 constexpr Real kFastestPace = 3;
+constexpr Real kLowestSeat_m = 0.25_r;
+constexpr Real kHighestSeat_m = 0.7_r;
+constexpr Real kLevelSeat = 0.95_r;   // least height of its normal
+constexpr Real kSeatStep_m = 0.05_r;  // between places that are tried, from what is looked at …
+constexpr Real kSeatDepth_m = 0.5_r;  // … so far towards the person: off the backrest
+constexpr Real kSeatAir_m = 0.01_r;
+constexpr Real kSittingLower_m = 0.2_r;  // than crouching
+constexpr Real kSittingDown_mps = 0.8_r;
+constexpr Real kSeatGone_mps = 1.5_r;  // who falls sits no more
 
 std::uint16_t surface_under(const scene::Simulation& simulation, physics::BodyId ground) {
     const ecs::Entity entity = entity_of(simulation, ground);
@@ -30,16 +39,28 @@ Player::Player(scene::Simulation& simulation, const Vec3& feet_m) {
     physics::CharacterDef def;
     def.feet_position_m = feet_m;
     character_ = std::make_unique<physics::Character>(simulation.physics, def);
-    previous_eye_m_ = character_->state().eye_position_m;
+    const auto seated = simulation.physics.create_shape(
+        physics::CapsuleShape{def.radius_m - kSeatAir_m, def.crouched_height_m - 2 * def.radius_m});
+    PL_ASSERT(seated.ok(), "a capsule within the limits");
+    seated_ = *seated;
+    previous_eye_m_ = eye_now_m();
 }
 
 void Player::act(scene::Simulation& simulation,
                  const Actions& actions,
                  CameraLook& look,
                  bool walks) {
-    previous_eye_m_ = character_->state().eye_position_m;
+    previous_eye_m_ = eye_now_m();
     physics::CharacterInput input;
-    if (walks) {
+    const bool moves = actions.is_held(Action::Forward) || actions.is_held(Action::Back) ||
+                       actions.is_held(Action::Left) || actions.is_held(Action::Right);
+    const bool falls = state().velocity_mps.y < -kSeatGone_mps;
+    if (moves || falls || !walks || actions.presses(Action::Jump) > 0 ||
+        actions.presses(Action::Crouch) > 0)
+        sits_ = false;
+    if (sits_) {
+        input.crouch = true;
+    } else if (walks) {
         const Real ahead = travel_of(actions, Action::Forward) - travel_of(actions, Action::Back);
         const Real aside = travel_of(actions, Action::Right) - travel_of(actions, Action::Left);
         input.direction_world =
@@ -50,13 +71,47 @@ void Player::act(scene::Simulation& simulation,
         input.jump = actions.presses(Action::Jump) > 0;
     }
     character_->update(input);
+    const Real change_m = kSittingDown_mps * static_cast<Real>(simulation.step_s());
+    lowered_m_ += std::clamp((sits_ ? kSittingLower_m : Real{0}) - lowered_m_, -change_m, change_m);
     if (walks) look.turn_smoothly(state().ridden_yaw_rad, 0);
     listen_to_feet(simulation);
 }
 
 void Player::teleport(const Vec3& feet_m) {
     character_->teleport(feet_m);
-    previous_eye_m_ = character_->state().eye_position_m;
+    sits_ = false;
+    previous_eye_m_ = eye_now_m();
+}
+
+std::optional<Vec3> Player::seat_at(const scene::Simulation& simulation,
+                                    const Looked& looked) const {
+    const physics::PhysicsWorld& world = simulation.physics;
+    const Vec3 feet = state().feet_position_m;
+    const physics::QueryFilter others{.ignored = body()};
+    const auto face_under = [&](const Vec3& place, Real above_m) {
+        const auto face =
+            world.cast_ray(place + Vec3{0, above_m, 0}, place - Vec3{0, kHighestSeat_m, 0}, others);
+        const bool is_seat = face && face->body == looked.body &&
+                             face->normal_world.y > kLevelSeat &&
+                             face->point_world.y > feet.y + kLowestSeat_m &&
+                             face->point_world.y < feet.y + kHighestSeat_m;
+        return is_seat ? std::optional(face->point_world) : std::nullopt;
+    };
+    const Vec3 way{feet.x - looked.point_m.x, 0, feet.z - looked.point_m.z};
+    const Vec3 near = normalize_or(way, Vec3{0, 0, 0});
+    const Real half_m = def().crouched_height_m / 2;
+    for (Real aside_m = -kSeatStep_m; aside_m < kSeatDepth_m; aside_m += kSeatStep_m) {
+        const auto seat = face_under(looked.point_m + near * aside_m, kSeatAir_m);
+        if (!seat) continue;
+        const Pose room{.position = *seat + Vec3{0, half_m + kSeatAir_m, 0}};
+        if (world.overlaps(seated_, room, 0, others).empty()) return seat;
+    }
+    return {};
+}
+
+void Player::sit(const Vec3& seat_m) {
+    teleport(seat_m);
+    sits_ = true;
 }
 
 Real Player::change_pace(int notches) {
@@ -64,8 +119,12 @@ Real Player::change_pace(int notches) {
     return pace_ * def().walk_speed_mps;
 }
 
+Vec3 Player::eye_now_m() const {
+    return character_->state().eye_position_m - Vec3{0, lowered_m_, 0};
+}
+
 Vec3 Player::eye_m(Real blend) const {
-    return glm::mix(previous_eye_m_, character_->state().eye_position_m, blend);
+    return glm::mix(previous_eye_m_, eye_now_m(), blend);
 }
 
 void Player::listen_to_feet(const scene::Simulation& simulation) {

@@ -6,8 +6,10 @@
 #include "engine/scene/game.h"
 #include "engine/scene/simulation.h"
 #include "game/rules/camera_rig.h"
+#include "game/rules/grab.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +23,12 @@ public:
     /// One step of walking where `look` points; `walks` false: stands still (another camera is on).
     void act(scene::Simulation& simulation, const Actions& actions, CameraLook& look, bool walks);
     void teleport(const Vec3& feet_m);
+    /// A place on what is looked at where one can sit: a level face at the height of a seat, with room above.
+    std::optional<Vec3> seat_at(const scene::Simulation& simulation, const Looked& looked) const;
+    /// Sits there, until the person walks, jumps, crouches or stands up.
+    void sit(const Vec3& seat_m);
+    void stand_up() { sits_ = false; }
+    bool sits() const { return sits_; }
     /// One notch of the wheel: +1 faster, -1 slower. Returns the walking speed, m/s.
     Real change_pace(int notches);
 
@@ -28,14 +36,20 @@ public:
     const physics::CharacterState& state() const { return character_->state(); }
     const physics::CharacterDef& def() const { return character_->def(); }
     physics::BodyId body() const { return character_->body(); }
-    void serialize(Archive& archive) { archive(*character_, previous_eye_m_, pace_, stride_m_); }
+    void serialize(Archive& archive) {
+        archive(*character_, previous_eye_m_, pace_, stride_m_, sits_, lowered_m_);
+    }
     /// Of the latest step.
     std::span<const scene::FootstepEvent> footsteps() const { return footsteps_; }
 
 private:
     void listen_to_feet(const scene::Simulation& simulation);
+    Vec3 eye_now_m() const;
 
     std::unique_ptr<physics::Character> character_;
+    physics::ShapeId seated_{};  ///< the room that a person takes who sits
+    bool sits_{false};
+    Real lowered_m_{0};  ///< the eye, against that of a person who crouches
     Vec3 previous_eye_m_{0, 0, 0};
     Real pace_{1};
     Real stride_m_{0};  ///< gone since the last footstep

@@ -41,10 +41,8 @@ Pose hand_of(const Pose& world_from_camera) {
 PlaygroundGame::PlaygroundGame(scene::Simulation& simulation,
                                const std::filesystem::path& assets_folder)
     : step_s_(static_cast<Real>(simulation.step_s())),
-      things_(simulation, assets_folder),
-      base_fov_rad_(kPlayerFov_rad),
-      fov_rad_(kPlayerFov_rad),
-      previous_fov_rad_(kPlayerFov_rad) {
+      fov_{kPlayerFov_rad, kPlayerFov_rad, kPlayerFov_rad},
+      things_(simulation, assets_folder) {
     const scene::SceneDescription& scene = simulation.description();
     begin_goal(simulation);
     if (scene.player) {
@@ -72,9 +70,9 @@ PlaygroundGame::PlaygroundGame(scene::Simulation& simulation,
     }
     begin_view(scene);
     start_feet_m_ = scene.camera.position_m;
-    base_fov_rad_ = scene.camera.fov_y_rad;
-    fov_rad_ = base_fov_rad_;
-    previous_fov_rad_ = base_fov_rad_;
+    fov_.base_rad = scene.camera.fov_y_rad;
+    fov_.now_rad = fov_.base_rad;
+    fov_.previous_rad = fov_.base_rad;
 }
 
 void PlaygroundGame::say(std::string message) {
@@ -118,15 +116,23 @@ Aim PlaygroundGame::aim() const {
     return aim;
 }
 
+void PlaygroundGame::forget_gone(scene::Simulation& simulation) {
+    grab_.forget_gone(simulation);
+    things_.forget_gone(simulation);
+    doors_.forget_gone(simulation);
+    if (!simulation.physics.contains(lifted_)) lifted_ = {};
+}
+
 void PlaygroundGame::act(scene::Simulation& simulation, const Actions& actions) {
+    forget_gone(simulation);
     pointer_ = actions.pointer;
     look_.begin_step();
-    look_turns_held_ = grab_.holding() && actions.is_held(Action::RotateHeld);
+    keys_.look_turns_held = grab_.holding() && actions.is_held(Action::RotateHeld);
     const Real yaw = Real{actions.look_yaw_rad};
     const Real pitch = Real{actions.look_pitch_rad};
     if (views_model()) {
         turn_model(actions);
-    } else if (!look_turns_held_) {
+    } else if (!keys_.look_turns_held) {
         look_.turn(yaw, pitch);
     } else if (std::isfinite(yaw) && std::isfinite(pitch)) {
         grab_.rotate(yaw, pitch);
@@ -139,6 +145,7 @@ void PlaygroundGame::act(scene::Simulation& simulation, const Actions& actions) 
     if (views_model() || views_scene()) return;
     choose(actions);
     hold(simulation, actions);
+    use(simulation, actions);
     charge_and_throw(simulation, actions);
     drop(simulation, actions);
     if (goal_) return;  // a game is won by hand
@@ -158,7 +165,7 @@ void PlaygroundGame::move(scene::Simulation& simulation, const Actions& actions)
     GroundBelow ground{.world = simulation.physics,
                        .own_body = player_ ? player_->body() : physics::BodyId{},
                        .hidden = !simulation.switches.ground};
-    if (model_radius_m_ > 0) ground.deepest_m = model_radius_m_ * kModelGroundDepth;
+    if (viewed_.model_radius_m > 0) ground.deepest_m = viewed_.model_radius_m * kModelGroundDepth;
     if (mode_ == MoveMode::Fly) {
         fly_.act(actions, look_, ground, step_s_);
     } else if (mode_ == MoveMode::Orbit) {
@@ -186,7 +193,7 @@ void PlaygroundGame::next_mode(scene::Simulation& simulation) {
     const Vec3 eye = eye_m(1, orientation);
     const Vec3 forward = orientation * Vec3{0, 0, -1};
     // Nobody walks on what is smaller than he is.
-    const bool is_small = model_radius_m_ > 0 && model_radius_m_ < kWalkedModel_m;
+    const bool is_small = viewed_.model_radius_m > 0 && viewed_.model_radius_m < kWalkedModel_m;
     if (mode_ == MoveMode::Walk || (mode_ == MoveMode::Orbit && is_small)) {
         mode_ = MoveMode::Fly;
         fly_.place(eye);
@@ -194,11 +201,11 @@ void PlaygroundGame::next_mode(scene::Simulation& simulation) {
     } else if (mode_ == MoveMode::Fly) {
         mode_ = MoveMode::Orbit;
         const Aim now = aim();
-        const bool is_model = model_radius_m_ > 0;
-        const Real sight_m = is_model ? model_radius_m_ * kModelGroundDepth : kOrbitSight_m;
+        const bool is_model = viewed_.model_radius_m > 0;
+        const Real sight_m = is_model ? viewed_.model_radius_m * kModelGroundDepth : kOrbitSight_m;
         const auto seen =
             simulation.physics.cast_ray(eye, eye + forward * sight_m, {.ignored = now.own_body});
-        const Real unseen_m = is_model ? model_radius_m_ : kDefaultOrbit_m;
+        const Real unseen_m = is_model ? viewed_.model_radius_m : kDefaultOrbit_m;
         const Real distance = seen ? seen->distance_m : unseen_m;
         orbit_.place(eye + forward * distance, distance, look_.pitch_rad());
         say("orbit mode");
@@ -216,13 +223,13 @@ void PlaygroundGame::next_mode(scene::Simulation& simulation) {
 }
 
 void PlaygroundGame::zoom(const Actions& actions) {
-    previous_fov_rad_ = fov_rad_;
+    fov_.previous_rad = fov_.now_rad;
     if (mode_ == MoveMode::Orbit) return;
     const Real wider = travel_of(actions, Action::ZoomOut) - travel_of(actions, Action::ZoomIn);
     const auto notches = static_cast<Real>(notches_of(actions, Action::ZoomOut, Action::ZoomIn));
     const Real change = wider * kZoom_per_s * step_s_ + notches * kZoomNotch;
     if (change == 0) return;
-    fov_rad_ = std::clamp(fov_rad_ * portable_exp(change), kNarrowest_rad, kWidest_rad);
+    fov_.now_rad = std::clamp(fov_.now_rad * portable_exp(change), kNarrowest_rad, kWidest_rad);
 }
 
 void PlaygroundGame::judge(scene::Simulation& simulation) {
@@ -241,8 +248,9 @@ scene::ViewPoint PlaygroundGame::view(const scene::Simulation&,
                                       Real blend,
                                       float pending_yaw_rad,
                                       float pending_pitch_rad) const {
-    const bool still = look_turns_held_ || (views_model() && !drags_view_);
-    const Real gain = still ? Real{0} : (drags_view_ && views_model() ? kDragGain : Real{1});
+    const bool still = keys_.look_turns_held || (views_model() && !viewed_.is_dragged);
+    const Real gain =
+        still ? Real{0} : (viewed_.is_dragged && views_model() ? Viewed::kDragGain : Real{1});
     const Real yaw = Real{pending_yaw_rad} * gain;
     const Real pitch = Real{pending_pitch_rad} * gain;
     const Quat orientation = look_.orientation(blend, yaw, pitch);
@@ -250,7 +258,7 @@ scene::ViewPoint PlaygroundGame::view(const scene::Simulation&,
     return {.world_from_camera = camera,
             .world_from_hand = hand_of(camera),
             // To the bit the same where it stays: shadow maps are drawn anew for another one.
-            .fov_y_rad = std::lerp(previous_fov_rad_, fov_rad_, blend),
+            .fov_y_rad = std::lerp(fov_.previous_rad, fov_.now_rad, blend),
             .velocity_mps = viewer_velocity_mps(),
             .has_player = mode_ == MoveMode::Walk,
             .blend = blend};

@@ -8,6 +8,7 @@
 #include "game/rules/grab.h"
 #include "game/rules/player.h"
 #include "game/rules/things.h"
+#include "game/rules/use.h"
 
 #include <array>
 #include <filesystem>
@@ -17,7 +18,6 @@
 
 namespace plumbline::game {
 
-/// So many fields because each thing that a person can do in the playground keeps its own state here.
 class PlaygroundGame final : public scene::Game {
 public:
     /// For a freshly built simulation, which must outlive it. Things come from
@@ -31,11 +31,15 @@ public:
                           float pending_yaw_rad,
                           float pending_pitch_rad) const override;
     std::span<const scene::FootstepEvent> footsteps() const override;
+    /// Round what the hands would take or use, and where a dropped thing would land, while things are put.
+    void add_lines(const scene::Simulation& simulation, Real blend, LineList& lines) const override;
     /// Messages since the last call are handed over.
     scene::HudContent hud(const scene::Simulation& simulation) override;
 
     bool holds() const override { return grab_.holding(); }
-    bool crouches() const override { return player_ && player_->state().crouch_wanted; }
+    bool crouches() const override {
+        return player_ && player_->state().crouch_wanted && !player_->sits();
+    }
     bool frees_pointer() const override { return views_model(); }
     std::string_view kind() const override { return "the playground"; }
     void serialize(Archive& archive, scene::Simulation& simulation) override;
@@ -48,6 +52,9 @@ public:
 
 private:
     // rules.cpp
+    /// Looks up, once a step, every id that a rule keeps from one step to the next: those of what left
+    /// the world are null or off their lists from here on. Again after a rule takes something out.
+    void forget_gone(scene::Simulation& simulation);
     void move(scene::Simulation& simulation, const Actions& actions);
     void change_speed(const Actions& actions);
     void next_mode(scene::Simulation& simulation);
@@ -59,9 +66,9 @@ private:
 
     // rules_viewer.cpp
     /// A model by itself is turned, not played with, until the mode is changed.
-    bool views_model() const { return model_radius_m_ > 0 && mode_ == MoveMode::Orbit; }
+    bool views_model() const { return viewed_.model_radius_m > 0 && mode_ == MoveMode::Orbit; }
     /// A JSON scene is only looked at, in every mode.
-    bool views_scene() const { return viewer_radius_m_ > 0; }
+    bool views_scene() const { return viewed_.scene_radius_m > 0; }
     void begin_view(const scene::SceneDescription& scene);
     /// Flying or orbiting: nobody walks where nothing bears.
     void next_view(const scene::ViewerDescription& viewer);
@@ -82,6 +89,18 @@ private:
     /// What the hands may not touch: says so.
     bool is_guarded(ecs::Entity entity);
 
+    // rules_use.cpp
+    /// What the use key would do now, at most one of them.
+    struct Use {
+        std::optional<Swing> door{};
+        ecs::Entity lamp{};
+        std::optional<Vec3> seat_m{};
+        ecs::Entity entity{};  ///< what is used: the leaf, the lamp, what is sat on
+    };
+    Use use_at(const scene::Simulation& simulation, const Aim& aim) const;
+    void use(scene::Simulation& simulation, const Actions& actions);
+    std::string use_words(const scene::Simulation& simulation, const Use& use) const;
+
     // rules_forces.cpp
     void shoot(scene::Simulation& simulation, const Actions& actions);
     void lift(scene::Simulation& simulation, const Actions& actions);
@@ -92,31 +111,51 @@ private:
     void change_fog(scene::Simulation& simulation, const Actions& actions);
     void aim_spot(scene::Simulation& simulation, const Actions& actions);
 
+    struct FieldOfView {
+        Real base_rad;
+        Real now_rad;
+        Real previous_rad;  ///< before the latest step
+        void serialize(Archive& archive) { archive(base_rad, now_rad, previous_rad); }
+    };
+    /// What the keys of the hands did in the steps before.
+    struct HandKeys {
+        Real throw_s{-1};  ///< how long throw is down; negative: it is not
+        bool grabbed{false};
+        bool look_turns_held{false};
+        void serialize(Archive& archive) { archive(throw_s, grabbed, look_turns_held); }
+    };
+    struct Dropping {
+        KeyRepeat repeat{6};
+        bool chooses{true};      ///< among the things to drop
+        Real preview_left_s{0};  ///< how long the place of the next drop is shown
+        void serialize(Archive& archive) { archive(repeat, preview_left_s); }
+    };
+    /// What is only looked at.
+    struct Viewed {
+        static constexpr Real kDragGain = 4;  ///< a drag across the window turns a model about once
+        Real model_radius_m{0};               ///< 0: the scene is more than a model
+        Real scene_radius_m{0};               ///< 0: it is no JSON scene
+        bool is_dragged{false};
+    };
+
     Real step_s_;
     MoveMode mode_{MoveMode::Walk};
     CameraLook look_;
     FlyCamera fly_;
     OrbitCamera orbit_;
+    FieldOfView fov_;
     std::optional<Player> player_;
-    Things things_;
-    Grab grab_;
-    std::optional<Goal> goal_;
     Vec3 start_feet_m_{0, 0, 0};
-    Real base_fov_rad_;
-    Real fov_rad_;
-    Real previous_fov_rad_;
-    KeyRepeat drop_repeat_{6};
-    Real throw_held_s_{-1};  ///< how long throw is down; negative: it is not
-    bool grab_was_held_{false};
-    bool chooses_{true};                           ///< among the things to drop
-    std::optional<std::array<float, 2>> pointer_;  ///< as the latest step was told
+    Things things_;
+    Dropping dropping_;
+    Grab grab_;
+    HandKeys keys_;
+    Doors doors_;
     physics::BodyId lifted_{};
     physics::ShapeId explosion_{};  ///< the ball it reaches; none before the first
-    bool look_turns_held_{false};
-    Real model_radius_m_{0};   ///< 0: the scene is more than a model
-    Real viewer_radius_m_{0};  ///< 0: it is no JSON scene
-    bool drags_view_{false};
-    static constexpr Real kDragGain = 4;  // a drag across the window turns a model about once
+    std::optional<Goal> goal_;
+    std::optional<std::array<float, 2>> pointer_;  ///< as the latest step was told
+    Viewed viewed_;
     std::vector<std::string> messages_;
 };
 

@@ -9,6 +9,7 @@ constexpr MoveMode last_of(MoveMode) {
 }
 
 void PlaygroundGame::serialize(Archive& archive, scene::Simulation& simulation) {
+    if (!archive.reads()) forget_gone(simulation);
     // The person's body first gives up its place: a thing may have had it.
     bool walks = player_.has_value();
     if (archive.reads()) player_.reset();
@@ -24,17 +25,9 @@ void PlaygroundGame::serialize(Archive& archive, scene::Simulation& simulation) 
                    "nobody is there who walks");
     if (archive.failed()) return;
     grab_.serialize(archive, simulation);
+    archive(doors_);
     if (goal_) archive(*goal_);
-    archive(base_fov_rad_,
-            fov_rad_,
-            previous_fov_rad_,
-            drop_repeat_,
-            throw_held_s_,
-            grab_was_held_,
-            pointer_,
-            lifted_,
-            look_turns_held_,
-            drags_view_);
+    archive(fov_, dropping_, keys_, pointer_, lifted_, viewed_.is_dragged);
 }
 
 }  // namespace plumbline::game

@@ -17,6 +17,7 @@ constexpr Real kFastestThrow_mps = 25;
 constexpr Real kRemoveReach_m = 12;
 constexpr Real kNotch_m = 0.25_r;
 constexpr Real kPushSpeed_mps = 1.5_r;
+constexpr Real kPreview_s = 5;  // after a choice or a drop
 
 Real charge_after(Real held_s) {
     return std::clamp((held_s - kChargeFrom_s) / (kChargeTo_s - kChargeFrom_s), Real{0}, Real{1});
@@ -40,8 +41,8 @@ void PlaygroundGame::begin_goal(const scene::Simulation& simulation) {
     if (!simulation.description().goal) return;
     goal_.emplace(simulation);
     const auto with = std::ranges::find(kThingNames, simulation.description().goal->with);
-    chooses_ = with == kThingNames.end();
-    if (!chooses_) things_.choose(static_cast<std::size_t>(with - kThingNames.begin()));
+    dropping_.chooses = with == kThingNames.end();
+    if (!dropping_.chooses) things_.choose(static_cast<std::size_t>(with - kThingNames.begin()));
 }
 
 bool PlaygroundGame::is_guarded(ecs::Entity entity) {
@@ -51,13 +52,16 @@ bool PlaygroundGame::is_guarded(ecs::Entity entity) {
 }
 
 void PlaygroundGame::choose(const Actions& actions) {
-    if (!chooses_) return;
+    dropping_.preview_left_s = std::max(dropping_.preview_left_s - step_s_, Real{0});
+    if (!dropping_.chooses) return;
+    const std::size_t before = things_.chosen();
     for (std::size_t i = 0; i < 9; ++i) {
         const auto select = static_cast<Action>(static_cast<std::size_t>(Action::Select1) + i);
         if (actions.presses(select) > 0) things_.choose(i);
     }
     things_.choose_next(actions.presses(Action::NextThing) -
                         actions.presses(Action::PreviousThing));
+    if (things_.chosen() != before) dropping_.preview_left_s = kPreview_s;
 }
 
 void PlaygroundGame::put_one(scene::Simulation& simulation, const Vec3& velocity_mps) {
@@ -81,25 +85,28 @@ void PlaygroundGame::put_one(scene::Simulation& simulation, const Vec3& velocity
 void PlaygroundGame::drop(scene::Simulation& simulation, const Actions& actions) {
     for (int i = 0; i < actions.presses(Action::UndoDrop); ++i) {
         if (!things_.undo(simulation)) say("nothing to undo");
+        forget_gone(simulation);
     }
-    const int drops = drop_repeat_.acts(std::min(actions.presses(Action::Drop), kMostDropsAtOnce),
-                                        actions.is_held(Action::Drop) ? 1 : 0,
-                                        step_s_);
+    const int drops =
+        dropping_.repeat.acts(std::min(actions.presses(Action::Drop), kMostDropsAtOnce),
+                              actions.is_held(Action::Drop) ? 1 : 0,
+                              step_s_);
     for (int i = 0; i < drops; ++i) put_one(simulation, {0, 0, 0});
+    if (drops > 0) dropping_.preview_left_s = kPreview_s;
 }
 
 void PlaygroundGame::charge_and_throw(scene::Simulation& simulation, const Actions& actions) {
     const bool held = actions.is_held(Action::Throw);
-    if (throw_held_s_ >= 0) {
-        throw_held_s_ += step_s_;
+    if (keys_.throw_s >= 0) {
+        keys_.throw_s += step_s_;
         if (held) return;
-        launch(simulation, charge_after(throw_held_s_));
-        throw_held_s_ = -1;
+        launch(simulation, charge_after(keys_.throw_s));
+        keys_.throw_s = -1;
         return;
     }
     if (actions.presses(Action::Throw) == 0) return;
     if (held) {
-        throw_held_s_ = 0;
+        keys_.throw_s = 0;
     } else {
         launch(simulation, 0);  // pressed and released within one step
     }
@@ -119,7 +126,7 @@ void PlaygroundGame::launch(scene::Simulation& simulation, Real charge) {
 void PlaygroundGame::hold(scene::Simulation& simulation, const Actions& actions) {
     const bool wants = actions.is_held(Action::Grab);
     // Let go and pressed again within one step also takes hold anew.
-    const bool pressed = wants && (!grab_was_held_ || actions.presses(Action::Grab) > 1);
+    const bool pressed = wants && (!keys_.grabbed || actions.presses(Action::Grab) > 1);
     if (!wants && grab_.holding()) grab_.release(simulation);
     if (pressed && !grab_.holding()) {
         const auto looked =
@@ -129,7 +136,7 @@ void PlaygroundGame::hold(scene::Simulation& simulation, const Actions& actions)
         }
         if (goal_ && grab_.holding()) goal_->begin(simulation);
     }
-    grab_was_held_ = wants;
+    keys_.grabbed = wants;
 
     const int notches = actions.presses(Action::Push) - actions.presses(Action::Pull);
     const Real along = travel_of(actions, Action::Push) - travel_of(actions, Action::Pull);
@@ -146,7 +153,7 @@ void PlaygroundGame::freeze(scene::Simulation& simulation) {
     physics::PhysicsWorld& world = simulation.physics;
     physics::BodyId body{};
     if (grab_.holding()) {
-        body = simulation.registry.get<scene::BodyRef>(grab_.entity()).body;
+        body = grab_.body();
         grab_.release(simulation);
     } else if (const auto looked = looked_at(simulation, aim(), kRemoveReach_m)) {
         if (is_guarded(looked->entity)) return;
@@ -175,12 +182,13 @@ void PlaygroundGame::remove_looked_at(scene::Simulation& simulation) {
         if (is_guarded(entity)) return;
     }
     destroy(simulation, entity);
+    forget_gone(simulation);
 }
 
 scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
     scene::HudContent content;
     content.crosshair = mode_ != MoveMode::Orbit && !views_scene() && !pointer_;
-    if (throw_held_s_ >= 0) content.charge = charge_after(throw_held_s_);
+    if (keys_.throw_s >= 0) content.charge = charge_after(keys_.throw_s);
     if (!views_model() && !views_scene()) content.chosen_thing = std::string(things_.chosen_name());
     const auto looked = looked_at(simulation, aim(), Grab::kReach_m);
     if (looked && simulation.registry.alive(looked->entity) &&
@@ -190,6 +198,7 @@ scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
         content.looking_at =
             fmt::format("{}{}{:.3g} kg", words, words.empty() ? "" : ", ", mass_kg);
     }
+    content.use = use_words(simulation, use_at(simulation, aim()));
     if (goal_) content.goal = goal_->state(simulation);
     content.messages = std::move(messages_);
     messages_.clear();

@@ -30,20 +30,20 @@ constexpr std::array kAids{Aid{Action::Grid, &scene::LiveSwitches::grid, "grid"}
 
 void PlaygroundGame::begin_view(const scene::SceneDescription& scene) {
     if (scene.viewer) {
-        viewer_radius_m_ = scene.viewer->radius_m;
+        viewed_.scene_radius_m = scene.viewer->radius_m;
         look_.start_from(scene::camera_pose(scene.camera).orientation);
         fly_.set_up(scene.viewer->up);
-        fly_.suit(viewer_radius_m_);
-        orbit_.suit(viewer_radius_m_);
+        fly_.suit(viewed_.scene_radius_m);
+        orbit_.suit(viewed_.scene_radius_m);
     }
-    model_radius_m_ = scene.model_radius_m;
-    if (model_radius_m_ <= 0) return;
+    viewed_.model_radius_m = scene.model_radius_m;
+    if (viewed_.model_radius_m <= 0) return;
     mode_ = MoveMode::Orbit;
-    orbit_.suit(model_radius_m_);
+    orbit_.suit(viewed_.model_radius_m);
     orbit_.place(scene.camera.target_m,
                  glm::distance(scene.camera.position_m, scene.camera.target_m),
                  look_.pitch_rad());
-    fly_.suit(model_radius_m_);
+    fly_.suit(viewed_.model_radius_m);
 }
 
 void PlaygroundGame::next_view(const scene::ViewerDescription& viewer) {
@@ -68,11 +68,12 @@ void PlaygroundGame::next_view(const scene::ViewerDescription& viewer) {
 
 void PlaygroundGame::turn_model(const Actions& actions) {
     const bool pans = actions.is_held(Action::ShiftModel) || actions.is_held(Action::RotateHeld);
-    drags_view_ = !pans && (actions.is_held(Action::TurnModel) || actions.is_held(Action::Throw));
+    viewed_.is_dragged =
+        !pans && (actions.is_held(Action::TurnModel) || actions.is_held(Action::Throw));
     const Real yaw = Real{actions.look_yaw_rad};
     const Real pitch = Real{actions.look_pitch_rad};
     if (pans) orbit_.pan(look_.orientation(), yaw, pitch);
-    if (drags_view_) look_.turn(yaw * kDragGain, pitch * kDragGain);
+    if (viewed_.is_dragged) look_.turn(yaw * Viewed::kDragGain, pitch * Viewed::kDragGain);
 }
 
 void PlaygroundGame::switch_aids(scene::Simulation& simulation, const Actions& actions) {
@@ -92,7 +93,7 @@ void PlaygroundGame::switch_aids(scene::Simulation& simulation, const Actions& a
     show_lit(simulation, actions);
     for (const Aid& aid : kAids) {
         if (actions.presses(aid.action) == 0) continue;
-        if (model_radius_m_ <= 0) {
+        if (viewed_.model_radius_m <= 0) {
             say(fmt::format("{}: only available in the model viewer", aid.name));
             continue;
         }
@@ -100,11 +101,11 @@ void PlaygroundGame::switch_aids(scene::Simulation& simulation, const Actions& a
         say(fmt::format("{} {}", aid.name, switches.*aid.on ? "on" : "off"));
     }
     if (const int backgrounds = actions.presses(Action::Background); backgrounds > 0) {
-        if (model_radius_m_ > 0) switches.background += backgrounds;
-        say(model_radius_m_ > 0 ? "next background"
+        if (viewed_.model_radius_m > 0) switches.background += backgrounds;
+        say(viewed_.model_radius_m > 0 ? "next background"
                                 : "background: only available in the model viewer");
     }
-    if (model_radius_m_ <= 0) return;
+    if (viewed_.model_radius_m <= 0) return;
     if (switches.turntable && views_model()) look_.turn_smoothly(kTurntable_radps * step_s_, 0);
 }
 

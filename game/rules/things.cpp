@@ -1,9 +1,9 @@
 #include "game/rules/things.h"
 
 #include "engine/scene/build/entity_builder.h"
+#include "engine/scene/build/shape_factory.h"
 #include "engine/scene/scene_file.h"
 #include "game/components.h"
-#include "game/rules/placement.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +15,8 @@ const std::array<std::string_view, kThingCount> kThingNames{
     "crate", "ball", "barrel", "brick", "plank", "stone", "domino"};
 
 namespace {
+
+constexpr Real kDeepestFall_m = 30;  // that a preview follows
 
 std::string_view name_of_kind(std::size_t kind) {
     return kind < kThingCount ? kThingNames[kind] : "shot";
@@ -130,6 +132,7 @@ Things::Things(scene::Simulation& simulation, const std::filesystem::path& asset
         } else {
             things_[i] = make_plain(i);
         }
+        measure(simulation, i);
         if (!things_[i].material) continue;
         // Friction of what the scene does not know comes from here: the builder cannot look it up.
         const scene::SurfaceTable& surfaces = simulation.surfaces();
@@ -162,23 +165,60 @@ void Things::dress(scene::Simulation& simulation, ecs::Entity entity, const Thin
     if (auto* ref = simulation.registry.find<scene::SurfaceRef>(entity)) ref->surface = surface;
 }
 
-Vec3 Things::size_of(scene::Simulation& simulation, physics::BodyId body, Thing& thing) const {
-    if (!thing.size_m) {
-        Vec3 low{};
-        Vec3 high{};
-        simulation.physics.bounds(body, low, high);
-        thing.size_m = high - low;
-    }
-    return *thing.size_m;
+void Things::measure(scene::Simulation& simulation, std::size_t kind) {
+    Thing& thing = things_[kind];
+    const scene::EntityDescription& description = thing.description;
+    std::optional<physics::ShapeDef> shape;
+    if (const auto* own = std::get_if<physics::ShapeDef>(&description.body->shape)) shape = *own;
+    const auto* primitive = std::get_if<scene::Primitive>(&description.visual);
+    if (!shape && primitive != nullptr) shape = scene::shape_of_primitive(*primitive);
+    if (!shape) return;
+    Vec3 low{};
+    Vec3 high{};
+    scene::bounds_of(scene::scaled(*shape, description.scale), low, high);
+    set_size(simulation, kind, high - low);
+}
+
+void Things::set_size(scene::Simulation& simulation, std::size_t kind, const Vec3& size_m) {
+    const auto box = simulation.physics.create_shape(physics::BoxShape{size_m});
+    if (!box) return;
+    things_[kind].size_m = size_m;
+    boxes_[kind] = *box;
+}
+
+std::optional<Vec3> Things::place_for(const physics::PhysicsWorld& world,
+                                      const Aim& aim,
+                                      const Room& room,
+                                      bool is_dropped) const {
+    // What is dropped goes where the eye looks; where that is far, or nowhere, it falls before the feet.
+    const physics::QueryFilter sight{.ignored = room.itself, .also_ignored = aim.own_body};
+    const bool is_seen =
+        is_dropped &&
+        world.cast_ray(aim.eye_m, aim.eye_m + aim.forward * kDropReach_m, sight).has_value();
+    return free_place(world, aim, room, is_seen ? kDropReach_m : kReach_m);
+}
+
+std::optional<Placed> Things::preview(const scene::Simulation& simulation, const Aim& aim) const {
+    const Thing& thing = things_[chosen_];
+    if (!thing.size_m) return {};
+    const physics::PhysicsWorld& world = simulation.physics;
+    const Room room{.box = boxes_[chosen_], .size_m = *thing.size_m};
+    const auto place = place_for(world, aim, room, true);
+    if (!place) return {};
+    Placed placed{.world_from_box = {.position = *place,
+                                     .orientation = glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0})},
+                  .size_m = room.size_m};
+    const Vec3 deep = *place - Vec3{0, kDeepestFall_m, 0};
+    const auto ground =
+        world.sweep(room.box, placed.world_from_box, deep, {.ignored = aim.own_body});
+    if (ground) placed.world_from_box.position = glm::mix(*place, deep, ground->fraction);
+    return placed;
 }
 
 void Things::forget_gone(const scene::Simulation& simulation) {
-    std::erase_if(dropped_, [&](ecs::Entity entity) { return !simulation.registry.alive(entity); });
-}
-
-std::size_t Things::count(const scene::Simulation& simulation) {
-    forget_gone(simulation);
-    return dropped_.size();
+    std::erase_if(dropped_, [&](ecs::Entity entity) {
+        return !simulation.registry.has<scene::BodyRef>(entity);
+    });
 }
 
 Result<ecs::Entity> Things::put(scene::Simulation& simulation,
@@ -196,18 +236,16 @@ Result<ecs::Entity> Things::put(scene::Simulation& simulation,
         return Error{fmt::format("cannot create a {}", name_of_kind(kind))};
     }
     const physics::BodyId body = simulation.registry.get<scene::BodyRef>(entity).body;
-    const Vec3 size = size_of(simulation, body, thing);
-    physics::ShapeId& box = boxes_[kind];
-    if (!box) {
-        auto made = simulation.physics.create_shape(physics::BoxShape{size});
-        if (made) box = *made;
-    }
     Vec3 low{};
     Vec3 high{};
     simulation.physics.bounds(body, low, high);
+    if (!thing.size_m) set_size(simulation, kind, high - low);
     const Vec3 middle = (low + high) * 0.5_r - aim.eye_m;
-    const Room room{.box = box, .size_m = size, .itself = body};
-    const auto place = box ? free_place(simulation.physics, aim, room, kReach_m) : std::nullopt;
+    const Room room{
+        .box = boxes_[kind], .size_m = thing.size_m.value_or(high - low), .itself = body};
+    const bool is_dropped = velocity == Vec3{0, 0, 0};
+    const auto place =
+        room.box ? place_for(simulation.physics, aim, room, is_dropped) : std::nullopt;
     if (!place) {
         destroy(simulation, entity);
         return Error{fmt::format("no room for a {}", name_of_kind(kind))};
@@ -236,7 +274,6 @@ ecs::Entity Things::make_again(scene::Simulation& simulation,
 }
 
 bool Things::undo(scene::Simulation& simulation) {
-    forget_gone(simulation);
     if (dropped_.empty()) return false;
     destroy(simulation, dropped_.back());
     dropped_.pop_back();
@@ -244,7 +281,6 @@ bool Things::undo(scene::Simulation& simulation) {
 }
 
 bool Things::keep_limit(scene::Simulation& simulation) {
-    forget_gone(simulation);
     if (dropped_.size() <= kMost) return false;
     // The oldest that sleeps, else the oldest; never what is in the hand.
     const auto may_go = [&](ecs::Entity entity) { return !simulation.registry.has<Held>(entity); };

@@ -5,6 +5,7 @@
 #include "engine/core/result.h"
 #include "engine/scene/simulation.h"
 #include "game/rules/aim.h"
+#include "game/rules/placement.h"
 
 #include <array>
 #include <filesystem>
@@ -24,13 +25,22 @@ extern const std::array<std::string_view, kThingCount> kThingNames;
 struct Thing {
     scene::EntityDescription description;
     std::optional<assets::MaterialData> material{};  ///< of a plain shape
-    std::optional<Vec3> size_m{};                    ///< world box at rest, once one was made
+    std::optional<Vec3> size_m{};                    ///< world box at rest, where it is known
+};
+
+/// A box of its size in the world.
+struct Placed {
+    Pose world_from_box{};
+    Vec3 size_m{1, 1, 1};
 };
 
 class Things {
 public:
     static constexpr std::size_t kMost = 500;
-    static constexpr Real kReach_m = 1.6_r;  ///< how far in front things appear, plus their radius
+    /// How far in front things appear, plus their radius: what is thrown, and what is dropped where nothing
+    /// is looked at nearer than kDropReach_m.
+    static constexpr Real kReach_m = 1.6_r;
+    static constexpr Real kDropReach_m = 8;
 
     /// Lends the simulation the materials of things that its scene does not know.
     Things(scene::Simulation& simulation, const std::filesystem::path& assets_folder);
@@ -53,11 +63,15 @@ public:
     Result<ecs::Entity> put(scene::Simulation& simulation, const Aim& aim, const Vec3& velocity) {
         return put(simulation, aim, velocity, chosen_);
     }
+    /// The box round the chosen thing where it would come to lie if it were dropped now and fell straight
+    /// down. None: there is no room for it, or its size is not known before the first one is made.
+    std::optional<Placed> preview(const scene::Simulation& simulation, const Aim& aim) const;
     /// Takes the latest one away; false when there is none.
     bool undo(scene::Simulation& simulation);
     /// Takes the oldest away while there are too many; true when told for the first time.
     bool keep_limit(scene::Simulation& simulation);
-    std::size_t count(const scene::Simulation& simulation);
+    /// Strikes what left the world off the list of what was put into it.
+    void forget_gone(const scene::Simulation& simulation);
 
     /// Makes again what a saved game had. Null where there is no such thing.
     ecs::Entity make_again(scene::Simulation& simulation,
@@ -76,9 +90,13 @@ private:
                             const Aim& aim,
                             const Vec3& velocity,
                             std::size_t kind);
-    void forget_gone(const scene::Simulation& simulation);
+    std::optional<Vec3> place_for(const physics::PhysicsWorld& world,
+                                  const Aim& aim,
+                                  const Room& room,
+                                  bool is_dropped) const;
+    void measure(scene::Simulation& simulation, std::size_t kind);
+    void set_size(scene::Simulation& simulation, std::size_t kind, const Vec3& size_m);
     void dress(scene::Simulation& simulation, ecs::Entity entity, const Thing& thing) const;
-    Vec3 size_of(scene::Simulation& simulation, physics::BodyId body, Thing& thing) const;
 
     std::array<Thing, kKinds> things_;
     std::size_t chosen_{0};

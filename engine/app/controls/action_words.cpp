@@ -31,6 +31,7 @@ constexpr auto kWords = [] {
     say(Action::Drop, "Drop the selected object");
     say(Action::Throw, "Throw (hold to throw harder)");
     say(Action::Grab, "Grab or release");
+    say(Action::Use, "Open, close, switch or sit on the object");
     say(Action::RotateHeld, "Rotate the held object (hold)");
     say(Action::Push, "Push the held object away; otherwise: move faster");
     say(Action::Pull, "Pull the held object closer; otherwise: move slower");

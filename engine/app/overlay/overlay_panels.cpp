@@ -99,6 +99,10 @@ ui::HudTexts hud_texts(const OverlayInput& input) {
     if (input.hud.goal) texts.verdict = goal_lines(input, *input.hud.goal);
     if (input.hud.crosshair && !input.hud.looking_at.empty())
         texts.target = {{.text = input.hud.looking_at}};
+    if (input.hud.crosshair && !input.hud.use.empty())
+        texts.target.push_back(
+            {.text = fmt::format(
+                 "{}: {}", hint_for(input.bindings, Action::Use, input.device), input.hud.use)});
     if (input.hint) texts.hint = {{.text = hint_text(input, *input.hint), .tone = Tone::Head}};
     for (const std::string& caption : input.captions) texts.captions.push_back({.text = caption});
     return texts;

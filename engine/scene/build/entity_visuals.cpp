@@ -29,7 +29,7 @@ void EntityBuilder::add_visual(const EntityDescription& description,
                                     .materials = appearance.materials,
                                     .casts_shadow = description.casts_shadow,
                                     .is_static = is_static});
-        if (description.light && description.light->on != LampOn::Always)
+        if (description.light)
             registry.add<LampAppearance>(entity,
                                          dark_look_of(simulation_.library(), appearance.materials));
     }

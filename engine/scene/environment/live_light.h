@@ -17,7 +17,8 @@ inline constexpr float kDensestFog = 50.0F;
 inline constexpr float kDimmestLight = 0.02F;
 inline constexpr float kBrightestLight = 20.0F;
 
-/// When a light shines by itself; the switch "lamps" goes over those that wait for the dark.
+/// When a light shines; the switch "lamps" goes over those that wait for the dark, and the use key makes it
+/// Always or Never.
 enum class LampOn : std::uint8_t { Always, Dark, Never };
 
 struct FogColor {

@@ -6,6 +6,11 @@
 #include <set>
 
 namespace plumbline::scene {
+
+constexpr LampOn last_of(LampOn) {
+    return LampOn::Never;
+}
+
 namespace {
 
 constexpr std::string_view kOtherThings = "its things are not those of this scene";
@@ -57,7 +62,7 @@ void serialize_fields(Archive& archive, PlayingModel& playing) {
     archive(playing.animation, playing.time_s, playing.latest_step_s, playing.paused);
 }
 void serialize_fields(Archive& archive, PointLight& light) {
-    archive(light.direction_body);
+    archive(light.on, light.direction_body);
 }
 void serialize_fields(Archive& archive, TriggerVolume& volume) {
     archive(volume.times_left, volume.inside);
