@@ -27,6 +27,7 @@ int run_to_the_end(int (*commands)(int, char**), int argc, char** argv) {
 int run_program(int (*commands)(int, char**), int argc, char** argv) {
     ignore_write_signals();
     int code = run_to_the_end(commands, argc, argv);
+    cancel_cut_off();
     const int interrupted_code = static_cast<int>(ExitCode::Interrupted);
     if (interrupted() && (code == 0 || code == interrupted_code)) {
         std::fputs("plumbline: interrupted\n", stderr);

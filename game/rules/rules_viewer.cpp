@@ -103,7 +103,7 @@ void PlaygroundGame::switch_aids(scene::Simulation& simulation, const Actions& a
     if (const int backgrounds = actions.presses(Action::Background); backgrounds > 0) {
         if (viewed_.model_radius_m > 0) switches.background += backgrounds;
         say(viewed_.model_radius_m > 0 ? "next background"
-                                : "background: only available in the model viewer");
+                                       : "background: only available in the model viewer");
     }
     if (viewed_.model_radius_m <= 0) return;
     if (switches.turntable && views_model()) look_.turn_smoothly(kTurntable_radps * step_s_, 0);

@@ -29,7 +29,6 @@ fs::path folder_of(const fs::path& path) {
 /// How files begin that are being written. Short, so that any name that the system takes can be
 /// saved under; nothing that a person would name a file.
 constexpr std::string_view kTemporaryPrefix = ".plumbline-saving-";
-constexpr std::size_t kLongestEnding = 16;
 
 /// Differs between processes, threads and times, so that two savers never share a file.
 std::string temporary_name() {
@@ -77,12 +76,10 @@ bool take_over_owner_and_mode(int file, const struct stat& old) {
     return ::fchmod(file, mode) == 0;
 }
 
-/// A new empty file in the folder of `target`: its descriptor and its path, with the target's ending, by
-/// which other programs know what to write.
-int open_temporary(const Target& target, fs::path& temporary) {
+/// A new empty file in the folder of `target`: its descriptor and its path.
+int open_temporary(const Target& target, fs::path& temporary, const fs::path& ending = {}) {
     temporary = folder_of(target.path) / temporary_name();
-    const fs::path ending = target.path.extension();
-    if (ending.native().size() <= kLongestEnding) temporary += ending;
+    temporary += ending;
     const mode_t mode = target.exists ? 0600 : 0666;
     return file_calls().open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
 }
@@ -248,7 +245,7 @@ Result<fs::path> make_file_beside(const fs::path& path) {
     if (!target) return target.error();
     remove_stale_saves(folder_of(target->path));
     fs::path temporary;
-    const Descriptor file(open_temporary(*target, temporary));
+    const Descriptor file(open_temporary(*target, temporary, target->path.extension()));
     if (!file.open()) return system_error("cannot create a file beside", path);
     if (target->exists && !take_over_owner_and_mode(file.number(), target->status))
         return give_up("cannot keep the mode of", path, temporary);

@@ -74,6 +74,10 @@ IgnoresInterrupts::~IgnoresInterrupts() {
     --ignoring;
 }
 
+void cancel_cut_off() {
+    alarm(0);
+}
+
 bool interrupted() {
     return signal_seen;
 }

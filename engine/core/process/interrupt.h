@@ -10,6 +10,8 @@ namespace plumbline {
 /// ignored at the start: a script's background job and a program under nohup are ended by SIGTERM.
 void catch_interrupts();
 bool interrupted();
+/// The program has done all it wanted and ends: from now on only a second signal hurries it.
+void cancel_cut_off();
 
 /// From now on a write into a closed pipe (SIGPIPE) or beyond the limit of a file's size (SIGXFSZ) fails
 /// and does not end the program.

@@ -14,7 +14,8 @@ TEST(EntityVisuals, LampsHaveADarkLook) {
     SceneDescription scene = test::scene_of({lamp, always});
     scene.materials["glow"] = {.name = "glow", .emissive = Vec3f{3.0F}, .roughness = 0.2F};
     test::Running run(scene);
-    EXPECT_TRUE(run->registry.has<LampAppearance>(run->find("always"))) << "a hand may switch it off";
+    EXPECT_TRUE(run->registry.has<LampAppearance>(run->find("always")))
+        << "a hand may switch it off";
     ASSERT_TRUE(run->registry.has<LampAppearance>(run->find("lamp")));
     const auto& look = run->registry.get<LampAppearance>(run->find("lamp"));
     const auto& visual = run->registry.get<Visual>(run->find("lamp"));
