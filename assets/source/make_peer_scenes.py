@@ -146,11 +146,12 @@ restitution = {restitution!r}
 can_sleep = false
 {extra}""")
 
-    def entity(self, name, prefab, position, orientation=None, body=""):
+    def entity(self, name, prefab, position, orientation=None, body="", material=""):
+        painted = f'material = "{material}"\n' if material else ""
         turned = f"orientation = {numbers(orientation)}\n" if orientation else ""
         moving = f"[entity.body]\n{body}" if body else ""
         self.parts.append(f'[[entity]]\nname = "{name}"\nprefab = "{prefab}"\n'
-                          f"position_m = {numbers(position)}\n{turned}{moving}")
+                          f"position_m = {numbers(position)}\n{turned}{painted}{moving}")
 
     def array(self, name, prefab, origin, count, spacing):
         self.parts.append(f'[[array]]\nname = "{name}"\nprefab = "{prefab}"\n'
@@ -248,7 +249,7 @@ collides_with = []
 
     names = ["anchor"] + [f"link_{i}" for i in range(50)] + ["ball"]
     for i in range(50):
-        scene.entity(names[i + 1], "link", at(0.4 * i + 0.2))
+        scene.entity(names[i + 1], "link", at(0.4 * i + 0.2), material="paint_cream" if i % 2 else "")
     scene.entity("ball", "weight", at(50 * 0.4 + 0.25))
     for i in range(51):
         scene.ball_joint(names[i + 1], names[i], at(0.4 * i))
@@ -338,7 +339,7 @@ def arch():
         angle = half + 2 * half * i
         turn = (angle - math.pi / 2) / 2
         scene.entity(f"stone_{i}", "stone", (centre * math.cos(angle), centre * math.sin(angle), 0.0),
-                     (math.cos(turn), 0.0, 0.0, math.sin(turn)))
+                     (math.cos(turn), 0.0, 0.0, math.sin(turn)), material="paint_orange" if i % 2 else "")
     return scene
 
 

@@ -89,7 +89,7 @@ void draw_gauges(const AccuracyGauges& gauges) {
         cost.cpu_ms_total - cost.broad_ms - cost.narrow_ms - cost.solve_ms - cost.integrate_ms;
     text(fmt::format(
         "{:.3f} ms per step, {:.1f} ms per second", cost.cpu_ms_total / steps, gauges.ms_per_s));
-    text(fmt::format("broad {:.3f}  narrow {:.3f}  solve {:.3f}  move {:.3f}  other {:.3f}",
+    text(fmt::format("broad {:.2f}  narrow {:.2f}  solve {:.2f}  move {:.2f}  other {:.2f}",
                      cost.broad_ms / steps,
                      cost.narrow_ms / steps,
                      cost.solve_ms / steps,
@@ -101,7 +101,7 @@ void draw_gauges(const AccuracyGauges& gauges) {
                      gauges.lost_s));
     text(fmt::format(
         "energy {:.4g} J, change {:+.2g} J per second", gauges.energy_J, gauges.energy_change_J));
-    text(fmt::format("max penetration {:.3f} mm, max joint error {:.3f} mm",
+    text(fmt::format("penetration {:.2f} mm, joint error {:.2f} mm at most",
                      gauges.max_penetration_m * 1e3,
                      gauges.max_joint_error_m * 1e3));
     const std::string done = scene::interventions_text(gauges.cost.interventions);
@@ -116,7 +116,7 @@ void plot(const char* label,
     for (const study::GhostDistance& each : history)
         values.push_back(static_cast<float>(each.*part * scale));
     const float last = values.empty() ? 0.0F : values.back();
-    const std::string shown = fmt::format("{:.3g}", last);
+    const std::string shown = fmt::format("{:.{}f}", last, last < 10.0F ? 2 : 0);
     ImGui::PlotLines(label,
                      values.data(),
                      static_cast<int>(values.size()),
