@@ -129,6 +129,21 @@ def an_earlier_study_stays_until_the_new_one_is_done():
     assert (out / "findings.csv").read_text() == "earlier"
 
 
+def a_trace_grows_while_it_runs():
+    """It was kept in memory and written at the end: after a kill there was none."""
+    trace = folder / "growing.jsonl"
+    endless = subprocess.Popen([program, "simulate", CUBE, "--seconds", "1e6", "--trace", str(trace), "--every", "1"],
+                               env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    end_s = time.monotonic() + 60
+    while not trace.exists() or trace.read_bytes().count(b"\n") < 3:
+        assert endless.poll() is None and time.monotonic() < end_s, "nothing is traced while it runs"
+        time.sleep(0.05)
+    endless.kill()
+    endless.wait()
+    whole = trace.read_bytes().split(b"\n")[:-1]
+    assert [json.loads(line)["time_s"] for line in whole[:3]] == [0, 1, 2]
+
+
 # EXPERIENCE I3
 def a_reader_may_leave():
     for words in (["controls"], ["scenes"], ["explain", CUBE], ["--help"]):
@@ -155,7 +170,7 @@ def what_has_no_name_gets_one():
 
 
 for test in (regular_files_keep_mode_and_links, pipes_are_written_through, devices_stay_devices, the_standard_output_has_a_name,
-             what_cannot_be_written_is_found_first, an_earlier_study_stays_until_the_new_one_is_done, a_reader_may_leave,
-             what_has_no_name_gets_one):
+             what_cannot_be_written_is_found_first, an_earlier_study_stays_until_the_new_one_is_done,
+             a_trace_grows_while_it_runs, a_reader_may_leave, what_has_no_name_gets_one):
     print(test.__name__, flush=True)
     test()

@@ -37,6 +37,27 @@ TEST(Output, FilesAreReplacedAndLinksFollowed) {
     EXPECT_EQ(folder.read("real"), "new");
 }
 
+TEST(Output, AGrowingOneIsThereAsItGrowsAndKeepsModeAndLinks) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::chmod(folder.write("real", "a longer text").c_str(), 0600), 0);
+    fs::create_symlink("real", folder / "link");
+    EXPECT_TRUE(is_replaced(folder / "link"));
+    EXPECT_FALSE(is_replaced("/dev/null"));
+    EXPECT_FALSE(is_replaced("-"));
+    GrowingOutput out;
+    EXPECT_TRUE(out.write("nothing was opened"));
+    ASSERT_TRUE(out.open(folder / "link"));
+    EXPECT_TRUE(out.write("one\n"));
+    EXPECT_EQ(folder.read("real"), "one\n");
+    EXPECT_TRUE(out.write("two\n"));
+    EXPECT_EQ(folder.read("real"), "one\ntwo\n");
+    EXPECT_TRUE(out.close());
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_EQ(fs::status(folder / "real").permissions(),
+              fs::perms::owner_read | fs::perms::owner_write);
+    EXPECT_FALSE(out.open(folder / "none" / "file"));
+}
+
 TEST(Output, AFifoHasAReaderAndStays) {
     const TemporaryFolder folder;
     const fs::path pipe = folder / "pipe";
