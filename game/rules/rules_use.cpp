@@ -112,7 +112,7 @@ void PlaygroundGame::use(scene::Simulation& simulation, const Actions& actions) 
         } else if (player_ && player_->sits()) {
             player_->stand_up();
         } else {
-            say("nothing to use there");
+            say("nothing to use");
         }
     }
     doors_.push(simulation, grab_.body());

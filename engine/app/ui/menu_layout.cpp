@@ -172,8 +172,6 @@ void pin_first_line(const Line& line, float font_px, const TextSize& text, MenuL
     Layouter layouter(layout, font_px, text, true);
     layouter.add(line, 0);
     layouter.finish();
-    layout.pinned = layout.view;
-    layout.pinned.height = layout.content_height;
     const float taken = layout.content_height + font_px * 0.3F;
     layout.view.y += taken;
     layout.view.height -= taken;

@@ -39,7 +39,6 @@ struct PlacedCell {
 struct MenuLayout {
     Box panel;                      ///< in the window
     Box title;                      ///< in the panel's head, never scrolled
-    Box pinned;                     ///< the first line, where the page pins it; else empty
     Box view;                       ///< what scrolls is seen through it
     std::vector<Box> labels;        ///< of each line, before scrolling; Keys: label and value
     std::vector<PlacedCell> cells;  ///< before scrolling, in the page's order

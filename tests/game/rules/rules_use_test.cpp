@@ -122,7 +122,7 @@ TEST(RulesUse, WhatTurnsOnAndOnOrHasNoHingeIsNoDoor) {
         Playground play(scene);
         EXPECT_EQ(words(play), "");
         play.step(press({Action::Use}));
-        EXPECT_EQ(play.messages(), std::vector<std::string>{"nothing to use there"});
+        EXPECT_EQ(play.messages(), std::vector<std::string>{"nothing to use"});
     }
 }
 
