@@ -205,9 +205,10 @@ std::optional<Placed> Things::preview(const scene::Simulation& simulation, const
     const Room room{.box = boxes_[chosen_], .size_m = *thing.size_m};
     const auto place = place_for(world, aim, room, true);
     if (!place) return {};
-    Placed placed{.world_from_box = {.position = *place,
-                                     .orientation = glm::angleAxis(aim.yaw_rad, Vec3{0, 1, 0})},
-                  .size_m = room.size_m};
+    Placed placed{
+        .world_from_box = {.position = *place,
+                           .orientation = portable_angle_axis(aim.yaw_rad, Vec3{0, 1, 0})},
+        .size_m = room.size_m};
     const Vec3 deep = *place - Vec3{0, kDeepestFall_m, 0};
     const auto ground =
         world.sweep(room.box, placed.world_from_box, deep, {.ignored = aim.own_body});
