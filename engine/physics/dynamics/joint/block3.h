@@ -85,21 +85,49 @@ inline Quatd small_turn(const Vec3d& turn_rad) {
     return {cosine, turn_rad * sine_by_angle};
 }
 
-/// The inverse of a positive matrix by L D L^T. A pivot below `floor` counts as `floor`.
-inline Symmetric3 inverse_of(const Symmetric3& a, double floor) {
-    const double p0 = 1 / std::max(a.xx, floor);
-    const double l10 = a.xy * p0;
-    const double l20 = a.xz * p0;
-    const double p1 = 1 / std::max(a.yy - l10 * a.xy, floor);
-    const double below = a.yz - l10 * a.xz;
-    const double l21 = below * p1;
-    const double p2 = 1 / std::max(a.zz - l20 * a.xz - l21 * below, floor);
-    // The inverse of L has -l10, -l21 and this below its diagonal.
-    const double m20 = l10 * l21 - l20;
-    const double m20p = m20 * p2;
-    const double l21p = -l21 * p2;
-    return {
-        p0 + l10 * l10 * p1 + m20 * m20p, -l10 * p1 + l21p * m20, m20p, p1 - l21 * l21p, l21p, p2};
+/// A positive matrix as L D L^T: L below its unit diagonal, and the reciprocals of D.
+struct Factored3 {
+    double l10{0}, l20{0}, l21{0};
+    double p0{1}, p1{1}, p2{1};
+    bool cancelled{false};  ///< a row is almost a combination of those before it
+
+    /// The inverse of the whole matrix. Where a row `cancelled`, its digits are lost: substitute.
+    Symmetric3 inverse() const {
+        const double m20 = l10 * l21 - l20;  // of the inverse of L
+        const double m20p = m20 * p2;
+        const double l21p = -l21 * p2;
+        return {p0 + l10 * l10 * p1 + m20 * m20p,
+                -l10 * p1 + l21p * m20,
+                m20p,
+                p1 - l21 * l21p,
+                l21p,
+                p2};
+    }
+    /// The inverse times v by substitution. Its rounding errors lie along the vectors that the
+    /// matrix takes to almost nothing, so the product with the matrix keeps all digits.
+    Vec3d substitute(const Vec3d& v) const {
+        const double y = v.y - l10 * v.x;
+        const double z = (v.z - l20 * v.x - l21 * y) * p2;
+        const double middle = y * p1 - l21 * z;
+        return {v.x * p0 - l10 * middle - l20 * z, middle, z};
+    }
+};
+
+/// Factors a positive matrix. A pivot below `floor` counts as `floor`.
+inline Factored3 factored(const Symmetric3& a, double floor) {
+    constexpr double kCancelled = 1e-5;  // of its diagonal is left of a row
+    Factored3 f;
+    f.p0 = 1 / std::max(a.xx, floor);
+    f.l10 = a.xy * f.p0;
+    f.l20 = a.xz * f.p0;
+    const double second = a.yy - f.l10 * a.xy;
+    f.p1 = 1 / std::max(second, floor);
+    const double below = a.yz - f.l10 * a.xz;
+    f.l21 = below * f.p1;
+    const double third = a.zz - f.l20 * a.xz - f.l21 * below;
+    f.p2 = 1 / std::max(third, floor);
+    f.cancelled = second < kCancelled * a.yy || third < kCancelled * a.zz;
+    return f;
 }
 
 }  // namespace plumbline::physics

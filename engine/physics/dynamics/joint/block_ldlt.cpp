@@ -23,6 +23,7 @@ void BlockLdlt::fit(const BlockPattern& pattern) {
         if (list.size() < size) list.resize(size);
     };
     grow(diagonal, pattern.columns);
+    grow(pivots_, pattern.columns);
     grow(inverse_, pattern.columns);
     grow(below, pattern.rows.size());
     grow(lower_, pattern.rows.size());
@@ -35,18 +36,23 @@ void BlockLdlt::clear_below(std::uint32_t first, std::uint32_t last) {
 
 void BlockLdlt::factor(std::uint32_t first, std::uint32_t last, std::span<const double> floor) {
     for (std::uint32_t k = first; k < last; ++k) {
-        inverse_[k] = inverse_of(diagonal[k], floor[k]);
+        pivots_[k] = factored(diagonal[k], floor[k]);
+        inverse_[k] = pivots_[k].inverse();
         eliminate(k);
     }
+}
+
+Vec3d BlockLdlt::divided(std::uint32_t column, const Vec3d& v) const {
+    return pivots_[column].cancelled ? pivots_[column].substitute(v) : inverse_[column] * v;
 }
 
 void BlockLdlt::eliminate(std::uint32_t column) {
     const std::uint32_t begin = pattern_->begin[column];
     const std::uint32_t end = pattern_->begin[column + 1];
-    const Symmetric3& inverse = inverse_[column];
     const std::uint32_t* target = pattern_->targets.data() + pattern_->target_begin[column];
     for (std::uint32_t p = begin; p < end; ++p) {
-        const Block3 l = below[p] * inverse;
+        Block3 l;
+        for (std::size_t i = 0; i < 3; ++i) l.row[i] = divided(column, below[p].row[i]);
         lower_[p] = l;
         subtract_product(diagonal[pattern_->rows[p]], l, below[p]);
         for (std::uint32_t q = begin; q < p; ++q, ++target) {
@@ -62,7 +68,7 @@ void BlockLdlt::solve(std::uint32_t first, std::uint32_t last, std::span<Vec3d> 
         for (std::uint32_t p = pattern.begin[k]; p < pattern.begin[k + 1]; ++p) {
             x[pattern.rows[p]] -= lower_[p] * value;
         }
-        x[k] = inverse_[k] * value;
+        x[k] = divided(k, value);
     }
     for (std::uint32_t k = last; k-- > first;) {
         Vec3d value = x[k];

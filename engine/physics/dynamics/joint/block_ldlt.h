@@ -24,9 +24,12 @@ public:
 
 private:
     void eliminate(std::uint32_t column);
+    /// The inverse of the column's pivot times v.
+    Vec3d divided(std::uint32_t column, const Vec3d& v) const;
 
     const BlockPattern* pattern_{nullptr};
-    std::vector<Symmetric3> inverse_;  // of the pivots
+    std::vector<Factored3> pivots_;
+    std::vector<Symmetric3> inverse_;  // of the pivots; unused where a row of them cancelled
     std::vector<Block3> lower_;        // L below its unit diagonal
 };
 

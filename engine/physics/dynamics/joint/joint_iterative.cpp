@@ -26,7 +26,7 @@ Symmetric3 inverse_of_rows(Symmetric3 s, std::uint8_t rows) {
     if ((rows & 1) == 0 || !(s.xx > 0)) s.xx = 1, s.xy = 0, s.xz = 0;
     if ((rows & 2) == 0 || !(s.yy > 0)) s.yy = 1, s.xy = 0, s.yz = 0;
     if ((rows & 4) == 0 || !(s.zz > 0)) s.zz = 1, s.xz = 0, s.yz = 0;
-    return inverse_of(s, std::max(more, 1e-300));
+    return factored(s, std::max(more, 1e-300)).inverse();
 }
 
 bool is_places(NodeKind kind) {

@@ -84,12 +84,12 @@ TEST(BlockLdlt, SolvesChainsTreesLoopsAndGrids) {
 
 TEST(Block3, InverseIsTheInverseEvenWhenNearlySingular) {
     const Symmetric3 a{4, 1, -2, 3, 0.5, 5};
-    const Symmetric3 b = inverse_of(a, 1e-12);
+    const Symmetric3 b = factored(a, 1e-12).inverse();
     const Vec3d v{1, -2, 3};
     EXPECT_NEAR(glm::length(a * (b * v) - v), 0, 1e-14);
     // Rank one but for 1e-9 on the diagonal: finite, and exact in the direction that matters.
     const Symmetric3 poor{1 + 1e-9, 1, 1, 1 + 1e-9, 1, 1 + 1e-9};
-    const Vec3d x = inverse_of(poor, 5e-10) * Vec3d{3, 3, 3};
+    const Vec3d x = factored(poor, 5e-10).inverse() * Vec3d{3, 3, 3};
     EXPECT_NEAR(x.x + x.y + x.z, 3, 1e-5);
 }
 
