@@ -149,6 +149,7 @@ void StepWorld::integrateTransforms(btScalar step_s) {
             integrate_kinematic(record, record.drive.has_target && last_substep, step_s);
         } else {
             read_rigid_motion(record);
+            cost.interventions.limited_bodies += limit_speed(record) ? 1U : 0U;
             if (is_active(record)) move(record, step_s);
         }
     }

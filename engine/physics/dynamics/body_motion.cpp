@@ -42,6 +42,33 @@ Vec3 angular_gain(const BodyMotion& motion, const Vec3& torque_Nm) {
     return gain;
 }
 
+Vec3 limited(const Vec3& v, Real limit) {
+    // Divides by the largest part first: the square of 1e30 is infinite.
+    const Real largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest * 2 < limit) return v;
+    const Vec3 direction = v * (1 / largest);
+    const Real length = glm::length(direction);
+    return largest > limit / length ? direction * (limit / length) : v;
+}
+
+bool limit_speed(BodyRecord& record) {
+    BodyMotion& motion = *record.motion;
+    // Nearly always both are far below.
+    const auto is_far_below = [](const Vec3& v, Real limit) {
+        return 4 * glm::dot(v, v) < limit * limit;
+    };
+    if (is_far_below(motion.velocity_mps, kMaxSpeed_mps) &&
+        is_far_below(motion.spin_radps, kMaxSpin_radps))
+        return false;
+    const Vec3 velocity = limited(motion.velocity_mps, kMaxSpeed_mps);
+    const Vec3 spin = limited(motion.spin_radps, kMaxSpin_radps);
+    if (velocity == motion.velocity_mps && spin == motion.spin_radps) return false;
+    motion.velocity_mps = velocity;
+    motion.spin_radps = spin;
+    motion.ballistic.going = false;
+    return true;
+}
+
 bool feels_gyro(const BodyRecord& record, const WorldFeatures& features) {
     // A tenth of what islands leave out (island_loop.cpp): recorded states of bullet_* tell the two
     // apart.
@@ -177,21 +204,24 @@ bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s) {
     Transform stopped = record.before.at;
     stopped.position_m += (record.motion->at.position_m - stopped.position_m) * swept.share;
     // What stands at the hit already and still heads for it has contacts elsewhere, about which it
-    // turns. It goes on turning; the speed that it cannot have would grow from step to step.
+    // turns: it goes on turning.
     const bool stuck = swept.share < kStuckShare;
     stopped.rotation = turned(record.before.at.rotation,
                               record.motion->spin_radps,
                               stuck ? duration_s : duration_s * swept.share);
     // Less the speed of the fall that it did not make.
-    Vec3 velocity = record.motion->velocity_mps - record.traits.weight_N *
-                                                      record.motion->inverse_mass *
-                                                      (duration_s * (1 - swept.share));
-    const Real into = glm::dot(velocity, swept.normal);
-    if (stuck && into < 0) velocity -= swept.normal * into;
-    record.motion->velocity_mps = velocity;
+    record.motion->velocity_mps -=
+        record.traits.weight_N * record.motion->inverse_mass * (duration_s * (1 - swept.share));
+    lose_approach(record, swept);
     record.motion->at = stopped;
     write_rigid_pose(record);
     return true;
+}
+
+void lose_approach(BodyRecord& record, const SweepResult& swept) {
+    Vec3& velocity = record.motion->velocity_mps;
+    const Real into = glm::dot(velocity, swept.normal);
+    if (swept.share < kStuckShare && into < 0) velocity -= swept.normal * into;
 }
 
 void stop_part_way(BodyRecord& record, Real share) {

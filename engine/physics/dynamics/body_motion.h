@@ -39,6 +39,11 @@ SymmetricMat3 inverse_inertia_of(const BodyMotion& motion);
 /// Change of spin per second, or by an angular impulse.
 Vec3 angular_gain(const BodyMotion& motion, const Vec3& torque_Nm);
 
+/// v shortened to `limit`, whatever its size; numbers that are not finite stay.
+Vec3 limited(const Vec3& v, Real limit);
+/// Shortens velocities beyond the limits of the world (body_record.h). Whether one was.
+bool limit_speed(BodyRecord& record);
+
 /// Whether the body turns so that its gyroscopic torque shows.
 bool feels_gyro(const BodyRecord& record, const WorldFeatures& features);
 
@@ -72,6 +77,9 @@ SweepResult swept_fraction(const StepWorld& world,
 /// On a hit the body stops there and keeps its velocity, so that the next step's contact bounces it
 /// as it should. Whether there was one.
 bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s);
+/// A body that stood at the hit when the step began loses the speed with which it heads for it:
+/// stopped again and again, it would grow.
+void lose_approach(BodyRecord& record, const SweepResult& swept);
 /// Puts the body where it was after a share of its way since record.before.
 void stop_part_way(BodyRecord& record, Real share);
 

@@ -11,6 +11,8 @@ constexpr double kContactShare = 1e-3;
 constexpr double kJointShare = 0.05;
 /// Speeds that resting contacts show anyway, m/s, beside one sub-step's fall.
 constexpr double kRestless_mps = 2e-3;
+/// Of its speed, that sums of float32 may change a common centre's by.
+constexpr double kRoundingShare = 1e-4;
 
 bool moves_by_itself(const SolverBody& body) {
     return !body.movable() && (glm::dot(body.velocity_mps, body.velocity_mps) > 0 ||
@@ -42,6 +44,42 @@ double kinetic_J(std::span<const SolverBody> bodies, const Vec3d& center_mps) {
         sum += 0.5 * (mass_kg(body) * glm::dot(v, v) + glm::dot(body.inertia_kgm2 * spin, spin));
     }
     return sum;
+}
+
+double elastic_J(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints) {
+    const auto place = [&bodies](std::uint32_t index, const Vec3d& anchor) {
+        const SolverBody& body = bodies[index];
+        return body.start_position_m + Vec3d(body.delta_position_m) +
+               (Quatd(body.delta_rotation) * body.start_orientation) * anchor;
+    };
+    double sum = 0;
+    for (const SolverJoint& joint : joints) {
+        if (joint.kind != JointKind::Spring) continue;
+        const double stretch_m =
+            glm::distance(place(joint.a, joint.anchor_in_a), place(joint.b, joint.anchor_in_b)) -
+            static_cast<double>(joint.rest_length_m);
+        sum += 0.5 * static_cast<double>(joint.stiffness_Npm) * stretch_m * stretch_m;
+    }
+    return sum;
+}
+
+/// What joints changed the velocity of the common centre by, m/s; bodies that are damped change it
+/// too, and are taken not to.
+Vec3d center_error_mps(std::span<const SolverBody> bodies,
+                       const Vec3d& start_mps,
+                       const Vec3d& end_mps,
+                       double step_s) {
+    Vec3d momentum{0, 0, 0};
+    double mass = 0;
+    for (const SolverBody& body : bodies) {
+        if (!body.movable()) continue;
+        if (body.linear_damping_factor != 1) return {0, 0, 0};
+        mass += mass_kg(body);
+        momentum += mass_kg(body) * Vec3d(body.acceleration_mps2) * step_s;
+    }
+    const Vec3d error = end_mps - (start_mps + momentum / mass);
+    const double rounding_mps = kRestless_mps + kRoundingShare * glm::length(end_mps);
+    return glm::length(error) > rounding_mps ? error : Vec3d{0, 0, 0};
 }
 
 /// Of gravity and the callers' forces on the way made, relative to the centre's.
@@ -77,14 +115,16 @@ void EnergyGuard::begin(std::span<const SolverBody> bodies,
         grounded_ = grounded_ || !bodies[constraint.b].movable();
     }
     for (const SolverJoint& joint : joints) {
-        if (joint.motor || joint.kind == JointKind::Spring) return;
+        if (joint.motor) return;
         if (moves_by_itself(bodies[joint.a]) || moves_by_itself(bodies[joint.b])) return;
         grounded_ = grounded_ || !bodies[joint.a].movable() || !bodies[joint.b].movable();
     }
     watches_ = true;
     joined_ = !joints.empty();
     share_ = joints.empty() ? kContactShare : kJointShare;
-    start_J_ = kinetic_J(bodies, grounded_ ? Vec3d{0, 0, 0} : center_velocity_mps(bodies));
+    center_mps_ = grounded_ ? Vec3d{0, 0, 0} : center_velocity_mps(bodies);
+    start_J_ = kinetic_J(bodies, center_mps_);
+    elastic_J_ = elastic_J(bodies, joints);
     slack_J_ = 0;
     for (const SolverBody& body : bodies) {
         if (!body.movable()) continue;
@@ -94,12 +134,23 @@ void EnergyGuard::begin(std::span<const SolverBody> bodies,
     }
 }
 
-double EnergyGuard::end(std::span<SolverBody> bodies, double step_s) const {
+double EnergyGuard::end(std::span<SolverBody> bodies,
+                        std::span<const SolverJoint> joints,
+                        double step_s) const {
     if (!watches_) return 0;
-    const Vec3d center_mps = grounded_ ? Vec3d{0, 0, 0} : center_velocity_mps(bodies);
+    Vec3d center_mps = grounded_ ? Vec3d{0, 0, 0} : center_velocity_mps(bodies);
+    if (joined_ && !grounded_) {
+        const Vec3d error_mps = center_error_mps(bodies, center_mps_, center_mps, step_s);
+        center_mps -= error_mps;
+        for (SolverBody& body : bodies) {
+            if (body.movable()) body.velocity_mps -= Vec3(error_mps);
+        }
+    }
     const double now_J = kinetic_J(bodies, center_mps);
     const double work = grounded_ ? work_J(bodies, step_s) : std::abs(work_J(bodies, step_s));
-    const double allowed_J = start_J_ * (1 + share_) + std::max(work, 0.0) + slack_J_;
+    const double from_springs_J = elastic_J_ > 0 ? elastic_J_ - elastic_J(bodies, joints) : 0;
+    const double allowed_J = start_J_ * (1 + share_) + std::max(work, 0.0) + slack_J_ +
+                             std::max(from_springs_J, 0.0) + share_ * elastic_J_;
     // Not finite: whoever looks at single bodies takes them out.
     if (!(now_J > allowed_J) || !std::isfinite(now_J)) return 0;
     const auto kept = static_cast<Real>(std::sqrt(allowed_J / now_J));

@@ -11,9 +11,10 @@ namespace plumbline::physics {
 /// Contacts are found once a step. A body that turns far within it (a whirling rod, a coin on its
 /// edge) carries its points along to where it touches nothing, and what acts there may do work from
 /// nothing. Islands that no machine drives are held to their budget: kinetic energy at the start,
-/// plus the work of gravity and the callers' forces, plus a share for honest errors of the step;
-/// what is above is taken out of all their motion about the common centre, or about the ground
-/// where they touch what never moves.
+/// plus the work of gravity, the callers' forces and springs, plus a share for honest errors of the
+/// step; what is above is taken out of all their motion about the common centre, or about the ground
+/// where they touch what never moves. The centre of those that touch nothing moves as what acts from
+/// outside says: joints that act on bodies heavier than themselves (geometric_stiffness.h) push it.
 class EnergyGuard {
 public:
     /// Before the step's first sub-step. `h`: the sub-step, s.
@@ -22,14 +23,18 @@ public:
                std::span<const SolverJoint> joints,
                Real h);
     /// After the last: what was too much and was taken out, J; 0: nothing.
-    double end(std::span<SolverBody> bodies, double step_s) const;
+    double end(std::span<SolverBody> bodies,
+               std::span<const SolverJoint> joints,
+               double step_s) const;
 
 private:
     bool watches_{false};
     bool grounded_{false};
     bool joined_{false};
-    double start_J_{0};
-    double share_{0};  ///< of the start's energy that a step may err by
+    double start_J_{0};          ///< kinetic
+    double elastic_J_{0};        ///< in springs at the start
+    Vec3d center_mps_{0, 0, 0};  ///< velocity of the common centre at the start
+    double share_{0};            ///< of the start's energy that a step may err by
     double slack_J_{0};
 };
 

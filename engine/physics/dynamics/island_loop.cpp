@@ -96,7 +96,7 @@ LoopReport IslandLoop::run(const LoopSettings& settings) {
     for (int i = 0; i < settings.substeps; ++i) substep();
     for (SolverBody& body : bodies)
         report_.clamped_bodies += clamp_depenetration_velocity(body, settings.push_mps) ? 1U : 0U;
-    report_.braked_J = guard_.end(bodies, settings.step_s);
+    report_.braked_J = guard_.end(bodies, joints, settings.step_s);
     if (!joints.empty()) {
         joint_system_.finish();
         report_.max_joint_error_m = joint_system_.work().max_error_m;

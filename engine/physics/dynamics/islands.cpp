@@ -21,41 +21,33 @@ bool moves_by_itself(const BodyRecord& record) {
     return record.kind == BodyKind::Kinematic && record.small.awake;
 }
 
-/// Nothing that callers may do makes bodies faster than this; comparisons with NaN are false.
-bool is_valid(const BodyRecord& record) {
-    constexpr Real kSpeed = 4 * kMaxSpeed_mps;
-    constexpr Real kSpin = 4 * kMaxSpin_radps;
+/// Comparisons with NaN are false.
+bool is_valid(const BodyRecord& record, Real step_s) {
+    constexpr Real kFinite = std::numeric_limits<Real>::max();
     const Vec3 v = record.motion->velocity_mps;
     const Vec3 spin = record.motion->spin_radps;
-    const Transform at = record.motion->at;
-    return glm::dot(v, v) <= kSpeed * kSpeed && glm::dot(spin, spin) <= kSpin * kSpin &&
-           std::isfinite(glm::dot(at.position_m, at.position_m) +
-                         glm::dot(at.rotation[0], at.rotation[0]));
+    const Mat3& rotation = record.motion->at.rotation;
+    const Vec3 moved = record.motion->at.position_m - record.before.at.position_m;
+    const Real farthest_m = 2 * kMaxSpeed_mps * step_s;
+    return glm::dot(moved, moved) <= farthest_m * farthest_m && glm::dot(v, v) <= kFinite &&
+           glm::dot(spin, spin) <= kFinite && glm::dot(rotation[0], rotation[0]) <= kFinite;
 }
 
-Real speed_before(const BodyRecord& record) {
-    return glm::length(record.before.velocity_mps) +
-           glm::length(record.before.spin_radps) * record.traits.radius_m;
-}
-
-void stand_as_before(BodyRecord& record) {
+/// A step that fails again and again slows the body down until it does not.
+void restore(BodyRecord& record) {
     record.motion->ballistic.going = false;
     record.motion->at = record.before.at;
-    record.motion->velocity_mps = record.before.velocity_mps;
-    record.motion->spin_radps = record.before.spin_radps;
+    record.motion->velocity_mps = record.before.velocity_mps / Real{2};
+    record.motion->spin_radps = record.before.spin_radps / Real{2};
 }
 
 }  // namespace
 
-bool roll_back_if_invalid(const Island& island) {
-    const bool sound = std::all_of(
-        island.bodies.begin(), island.bodies.end(), [](auto* record) { return is_valid(*record); });
-    if (sound) return false;
-    BodyRecord* fastest = island.bodies.front();
-    for (BodyRecord* record : island.bodies) {
-        stand_as_before(*record);
-        if (speed_before(*record) > speed_before(*fastest)) fastest = record;
-    }
+bool restore_if_invalid(const Island& island, Real step_s) {
+    const bool valid = std::ranges::all_of(
+        island.bodies, [step_s](const BodyRecord* record) { return is_valid(*record, step_s); });
+    if (valid) return false;
+    for (BodyRecord* record : island.bodies) restore(*record);
     for (Manifold* manifold : island.manifolds) forget_loads(*manifold);
     for (JointRecord* joint : island.joints) {
         SolverJoint& solver = joint->solver;
@@ -65,8 +57,6 @@ bool roll_back_if_invalid(const Island& island) {
         solver.position = 0;
         joint->state = {};
     }
-    constexpr Real kNone = std::numeric_limits<Real>::quiet_NaN();
-    fastest->motion->velocity_mps = {kNone, kNone, kNone};
     return true;
 }
 

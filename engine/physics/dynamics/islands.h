@@ -36,9 +36,9 @@ private:
     std::vector<BodyRecord*> free_;
 };
 
-/// When a step left an island with numbers that are not finite, or faster than anything may be: all
-/// its bodies stand as they did, nothing presses any more, and the one that was fastest is left for
-/// quarantine. Returns whether that was so.
-bool roll_back_if_invalid(const Island& island);
+/// Undoes a step that left a body of the island with numbers that are not finite, or farther away
+/// than the speed limit takes it: all stand where they stood with half of the velocities they had,
+/// and contacts and joints forget their loads. Whether that was so.
+bool restore_if_invalid(const Island& island, Real step_s);
 
 }  // namespace plumbline::physics

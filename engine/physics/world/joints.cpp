@@ -183,6 +183,16 @@ void break_joints(WorldState& world, std::span<const JointId> ids) {
     }
 }
 
+void unload_broken_joints(WorldState& world) {
+    for (const JointId id : world.broken_joints) {
+        if (!world.joints.contains(id)) continue;
+        JointState& state = world.joints.get(id)->state;
+        state.force_N = 0;
+        state.torque_Nm = 0;
+    }
+    world.broken_joints.clear();
+}
+
 double elastic_energy_J(const JointTable& joints) {
     double sum_J = 0;
     joints.each([&sum_J](JointId, const std::unique_ptr<JointRecord>& record) {

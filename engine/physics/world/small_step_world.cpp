@@ -140,7 +140,9 @@ void SmallStepWorld::solve_islands(const WorldFeatures& features) {
     solver_.begin_step();
     for (Island& island : builder_.islands()) {
         reports.push_back(solver_.solve(island, step));
-        if (roll_back_if_invalid(island)) ++cost.interventions.restored_islands;
+        if (restore_if_invalid(island, step_s_)) ++cost.interventions.restored_islands;
+        for (BodyRecord* record : island.bodies)
+            cost.interventions.limited_bodies += limit_speed(*record) ? 1U : 0U;
     }
 }
 

@@ -12,20 +12,6 @@
 namespace plumbline::physics {
 namespace {
 
-/// v shortened to `limit`. Divides by the largest part first: the square of 1e30 is infinite.
-Vec3 limited(const Vec3& v, Real limit) {
-    const Real largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (largest * 2 < limit) return v;
-    const Vec3 direction = v * (1 / largest);
-    const Real length = glm::length(direction);
-    return largest > limit / length ? direction * (limit / length) : v;
-}
-
-/// Nearly always: then limited() has nothing to do.
-bool is_far_below(const Vec3& v, Real limit) {
-    return 4 * glm::dot(v, v) < limit * limit;
-}
-
 /// Keeps a caller's force from driving the body past the speed limit within this step: Bullet
 /// would turn 1e9 N on a pebble into infinities that reach its neighbours.
 void limit_force(BodyRecord& record, Real step_s) {
@@ -67,23 +53,7 @@ void prepare_kinematic(BodyRecord& record, Real step_s) {
 bool prepare_dynamic(BodyRecord& record, Real step_s) {
     add_force(record, record.traits.weight_N);
     if (record.applied.by_caller) limit_force(record, step_s);
-    const Vec3 v = record.motion->velocity_mps;
-    const Vec3 w = record.motion->spin_radps;
-    if (is_far_below(v, kMaxSpeed_mps) && is_far_below(w, kMaxSpin_radps)) return false;
-    bool was_limited = false;
-    const Vec3 velocity = limited(v, kMaxSpeed_mps);
-    if (velocity != v) {
-        record.motion->velocity_mps = velocity;
-        record.motion->ballistic.going = false;
-        was_limited = true;
-    }
-    const Vec3 spin = limited(w, kMaxSpin_radps);
-    if (spin != w) {
-        record.motion->spin_radps = spin;
-        record.motion->ballistic.going = false;
-        was_limited = true;
-    }
-    return was_limited;
+    return limit_speed(record);
 }
 
 template <class Fn>
@@ -146,7 +116,7 @@ void advance_bullet(WorldState& world, bool want_contacts) {
     world.cost = engine.cost();
     world.cost.row_solves = solved.row_solves;
     world.cost.contacts = solved.contacts;
-    world.cost.interventions.limited_bodies = limited_bodies;
+    world.cost.interventions.limited_bodies += limited_bodies;
     world.cost.interventions.oversized_islands = solved.interventions.oversized_islands;
     world.use = engine.use();
 }
@@ -154,7 +124,6 @@ void advance_bullet(WorldState& world, bool want_contacts) {
 void advance_small(WorldState& world, bool want_contacts) {
     SmallStepWorld& small = *world.small;
     small.begin_step();
-    world.broken_joints.clear();
     world.slept_through = small.bodies.idle();
     if (world.slept_through) return;
     const std::uint32_t limited_bodies = prepare_bodies(world);
@@ -166,7 +135,7 @@ void advance_small(WorldState& world, bool want_contacts) {
     world.broken_joints = settle_joints(world.joints);
     break_joints(world, world.broken_joints);
     world.cost = small.cost;
-    world.cost.interventions.limited_bodies = limited_bodies;
+    world.cost.interventions.limited_bodies += limited_bodies;
     world.use = small.use;
 }
 
@@ -215,6 +184,7 @@ void PhysicsWorld::step() {
         if (world.bodies.contains(id)) world.quarantine(world.body(id));
     }
     world.poisoned.clear();
+    unload_broken_joints(world);
 
     world.cost = {};
     world.use = {};

@@ -96,6 +96,8 @@ void gather_joint_loads(JointTable& joints, double substep_s);
 std::vector<JointId> settle_joints(JointTable& joints);
 /// They carry nothing any more, and their bodies may touch.
 void break_joints(WorldState& world, std::span<const JointId> ids);
+/// Joints that broke in the step before carry nothing in this one.
+void unload_broken_joints(WorldState& world);
 double elastic_energy_J(const JointTable& joints);
 
 }  // namespace plumbline::physics

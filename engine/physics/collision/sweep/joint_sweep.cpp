@@ -8,10 +8,25 @@
 namespace plumbline::physics {
 namespace {
 
-/// Whether the joint holds its bodies so that one cannot stop without the other.
-bool holds(const JointRecord& joint) {
-    return !joint.state.broken && joint.def.kind != JointKind::Spring && joint.b != nullptr &&
-           pushable(*joint.a) && pushable(*joint.b);
+/// What an impulse at the anchor changes the anchor's velocity by, at most.
+double inverse_mass_at(const BodyRecord& body, const Vec3d& anchor) {
+    const Vec3& inverse = body.motion->inverse_moments;
+    return static_cast<double>(body.motion->inverse_mass) +
+           glm::dot(anchor, anchor) *
+               static_cast<double>(std::max({inverse.x, inverse.y, inverse.z}));
+}
+
+/// Whether the joint holds its bodies so that one cannot stop without the other. A spring does that
+/// swings them within the step: what stopping one stretches it by would be energy from nothing.
+bool holds(const JointRecord& joint, double step_s) {
+    if (joint.state.broken || joint.b == nullptr || !pushable(*joint.a) || !pushable(*joint.b))
+        return false;
+    if (joint.def.kind != JointKind::Spring) return true;
+    const SolverJoint& spring = joint.solver;
+    return static_cast<double>(spring.stiffness_Npm) * step_s * step_s *
+               (inverse_mass_at(*joint.a, spring.anchor_in_a) +
+                inverse_mass_at(*joint.b, spring.anchor_in_b)) >
+           1;
 }
 
 }  // namespace
@@ -21,7 +36,7 @@ void JointSweep::begin_step() {
     groups_.clear();
 }
 
-std::vector<BodyRecord*>& JointSweep::group_of(BodyRecord& record) {
+std::vector<BodyRecord*>& JointSweep::group_of(BodyRecord& record, double step_s) {
     if (record.sweep.group >= first_of_step_) return groups_[record.sweep.group - first_of_step_];
     std::vector<BodyRecord*>& group = groups_.emplace_back();
     const std::uint32_t number = ++groups_made_;
@@ -30,7 +45,7 @@ std::vector<BodyRecord*>& JointSweep::group_of(BodyRecord& record) {
     for (std::size_t next = 0; next < group.size(); ++next) {
         for (const JointId id : group[next]->joints) {
             const JointRecord& joint = *joints_.get(id);
-            if (!holds(joint)) continue;
+            if (!holds(joint, step_s)) continue;
             BodyRecord& other = joint.a == group[next] ? *joint.b : *joint.a;
             if (other.sweep.group == number) continue;
             other.sweep.group = number;
@@ -46,10 +61,11 @@ void JointSweep::stop_at_hit(const StepWorld& world, BodyRecord& record, Real du
         physics::stop_at_hit(world, record, duration_s);
         return;
     }
-    const std::vector<BodyRecord*>& group = group_of(record);
-    const Real share = swept_fraction(world, record, record.sweep.group).share;
-    if (share >= 1) return;
-    for (BodyRecord* member : group) stop_part_way(*member, share);
+    const std::vector<BodyRecord*>& group = group_of(record, static_cast<double>(duration_s));
+    const SweepResult swept = swept_fraction(world, record, record.sweep.group);
+    if (swept.share >= 1) return;
+    for (BodyRecord* member : group) stop_part_way(*member, swept.share);
+    lose_approach(record, swept);
 }
 
 }  // namespace plumbline::physics

@@ -27,7 +27,7 @@ public:
     void stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s);
 
 private:
-    std::vector<BodyRecord*>& group_of(BodyRecord& record);
+    std::vector<BodyRecord*>& group_of(BodyRecord& record, double step_s);
 
     const Joints& joints_;
     std::uint32_t groups_made_{0};                  ///< ever; numbers them

@@ -74,6 +74,7 @@ void JointBound::let_go() {
 
 void JointBound::before_motion(double substep_s) {
     impulse = 0;
+    eased = false;
     slowest = std::min((lower - position) / substep_s, kPush_mps);
     fastest = std::max((upper - position) / substep_s, -kPush_mps);
 }
@@ -81,6 +82,22 @@ void JointBound::before_motion(double substep_s) {
 void JointBound::after_motion(double substep_s) {
     slowest = std::min((lower - position) / substep_s, 0.0);
     fastest = std::max((upper - position) / substep_s, 0.0);
+}
+
+bool JointBound::ease_push(double more) {
+    constexpr double kEnough = 1.01;
+    const bool pushes = (step == BoundStep::Lower && slowest > 0) ||
+                        (step == BoundStep::Upper && fastest < 0) ||
+                        (step == BoundStep::Locked && wanted_speed() != 0);
+    if (!pushes || eased) return false;
+    const double most = mass * kPush_mps * kPush_mps;
+    const double given = (impulse + more) * wanted_speed();
+    if (!(given > kEnough * most)) return false;
+    const double kept = most / given;  // not its root: nor does the impulse grow with the lever
+    slowest *= slowest > 0 ? kept : 1;
+    fastest *= fastest < 0 ? kept : 1;
+    eased = true;
+    return true;
 }
 
 bool JointBound::settle(double speed) {

@@ -42,6 +42,7 @@ struct JointBound {
     double slowest{0};   ///< speed that keeps it above the lower limit
     double fastest{0};
     double impulse{0};  ///< so far in this sub-step
+    bool eased{false};  ///< ease_push() slowed it down in this sub-step
 
     bool at_bound() const { return step != BoundStep::Forward && step != BoundStep::Backward; }
     /// The speed to solve for when at_bound().
@@ -59,6 +60,9 @@ struct JointBound {
     void before_motion(double substep_s);
     /// They have moved: what is past a limit only has to stop.
     void after_motion(double substep_s);
+    /// Slows down what brings a passed limit back, once in a sub-step, if the impulse beside
+    /// `impulse` that it takes would give too much energy. Whether it did.
+    bool ease_push(double more);
     /// Goes to the step that this speed and `impulse` belong to; false if it is on it.
     bool settle(double speed);
     /// Warm-start numbers of the next step, per second.

@@ -88,6 +88,16 @@ bool settle(JointGroup& group, std::span<JointBound> bounds, int round) {
     return changed;
 }
 
+/// Other joints, or a long lever, would make the slow push of a limit one of any force and of any
+/// speed elsewhere. It gives no more energy than it would give the joint's bodies alone. Whether one
+/// would have given more by these impulses, and is slower now.
+bool ease_pushes(std::span<JointBound> bounds, std::span<const Vec3d> impulses) {
+    bool eased = false;
+    for (JointBound& bound : bounds)
+        eased = bound.ease_push(impulses[bound.node][bound.row]) || eased;
+    return eased;
+}
+
 }  // namespace
 
 void DirectJoints::start(JointGroup& group) {
@@ -154,6 +164,7 @@ void DirectJoints::solve_component(JointGroup& group, const JointComponent& comp
             x_[i] = masked(wanted_[i] - rows.speeds(group.bodies), rows.active);
         }
         matrix_.solve(component.first_node, component.last_node, x_);
+        if (ease_pushes(bounds, x_)) continue;
         push_solution(group, component);
         if (bounds.empty()) return;
         for (JointBound& bound : bounds) bound.impulse += x_[bound.node][bound.row];
@@ -171,9 +182,12 @@ void DirectJoints::push_solution(JointGroup& group, const JointComponent& compon
     group.row_solves += 3 * (component.last_node - component.first_node);
 }
 
-void DirectJoints::correct_positions(JointGroup& group) {
+void DirectJoints::correct_positions(JointGroup& group, std::span<JointSpring> springs) {
     for (JointBody& body : group.bodies) body.note_momentum();
     hold_positions(group);
+    hold_springs(group, springs);
+    const bool eased = std::ranges::any_of(group.bounds, &JointBound::eased);
+    if (eased) leave_eased(group);
     converge(group);
     if (group.any_residual) {
         // No speed comes of this: it would be given back at another pose, as energy.
@@ -183,8 +197,12 @@ void DirectJoints::correct_positions(JointGroup& group) {
             group.residual[i] = residual;
         }
         gather_errors(group);
-        solve_all(group, matrix_);
+        solve_all(group, position_matrix());
         displace(group, 1, false);
+    }
+    release_springs(group, springs);
+    for (const JointBound& bound : group.bounds) {
+        if (bound.eased) group.set_active(bound);
     }
     for (JointBody& body : group.bodies) {
         body.update_inertia();
@@ -203,13 +221,13 @@ void DirectJoints::converge(JointGroup& group) {
         if (i >= kPositionIterations && error > kConverging * before) {
             group.collect_totals();
             for (JointRows& rows : group.rows) rows.refresh(group.bodies);
-            factor(group);
+            factor_positions(group);
         }
-        solve_all(group, matrix_);
+        solve_all(group, position_matrix());
         if (i == 0 && stiffness_.raise(group, x_)) {
-            factor(group);
+            factor_positions(group);
             gather_errors(group);
-            solve_all(group, matrix_);
+            solve_all(group, position_matrix());
         }
         before = error;
         error = step_towards(group, before);
@@ -244,6 +262,7 @@ void DirectJoints::keep_as_residual(JointGroup& group) {
         for (int k = 0; k < 3; ++k) {
             if (((rows.bounded >> k) & 1) != 0) error[k] = 0;
         }
+        if (holds_springs_ && compliance_[i] > 0) error = {0, 0, 0};
         held_[i] += error - group.residual[i];
         group.residual[i] = error;
     }
@@ -255,6 +274,54 @@ void DirectJoints::hold_positions(JointGroup& group) {
     for (const JointBound& bound : group.bounds) {
         held_[bound.node][bound.row] =
             bound.at_bound() ? bound.wanted_position(group.substep_s) : 0;
+    }
+}
+
+/// Springs whose bodies turn are solved at the end of the motion: their force is the one that
+/// belongs to the length there, however far the bodies turned.
+void DirectJoints::hold_springs(JointGroup& group, std::span<const JointSpring> springs) {
+    holds_springs_ = false;
+    for (const JointSpring& spring : springs) {
+        if (spring.turns && spring.stiffness_Npm > 0) {
+            group.rows[spring.node].active = 0b001;
+            held_[spring.node].x = spring.extension_m - group.substep_s * bias_[spring.node].x;
+            holds_springs_ = true;
+        } else {
+            compliance_[spring.node] = 0;
+        }
+    }
+    if (holds_springs_) factor_positions(group);
+}
+
+/// Positions do not follow limits whose push was eased: along a lever that would be a leap.
+void DirectJoints::leave_eased(JointGroup& group) {
+    for (const JointBound& bound : group.bounds) {
+        std::uint8_t& active = group.rows[bound.node].active;
+        if (bound.eased) active = static_cast<std::uint8_t>(active & ~(1U << bound.row));
+    }
+    factor_positions(group);
+}
+
+void DirectJoints::release_springs(JointGroup& group, std::span<JointSpring> springs) {
+    if (!holds_springs_) return;
+    holds_springs_ = false;
+    for (JointSpring& spring : springs) {
+        if (!group.rows[spring.node].is_active(0)) continue;
+        group.rows[spring.node].active = 0;
+        const double target_m = spring.extension_m - group.substep_s * bias_[spring.node].x;
+        spring.kept_Ns +=
+            (target_m - held_[spring.node].x) / (compliance_[spring.node] * group.substep_s);
+    }
+}
+
+BlockLdlt& DirectJoints::position_matrix() {
+    return holds_springs_ ? spring_matrix_ : matrix_;
+}
+
+void DirectJoints::factor_positions(const JointGroup& group) {
+    for (const JointComponent& component : group.topology->components) {
+        assemble(group, component, position_matrix());
+        position_matrix().factor(component.first_node, component.last_node, floor_);
     }
 }
 
@@ -282,7 +349,9 @@ void DirectJoints::displace(JointGroup& group, double share, bool with_velocitie
     for (std::size_t i = 0; i < group.rows.size(); ++i) {
         x_[i] *= share;
         group.rows[i].displace(group.bodies, x_[i]);
-        if (with_velocities) group.impulses[i] += x_[i] * per_substep;
+        if (!with_velocities) continue;
+        group.impulses[i] += x_[i] * per_substep;
+        if (holds_springs_) held_[i].x -= compliance_[i] * x_[i].x;
     }
     for (JointBody& body : group.bodies) {
         if (body.movable) {
@@ -362,9 +431,11 @@ void DirectJoints::push_springs(JointGroup& group,
     compliance_.assign(group.rows.size(), 0.0);
     bias_.assign(group.rows.size(), Vec3d{0, 0, 0});
     damp_springs(group, springs);
-    for (const JointSpring& spring : springs) {
+    for (JointSpring& spring : springs) {
         if (!(spring.stiffness_Npm > 0)) continue;
-        const StiffRow row = push_row(spring, SpringLine(spring), duration_s);
+        const SpringLine line(spring);
+        spring.extension_m = line.length_m - spring.rest_m;
+        const StiffRow row = push_row(spring, line, duration_s);
         bias_[spring.node].x = row.bias_mps;
         compliance_[spring.node] = row.compliance;
     }

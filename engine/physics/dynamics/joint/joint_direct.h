@@ -15,8 +15,9 @@ public:
     void factor(const JointGroup& group);
     /// Velocities that all rows allow. Rows with bounds find their step by trying.
     void solve_velocities(JointGroup& group);
-    /// Bodies that moved are put back on the joints; velocities get what that took.
-    void correct_positions(JointGroup& group);
+    /// Bodies that moved are put back on the joints, and to the lengths that go with the forces of
+    /// unresolved springs; velocities get what that took.
+    void correct_positions(JointGroup& group, std::span<JointSpring> springs);
     /// The damping of stiff springs and their push before the motion, in view of what the joints
     /// will make of it.
     void push_springs(JointGroup& group, std::span<JointSpring> springs, double duration_s);
@@ -30,6 +31,11 @@ private:
     void solve_component(JointGroup& group, const JointComponent& component);
     void push_solution(JointGroup& group, const JointComponent& component);
     void hold_positions(JointGroup& group);
+    void hold_springs(JointGroup& group, std::span<const JointSpring> springs);
+    void release_springs(JointGroup& group, std::span<JointSpring> springs);
+    void leave_eased(JointGroup& group);
+    BlockLdlt& position_matrix();
+    void factor_positions(const JointGroup& group);
     double gather_errors(const JointGroup& group);
     void solve_all(JointGroup& group, const BlockLdlt& matrix);
     void converge(JointGroup& group);
@@ -51,6 +57,7 @@ private:
     std::vector<double> compliance_;  // of stiff springs, by node; 0: none
     std::vector<Vec3d> bias_;         // of stiff springs, by node
     std::vector<StartOfSubstep> now_;
+    bool holds_springs_{false};  // positions are solved with unresolved springs' rows
 };
 
 }  // namespace plumbline::physics

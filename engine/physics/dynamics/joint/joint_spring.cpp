@@ -11,6 +11,8 @@ namespace {
 constexpr double kMostExplicit = 0.25;
 /// ... and above this of it the swing is not followed at all.
 constexpr double kMostImplicit = 400;
+/// ... nor is that of turning bodies above this of it, as it leaves the line that it is taken along.
+constexpr double kMostTurn = 1;
 /// Decays over a sub-step up to this are followed exactly.
 constexpr double kExactDecay = 0.5;
 
@@ -22,6 +24,18 @@ double most_inverse_mass(const SolverBody& body, const Vec3d& anchor) {
         if (moment > 0) largest = std::max(largest, 1 / moment);
     }
     return static_cast<double>(body.inverse_mass) + glm::dot(anchor, anchor) * largest;
+}
+
+/// (Angular frequency * sub-step)^2 of the swing in which the bodies only turn.
+double lever_share(const SolverJoint& spring,
+                   std::span<const SolverBody> bodies,
+                   double substep_s) {
+    const auto by_lever = [](const SolverBody& body, const Vec3d& anchor) {
+        return most_inverse_mass(body, anchor) - static_cast<double>(body.inverse_mass);
+    };
+    return static_cast<double>(spring.stiffness_Npm) * substep_s * substep_s *
+           (by_lever(bodies[spring.a], spring.anchor_in_a) +
+            by_lever(bodies[spring.b], spring.anchor_in_b));
 }
 
 /// 1 - (sin(x)/x)^2.
@@ -91,13 +105,18 @@ void SpringLine::push(const JointSpring& spring, double impulse_Ns) const {
     spring.b->spin_radps += response_b * impulse_Ns;
 }
 
+bool turns_bodies(const SolverJoint& spring, std::span<const SolverBody> bodies, double substep_s) {
+    return lever_share(spring, bodies, substep_s) > kMostExplicit;
+}
+
 bool is_unresolved(const SolverJoint& spring,
                    std::span<const SolverBody> bodies,
                    double substep_s) {
     const double inverse_mass = most_inverse_mass(bodies[spring.a], spring.anchor_in_a) +
                                 most_inverse_mass(bodies[spring.b], spring.anchor_in_b);
     return static_cast<double>(spring.stiffness_Npm) * substep_s * substep_s * inverse_mass >
-           kMostImplicit;
+               kMostImplicit ||
+           lever_share(spring, bodies, substep_s) > kMostTurn;
 }
 
 void find_stiff_springs(std::span<const SolverBody> bodies,

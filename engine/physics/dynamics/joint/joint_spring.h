@@ -23,6 +23,8 @@ struct JointSpring {
     double damping_Nspm{0};
     double rest_m{0};
     double kept_Ns{0};       ///< stiff: the pushes before the motion, which the one after repeats
+    double extension_m{0};   ///< stiff: when the motion began
+    bool turns{false};       ///< stiff: solved at the end of the motion
     bool unresolved{false};  ///< stiff: all of its push comes before the motion
 };
 
@@ -43,6 +45,9 @@ struct SpringLine {
     void push(const JointSpring& spring, double impulse_Ns) const;
 };
 
+/// Whether the spring turns its bodies so much within a sub-step that its line at the start says too
+/// little: it is solved where the motion ends. By masses and anchors alone.
+bool turns_bodies(const SolverJoint& spring, std::span<const SolverBody> bodies, double substep_s);
 /// Whether the spring swings its bodies too fast for the sub-step to show. By masses and anchors alone.
 bool is_unresolved(const SolverJoint& spring, std::span<const SolverBody> bodies, double substep_s);
 /// Which joints are springs that a sub-step of this length can't follow explicitly. By masses and

@@ -44,6 +44,7 @@ void list_stiff_springs(std::span<const SolverBody> bodies,
         if (group.joints[joint].kind != JointKind::Spring) continue;
         list.push_back(spring_of(joint, group));
         list.back().node = node;
+        list.back().turns = turns_bodies(group.joints[joint], bodies, group.substep_s);
         list.back().unresolved = is_unresolved(group.joints[joint], bodies, group.substep_s);
     }
 }
@@ -225,7 +226,7 @@ void JointSystem::correct_positions() {
         return;
     }
     impl.group.read_velocities();
-    impl.direct.correct_positions(impl.group);
+    impl.direct.correct_positions(impl.group, impl.stiff_springs);
     impl.group.write_velocities();
     for (const JointBody& body : impl.group.bodies) body.write_pose();
 }

@@ -20,7 +20,7 @@ struct Pair {
     EnergyGuard guard;
 
     void begin() { guard.begin(bodies, contacts, {}, 1.0_r / 240); }
-    double end() { return guard.end(bodies, 1.0 / 60); }
+    double end() { return guard.end(bodies, std::span<const SolverJoint>{}, 1.0 / 60); }
     double energy_J() const {
         double sum = 0;
         for (const SolverBody& body : bodies) {

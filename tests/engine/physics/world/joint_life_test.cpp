@@ -42,6 +42,7 @@ TEST_P(JointLife, BreaksAtItsLoadOnceAndForGood) {
     const double start_m = test.at(rod).y;
     test.run(1);
     EXPECT_TRUE(test.world.broken_joints().empty()) << "said once";
+    EXPECT_EQ(force_N(test, pivot) + torque_Nm(test, pivot), 0) << "it carries nothing";
     EXPECT_TRUE(test.world.contains(pivot)) << "and kept";
     EXPECT_NEAR(test.at(rod).y, start_m - 0.5 * kG, 0.01);
     EXPECT_EQ(test.world.joint_count(), 2U);
