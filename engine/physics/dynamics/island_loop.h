@@ -48,7 +48,7 @@ public:
 
     /// Empties the island; keeps the memory.
     void clear();
-    /// Moves bodies for one step. Velocities, `delta_position_m`, `turned`, impulses and joints are left as
+    /// Moves bodies for one step. Velocities, `delta_position_m`, `delta_rotation`, impulses and joints are left as
     /// the step ends.
     LoopReport run(const LoopSettings& settings);
 

@@ -18,18 +18,20 @@ struct SymmetricMat3 {
     }
 };
 
-/// Everything the sweeps touch is in the first 64 bytes (float32). Velocities are of the centre of
-/// mass, world axes. Positions are changes since the step's start, so that float32 keeps its digits
-/// far from the origin; the pose at the start stands in `Start`.
+/// 256 bytes (float32), of which a contact sweep reads the first 52 (velocities and masses) and, for
+/// where points have moved to, the change of pose behind them. Velocities are of the centre of mass,
+/// world axes. Positions are changes since the step's start, so that float32 keeps its digits far
+/// from the origin; the pose at the start is in double precision.
 struct alignas(64) SolverBody {
     Vec3 velocity_mps{0, 0, 0};
     Real inverse_mass{0};  ///< 1/kg; 0: static or kinematic
     Vec3 spin_radps{0, 0, 0};
     SymmetricMat3 inverse_inertia{};  ///< world axes, 1/(kg m2)
 
-    Vec3 delta_position_m{0, 0, 0};    ///< centre of mass, since the step's start
-    Quat delta_rotation{kNoRotation};  ///< since the step's start: world_from_body = turned * start
-    Vec3 acceleration_mps2{0, 0, 0};   ///< gravity and the callers' forces
+    Vec3 delta_position_m{0, 0, 0};  ///< centre of mass, since the step's start
+    Quat delta_rotation{
+        kNoRotation};  ///< since the step's start: world_from_body = delta_rotation * start
+    Vec3 acceleration_mps2{0, 0, 0};            ///< gravity and the callers' forces
     Vec3 angular_acceleration_radps2{0, 0, 0};  ///< the callers' torques
 
     /// What gravity, callers' forces and the impulses of the sub-step before (warm start) change in

@@ -147,11 +147,15 @@ void Simulation::sync_transforms() {
 void Simulation::report_quarantined() {
     const std::span<const physics::BodyId> quarantined = physics.quarantined();
     for (; tally_.quarantined_reported < quarantined.size(); ++tally_.quarantined_reported) {
-        const ecs::Entity entity = entity_of(*this, quarantined[tally_.quarantined_reported]);
-        warnings.push_back(
-            fmt::format("{}: taken out of the simulation at {:.3f} s: its state was not finite",
-                        describe(*this, entity),
-                        time_s()));
+        const physics::BodyId body = quarantined[tally_.quarantined_reported];
+        // It stands where it last was: one that went too far was there at most a step before.
+        const Vec3d at{physics.state(body).world_from_body.position};
+        warnings.push_back(fmt::format("{}: taken out of the simulation at {:.3f} s: {}",
+                                       describe(*this, entity_of(*this, body)),
+                                       time_s(),
+                                       glm::length(at) > 0.99e6
+                                           ? "it was more than 1000 km from the origin"
+                                           : "its position or velocity was not a finite number"));
     }
 }
 

@@ -3,7 +3,10 @@
 
 #include "engine/core/math.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 
 namespace plumbline::physics {
 
@@ -128,6 +131,26 @@ inline Factored3 factored(const Symmetric3& a, double floor) {
     f.p2 = 1 / std::max(third, floor);
     f.cancelled = second < kCancelled * a.yy || third < kCancelled * a.zz;
     return f;
+}
+
+/// Zero but for the components whose bits are set.
+inline Vec3d masked(const Vec3d& v, std::uint8_t active) {
+    if (active == 0b111) return v;
+    return {(active & 1) != 0 ? v.x : 0, (active & 2) != 0 ? v.y : 0, (active & 4) != 0 ? v.z : 0};
+}
+
+/// The same of rows and columns.
+inline void mask(Block3& block, std::uint8_t rows, std::uint8_t columns) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        block.row[i] = ((rows >> i) & 1) != 0 ? masked(block.row[i], columns) : Vec3d{0, 0, 0};
+    }
+}
+
+/// Rows that are not active, or that move nothing, get a one of their own.
+inline void mask(Symmetric3& s, std::uint8_t active) {
+    if ((active & 1) == 0 || !(s.xx > 0)) s.xx = 1, s.xy = 0, s.xz = 0;
+    if ((active & 2) == 0 || !(s.yy > 0)) s.yy = 1, s.xy = 0, s.yz = 0;
+    if ((active & 4) == 0 || !(s.zz > 0)) s.zz = 1, s.xz = 0, s.yz = 0;
 }
 
 }  // namespace plumbline::physics

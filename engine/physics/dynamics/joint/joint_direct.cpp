@@ -8,8 +8,7 @@ namespace {
 
 /// Added to the diagonal, of its mean: redundant rows and closed loops still factor.
 constexpr double kRegularisation = 1e-9;
-/// Rounds of trying steps of the bounds: all wrong ones at once, then one by one.
-constexpr int kRoundsOfAll = 4;
+/// Rounds of the active set of bounds.
 constexpr int kMostRounds = 16;
 constexpr int kPositionIterations = 2;
 constexpr int kMostPositionIterations = 8;
@@ -26,76 +25,12 @@ constexpr int kMostCuts = 5;
 /// Errors below it, m or rad, are rounding.
 constexpr double kNoError = 1e-10;
 
-Vec3d masked(const Vec3d& v, std::uint8_t active) {
-    if (active == 0b111) return v;
-    return {(active & 1) != 0 ? v.x : 0, (active & 2) != 0 ? v.y : 0, (active & 4) != 0 ? v.z : 0};
-}
-
-void mask(Block3& block, std::uint8_t rows, std::uint8_t columns) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        block.row[i] = ((rows >> i) & 1) != 0 ? masked(block.row[i], columns) : Vec3d{0, 0, 0};
-    }
-}
-
 void bound_ways(std::uint8_t rows, double substep_s, Vec3d& deviation) {
     for (int i = 0; i < 3; ++i) {
         if (((rows >> i) & 1) != 0) {
             deviation[i] = JointBound::bounded_way(deviation[i], substep_s);
         }
     }
-}
-
-/// Rows that are not active, or that move nothing, get a one of their own.
-void mask(Symmetric3& s, std::uint8_t active) {
-    if ((active & 1) == 0 || !(s.xx > 0)) s.xx = 1, s.xy = 0, s.xz = 0;
-    if ((active & 2) == 0 || !(s.yy > 0)) s.yy = 1, s.xy = 0, s.yz = 0;
-    if ((active & 4) == 0 || !(s.zz > 0)) s.zz = 1, s.xz = 0, s.yz = 0;
-}
-
-void take_half_of_steady(JointGroup& group, double sign) {
-    for (JointBody& body : group.bodies) {
-        if (!body.movable) continue;
-        body.velocity_mps -= sign * 0.5 * Vec3d(body.body->velocity_increment_mps);
-        body.spin_radps -= sign * 0.5 * Vec3d(body.body->spin_increment_radps);
-    }
-}
-
-/// Rows that have all of a constant impulse or none of it get what they lack.
-void push_constant_bounds(JointGroup& group, std::span<JointBound> bounds) {
-    for (JointBound& bound : bounds) {
-        if (bound.at_bound() || bound.impulse == bound.constant_impulse()) continue;
-        Vec3d change{0, 0, 0};
-        change[bound.row] = bound.constant_impulse() - bound.impulse;
-        bound.impulse = bound.constant_impulse();
-        group.rows[bound.node].push(group.bodies, change);
-        group.impulses[bound.node] += change;
-    }
-}
-
-/// Whether a bound was on a wrong step. In late rounds only the first wrong one changes, so that
-/// none chase each other.
-bool settle(JointGroup& group, std::span<JointBound> bounds, int round) {
-    bool changed = false;
-    for (JointBound& bound : bounds) {
-        const double speed = bound.at_bound()
-                                 ? bound.wanted_speed()
-                                 : group.rows[bound.node].speeds(group.bodies)[bound.row];
-        if (!bound.settle(speed)) continue;
-        group.set_active(bound);
-        changed = true;
-        if (round >= kRoundsOfAll) break;
-    }
-    return changed;
-}
-
-/// Other joints, or a long lever, would make the slow push of a limit one of any force and of any
-/// speed elsewhere. It gives no more energy than it would give the joint's bodies alone. Whether one
-/// would have given more by these impulses, and is slower now.
-bool ease_pushes(std::span<JointBound> bounds, std::span<const Vec3d> impulses) {
-    bool eased = false;
-    for (JointBound& bound : bounds)
-        eased = bound.ease_push(impulses[bound.node][bound.row]) || eased;
-    return eased;
 }
 
 }  // namespace
@@ -155,7 +90,7 @@ void DirectJoints::solve_velocities(JointGroup& group) {
 void DirectJoints::solve_component(JointGroup& group, const JointComponent& component) {
     const std::span<JointBound> bounds = group.bounds_of(component);
     for (int round = 0; round < kMostRounds; ++round) {
-        push_constant_bounds(group, bounds);
+        group.push_constant_bounds(bounds);
         for (const JointBound& bound : bounds) {
             wanted_[bound.node][bound.row] = bound.at_bound() ? bound.wanted_speed() : 0;
         }
@@ -164,11 +99,11 @@ void DirectJoints::solve_component(JointGroup& group, const JointComponent& comp
             x_[i] = masked(wanted_[i] - rows.speeds(group.bodies), rows.active);
         }
         matrix_.solve(component.first_node, component.last_node, x_);
-        if (ease_pushes(bounds, x_)) continue;
+        if (JointGroup::ease_pushes(bounds, x_)) continue;
         push_solution(group, component);
         if (bounds.empty()) return;
         for (JointBound& bound : bounds) bound.impulse += x_[bound.node][bound.row];
-        if (!settle(group, bounds, round)) return;
+        if (!group.settle(bounds, round)) return;
         assemble(group, component, matrix_);
         matrix_.factor(component.first_node, component.last_node, floor_);
     }
@@ -447,9 +382,9 @@ void DirectJoints::adjust_springs(JointGroup& group, std::span<JointSpring> spri
     for (const JointSpring& spring : springs) {
         if (spring.stiffness_Npm > 0) group.rows[spring.node].active = 0b001;
     }
-    take_half_of_steady(group, 1);
+    group.take_half_of_steady(1);
     solve_springs(group);
-    take_half_of_steady(group, -1);
+    group.take_half_of_steady(-1);
     for (JointSpring& spring : springs) {
         if (!group.rows[spring.node].is_active(0)) continue;
         const double more = x_[spring.node].x;

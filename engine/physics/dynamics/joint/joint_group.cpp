@@ -8,6 +8,9 @@ namespace {
 /// Errors below it, m or rad, that a step begins with are corrected at once.
 constexpr double kSmallError = 1e-5;
 
+/// Rounds in which all bounds on a wrong step change at once; then one by one.
+constexpr int kRoundsOfAll = 4;
+
 /// Position and mass of a bound at the bodies' poses. One without a position is out of the solve.
 void read_bound(JointBound& bound, JointGroup& group) {
     JointRows& row = group.rows[bound.node];
@@ -89,6 +92,46 @@ std::span<JointBound> JointGroup::bounds_of(const JointComponent& component) {
         std::ranges::lower_bound(bounds, component.first_node, {}, &JointBound::node);
     const auto last = std::ranges::lower_bound(bounds, component.last_node, {}, &JointBound::node);
     return {first, last};
+}
+
+void JointGroup::push_constant_bounds(std::span<JointBound> component_bounds) {
+    for (JointBound& bound : component_bounds) {
+        if (bound.at_bound() || bound.impulse == bound.constant_impulse()) continue;
+        Vec3d change{0, 0, 0};
+        change[bound.row] = bound.constant_impulse() - bound.impulse;
+        bound.impulse = bound.constant_impulse();
+        rows[bound.node].push(bodies, change);
+        impulses[bound.node] += change;
+    }
+}
+
+bool JointGroup::settle(std::span<JointBound> component_bounds, int round) {
+    bool changed = false;
+    for (JointBound& bound : component_bounds) {
+        const double speed =
+            bound.at_bound() ? bound.wanted_speed() : rows[bound.node].speeds(bodies)[bound.row];
+        if (!bound.settle(speed)) continue;
+        set_active(bound);
+        changed = true;
+        if (round >= kRoundsOfAll) break;
+    }
+    return changed;
+}
+
+bool JointGroup::ease_pushes(std::span<JointBound> component_bounds,
+                             std::span<const Vec3d> more_impulses) {
+    bool eased = false;
+    for (JointBound& bound : component_bounds)
+        eased = bound.ease_push(more_impulses[bound.node][bound.row]) || eased;
+    return eased;
+}
+
+void JointGroup::take_half_of_steady(double sign) {
+    for (JointBody& body : bodies) {
+        if (!body.movable) continue;
+        body.velocity_mps -= sign * 0.5 * Vec3d(body.body->velocity_increment_mps);
+        body.spin_radps -= sign * 0.5 * Vec3d(body.body->spin_increment_radps);
+    }
 }
 
 Vec3d JointGroup::come_back(const Vec3d& residual, double substep_s) {

@@ -40,6 +40,18 @@ struct JointGroup {
     /// Takes into the solve, or out of it, what the bound's step says.
     void set_active(const JointBound& bound);
     std::span<JointBound> bounds_of(const JointComponent& component);
+    /// Gives rows that have all of a constant impulse, or none of it, what they lack.
+    void push_constant_bounds(std::span<JointBound> component_bounds);
+    /// Whether a bound was on a wrong step and is on another now. In late rounds only the first wrong
+    /// one changes, so that none chase each other.
+    bool settle(std::span<JointBound> component_bounds, int round);
+    /// Other joints, or a long lever, would make the slow push of a limit one of any force and of any
+    /// speed elsewhere. It gives no more energy than it would give the joint's bodies alone. Whether
+    /// one would have given more by these impulses, and is slower now.
+    static bool ease_pushes(std::span<JointBound> component_bounds,
+                            std::span<const Vec3d> more_impulses);
+    /// Velocities without half of what steady forces change in a sub-step (1), or with it again (-1).
+    void take_half_of_steady(double sign);
     /// The residual after a sub-step of correction: a bounded displacement nearer to nothing.
     static Vec3d come_back(const Vec3d& residual, double substep_s);
 };

@@ -2,7 +2,8 @@
 //
 // J is the joints' Jacobian, A = J M^-1 J^T. A is block-sparse along the joint graph; it is factored
 // once per sub-step (L D L^T) and integrated by RATTLE (docs/PHYSICS.md), so chains neither stretch
-// nor lose energy. Limits and motors are rows with bounds, swept beside it.
+// nor lose energy. Limits and motors are rows with bounds in the same system: an active set decides
+// which of them hold, and the system is factored anew when it changes (joint_bounds.h).
 #pragma once
 
 #include "engine/physics/dynamics/solver_body.h"
