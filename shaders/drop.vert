@@ -14,18 +14,14 @@ flat out vec3 ring_to_eye;  // level, unit; z: 1 for a ring
 // Water spreads light from behind it forwards, and shows the sky all round.
 vec3 drop_light(vec3 to_eye) {
     vec3 light = frame.ambient.rgb * 1.1;
-#ifdef PL_SUN
     float ahead = max(-dot(to_eye, frame.to_sun_world.xyz), 0.0);
     light += frame.sun_radiance.rgb * (0.22 + 0.9 * ahead * ahead * ahead);
-#endif
-#ifdef PL_FLASHLIGHT
     vec3 from_light = place.xyz - frame.flashlight_position.xyz;
     float distance2 = max(dot(from_light, from_light), 0.01);
     float cosine = dot(from_light * inversesqrt(distance2), frame.flashlight_direction.xyz);
     float cone = clamp((cosine - frame.flashlight_direction.w) * frame.flashlight_intensity.w, 0.0, 1.0);
     float reach = distance2 * frame.flashlight_position.w * frame.flashlight_position.w;
     light += frame.flashlight_intensity.rgb * (0.25 * cone * clamp(1.0 - reach, 0.0, 1.0) / distance2);
-#endif
     return light;
 }
 
@@ -58,9 +54,7 @@ void main() {
         ring_to_eye = vec3(0.0);
     }
     vec3 color = drop_light(to_eye);
-#ifdef PL_FOG
     color = mix(frame.fog.rgb, color, fog_transmittance(distance_m));
-#endif
     drop_color = vec4(color, opacity);
     gl_Position = frame.clip_from_world * vec4(position_world, 1.0);
 }

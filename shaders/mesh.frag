@@ -2,7 +2,9 @@
 // where it mirrors, the sky; each only in the variants that need it.
 #include "include/blocks.glsl"
 #include "include/color.glsl"
+#ifdef PL_BLEND
 #include "include/fog.glsl"
+#endif
 #define HANDED flat in
 #include "include/handed.glsl"
 #include "include/lighting.glsl"
@@ -235,8 +237,8 @@ vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
 BelowWater below;
 #endif
 
-#ifdef PL_CAUSTICS
-// Of the light below, that of the sun gathers.
+#ifdef PL_REFRACTION
+// Caustics gather the sun's share of the light below.
 float caustic_light(float eye_distance_m) {
     float lit = 1.0;
 #ifdef PL_SUN_SHADOW
@@ -311,13 +313,10 @@ vec3 lit_color(vec3 base_color, float alpha, float eye_distance_m, vec3 to_eye) 
 
 #ifdef PL_OCCLUSION
 // What may be taken away where things hide the sky: passes after this one find it in alpha.
-float occludable_share(vec3 color, float eye_distance_m) {
+float occludable_share(vec3 color) {
     float light = light_from_everywhere;
 #ifdef PL_AERIAL
     light *= surface_aerial.a;
-#endif
-#ifdef PL_FOG
-    light *= fog_transmittance(eye_distance_m);
 #endif
     return clamp(light / max(dot(color, kLuminance), 1e-5), 0.0, 1.0);
 }
@@ -360,7 +359,8 @@ void main() {
 #ifdef PL_AERIAL
     color = color * surface_aerial.a + surface_aerial.rgb;
 #endif
-#ifdef PL_FOG
+#ifdef PL_BLEND
+    // The fog pass, which ran before, reads the depth of opaque surfaces.
     color = mix(frame.fog.rgb, color, fog_transmittance(eye_distance_m));
 #endif
 #ifdef PL_CODES
@@ -368,10 +368,7 @@ void main() {
 #endif
 #ifdef PL_BLEND
 #ifdef PL_REFRACTION
-    shows *= below.light;
-#ifdef PL_CAUSTICS
-    shows *= caustic_light(eye_distance_m);
-#endif
+    shows *= below.light * caustic_light(eye_distance_m);
     out_color = vec4(color * hides + shows, 1.0);
 #elif defined(PL_CLEAR)
     out_color = vec4(color, hides);
@@ -381,7 +378,7 @@ void main() {
 #elif defined(PL_COVERAGE)
     out_color = vec4(color, min(coverage, 1.0));
 #elif defined(PL_OCCLUSION)
-    out_color = vec4(color, occludable_share(color, eye_distance_m));
+    out_color = vec4(color, occludable_share(color));
 #else
     out_color = vec4(color, 1.0);
 #endif

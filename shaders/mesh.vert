@@ -15,7 +15,7 @@ layout(location = 5) in vec4 world_from_body_x;
 layout(location = 6) in vec4 world_from_body_y;
 layout(location = 7) in vec4 world_from_body_z;
 layout(location = 8) in vec4 tint;
-#ifdef PL_WIND
+#ifdef PL_SWAYS
 layout(location = 9) in vec4 wind_weights;
 #endif
 
@@ -71,7 +71,7 @@ vec3 to_world(vec4 body) {
 
 void main() {
     vec3 position_world = to_world(vec4(position_body, 1.0));
-#if !defined(PL_UNLIT) || defined(PL_WIND)
+#if !defined(PL_UNLIT) || defined(PL_SWAYS)
     // Normals turn with the matrix of cofactors, which is right for uneven scales too.
     vec3 x = world_from_body_x.xyz;
     vec3 y = world_from_body_y.xyz;
@@ -79,12 +79,13 @@ void main() {
     vec3 normal_world = normalize(vec3(dot(cross(y, z), normal_body), dot(cross(z, x), normal_body),
                                        dot(cross(x, y), normal_body)));
 #endif
-#ifdef PL_WIND
+#ifdef PL_SWAYS
     position_world = swayed(position_world, wind_weights.xyz, normal_world);
 #endif
     surface_to_eye = frame.camera_world.xyz - position_world;
 #ifdef PL_AERIAL
-    surface_aerial = aerial_light(surface_to_eye);
+    // tint.a is 0 where the instance is near: the vertices of a large thing are too few to say.
+    surface_aerial = mix(vec4(0.0, 0.0, 0.0, 1.0), aerial_light(surface_to_eye), tint.a);
 #endif
     surface_color = tint.rgb * material.base_color.rgb;
 #ifdef PL_VERTEX_COLOR

@@ -1,7 +1,6 @@
 // The sky behind everything. Passes: sky. Reads the sky's cube map.
 #include "include/blocks.glsl"
 #include "include/color.glsl"
-#include "include/fog.glsl"
 
 in vec2 screen_uv;
 in vec3 ray_world;
@@ -16,9 +15,6 @@ void main() {
     color = linear_from_srgb(color);
 #endif
     color *= sky_brightness;
-#ifdef PL_FOG
-    color = mix(frame.fog.rgb, color, sky_transmittance(normalize(ray_world)));
-#endif
 #ifdef PL_CODES
     color = srgb_from_linear(color);
 #endif

@@ -1,6 +1,5 @@
 // A computed sky: the air's light on a dome, and what lights the clouds before it. Passes: sky.
 #include "include/blocks.glsl"
-#include "include/fog.glsl"
 
 layout(location = 0) in vec3 direction_world;
 layout(location = 1) in vec3 sky;
@@ -16,18 +15,10 @@ out vec3 cloud_light;
 
 void main() {
     sky_radiance = sky;
-#ifdef PL_FOG
-    float through = sky_transmittance(direction_world);
-    sky_radiance = mix(frame.fog.rgb, sky, through);
-#endif
 #ifdef PL_CLOUDS
     cloud_direction = direction_world;
     cloud_ambient = ambient;
     cloud_light = light;
-#ifdef PL_FOG
-    cloud_ambient = mix(frame.fog.rgb, ambient, through);
-    cloud_light = light * through;
-#endif
 #endif
     // Without the camera's place: as far away as can be.
     gl_Position = (frame.clip_from_world * vec4(direction_world, 0.0)).xyww;

@@ -1,6 +1,5 @@
 // Sun, moon and stars as points, behind clouds. Passes: sky. Reads the clouds' cube map.
 #include "include/blocks.glsl"
-#include "include/fog.glsl"
 
 layout(location = 0) in vec3 direction_world;
 layout(location = 1) in vec3 radiance;
@@ -17,9 +16,6 @@ flat out float point_edge;     // half its breadth, px
 
 void main() {
     point_radiance = radiance;
-#ifdef PL_FOG
-    point_radiance *= sky_transmittance(direction_world);
-#endif
 #ifdef PL_CLOUDS
     point_radiance *= 1.0 - textureLod(sky_map, direction_world, 0.0).a * cloud_share;
 #endif

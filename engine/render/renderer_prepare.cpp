@@ -8,8 +8,8 @@ namespace plumbline::render {
 
 void Renderer::prepare(const RenderFrame& frame, const std::function<void(float share)>& tell) {
     Impl& r = *impl_;
-    r.set_up(frame);
-    if (r.nothing_to_draw) return;
+    const std::optional<FrameSetup> setup = r.set_up_frame(frame);
+    if (!setup) return;
     std::vector<MeshRequest> meshes;
     std::vector<TextureRequest> textures;
     std::set<std::pair<assets::MeshId, FeatureSet>> looks;
@@ -39,27 +39,26 @@ void Renderer::prepare(const RenderFrame& frame, const std::function<void(float 
     }
     std::set<FeatureSet> variants;
     for (const auto& [mesh, look] : looks) {
-        const FeatureSet features = features_with(r.features, r.scene.meshes.get(mesh));
-        const auto add = [&, material = look](FeatureSet used) {
-            variants.insert(variant_of(material, used, r.scene.smooth_looks));
-        };
-        add(features);
-        add(features & ~kFlashlightFeatures);
-        if ((features & feature::kLightShadows) != 0) add(features & ~feature::kLightShadows);
+        const FeatureSet features = features_with(setup->features, r.scene.meshes.get(mesh));
+        for (const FeatureSet used : {features, features & ~kFlashlightFeatures})
+            variants.insert(variant_of(look, used, r.scene.smooth_looks));
     }
     done = static_cast<float>(meshes.size());
     for (const FeatureSet variant : variants) {
         r.scene.shaders.find(kMeshShader, variant);
         on_each();
     }
-    if ((r.features & kShadowFeatures) != 0) {
+    const bool has_shadows =
+        !setup->sun.shadow_views.empty() || setup->flashlight.shadow || setup->lamps.shadow_px > 0;
+    if (has_shadows) {
         r.scene.shaders.find(kDepthShader, 0);
-        if (has_mask) r.scene.shaders.find(kDepthShader, feature::kAlphaMask);
+        if (has_mask) r.scene.shaders.find(kDepthShader, depth_feature::kAlphaMask);
     }
-    if (DropPass::has_work(frame)) DropPass::prepare(r.features, r.scene);
+    if (DropPass::has_work(frame)) r.scene.shaders.find(kDropShader, 0);
+    // Fog may be switched on in any frame.
+    r.scene.shaders.find(kFogShader, 0);
     done = total - static_cast<float>(textures.size());
     r.scene.textures.load(textures, on_each);
-    r.frame = nullptr;
 }
 
 }  // namespace plumbline::render

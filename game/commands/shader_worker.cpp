@@ -20,27 +20,17 @@ namespace {
 constexpr std::uint32_t kWidth_px = 64;
 constexpr std::uint32_t kHeight_px = 36;
 constexpr std::uint32_t kShadow_px = 64;
-constexpr Vec3f kNear{0.0F, 0.0F, -3.0F};  // from a camera at the origin
-constexpr Vec3f kFar{0.0F, 0.0F, -24.0F};  // the air is seen, and the flashlight reaches it
+constexpr Vec3f kPlace{0.0F, 0.0F, -3.0F};  // from a camera at the origin
+constexpr Vec3f kHand{0.2F, -0.2F, 0.0F};
 
 struct Light {
     bool flashlight{false};
     bool lamp{false};
-    bool far{false};  ///< so far off that the air is seen
-    bool fog{false};
 };
 /// Likeliest first; only the first few at levels that take over from low.
-constexpr std::array<Light, 10> kLights{{{.flashlight = true},
-                                         {.flashlight = true, .far = true},
-                                         {},
-                                         {.far = true},
-                                         {.lamp = true},
-                                         {.lamp = true, .far = true},
-                                         {.flashlight = true, .lamp = true},
-                                         {.fog = true},
-                                         {.far = true, .fog = true},
-                                         {.flashlight = true, .fog = true}}};
-constexpr std::size_t kLightsOfAll = 4;
+constexpr std::array<Light, 4> kLights{
+    {{.flashlight = true}, {}, {.lamp = true}, {.flashlight = true, .lamp = true}}};
+constexpr std::size_t kLightsOfAll = 2;
 
 /// Items that look each in a way of its own to the shaders.
 std::vector<const render::DrawItem*> looks_of(const render::RenderFrame& frame,
@@ -82,14 +72,17 @@ render::RenderFrame image_of(const render::RenderFrame& scene,
     frame.refraction = scene.refraction;
     frame.drops = scene.drops;
     frame.water_rings = scene.water_rings;
-    const Vec3f& place = light.far ? kFar : kNear;
-    if (light.flashlight) frame.flashlight = render::Flashlight{.shadow_size_px = kShadow_px};
-    if (light.lamp) frame.lights.push_back({.position_world = place, .radius_m = 3.0F});
-    if (light.fog != scene.fog.has_value()) frame.fog = scene.fog.value_or(render::Fog{});
+    if (light.flashlight)
+        frame.flashlight =
+            render::Flashlight{.position_world = kHand, .shadow_size_px = kShadow_px};
+    if (light.lamp) {
+        frame.lights.push_back({.position_world = kPlace, .radius_m = 3.0F, .casts_shadow = true});
+        frame.light_shadows = scene.light_shadows;
+    }
     const float size_m = std::max(glm::length(bounds.size()), 1e-3F);
     render::DrawItem alone = item;
     alone.world_from_body = glm::translate(
-        glm::scale(glm::translate(Mat4f{1.0F}, place), Vec3f{1.0F / size_m}), -bounds.center());
+        glm::scale(glm::translate(Mat4f{1.0F}, kPlace), Vec3f{1.0F / size_m}), -bounds.center());
     render::add_item(frame, alone, render::materials_of(scene, item));
     return frame;
 }

@@ -108,10 +108,6 @@ vec3 through_water(BelowWater below) {
     return exp(log(max(material.base_color.rgb, 1e-3)) * loss);
 }
 
-#endif
-
-#ifdef PL_CAUSTICS
-
 // How much more of the sun's light falls below rippled water than below level water. A leaning surface
 // moves what goes through it by its slope; where the area that a bundle of rays falls on is smaller than
 // the one that it came through, there is more light.

@@ -1,7 +1,7 @@
 // The wind, and how what sways obeys it. Mirrors scene/environment/wind_field.h: gusts are waves that the mean
 // carries along, each across its own direction, so that air neither piles up nor thins out.
 
-#ifdef PL_WIND
+#ifdef PL_SWAYS
 
 vec2 wind_at(vec3 position_world) {
     vec2 velocity = frame.wind.xy;

@@ -1,6 +1,7 @@
 #include "engine/render/culling/draw_list.h"
 
 #include "engine/render/culling/foliage_order.h"
+#include "shaders/shared/limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ bool same_group(const VisibleItem& a, const VisibleItem& b) {
 
 Instance instance_of(const DrawItem& item) {
     const Mat4f rows = glm::transpose(item.world_from_body);
-    return {.row_x = rows[0], .row_y = rows[1], .row_z = rows[2], .tint = Vec4f{item.tint, 1.0F}};
+    return {.row_x = rows[0], .row_y = rows[1], .row_z = rows[2], .tint = Vec4f{item.tint, 0.0F}};
 }
 
 /// Fills what a draw of one part needs beyond its instances.
@@ -166,7 +167,19 @@ void build_one_by_one(const std::vector<VisibleItem>& visible,
     }
 }
 
+float farthest_m(const Aabb& box, const Vec3f& point) {
+    return glm::length(glm::max(glm::abs(box.min - point), glm::abs(box.max - point)));
+}
+
 }  // namespace
+
+std::uint64_t triangles(const DrawRun& run) {
+    return std::uint64_t{run.index_count} / 3 * run.instance_count;
+}
+
+float distance_to(const Aabb& box, const Vec3f& point) {
+    return glm::distance(point, glm::clamp(point, box.min, box.max));
+}
 
 assets::MaterialId material_of(const VisibleItem& member, const assets::SubMesh& part) {
     return part.material < member.materials.size() ? member.materials[part.material]
@@ -180,7 +193,7 @@ const assets::MaterialData& look_of(const assets::AssetLibrary& library, assets:
 
 bool mixes_colors(const RenderFrame& frame, const assets::AssetLibrary& library) {
     const bool has_stars = frame.sky && frame.sky->model;
-    if (has_stars || !frame.drops.empty() || !frame.water_rings.empty()) return true;
+    if (has_stars || frame.fog || !frame.drops.empty() || !frame.water_rings.empty()) return true;
     return std::ranges::any_of(frame.material_ids, [&](assets::MaterialId id) {
         return look_of(library, id).alpha_mode == assets::AlphaMode::Blend;
     });
@@ -224,6 +237,24 @@ void build_draws(const std::vector<VisibleItem>& visible,
         case DrawKind::Translucent:
             build_one_by_one(far_to_near(visible), library, true, list);
             break;
+    }
+}
+
+void mark_far_instances(DrawList& list, const Vec3f& eye_world) {
+    constexpr std::uint64_t kFewTriangles = 1000;
+    const auto is_far = [&](const DrawRun& run) {
+        if (farthest_m(run.bounds_world, eye_world) < PL_AERIAL_FROM_M) return false;
+        return triangles(run) > kFewTriangles ||
+               distance_to(run.bounds_world, eye_world) > PL_AERIAL_FROM_M;
+    };
+    // The parts of one thing share its instances: one that is near speaks for all.
+    std::vector<bool> is_near(list.instances.size());
+    for (const DrawRun& run : list.runs)
+        is_near[run.first_instance] = is_near[run.first_instance] || !is_far(run);
+    for (const DrawRun& run : list.runs) {
+        const float hidden = is_near[run.first_instance] ? 0.0F : 1.0F;
+        for (std::uint32_t i = 0; i < run.instance_count; ++i)
+            list.instances[run.first_instance + i].tint.w = hidden;
     }
 }
 

@@ -5,8 +5,8 @@
 #include "engine/core/bounds.h"
 #include "engine/render/culling/convex_volume.h"
 #include "engine/render/culling/frustum.h"
+#include "engine/render/culling/mesh_lods.h"
 #include "engine/render/render_frame.h"
-#include "engine/render/resources/mesh_lods.h"
 
 #include <cstdint>
 #include <span>
@@ -14,7 +14,8 @@
 
 namespace plumbline::render {
 
-/// As the vertex shaders read it: the first three rows of world_from_body, and the tint.
+/// As the vertex shaders read it: the first three rows of world_from_body, the tint, and in its w whether
+/// air hides the instance: 1, or 0 where it is near.
 struct Instance {
     Vec4f row_x{1.0F, 0.0F, 0.0F, 0.0F};
     Vec4f row_y{0.0F, 1.0F, 0.0F, 0.0F};
@@ -36,6 +37,10 @@ struct DrawRun {
     Aabb bounds_world;
     const DrawItem* only_item{nullptr};  ///< where there is one instance
 };
+
+std::uint64_t triangles(const DrawRun& run);
+/// From the point to the nearest place of the box.
+float distance_to(const Aabb& box, const Vec3f& point);
 
 struct DrawList {
     std::vector<Instance> instances;
@@ -94,6 +99,10 @@ void build_draws(const std::vector<VisibleItem>& visible,
                  const assets::AssetLibrary& library,
                  DrawKind kind,
                  DrawList& list);
+
+/// Marks the instances that air hides. The air's light hangs on vertices: a large thing of few, as the
+/// ground is, has none where it is near.
+void mark_far_instances(DrawList& list, const Vec3f& eye_world);
 
 enum class Emitters {
     Cast,

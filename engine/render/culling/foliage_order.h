@@ -5,7 +5,7 @@
 
 #include "engine/assets/mesh_data.h"
 #include "engine/core/math.h"
-#include "engine/render/resources/mesh_lods.h"
+#include "engine/render/culling/mesh_lods.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "engine/core/time/stopwatch.h"
+#include "engine/render/frame_stats.h"
 #include "engine/render/gl/object.h"
-#include "engine/render/renderer.h"
 
 #include <array>
 #include <map>

@@ -6,23 +6,9 @@
 #include <cstddef>
 
 namespace plumbline::render {
-namespace {
-
-constexpr FeatureSet kDropFeatures = feature::kSun | feature::kFog | feature::kFlashlight;
-
-}  // namespace
-
-void DropPass::prepare(FeatureSet frame_features, SceneResources& resources) {
-    resources.shaders.find(kDropShader, frame_features & kDropFeatures);
-}
-
-void DropPass::render(const RenderFrame& frame,
-                      FeatureSet frame_features,
-                      std::uint32_t height_px,
-                      SceneResources& resources,
-                      FrameStats& stats) {
-    const gl::Program* program =
-        resources.shaders.find(kDropShader, frame_features & kDropFeatures);
+void DropPass::render(const FrameSetup& setup, SceneResources& resources, FrameStats& stats) {
+    const RenderFrame& frame = *setup.frame;
+    const gl::Program* program = resources.shaders.find(kDropShader, 0);
     if (program == nullptr) return;
     if (!vertex_array_) {
         GLuint name = 0;
@@ -52,7 +38,8 @@ void DropPass::render(const RenderFrame& frame,
     }
     program->use();
     glUniform1f(program->location("pixel_rad"),
-                2.0F * std::tan(frame.camera.fov_y_rad * 0.5F) / static_cast<float>(height_px));
+                2.0F * std::tan(frame.camera.fov_y_rad * 0.5F) /
+                    static_cast<float>(setup.image.scene_px.height));
     glDisable(GL_CULL_FACE);
     const auto count = static_cast<GLsizei>(filled_.size());
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);

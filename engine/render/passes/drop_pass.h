@@ -4,6 +4,7 @@
 #include "engine/render/gl/buffer.h"
 #include "engine/render/gl/object.h"
 #include "engine/render/passes/scene_resources.h"
+#include "engine/render/setup/frame_setup.h"
 
 #include <vector>
 
@@ -14,15 +15,9 @@ public:
     static bool has_work(const RenderFrame& frame) {
         return !frame.drops.empty() || !frame.water_rings.empty();
     }
-    /// Compiles what the pass will need.
-    static void prepare(FeatureSet frame_features, SceneResources& resources);
 
-    /// Blending is on, depth is read only. `height_px`: of what is drawn into.
-    void render(const RenderFrame& frame,
-                FeatureSet frame_features,
-                std::uint32_t height_px,
-                SceneResources& resources,
-                FrameStats& stats);
+    /// Blending is on, depth is read only.
+    void render(const FrameSetup& setup, SceneResources& resources, FrameStats& stats);
     void free();
     std::uint64_t bytes() const { return instances_.size(); }
 

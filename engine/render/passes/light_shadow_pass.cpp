@@ -5,6 +5,9 @@
 namespace plumbline::render {
 namespace {
 
+// Casters of a lamp's shadow may be coarser by so much: a texel's width at two metres.
+constexpr float kCasterError_m = 0.008F;
+
 /// Things that cast shadows and lie near any of the lights.
 std::vector<VisibleItem> casters_near(std::span<const ShadowedLight> chosen,
                                       float error_m,
@@ -37,12 +40,13 @@ bool reaches(const LocalLight& light, const Aabb& box_world) {
 
 }  // namespace
 
-void LightShadowPass::render(std::span<const ShadowedLight> chosen,
-                             std::uint32_t size_px,
-                             float error_m,
-                             const RenderFrame& frame,
+void LightShadowPass::render(const FrameSetup& setup,
                              SceneResources& resources,
                              FrameStats& stats) {
+    const RenderFrame& frame = *setup.frame;
+    const std::vector<ShadowedLight>& chosen = setup.lamps.choice.chosen();
+    const std::uint32_t size_px = setup.lamps.shadow_px;
+    const float error_m = setup.image.quality.lod_error_px > 0.0F ? kCasterError_m : 0.0F;
     for (const ShadowedLight& one : chosen) rows_ = std::max(rows_, one.row + 1);
     maps_.resize(size_px, kLightFaces, rows_);
     const std::vector<VisibleItem> near = casters_near(chosen, error_m, frame, resources);
@@ -64,7 +68,8 @@ void LightShadowPass::render(std::span<const ShadowedLight> chosen,
             std::ranges::copy_if(lit, std::back_inserter(casters), [&](const VisibleItem& caster) {
                 return sight.may_touch(caster.bounds_world);
             });
-            maps_.show(one.row * kLightFaces + face, view, std::move(casters), resources, stats);
+            maps_.show(
+                one.row * kLightFaces + face, view, nullptr, std::move(casters), resources, stats);
         }
     }
 }

@@ -2,21 +2,15 @@
 // drawn again only when something moved in it, or the light itself.
 #pragma once
 
-#include "engine/render/light/light_shadows.h"
 #include "engine/render/passes/shadow_pass.h"
+#include "engine/render/setup/frame_setup.h"
 
 namespace plumbline::render {
 
 class LightShadowPass {
 public:
-    /// `chosen`: of the frame's lights, not empty. `error_m`: casters may be coarser by so much; 0: full
-    /// meshes.
-    void render(std::span<const ShadowedLight> chosen,
-                std::uint32_t size_px,
-                float error_m,
-                const RenderFrame& frame,
-                SceneResources& resources,
-                FrameStats& stats);
+    /// The frame's choice of lamps is not empty.
+    void render(const FrameSetup& setup, SceneResources& resources, FrameStats& stats);
     /// Frees the maps.
     void free();
 

@@ -1,10 +1,12 @@
 // What the passes of a scene draw with. Owned by the renderer.
 #pragma once
 
-#include "engine/render/renderer.h"
+#include "engine/render/frame_stats.h"
+#include "engine/render/passes/scene_light.h"
 #include "engine/render/resources/gpu_materials.h"
 #include "engine/render/resources/gpu_meshes.h"
 #include "engine/render/resources/gpu_textures.h"
+#include "engine/render/shaders/mesh_features.h"
 #include "engine/render/shaders/shader_library.h"
 #include "engine/render/sky/gpu_sky.h"
 
@@ -34,25 +36,52 @@ struct SceneResources {
     std::set<FeatureSet> smooth_looks;
 };
 
-inline constexpr ShaderPair kMeshShader{"mesh.vert", "mesh.frag"};
-inline constexpr ShaderPair kDepthShader{"depth.vert", "depth.frag"};
-inline constexpr ShaderPair kSkyShader{"fullscreen.vert", "sky.frag"};
-inline constexpr ShaderPair kSkyDomeShader{"sky_dome.vert", "sky_dome.frag"};
-inline constexpr ShaderPair kSkyPointShader{"sky_point.vert", "sky_point.frag"};
+/// Of the shader of shadow maps.
+namespace depth_feature {
+inline constexpr FeatureSet kAlphaMask = 1ULL << 0U;
+}
+inline constexpr std::array kDepthFeatures{Feature{depth_feature::kAlphaMask, "PL_ALPHA_MASK"}};
+
+/// Of the sky's shaders.
+namespace sky_feature {
+inline constexpr FeatureSet kClouds = 1ULL << 0U;    ///< before a computed sky
+inline constexpr FeatureSet kSkyCodes = 1ULL << 1U;  ///< the sky's faces hold sRGB codes
+inline constexpr FeatureSet kCodes = 1ULL << 2U;     ///< the target holds sRGB codes
+}  // namespace sky_feature
+inline constexpr std::array kSkyFeatures{Feature{sky_feature::kClouds, "PL_CLOUDS"},
+                                         Feature{sky_feature::kSkyCodes, "PL_SKY_CODES"},
+                                         Feature{sky_feature::kCodes, "PL_CODES"}};
+
+/// Of the shader of sun shafts.
+namespace shaft_feature {
+inline constexpr FeatureSet kSunShadow = 1ULL << 0U;
+inline constexpr FeatureSet kCascades = 1ULL << 1U;
+}  // namespace shaft_feature
+inline constexpr std::array kShaftFeatures{Feature{shaft_feature::kSunShadow, "PL_SUN_SHADOW"},
+                                           Feature{shaft_feature::kCascades, "PL_CASCADES"}};
+
+inline constexpr ShaderPair kMeshShader{"mesh.vert", "mesh.frag", kMeshFeatures};
+inline constexpr ShaderPair kDepthShader{"depth.vert", "depth.frag", kDepthFeatures};
+inline constexpr ShaderPair kSkyShader{"fullscreen.vert", "sky.frag", kSkyFeatures};
+inline constexpr ShaderPair kSkyDomeShader{"sky_dome.vert", "sky_dome.frag", kSkyFeatures};
+inline constexpr ShaderPair kSkyPointShader{"sky_point.vert", "sky_point.frag", kSkyFeatures};
+inline constexpr ShaderPair kFogShader{"fullscreen.vert", "fog.frag"};
 inline constexpr ShaderPair kExposureShader{"fullscreen.vert", "exposure.frag"};
 inline constexpr ShaderPair kOcclusionShader{"fullscreen.vert", "occlusion.frag"};
 inline constexpr ShaderPair kPairBlurShader{"fullscreen.vert", "pair_blur.frag"};
-inline constexpr ShaderPair kShaftsShader{"fullscreen.vert", "shafts.frag"};
-inline constexpr ShaderPair kFocusDownShader{"fullscreen.vert", "focus_down.frag"};
+inline constexpr ShaderPair kShaftsShader{"fullscreen.vert", "shafts.frag", kShaftFeatures};
+inline constexpr ShaderPair kFocusDownShader{"fullscreen.vert", "focus_down.frag", kScreenFeatures};
 inline constexpr ShaderPair kFocusGatherShader{"fullscreen.vert", "focus_gather.frag"};
-inline constexpr ShaderPair kFocusJoinShader{"fullscreen.vert", "focus_join.frag"};
-inline constexpr ShaderPair kMotionBlurShader{"fullscreen.vert", "motion_blur.frag"};
+inline constexpr ShaderPair kFocusJoinShader{"fullscreen.vert", "focus_join.frag", kScreenFeatures};
+inline constexpr ShaderPair kMotionBlurShader{
+    "fullscreen.vert", "motion_blur.frag", kScreenFeatures};
 inline constexpr ShaderPair kVelocityShader{"velocity.vert", "velocity.frag"};
-inline constexpr ShaderPair kToneMapShader{"fullscreen.vert", "tone_map.frag"};
+inline constexpr ShaderPair kToneMapShader{"fullscreen.vert", "tone_map.frag", kScreenFeatures};
 inline constexpr ShaderPair kBloomDownShader{"fullscreen.vert", "bloom_down.frag"};
 inline constexpr ShaderPair kBloomUpShader{"fullscreen.vert", "bloom_up.frag"};
-inline constexpr ShaderPair kSmoothEdgesShader{"fullscreen.vert", "smooth_edges.frag"};
-inline constexpr ShaderPair kScaleUpShader{"fullscreen.vert", "scale_up.frag"};
+inline constexpr ShaderPair kSmoothEdgesShader{
+    "fullscreen.vert", "smooth_edges.frag", kScreenFeatures};
+inline constexpr ShaderPair kScaleUpShader{"fullscreen.vert", "scale_up.frag", kScreenFeatures};
 inline constexpr ShaderPair kLineShader{"line.vert", "line.frag"};
 inline constexpr ShaderPair kDropShader{"drop.vert", "drop.frag"};
 /// All there are: a missing file is found at the start, not when its effect first runs.
@@ -61,7 +90,7 @@ inline constexpr std::array kShaderPairs{
     kExposureShader,    kOcclusionShader, kPairBlurShader,    kShaftsShader,   kFocusDownShader,
     kFocusGatherShader, kFocusJoinShader, kMotionBlurShader,  kVelocityShader, kToneMapShader,
     kBloomDownShader,   kBloomUpShader,   kSmoothEdgesShader, kScaleUpShader,  kLineShader,
-    kDropShader};
+    kDropShader,        kFogShader};
 
 /// Adds a draw to the statistics.
 inline void count_draw(FrameStats& stats, const DrawRun& run) {

@@ -45,6 +45,15 @@ void SceneTarget::bind() const {
     glViewport(0, 0, static_cast<GLsizei>(color_.width()), static_cast<GLsizei>(color_.height()));
 }
 
+void SceneTarget::bind_light() {
+    if (!light_framebuffer_) {
+        const gl::Texture& light = samples_framebuffer_ ? color_samples_ : color_;
+        light_framebuffer_ = gl::Framebuffer{&light, nullptr};
+    }
+    if (samples_framebuffer_) resolve(GL_DEPTH_BUFFER_BIT);
+    glBindFramebuffer(GL_FRAMEBUFFER, light_framebuffer_.name());
+}
+
 void SceneTarget::copy(const SceneTarget& from, const Vec2f& first_px, const Vec2f& last_px) const {
     const gl::Framebuffer& drawn =
         from.samples_framebuffer_ ? from.samples_framebuffer_ : from.framebuffer_;
@@ -65,13 +74,15 @@ void SceneTarget::copy(const SceneTarget& from, const Vec2f& first_px, const Vec
 }
 
 void SceneTarget::resolve() const {
-    if (!samples_framebuffer_) return;
+    if (samples_framebuffer_) resolve(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void SceneTarget::resolve(unsigned int buffers) const {
     const auto width = static_cast<GLint>(color_.width());
     const auto height = static_cast<GLint>(color_.height());
-    constexpr GLbitfield kAll = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_framebuffer_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
-    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, kAll, GL_NEAREST);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, buffers, GL_NEAREST);
 }
 
 }  // namespace plumbline::render

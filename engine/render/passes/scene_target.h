@@ -5,17 +5,12 @@
 #include "engine/core/result.h"
 #include "engine/render/gl/framebuffer.h"
 #include "engine/render/gl/texture.h"
+#include "engine/render/setup/image_plan.h"
 
 #include <cstddef>
 #include <cstdint>
 
 namespace plumbline::render {
-
-struct PixelSize {
-    std::uint32_t width{0};
-    std::uint32_t height{0};
-    friend bool operator==(const PixelSize&, const PixelSize&) = default;
-};
 
 class SceneTarget {
 public:
@@ -28,6 +23,8 @@ public:
 
     /// Makes it what is drawn into, all of it.
     void bind() const;
+    /// Makes the light alone what is drawn into, so that depth() can be read meanwhile.
+    void bind_light();
     /// What was drawn becomes color() and depth(), where a pixel has several samples.
     void resolve() const;
     /// Light and depth of what was drawn into another one of the same size, from the first to the
@@ -42,12 +39,15 @@ public:
     }
 
 private:
+    void resolve(unsigned int buffers) const;
+
     gl::Texture color_;
     gl::Texture depth_;
     gl::Framebuffer framebuffer_;
     gl::Texture color_samples_;
     gl::Texture depth_samples_;
     gl::Framebuffer samples_framebuffer_;
+    gl::Framebuffer light_framebuffer_;  ///< without depth; made when asked for
     std::uint32_t asked_samples_{1};
 };
 

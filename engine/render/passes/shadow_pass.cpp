@@ -118,6 +118,7 @@ void ShadowPass::resize(std::uint32_t size_px, std::uint32_t columns, std::uint3
 }
 
 void ShadowPass::render(std::span<const ShadowView> views,
+                        const ShadowSight* sight,
                         const RenderFrame& frame,
                         SceneResources& resources,
                         FrameStats& stats) {
@@ -139,13 +140,13 @@ void ShadowPass::render(std::span<const ShadowView> views,
         if (view.clip_from_world != drawn_[i].view && is_parallel(view.clip_from_world))
             view.statics = hash_of_statics(frame, resources.library, bare_floors, view.error_m);
         view.may_lag = i > 0;
-        if (view.may_lag) view.sight = nullptr;
-        show(i, view, std::move(casters), resources, stats);
+        show(i, view, i == 0 ? sight : nullptr, std::move(casters), resources, stats);
     }
 }
 
 void ShadowPass::show(std::size_t part,
                       const ShadowView& view,
+                      const ShadowSight* sight,
                       std::vector<VisibleItem> casters,
                       SceneResources& resources,
                       FrameStats& stats) {
@@ -165,8 +166,7 @@ void ShadowPass::show(std::size_t part,
     shown.moving = moving;
     shown.age_frames = 0;
     const std::size_t all = casters.size();
-    if (view.sight != nullptr && !same_moving)
-        remove_unseen_casters(casters, resources.library, *view.sight);
+    if (sight != nullptr && !same_moving) remove_unseen_casters(casters, resources.library, *sight);
     shown.is_partial = casters.size() < all;
     if (statics_.depth && !view.moves) {
         draw_on_statics(view, part, std::move(casters), resources, stats);
@@ -226,7 +226,7 @@ void ShadowPass::draw(const ShadowView& view,
     for (const DrawRun& run : draws_.runs) {
         const bool masked = run.material.value != 0;
         const gl::Program* program =
-            resources.shaders.find(kDepthShader, masked ? feature::kAlphaMask : 0U);
+            resources.shaders.find(kDepthShader, masked ? depth_feature::kAlphaMask : 0U);
         if (program == nullptr) continue;
         program->use();
         glUniformMatrix4fv(program->location("clip_from_world"),

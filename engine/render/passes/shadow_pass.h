@@ -10,6 +10,7 @@
 #include "engine/render/culling/occlusion_culling.h"
 #include "engine/render/gl/framebuffer.h"
 #include "engine/render/gl/texture.h"
+#include "engine/render/light/shadow_view.h"
 #include "engine/render/passes/scene_resources.h"
 
 #include <cstdint>
@@ -19,30 +20,13 @@
 
 namespace plumbline::render {
 
-/// In steps of a float from a half to one: 3e-5 of the light's range.
-inline constexpr float kShadowBias_units = 512.0F;
-
-/// How a shadow map is drawn for one frame.
-struct ShadowView {
-    Mat4f clip_from_world{1.0F};
-    Vec3f eye_world{0.0F};  ///< casters nearest to it are drawn first
-    std::uint32_t size_px{1024};
-    float slope_bias{1.5F};
-    float bias_units{kShadowBias_units};
-    float error_m{0.0F};       ///< casters may be coarser by so much; 0: full meshes
-    bool from_lamp{false};     ///< what shines does not cast: it is the lamp
-    bool moves{false};         ///< itself: there is no use in keeping what it shows
-    bool may_lag{false};       ///< behind moving things
-    std::uint64_t statics{0};  ///< hash of all that cannot move, wherever it is; 0: not known
-    /// While things move, those are left out whose shadows it does not see; null: none.
-    const ShadowSight* sight{nullptr};
-};
-
 class ShadowPass {
 public:
     /// Draws the casters in sight of the light, or nothing if the map shows them already. All views
-    /// have one size; the first is the nearest.
+    /// have one size; the first is the nearest. While things move, casters are left out of the first
+    /// whose shadows `sight` does not see; null: none.
     void render(std::span<const ShadowView> views,
+                const ShadowSight* sight,
                 const RenderFrame& frame,
                 SceneResources& resources,
                 FrameStats& stats);
@@ -51,6 +35,7 @@ public:
     /// One of those maps, row by row; drawn only if it does not show this already.
     void show(std::size_t part,
               const ShadowView& view,
+              const ShadowSight* sight,
               std::vector<VisibleItem> casters,
               SceneResources& resources,
               FrameStats& stats);

@@ -37,7 +37,7 @@ void render_computed(FeatureSet features, SceneResources& resources, FrameStats&
     if (dome == nullptr || points == nullptr) return;
     const GpuSkyDome& gpu = resources.sky.dome();
     dome->use();
-    if ((features & feature::kClouds) != 0) {
+    if ((features & sky_feature::kClouds) != 0) {
         const ComputedSky& sky = *resources.sky.computed();
         const Vec3f& key = sky.to_cloud_light();
         gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, resources.sky.background());
@@ -45,7 +45,7 @@ void render_computed(FeatureSet features, SceneResources& resources, FrameStats&
     }
     gpu.draw_dome();
     points->use();
-    if ((features & feature::kClouds) != 0)
+    if ((features & sky_feature::kClouds) != 0)
         glUniform1f(points->location("cloud_share"), resources.sky.computed()->model().clouds);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -57,18 +57,18 @@ void render_computed(FeatureSet features, SceneResources& resources, FrameStats&
 }  // namespace
 
 void render_sky(const FullscreenTriangle& triangle,
-                FeatureSet frame_features,
+                bool writes_codes,
                 SceneResources& resources,
                 FrameStats& stats) {
-    FeatureSet features = frame_features & (feature::kFog | feature::kCodes);
+    FeatureSet features = writes_codes ? sky_feature::kCodes : 0;
     glDisable(GL_CULL_FACE);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
     if (resources.sky.computed() != nullptr) {
-        if (resources.sky.background()) features |= feature::kClouds;
+        if (resources.sky.background()) features |= sky_feature::kClouds;
         render_computed(features, resources, stats);
     } else {
-        if (resources.sky.is_srgb()) features |= feature::kSkyCodes;
+        if (resources.sky.is_srgb()) features |= sky_feature::kSkyCodes;
         render_image(triangle, features, resources, stats);
     }
     glDepthMask(GL_TRUE);

@@ -16,9 +16,9 @@ private:
     gl::VertexArrayObject vertex_array_;
 };
 
-/// At the far plane, where nothing was drawn.
+/// At the far plane, where nothing was drawn. `writes_codes`: the target holds sRGB codes.
 void render_sky(const FullscreenTriangle& triangle,
-                FeatureSet frame_features,
+                bool writes_codes,
                 SceneResources& resources,
                 FrameStats& stats);
 

@@ -33,9 +33,9 @@ bool sees_into(const assets::MaterialData& water) {
 
 MaterialBlock block_of(const assets::MaterialData& material) {
     const FeatureSet features = features_of(material);
-    const bool is_leaf = (features & feature::kLeaf) != 0;
-    const bool is_water = (features & feature::kRipples) != 0;
-    const bool is_phong = (features & feature::kPhong) != 0;
+    const bool is_leaf = (features & mesh_feature::kLeaf) != 0;
+    const bool is_water = (features & mesh_feature::kRipples) != 0;
+    const bool is_phong = (features & mesh_feature::kPhong) != 0;
     return {.base_color = Vec4f{material.base_color, material.alpha},
             .emissive = Vec4f{material.emissive, material.alpha_cutoff},
             .surface = {is_phong ? material.shininess : material.roughness,
@@ -55,14 +55,13 @@ MaterialBlock block_of(const assets::MaterialData& material) {
 FeatureSet mirror_features_of(const assets::MaterialData& material) {
     FeatureSet features = 0;
     if (material.orm_map.empty() && material.roughness < kMirrorRoughness)
-        features |= feature::kSkyReflection;
+        features |= mesh_feature::kSkyReflection;
     if (material.alpha_mode != assets::AlphaMode::Blend) return features;
     if (material.ripple_slope > 0.0F && material.normal_map.empty()) {
-        features |= feature::kRipples;
-        if (sees_into(material)) features |= feature::kRefraction;
-        if (sees_into(material) && material.caustics > 0.0F) features |= feature::kCaustics;
+        features |= mesh_feature::kRipples;
+        if (sees_into(material)) features |= mesh_feature::kRefraction;
     } else if (material.ior > 0.0F) {
-        features |= feature::kGlass | feature::kSkyReflection;
+        features |= mesh_feature::kGlass | mesh_feature::kSkyReflection;
     }
     return features;
 }
@@ -71,36 +70,37 @@ FeatureSet mirror_features_of(const assets::MaterialData& material) {
 
 FeatureSet features_of(const assets::MaterialData& material) {
     FeatureSet features = 0;
-    if (material.shading == assets::Shading::BlinnPhong) features |= feature::kBlinnPhong;
-    if (material.shading == assets::Shading::Unlit) features |= feature::kUnlit;
-    features |= material.base_color_map.empty() ? feature::kVertexColor : feature::kBaseMap;
-    if (material.vertex_colors) features |= feature::kVertexColor;
+    if (material.shading == assets::Shading::BlinnPhong) features |= mesh_feature::kBlinnPhong;
+    if (material.shading == assets::Shading::Unlit) features |= mesh_feature::kUnlit;
+    features |=
+        material.base_color_map.empty() ? mesh_feature::kVertexColor : mesh_feature::kBaseMap;
+    if (material.vertex_colors) features |= mesh_feature::kVertexColor;
     if (material.emissive != Vec3f{0.0F}) {
-        features |= feature::kEmissive;
-        if (!material.emissive_map.empty()) features |= feature::kEmissiveMap;
+        features |= mesh_feature::kEmissive;
+        if (!material.emissive_map.empty()) features |= mesh_feature::kEmissiveMap;
     }
     if (material.alpha_mode == assets::AlphaMode::Mask && !material.base_color_map.empty()) {
-        features |= feature::kAlphaMask;
+        features |= mesh_feature::kAlphaMask;
     }
-    if (material.alpha_mode == assets::AlphaMode::Blend) features |= feature::kBlend;
+    if (material.alpha_mode == assets::AlphaMode::Blend) features |= mesh_feature::kBlend;
     if (material.shading == assets::Shading::Unlit) return features;
 
     if (material.variation > 0.0F && !material.base_color_map.empty() && !is_thin(material)) {
-        features |= feature::kVariation;
+        features |= mesh_feature::kVariation;
     }
-    if (material.flat) features |= feature::kFlat;
-    if (!material.normal_map.empty()) features |= feature::kNormalMap;
+    if (material.flat) features |= mesh_feature::kFlat;
+    if (!material.normal_map.empty()) features |= mesh_feature::kNormalMap;
     if (material.shading == assets::Shading::BlinnPhong && material.shininess > 0.0F) {
-        return features | feature::kPhong;
+        return features | mesh_feature::kPhong;
     }
-    if (!material.orm_map.empty()) features |= feature::kOrmMap;
-    if (material.two_sided) features |= feature::kTwoSided;
-    if (material.metallic > 0.0F) features |= feature::kMetal;
-    if (is_thin(material)) features |= feature::kLeaf;
+    if (!material.orm_map.empty()) features |= mesh_feature::kOrmMap;
+    if (material.two_sided) features |= mesh_feature::kTwoSided;
+    if (material.metallic > 0.0F) features |= mesh_feature::kMetal;
+    if (is_thin(material)) features |= mesh_feature::kLeaf;
     if (material.shading == assets::Shading::Pbr) features |= mirror_features_of(material);
     if (!material.height_map.empty() && material.height_depth > 0.0F &&
         !material.normal_map.empty()) {
-        features |= feature::kParallax;
+        features |= mesh_feature::kParallax;
     }
     return features;
 }
@@ -108,25 +108,25 @@ FeatureSet features_of(const assets::MaterialData& material) {
 std::vector<TextureRequest> textures_of(const assets::MaterialData& material) {
     std::vector<TextureRequest> requests;
     const FeatureSet features = features_of(material);
-    if ((features & feature::kBaseMap) != 0) {
-        const bool masked = (features & feature::kAlphaMask) != 0;
+    if ((features & mesh_feature::kBaseMap) != 0) {
+        const bool masked = (features & mesh_feature::kAlphaMask) != 0;
         requests.push_back({.file = material.base_color_map,
                             .content = MipContent::Color,
                             .alpha_cutoff = masked ? material.alpha_cutoff : 0.0F});
     }
-    if ((features & feature::kNormalMap) != 0) {
+    if ((features & mesh_feature::kNormalMap) != 0) {
         requests.push_back(
             {.file = material.normal_map, .content = MipContent::Data, .unit = kNormalUnit});
     }
-    if ((features & feature::kParallax) != 0) {
+    if ((features & mesh_feature::kParallax) != 0) {
         requests.push_back(
             {.file = material.height_map, .content = MipContent::Data, .unit = kHeightUnit});
     }
-    if ((features & feature::kOrmMap) != 0) {
+    if ((features & mesh_feature::kOrmMap) != 0) {
         requests.push_back(
             {.file = material.orm_map, .content = MipContent::Data, .unit = kOrmUnit});
     }
-    if ((features & feature::kEmissiveMap) != 0) {
+    if ((features & mesh_feature::kEmissiveMap) != 0) {
         requests.push_back(
             {.file = material.emissive_map, .content = MipContent::Color, .unit = kEmissiveUnit});
     }
@@ -154,8 +154,9 @@ void GpuMaterials::update(const MaterialUse& use) {
         assets::MaterialData material =
             id == 0 ? assets::MaterialData{} : library_.material(assets::MaterialId{id});
         if (use.shading) material.shading = *use.shading;
-        if (!use.textures) material.base_color_map.clear();
         if (!use.parallax) material.height_map.clear();
+        if (!use.refraction) material.attenuation_m = 0.0F;
+        if (!use.caustics) material.caustics = 0.0F;
         if (!use.surface_maps) {
             material.normal_map.clear();
             // What is metal where is in there, too.
@@ -165,7 +166,12 @@ void GpuMaterials::update(const MaterialUse& use) {
         std::memcpy(bytes.data() + id * stride_, &block, sizeof(block));
         materials_.push_back(
             {.features = features_of(material), .textures = textures_of(material)});
-        const std::vector<TextureRequest>& textures = materials_.back().textures;
+        std::vector<TextureRequest>& textures = materials_.back().textures;
+        if (!use.textures) {
+            for (TextureRequest& request : textures) {
+                if (request.unit == kBaseColorUnit) request = kWhite;
+            }
+        }
         wanted.insert(wanted.end(), textures.begin(), textures.end());
     }
     textures_.decode_ahead(wanted);

@@ -4,7 +4,7 @@
 #include "engine/assets/asset_library.h"
 #include "engine/render/gl/buffer.h"
 #include "engine/render/resources/gpu_textures.h"
-#include "engine/render/shaders/shader_features.h"
+#include "engine/render/shaders/mesh_features.h"
 
 #include <cstddef>
 #include <optional>
@@ -20,10 +20,12 @@ std::vector<TextureRequest> textures_of(const assets::MaterialData& material);
 /// What a frame asks of all materials.
 struct MaterialUse {
     std::optional<assets::Shading> shading{};  ///< over every material's own
-    bool textures{true};                       ///< false: no base colour maps
+    bool textures{true};  ///< false: white base colour maps, so that no other shader is needed
     /// False leaves normal maps out, and the maps of roughness where nothing is metal.
     bool surface_maps{true};
-    bool parallax{true};  ///< false leaves height maps out
+    bool parallax{true};    ///< false leaves height maps out
+    bool refraction{true};  ///< false: water does not show what lies below it
+    bool caustics{true};
 
     friend bool operator==(const MaterialUse&, const MaterialUse&) = default;
 };

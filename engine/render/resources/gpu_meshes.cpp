@@ -341,7 +341,7 @@ std::vector<bool> GpuMeshes::foliage_parts(const assets::MeshData& data,
             part.material < materials.size() && materials[part.material].value != 0;
         is_foliage.push_back(
             has_material &&
-            (features_of(library_.material(materials[part.material])) & feature::kLeaf) != 0);
+            (features_of(library_.material(materials[part.material])) & mesh_feature::kLeaf) != 0);
     }
     return is_foliage;
 }

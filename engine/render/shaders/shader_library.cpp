@@ -5,15 +5,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <utility>
 
 namespace plumbline::render {
 
-Result<gl::Program> ShaderLibrary::build(const Key& key) const {
-    auto vertex = load_shader(folder_, key.vertex, key.features);
+Result<gl::Program> ShaderLibrary::build(const Key& key, std::span<const Feature> features) const {
+    const std::string defines = defines_of(features, key.features);
+    auto vertex = load_shader(folder_, key.vertex, defines);
     if (!vertex) return vertex.error();
-    auto fragment = load_shader(folder_, key.fragment, key.features, vertex->files.size());
+    auto fragment = load_shader(folder_, key.fragment, defines, vertex->files.size());
     if (!fragment) return fragment.error();
     auto program = gl::Program::link(vertex->text, fragment->text);
     if (program) return program;
@@ -28,7 +30,7 @@ Result<gl::Program> ShaderLibrary::build(const Key& key) const {
 
 Result<Done> ShaderLibrary::check_files(const ShaderPair& files) const {
     for (const char* file : {files.vertex, files.fragment}) {
-        const auto source = load_shader(folder_, file, 0);
+        const auto source = load_shader(folder_, file);
         if (!source) return source.error();
     }
     return Done{};
@@ -38,34 +40,41 @@ Result<const gl::Program*> ShaderLibrary::compile(const ShaderPair& files, Featu
     Key key{files.vertex, files.fragment, features};
     const auto found = programs_.find(key);
     if (found != programs_.end() && found->second.program) {
+        found->second.used = frame_;
         return static_cast<const gl::Program*>(&*found->second.program);
     }
-    auto program = build(key);
-    std::optional<gl::Program>& slot = programs_[std::move(key)].program;
-    slot.reset();
+    auto program = build(key, files.features);
+    Entry& entry = programs_[std::move(key)];
+    entry = {.features = files.features, .used = frame_};
     if (!program) return program.error();
-    slot = std::move(*program);
-    return static_cast<const gl::Program*>(&*slot);
+    entry.program = std::move(*program);
+    return static_cast<const gl::Program*>(&*entry.program);
 }
 
 const gl::Program* ShaderLibrary::find(const ShaderPair& files, FeatureSet features) {
     const auto found = programs_.find(Key{files.vertex, files.fragment, features});
-    if (found != programs_.end()) return found->second.program ? &*found->second.program : nullptr;
+    if (found != programs_.end() && !found->second.program) return nullptr;
     const auto program = compile(files, features);
     if (program) return *program;
     if (fault_.empty()) fault_ = program.error().message;
     return nullptr;
 }
 
-void ShaderLibrary::allow_new(double seconds) {
-    left_s_ = seconds;
+void ShaderLibrary::begin_frame(double new_programs_s) {
+    left_s_ = new_programs_s;
     first_draw_from_s_.reset();
     new_count_ = 0;
-    // Each holds a megabyte of the driver's, and comes back from its cache.
-    if (++frame_ % (kKeptUnused / 4) != 0) return;
-    std::erase_if(programs_, [&](const auto& program) {
-        return program.second.drawn && program.second.used + kKeptUnused < frame_;
-    });
+    drop_unused();
+    ++frame_;
+}
+
+void ShaderLibrary::drop_unused() {
+    while (bytes() > most_bytes_) {
+        const auto oldest = std::ranges::min_element(
+            programs_, {}, [](const auto& one) { return one.second.used; });
+        if (oldest->second.used == frame_) return;
+        programs_.erase(oldest);
+    }
 }
 
 const gl::Program* ShaderLibrary::most_similar(const Key& key,
@@ -105,9 +114,7 @@ const gl::Program* ShaderLibrary::find_or_similar(const ShaderPair& files,
     const double from_s = wall_s();
     const gl::Program* program = find(files, features);
     if (program == nullptr) return nullptr;
-    Entry& entry = programs_.find(key)->second;
-    entry.drawn = true;
-    entry.used = frame_;
+    programs_.find(key)->second.drawn = true;
     first_draw_from_s_ = from_s;
     ++new_count_;
     return program;
@@ -116,7 +123,7 @@ const gl::Program* ShaderLibrary::find_or_similar(const ShaderPair& files,
 Result<Done> ShaderLibrary::reload() {
     std::string failures;
     for (auto& [key, entry] : programs_) {
-        auto program = build(key);
+        auto program = build(key, entry.features);
         if (program) {
             entry.program = std::move(*program);
         } else if (failures.find(program.error().message) == std::string::npos) {

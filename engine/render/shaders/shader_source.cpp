@@ -92,15 +92,21 @@ private:
 
 }  // namespace
 
+std::string defines_of(std::span<const Feature> features, FeatureSet set) {
+    std::string text;
+    for (const auto& [bit, macro] : features) {
+        if ((set & bit) != 0) text += fmt::format("#define {} 1\n", macro);
+    }
+    return text;
+}
+
 Result<ShaderSource> load_shader(const std::filesystem::path& folder,
                                  std::string_view file,
-                                 FeatureSet features,
+                                 std::string_view defines,
                                  std::size_t first_number) {
     ShaderSource source;
     source.text = "#version 330 core\n";
-    for (const auto& [bit, name] : kFeatureNames) {
-        if ((features & bit) != 0) source.text += fmt::format("#define {} 1\n", name);
-    }
+    source.text += defines;
     const auto expanded = Expander(folder, first_number, source).expand(std::string{file}, 0);
     if (!expanded) {
         return Error{fmt::format("shader {}: {}", file, expanded.error().message),

@@ -3,9 +3,10 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/render/shaders/shader_features.h"
+#include "engine/render/shaders/feature_set.h"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,13 +19,17 @@ struct ShaderSource {
     std::vector<std::string> files;
 };
 
+/// A `#define` line for the macro of each feature in the set.
+std::string defines_of(std::span<const Feature> features, FeatureSet set);
+
 /// `file` relative to `folder`; `#include "x"` is relative to `folder` too, and each file enters
 /// once. The error names file and line of an include that is missing or leads out of the folder.
 /// Files are numbered on from `first_number`: a driver's message does not say which stage it means,
 /// so the stages of a program must not share numbers.
+/// `defines` go before the first line of the file.
 Result<ShaderSource> load_shader(const std::filesystem::path& folder,
                                  std::string_view file,
-                                 FeatureSet features,
+                                 std::string_view defines = {},
                                  std::size_t first_number = 0);
 
 /// The driver's messages with its source numbers replaced by names: "mesh.frag:12: …". Knows the

@@ -1,4 +1,5 @@
 // How large a frame is drawn, at which quality, and which shadows it needs.
+#include "engine/render/passes/screen/frame_targets.h"
 #include "tests/engine/render/image_fixture.h"
 #include "tests/engine/render/renderer_fixture.h"
 

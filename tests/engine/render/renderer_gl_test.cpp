@@ -114,11 +114,11 @@ protected:
 };
 
 TEST_F(BrokenShadersGl, AtTheStartAreAnErrorWithFileAndLine) {
-    const int line = break_file("include/fog.glsl");
+    const int line = break_file("include/lighting.glsl");
     const auto made =
         Renderer::create(context_->gl_loader(), PresentTarget::Offscreen, folder_, library_);
     ASSERT_FALSE(made.ok());
-    EXPECT_NE(made.error().message.find("include/fog.glsl:" + std::to_string(line)),
+    EXPECT_NE(made.error().message.find("include/lighting.glsl:" + std::to_string(line)),
               std::string::npos)
         << made.error().message;
     EXPECT_EQ(made.error().exit_code, ExitCode::NoDisplay);

@@ -50,12 +50,11 @@ protected:
     ShaderLibrary shaders_{PL_SOURCE_DIR "/shaders"};
 };
 
-constexpr ShaderPair kMesh{"mesh.vert", "mesh.frag"};
-
 TEST_F(ShaderBlocksGl, FrameLiesAsInCpp) {
-    const FeatureSet all = feature::kSun | feature::kSunShadow | feature::kFlashlight |
-                           feature::kFog | feature::kSkyLight;
-    const Offsets offsets = reflected(program_of(kMesh, all), "Frame");
+    const FeatureSet all = mesh_feature::kSun | mesh_feature::kSunShadow |
+                           mesh_feature::kFlashlight | mesh_feature::kBlend |
+                           mesh_feature::kSkyLight;
+    const Offsets offsets = reflected(program_of(kMeshShader, all), "Frame");
     const Offsets expected{
         {"", sizeof(FrameBlock)},
         {"Frame.clip_from_world", offsetof(FrameBlock, clip_from_world)},
@@ -83,7 +82,7 @@ TEST_F(ShaderBlocksGl, FrameLiesAsInCpp) {
 }
 
 TEST_F(ShaderBlocksGl, MaterialLiesAsInCpp) {
-    const Offsets offsets = reflected(program_of(kMesh, feature::kSun), "Material");
+    const Offsets offsets = reflected(program_of(kMeshShader, mesh_feature::kSun), "Material");
     const Offsets expected{
         {"", sizeof(MaterialBlock)},
         {"Material.base_color", offsetof(MaterialBlock, base_color)},
@@ -95,7 +94,8 @@ TEST_F(ShaderBlocksGl, MaterialLiesAsInCpp) {
 }
 
 TEST_F(ShaderBlocksGl, LocalLightsLieAsInCpp) {
-    const Offsets offsets = reflected(program_of(kMesh, feature::kLocalLights), "LocalLights");
+    const Offsets offsets =
+        reflected(program_of(kMeshShader, mesh_feature::kLocalLights), "LocalLights");
     ASSERT_TRUE(offsets.contains(""));
     EXPECT_EQ(offsets.at(""), sizeof(LocalLightsBlock));
     EXPECT_EQ(offsets.at("local_lights[1].position_world"), sizeof(LocalLightEntry));
@@ -109,7 +109,7 @@ TEST_F(ShaderBlocksGl, LocalLightsLieAsInCpp) {
 
 /// Materials that between them use every feature a material can have.
 std::vector<FeatureSet> material_variants() {
-    using namespace feature;
+    using namespace mesh_feature;
     return {kVertexColor,
             kVertexColor | kFaceted,
             kUnlit | kVertexColor,
@@ -126,6 +126,7 @@ std::vector<FeatureSet> material_variants() {
             kVertexColor | kTwoSided | kLeaf,
             kVertexColor | kBlend | kSkyReflection,
             kVertexColor | kBlend | kSkyReflection | kRipples,
+            kVertexColor | kBlend | kSkyReflection | kRipples | kRefraction,
             kVertexColor | kBlend | kSkyReflection | kGlass,
             kBaseMap | kBlend | kSkyReflection | kGlass,
             kBaseMap | kNormalMap | kOrmMap | kParallax,
@@ -133,8 +134,8 @@ std::vector<FeatureSet> material_variants() {
             kBaseMap | kBlend | kTwoSided};
 }
 
-TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
-    using namespace feature;
+TEST_F(ShaderBlocksGl, EveryMeshVariantCompiles) {
+    using namespace mesh_feature;
     const std::vector<FeatureSet> lights{0,
                                          kSun,
                                          kSun | kSunShadow,
@@ -151,56 +152,42 @@ TEST_F(ShaderBlocksGl, EveryVariantCompiles) {
                                          kLocalLights | kLightShadows,
                                          kLocalLights | kLightShadows | kHardShadows,
                                          kLocalLights | kLightShadows | kSoftShadows};
-    const std::vector<FeatureSet> air{0, kFog, kSkyLight, kFog | kSkyLight, kSkyLight | kAerial};
+    const std::vector<FeatureSet> air{0, kSkyLight, kSkyLight | kAerial};
+    // Air and light meet in one material or another.
+    std::size_t turn = 0;
     for (const FeatureSet material : material_variants()) {
-        for (const FeatureSet light : lights) {
-            for (const FeatureSet a : air) {
-                program_of(kMesh, variant_of(material, light | a));
-            }
-        }
+        for (const FeatureSet light : lights)
+            program_of(kMeshShader, variant_of(material, light | air[turn++ % air.size()]));
     }
-    const FeatureSet whole = kSun | kSunShadow | kFlashlight | kFog | kSkyLight;
+    const FeatureSet whole = kSun | kSunShadow | kFlashlight | kSkyLight;
     for (const FeatureSet material : {kVertexColor | kTwoSided | kLeaf,
                                       kBaseMap | kNormalMap | kAlphaMask,
                                       kUnlit | kVertexColor}) {
-        program_of(kMesh, variant_of(material, whole | kWind));
-        program_of(kMesh, variant_of(material, whole | kOcclusion));
-        program_of(kMesh, variant_of(material, whole | kOcclusion | kCoverage));
+        program_of(kMeshShader, variant_of(material, whole | kSways));
+        program_of(kMeshShader, variant_of(material, whole | kOcclusion));
+        program_of(kMeshShader, variant_of(material, whole | kOcclusion | kCoverage));
+        program_of(kMeshShader, variant_of(material, whole | kCodes));
     }
-    for (const FeatureSet f : {FeatureSet{0}, kSun, kSun | kFog | kFlashlight}) {
-        program_of({"drop.vert", "drop.frag"}, f);
+}
+
+TEST_F(ShaderBlocksGl, EveryOtherVariantCompiles) {
+    // Each feature of a shader by itself, and none.
+    for (const ShaderPair& files : kShaderPairs) {
+        if (files.fragment == kMeshShader.fragment) continue;
+        program_of(files, 0);
+        for (const Feature& feature : files.features) program_of(files, feature.bit);
     }
-    for (const FeatureSet f : {FeatureSet{0}, kFog, kFog | kSkyCodes}) {
-        program_of({"fullscreen.vert", "sky.frag"}, f);
+    for (const FeatureSet f : {FeatureSet{0}, screen_feature::kKeepDepth}) {
+        using namespace screen_feature;
+        program_of(kToneMapShader, f | kOcclusion | kShafts);
+        program_of(kToneMapShader, f | kOcclusion | kFourSamples);
+        program_of(kToneMapShader, f | kBloom | kToneMap | kFxaa);
+        program_of(kSmoothEdgesShader, f | kFxaa | kSharpen);
     }
-    for (const FeatureSet f : {FeatureSet{0}, kFog, kClouds, kFog | kClouds}) {
-        program_of({"sky_dome.vert", "sky_dome.frag"}, f);
-        program_of({"sky_point.vert", "sky_point.frag"}, f);
-    }
-    for (const FeatureSet f : {FeatureSet{0}, kKeepDepth}) {
-        program_of({"fullscreen.vert", "tone_map.frag"}, f);
-        program_of({"fullscreen.vert", "tone_map.frag"}, f | kOcclusion);
-        program_of({"fullscreen.vert", "tone_map.frag"}, f | kShafts);
-        program_of({"fullscreen.vert", "tone_map.frag"}, f | kBloom | kToneMap | kFxaa);
-        program_of({"fullscreen.vert", "smooth_edges.frag"}, f | kFxaa);
-        program_of({"fullscreen.vert", "smooth_edges.frag"}, f | kFxaa | kSharpen);
-        program_of({"fullscreen.vert", "scale_up.frag"}, f);
-    }
-    program_of({"fullscreen.vert", "exposure.frag"}, 0);
-    program_of({"fullscreen.vert", "occlusion.frag"}, 0);
-    program_of({"fullscreen.vert", "pair_blur.frag"}, 0);
-    program_of({"fullscreen.vert", "focus_gather.frag"}, 0);
-    for (const FeatureSet f : {FeatureSet{0}, kSunShadow, kSunShadow | kCascades})
-        program_of({"fullscreen.vert", "shafts.frag"}, f);
-    for (const FeatureSet f : {FeatureSet{0}, kOcclusion, kShafts, kOcclusion | kShafts}) {
-        for (const char* shader : {"focus_down.frag", "focus_join.frag", "motion_blur.frag"})
-            program_of({"fullscreen.vert", shader}, f);
-    }
-    program_of({"fullscreen.vert", "bloom_down.frag"}, 0);
-    program_of({"fullscreen.vert", "bloom_up.frag"}, 0);
-    program_of({"depth.vert", "depth.frag"}, 0);
-    program_of({"depth.vert", "depth.frag"}, kAlphaMask);
-    program_of({"line.vert", "line.frag"}, 0);
+    for (const ShaderPair& files : {kFocusDownShader, kFocusJoinShader, kMotionBlurShader})
+        program_of(files, screen_feature::kOcclusion | screen_feature::kShafts);
+    program_of(kShaftsShader, shaft_feature::kSunShadow | shaft_feature::kCascades);
+    program_of(kSkyShader, sky_feature::kSkyCodes | sky_feature::kCodes);
 }
 
 }  // namespace

@@ -14,12 +14,13 @@ constexpr float kLargestRadius = 1.0F / 36.0F;
 
 }  // namespace
 
-const gl::Texture* FocusPass::render(const DepthOfField& lens,
-                                     const ScreenView& view,
+const gl::Texture* FocusPass::render(const FrameSetup& setup,
                                      const SceneLight& light,
                                      const FullscreenTriangle& triangle,
                                      SceneResources& resources,
                                      FrameStats& stats) {
+    const DepthOfField& lens = *setup.frame->depth_of_field;
+    const ScreenView& view = setup.screen;
     const gl::Program* down = resources.shaders.find(kFocusDownShader, light.features);
     const gl::Program* gather = resources.shaders.find(kFocusGatherShader, 0);
     const gl::Program* join = resources.shaders.find(kFocusJoinShader, light.features);

@@ -5,6 +5,7 @@
 #include "engine/render/passes/scene_resources.h"
 #include "engine/render/passes/screen/pass_image.h"
 #include "engine/render/passes/sky_pass.h"
+#include "engine/render/setup/frame_setup.h"
 
 #include <cstddef>
 
@@ -14,8 +15,7 @@ class FocusPass {
 public:
     /// The light as the lens sees it, as large as the scene's image. Null: the driver has no memory
     /// for it.
-    const gl::Texture* render(const DepthOfField& lens,
-                              const ScreenView& view,
+    const gl::Texture* render(const FrameSetup& setup,
                               const SceneLight& light,
                               const FullscreenTriangle& triangle,
                               SceneResources& resources,

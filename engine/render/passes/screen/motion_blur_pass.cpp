@@ -11,16 +11,28 @@ namespace {
 // Of the image's width: a streak's samples must stay close.
 constexpr float kLongestStreak = 1.0F / 12.0F;
 
+/// Where the camera was as the shutter opened.
+Mat4f clip_before_from_world(const FrameSetup& setup) {
+    const Camera& camera = setup.frame->camera;
+    const MotionBlur& blur = *setup.frame->motion_blur;
+    const float aspect = setup.screen.tan_half.x / setup.screen.tan_half.y;
+    return glm::perspective(camera.fov_y_rad, aspect, camera.near_m, camera.far_m) *
+           glm::translate(glm::mat4_cast(glm::conjugate(blur.orientation_before)),
+                          -blur.position_before_world);
+}
+
 }  // namespace
 
-const gl::Texture* MotionBlurPass::render(const MotionBlur& blur,
-                                          const ShutterView& view,
+const gl::Texture* MotionBlurPass::render(const FrameSetup& setup,
                                           const SceneLight& light,
                                           const FullscreenTriangle& triangle,
                                           SceneResources& resources,
                                           FrameStats& stats) {
+    const MotionBlur& blur = *setup.frame->motion_blur;
+    const ShutterView view{.clip_from_world = setup.block.clip_from_world,
+                           .clip_before_from_world = clip_before_from_world(setup)};
     const gl::Texture* ways = motion_vectors_.render(blur, view, *light.depth, resources, stats);
-    const FeatureSet features = light.features | (ways != nullptr ? feature::kMoved : 0);
+    const FeatureSet features = light.features | (ways != nullptr ? screen_feature::kMoved : 0);
     const gl::Program* program = resources.shaders.find(kMotionBlurShader, features);
     if (program == nullptr) return nullptr;
     const PixelSize size_px{light.image->width(), light.image->height()};

@@ -6,6 +6,7 @@
 #include "engine/render/passes/screen/motion_vectors.h"
 #include "engine/render/passes/screen/pass_image.h"
 #include "engine/render/passes/sky_pass.h"
+#include "engine/render/setup/frame_setup.h"
 
 #include <cstddef>
 
@@ -14,8 +15,7 @@ namespace plumbline::render {
 class MotionBlurPass {
 public:
     /// As large as the scene's image. Null: the driver has no memory for it.
-    const gl::Texture* render(const MotionBlur& blur,
-                              const ShutterView& view,
+    const gl::Texture* render(const FrameSetup& setup,
                               const SceneLight& light,
                               const FullscreenTriangle& triangle,
                               SceneResources& resources,

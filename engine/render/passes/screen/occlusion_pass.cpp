@@ -12,12 +12,13 @@ constexpr float kMostReach = 0.12F;
 
 }  // namespace
 
-const gl::Texture* OcclusionPass::render(const AmbientOcclusion& occlusion,
-                                         const ScreenView& view,
+const gl::Texture* OcclusionPass::render(const FrameSetup& setup,
                                          const gl::Texture& depth,
                                          const FullscreenTriangle& triangle,
                                          SceneResources& resources,
                                          FrameStats& stats) {
+    const AmbientOcclusion& occlusion = *setup.frame->occlusion;
+    const ScreenView& view = setup.screen;
     const gl::Program* find = resources.shaders.find(kOcclusionShader, 0);
     if (find == nullptr) return nullptr;
     const PixelSize half_px{(depth.width() + 1) / 2, (depth.height() + 1) / 2};

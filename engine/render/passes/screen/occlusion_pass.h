@@ -5,6 +5,7 @@
 #include "engine/render/passes/scene_resources.h"
 #include "engine/render/passes/screen/pair_blur.h"
 #include "engine/render/passes/sky_pass.h"
+#include "engine/render/setup/frame_setup.h"
 
 #include <cstddef>
 
@@ -14,8 +15,7 @@ class OcclusionPass {
 public:
     /// Half as wide and as high as `depth`: visibility 0â¦1, and metres along the line of sight. Null:
     /// the driver has no memory for it.
-    const gl::Texture* render(const AmbientOcclusion& occlusion,
-                              const ScreenView& view,
+    const gl::Texture* render(const FrameSetup& setup,
                               const gl::Texture& depth,
                               const FullscreenTriangle& triangle,
                               SceneResources& resources,

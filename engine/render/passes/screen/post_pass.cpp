@@ -30,10 +30,10 @@ void write_depth(bool keeps_depth) {
 
 }  // namespace
 
-bool PostPass::resize_bloom(const PostView& view) {
+bool PostPass::resize_bloom(const ImagePlan& plan) {
     std::size_t level = 0;
-    PixelSize size_px = view.scene_px;
-    while (view.bloom && level < kBloomLevels) {
+    PixelSize size_px = plan.scene_px;
+    while (plan.bloom && level < kBloomLevels) {
         size_px = {std::max(size_px.width / 2, 1U), std::max(size_px.height / 2, 1U)};
         if (std::min(size_px.width, size_px.height) < kSmallestSide_px) break;
         if (level == bloom_levels_.size()) bloom_levels_.emplace_back();
@@ -44,15 +44,15 @@ bool PostPass::resize_bloom(const PostView& view) {
     return true;
 }
 
-Result<Done> PostPass::resize(const PostView& view) {
-    bool complete = resize_bloom(view);
-    if (view.fxaa) {
-        complete = complete && toned_.resize(gl::TargetFormat::Rgba8, view.image_px);
+Result<Done> PostPass::resize(const ImagePlan& plan) {
+    bool complete = resize_bloom(plan);
+    if (plan.fxaa) {
+        complete = complete && toned_.resize(gl::TargetFormat::Rgba8, plan.image_px);
     } else {
         toned_ = {};
     }
-    if (view.is_scaled()) {
-        complete = complete && smooth_.resize(gl::TargetFormat::Rgba8, view.image_px);
+    if (plan.is_scaled()) {
+        complete = complete && smooth_.resize(gl::TargetFormat::Rgba8, plan.image_px);
     } else {
         smooth_ = {};
     }
@@ -101,7 +101,7 @@ void PostPass::render_bloom(const SceneLight& light,
 
 void PostPass::render_image(const SceneLight& light,
                             const gl::Texture& depth,
-                            const PostView& view,
+                            const ImagePlan& plan,
                             unsigned int present_framebuffer,
                             const FullscreenTriangle& triangle,
                             SceneResources& resources,
@@ -112,22 +112,22 @@ void PostPass::render_image(const SceneLight& light,
         const gl::Texture& source;
         const gl::Framebuffer* target;  ///< null: the present target
     };
-    const gl::Framebuffer* before_scaling = view.is_scaled() ? &smooth_.framebuffer : nullptr;
+    const gl::Framebuffer* before_scaling = plan.is_scaled() ? &smooth_.framebuffer : nullptr;
     std::vector<Step> steps;
     steps.push_back({kToneMapShader,
-                     light.features | (view.tone_curve ? feature::kToneMap : 0U) |
-                         (view.fxaa ? feature::kFxaa : 0U) |
-                         (view.has_samples() ? feature::kFourSamples : 0U) |
-                         (bloom_levels_.empty() ? 0U : feature::kBloom),
+                     light.features | (plan.tone_curve ? screen_feature::kToneMap : 0U) |
+                         (plan.fxaa ? screen_feature::kFxaa : 0U) |
+                         (plan.has_samples() ? screen_feature::kFourSamples : 0U) |
+                         (bloom_levels_.empty() ? 0U : screen_feature::kBloom),
                      *light.image,
-                     view.fxaa ? &toned_.framebuffer : before_scaling});
-    if (view.fxaa) {
+                     plan.fxaa ? &toned_.framebuffer : before_scaling});
+    if (plan.fxaa) {
         steps.push_back({kSmoothEdgesShader,
-                         feature::kFxaa | (view.is_scaled() ? feature::kSharpen : 0U),
+                         screen_feature::kFxaa | (plan.is_scaled() ? screen_feature::kSharpen : 0U),
                          toned_.image,
                          before_scaling});
     }
-    if (view.is_scaled()) steps.push_back({kScaleUpShader, 0, smooth_.image, nullptr});
+    if (plan.is_scaled()) steps.push_back({kScaleUpShader, 0, smooth_.image, nullptr});
 
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
@@ -137,11 +137,11 @@ void PostPass::render_image(const SceneLight& light,
     }
     for (const Step& step : steps) {
         const bool is_last = step.target == nullptr;
-        const bool keeps_depth = is_last && view.keeps_depth;
+        const bool keeps_depth = is_last && plan.keeps_depth;
         glBindFramebuffer(GL_FRAMEBUFFER, is_last ? present_framebuffer : step.target->name());
-        set_viewport(is_last ? view.present_px : view.image_px);
+        set_viewport(is_last ? plan.present_px : plan.image_px);
         const gl::Program* program = resources.shaders.find(
-            step.shader, step.features | (keeps_depth ? feature::kKeepDepth : 0U));
+            step.shader, step.features | (keeps_depth ? screen_feature::kKeepDepth : 0U));
         if (program == nullptr) continue;
         program->use();
         bind_scene_light(light, *program);

@@ -5,22 +5,19 @@
 #include <glad/gl.h>
 
 namespace plumbline::render {
-namespace {
-
-constexpr FeatureSet kShaftFeatures = feature::kSunShadow | feature::kCascades;
-
-}  // namespace
-
-const gl::Texture* ShaftPass::render(const SunShafts& shafts,
-                                     FeatureSet features,
-                                     const ScreenView& view,
+const gl::Texture* ShaftPass::render(const FrameSetup& setup,
                                      const gl::Texture& depth,
                                      const gl::Texture* sun_shadow_map,
                                      const FullscreenTriangle& triangle,
                                      SceneResources& resources,
                                      FrameStats& stats) {
-    const gl::Program* find = resources.shaders.find(
-        kShaftsShader, sun_shadow_map != nullptr ? features & kShaftFeatures : 0);
+    const SunShafts& shafts = *setup.frame->shafts;
+    const ScreenView& view = setup.screen;
+    FeatureSet features = 0;
+    if (sun_shadow_map != nullptr) features |= shaft_feature::kSunShadow;
+    if (sun_shadow_map != nullptr && setup.sun.shadow_views.size() > 1)
+        features |= shaft_feature::kCascades;
+    const gl::Program* find = resources.shaders.find(kShaftsShader, features);
     if (find == nullptr) return nullptr;
     const PixelSize quarter_px{(depth.width() + 3) / 4, (depth.height() + 3) / 4};
     if (!images_.resize(quarter_px)) return nullptr;

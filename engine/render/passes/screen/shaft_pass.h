@@ -5,6 +5,7 @@
 #include "engine/render/passes/scene_resources.h"
 #include "engine/render/passes/screen/pair_blur.h"
 #include "engine/render/passes/sky_pass.h"
+#include "engine/render/setup/frame_setup.h"
 
 #include <cstddef>
 
@@ -12,10 +13,9 @@ namespace plumbline::render {
 
 class ShaftPass {
 public:
-    /// A quarter as wide and as high as `depth`: the share, and metres along the line of sight. `sun_shadow_map`: null without shadows. Null: the driver has no memory for it.
-    const gl::Texture* render(const SunShafts& shafts,
-                              FeatureSet features,
-                              const ScreenView& view,
+    /// A quarter as wide and as high as `depth`: the share, and metres along the line of sight. Null:
+    /// the driver has no memory for it. `sun_shadow_map` is null without shadows.
+    const gl::Texture* render(const FrameSetup& setup,
                               const gl::Texture& depth,
                               const gl::Texture* sun_shadow_map,
                               const FullscreenTriangle& triangle,

@@ -30,10 +30,12 @@ TEST_F(ShaderSourceTest, ExpandsEachIncludeOnceAndSaysWhereLinesComeFrom) {
     write("a.glsl", "A\n");
     write("b.glsl", "#include \"a.glsl\"\nB\n");
     write("main.frag", "#include \"a.glsl\"\n#include \"b.glsl\"\nM\n");
-    const auto source = load_shader(folder_, "main.frag", feature::kFog);
+    const std::string defines = defines_of(
+        std::array{Feature{1, "PL_ONE"}, Feature{2, "PL_TWO"}, Feature{4, "PL_FOUR"}}, 6);
+    const auto source = load_shader(folder_, "main.frag", defines);
     ASSERT_TRUE(source.ok()) << source.error().message;
     EXPECT_EQ(source->text,
-              "#version 330 core\n#define PL_FOG 1\n"
+              "#version 330 core\n#define PL_TWO 1\n#define PL_FOUR 1\n"
               "#line 1 0\n#line 1 1\nA\n#line 2 0\n#line 1 2\n#line 2 2\nB\n#line 3 0\nM\n");
     EXPECT_EQ(source->files, (std::vector<std::string>{"main.frag", "a.glsl", "b.glsl"}));
 }
@@ -41,7 +43,7 @@ TEST_F(ShaderSourceTest, ExpandsEachIncludeOnceAndSaysWhereLinesComeFrom) {
 TEST_F(ShaderSourceTest, CountsLinesAfterAnIncludeThatWasSkipped) {
     write("a.glsl", "A\n");
     write("main.frag", "#if 0\n#include \"a.glsl\"\n  #else\nX\n#endif\nM\n");
-    const auto source = load_shader(folder_, "main.frag", 0);
+    const auto source = load_shader(folder_, "main.frag");
     ASSERT_TRUE(source.ok()) << source.error().message;
     EXPECT_EQ(
         source->text,
@@ -51,7 +53,7 @@ TEST_F(ShaderSourceTest, CountsLinesAfterAnIncludeThatWasSkipped) {
 
 TEST_F(ShaderSourceTest, NamesTheLineOfAMissingInclude) {
     write("main.frag", "x\n#include \"gone.glsl\"\n");
-    const auto source = load_shader(folder_, "main.frag", 0);
+    const auto source = load_shader(folder_, "main.frag");
     ASSERT_FALSE(source.ok());
     EXPECT_NE(source.error().message.find("main.frag:2: "), std::string::npos)
         << source.error().message;
@@ -60,7 +62,7 @@ TEST_F(ShaderSourceTest, NamesTheLineOfAMissingInclude) {
 
 TEST_F(ShaderSourceTest, RefusesIncludesOutsideTheFolder) {
     write("main.frag", "#include \"../../etc/passwd\"\n");
-    EXPECT_FALSE(load_shader(folder_, "main.frag", 0).ok());
+    EXPECT_FALSE(load_shader(folder_, "main.frag").ok());
 }
 
 TEST(WithFileNames, KnowsTheFormsOfThreeDrivers) {

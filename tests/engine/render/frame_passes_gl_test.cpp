@@ -7,9 +7,9 @@
 namespace plumbline::render {
 namespace {
 
-class FrameLightGl : public RendererGl {};
+class FramePassesGl : public RendererGl {};
 
-TEST_F(FrameLightGl, WhatAFrameDoesNotAskForHoldsNoMemory) {
+TEST_F(FramePassesGl, WhatAFrameDoesNotAskForHoldsNoMemory) {
     RenderFrame frame = sunny_box();
     frame.flashlight = Flashlight{};
     frame.post = Post{.exposure = 1.0F, .bloom = 0.1F};
@@ -34,7 +34,7 @@ TEST_F(FrameLightGl, WhatAFrameDoesNotAskForHoldsNoMemory) {
 }
 
 // Without anything that blends surfaces write codes themselves; glass, even out of sight, needs the pass.
-TEST_F(FrameLightGl, CodesOfSurfacesAreThoseOfThePass) {
+TEST_F(FramePassesGl, CodesOfSurfacesAreThoseOfThePass) {
     RenderFrame frame = sunny_box();
     frame.clear_color = {0.02F, 0.4F, 0.9F};
     const assets::ImageData by_surfaces = draw(frame);
@@ -49,7 +49,7 @@ TEST_F(FrameLightGl, CodesOfSurfacesAreThoseOfThePass) {
         ASSERT_NEAR(by_pass.bytes[i], by_surfaces.bytes[i], 1) << i;
 }
 
-TEST_F(FrameLightGl, PassesRunInTheirOrderAndFreeWhatTheyHeld) {
+TEST_F(FramePassesGl, PassesRunInTheirOrderAndFreeWhatTheyHeld) {
     RenderFrame frame = sunny_box();
     frame.depth_of_field = DepthOfField{};
     frame.quality.anti_aliasing = AntiAliasing::Msaa2;
@@ -69,7 +69,7 @@ TEST_F(FrameLightGl, PassesRunInTheirOrderAndFreeWhatTheyHeld) {
     for (const auto& name : passes_named()) EXPECT_NE(name, "resolve");
 }
 
-TEST_F(FrameLightGl, AQualityThatNeverDrawsThemLeavesThemOut) {
+TEST_F(FramePassesGl, AQualityThatNeverDrawsThemLeavesThemOut) {
     RenderFrame frame = sunny_box();
     frame.occlusion = AmbientOcclusion{};
     frame.shafts = SunShafts{};

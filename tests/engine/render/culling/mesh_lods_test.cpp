@@ -1,4 +1,4 @@
-#include "engine/render/resources/mesh_lods.h"
+#include "engine/render/culling/mesh_lods.h"
 
 #include "engine/assets/primitives.h"
 #include "tests/engine/render/card_mesh.h"

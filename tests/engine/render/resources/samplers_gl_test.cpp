@@ -8,11 +8,11 @@
 namespace plumbline::render {
 namespace {
 
-class SamplerSetupGl : public ImageGl {};
+class SamplersGl : public ImageGl {};
 
 // White noise halves its spread with each level of detail. Four texels to a pixel that is shown: the third
 // level. Drawn at half the size it would be the fourth, and scaling up leaves 0.6 of the spread: 0.3 in all.
-TEST_F(SamplerSetupGl, ScaledUpImagesHaveTexturesAsFineAsTheSizeShown) {
+TEST_F(SamplersGl, ScaledUpImagesHaveTexturesAsFineAsTheSizeShown) {
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / "plumbline_noise_image.png";
     assets::ImageData noise{
