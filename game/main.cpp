@@ -1,6 +1,6 @@
 // The program `plumbline`: words on the command line to commands.
 
-#include "engine/assets/foreign/foreign_import.h"
+#include "engine/assets/foreign/decoder.h"
 #include "engine/core/process/crash_report.h"
 #include "engine/core/process/interrupt.h"
 #include "engine/core/process/process_memory.h"
@@ -40,7 +40,9 @@ struct Words {
     std::string explained_scene;
     bool explain_as_json{false};
     bool list_as_json{false};
-    std::filesystem::path foreign_model;
+    std::string decoded_kind;
+    std::size_t decoded_bytes{0};
+    std::string decoded_name;
     std::filesystem::path shader_scene;
     std::filesystem::path shaders_done;
     std::vector<std::filesystem::path> checked;
@@ -210,9 +212,13 @@ std::vector<Command> add_commands(CLI::App& app, Words& words) {
         return ExitCode::Good;
     });
     CLI::App* reader =
-        app.add_subcommand("model-worker", "Internal: convert a Collada or FBX file")->group("");
-    reader->add_option("file", words.foreign_model)->required();
-    add(reader, [&] { return assets::run_model_worker(words.foreign_model); });
+        app.add_subcommand("decoder", "Internal: decode a foreign file")->group("");
+    reader->add_option("kind", words.decoded_kind)->required();
+    reader->add_option("bytes", words.decoded_bytes)->required();
+    reader->add_option("name", words.decoded_name)->required();
+    add(reader, [&] {
+        return assets::run_decoder(words.decoded_kind, words.decoded_bytes, words.decoded_name);
+    });
     CLI::App* shaders =
         app.add_subcommand("shader-worker", "Internal: compile shaders in advance")->group("");
     shaders->add_option("scene", words.shader_scene)->required();

@@ -63,7 +63,7 @@ public:
     std::unique_ptr<study::HardCaseJudge> judge;  ///< null for a scene without [hard_case]
 
 private:
-    explicit Session(SessionDef def) : def_(std::move(def)) {}
+    explicit Session(SessionDef def) : library(def.folders.assets), def_(std::move(def)) {}
     /// What is done to a new world before it replaces the running one.
     using Prepare = std::function<Result<Done>(const effects::RunningGame&)>;
     /// Replaces the running world, unless the new one is refused.

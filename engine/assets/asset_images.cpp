@@ -1,4 +1,5 @@
 #include "engine/assets/asset_images_impl.h"
+#include "engine/assets/foreign/decoder.h"
 #include "engine/assets/image/image_import.h"
 #include "engine/assets/skybox_files.h"
 #include "engine/core/limits.h"
@@ -39,8 +40,17 @@ AssetLibrary::Images::Pixels AssetLibrary::Images::decode(const fs::path& file) 
     }
     const auto fits = [&](std::size_t decoded) { return count_bytes(file, decoded); };
     Result<ImageData> image = out_of_memory("image", file);
+    const auto decode_bytes = [&](const std::string& content) {
+        return is_foreign(file, installed) ? decode_image_apart(content, file.string(), fits)
+                                           : decode_image(content, file.string(), fits);
+    };
     try {
-        image = bytes ? decode_image(*bytes, file.string(), fits) : import_image(file, fits);
+        if (bytes) {
+            image = decode_bytes(*bytes);
+        } else {
+            const Result<std::string> read = read_image_file(file);
+            image = read ? decode_bytes(*read) : Result<ImageData>(read.error());
+        }
     } catch (const std::bad_alloc&) {  // says so already
     }
     if (!image) count_bytes(file, 0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/assets/asset_library.h"
+#include "engine/core/io/files.h"
 #include "engine/core/limits.h"
 
 #include <fmt/format.h>
@@ -26,10 +27,17 @@ inline Error out_of_memory(std::string_view kind, const fs::path& file) {
             .exit_code = ExitCode::Refused};
 }
 
+/// Whether it did not come with the program; nothing does, and nothing else either, without a folder.
+inline bool is_foreign(const fs::path& file, const fs::path& installed) {
+    return !installed.empty() && !is_inside(installed, file);
+}
+
 /// Images being decoded, and the threads that do it. What stands before `workers` is guarded by
 /// `mutex`; the rest belongs to the library's own thread.
 struct AssetLibrary::Images {
     using Pixels = std::shared_ptr<const Result<ImageData>>;
+
+    fs::path installed;  ///< set before any other thread knows this
 
     std::mutex mutex;
     std::condition_variable work_added;

@@ -1,7 +1,8 @@
 #include "engine/assets/asset_library.h"
 
 #include "engine/assets/asset_images_impl.h"
-#include "engine/assets/model/model_import.h"
+#include "engine/assets/foreign/decoder.h"
+#include "engine/assets/model_import.h"
 #include "engine/assets/sound_import.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
@@ -39,6 +40,13 @@ struct FileStamp {
     friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };
 
+Result<SoundData> sound_of(const fs::path& file, const fs::path& installed) {
+    if (!is_foreign(file, installed)) return import_sound(file);
+    const Result<std::string> bytes = read_sound_file(file);
+    if (!bytes) return bytes.error();
+    return decode_sound_apart(*bytes, file.string());
+}
+
 }  // namespace
 
 struct AssetLibrary::ModelEntry {
@@ -66,12 +74,12 @@ struct AssetLibrary::SoundsAhead {
         closing = true;
         if (worker.joinable()) worker.join();
     }
-    void decode(const std::vector<fs::path>& files) {
+    void decode(const std::vector<fs::path>& files, const fs::path& installed) {
         for (const fs::path& file : files) {
             if (closing) return;
             const fs::path key = file.lexically_normal();
             try {
-                Result<SoundData> sound = import_sound(file);
+                Result<SoundData> sound = sound_of(file, installed);
                 const std::lock_guard lock(mutex);
                 if (sound) ready.emplace(key, std::move(*sound));
             } catch (const std::bad_alloc&) {
@@ -87,7 +95,9 @@ struct AssetLibrary::SoundsAhead {
     }
 };
 
-AssetLibrary::AssetLibrary() : images_(std::make_unique<Images>()) {}
+AssetLibrary::AssetLibrary(const fs::path& installed) : images_(std::make_unique<Images>()) {
+    images_->installed = installed;
+}
 AssetLibrary::~AssetLibrary() = default;
 
 Result<Model> AssetLibrary::model(const fs::path& file, const fs::path& root) {
@@ -114,8 +124,14 @@ Result<Done> AssetLibrary::import(ModelEntry& entry, const fs::path& file, const
     const FileStamp stamp = FileStamp::of(file);
     Result<ModelData> imported = import_model(file, root);
     if (!imported) return imported.error();
+    // What a file does not say about its surfaces' back sides, those of a stranger's model are drawn.
+    const bool is_silent = is_foreign(file, images_->installed) && !says_sides(file);
     entry.model.materials.clear();
-    for (const MaterialData& material : imported->materials) {
+    for (MaterialData& material : imported->materials) {
+        if (is_silent && !material.two_sided) {
+            material.two_sided = true;
+            material.thin = false;
+        }
         entry.model.materials.push_back(add_material(material));
     }
     entry.stamps.clear();
@@ -181,7 +197,7 @@ Result<SoundId> AssetLibrary::sound(const fs::path& file) {
             if (std::optional<SoundData> sound = sounds_ahead_->take(key)) return std::move(*sound);
         }
         try {
-            return import_sound(file);
+            return sound_of(file, images_->installed);
         } catch (const std::bad_alloc&) {
             return out_of_memory("sound", file);
         }
@@ -198,7 +214,9 @@ void AssetLibrary::prefetch_sounds(std::vector<fs::path> files) {
     sounds_ahead_ = std::make_unique<SoundsAhead>();
     try {
         sounds_ahead_->worker = std::thread(
-            [ahead = sounds_ahead_.get(), files = std::move(files)] { ahead->decode(files); });
+            [ahead = sounds_ahead_.get(), files = std::move(files), installed = images_->installed] {
+                ahead->decode(files, installed);
+            });
     } catch (const std::system_error& fault) {
         log_note("sounds are decoded when they are first heard: {}", fault.what());
     }

@@ -94,7 +94,9 @@ public:
     /// file gives a checkerboard and one warning. Hands the pixels over: the library forgets them.
     std::shared_ptr<const ImageData> take_image(const std::filesystem::path& file);
 
-    AssetLibrary();
+    /// Images and sounds outside the folder `installed` are decoded in a process of their own; with an
+    /// empty folder none is.
+    explicit AssetLibrary(const std::filesystem::path& installed = {});
     ~AssetLibrary();
     AssetLibrary(const AssetLibrary&) = delete;
     AssetLibrary& operator=(const AssetLibrary&) = delete;

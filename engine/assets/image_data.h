@@ -6,7 +6,12 @@
 
 namespace plumbline::assets {
 
-enum class PixelFormat : std::uint8_t { R8, Rgb8, Rgba8, Rgb16F };
+/// Half floats hold linear light; in Rgba16F it is multiplied by alpha already, as OpenEXR stores it.
+enum class PixelFormat : std::uint8_t { R8, Rgb8, Rgba8, Rgb16F, Rgba16F };
+
+inline bool is_half_float(PixelFormat format) {
+    return format == PixelFormat::Rgb16F || format == PixelFormat::Rgba16F;
+}
 
 /// Rows from the top, tightly packed.
 struct ImageData {
@@ -26,6 +31,8 @@ inline std::uint32_t bytes_per_pixel(PixelFormat format) {
             return 4;
         case PixelFormat::Rgb16F:
             return 6;
+        case PixelFormat::Rgba16F:
+            return 8;
     }
     return 4;
 }

@@ -166,23 +166,38 @@ std::int16_t sample_of(float value) {
 
 }  // namespace
 
-Result<SoundData> import_sound(const std::filesystem::path& file) {
-    const Result<std::string> bytes = read_file(file, limits::kSoundBytes);
+Result<std::string> read_sound_file(const std::filesystem::path& file) {
+    Result<std::string> bytes = read_file(file, limits::kSoundBytes);
     if (!bytes) return Error{.message = bytes.error().message, .exit_code = ExitCode::Refused};
+    return bytes;
+}
+
+Result<SoundData> import_sound(const std::filesystem::path& file) {
+    const Result<std::string> bytes = read_sound_file(file);
+    if (!bytes) return bytes.error();
+    return decode_sound(*bytes, file.string());
+}
+
+bool is_playable(const SoundData& sound) {
+    return sound.sample_rate_hz >= 1 && sound.sample_rate_hz <= kMaxRate_hz &&
+           sound.channels >= 1 && sound.channels <= kMaxChannels;
+}
+
+Result<SoundData> decode_sound(std::string_view bytes, const std::string& name) {
     const auto refuse = [&](std::string_view why) {
-        return Error{.message = fmt::format("sound {} is refused: {}", file.string(), why),
+        return Error{.message = fmt::format("sound {} is refused: {}", name, why),
                      .exit_code = ExitCode::Refused};
     };
-    const std::string wav_fault = wav_field_at_fault(*bytes);
+    const std::string wav_fault = wav_field_at_fault(bytes);
     if (!wav_fault.empty()) return refuse(wav_fault);
 
-    if (!is_known_container(*bytes)) return refuse("its content is none of WAV, Ogg, FLAC and MP3");
+    if (!is_known_container(bytes)) return refuse("its content is none of WAV, Ogg, FLAC and MP3");
     Result<std::string> plain = std::string();
-    const bool is_wav = bytes->starts_with("RIFF");
-    if (is_wav) plain = plain_wav(*bytes);
+    const bool is_wav = bytes.starts_with("RIFF");
+    if (is_wav) plain = plain_wav(bytes);
     if (!plain) return refuse(plain.error().message);
 
-    MemoryFile memory{.bytes = is_wav ? *plain : *bytes};
+    MemoryFile memory{.bytes = is_wav ? *plain : bytes};
     SF_VIRTUAL_IO access{
         .get_filelen = size_of, .seek = seek, .read = read, .write = refuse_write, .tell = tell};
     SF_INFO header{};
@@ -207,10 +222,10 @@ Result<SoundData> import_sound(const std::filesystem::path& file) {
         for (std::size_t i = 0; i < count; ++i) sound.samples.push_back(sample_of(block[i]));
     }
     if (sound.samples.empty()) return refuse("nothing in it could be decoded");
-    if (sound.samples.size() < wanted || breaks_off(*bytes)) {
+    if (sound.samples.size() < wanted || breaks_off(bytes)) {
         const std::size_t frames = sound.samples.size() / channels;
         log_warning("sound {} breaks off; the {:.2f} s that decoded are used",
-                    file.string(),
+                    name,
                     static_cast<double>(frames) / header.samplerate);
     }
     return sound;

@@ -1,9 +1,11 @@
 #include "engine/platform/offscreen.h"
 
 #include "engine/core/log.h"
+#include "engine/core/process/process_memory.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cstring>
@@ -88,7 +90,18 @@ bool open_on(EGLDisplay display, EGLContext& context) {
 
 }  // namespace
 
+Result<Done> check_memory_for_opengl() {
+    constexpr std::size_t kMiB = 1024 * 1024;
+    constexpr std::size_t kMost = 1536;
+    if (may_still_map(kMost * kMiB)) return Done{};
+    return Error{.message = fmt::format("drawing takes up to {} MiB of address space, and the limit on "
+                                        "it (ulimit -v) leaves less",
+                                        kMost),
+                 .exit_code = ExitCode::NoDisplay};
+}
+
 Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create() {
+    if (Result<Done> room = check_memory_for_opengl(); !room) return room.error();
     auto impl = std::make_unique<Impl>();
     for (EGLDisplay display : candidate_displays()) {
         if (!open_on(display, impl->context)) continue;

@@ -9,6 +9,10 @@
 
 namespace plumbline::platform {
 
+/// Drivers crash where memory is refused to them later on. The error, with exit code 3, is for a limit
+/// (ulimit -v) that leaves less than a large scene takes.
+Result<Done> check_memory_for_opengl();
+
 /// The context is current in the calling thread from creation to destruction. There is no default
 /// framebuffer to draw into: the renderer draws into its own.
 class OffscreenContext {

@@ -2,6 +2,7 @@
 
 #include "engine/core/log.h"
 #include "engine/platform/gamepads.h"
+#include "engine/platform/offscreen.h"
 #include "engine/platform/physical_keys.h"
 
 #define GLFW_INCLUDE_NONE
@@ -219,6 +220,7 @@ Window::~Window() {
 }
 
 Result<std::unique_ptr<Window>> Window::open(const WindowDef& def) {
+    if (Result<Done> room = check_memory_for_opengl(); !room) return room.error();
     // Names of keys come in the user's encoding; numbers keep their point.
     std::setlocale(LC_CTYPE, "");
     if (glfwInit() != GLFW_TRUE) return no_display_error(last_glfw_words());

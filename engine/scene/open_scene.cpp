@@ -2,6 +2,7 @@
 
 #include "engine/core/hash.h"
 #include "engine/core/limits.h"
+#include "engine/core/process/interrupt.h"
 #include "engine/scene/scene_file.h"
 
 #include <algorithm>
@@ -74,6 +75,7 @@ bool unchanged(std::span<const FileStamp> files) {
 }
 
 Result<std::unique_ptr<Simulation>> OpenedScene::build(assets::AssetLibrary& library) const {
+    const IgnoresInterrupts loading;
     Result<std::unique_ptr<Simulation>> built =
         build_simulation(description, overrides, library, surfaces);
     if (!built) return built;
@@ -98,6 +100,7 @@ std::uint64_t OpenedScene::motion_hash() const {
 Result<OpenedScene> open_scene(const fs::path& file,
                                const OpenOptions& options,
                                Diagnostics& faults) {
+    const IgnoresInterrupts loading;
     const std::size_t known = faults.list().size();
     const fs::path surfaces = options.folders.config / "surfaces.toml";
     OpenedScene opened{.overrides = options.overrides};

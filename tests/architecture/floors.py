@@ -14,7 +14,7 @@ from sources import ROOT, finish, own_files
 # Module -> its folders, the lowest first. Modules without folders have none to order.
 FLOORS = {
     "core": ["time", "process", "io", "text"],
-    "assets": ["foreign", "model", "gltf", "image", "mesh_files"],
+    "assets": ["image", "model", "gltf", "mesh_files", "foreign"],
     "physics": ["collision/narrow_phase", "collision", "collision/sweep", "dynamics/joint", "dynamics/contact",
                 "dynamics/impact", "dynamics", "world", "bullet/shape", "bullet/contact", "bullet/archive", "bullet",
                 "character"],
@@ -32,7 +32,6 @@ FLOORS = {
 STILL_UPWARD = {
     ("app", "accuracy", "overlay"),
     ("app", "controls", "overlay"),
-    ("assets", "foreign", "model"),
     ("physics", "bullet/archive", "bullet"),
     ("physics", "bullet/contact", "bullet"),
     ("physics", "bullet/shape", "bullet"),

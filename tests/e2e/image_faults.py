@@ -84,6 +84,28 @@ def missing_files_of_every_kind(folder, environment):
     expect(said.count("\n") == 1 and "mesh.frag: No such file" in said, f"a missing shader:\n{said}")
 
 
+def memory_that_is_refused(folder, environment):
+    """Drivers crash where it is refused to them while they draw: the limit is looked at before."""
+    if sanitized:
+        return
+    done = subprocess.run([program_file, "render", "garden", "--out", folder / "image.png"], env=environment, text=True,
+                          capture_output=True, timeout=120,
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (800_000 * 1024,) * 2))
+    expect(done.returncode == 3 and done.stderr.count("\n") == 1 and "(ulimit -v) leaves less" in done.stderr,
+           f"exit {done.returncode}: {done.stderr}")
+
+
+def a_map_of_every_format(folder, environment):
+    """An EXR as base_color_map once ended the program, at live reload as well."""
+    scene = folder / "maps.toml"
+    scene.write_text('[scene]\ntitle = "maps"\n[[material]]\nname = "m"\nbase_color_map = "a.exr"\nnormal_map = "a.exr"\n'
+                     'orm_map = "a.exr"\nheight_map = "a.exr"\nheight_depth = 0.1\nshading = "pbr"\n[sun]\n[[entity]]\n'
+                     'name = "a"\nprimitive = { box = [4, 4, 4] }\nmaterial = "m"\n')
+    shutil.copy(sorted(pathlib.Path("assets/skies").rglob("*.exr"))[0], folder / "a.exr")
+    said = rendered(scene, folder, environment)
+    expect(said == "", said)
+
+
 def write_black_png(file, width, height, channels):
     def chunk(kind, body):
         return len(body).to_bytes(4, "big") + kind + body + zlib.crc32(kind + body).to_bytes(4, "big")
@@ -131,7 +153,8 @@ def a_window_that_is_resized_all_the_time(folder, environment):
 
 def main():
     with virtual_screen() as screen:
-        for test in (missing_files_of_every_kind, an_image_of_16384_pixels, a_window_that_is_resized_all_the_time):
+        for test in (missing_files_of_every_kind, memory_that_is_refused, a_map_of_every_format, an_image_of_16384_pixels,
+                     a_window_that_is_resized_all_the_time):
             with home() as folder:
                 test(folder, settings_in(folder, screen))
 

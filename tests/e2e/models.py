@@ -5,6 +5,7 @@ import math
 import os
 import pathlib
 import random
+import resource
 import struct
 import subprocess
 import sys
@@ -14,6 +15,7 @@ import model_files
 from png import read_png
 
 program = sys.argv[1]
+sanitized = b"__asan_init" in pathlib.Path(program).read_bytes()
 folder = pathlib.Path(tempfile.mkdtemp())
 environment = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
 environment.update(HOME=str(folder), XDG_CONFIG_HOME=str(folder / "config"), XDG_DATA_HOME=str(folder / "data"))
@@ -165,6 +167,44 @@ def a_side_that_is_nowhere_is_left_out():
         assert "is left out: its vertex 0 is not finite" in output or "it holds no triangles" in output, output
 
 
+def a_model_that_grows_without_end_is_limited():
+    """Each node of this Collada file shows the one before it twice: 2^40 of them."""
+    text = (folder / "box.dae").read_text()
+    start = text.index("<library_visual_scenes>")
+    nodes = '<library_nodes><node id="n0"><instance_geometry url="#g"/></node>' + "".join(
+        f'<node id="n{i}"><instance_node url="#n{i - 1}"/><instance_node url="#n{i - 1}"/></node>' for i in range(1, 41))
+    scene = ('</library_nodes><library_visual_scenes><visual_scene id="s"><node id="n"><instance_node url="#n40"/></node>'
+             '</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>')
+    file = folder / "endless.dae"
+    file.write_text(text[:start] + nodes + scene)
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    expect_refused(file)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    assert sanitized or after.ru_maxrss < 700 * 1024, f"{after.ru_maxrss / 1024} MiB"
+    assert after.ru_utime - before.ru_utime < 15, f"{after.ru_utime - before.ru_utime} s of CPU time"
+
+
+# FAULTS 34: one saw nothing of a surface that is made the other way round.
+def a_surface_is_seen_from_behind():
+    file = folder / "behind.stl"
+    file.write_text("solid a\nfacet normal 0 0 0\nouter loop\nvertex -1 0 -1\nvertex 0 0 1\nvertex 1 0 -1\nendloop\nendfacet\n"
+                    "endsolid a\n")
+    x, y = pixel_of((0.0, -0.3, 0.0))
+    for name, text in (("front", file.read_text()), ("back", file.read_text().replace("vertex 0 0 1\nvertex 1 0 -1", "vertex 1 0 -1\nvertex 0 0 1"))):
+        file.write_text(text)
+        yaw, pitch = map(math.degrees, angles())
+        out = folder / "image.png"
+        run("render", file, "--out", out, "--size", f"{WIDTH}x{HEIGHT}", "--shading", "unlit", "--camera",
+            f"{EYE[0]},{EYE[1]},{EYE[2]},{yaw:.6f},{pitch:.6f}")
+        assert tuple(read_png(out)[y][x]) == (255, 255, 255), f"{name}: {read_png(out)[y][x]}"
+
+
+def utf16_is_named():
+    file = folder / "wide.obj"
+    file.write_bytes("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".encode("utf-16"))
+    assert "its text is UTF-16; save it as UTF-8" in run("check", file, code=4)
+
+
 def noise_never_crashes():
     """Bytes changed at random: read or refused, never more."""
     chance = random.Random(1)
@@ -189,6 +229,9 @@ def main():
     cut_files_are_refused(kinds)
     wild_numbers_are_refused()
     a_side_that_is_nowhere_is_left_out()
+    a_model_that_grows_without_end_is_limited()
+    a_surface_is_seen_from_behind()
+    utf16_is_named()
     noise_never_crashes()
 
 

@@ -9,12 +9,13 @@ namespace plumbline::assets {
 namespace {
 
 /// What a file may demand of its reader. All else it may use, but not require.
-constexpr std::array<std::string_view, 6> kExtensions{"KHR_materials_unlit",
+constexpr std::array<std::string_view, 7> kExtensions{"KHR_materials_unlit",
                                                       "KHR_materials_transmission",
                                                       "KHR_materials_emissive_strength",
                                                       "KHR_materials_pbrSpecularGlossiness",
                                                       "KHR_texture_transform",
-                                                      "KHR_mesh_quantization"};
+                                                      "KHR_mesh_quantization",
+                                                      "FB_ngon_encoding"};  // triangles as they are
 
 bool is_known(std::string_view extension) {
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();

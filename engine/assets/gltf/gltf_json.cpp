@@ -2,6 +2,7 @@
 #include "engine/assets/gltf/gltf_reader_impl.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
+#include "engine/core/text/json_depth.h"
 
 #include <exception>
 
@@ -53,27 +54,6 @@ Result<GltfParts> split_glb(std::string_view bytes, const std::string& name) {
         place += size;
     }
     return parts;
-}
-
-/// Empty, or what is wrong with the nesting. Strings are skipped: brackets in them mean nothing.
-std::string nesting_fault(std::string_view text) {
-    std::size_t depth = 0;
-    bool in_string = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char letter = text[i];
-        if (in_string) {
-            if (letter == '\\') ++i;
-            if (letter == '"') in_string = false;
-            continue;
-        }
-        if (letter == '"') in_string = true;
-        if (letter == '{' || letter == '[') ++depth;
-        if ((letter == '}' || letter == ']') && depth > 0) --depth;
-        if (depth > limits::kModelJsonDepth) {
-            return fmt::format("its JSON nests deeper than {}", limits::kModelJsonDepth);
-        }
-    }
-    return {};
 }
 
 /// Stops at a key that its object has already. A pass of its own: the parser's callbacks, which
@@ -139,8 +119,10 @@ Result<Json> parse_json(std::string_view text, const std::string& name) {
                                        text.size(),
                                        limits::kModelJsonBytes));
     }
-    const std::string fault = nesting_fault(text);
-    if (!fault.empty()) return model_error(name, fault);
+    if (json_depth(text) > limits::kModelJsonDepth) {
+        return model_error(name,
+                           fmt::format("its JSON nests deeper than {}", limits::kModelJsonDepth));
+    }
 
     try {
         KeyWatch watch;

@@ -40,6 +40,17 @@ std::filesystem::path image_file(GltfReader& reader, const Json& image, std::siz
         reader.fail("{}.uri: \"{}\" has a bad percent escape", where, uri);
         return {};
     }
+    if (reader.references.paths_are_of_another_machine()) {
+        // Collada's are escaped themselves.
+        const std::string place = percent_decoded(*decoded).value_or(*decoded);
+        std::filesystem::path found = reader.references.find_image(place);
+        if (found.empty()) {
+            log_warning("model {}: its image \"{}\" is not beside it; it is left out",
+                        reader.name,
+                        std::filesystem::path(place).filename().string());
+        }
+        return found;
+    }
     Result<std::filesystem::path> file = reader.references.resolve(*decoded, where + ".uri");
     if (!file) {
         reader.fail("{}", file.error().message);

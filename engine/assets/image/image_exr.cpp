@@ -55,14 +55,15 @@ Result<ImageData> decode(std::string_view bytes,
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
     if (width < 1 || height < 1) return image_error(name, "its data window is empty");
-    const std::string fault = size_fault(static_cast<std::uint64_t>(width),
-                                         static_cast<std::uint64_t>(height),
-                                         PixelFormat::Rgb16F,
-                                         allowed);
+    const bool has_alpha = (file.channels() & Imf::WRITE_A) != 0;
+    const PixelFormat format = has_alpha ? PixelFormat::Rgba16F : PixelFormat::Rgb16F;
+    const std::string fault = size_fault(
+        static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), format, allowed);
     if (!fault.empty()) return image_error(name, fault);
 
     ImageData image = blank_image(
-        static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), PixelFormat::Rgb16F);
+        static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), format);
+    const std::size_t pixel_bytes = bytes_per_pixel(format);
     // A band of rows at a time: the decoder's pixels are wider than ours.
     constexpr std::int64_t kBandRows = 64;
     const auto columns = static_cast<std::size_t>(width);
@@ -76,9 +77,10 @@ Result<ImageData> decode(std::string_view bytes,
         file.setFrameBuffer(band.data() + origin, 1, columns);
         file.readPixels(static_cast<int>(first_y), static_cast<int>(first_y + count - 1));
         for (std::size_t i = 0; i < static_cast<std::size_t>(count) * columns; ++i) {
-            const Imath::half rgb[3]{clamped(band[i].r), clamped(band[i].g), clamped(band[i].b)};
-            std::memcpy(target, static_cast<const void*>(rgb), sizeof(rgb));
-            target += sizeof(rgb);
+            const Imath::half rgba[4]{
+                clamped(band[i].r), clamped(band[i].g), clamped(band[i].b), clamped(band[i].a)};
+            std::memcpy(target, static_cast<const void*>(rgba), pixel_bytes);
+            target += pixel_bytes;
         }
     }
     return image;

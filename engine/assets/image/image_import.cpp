@@ -42,10 +42,16 @@ ImageData blank_image(std::uint32_t width, std::uint32_t height, PixelFormat for
     return image;
 }
 
+Result<std::string> read_image_file(const std::filesystem::path& file) {
+    Result<std::string> bytes = read_file(file, limits::kImageBytes);
+    if (!bytes) return Error{.message = bytes.error().message, .exit_code = ExitCode::Refused};
+    return bytes;
+}
+
 Result<ImageData> import_image(const std::filesystem::path& file,
                                const ImageBytesAllowed& allowed) {
-    const Result<std::string> bytes = read_file(file, limits::kImageBytes);
-    if (!bytes) return Error{.message = bytes.error().message, .exit_code = ExitCode::Refused};
+    const Result<std::string> bytes = read_image_file(file);
+    if (!bytes) return bytes.error();
     return decode_image(*bytes, file.string(), allowed);
 }
 

@@ -101,12 +101,12 @@ ImageData rgb_from_cmyk(const ImageData& cmyk, bool inverted) {
 }
 
 /// Releases what libjpeg holds, however decoding ends.
-struct Decoder {
+struct JpegDecoder {
     jpeg_decompress_struct jpeg{};
-    Decoder() = default;
-    ~Decoder() { jpeg_destroy_decompress(&jpeg); }
-    Decoder(const Decoder&) = delete;
-    Decoder& operator=(const Decoder&) = delete;
+    JpegDecoder() = default;
+    ~JpegDecoder() { jpeg_destroy_decompress(&jpeg); }
+    JpegDecoder(const JpegDecoder&) = delete;
+    JpegDecoder& operator=(const JpegDecoder&) = delete;
 };
 
 }  // namespace
@@ -115,7 +115,7 @@ Result<ImageData> decode_jpeg(std::string_view bytes,
                               const std::string& name,
                               const ImageBytesAllowed& allowed) {
     JpegProgress progress{};
-    Decoder decoder;
+    JpegDecoder decoder;
     jpeg_decompress_struct& jpeg = decoder.jpeg;
     jpeg.err = jpeg_std_error(&progress.errors);
     jpeg.client_data = &progress;

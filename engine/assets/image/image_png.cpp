@@ -182,7 +182,7 @@ Result<ImageData> decode_png(std::string_view bytes,
 }
 
 Result<std::string> encode_png(const ImageData& image) {
-    PL_ASSERT(image.format != PixelFormat::Rgb16F, "8-bit pixels");
+    PL_ASSERT(!is_half_float(image.format), "8-bit pixels");
     PL_ASSERT(image.bytes.size() ==
                   std::size_t{image.width} * image.height * bytes_per_pixel(image.format),
               "tightly packed pixels");

@@ -3,6 +3,7 @@
 #include "engine/core/io/files.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
+#include "engine/core/text/printable.h"
 #include "engine/core/text/text_case.h"
 
 #include <fmt/format.h>
@@ -145,6 +146,8 @@ Result<std::vector<MaterialData>> read_mtl(const fs::path& file,
         log_warning("model {}: {}; its materials are plain", name, bytes.error().message);
         return std::vector<MaterialData>{};
     }
+    if (is_utf16(*bytes))
+        log_warning("model {}: of {} {}", name, file.filename().string(), kUtf16Fault);
     MtlReader reader{.file = file, .name = name, .references = references};
     LineReader lines(*bytes);
     while (const std::optional<std::string_view> line = lines.next()) {

@@ -225,19 +225,14 @@ MeshData merged_mesh(const ModelData& model, const ModelPose& pose, const std::s
     return merged_parts(model, std::move(parts), pose, name);
 }
 
-Aabb bounds_over(const ModelData& model, const ModelAnimation& animation) {
-    constexpr int kLooks = 8;
+Aabb bounds_of(const ModelData& model, const ModelPose& pose) {
     Aabb bounds;
-    for (int look = 0; look < kLooks; ++look) {
-        const float share = static_cast<float>(look) / static_cast<float>(kLooks - 1);
-        const ModelPose pose = pose_at(model, animation, animation.duration_s * share);
-        for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-            for (const std::uint32_t mesh : model.nodes[i].meshes) {
-                const ModelPart part{.node = static_cast<std::uint32_t>(i), .mesh = mesh};
-                const std::vector<Vertex> vertices = vertices_of(instance_of(model, part, pose));
-                if (!position_fault(vertices).empty()) continue;  // is not drawn either
-                for (const Vertex& vertex : vertices) bounds.include(vertex.position_body);
-            }
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        for (const std::uint32_t mesh : model.nodes[i].meshes) {
+            const ModelPart part{.node = static_cast<std::uint32_t>(i), .mesh = mesh};
+            const std::vector<Vertex> vertices = vertices_of(instance_of(model, part, pose));
+            if (!position_fault(vertices).empty()) continue;  // is not drawn either
+            for (const Vertex& vertex : vertices) bounds.include(vertex.position_body);
         }
     }
     return bounds;

@@ -26,8 +26,8 @@ ModelPose pose_at(const ModelData& model, const ModelAnimation& animation, float
 /// `name` is the file's, for that. Empty when nothing is left.
 MeshData merged_mesh(const ModelData& model, const ModelPose& pose, const std::string& name);
 
-/// What the model takes up while the animation runs, looked at several times.
-Aabb bounds_over(const ModelData& model, const ModelAnimation& animation);
+/// What the model takes up in a pose, in its own frame.
+Aabb bounds_of(const ModelData& model, const ModelPose& pose);
 
 /// A mesh shown by a node, to be drawn on its own.
 struct ModelPart {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace plumbline::assets {
 namespace {
 
@@ -70,6 +72,18 @@ Result<fs::path> ModelReferences::resolve(std::string_view reference,
     const fs::file_status status = fs::status(full, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status)) return refuse("is no regular file");
     return full;
+}
+
+fs::path ModelReferences::find_image(std::string_view reference) {
+    std::string text(reference.starts_with("file://") ? reference.substr(7) : reference);
+    std::replace(text.begin(), text.end(), '\\', '/');
+    const std::string last = fs::path(text).filename().string();
+    for (const std::string& place : {text, last, "textures/" + last}) {
+        const Result<fs::path> file = resolve(place, "image");
+        std::error_code failed;
+        if (file && fs::is_regular_file(*file, failed)) return *file;
+    }
+    return {};
 }
 
 std::optional<std::string> percent_decoded(std::string_view text) {

@@ -27,10 +27,18 @@ public:
 
     const std::filesystem::path& folder() const { return folder_; }
 
+    /// From now on find_image() takes the place of resolve() for images.
+    void expect_paths_of_another_machine() { paths_are_of_another_machine_ = true; }
+    bool paths_are_of_another_machine() const { return paths_are_of_another_machine_; }
+    /// The image that a material means: where the file says, or else beside the model, since exporters
+    /// write down the folders of the machine that they ran on. Empty when it is nowhere.
+    std::filesystem::path find_image(std::string_view reference);
+
 private:
     std::filesystem::path folder_;
     std::filesystem::path root_;
     std::size_t count_{0};
+    bool paths_are_of_another_machine_{false};
 };
 
 /// %41 to A, once. Nothing when an escape is broken or stands for NUL.

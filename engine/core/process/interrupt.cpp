@@ -68,6 +68,7 @@ PollsInterrupts::~PollsInterrupts() {
 
 IgnoresInterrupts::IgnoresInterrupts() {
     ++ignoring;
+    if (signal_seen) alarm(kGrace_s);  // work that begins after the signal has its second, too
 }
 
 IgnoresInterrupts::~IgnoresInterrupts() {

@@ -206,17 +206,17 @@ ChildEnd ChildProcess::end(double grace_s) {
             .said = std::move(said)};
 }
 
-Result<ChildOutput> output_of(const ChildDef& def,
-                              std::string_view input,
-                              std::size_t max_bytes,
-                              double limit_s) {
+Result<ChildEnd> output_to(const std::function<bool(std::string_view)>& take,
+                           const ChildDef& def,
+                           std::string_view input,
+                           double limit_s) {
     Result<ChildProcess> child = ChildProcess::start(def);
     if (!child) return child.error();
     const auto refused = [&](std::string_view why) {
         return Error{.message = fmt::format("{} {}", def.program.string(), why)};
     };
     const double deadline_s = wall_s() + limit_s;
-    ChildOutput output;
+    std::string piece;
     while (true) {
         if (input.empty()) child->close_input();
         const double left_s = deadline_s - wall_s();
@@ -226,11 +226,30 @@ Result<ChildOutput> output_of(const ChildDef& def,
                                     pollfd{child->input_, POLLOUT, 0}};
         if (poll(files.data(), files.size(), wait_ms(std::min(left_s, 1.0))) <= 0) continue;
         if (files[1].revents != 0 && !feed(child->input_, input)) child->close_input();
-        if (files[0].revents != 0 && !child->receive(output.bytes)) break;
-        if (output.bytes.size() > max_bytes)
-            return refused(fmt::format("answered more than {} bytes", max_bytes));
+        if (files[0].revents == 0) continue;
+        piece.clear();
+        if (!child->receive(piece)) break;
+        if (!take(piece)) return refused("answered too much");
     }
-    output.end = child->end(deadline_s - wall_s());
+    return child->end(deadline_s - wall_s());
+}
+
+Result<ChildOutput> output_of(const ChildDef& def,
+                              std::string_view input,
+                              std::size_t max_bytes,
+                              double limit_s) {
+    ChildOutput output;
+    const auto take = [&](std::string_view piece) {
+        output.bytes += piece;
+        return output.bytes.size() <= max_bytes;
+    };
+    Result<ChildEnd> end = output_to(take, def, input, limit_s);
+    if (!end && output.bytes.size() > max_bytes) {
+        return Error{.message = fmt::format(
+                         "{} answered more than {} bytes", def.program.string(), max_bytes)};
+    }
+    if (!end) return end.error();
+    output.end = std::move(*end);
     return output;
 }
 
@@ -243,6 +262,16 @@ void end_with_parent() {
     // One that ended before that sends no signal, but its end of our output's pipe is closed.
     pollfd output{STDOUT_FILENO, 0, 0};
     if (poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0) raise(SIGKILL);
+}
+
+bool receive_all(std::string& bytes) {
+    for (std::size_t at = 0; at < bytes.size();) {
+        const ssize_t count = read(STDIN_FILENO, bytes.data() + at, bytes.size() - at);
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return false;
+        at += static_cast<std::size_t>(count);
+    }
+    return true;
 }
 
 AnswerPipe::AnswerPipe() : file_(dup(STDOUT_FILENO)) {

@@ -7,6 +7,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -57,10 +58,10 @@ public:
 private:
     friend std::vector<bool> wait_for_output(std::span<const ChildProcess* const> children,
                                              double limit_s);
-    friend Result<ChildOutput> output_of(const ChildDef& def,
-                                         std::string_view input,
-                                         std::size_t max_bytes,
-                                         double limit_s);
+    friend Result<ChildEnd> output_to(const std::function<bool(std::string_view)>& take,
+                                      const ChildDef& def,
+                                      std::string_view input,
+                                      double limit_s);
 
     ChildProcess(pid_t pid, int input, int output) : pid_(pid), input_(input), output_(output) {}
 
@@ -71,6 +72,13 @@ private:
 
 /// Waits `limit_s` at most until receive() of one of them would not wait: of which it would not.
 std::vector<bool> wait_for_output(std::span<const ChildProcess* const> children, double limit_s);
+
+/// As output_of(), with the output handed to `take` piece by piece; where that says no, the child is killed
+/// and the error says that it answered too much.
+Result<ChildEnd> output_to(const std::function<bool(std::string_view)>& take,
+                           const ChildDef& def,
+                           std::string_view input,
+                           double limit_s);
 
 /// Runs a program with `input` on its standard input, whether it reads that or not, and waits for
 /// its end. The error is for one that cannot be started, prints more than `max_bytes` or takes more
@@ -86,6 +94,9 @@ bool process_runs(pid_t number);
 /// From now on this process is killed when the one that started it, and reads its output, ends; at
 /// once if it has ended.
 void end_with_parent();
+
+/// Fills `bytes` from the standard input. False where that ends before.
+bool receive_all(std::string& bytes);
 
 /// Of a process that answers the one that started it: takes the standard output over, and what else
 /// is printed there goes to the standard error output.

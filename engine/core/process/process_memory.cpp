@@ -1,6 +1,7 @@
 #include "engine/core/process/process_memory.h"
 
 #include <malloc.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -21,6 +22,14 @@ std::size_t peak_resident_bytes() {
     rusage usage{};
     if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+bool may_still_map(std::size_t bytes) {
+    constexpr int kReserved = MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE;
+    void* space = mmap(nullptr, bytes, PROT_NONE, kReserved, -1, 0);
+    if (space == MAP_FAILED) return false;
+    munmap(space, bytes);
+    return true;
 }
 
 void return_large_blocks_early() {

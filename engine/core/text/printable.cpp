@@ -33,6 +33,20 @@ std::string escaped(std::string_view text, std::string_view passing) {
 
 }  // namespace
 
+bool is_utf16(std::string_view text) {
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
+    if (text.size() < 4) return false;
+    const auto is_letter = [&](std::size_t i) {
+        const unsigned char byte = byte_at(text, i);
+        return byte == '\t' || byte == '\r' || byte == '\n' || (byte >= 0x20 && byte < kDelete);
+    };
+    const std::size_t first = text[0] == '\0' ? 1 : 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (i % 2 == first ? !is_letter(i) : text[i] != '\0') return false;
+    }
+    return true;
+}
+
 std::size_t utf8_length(std::string_view text, std::size_t i) {
     const unsigned char first = byte_at(text, i);
     if (first < 0x80) return 1;

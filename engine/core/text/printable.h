@@ -14,4 +14,10 @@ std::string printable_lines(std::string_view text);
 /// Bytes of the UTF-8 character that begins at `i`; 0 where none does.
 std::size_t utf8_length(std::string_view text, std::size_t i);
 
+/// Whether the text is UTF-16, which nothing here reads: by its byte order mark, or as ASCII letters with
+/// a NUL beside each.
+bool is_utf16(std::string_view text);
+/// What is said of such a text.
+inline constexpr std::string_view kUtf16Fault = "its text is UTF-16; save it as UTF-8";
+
 }  // namespace plumbline

@@ -1,6 +1,7 @@
 #include "engine/core/text/toml_prescan.h"
 
 #include "engine/core/limits.h"
+#include "engine/core/text/printable.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +19,7 @@ public:
     explicit Scanner(std::string_view text) : text_(text) {}
 
     std::optional<TextFault> scan() {
+        if (is_utf16(text_)) refuse(std::string(kUtf16Fault));
         constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
         if (starts_with(kByteOrderMark)) advance(kByteOrderMark.size());
         while (at_ < text_.size() && !fault_) {

@@ -33,6 +33,8 @@ GlFormat format_of(assets::PixelFormat format) {
         case assets::PixelFormat::Rgb16F:
             // Half the memory of half floats, and no bands in a clear sky: nine bits a colour.
             return {GL_RGB9_E5, GL_RGB, GL_UNSIGNED_INT_5_9_9_9_REV, 4};
+        case assets::PixelFormat::Rgba16F:
+            return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
     }
     return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
 }

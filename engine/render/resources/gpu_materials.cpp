@@ -17,7 +17,7 @@ constexpr float kLeafTransmission = 0.55F;
 
 /// Two-sided without being metal: a leaf, a petal, a blade of grass.
 bool is_thin(const assets::MaterialData& material) {
-    return material.two_sided && material.metallic < 0.5F &&
+    return material.two_sided && material.thin && material.metallic < 0.5F &&
            material.alpha_mode != assets::AlphaMode::Blend;
 }
 

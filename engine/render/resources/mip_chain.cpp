@@ -3,10 +3,13 @@
 #include "engine/core/assert.h"
 #include "engine/core/color.h"
 
+#include <glm/gtc/packing.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 namespace plumbline::render {
 namespace {
@@ -126,10 +129,55 @@ void restore_coverage(ImageData& level, double wanted, int cutoff) {
     }
 }
 
+constexpr std::uint16_t kHalfOfOne = 0x3C00;  // positive half floats are ordered as their codes are
+
+/// The 8-bit code of each half float from 0 to 1.
+std::vector<std::uint8_t> make_code_from_half(MipContent content) {
+    std::vector<std::uint8_t> table;
+    for (std::uint16_t half = 0; half <= kHalfOfOne; ++half) {
+        const auto value = static_cast<double>(glm::unpackHalf1x16(half));
+        const double code = content == MipContent::Color ? srgb_from_linear(value) : value;
+        table.push_back(static_cast<std::uint8_t>(std::lround(code * 255.0)));
+    }
+    return table;
+}
+
 }  // namespace
 
+std::shared_ptr<const ImageData> in_bytes(std::shared_ptr<const ImageData> image,
+                                          MipContent content) {
+    if (!assets::is_half_float(image->format)) return image;
+    const std::vector<std::uint8_t> code = make_code_from_half(content);
+    const auto code_of = [&](std::uint16_t half) {
+        return code[std::min(half, kHalfOfOne)];
+    };
+    const bool has_alpha = image->format == PixelFormat::Rgba16F;
+    auto out = std::make_shared<ImageData>(
+        ImageData{.width = image->width,
+                  .height = image->height,
+                  .format = has_alpha ? PixelFormat::Rgba8 : PixelFormat::Rgb8,
+                  .bytes = {}});
+    const std::size_t pixel_bytes = assets::bytes_per_pixel(image->format);
+    out->bytes.reserve(image->bytes.size() / 2);
+    for (std::size_t at = 0; at < image->bytes.size(); at += pixel_bytes) {
+        std::array<std::uint16_t, 4> pixel{0, 0, 0, kHalfOfOne};
+        std::memcpy(pixel.data(), image->bytes.data() + at, pixel_bytes);
+        const float alpha = glm::unpackHalf1x16(pixel[3]);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const float whole = glm::unpackHalf1x16(pixel[i]) / alpha;
+            out->bytes.push_back(
+                code_of(alpha > 0.0F && alpha < 1.0F ? glm::packHalf1x16(whole) : pixel[i]));
+        }
+        if (has_alpha) {
+            const long opacity = std::lround(std::min(alpha, 1.0F) * 255.0F);
+            out->bytes.push_back(static_cast<std::uint8_t>(opacity));
+        }
+    }
+    return out;
+}
+
 std::vector<ImageData> mip_chain(const ImageData& image, MipContent content, float alpha_cutoff) {
-    PL_ASSERT(image.format != PixelFormat::Rgb16F, "an 8-bit image");
+    PL_ASSERT(!assets::is_half_float(image.format), "an 8-bit image");
     std::vector<ImageData> levels;
     for (const ImageData* above = &image; above->width > 1 || above->height > 1;
          above = &levels.back()) {

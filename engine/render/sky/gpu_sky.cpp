@@ -29,8 +29,9 @@ assets::ImageData gray_face() {
     return {.width = 1, .height = 1, .format = assets::PixelFormat::Rgb8, .bytes = {128, 128, 128}};
 }
 
-/// As it is, or small enough for the driver.
+/// As it is, or small enough for the driver. A sky has no alpha.
 assets::ImageData fitted(assets::ImageData face, std::uint32_t largest_px) {
+    if (face.format == assets::PixelFormat::Rgba16F) face = half_floats_of(radiance_of(face));
     while (std::max(face.width, face.height) > largest_px) {
         face = face.format == assets::PixelFormat::Rgb16F
                    ? half_floats_of(resized(radiance_of(face), largest_px))

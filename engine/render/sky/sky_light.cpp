@@ -33,7 +33,7 @@ float linear_from_code(std::uint8_t code) {
 
 float component(const assets::ImageData& image, std::size_t pixel, std::size_t channel) {
     const std::size_t at = pixel * assets::bytes_per_pixel(image.format);
-    if (image.format == assets::PixelFormat::Rgb16F) {
+    if (assets::is_half_float(image.format)) {
         std::uint16_t half = 0;
         std::memcpy(&half, image.bytes.data() + at + channel * 2, sizeof(half));
         return glm::unpackHalf1x16(half);

@@ -2,6 +2,7 @@
 #include "engine/core/hash.h"
 #include "engine/core/io/files.h"
 #include "engine/core/limits.h"
+#include "engine/core/text/printable.h"
 #include "engine/scene/formats/json_read.h"
 #include "engine/scene/formats/json_scene_impl.h"
 #include "engine/scene/sections/scene_parts.h"
@@ -93,6 +94,10 @@ public:
 
 private:
     std::optional<Json> parse(const std::string& text) const {
+        if (is_utf16(text)) {
+            faults_.error({}, std::string(kUtf16Fault));
+            return std::nullopt;
+        }
         try {
             return read_json<Json>(text);
         } catch (const Json::parse_error& fault) {

@@ -45,7 +45,7 @@ FaultList::~FaultList() {
     };
     std::ranges::stable_sort(list_, std::less{}, order);
     for (Diagnostic& fault : list_) out_.add(std::move(fault));
-    if (seen_.size() > kFaultsListed)
+    if (is_full())
         out_.add({any_error_ ? Severity::Error : Severity::Warning,
                   {},
                   0,
@@ -54,17 +54,21 @@ FaultList::~FaultList() {
                   "further faults are not listed"});
 }
 
+bool FaultList::is_full() const {
+    return seen_.size() > kFaultsListed;
+}
+
 void FaultList::add(Severity severity,
                     const SourceLocation& location,
                     std::string key,
                     std::string message) {
     if (severity == Severity::Error) any_error_ = true;
     const std::string& file = file_of(location);
-    if (seen_.size() > kFaultsListed) return;
+    if (is_full()) return;
     if (!seen_.insert(fmt::format("{}:{}:{}:{}", file, location.line, location.column, message))
              .second)
         return;
-    if (seen_.size() > kFaultsListed) return;
+    if (is_full()) return;
     list_.push_back(
         {severity, file, location.line, location.column, std::move(key), std::move(message)});
 }

@@ -29,6 +29,8 @@ public:
     void error(const SourceLocation& location, std::string key, std::string message);
     void warning(const SourceLocation& location, std::string key, std::string message);
     bool any_error() const { return any_error_; }
+    /// No further fault is listed: who reads a long list may stop.
+    bool is_full() const;
 
 private:
     void add(Severity severity,

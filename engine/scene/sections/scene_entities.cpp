@@ -1,5 +1,5 @@
 // [[entity]], [[prefab]], [[array]]: what stands in the scene.
-#include "engine/assets/model/model_import.h"
+#include "engine/assets/model_import.h"
 #include "engine/core/limits.h"
 #include "engine/core/text/nearest_name.h"
 #include "engine/scene/sections/scene_parts.h"
@@ -228,13 +228,12 @@ EntityDescription read_entity(TableReader& table, EntityUse use, LoadContext& co
     return entity;
 }
 
-Layered layered(const TomlNode& table, const std::string& path, LoadContext& context) {
+Layered layered(const TomlNode& table,
+                const std::string& path,
+                LoadContext& context,
+                std::vector<std::string> chain) {
     std::vector<const TomlNode*> layers{&table};
-    std::vector<std::string> chain;
     bool complete = true;
-    for (const auto& [name, prefab] : context.prefabs) {
-        if (prefab.node == &table) chain.push_back(name);
-    }
     while (const TomlNode* named = find_key(*layers.back()->table(), "prefab")) {
         const auto refuse = [&](std::string message) {
             complete = false;
@@ -270,7 +269,8 @@ Layered layered(const TomlNode& table, const std::string& path, LoadContext& con
 
 void read_prefabs(SceneDescription& scene, LoadContext& context) {
     for (const auto& [name, source] : context.prefabs) {
-        Layered prefab_source = layered(*source.node, source.path, context);
+        if (context.faults.is_full()) return;
+        Layered prefab_source = layered(*source.node, source.path, context, {name});
         EntityDescription prefab = read_entity(prefab_source.table, EntityUse::Prefab, context);
         prefab.name = name;
         scene.prefabs.emplace(name, std::move(prefab));
@@ -280,7 +280,7 @@ void read_prefabs(SceneDescription& scene, LoadContext& context) {
 void read_entities(TableReader& root, SceneDescription& scene, LoadContext& context) {
     const auto nodes = root.tables("entity");
     scene.entities.reserve(nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::size_t i = 0; i < nodes.size() && !context.faults.is_full(); ++i) {
         const std::string path = fmt::format("entity[{}]", i);
         // The name is the entity's own: its prefab's names the prefab.
         TableReader own(nodes[i], path, context.faults);
@@ -298,7 +298,7 @@ void read_entities(TableReader& root, SceneDescription& scene, LoadContext& cont
 
 void read_arrays(TableReader& root, SceneDescription& scene, LoadContext& context) {
     const auto nodes = root.tables("array");
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::size_t i = 0; i < nodes.size() && !context.faults.is_full(); ++i) {
         const std::string path = fmt::format("array[{}]", i);
         TableReader table(nodes[i], path, context.faults);
         ArrayDescription array;

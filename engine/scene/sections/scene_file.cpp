@@ -1,6 +1,6 @@
 #include "engine/scene/scene_file.h"
 
-#include "engine/assets/model/model_import.h"
+#include "engine/assets/model_import.h"
 #include "engine/core/hash.h"
 #include "engine/core/io/files.h"
 #include "engine/core/limits.h"

@@ -1,4 +1,4 @@
-#include "engine/assets/model/model_import.h"
+#include "engine/assets/model_import.h"
 #include "engine/core/limits.h"
 #include "engine/scene/scene_file.h"
 #include "engine/scene/sections/scene_parts.h"
@@ -97,10 +97,13 @@ Result<Done> fit_stage(SceneDescription& scene, assets::AssetLibrary& library) {
         // A collision tree for more takes longer than reading them: such a model is only looked at.
         if (library.mesh(model->mesh).indices.size() / 3 > kMostSolidTriangles) entity.body.reset();
         const assets::MovingModel* moving = library.moving(model->id);
+        // Fitted to all that an animation reaches, one that walks far away would be a speck.
+        const auto start = [&] {
+            return assets::pose_at(moving->data, moving->data.animations.front(), 0.0F);
+        };
         place_on_stage(scene,
-                       moving == nullptr
-                           ? library.mesh(model->mesh).bounds
-                           : assets::bounds_over(moving->data, moving->data.animations.front()));
+                       moving == nullptr ? library.mesh(model->mesh).bounds
+                                         : assets::bounds_of(moving->data, start()));
         return Done{};
     }
     return Done{};

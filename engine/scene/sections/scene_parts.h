@@ -91,13 +91,16 @@ enum class EntityUse {
 };
 /// `table`: the entity's over its prefab's, over that one's prefab … The caller sets the name.
 EntityDescription read_entity(TableReader& table, EntityUse use, LoadContext& context);
-/// The table over the prefabs it starts from. Unknown prefabs and cycles are errors; what was found
+/// The table over the prefabs it starts from; `chain` names those that lead to it. Unknown prefabs and cycles are errors; what was found
 /// until then is used.
 struct Layered {
     TableReader table;
     bool complete{true};  ///< every prefab was found
 };
-Layered layered(const TomlNode& table, const std::string& path, LoadContext& context);
+Layered layered(const TomlNode& table,
+                const std::string& path,
+                LoadContext& context,
+                std::vector<std::string> chain = {});
 void read_prefabs(SceneDescription& scene, LoadContext& context);
 void read_entities(TableReader& root, SceneDescription& scene, LoadContext& context);
 void read_arrays(TableReader& root, SceneDescription& scene, LoadContext& context);

@@ -1,5 +1,7 @@
 #include "engine/study/image/ray_scene.h"
 
+#include "engine/render/resources/mip_chain.h"
+
 #include <embree3/rtcore.h>
 
 #include <algorithm>
@@ -115,7 +117,10 @@ struct RayScene::Impl {
                                              assets::AssetLibrary& library) {
         if (material.alpha_mode != AlphaMode::Mask || material.base_color_map.empty()) return {};
         auto& mask = masks[material.base_color_map];
-        if (!mask) mask = library.take_image(material.base_color_map);
+        if (!mask) {
+            mask = render::in_bytes(library.take_image(material.base_color_map),
+                                    render::MipContent::Color);
+        }
         return mask && mask->format == assets::PixelFormat::Rgba8 ? mask : nullptr;
     }
     void add(const render::DrawItem& item,

@@ -28,7 +28,9 @@ struct Passed {
 
 /// One run from the start, a frame's sounds per step.
 Result<Passed> pass(const scene::OpenedScene& scene, std::string_view without, double seconds) {
-    assets::AssetLibrary library;
+    const Result<DataFolders> folders = find_data_folders();
+    if (!folders) return folders.error();
+    assets::AssetLibrary library(folders->assets);
     const Result<std::unique_ptr<scene::Simulation>> built = scene.build(library);
     if (!built) return built.error();
     scene::Simulation& simulation = **built;

@@ -1,7 +1,7 @@
 // Model files made in code, folders that clean up after themselves, and what a run logged.
 #pragma once
 
-#include "engine/assets/model/model_import.h"
+#include "engine/assets/model_import.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -37,12 +37,12 @@ TEST(ExrImport, gives_half_floats_and_clamps_what_is_no_light) {
     }
     const Result<ImageData> image = import_image(file);
     ASSERT_TRUE(image.ok()) << image.error().message;
-    EXPECT_EQ(image->format, PixelFormat::Rgb16F);
+    EXPECT_EQ(image->format, PixelFormat::Rgba16F);
     ASSERT_EQ(image->width, 2U);
     ASSERT_EQ(image->height, 2U);
-    ASSERT_EQ(image->bytes.size(), 24U);
-    const std::array<float, 12> expected{
-        0.5F, 2.0F, 1024.0F, 0, 0, 65'504.0F, 0, 0, 65'504.0F, 1, 1, 1};
+    ASSERT_EQ(image->bytes.size(), 32U);
+    const std::array<float, 16> expected{
+        0.5F, 2.0F, 1024.0F, 1, 0, 0, 65'504.0F, 1, 0, 0, 65'504.0F, 1, 1, 1, 1, 1};
     for (std::size_t i = 0; i < expected.size(); ++i) {
         Imath::half value;
         std::memcpy(&value, image->bytes.data() + i * 2, 2);

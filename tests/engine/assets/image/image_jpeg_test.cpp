@@ -1,39 +1,8 @@
 // JPEG files: grey, colour, CMYK, and ones that break off.
-#include "tests/engine/assets/image/image_files.h"
-
-#include <jpeglib.h>
+#include "tests/engine/assets/image/uniform_images.h"
 
 namespace plumbline::assets::test {
 namespace {
-
-/// `side` x `side` pixels of one value each, JPEG quality 100.
-std::string jpeg_of(int side, const Bytes& pixel, J_COLOR_SPACE space) {
-    jpeg_compress_struct jpeg{};
-    jpeg_error_mgr errors{};
-    jpeg.err = jpeg_std_error(&errors);
-    jpeg_create_compress(&jpeg);
-    unsigned char* bytes = nullptr;
-    unsigned long size = 0;
-    jpeg_mem_dest(&jpeg, &bytes, &size);
-    jpeg.image_width = static_cast<JDIMENSION>(side);
-    jpeg.image_height = static_cast<JDIMENSION>(side);
-    jpeg.input_components = static_cast<int>(pixel.size());
-    jpeg.in_color_space = space;
-    jpeg_set_defaults(&jpeg);
-    jpeg_set_quality(&jpeg, 100, TRUE);
-    jpeg_start_compress(&jpeg, TRUE);
-    Bytes row;
-    for (int i = 0; i < side; ++i) row.insert(row.end(), pixel.begin(), pixel.end());
-    while (jpeg.next_scanline < jpeg.image_height) {
-        JSAMPROW rows[]{row.data()};
-        jpeg_write_scanlines(&jpeg, rows, 1);
-    }
-    jpeg_finish_compress(&jpeg);
-    jpeg_destroy_compress(&jpeg);
-    std::string file(reinterpret_cast<const char*>(bytes), size);
-    std::free(bytes);
-    return file;
-}
 
 void expect_bytes_near(const Bytes& found, const Bytes& expected) {
     ASSERT_EQ(found.size(), expected.size());

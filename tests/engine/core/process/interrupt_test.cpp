@@ -71,6 +71,24 @@ TEST(InterruptDeathTest, WorkThatDoesNotLookIsCutOffAfterASecond) {
     std::_Exit(1);
 }
 
+// A load is several pieces of such work: none of them may begin unheard after the signal's second.
+TEST(InterruptDeathTest, WorkThatBeginsLongAfterTheSignalIsCutOffToo) {
+    EXPECT_EXIT(
+        {
+            catch_interrupts();
+            const PollsInterrupts within;
+            std::raise(SIGTERM);
+            for (const double end_s = wall_s() + 1.2; wall_s() < end_s;) {
+            }
+            const IgnoresInterrupts work;
+            for (const double end_s = wall_s() + 60; wall_s() < end_s;) {
+            }
+            std::_Exit(1);
+        },
+        testing::ExitedWithCode(130),
+        "interrupted");
+}
+
 TEST(InterruptDeathTest, AProgramThatSaysNothingOfItsLooksIsCutOffToo) {
     EXPECT_EXIT(wait_without_looking(), testing::ExitedWithCode(130), "interrupted");
 }

@@ -32,5 +32,22 @@ TEST(Printable, BytesThatAreNoUtf8AreNamed) {
     EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80") << "beyond the last";
 }
 
+TEST(Printable, KnowsUtf16WhenItSeesIt) {
+    for (const std::string_view text : {std::string_view("\xFF\xFEv\0", 4),
+                                        std::string_view("\xFE\xFF\0v", 4),
+                                        std::string_view("v\0 \0" "1\0", 6),
+                                        std::string_view("\0<\0?", 4)}) {
+        EXPECT_TRUE(is_utf16(text)) << text.size();
+    }
+    for (const std::string_view text : {std::string_view(""),
+                                        std::string_view("v 1 2 3"),
+                                        std::string_view("\xEF\xBB\xBFv 1"),
+                                        std::string_view("glTF\2\0\0\0", 8),
+                                        std::string_view("\0\0\0\0", 4),
+                                        std::string_view("a\0", 2)}) {
+        EXPECT_FALSE(is_utf16(text)) << text;
+    }
+}
+
 }  // namespace
 }  // namespace plumbline

@@ -47,5 +47,43 @@ TEST(HullVolume, OfAPrismIsBaseTimesHeightWhereverItStands) {
     EXPECT_NEAR(static_cast<double>(hull_volume_m3(twice)), 4 * base_m2, 1e-4);
 }
 
+/// Points spread evenly over the unit sphere, along a spiral.
+std::vector<Vec3> sphere_points(int count) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < count; ++i) {
+        const double y = 1.0 - (2.0 * i + 1.0) / count;
+        const double angle = 2.39996322972865332 * i;
+        const double ring = std::sqrt(1.0 - y * y);
+        points.push_back(Vec3(Vec3d{ring * std::cos(angle), y, ring * std::sin(angle)}));
+    }
+    return points;
+}
+
+// The largest hull that a scene may name. Flat triangles cut off a share of the ball's volume: with n
+// points sqrt(3) pi / n where all are equilateral, 2 pi / n where they halve squares; a spiral's lie between.
+TEST(HullVolume, OfTenThousandPointsOnASphereIsNearlyTheSpheres) {
+    constexpr int kPoints = 10'000;
+    const double volume_m3 = static_cast<double>(hull_volume_m3(sphere_points(kPoints)));
+    const double cut_off = 1.0 - volume_m3 / (4.0 / 3.0 * glm::pi<double>());
+    EXPECT_GT(cut_off * kPoints, std::sqrt(3.0) * glm::pi<double>() * 0.99);
+    EXPECT_LT(cut_off * kPoints, 2.0 * glm::pi<double>() * 1.01);
+}
+
+// Ten thousand points of a grid on a cube's faces: nearly all lie on faces and edges that others make.
+TEST(HullVolume, OfAGridOnACubeIsTheCubes) {
+    std::vector<Vec3> points;
+    constexpr int kSide = 41;
+    for (int i = 0; i < kSide; ++i) {
+        for (int j = 0; j < kSide; ++j) {
+            const Real u = static_cast<Real>(i) / (kSide - 1);
+            const Real v = static_cast<Real>(j) / (kSide - 1);
+            for (const Real w : {Real{0}, Real{1}})
+                for (const Vec3& p : {Vec3{u, v, w}, Vec3{w, u, v}, Vec3{v, w, u}})
+                    points.push_back(p * Real{3} + Vec3{10, -20, 30});
+        }
+    }
+    EXPECT_NEAR(static_cast<double>(hull_volume_m3(points)), 27.0, 1e-3);
+}
+
 }  // namespace
 }  // namespace plumbline::scene

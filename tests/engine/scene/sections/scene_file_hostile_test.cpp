@@ -254,5 +254,29 @@ TEST_F(SceneFileHostile, IncludedFilesBringNothingElse) {
         "file");
 }
 
+// Once each prefab was looked for among all others, again after hundreds of faults: minutes.
+TEST_F(SceneFileHostile, APrefabChainOfManyThousands) {
+    constexpr int kPrefabs = 60'000;
+    std::string text = "[[prefab]]\nname=\"p0\"\n";
+    for (int i = 1; i < kPrefabs; ++i)
+        text += fmt::format("[[prefab]]\nname=\"p{}\"\nprefab=\"p{}\"\n", i, i - 1);
+    const Outcome outcome = load(text);
+    ASSERT_FALSE(outcome.scene.ok());
+    ASSERT_EQ(outcome.faults.size(), 201U);
+    EXPECT_NE(outcome.faults[0].find("more than 32 prefabs start from one another"),
+              std::string::npos)
+        << outcome.faults[0];
+    EXPECT_NE(outcome.faults[200].find("further faults are not listed"), std::string::npos);
+}
+
+TEST_F(SceneFileHostile, Utf16IsNamed) {
+    std::string text("\xFF\xFE", 2);
+    for (const char letter : std::string_view("[scene]\n")) text += std::string{letter, '\0'};
+    expect_only(load(text), "scene.toml:1:1: error: its text is UTF-16; save it as UTF-8");
+    write("a.json", text);
+    EXPECT_NE(load_file("a.json").faults.at(0).find("its text is UTF-16; save it as UTF-8"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace plumbline::scene

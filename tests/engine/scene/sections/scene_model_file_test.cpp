@@ -1,6 +1,7 @@
 // A model by itself as a scene.
 #include "engine/core/limits.h"
 #include "engine/scene/sections/scene_parts.h"
+#include "tests/engine/assets/fixture.h"
 #include "tests/engine/scene/sections/scene_file_fixture.h"
 
 #include <cmath>
@@ -54,6 +55,25 @@ TEST(SceneOfModel, TheStageKeepsTheSizesThatShapesMayHave) {
     const auto wide =
         std::get<physics::PlaneShape>(std::get<Primitive>(land.entities.at(0).visual));
     EXPECT_NEAR(wide.size_m.x, limits::kSizeMax_m, 1e-3);
+}
+
+// A triangle of 1 m that goes 1 km within its animation.
+TEST_F(SceneFileTest, AnAnimatedModelFillsTheImageWhereItStarts) {
+    assets::test::TriangleFile file;
+    std::string places;
+    std::string times;
+    assets::test::append_bytes<float>(times, {0, 1});
+    assets::test::append_bytes<float>(places, {0, 0, 5, 1000, 0, 5});
+    file.animate(0,
+                 "translation",
+                 file.add_accessor(times, 5126, 2, "SCALAR"),
+                 file.add_accessor(places, 5126, 2, "VEC3"));
+    write("assets/m.glb", file.glb());
+    SceneDescription scene = scene_of_model(assets() / "m.glb", assets());
+    assets::AssetLibrary library;
+    ASSERT_TRUE(fit_stage(scene, library).ok());
+    EXPECT_NEAR(scene.model_radius_m, std::sqrt(0.5), 1e-6);
+    expect_near(scene.camera.target_m, {0.5_r, 0.5_r, 5});
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
-#include "engine/assets/model/model_import.h"
+#include "engine/assets/model_import.h"
 
-#include "engine/assets/foreign/foreign_import_impl.h"
+#include "engine/assets/foreign/decoder.h"
 #include "engine/assets/model/model_pose.h"
 #include "engine/assets/model/model_readers_impl.h"
 #include "engine/core/io/files.h"
 #include "engine/core/limits.h"
+#include "engine/core/text/printable.h"
 #include "engine/core/text/text_case.h"
 
 #include <fmt/ranges.h>
@@ -17,16 +18,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<ModelData> read_kind(const fs::path& file,
-                            const std::string& extension,
+Result<ModelData> read_kind(const std::string& extension,
                             std::string_view bytes,
                             const std::string& name,
                             ModelReferences& references) {
+    const bool is_text = extension == ".obj" || extension == ".ply" || extension == ".gltf";
+    if (is_text && is_utf16(bytes)) return model_error(name, kUtf16Fault);
     if (extension == ".obj") return read_obj(bytes, name, references);
     if (extension == ".ply") return read_ply(bytes, name);
     if (extension == ".stl") return read_stl(bytes, name);
     if (extension == ".dae" || extension == ".fbx") {
-        return import_foreign(file, bytes, name, references);
+        return read_foreign_model(bytes, name, references);
     }
     return read_gltf(bytes, name, references);
 }
@@ -47,6 +49,11 @@ Result<ModelData> finished(ModelData model, const std::string& name) {
 Error model_error(const std::string& name, std::string_view why) {
     return {.message = fmt::format("model {} is refused: {}", name, why),
             .exit_code = ExitCode::Refused};
+}
+
+bool says_sides(const fs::path& file) {
+    const std::string extension = to_lower(file.extension().string());
+    return extension == ".glb" || extension == ".gltf";
 }
 
 bool is_model_file(const fs::path& file) {
@@ -72,7 +79,7 @@ Result<ModelData> import_model(const fs::path& file, const fs::path& root) {
     if (!bytes) return model_error(name, bytes.error().message);
     ModelReferences references(file, root);
     try {
-        Result<ModelData> model = read_kind(file, extension, *bytes, name, references);
+        Result<ModelData> model = read_kind(extension, *bytes, name, references);
         if (!model) return model;
         model->files.insert(model->files.begin(), file);
         return finished(std::move(*model), name);

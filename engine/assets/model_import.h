@@ -1,6 +1,5 @@
-// Model files to ModelData: glTF 2 (.gltf, .glb), PLY and STL by readers of our own; OBJ (.obj with
-// its .mtl) through assimp behind our own pre-check and confined file access; Collada (.dae) and FBX
-// through assimp in a process of its own.
+// Model files to ModelData: glTF 2 (.gltf, .glb), OBJ (.obj with its .mtl), PLY and STL by readers of our
+// own; Collada (.dae) and FBX through assimp in a process of its own.
 #pragma once
 
 #include "engine/assets/model_data.h"
@@ -24,6 +23,8 @@ Result<ModelData> import_model(const std::filesystem::path& file,
 
 inline constexpr std::array<std::string_view, 7> kModelExtensions{
     ".glb", ".gltf", ".obj", ".ply", ".stl", ".dae", ".fbx"};
+/// Whether files of its kind say which surfaces have a back side, as glTF does.
+bool says_sides(const std::filesystem::path& file);
 /// By the name's ending, in capitals or not.
 bool is_model_file(const std::filesystem::path& file);
 
