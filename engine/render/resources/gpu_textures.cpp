@@ -45,12 +45,8 @@ const gl::Texture& GpuTextures::add(const TextureRequest& request,
 const gl::Texture& GpuTextures::get(const TextureRequest& request) {
     const auto found = textures_.find(Key{request.file, request.content});
     if (found != textures_.end()) return found->second;
-<<<<<<< HEAD
     if (request.file.empty()) return add(request, white_image(2), {white_image(1)});
-    const auto image = library_.take_image(request.file);
-=======
     const auto image = in_bytes(library_.take_image(request.file), request.content);
->>>>>>> 1003b71 (all)
     return add(request, *image, mip_chain(*image, request.content, request.alpha_cutoff));
 }
 
