@@ -17,12 +17,12 @@ struct BodyFilter {
     std::uint32_t collides_with{~0U};
     const BodyRecord* ignored{nullptr};  ///< and what joints keep it from touching
     const BodyRecord* also_ignored{nullptr};
-    std::uint32_t unseen_group{0};  ///< BodyRecord::sweep_group; 0: none
+    std::uint32_t unseen_group{0};  ///< SweptBody::group whose members are not hit; 0: none
 
     bool sees(const BodyRecord& record) const;
 };
 
-/// A sphere's way along a straight line.
+/// A sphere that moves along a straight line.
 struct SpherePath {
     Vec3 from_world{0, 0, 0};
     Vec3 motion_m{0, 0, 0};

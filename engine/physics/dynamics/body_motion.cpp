@@ -224,7 +224,7 @@ void lose_approach(BodyRecord& record, const SweepResult& swept) {
     if (swept.share < kStuckShare && into < 0) velocity -= swept.normal * into;
 }
 
-void stop_part_way(BodyRecord& record, Real share) {
+void stop_at_share(BodyRecord& record, Real share) {
     const Transform to = record.motion->at;
     record.motion->ballistic.going = false;
     Transform stopped = record.before.at;

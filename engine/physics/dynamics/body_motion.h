@@ -69,7 +69,7 @@ struct SweepResult {
     Real share{1};  ///< up to where its surface touches something; 1: nothing
     Vec3 normal{0, 1, 0};
 };
-/// Sweeps the balls inside the body along its path since record.before. Bodies of the group are
+/// Sweeps the spheres inside the body along its path since record.before. Bodies of the group are
 /// passed through.
 SweepResult swept_fraction(const StepWorld& world,
                            const BodyRecord& record,
@@ -80,7 +80,7 @@ bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s);
 /// A body that stood at the hit when the step began loses the speed with which it heads for it:
 /// stopped again and again, it would grow.
 void lose_approach(BodyRecord& record, const SweepResult& swept);
-/// Puts the body where it was after a share of its way since record.before.
-void stop_part_way(BodyRecord& record, Real share);
+/// Puts the body where it was after this share of its displacement since record.before.
+void stop_at_share(BodyRecord& record, Real share);
 
 }  // namespace plumbline::physics

@@ -43,8 +43,8 @@ struct IslandStep {
     FeatureUse* use{nullptr};
 };
 
-/// Solves islands that touch or are joined: moves the bodies (Bullet's transforms and
-/// BodyRecord::ballistic), leaves velocities, loads on the manifolds and joint states.
+/// Solves one island after the other: writes poses and velocities into the bodies' BodyMotion, mean
+/// forces (N) onto the manifold points, and states into the joints. Bullet's copies are not touched.
 class IslandSolver {
 public:
     IslandSolver();

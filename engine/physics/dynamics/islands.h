@@ -37,8 +37,8 @@ private:
 };
 
 /// Undoes a step that left a body of the island with numbers that are not finite, or farther away
-/// than the speed limit takes it: all stand where they stood with half of the velocities they had,
-/// and contacts and joints forget their loads. Whether that was so.
+/// than the speed limit takes it: all bodies get their poses back and half of their velocities, and
+/// contacts and joints forget their loads. Returns whether the step was undone.
 bool restore_if_invalid(const Island& island, Real step_s);
 
 }  // namespace plumbline::physics

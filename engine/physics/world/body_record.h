@@ -25,7 +25,7 @@ inline constexpr Real kMaxSpin_radps = 1e4_r;
 /// Beyond it a body is taken out: float32 places it no better than to 6 cm there.
 inline constexpr Real kMaxDistance_m = 1e6_r;
 
-/// A ball inside a shape; continuous collision sweeps these.
+/// A sphere inside a shape; continuous collision sweeps these.
 struct CcdSphere {
     Vec3 center_m{0, 0, 0};  ///< mass frame
     Real radius_m{0};
@@ -94,7 +94,7 @@ struct SmallStepBody {
     std::vector<PairLink> pairs;  ///< by the other body's id
 };
 
-/// A body's place among those near another: by the distance to the ball round it, so that large ones
+/// Orders the bodies near another one by the distance to their bounding sphere, so that large ones
 /// come first, then by id.
 struct NearRank {
     Real distance_m{0};
@@ -103,7 +103,8 @@ struct NearRank {
     friend auto operator<=>(const NearRank&, const NearRank&) = default;
 };
 
-/// Of a body with more than kNearestPairs pairs: NearestPairs chooses which it has with others such.
+/// What NearestPairs keeps of a body that has more than kNearestPairs pairs: it chooses which of the
+/// pairs with other such bodies take part in collision.
 struct Crowd {
     NearRank last{};             ///< of the nearest
     std::uint32_t ranked{0};     ///< the step that `last` is of

@@ -115,11 +115,11 @@ void SmallStepWorld::refresh_box(BodyRecord& record) {
     if (record.applied.by_caller)
         displacement += record.applied.force_N * (record.motion->inverse_mass * step_s_ * step_s_);
     const Real turn_rad = glm::length(record.motion->spin_radps) * step_s_;
-    const Real rim = record.traits.contact_margin_m + fall_m_ +
-                     std::min(turn_rad, Real{2}) * record.traits.radius_m;
+    const Real margin_m = record.traits.contact_margin_m + fall_m_ +
+                          std::min(turn_rad, Real{2}) * record.traits.radius_m;
     for (int axis = 0; axis < 3; ++axis) {
-        low[axis] += std::min(displacement[axis], Real{0}) - rim;
-        high[axis] += std::max(displacement[axis], Real{0}) + rim;
+        low[axis] += std::min(displacement[axis], Real{0}) - margin_m;
+        high[axis] += std::max(displacement[axis], Real{0}) + margin_m;
     }
     // As Bullet does: what is out of all bounds, or not a number, is taken out after the step.
     const Vec3 size = high - low;

@@ -64,7 +64,7 @@ void JointSweep::stop_at_hit(const StepWorld& world, BodyRecord& record, Real du
     const std::vector<BodyRecord*>& group = group_of(record, static_cast<double>(duration_s));
     const SweepResult swept = swept_fraction(world, record, record.sweep.group);
     if (swept.share >= 1) return;
-    for (BodyRecord* member : group) stop_part_way(*member, swept.share);
+    for (BodyRecord* member : group) stop_at_share(*member, swept.share);
     lose_approach(record, swept);
 }
 

@@ -2,9 +2,9 @@
 //
 // Pairs about to touch with more than the threshold speed get the speed that restitution asks for,
 // all points of a pair at once and with friction on the impact; pair after pair until none approaches
-// (the order is Guendelman, Bridson and Fedkiw's, Nonconvex Rigid Bodies with Stacking, 2003). A
-// impact is met a little above or below the surface; the speeds are those that would have been had at
-// the surface, so a bounce with restitution 1 keeps the energy to rounding at any step.
+// (the order is Guendelman, Bridson and Fedkiw's, Nonconvex Rigid Bodies with Stacking, 2003). A step
+// finds an impact a little above or below the surface; the pass computes the speeds that the bodies
+// have at the surface, so a bounce with restitution 1 keeps the energy to rounding at any step.
 #pragma once
 
 #include "engine/physics/dynamics/contact/contact_set.h"

@@ -16,11 +16,12 @@ namespace plumbline::physics {
 
 class GeometricStiffness {
 public:
-    /// In view of the forces that the joints kept from the step before (SolverJoint::impulse).
-    /// Bodies change without losing speed: they were like this when that step ended.
+    /// Raises masses by the forces of the step before (SolverJoint::mean_load). No body loses speed
+    /// by it: it was as heavy when that step ended.
     void start(JointGroup& group);
-    /// In view of the impulses of the sub-step so far and of position corrections (impulse times
-    /// the sub-step) about to be made. Whether any body changed: then the rows' responses did.
+    /// Raises masses by the impulses of the sub-step so far and by the position corrections (impulse
+    /// times the sub-step) about to be made. Returns whether a body changed: the rows' responses then
+    /// changed too.
     bool raise(JointGroup& group, std::span<const Vec3d> corrections);
     /// Gives back what the impulses of the sub-step do not ask for.
     void lower(JointGroup& group);

@@ -63,11 +63,11 @@ double JointBound::wanted_position(double substep_s) const {
     return position + wanted_speed() * substep_s;
 }
 
-double JointBound::bounded_way(double deviation, double substep_s) {
+double JointBound::bounded_correction(double deviation, double substep_s) {
     return std::clamp(deviation, -kPush_mps * substep_s, kPush_mps * substep_s);
 }
 
-void JointBound::let_go() {
+void JointBound::release() {
     position = std::clamp(0.0, lower, upper);
     if (step == BoundStep::Lower || step == BoundStep::Upper) step = BoundStep::Forward;
 }
@@ -100,7 +100,7 @@ bool JointBound::ease_push(double more) {
     return true;
 }
 
-bool JointBound::settle(double speed) {
+bool JointBound::update_step(double speed) {
     const double slack = mass * kSameSpeed;
     const BoundStep before = step;
     const bool has_motor = motor_impulse > 0;
@@ -149,7 +149,7 @@ bool JointBound::settle(double speed) {
     return step != before;
 }
 
-void JointBound::keep(SolverJoint& joint, double substep_s) const {
+void JointBound::store_load(SolverJoint& joint, double substep_s) const {
     const auto per_second = static_cast<Real>(impulse / substep_s);
     joint.bound_load[lower_slot] = step == BoundStep::Lower ? std::max(per_second, Real{0}) : 0;
     joint.bound_load[upper_slot] = step == BoundStep::Upper ? std::min(per_second, Real{0}) : 0;

@@ -51,22 +51,22 @@ struct JointBound {
     double constant_impulse() const;
     /// Where the row is to be after the sub-step's motion, when at_bound().
     double wanted_position(double substep_s) const;
-    /// What is corrected of a deviation from it at once: a bounded displacement.
-    static double bounded_way(double deviation, double substep_s);
+    /// The part of a deviation from it, m or rad, that one sub-step corrects.
+    static double bounded_correction(double deviation, double substep_s);
 
-    /// As if it were between its limits: the position means nothing now.
-    void let_go();
-    /// The bodies are about to move: passed limits are come back to, at a bounded speed.
+    /// Puts the row between its limits: its position is undefined at the bodies' poses.
+    void release();
+    /// Sets the speeds for the sub-step's motion: passed limits are approached at a bounded speed.
     void before_motion(double substep_s);
-    /// They have moved: what is past a limit only has to stop.
+    /// Sets the speeds after the motion: what is past a limit only has to stop.
     void after_motion(double substep_s);
     /// Slows down what brings a passed limit back, once in a sub-step, if the impulse beside
     /// `impulse` that it takes would give too much energy. Whether it did.
     bool ease_push(double more);
-    /// Goes to the step that this speed and `impulse` belong to; false if it is on it.
-    bool settle(double speed);
-    /// Warm-start numbers of the next step, per second.
-    void keep(SolverJoint& joint, double substep_s) const;
+    /// Moves to the step to which this speed and `impulse` belong. Returns whether that is another.
+    bool update_step(double speed);
+    /// Stores the mean load, N or N m, with which the next step starts.
+    void store_load(SolverJoint& joint, double substep_s) const;
 };
 
 /// The bounds of a joint's node, one or two or none, appended. `rows` learns which of its are.

@@ -25,10 +25,10 @@ constexpr int kMostCuts = 5;
 /// Errors below it, m or rad, are rounding.
 constexpr double kNoError = 1e-10;
 
-void bound_ways(std::uint8_t rows, double substep_s, Vec3d& deviation) {
+void bound_corrections(std::uint8_t rows, double substep_s, Vec3d& deviation) {
     for (int i = 0; i < 3; ++i) {
         if (((rows >> i) & 1) != 0) {
-            deviation[i] = JointBound::bounded_way(deviation[i], substep_s);
+            deviation[i] = JointBound::bounded_correction(deviation[i], substep_s);
         }
     }
 }
@@ -103,7 +103,7 @@ void DirectJoints::solve_component(JointGroup& group, const JointComponent& comp
         push_solution(group, component);
         if (bounds.empty()) return;
         for (JointBound& bound : bounds) bound.impulse += x_[bound.node][bound.row];
-        if (!group.settle(bounds, round)) return;
+        if (!group.update_steps(bounds, round)) return;
         assemble(group, component, matrix_);
         matrix_.factor(component.first_node, component.last_node, floor_);
     }
@@ -127,7 +127,7 @@ void DirectJoints::correct_positions(JointGroup& group, std::span<JointSpring> s
     if (group.any_residual) {
         // No speed comes of this: it would be given back at another pose, as energy.
         for (std::size_t i = 0; i < group.rows.size(); ++i) {
-            const Vec3d residual = JointGroup::come_back(group.residual[i], group.substep_s);
+            const Vec3d residual = JointGroup::reduced_residual(group.residual[i], group.substep_s);
             held_[i] += residual - group.residual[i];
             group.residual[i] = residual;
         }
@@ -266,7 +266,7 @@ double DirectJoints::gather_errors(const JointGroup& group) {
     for (std::size_t i = 0; i < group.rows.size(); ++i) {
         const JointRows& rows = group.rows[i];
         x_[i] = masked(held_[i] - rows.errors(group.bodies), rows.active);
-        if (rows.bounded != 0) bound_ways(rows.bounded, group.substep_s, x_[i]);
+        if (rows.bounded != 0) bound_corrections(rows.bounded, group.substep_s, x_[i]);
         largest =
             std::max(largest, std::max({std::abs(x_[i].x), std::abs(x_[i].y), std::abs(x_[i].z)}));
     }

@@ -16,7 +16,7 @@ void read_bound(JointBound& bound, JointGroup& group) {
     JointRows& row = group.rows[bound.node];
     bound.position = row.errors(group.bodies)[bound.row];
     if (!row.has_position(bound.row, group.bodies)) {
-        bound.let_go();
+        bound.release();
         group.set_active(bound);
     }
     if (row.kind == NodeKind::Align || bound.row == 2) row.near_rad = bound.position;
@@ -105,12 +105,12 @@ void JointGroup::push_constant_bounds(std::span<JointBound> component_bounds) {
     }
 }
 
-bool JointGroup::settle(std::span<JointBound> component_bounds, int round) {
+bool JointGroup::update_steps(std::span<JointBound> component_bounds, int round) {
     bool changed = false;
     for (JointBound& bound : component_bounds) {
         const double speed =
             bound.at_bound() ? bound.wanted_speed() : rows[bound.node].speeds(bodies)[bound.row];
-        if (!bound.settle(speed)) continue;
+        if (!bound.update_step(speed)) continue;
         set_active(bound);
         changed = true;
         if (round >= kRoundsOfAll) break;
@@ -134,7 +134,7 @@ void JointGroup::take_half_of_steady(double sign) {
     }
 }
 
-Vec3d JointGroup::come_back(const Vec3d& residual, double substep_s) {
+Vec3d JointGroup::reduced_residual(const Vec3d& residual, double substep_s) {
     const double length = glm::length(residual);
     if (length < kSmallError) return {0, 0, 0};
     return residual * std::max(0.0, 1 - (kPush_mps / length + 1) * substep_s);

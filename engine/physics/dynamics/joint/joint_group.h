@@ -6,7 +6,8 @@
 
 namespace plumbline::physics {
 
-/// What a joint gave to a so far, without the rows' impulses since the latest refresh.
+/// The impulses that a joint has given to its body a in this step, world axes, up to the latest
+/// refresh of the rows.
 struct JointTotal {
     Vec3d impulse_Ns{0, 0, 0};
     Vec3d angular_impulse_Nms{0, 0, 0};
@@ -19,7 +20,8 @@ struct JointGroup {
     std::vector<JointBody> bodies;  ///< as topology->bodies
     std::vector<JointRows> rows;    ///< as topology->nodes
     std::vector<Vec3d> impulses;    ///< along the rows, since the latest refresh
-    /// Errors that the step began with and comes back from slowly: what bodies are held at.
+    /// Errors, m or rad, that rows have when the step begins. Bodies are held at them, and they are
+    /// reduced slowly.
     std::vector<Vec3d> residual;
     bool any_residual{false};
     std::vector<JointBound> bounds;  ///< in the order of the rows
@@ -37,14 +39,14 @@ struct JointGroup {
     /// Rows and bounds at the bodies' poses; what the old rows carried goes to the totals.
     void refresh();
     void collect_totals();
-    /// Takes into the solve, or out of it, what the bound's step says.
+    /// Adds the bound's row to the solve, or removes it, as the bound's step asks for.
     void set_active(const JointBound& bound);
     std::span<JointBound> bounds_of(const JointComponent& component);
     /// Gives rows that have all of a constant impulse, or none of it, what they lack.
     void push_constant_bounds(std::span<JointBound> component_bounds);
     /// Whether a bound was on a wrong step and is on another now. In late rounds only the first wrong
     /// one changes, so that none chase each other.
-    bool settle(std::span<JointBound> component_bounds, int round);
+    bool update_steps(std::span<JointBound> component_bounds, int round);
     /// Other joints, or a long lever, would make the slow push of a limit one of any force and of any
     /// speed elsewhere. It gives no more energy than it would give the joint's bodies alone. Whether
     /// one would have given more by these impulses, and is slower now.
@@ -53,7 +55,7 @@ struct JointGroup {
     /// Velocities without half of what steady forces change in a sub-step (1), or with it again (-1).
     void take_half_of_steady(double sign);
     /// The residual after a sub-step of correction: a bounded displacement nearer to nothing.
-    static Vec3d come_back(const Vec3d& residual, double substep_s);
+    static Vec3d reduced_residual(const Vec3d& residual, double substep_s);
 };
 
 }  // namespace plumbline::physics

@@ -65,8 +65,8 @@ void push_soft_spring(const JointSpring& spring,
                       double duration_s,
                       bool after_motion,
                       JointGroup& group);
-/// A stiff spring as a row: an impulse along it with A impulse + compliance * impulse =
-/// -(speed + bias).
+/// A stiff spring as a row. With m the row's mass, its impulse J satisfies
+/// J / m + compliance * J = -(speed + bias).
 struct StiffRow {
     double bias_mps{0};
     double compliance{0};  ///< 1/kg

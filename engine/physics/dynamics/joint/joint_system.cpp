@@ -248,7 +248,7 @@ void JointSystem::finish() {
     impl.group.collect_totals();
     for (std::size_t i = 0; i < impl.group.joints.size(); ++i) impl.finish_joint(i);
     for (const JointBound& bound : impl.group.bounds) {
-        bound.keep(impl.group.joints[bound.joint_index], impl.group.substep_s);
+        bound.store_load(impl.group.joints[bound.joint_index], impl.group.substep_s);
     }
     if (impl.is_direct()) {
         if (impl.substeps > 0)

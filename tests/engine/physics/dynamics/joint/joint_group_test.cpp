@@ -9,12 +9,12 @@ namespace {
 
 // 0.5 m away: see the speeds of the push and of its own size a second.
 TEST(JointGroup, ErrorsAtTheStartAreComeBackFromSlowly) {
-    EXPECT_EQ(JointGroup::come_back({0.9e-5, 0, 0}, 0.01), (Vec3d{0, 0, 0})) << "at once";
+    EXPECT_EQ(JointGroup::reduced_residual({0.9e-5, 0, 0}, 0.01), (Vec3d{0, 0, 0})) << "at once";
     const Vec3d away{0.3, 0, 0.4};
-    const Vec3d after = JointGroup::come_back(away, 0.01);
+    const Vec3d after = JointGroup::reduced_residual(away, 0.01);
     EXPECT_NEAR(glm::length(after), 0.5 - (kPush_mps + 0.5) * 0.01, 1e-12);
     EXPECT_NEAR(glm::length(glm::cross(after, away)), 0, 1e-12) << "straight";
-    EXPECT_EQ(JointGroup::come_back({1e-3, 0, 0}, 1), (Vec3d{0, 0, 0})) << "never past it";
+    EXPECT_EQ(JointGroup::reduced_residual({1e-3, 0, 0}, 1), (Vec3d{0, 0, 0})) << "never past it";
 }
 
 TEST(JointGroup, ABoundIsSolvedWhileItIsReached) {
@@ -42,7 +42,7 @@ TEST(JointGroup, ABoundIsSolvedWhileItIsReached) {
     group.set_active(bound);
     EXPECT_TRUE(row_is_solved());
     EXPECT_TRUE(group.rows[bound.node].is_active(0)) << "the others as they were";
-    bound.let_go();
+    bound.release();
     group.set_active(bound);
     EXPECT_FALSE(row_is_solved());
     EXPECT_TRUE(group.rows[bound.node].is_active(0));
