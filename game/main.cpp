@@ -211,8 +211,7 @@ std::vector<Command> add_commands(CLI::App& app, Words& words) {
         study::run_study_worker();
         return ExitCode::Good;
     });
-    CLI::App* reader =
-        app.add_subcommand("decoder", "Internal: decode a foreign file")->group("");
+    CLI::App* reader = app.add_subcommand("decoder", "Internal: decode a foreign file")->group("");
     reader->add_option("kind", words.decoded_kind)->required();
     reader->add_option("bytes", words.decoded_bytes)->required();
     reader->add_option("name", words.decoded_name)->required();

@@ -213,10 +213,10 @@ void AssetLibrary::prefetch_sounds(std::vector<fs::path> files) {
     if (sounds_ahead_) return;
     sounds_ahead_ = std::make_unique<SoundsAhead>();
     try {
-        sounds_ahead_->worker = std::thread(
-            [ahead = sounds_ahead_.get(), files = std::move(files), installed = images_->installed] {
-                ahead->decode(files, installed);
-            });
+        sounds_ahead_->worker =
+            std::thread([ahead = sounds_ahead_.get(),
+                         files = std::move(files),
+                         installed = images_->installed] { ahead->decode(files, installed); });
     } catch (const std::system_error& fault) {
         log_note("sounds are decoded when they are first heard: {}", fault.what());
     }

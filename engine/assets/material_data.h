@@ -42,7 +42,8 @@ struct MaterialData {
     /// Above 0, with Blend: clear glass of this index of refraction; what it mirrors is not blended away.
     float ior{0.0F};
     bool two_sided{false};
-    bool thin{true};  ///< two_sided, not metal and not blended: light comes through, as through a leaf
+    bool thin{
+        true};  ///< two_sided, not metal and not blended: light comes through, as through a leaf
     /// Above 0: water, whose ripples run with this mean slope; it mirrors more the flatter it is seen.
     float ripple_slope{0.0F};
     /// Of water, above 0: what lies below is bent, and light that went so far through it has taken the

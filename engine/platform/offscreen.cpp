@@ -94,10 +94,11 @@ Result<Done> check_memory_for_opengl() {
     constexpr std::size_t kMiB = 1024 * 1024;
     constexpr std::size_t kMost = 1536;
     if (may_still_map(kMost * kMiB)) return Done{};
-    return Error{.message = fmt::format("drawing takes up to {} MiB of address space, and the limit on "
-                                        "it (ulimit -v) leaves less",
-                                        kMost),
-                 .exit_code = ExitCode::NoDisplay};
+    return Error{
+        .message = fmt::format("drawing takes up to {} MiB of address space, and the limit on "
+                               "it (ulimit -v) leaves less",
+                               kMost),
+        .exit_code = ExitCode::NoDisplay};
 }
 
 Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create() {

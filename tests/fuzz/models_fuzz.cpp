@@ -23,7 +23,8 @@ std::string binary_stl() {
 
 std::string binary_ply() {
     std::string bytes =
-        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float "
+        "y\n"
         "property float z\nproperty uchar red\nelement face 1\n"
         "property list uchar int vertex_indices\nend_header\n";
     for (const float x : {0.0F, 1.0F, 2.0F}) {

@@ -101,11 +101,10 @@ Result<std::string> decode(const Allowance& allowance,
         if (!image) return image.error();
         return answer_of(*image);
     } catch (const std::bad_alloc&) {
-        return refused(
-            allowance,
-            name,
-            fmt::format("its reader may take {} MiB, which is too little",
-                        allowance.memory_of(bytes.size()) / kMiB));
+        return refused(allowance,
+                       name,
+                       fmt::format("its reader may take {} MiB, which is too little",
+                                   allowance.memory_of(bytes.size()) / kMiB));
     }
 }
 
@@ -125,9 +124,9 @@ std::string_view text_of(const Answer& answer) {
 
 /// What the decoder made of the bytes, behind kDecoded.
 Result<Answer> decoded_apart(const Allowance& allowance,
-                                  std::string_view bytes,
-                                  const std::string& name,
-                                  const Decoder& decoder) {
+                             std::string_view bytes,
+                             const std::string& name,
+                             const Decoder& decoder) {
     const fs::path program = decoder.program.empty() ? decoder_program() : decoder.program;
     if (program.empty())
         return refused(allowance, name, "the program plumbline, which reads it, is not here");
@@ -188,8 +187,7 @@ Result<ImageData> decode_image_apart(std::string_view bytes,
         return refused(kImages, name, kBreaksOff);
     const std::string fault = size_fault(image.width, image.height, image.format, allowed);
     if (!fault.empty()) return refused(kImages, name, fault);
-    if (reader.left() !=
-        std::size_t{image.width} * image.height * bytes_per_pixel(image.format)) {
+    if (reader.left() != std::size_t{image.width} * image.height * bytes_per_pixel(image.format)) {
         return refused(kImages, name, kBreaksOff);
     }
     answer->erase(answer->begin(), answer->end() - static_cast<std::ptrdiff_t>(reader.left()));

@@ -22,7 +22,8 @@ namespace plumbline::assets {
 
 /// Which program decodes, and how long it may take.
 struct Decoder {
-    std::filesystem::path program{};  ///< empty: the plumbline beside this program, itself as a rule
+    std::filesystem::path
+        program{};  ///< empty: the plumbline beside this program, itself as a rule
     std::optional<double> limit_s{};  ///< of wall time; unset: by the file's size
 };
 

@@ -1,14 +1,13 @@
-#include "engine/assets/foreign/model_export_impl.h"
-
 #include "engine/assets/foreign/confined_io_impl.h"
+#include "engine/assets/foreign/model_export_impl.h"
 #include "engine/assets/model/model_readers_impl.h"
 #include "engine/core/math.h"
 #include "engine/core/text/printable.h"
 
 #include <assimp/Exporter.hpp>
+#include <assimp/GltfMaterial.h>
 #include <assimp/Importer.hpp>
 #include <assimp/anim.h>
-#include <assimp/GltfMaterial.h>
 #include <assimp/config.h>
 #include <assimp/material.h>
 #include <assimp/mesh.h>
@@ -60,7 +59,8 @@ std::string tightened(std::string_view xml) {
 aiString uri_of(std::string_view path) {
     std::string uri;
     for (const char letter : path) {
-        const bool is_plain = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+        const bool is_plain = (letter >= 'a' && letter <= 'z') ||
+                              (letter >= 'A' && letter <= 'Z') ||
                               (letter >= '0' && letter <= '9') ||
                               std::string_view("-._~/").find(letter) != std::string_view::npos;
         if (is_plain)
@@ -186,9 +186,8 @@ void prepare_skins(aiScene& scene) {
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
         aiMesh& mesh = *scene.mMeshes[i];
         const std::span bones(mesh.mBones, mesh.mNumBones);
-        const auto known = std::ranges::find_if(bones, [&](const aiBone* bone) {
-            return offsets.contains(bone->mName.C_Str());
-        });
+        const auto known = std::ranges::find_if(
+            bones, [&](const aiBone* bone) { return offsets.contains(bone->mName.C_Str()); });
         if (known != bones.end()) {
             aiMatrix4x4 bone_from_first = offsets.at((*known)->mName.C_Str());
             const aiMatrix4x4 frame = bone_from_first.Inverse() * (*known)->mOffsetMatrix;

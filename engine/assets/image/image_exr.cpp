@@ -61,8 +61,8 @@ Result<ImageData> decode(std::string_view bytes,
         static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), format, allowed);
     if (!fault.empty()) return image_error(name, fault);
 
-    ImageData image = blank_image(
-        static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), format);
+    ImageData image =
+        blank_image(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), format);
     const std::size_t pixel_bytes = bytes_per_pixel(format);
     // A band of rows at a time: the decoder's pixels are wider than ours.
     constexpr std::int64_t kBandRows = 64;

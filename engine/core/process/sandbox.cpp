@@ -39,29 +39,12 @@ constexpr std::uint32_t kArchitecture = AUDIT_ARCH_AARCH64;
 
 /// What memory, the standard streams, signals of its own and the end of a process need. mmap and
 /// mprotect are among them: a heap grows with both.
-constexpr std::array kAllowed{SYS_read,
-                              SYS_readv,
-                              SYS_write,
-                              SYS_writev,
-                              SYS_lseek,
-                              SYS_fstat,
-                              SYS_close,
-                              SYS_mmap,
-                              SYS_munmap,
-                              SYS_mremap,
-                              SYS_mprotect,
-                              SYS_madvise,
-                              SYS_brk,
-                              SYS_futex,
-                              SYS_clock_gettime,
-                              SYS_getrandom,
-                              SYS_getpid,
-                              SYS_gettid,
-                              SYS_rt_sigaction,
-                              SYS_rt_sigprocmask,
-                              SYS_rt_sigreturn,
-                              SYS_exit,
-                              SYS_exit_group};
+constexpr std::array kAllowed{SYS_read,         SYS_readv,  SYS_write,         SYS_writev,
+                              SYS_lseek,        SYS_fstat,  SYS_close,         SYS_mmap,
+                              SYS_munmap,       SYS_mremap, SYS_mprotect,      SYS_madvise,
+                              SYS_brk,          SYS_futex,  SYS_clock_gettime, SYS_getrandom,
+                              SYS_getpid,       SYS_gettid, SYS_rt_sigaction,  SYS_rt_sigprocmask,
+                              SYS_rt_sigreturn, SYS_exit,   SYS_exit_group};
 
 // What libraries ask for and do without: files beside a sound, what a stream is, how much memory there is
 // (qsort() asks).
@@ -94,8 +77,8 @@ std::vector<sock_filter> call_filter() {
     for (const long call : kAllowed) add(call, SECCOMP_RET_ALLOW);
     for (const long call : kFailing) add(call, SECCOMP_RET_ERRNO | EPERM);
     // abort() signals its own process; nobody else may be signalled.
-    program.push_back(BPF_JUMP(
-        BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(SYS_tgkill), 0, 3));
+    program.push_back(
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(SYS_tgkill), 0, 3));
     program.push_back(load(offsetof(seccomp_data, args)));
     program.push_back(if_equal(static_cast<std::uint32_t>(getpid())));
     program.push_back(answer(SECCOMP_RET_ALLOW));

@@ -148,9 +148,7 @@ std::shared_ptr<const ImageData> in_bytes(std::shared_ptr<const ImageData> image
                                           MipContent content) {
     if (!assets::is_half_float(image->format)) return image;
     const std::vector<std::uint8_t> code = make_code_from_half(content);
-    const auto code_of = [&](std::uint16_t half) {
-        return code[std::min(half, kHalfOfOne)];
-    };
+    const auto code_of = [&](std::uint16_t half) { return code[std::min(half, kHalfOfOne)]; };
     const bool has_alpha = image->format == PixelFormat::Rgba16F;
     auto out = std::make_shared<ImageData>(
         ImageData{.width = image->width,

@@ -84,8 +84,8 @@ private:
     void add_face(const Triple& corners, const Triple& neighbors) {
         const Vec3d& a = points_[corners[0]];
         Face face{.corners = corners, .neighbors = neighbors};
-        face.normal = normalize_or(
-            glm::cross(points_[corners[1]] - a, points_[corners[2]] - a), Vec3d{0.0});
+        face.normal =
+            normalize_or(glm::cross(points_[corners[1]] - a, points_[corners[2]] - a), Vec3d{0.0});
         face.offset = glm::dot(face.normal, a);
         faces_.push_back(std::move(face));
     }
@@ -161,7 +161,8 @@ private:
     const std::vector<Vec3d>& points_;
     double skin_m_;
     std::vector<Face> faces_;
-    std::vector<std::uint32_t> face_from_;  ///< by corner: the face added over the horizon's edge from it
+    std::vector<std::uint32_t>
+        face_from_;  ///< by corner: the face added over the horizon's edge from it
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The process that decodes foreign files may crash, hang, answer nonsense or die half way: each is one
 // message with the file's name, and no process stays behind. Its parts are played by shell scripts.
 #include "engine/assets/foreign/decoder.h"
+
 #include "tests/engine/assets/fixture.h"
 
 #include <sys/wait.h>
@@ -100,13 +101,15 @@ TEST_F(DecoderProcess, whose_image_or_sound_is_of_another_size_is_not_believed) 
         EXPECT_EQ(image.error().message, "image a.png is refused: its reader's answer breaks off");
     }
     const auto none = [](std::size_t) { return false; };
-    EXPECT_TRUE(contains(
-        decode_image_apart("", "a.png", none, decoder_of(size + "\\0ab'")).error().message,
-        "it takes 2 bytes; all images of a scene may take"));
-    for (const char* answer : {"D", "D\\1\\0\\0\\0\\1\\0\\0\\0", "D\\1\\0\\0\\0\\0\\0\\0\\0ab",
+    EXPECT_TRUE(
+        contains(decode_image_apart("", "a.png", none, decoder_of(size + "\\0ab'")).error().message,
+                 "it takes 2 bytes; all images of a scene may take"));
+    for (const char* answer : {"D",
+                               "D\\1\\0\\0\\0\\1\\0\\0\\0",
+                               "D\\1\\0\\0\\0\\0\\0\\0\\0ab",
                                "D\\1\\0\\0\\0\\1\\0\\0\\0abc"}) {
-        const Result<SoundData> sound = decode_sound_apart(
-            "", "a.ogg", decoder_of(fmt::format("printf '{}'", answer)));
+        const Result<SoundData> sound =
+            decode_sound_apart("", "a.ogg", decoder_of(fmt::format("printf '{}'", answer)));
         ASSERT_FALSE(sound.ok()) << answer;
         EXPECT_EQ(sound.error().message, "sound a.ogg is refused: its reader's answer breaks off");
     }

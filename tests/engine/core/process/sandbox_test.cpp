@@ -1,6 +1,7 @@
 // A confined process: what it may do, and how it ends when it does more.
 #include "engine/core/process/sandbox.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -8,7 +9,6 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <fcntl.h>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -57,9 +57,8 @@ TEST(SandboxDeathTest, FilesAreNotOpenedAndNotTouched) {
 
 TEST(SandboxDeathTest, ProcessesSocketsAndSignalsForOthersEndIt) {
     EXPECT_EXIT(confined([] { ::fork(); }), testing::KilledBySignal(SIGSYS), "");
-    EXPECT_EXIT(confined([] { ::socket(AF_UNIX, SOCK_STREAM, 0); }),
-                testing::KilledBySignal(SIGSYS),
-                "");
+    EXPECT_EXIT(
+        confined([] { ::socket(AF_UNIX, SOCK_STREAM, 0); }), testing::KilledBySignal(SIGSYS), "");
     EXPECT_EXIT(confined([] { ::kill(::getpid(), 0); }), testing::KilledBySignal(SIGSYS), "");
     EXPECT_EXIT(confined([] { ::execl("/bin/true", "true", nullptr); }),
                 testing::KilledBySignal(SIGSYS),

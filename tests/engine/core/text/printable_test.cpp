@@ -35,7 +35,9 @@ TEST(Printable, BytesThatAreNoUtf8AreNamed) {
 TEST(Printable, KnowsUtf16WhenItSeesIt) {
     for (const std::string_view text : {std::string_view("\xFF\xFEv\0", 4),
                                         std::string_view("\xFE\xFF\0v", 4),
-                                        std::string_view("v\0 \0" "1\0", 6),
+                                        std::string_view("v\0 \0"
+                                                         "1\0",
+                                                         6),
                                         std::string_view("\0<\0?", 4)}) {
         EXPECT_TRUE(is_utf16(text)) << text.size();
     }

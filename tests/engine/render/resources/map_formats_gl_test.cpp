@@ -49,8 +49,8 @@ TEST_F(MapFormatsGl, EveryMapHoldsTheSameNumbersInEveryFormat) {
             map == &MaterialData::base_color_map || map == &MaterialData::emissive_map;
         for (const UniformImage& image :
              images_of(is_color ? MipContent::Color : MipContent::Data)) {
-            material.*map = folder.write((is_color ? "color" : "data") / std::filesystem::path(image.name),
-                                         image.bytes);
+            material.*map = folder.write(
+                (is_color ? "color" : "data") / std::filesystem::path(image.name), image.bytes);
             bool found = false;
             for (const TextureRequest& request : textures_of(material)) {
                 if (request.file != material.*map) continue;
