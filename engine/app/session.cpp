@@ -6,8 +6,12 @@
 #include "engine/study/gallery/case_events.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 namespace plumbline::app {
 namespace {
@@ -15,6 +19,50 @@ namespace {
 void log_errors(const Diagnostics& faults) {
     for (const Diagnostic& fault : faults.list()) {
         if (fault.severity == Severity::Error) log_error("{}", to_string(fault));
+    }
+}
+
+void run_at(const study::Setting& setting, scene::Simulation& simulation) {
+    physics::WorldDef def = simulation.physics.def();
+    const physics::WorldDef asked = study::world_def(setting);
+    def.step_s = asked.step_s;
+    def.substeps = asked.substeps;
+    def.substeps_max = asked.substeps_max;
+    def.iterations = asked.iterations;
+    def.solver = asked.solver;
+    simulation.set_accuracy(def);
+}
+
+void change(const SwitchEffect& asked, scene::Simulation& simulation) {
+    if (asked.on)
+        simulation.switches.turn(asked.effect, *asked.on);
+    else
+        simulation.switches.effects.erase(asked.effect);
+}
+
+void change(const SetFog& asked, scene::Simulation& simulation) {
+    simulation.switches.fog_density_scale = asked.density_scale;
+    simulation.switches.fog_color = asked.color;
+}
+
+void change(const SetLight& asked, scene::Simulation& simulation) {
+    simulation.switches.light_scale = asked.scale;
+}
+
+void change(const SetHour& asked, scene::Simulation& simulation) {
+    set_hour(simulation, asked.hour);
+}
+
+void change(const SetAnimation& asked, scene::Simulation& simulation) {
+    for (auto [entity, playing] : simulation.registry.view<scene::PlayingModel>()) {
+        const assets::MovingModel* model = simulation.library().moving(playing.model);
+        if (model == nullptr) continue;
+        playing.paused = asked.paused;
+        if (!asked.next && asked.time_s == playing.time_s) continue;
+        playing.latest_step_s = 0;  // it jumps there
+        playing.time_s = asked.next ? 0.0 : asked.time_s;
+        const auto count = static_cast<std::uint32_t>(model->data.animations.size());
+        if (asked.next) playing.animation = (playing.animation + 1) % count;
     }
 }
 
@@ -46,9 +94,12 @@ void Session::watch(const std::filesystem::path& file, scene::FileUse use) {
         files_.push_back(scene::stamp_of(file, use));
 }
 
-Result<Done> Session::build(const scene::OpenedScene& opened, const Prepare& prepare) {
+Result<Done> Session::build(const scene::OpenedScene& opened,
+                            const std::optional<study::Setting>& accuracy,
+                            const Prepare& prepare) {
     Result<std::unique_ptr<scene::Simulation>> built = opened.build(library);
     if (!built) return built.error();
+    if (accuracy) run_at(*accuracy, **built);
     if (def_.hour) set_hour(**built, *def_.hour);
     study::play_case_events(**built);
     std::unique_ptr<study::HardCaseJudge> judge_made;
@@ -72,9 +123,47 @@ Result<Done> Session::build(const scene::OpenedScene& opened, const Prepare& pre
     game = std::move(game_made);
     judge = std::move(judge_made);
     simulation = std::move(*built);
+    ++generation_;
     warning_log = {};
     warning_log.log_new(*simulation);
     return Done{};
+}
+
+Result<Done> Session::apply(const WorldRequest& request) {
+    return std::visit(
+        [this]<class Asked>(const Asked& asked) -> Result<Done> {
+            if constexpr (std::is_same_v<Asked, StartAgain>)
+                return build(scene_, chosen_accuracy_);
+            else if constexpr (std::is_same_v<Asked, SetAccuracy>)
+                return set_accuracy(asked.setting);
+            else
+                change(asked, *simulation);
+            return Done{};
+        },
+        request);
+}
+
+Result<Done> Session::set_accuracy(const study::Setting& setting) {
+    if (judge) {
+        if (const Result<Done> built = build(scene_, setting); !built) return built;
+    } else {
+        run_at(setting, *simulation);
+    }
+    chosen_accuracy_ = setting;
+    return Done{};
+}
+
+study::Setting Session::accuracy() const {
+    const physics::WorldDef& def = simulation->physics.def();
+    const bool on_demand =
+        def.solver == physics::Solver::SmallStep && def.substeps_max > def.substeps;
+    return {.solver = def.solver,
+            .step_hz = static_cast<int>(std::lround(1 / def.step_s)),
+            .substeps = on_demand ? 0 : def.substeps,
+            .substeps_max = def.substeps_max,
+            .iterations = def.iterations,
+            .precision = sizeof(Real) == sizeof(double) ? study::Precision::Float64
+                                                        : study::Precision::Float32};
 }
 
 void Session::prefetch_images() {
@@ -93,10 +182,6 @@ void Session::prefetch_sounds() {
     library.prefetch_sounds({files.begin(), files.end()});
 }
 
-Result<Done> Session::reset() {
-    return build(scene_);
-}
-
 Result<Done> Session::save(const std::filesystem::path& file, std::uint64_t steps) {
     return effects::save_game(
         file,
@@ -107,10 +192,12 @@ Result<Done> Session::save(const std::filesystem::path& file, std::uint64_t step
 Result<std::uint64_t> Session::load(const std::filesystem::path& file) {
     const Result<effects::SavedGame> saved = effects::read_saved_game(file);
     if (!saved) return saved.error();
-    const Result<Done> built = build(scene_, [&](const effects::RunningGame& made) {
+    const study::Setting before = accuracy();
+    const Result<Done> built = build(scene_, {}, [&](const effects::RunningGame& made) {
         return effects::put_back(*saved, file, made);
     });
     if (!built) return built.error();
+    if (accuracy() != before) chosen_accuracy_ = accuracy();
     return saved->steps;
 }
 
@@ -121,7 +208,8 @@ Result<Done> Session::reload() {
     if (!opened) return opened.error();
     files_ = opened->files;
     library.doubt_models();
-    if (const Result<Done> built = build(*opened); !built) return built;
+    if (const Result<Done> built = build(*opened, {}); !built) return built;
+    chosen_accuracy_.reset();
     // What models are made of shows when they are read: buffers, materials, images.
     for (const std::filesystem::path& file : library.model_files())
         watch(file, scene::FileUse::Model);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace plumbline::app {
 namespace {
@@ -105,7 +106,7 @@ Actions Stepper::next_actions(input::ActionLatch& latch) {
     const Actions person = latch.take();
     if (player_) {
         const TapePlayer::Told told = player_->step(steps_);
-        if (told.reset) rebuild();
+        replay(told.requests);
         return told.actions;
     }
     if (random_actions_) return random_actions_->next();
@@ -135,6 +136,26 @@ void Stepper::step(input::ActionLatch& latch, FrameReport& report) {
     if (after_step) after_step();
     ++steps_;
     note_state();
+    if (ended()) end_replay();
+}
+
+void Stepper::replay(const std::vector<std::string>& requests) {
+    for (const std::string& bytes : requests) {
+        Archive archive(bytes);
+        WorldRequest request;
+        archive(request);
+        const Result<Done> done =
+            archive.failed() ? Error{.message = archive.fault()} : change(std::move(request));
+        if (!done) log_error("replay, before step {}: {}", steps_, done.error().message);
+    }
+}
+
+// What was changed after the last step belongs to the state at the end.
+void Stepper::end_replay() {
+    const std::vector<std::string> last = player_->step(steps_).requests;
+    if (last.empty()) return;
+    replay(last);
+    check({.hash = session_->simulation->state_hash()});
 }
 
 void Stepper::note_state() {
@@ -162,14 +183,18 @@ void Stepper::check(const TapeState& here) {
     log_error("{}", divergence_);
 }
 
-void Stepper::rebuild() {
-    recorder_.add_reset(steps_);
-    if (const Result<Done> reset = session_->reset(); !reset)
-        log_error("{}", reset.error().message);
+Result<Done> Stepper::change(WorldRequest request) {
+    const Result<Done> done = session_->apply(request);
+    if (!done) return done;
+    Archive archive;
+    archive(request);
+    recorder_.add_request(steps_, archive.take());
+    return done;
 }
 
-void Stepper::reset() {
-    if (!player_) rebuild();
+Result<Done> Stepper::apply(const WorldRequest& request) {
+    if (player_) return Error{.message = "a replay runs: the scene stays as it was recorded"};
+    return change(request);
 }
 
 void Stepper::begin_anew(std::uint64_t first_step) {

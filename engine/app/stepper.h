@@ -1,5 +1,6 @@
 // Runs the steps that a frame owes, whoever asks for their actions: the person at the keys, a
-// recording, or random input; writes them down, and checks a replay's hashes as it goes.
+// recording, or random input; records them with what was changed between them, and checks a replay's
+// hashes as it goes.
 #pragma once
 
 #include "engine/app/controls/action_tape.h"
@@ -33,8 +34,8 @@ public:
     /// Up to `count` fixed steps, no further one once they have taken `budget_s` of wall time; how
     /// many there were. The latch gives the person's actions; replays and random input only drain it.
     int run(int count, double budget_s, input::ActionLatch& latch, FrameReport& report);
-    /// Builds the scene anew and notes it. In a replay the recording alone resets.
-    void reset();
+    /// Does it before the next step, and records it. Refused in a replay, which does its own.
+    Result<Done> apply(const WorldRequest& request);
     /// The session has read another scene, or a saved game: steps count on from here, and so does the
     /// recording.
     void begin_anew(std::uint64_t first_step = 0);
@@ -55,7 +56,9 @@ private:
     Actions next_actions(input::ActionLatch& latch);
     void note_state();
     void check(const TapeState& here);
-    void rebuild();
+    void replay(const std::vector<std::string>& requests);
+    void end_replay();
+    Result<Done> change(WorldRequest request);
 
     Session* session_;
     std::uint64_t seed_;

@@ -177,10 +177,11 @@ ExitCode play_on(platform::Window& window,
     for (;;) {
         sessions.remember(*session);
         bindings.use_usual_profile(session->description().controls);
-        app::PlayEnd end = app::run(window, *session, bindings, config, play);
+        app::PlayEnd end = app::run(
+            window, {.session = *session, .bindings = bindings, .config = config, .def = play});
         if (code == ExitCode::Good) code = end.code;
         if (!end.next) return code;
-        app::go_on(play, end);
+        app::continue_with_next(play, end);
         session = std::move(end.next);
         window.set_title(title_of(*session));
     }

@@ -16,11 +16,13 @@ DECISIONS = 3  # from so many on
 
 # Sources that need none, and why. An entry that is not needed any more fails, so that it goes.
 EXEMPT = {
-    "engine/app/frame_film.cpp": "of a running window: e2e films.py",
-    "engine/app/frame_output.cpp": "of a running window: e2e window.py, films.py",
-    "engine/app/frame_parts.cpp": "of a running window: e2e window.py, window_faults.py",
-    "engine/app/frame_requests.cpp": "of a running window: e2e menu.py, replay.py",
-    "engine/app/frame_saves.cpp": "of a running window: e2e saved.py",
+    "engine/app/frame/apply_requests.cpp": "of a running window: e2e menu.py, replay.py",
+    "engine/app/frame/film.cpp": "of a running window: e2e films.py",
+    "engine/app/frame/frame.cpp": "of a running window: e2e window.py, window_faults.py",
+    "engine/app/frame/input_phase.cpp": "of a running window: e2e menu.py, window.py",
+    "engine/app/frame/present_phase.cpp": "of a running window: e2e window.py",
+    "engine/app/frame/sound_phase.cpp": "of a running window: e2e sound.py",
+    "engine/app/frame/view_phase.cpp": "of a running window: e2e window.py, films.py",
     "engine/app/offscreen_run.cpp": "renders a whole run: e2e image_levels.py, models.py",
     "engine/app/overlay/overlay.cpp": "needs a window; its parts have their tests: e2e window.py, menu.py",
     "engine/render/gl/debug.cpp": "only in debug builds; passes the driver's messages on",

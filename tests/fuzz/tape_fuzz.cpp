@@ -70,7 +70,7 @@ std::vector<std::string> seeds() {
     RandomActions random_input(4);
     TapeRecorder recorder(kHeader);
     for (std::uint64_t step = 0; step < 90; ++step) {
-        if (step == 70) recorder.add_reset(step);
+        if (step == 70) recorder.add_request(step, "another");
         if (step == 30) recorder.add_request(step, "a request");
         Actions actions = random_input.next();
         if (step > 20) actions.pointer = {0.5F, -0.25F};

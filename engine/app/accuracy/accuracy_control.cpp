@@ -1,10 +1,5 @@
 #include "engine/app/accuracy/accuracy_control.h"
 
-#include "engine/core/io/files.h"
-#include "engine/core/lines.h"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,9 +43,6 @@ void add_wide(const LineList& thin, const Vec3f& eye_world, LineList& lines) {
 
 }  // namespace
 
-AccuracyControl::AccuracyControl(Session& session, bool recorded)
-    : session_(session), recorded_(recorded) {}
-
 void AccuracyControl::watch(bool shown) {
     watched_ = shown;
     if (!shown) samples_.clear();
@@ -58,6 +50,7 @@ void AccuracyControl::watch(bool shown) {
 
 void AccuracyControl::after_step() {
     const scene::Simulation& simulation = *session_.simulation;
+    forget_other_world();
     if (ghost_) ghost_->follow(simulation);
     if (!watched_) return;
     const physics::PhysicsWorld& world = simulation.physics;
@@ -70,68 +63,27 @@ void AccuracyControl::after_step() {
     while (samples_.front().time_s < simulation.time_s() - kWindow_s) samples_.pop_front();
 }
 
-void AccuracyControl::use(const study::Setting& setting, FrameClock& clock) {
-    physics::WorldDef def = session_.simulation->physics.def();
-    const physics::WorldDef asked = study::world_def(setting);
-    def.step_s = asked.step_s;
-    def.substeps = asked.substeps;
-    def.substeps_max = asked.substeps_max;
-    def.iterations = asked.iterations;
-    def.solver = asked.solver;
-    session_.simulation->set_accuracy(def);
-    clock.set_step(def.step_s);
-    samples_.clear();
+void AccuracyControl::forget_other_world() {
+    const bool same_world = generation_ == session_.generation();
+    if (!same_world) ghost_.reset();
+    generation_ = session_.generation();
+    if (const study::Setting now = setting(); !same_world || now != sampled_at_) {
+        samples_.clear();
+        sampled_at_ = now;
+    }
 }
 
-std::string AccuracyControl::apply(const AccuracyRequest& request, FrameClock& clock) {
-    std::string said;
-    if (request.setting && !recorded_) {
-        chosen_ = request.setting;
-        said = study::setting_text(*request.setting);
-        if (session_.judge) {
-            // What a case showed at one setting says nothing about another.
-            if (const Result<Done> reset = session_.reset(); !reset) return reset.error().message;
-            after_rebuild(clock);
-            said += "; hard case restarted";
-        } else {
-            use(*request.setting, clock);
-        }
-    }
-    if (request.stop_ghost) ghost_.reset();
-    if (request.start_ghost) {
-        Result<std::unique_ptr<study::Ghost>> started =
-            study::Ghost::start(*session_.simulation, *request.start_ghost);
-        if (!started) return started.error().message;
-        ghost_ = std::move(*started);
-        said = fmt::format("ghost started: {}", study::setting_text(*request.start_ghost));
-    }
-    if (request.adopt) {
-        const auto written = write_adopted_copy(session_.description().file,
-                                                setting(),
-                                                scene::scene_folders(session_.folders().assets));
-        said = written ? fmt::format("accuracy saved to {}", written->string())
-                       : written.error().message;
-    }
-    return said;
-}
-
-void AccuracyControl::after_rebuild(FrameClock& clock) {
-    ghost_.reset();
-    samples_.clear();
-    if (chosen_)
-        use(*chosen_, clock);
-    else
-        clock.set_step(session_.simulation->step_s());
-}
-
-void AccuracyControl::after_load(const study::Setting& before, FrameClock& clock) {
-    ghost_.reset();
-    samples_.clear();
-    if (const study::Setting loaded = setting(); loaded != before) chosen_ = loaded;
-    clock.set_step(session_.simulation->step_s());
+Result<Done> AccuracyControl::start_ghost(const study::Setting& setting) {
+    forget_other_world();
+    Result<std::unique_ptr<study::Ghost>> started =
+        study::Ghost::start(*session_.simulation, setting);
+    if (!started) return started.error();
+    ghost_ = std::move(*started);
+    return Done{};
 }
 
 void AccuracyControl::take_answers() {
+    forget_other_world();
     if (ghost_) ghost_->take_answers();
 }
 
@@ -152,19 +104,6 @@ void AccuracyControl::add_ghost_lines(LineList& lines, const Vec3f& eye_world) c
         simulation.physics.add_shape_lines(moving.shape, pose, kGhostColor, thin);
     }
     add_wide(thin, eye_world, lines);
-}
-
-study::Setting AccuracyControl::setting() const {
-    const physics::WorldDef& def = session_.simulation->physics.def();
-    const bool on_demand =
-        def.solver == physics::Solver::SmallStep && def.substeps_max > def.substeps;
-    return {.solver = def.solver,
-            .step_hz = static_cast<int>(std::lround(1 / def.step_s)),
-            .substeps = on_demand ? 0 : def.substeps,
-            .substeps_max = def.substeps_max,
-            .iterations = def.iterations,
-            .precision = sizeof(Real) == sizeof(double) ? study::Precision::Float64
-                                                        : study::Precision::Float32};
 }
 
 AccuracyGauges AccuracyControl::gauges(const FrameClock& clock) const {

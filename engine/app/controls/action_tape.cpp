@@ -25,7 +25,7 @@ constexpr float kMostOfAnAmount = 1e6F;
 
 }  // namespace
 
-enum class TapeKind : std::uint8_t { Header, Step, Reset, Request, State, End };
+enum class TapeKind : std::uint8_t { Header, Step, Request, State, End };
 constexpr TapeKind last_of(TapeKind) {
     return TapeKind::End;
 }
@@ -60,8 +60,6 @@ struct TapeRecord {
                 return archive(header, action_names);
             case TapeKind::Step:
                 return archive(changes, look_rad, pointer);
-            case TapeKind::Reset:
-                return;
             case TapeKind::Request:
                 return archive(request);
             case TapeKind::State:
@@ -196,10 +194,6 @@ void TapeRecorder::add_step(std::uint64_t step, const Actions& actions) {
                                 record.look_rad != std::array{0.0F, 0.0F};
     before_ = actions;
     if (says_something) add(framed(record));
-}
-
-void TapeRecorder::add_reset(std::uint64_t step) {
-    add(framed({.kind = TapeKind::Reset, .step = step}));
 }
 
 void TapeRecorder::add_request(std::uint64_t step, std::string request) {
@@ -358,7 +352,6 @@ TapePlayer::Told TapePlayer::step(std::uint64_t step) {
         if (record->step > step || (record->step == step && record->kind == TapeKind::End)) break;
         if (record->kind == TapeKind::Step) told.actions = told_by(*record);
         if (record->kind == TapeKind::Request) told.requests.push_back(std::move(record->request));
-        if (record->kind == TapeKind::Reset) told.reset = record->step == step;
     }
     now_ = told.actions;
     return told;

@@ -58,8 +58,7 @@ public:
 
     void add_step(std::uint64_t step,
                   const Actions& actions);  ///< steps like the last cost nothing
-    void add_reset(std::uint64_t step);
-    /// Something that the step was asked for besides actions, in the caller's own form.
+    /// What is done to the world before the step, in the caller's own form.
     void add_request(std::uint64_t step, std::string request);
     void add_state(std::uint64_t steps, TapeState state);
 
@@ -101,11 +100,10 @@ public:
                                    const std::filesystem::path& file,
                                    const TapeHeader& expected);
 
-    /// Before step number `step` since the start: what it is told, whether the scene is built anew for
-    /// it, and what else was asked for. Call with 0, 1, 2, …
+    /// Before step number `step` since the start: what it is told, and what is done to the world before it,
+    /// in order. Call with 0, 1, 2, …
     struct Told {
         Actions actions{};
-        bool reset{false};
         std::vector<std::string> requests{};
     };
     Told step(std::uint64_t step);

@@ -125,7 +125,7 @@ std::string_view group_words(ActionGroup group) {
     return {};
 }
 
-bool in_this_version(Action action) {
+bool is_offered(Action action) {
     switch (action) {
         case Action::Select8:
         case Action::Select9:

@@ -9,8 +9,8 @@ namespace plumbline::app {
 
 std::string_view action_words(Action action);     ///< "drop the chosen thing"
 std::string_view group_words(ActionGroup group);  ///< "Things"
-/// False for actions that files may name and this version does not do.
-bool in_this_version(Action action);
+/// False for the numbers beyond the things that there are, which files may bind all the same.
+bool is_offered(Action action);
 /// It does something while a model by itself is turned.
 bool is_for_models(Action action);
 /// It does something while one plays.

@@ -1,16 +1,13 @@
 #include "engine/app/controls/frame_controls.h"
 
-#include "engine/app/controls/action_words.h"
-
 #include <fmt/format.h>
 
 namespace plumbline::app {
 namespace {
 
-void apply_time_actions(input::ActionLatch& latch,
-                        FrameControls& controls,
-                        FrameClock& clock,
-                        const std::function<void(std::string)>& say) {
+using Say = std::function<void(std::string)>;
+
+void apply_time_actions(input::ActionLatch& latch, FrameClock& clock, const Say& say) {
     if (latch.take_frame_presses(Action::Pause) % 2 == 1) clock.set_paused(!clock.paused());
     for (int i = latch.take_frame_presses(Action::Step); i > 0; --i) {
         clock.set_paused(true);
@@ -21,60 +18,55 @@ void apply_time_actions(input::ActionLatch& latch,
     for (int i = 0; i < slower; ++i) clock.set_speed(clock.speed() * 0.5);
     for (int i = 0; i < faster; ++i) clock.set_speed(clock.speed() * 2.0);
     if (slower + faster > 0) say(fmt::format("speed {:g}x", clock.speed()));
-    if (latch.take_frame_presses(Action::Reset) > 0) controls.reset = true;
-    if (latch.take_frame_presses(Action::QuickSave) > 0) controls.save_slot = 0;
-    if (latch.take_frame_presses(Action::QuickLoad) > 0) controls.load_slot = 0;
-    if (latch.take_frame_presses(Action::Reload) > 0) controls.reload = true;
 }
 
-void apply_view_actions(input::ActionLatch& latch,
-                        FrameControls& controls,
-                        platform::Window& window,
-                        const std::function<void(std::string)>& say) {
+void apply_view_actions(input::ActionLatch& latch, ViewSettings& view, const Say& say) {
     const auto toggles = [&](Action action) { return latch.take_frame_presses(action) % 2 == 1; };
     using render::FillMode;
     const auto toggle_fill = [&](FillMode mode) {
-        controls.fill_mode = controls.fill_mode == mode ? FillMode::Filled : mode;
+        view.fill_mode = view.fill_mode == mode ? FillMode::Filled : mode;
     };
-    if (toggles(Action::Hud)) controls.parts.hud = !controls.parts.hud;
+    if (toggles(Action::Hud)) view.parts.hud = !view.parts.hud;
     for (int i = latch.take_frame_presses(Action::Stats); i > 0; --i)
-        controls.parts.stats = next(controls.parts.stats);
-    if (toggles(Action::AccuracyPanel)) controls.parts.accuracy = !controls.parts.accuracy;
-    if (toggles(Action::CollisionShapes)) controls.collision_shapes = !controls.collision_shapes;
-    if (toggles(Action::CollisionBoxes)) controls.collision_boxes = !controls.collision_boxes;
+        view.parts.stats = next(view.parts.stats);
+    if (toggles(Action::AccuracyPanel)) view.parts.accuracy = !view.parts.accuracy;
+    if (toggles(Action::CollisionShapes)) view.collision_shapes = !view.collision_shapes;
+    if (toggles(Action::CollisionBoxes)) view.collision_boxes = !view.collision_boxes;
     if (const int times = latch.take_frame_presses(Action::DepthTest); times > 0) {
-        controls.depth_test = render::next(controls.depth_test, times);
-        say(fmt::format("depth test: {}", render::name_of(controls.depth_test)));
+        view.depth_test = render::next(view.depth_test, times);
+        say(fmt::format("depth test: {}", render::name_of(view.depth_test)));
     }
     if (toggles(Action::Wireframe)) toggle_fill(FillMode::Wireframe);
     if (toggles(Action::Points)) toggle_fill(FillMode::Points);
-    if (latch.take_frame_presses(Action::Filled) > 0) controls.fill_mode = FillMode::Filled;
-    if (toggles(Action::Fullscreen)) window.set_fullscreen(!window.fullscreen());
-    if (latch.take_frame_presses(Action::Screenshot) > 0) controls.screenshot = true;
-    if (latch.take_frame_presses(Action::Record) > 0) controls.save_recording = true;
-    if (toggles(Action::Film)) controls.film = true;
+    if (latch.take_frame_presses(Action::Filled) > 0) view.fill_mode = FillMode::Filled;
 }
 
-/// Named in the contract of actions, built with the parts of the program that they belong to.
-void refuse_unbuilt_actions(input::ActionLatch& latch,
-                            const std::function<void(std::string)>& say) {
-    for (std::size_t i = 0; i < kActionCount; ++i) {
-        const auto action = static_cast<Action>(i);
-        if (in_this_version(action) || latch.take_frame_presses(action) == 0) continue;
-        say(fmt::format("\"{}\" is not available", action_words(action)));
+void ask_for_actions(input::ActionLatch& latch, Requests& requests) {
+    const auto pressed = [&](Action action) { return latch.take_frame_presses(action) > 0; };
+    const auto toggled = [&](Action action) { return latch.take_frame_presses(action) % 2 == 1; };
+    if (pressed(Action::Reset)) requests.push_back(WorldRequest{StartAgain{}});
+    if (pressed(Action::Reload)) {
+        requests.push_back(ReloadScene{});
+        requests.push_back(ReloadShaders{});
     }
+    if (pressed(Action::QuickSave)) requests.push_back(SaveGame{});
+    if (pressed(Action::QuickLoad)) requests.push_back(LoadGame{});
+    if (pressed(Action::Screenshot)) requests.push_back(SaveImage{});
+    if (pressed(Action::Record)) requests.push_back(SaveRecording{});
+    if (toggled(Action::Film)) requests.push_back(StartOrEndFilm{});
+    if (toggled(Action::Fullscreen)) requests.push_back(ToggleFullscreen{});
 }
 
 }  // namespace
 
 void apply_frame_actions(input::ActionLatch& latch,
-                         FrameControls& controls,
+                         ViewSettings& view,
                          FrameClock& clock,
-                         platform::Window& window,
-                         const std::function<void(std::string)>& say) {
-    apply_time_actions(latch, controls, clock, say);
-    apply_view_actions(latch, controls, window, say);
-    refuse_unbuilt_actions(latch, say);
+                         Requests& requests,
+                         const Say& say) {
+    apply_time_actions(latch, clock, say);
+    apply_view_actions(latch, view, say);
+    ask_for_actions(latch, requests);
 }
 
 void resume_toggles(const scene::Game& game, input::ActionLatch& latch) {

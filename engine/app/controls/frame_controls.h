@@ -2,52 +2,47 @@
 // runs, never the world itself.
 #pragma once
 
-#include "engine/app/overlay/overlay.h"
+#include "engine/app/request.h"
 #include "engine/core/time/frame_clock.h"
 #include "engine/input/action_latch.h"
-#include "engine/platform/window.h"
 #include "engine/render/render_frame.h"
 #include "engine/scene/game.h"
 
-#include <filesystem>
+#include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 
 namespace plumbline::app {
 
-/// What the frame actions have set so far, and what they ask for once.
-struct FrameControls {
+/// The statistics key goes through them.
+enum class StatsPage : std::uint8_t { Off, Summary, FullTable };
+
+constexpr StatsPage next(StatsPage page) {
+    return page == StatsPage::FullTable ? StatsPage::Off
+                                        : static_cast<StatsPage>(static_cast<int>(page) + 1);
+}
+
+/// Which parts of the overlay are shown.
+struct OverlayParts {
+    bool hud{true};
+    StatsPage stats{StatsPage::Off};
+    bool accuracy{false};
+};
+
+/// How the world is shown.
+struct ViewSettings {
     OverlayParts parts{};
     render::FillMode fill_mode{render::FillMode::Filled};
     bool collision_shapes{false};
     bool collision_boxes{false};
     render::DepthTest depth_test{render::DepthTest::Less};
-
-    // Asked for in this frame; the loop does them and clears them.
-    bool quit{false};
-    bool reset{false};
-    bool reload{false};
-    bool screenshot{false};
-    bool save_recording{false};
-    bool film{false};
-    std::optional<int> save_slot;  ///< 0: the one used last
-    std::optional<int> load_slot;
-    std::filesystem::path open_scene;  ///< chosen in the menu, or dropped
-
-    void clear_requests() {
-        quit = reset = reload = screenshot = save_recording = film = false;
-        save_slot.reset();
-        load_slot.reset();
-        open_scene.clear();
-    }
 };
 
-/// Applies this frame's presses. `say`: one line for the person.
+/// Applies this frame's presses, and adds what they ask for. `say`: one line for the person.
 void apply_frame_actions(input::ActionLatch& latch,
-                         FrameControls& controls,
+                         ViewSettings& view,
                          FrameClock& clock,
-                         platform::Window& window,
+                         Requests& requests,
                          const std::function<void(std::string)>& say);
 
 /// Puts what is toggled (grab, crouch) where a saved game has it: its keys need not be pressed again.

@@ -8,19 +8,23 @@
 
 namespace plumbline::app::panels {
 
-float draw_animation_bar(AnimationBar& bar, float width_px, float height_px, float font_px) {
-    const float wide_px = std::min(width_px * 0.7F, font_px * 44.0F);
+float draw_animation_bar(const AnimationBar& bar, float font_px, Requests& requests) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float wide_px = std::min(screen.x * 0.7F, font_px * 44.0F);
     ImGui::SetNextWindowPos(
-        {width_px * 0.5F, height_px - font_px * 0.8F}, ImGuiCond_Always, {0.5F, 1.0F});
+        {screen.x * 0.5F, screen.y - font_px * 0.8F}, ImGuiCond_Always, {0.5F, 1.0F});
     ImGui::SetNextWindowSize({wide_px, 0.0F});
     ImGui::SetNextWindowBgAlpha(0.6F);
     ImGui::Begin(
         "animation",
         nullptr,
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    if (ImGui::Button(bar.paused ? "play" : "stop")) bar.paused = !bar.paused;
+    const auto ask = [&](double time_s, bool paused, bool next) {
+        requests.push_back(WorldRequest{SetAnimation{time_s, paused, next}});
+    };
+    if (ImGui::Button(bar.paused ? "play" : "stop")) ask(bar.time_s, !bar.paused, false);
     ImGui::SameLine();
-    if (ImGui::Button("next")) bar.next = true;
+    if (ImGui::Button("next")) ask(0.0, bar.paused, true);
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
     auto time_s = static_cast<float>(bar.time_s);
@@ -29,7 +33,7 @@ float draw_animation_bar(AnimationBar& bar, float width_px, float height_px, flo
     // The text is no pattern: a name may hold any sign.
     ImGui::PushID("time");
     if (ImGui::SliderFloat("", &time_s, 0.0F, static_cast<float>(bar.length_s), "")) {
-        bar.time_s = static_cast<double>(time_s);
+        ask(static_cast<double>(time_s), bar.paused, false);
     }
     ImGui::PopID();
     const ImVec2 from = ImGui::GetItemRectMin();

@@ -7,17 +7,10 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
-#include <algorithm>
-#include <deque>
 #include <map>
-#include <utility>
 
 namespace plumbline::app {
 namespace {
-
-constexpr double kMessage_s = 4.0;
-constexpr double kReading_s = 0.04;  // for each letter
-constexpr std::size_t kMessages = 6;
 
 std::map<std::string, std::filesystem::path> thumbnails_in(const std::filesystem::path& folder) {
     std::map<std::string, std::filesystem::path> files;
@@ -44,8 +37,6 @@ struct Overlay::Impl {
 
     platform::Window& window;
     ui::Canvas canvas;
-    std::deque<panels::Message> messages;
-    bool sound_was_silent{false};
 };
 
 Overlay::Overlay(platform::Window& window, const std::filesystem::path& thumbnails)
@@ -70,47 +61,24 @@ void Overlay::follow_window(float ui_scale, ui::MenuControl& menu) {
     menu.lay_out(canvas.width_px(), canvas.height_px(), canvas.font_px(), canvas.text_size());
 }
 
-void Overlay::say(std::string message, double now_s) {
-    const double until_s = now_s + kMessage_s + kReading_s * static_cast<double>(message.size());
-    // A message that is still up is renewed, not stacked.
-    for (panels::Message& shown : impl_->messages) {
-        if (shown.text == message) {
-            shown.until_s = until_s;
-            return;
-        }
-    }
-    impl_->messages.push_back({std::move(message), until_s});
-    if (impl_->messages.size() > kMessages) impl_->messages.pop_front();
-}
-
-void Overlay::say_latest(std::string message, double now_s) {
-    const std::string_view stem = panels::stem_of(message);
-    std::erase_if(impl_->messages, [&](const panels::Message& shown) {
-        return panels::stem_of(shown.text) == stem;
-    });
-    say(std::move(message), now_s);
-}
-
-AccuracyRequest Overlay::draw(const OverlayInput& input,
-                              const InputSnapshot& devices,
-                              const ui::MenuControl& menu) {
-    std::erase_if(impl_->messages,
-                  [&](const panels::Message& m) { return m.until_s < input.now_s; });
-    // The start page is not written over.
-    if (!menu.open() &&
-        std::exchange(impl_->sound_was_silent, input.sound_silent) != input.sound_silent)
-        say(input.sound_silent ? "no sound device: sound is off" : "sound is back", input.now_s);
+void Overlay::draw(const OverlayInput& input,
+                   const InputSnapshot& devices,
+                   const ui::MenuControl& menu,
+                   Requests& requests) {
     ui::Canvas& canvas = impl_->canvas;
     ImGui_ImplOpenGL3_NewFrame();
     canvas.begin(devices);
-    AccuracyRequest answer;
     float side_px = 0.0F;
     if (input.parts.accuracy && !menu.open())
-        answer = panels::draw_accuracy(input.accuracy, input.clock, canvas.font_px(), side_px);
+        side_px = panels::draw_accuracy({.control = input.accuracy,
+                                         .clock = input.clock,
+                                         .replaying = input.replaying,
+                                         .is_hard_case = input.judge != nullptr},
+                                        canvas.font_px(),
+                                        requests);
     float bar_px = 0.0F;
-    if (input.animation != nullptr && input.parts.hud && !menu.open()) {
-        bar_px = panels::draw_animation_bar(
-            *input.animation, canvas.width_px(), canvas.height_px(), canvas.font_px());
+    if (input.animation && input.parts.hud && !menu.open()) {
+        bar_px = panels::draw_animation_bar(*input.animation, canvas.font_px(), requests);
     }
     ui::HudTexts texts;
     if (!menu.open()) {
@@ -118,7 +86,7 @@ AccuracyRequest Overlay::draw(const OverlayInput& input,
         // Two panels of that size stand beside each other in wide windows only.
         if (side_px > canvas.width_px() * 0.4F) texts.side.clear();
     }
-    texts.messages = panels::message_lines(impl_->messages, input.now_s, input.reduce_motion);
+    texts.messages = input.messages;
     for (const std::string& fault : input.faults)
         texts.messages.push_back({.text = fault, .tone = ui::Tone::Bad});
     const ui::HudLayout layout = ui::layout_of(texts,
@@ -140,11 +108,15 @@ AccuracyRequest Overlay::draw(const OverlayInput& input,
     canvas.draw(layout.messages, kSolid, ui::Layer::Above);
     canvas.end();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    return answer;
 }
 
-bool Overlay::wants_mouse() const {
-    return ImGui::GetIO().WantCaptureMouse;
+bool Overlay::takes_pointer(double x_px, double y_px) const {
+    return ImGui::GetIO().WantCaptureMouse ||
+           impl_->canvas.covers(static_cast<float>(x_px), static_cast<float>(y_px));
+}
+
+bool Overlay::takes_keys() const {
+    return impl_->canvas.takes_keys();
 }
 
 }  // namespace plumbline::app

@@ -108,17 +108,6 @@ ui::HudTexts hud_texts(const OverlayInput& input) {
     return texts;
 }
 
-std::vector<HudLine> message_lines(const std::deque<Message>& messages,
-                                   double now_s,
-                                   bool reduce_motion) {
-    std::vector<HudLine> lines;
-    for (const Message& message : messages) {
-        const auto fade = static_cast<float>(std::clamp(message.until_s - now_s, 0.05, 1.0));
-        lines.push_back({.text = message.text, .alpha = reduce_motion ? 1.0F : fade});
-    }
-    return lines;
-}
-
 void draw_crosshair(const OverlayInput& input, float font_px) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;

@@ -10,6 +10,7 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
+#include <utility>
 
 namespace plumbline::app::ui {
 namespace {
@@ -21,6 +22,13 @@ constexpr std::array<ImWchar, 11> kLetters{
     0x20, 0x17F, 0x370, 0x3FF, 0x400, 0x52F, 0x2010, 0x203A, 0x2190, 0x2199, 0};
 
 constexpr ImU32 kBar = IM_COL32(38, 92, 138, 200);
+// What panels know of the keyboard, by GLFW's codes. Space is what Dear ImGui activates with.
+constexpr std::array<std::pair<ImGuiKey_, int>, 6> kPanelKeys{{{ImGuiKey_UpArrow, 265},
+                                                               {ImGuiKey_DownArrow, 264},
+                                                               {ImGuiKey_Space, 257},
+                                                               {ImGuiKey_Space, 335},
+                                                               {ImGuiKey_Space, 32},
+                                                               {ImGuiKey_Escape, kEscapeKey}}};
 
 ImU32 color_of(Tone tone, float alpha) {
     const auto a = static_cast<int>(std::clamp(alpha, 0.0F, 1.0F) * 255.0F);
@@ -58,7 +66,8 @@ Canvas::Canvas() : impl_(std::make_unique<Impl>()) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
-    io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+    io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange | ImGuiConfigFlags_NavEnableKeyboard;
+    for (const auto& [key, code] : kPanelKeys) io.KeyMap[key] = key;
     impl_->text_size.width_px = [impl = impl_.get()](const std::string& words) {
         const ImFont* font = ImGui::GetIO().Fonts->Fonts[0];
         return font
@@ -204,8 +213,30 @@ void Canvas::begin(const InputSnapshot& input) {
         if (event.kind == DeviceEventKind::Wheel && event.code < 2)
             io.MouseWheel += event.code == 0 ? 1.0F : -1.0F;
     }
+    for (const auto& [key, code] : kPanelKeys) io.KeysDown[key] = false;
+    for (const auto& [key, code] : kPanelKeys) {
+        // A press shorter than a frame counts as down for one.
+        const bool pressed = std::ranges::any_of(input.events, [code = code](const DeviceEvent& e) {
+            return e.kind == DeviceEventKind::Key && e.pressed && e.code == code;
+        });
+        if (takes_keys() && (pressed || input.keys[static_cast<std::size_t>(code)]))
+            io.KeysDown[key] = true;
+    }
     impl_->cut.clear();
     ImGui::NewFrame();
+}
+
+bool Canvas::takes_keys() const {
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
+bool Canvas::covers(float x_px, float y_px) const {
+    const ImVector<ImGuiWindow*>& windows = ImGui::GetCurrentContext()->Windows;
+    return std::any_of(windows.begin(), windows.end(), [&](const ImGuiWindow* window) {
+        return window->Active && !window->Hidden &&
+               (window->Flags & ImGuiWindowFlags_NoMouseInputs) == 0 &&
+               window->OuterRectClipped.Contains({x_px, y_px});
+    });
 }
 
 void Canvas::Impl::text(

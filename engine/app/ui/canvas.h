@@ -39,8 +39,13 @@ public:
     float width_px() const;
     float height_px() const;
 
-    /// One frame: what the pointer does is for panels with things to choose in them.
+    /// One frame: what the pointer does is for panels with things to choose in them, and so are the
+    /// arrows, Enter and Escape while takes_keys().
     void begin(const InputSnapshot& input);
+    /// A list of choices dropped down in the last frame.
+    bool takes_keys() const;
+    /// A panel of the last frame lies there.
+    bool covers(float x_px, float y_px) const;
     void draw(const HudPanel& panel, float opacity, Layer layer = Layer::Below);
     void draw(const Menu& menu);
     void end();

@@ -27,14 +27,15 @@ std::bitset<kKeyCount> keys_before(const InputSnapshot& input) {
 }  // namespace
 
 void MenuPages::change_bindings(const std::function<void(input::Bindings&)>& change) {
-    input::Bindings wanted = world_.bindings.stored();
+    input::Bindings wanted = stored();
     change(wanted);
-    world_.change_bindings(wanted);
+    ask(ChangeBindings{wanted});
+    changed_bindings_ = std::move(wanted);
 }
 
 Line MenuPages::binding_line(Action action) {
-    const input::Bindings& stored = world_.bindings.stored();
-    const input::Bindings& below = world_.bindings.below();
+    const input::Bindings& stored = this->stored();
+    const input::Bindings& below = world_.bindings->below();
     Line line{.kind = LineKind::Cells, .label = std::string(action_words(action))};
     const std::vector<input::Input>& inputs = stored.of(action);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -69,7 +70,7 @@ Line MenuPages::binding_line(Action action) {
         stored.hold_mode[index] != below.hold_mode[index]) {
         line.cells.push_back({.text = "reset", .icon = Icon::Again, .activate = [this, action] {
                                   change_bindings([&](input::Bindings& wanted) {
-                                      input::reset_action(wanted, world_.bindings.below(), action);
+                                      input::reset_action(wanted, world_.bindings->below(), action);
                                   });
                               }});
     }
@@ -81,7 +82,9 @@ Page MenuPages::controls() {
     page.lines.push_back(
         {.kind = LineKind::Cells,
          .cells = {back_cell(), {.text = "Reset all", .icon = Icon::Again, .activate = [this] {
-                                     world_.change_bindings(world_.bindings.below());
+                                     change_bindings([this](input::Bindings& wanted) {
+                                         wanted = world_.bindings->below();
+                                     });
                                  }}}});
     page.lines.push_back({.kind = LineKind::Text,
                           .label =
@@ -91,7 +94,7 @@ Page MenuPages::controls() {
     for (std::size_t i = 0; i < kActionCount; ++i) {
         const auto action = static_cast<Action>(i);
         // How one looks around is a whole stick or the mouse: no press names those.
-        if (!in_this_version(action) || action == Action::Look) continue;
+        if (!is_offered(action) || action == Action::Look) continue;
         if (group != group_of(action)) {
             group = group_of(action);
             page.lines.push_back(
@@ -101,7 +104,7 @@ Page MenuPages::controls() {
                  .cells = {
                      {.text = "Reset group", .icon = Icon::Again, .activate = [this, of = *group] {
                           change_bindings([&](input::Bindings& wanted) {
-                              input::reset_group(wanted, world_.bindings.below(), of);
+                              input::reset_group(wanted, world_.bindings->below(), of);
                           });
                       }}}});
         }
@@ -141,7 +144,7 @@ void MenuPages::take_press(const InputSnapshot& input) {
         return;
     }
     const input::Input taken = capture_->taken();
-    const input::Bindings& stored = world_.bindings.stored();
+    const input::Bindings& stored = this->stored();
     refused_ = input::why_not(stored, taken, slot_.action);
     if (!refused_.empty()) {
         capture_.emplace(input.keys);
@@ -167,7 +170,7 @@ Page MenuPages::conflict_page() {
               .most_width = 40.0F};
     std::string others;
     std::string unbound;
-    const input::Bindings& stored = world_.bindings.stored();
+    const input::Bindings& stored = this->stored();
     for (const Action other : input::also_drives(stored, *wanted_, slot_.action)) {
         others += fmt::format("{}\"{}\"", others.empty() ? "" : " and ", action_words(other));
         if (stored.of(other).size() == 1)

@@ -10,28 +10,48 @@
 
 namespace plumbline::app::ui {
 
+void MenuPages::switch_effect(const std::string& effect, std::optional<bool> on) {
+    if (on)
+        world_.switches.turn(effect, *on);
+    else
+        world_.switches.effects.erase(effect);
+    ask(WorldRequest{SwitchEffect{effect, on}});
+}
+
+void MenuPages::set_fog(float density_scale, std::size_t color) {
+    switch_effect("fog", true);  // whoever changes it wants to see it
+    world_.switches.fog_density_scale = density_scale;
+    world_.switches.fog_color = color;
+    ask(WorldRequest{SetFog{density_scale, static_cast<std::uint32_t>(color)}});
+}
+
+void MenuPages::set_light(float scale) {
+    world_.switches.light_scale = scale;
+    ask(WorldRequest{SetLight{scale}});
+}
+
+void MenuPages::set_hour(double hour) {
+    world_.hour = hour;
+    ask(WorldRequest{SetHour{hour}});
+}
+
 Line MenuPages::fog_colors() {
+    const scene::LiveSwitches& now = world_.switches;
     Line colors{.kind = LineKind::Cells, .label = "Fog colour"};
     for (std::size_t i = 0; i < scene::kFogColors.size(); ++i) {
-        colors.cells.push_back({.text = std::string(scene::kFogColors[i].name),
-                                .activate =
-                                    [this, i] {
-                                        world_.switches().turn("fog", true);
-                                        world_.switches().fog_color = i;
-                                    },
-                                .marked = world_.switches().fog_color == i});
+        colors.cells.push_back(
+            {.text = std::string(scene::kFogColors[i].name),
+             .activate = [this, i] { set_fog(world_.switches.fog_density_scale, i); },
+             .marked = now.fog_color == i});
     }
     return colors;
 }
 
 void MenuPages::add_light(Page& page) {
-    const scene::LiveSwitches& now = world_.switches();
-    const scene::FogDescription fog = world_.scene_fog();
-    const auto change = [this](const std::function<void(scene::LiveSwitches&)>& change_of) {
-        change_of(world_.switches());
-    };
+    const scene::LiveSwitches& now = world_.switches;
+    const scene::FogDescription& fog = world_.fog;
     // Equal steps of the logarithm, as the keys take them.
-    const auto factor = [&](std::string text, float value, float least, float most, auto set) {
+    const auto factor = [](std::string text, float value, float least, float most, auto set) {
         const auto log_of = [](float number) { return static_cast<double>(std::log2(number)); };
         const double notch = log_of(scene::kLiveNotch);
         return slider(std::move(text),
@@ -39,17 +59,12 @@ void MenuPages::add_light(Page& page) {
                       std::ceil(log_of(least) / notch) * notch,
                       std::floor(log_of(most) / notch) * notch,
                       notch,
-                      [change, set](double wanted) {
-                          change([&](scene::LiveSwitches& switches) {
-                              set(switches, static_cast<float>(std::exp2(wanted)));
-                          });
-                      });
+                      [set](double wanted) { set(static_cast<float>(std::exp2(wanted))); });
     };
     page.lines.push_back({.kind = LineKind::Cells,
                           .label = "Fog",
-                          .cells = {toggle(now.is_on("fog", fog.on), [change](bool on) {
-                              change([on](scene::LiveSwitches& s) { s.turn("fog", on); });
-                          })}});
+                          .cells = {toggle(now.is_on("fog", fog.on),
+                                           [this](bool on) { switch_effect("fog", on); })}});
     page.lines.push_back(
         {.kind = LineKind::Cells,
          .label = "Fog density",
@@ -57,20 +72,16 @@ void MenuPages::add_light(Page& page) {
                           now.fog_density_scale,
                           scene::kThinnestFog,
                           scene::kDensestFog,
-                          [](scene::LiveSwitches& s, float value) {
-                              s.turn("fog", true);  // who changes it wants to see it
-                              s.fog_density_scale = value;
-                          })}});
+                          [this](float value) { set_fog(value, world_.switches.fog_color); })}});
     page.lines.push_back(fog_colors());
-    page.lines.push_back(
-        {.kind = LineKind::Cells,
-         .label = "Sun and sky",
-         .cells = {factor(percent(now.light_scale),
-                          now.light_scale,
-                          scene::kDimmestLight,
-                          scene::kBrightestLight,
-                          [](scene::LiveSwitches& s, float value) { s.light_scale = value; })}});
-    if (const std::optional<double> hour = world_.hour()) add_hour(page, *hour);
+    page.lines.push_back({.kind = LineKind::Cells,
+                          .label = "Sun and sky",
+                          .cells = {factor(percent(now.light_scale),
+                                           now.light_scale,
+                                           scene::kDimmestLight,
+                                           scene::kBrightestLight,
+                                           [this](float value) { set_light(value); })}});
+    if (world_.hour) add_hour(page, *world_.hour);
     page.lines.push_back({.kind = LineKind::Text,
                           .label = "These settings last until you reset or leave the scene."});
 }
@@ -85,16 +96,16 @@ void MenuPages::add_hour(Page& page, double hour) {
                                            0,
                                            24 - kQuarter,  // 24 is 0 again
                                            kQuarter,
-                                           world_.set_hour)}});
-    scene::LiveSwitches& now = world_.switches();
+                                           [this](double wanted) { set_hour(wanted); })}});
+    const scene::LiveSwitches& now = world_.switches;
     const bool by_themselves = !now.effects.contains("lamps");
     Line lamps{.kind = LineKind::Cells, .label = "Lamps"};
     lamps.cells.push_back({.text = "automatic",
-                           .activate = [this] { world_.switches().effects.erase("lamps"); },
+                           .activate = [this] { switch_effect("lamps", std::nullopt); },
                            .marked = by_themselves});
     for (const bool on : {true, false}) {
         lamps.cells.push_back({.text = on ? "on" : "off",
-                               .activate = [this, on] { world_.switches().turn("lamps", on); },
+                               .activate = [this, on] { switch_effect("lamps", on); },
                                .marked = !by_themselves && now.is_on("lamps", true) == on});
     }
     page.lines.push_back(std::move(lamps));

@@ -2,6 +2,9 @@
 
 #include "engine/input/modifier_keys.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace plumbline::app::ui {
 
 void MenuControl::show_start() {
@@ -17,7 +20,14 @@ void MenuControl::take_event(const DeviceEvent& event, const input::Bindings& bi
     for (const MenuPress press : MenuKeys::press_of(event, bindings)) menu_.press(press);
 }
 
-InputSnapshot MenuControl::take(const InputSnapshot& input, const input::Bindings& bindings) {
+InputSnapshot MenuControl::take(const InputSnapshot& input, Requests& requests) {
+    InputSnapshot rest = take(input);
+    std::ranges::move(pages_.take_requests(), std::back_inserter(requests));
+    return rest;
+}
+
+InputSnapshot MenuControl::take(const InputSnapshot& input) {
+    const input::Bindings& bindings = pages_.bindings().current();
     pages_.set_pad_present(input.pad_present);
     InputSnapshot rest = input;
     rest.events.clear();

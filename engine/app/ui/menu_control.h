@@ -5,6 +5,8 @@
 #include "engine/app/ui/menu_input.h"
 #include "engine/app/ui/pages.h"
 
+#include <utility>
+
 namespace plumbline::app::ui {
 
 class MenuControl {
@@ -15,16 +17,19 @@ public:
     const Menu& menu() const { return menu_; }
     void show_start();
 
+    /// What the pages show from now on; once a frame, before lay_out().
+    void show(MenuWorld world) { pages_.show(std::move(world)); }
     /// As the window and its letters are now; before take() and before drawing.
     void lay_out(float width_px, float height_px, float font_px, const TextSize& text) {
         menu_.lay_out(width_px, height_px, font_px, text);
     }
 
     /// Takes this frame's events one by one, in order: the one that opens the menu, and from there
-    /// on what is the menu's. Returns what is left for playing.
-    InputSnapshot take(const InputSnapshot& input, const input::Bindings& bindings);
+    /// on what is the menu's. Returns what is left for playing, and adds what was chosen.
+    InputSnapshot take(const InputSnapshot& input, Requests& requests);
 
 private:
+    InputSnapshot take(const InputSnapshot& input);
     void take_event(const DeviceEvent& event, const input::Bindings& bindings);
 
     Menu menu_;

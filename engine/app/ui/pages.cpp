@@ -84,13 +84,13 @@ Cell MenuPages::back_cell() {
 
 std::vector<Cell> MenuPages::cards(const std::string& folder, bool are_users_own) {
     std::vector<Cell> cells;
-    for (const scene::ListedScene& scene : world_.scenes) {
+    for (const scene::ListedScene& scene : *world_.scenes) {
         if (folder_of(scene) != folder || scene.is_users_own != are_users_own) continue;
         // Copies have the titles of what they were made of.
         cells.push_back({.text = are_users_own ? scene.name : title_of(scene),
                          .note = are_users_own ? title_of(scene) : scene.description,
                          .thumbnail = scene.name,
-                         .activate = [this, file = scene.file] { world_.open_scene(file); }});
+                         .activate = [this, file = scene.file] { ask(OpenScene{file}); }});
     }
     // Lessons stand in their own order, all else by name.
     std::ranges::stable_sort(
@@ -102,7 +102,7 @@ void MenuPages::add_scenes(Page& page) {
     page.lines.push_back({.kind = LineKind::Heading, .label = "Scenes"});
     Line shipped{.kind = LineKind::Cards, .cells = cards({}, false)};
     std::map<std::string, std::vector<const scene::ListedScene*>> folders;
-    for (const scene::ListedScene& scene : world_.scenes)
+    for (const scene::ListedScene& scene : *world_.scenes)
         folders[folder_of(scene)].push_back(&scene);
     for (const auto& [name, scenes] : folders) {
         if (name.empty() || name.starts_with(kBenchFolder)) continue;
@@ -147,7 +147,7 @@ Page MenuPages::start() {
                    to_page("Settings", Icon::Settings, &MenuPages::settings),
                    to_page("Controls", Icon::Keys, &MenuPages::controls),
                    to_page("Help", Icon::Help, &MenuPages::help),
-                   {.text = "Quit", .icon = Icon::Quit, .activate = [this] { world_.quit(); }}}});
+                   {.text = "Quit", .icon = Icon::Quit, .activate = [this] { ask(Quit{}); }}}});
     add_scenes(page);
     return page;
 }
@@ -161,7 +161,7 @@ Page MenuPages::in_play() {
                     .icon = Icon::Again,
                     .activate =
                         [this] {
-                            world_.start_again();
+                            ask(WorldRequest{StartAgain{}});
                             menu_.close();
                         }},
                    to_page("Scenes", Icon::Scenes, &MenuPages::all_scenes),
@@ -169,27 +169,27 @@ Page MenuPages::in_play() {
                    to_page("Controls", Icon::Keys, &MenuPages::controls),
                    to_page("Help", Icon::Help, &MenuPages::help),
                    to_page("Saved games", Icon::Save, &MenuPages::saved_games),
-                   {.text = "Quit", .icon = Icon::Quit, .activate = [this] { world_.quit(); }}}});
+                   {.text = "Quit", .icon = Icon::Quit, .activate = [this] { ask(Quit{}); }}}});
     return page;
 }
 
 Page MenuPages::saved_games() {
     Page page{.title = fmt::format("Saved games: {}", world_.scene_title), .most_width = 32.0F};
     page.lines.push_back({.kind = LineKind::Cells, .cells = {back_cell()}});
-    for (const SaveSlot& slot : world_.save_slots()) {
+    for (const SaveSlot& slot : world_.saves) {
         Line line{
             .kind = LineKind::Cells,
             .label = fmt::format("{}  {}", slot.number, slot.saved.empty() ? "empty" : slot.saved)};
         line.cells.push_back({.text = "Save",
                               .activate =
                                   [this, number = slot.number] {
-                                      world_.save_game(number);
+                                      ask(SaveGame{number});
                                       menu_.close();
                                   },
                               .marked = slot.is_latest});
         if (!slot.saved.empty()) {
             line.cells.push_back({.text = "Load", .activate = [this, number = slot.number] {
-                                      world_.load_game(number);
+                                      ask(LoadGame{number});
                                       menu_.close();
                                   }});
         }
@@ -212,10 +212,10 @@ Page MenuPages::help() {
          .cells = {back_cell(),
                    to_page("Controls", Icon::Keys, &MenuPages::controls),
                    {.text = "Reset hints", .icon = Icon::Again, .activate = [this] {
-                        world_.forget_first_minute();
+                        ask(ShowHintsAgain{});
                     }}}});
-    const input::Bindings& bindings = world_.bindings.current();
-    const bool at_model = world_.looks_at_model();
+    const input::Bindings& bindings = this->bindings().current();
+    const bool at_model = world_.looks_at_model;
     const std::span<const Action> essential = at_model ? std::span<const Action>(kEssentialAtModel)
                                                        : std::span<const Action>(kEssentialInPlay);
     page.lines.push_back({.kind = LineKind::Heading, .label = "Essentials"});
@@ -239,12 +239,12 @@ Page MenuPages::help() {
 }
 
 void MenuPages::add_help_group(Page& page, ActionGroup group, std::span<const Action> shown_above) {
-    const input::Bindings& bindings = world_.bindings.current();
-    const bool at_model = world_.looks_at_model();
+    const input::Bindings& bindings = this->bindings().current();
+    const bool at_model = world_.looks_at_model;
     std::vector<Line> lines;
     for (std::size_t i = 0; i < kActionCount; ++i) {
         const auto action = static_cast<Action>(i);
-        if (group_of(action) != group || !in_this_version(action)) continue;
+        if (group_of(action) != group || !is_offered(action)) continue;
         if (at_model ? !is_for_models(action) : !is_for_play(action)) continue;
         if (std::ranges::find(shown_above, action) != shown_above.end()) continue;
         std::string keys = all_labels(bindings, action, has_pad_);

@@ -1,8 +1,8 @@
-// The pages of the menu: what is on them and what choosing does.
+// The pages of the menu: what is on them and what choosing asks for.
 #pragma once
 
 #include "engine/app/controls/live_bindings.h"
-#include "engine/app/settings/live_config.h"
+#include "engine/app/request.h"
 #include "engine/app/ui/menu.h"
 #include "engine/input/bindings_edit.h"
 #include "engine/scene/paths/scene_list.h"
@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace plumbline::app::ui {
@@ -25,33 +26,21 @@ struct SaveSlot {
     bool is_latest{false};  ///< what the keys save to and load from
 };
 
-/// What the pages read and do. All of it must outlive them. So many fields because each thing that can be
-/// chosen in the menu is one.
+/// What the pages show: the program as it is at the beginning of a frame. Pages change their copy as
+/// something is chosen, so that every press of a frame counts, and ask for the same.
 struct MenuWorld {
-    const LiveConfig& config;
-    const LiveBindings& bindings;
-    const std::vector<scene::ListedScene>& scenes;
-    std::string scene_title;                   ///< of the one that is open
-    std::function<study::Setting()> accuracy;  ///< as the world runs now
-    bool accuracy_is_recorded{false};          ///< it cannot be changed then
-
-    std::function<void(const AppConfig&)> change_config;
-    std::function<void(const input::Bindings&)> change_bindings;
-    std::function<void(const study::Setting&)> change_accuracy;
-    std::function<void()> adopt_accuracy;  ///< into a copy of the scene
-    std::function<bool()> looks_at_model;  ///< a model by itself is turned, nobody plays
-    std::function<void(const std::filesystem::path&)> open_scene;
-    std::function<scene::LiveSwitches&()> switches;    ///< of the running scene
-    std::function<scene::FogDescription()> scene_fog;  ///< as the scene has it, or a plain one
-    std::function<std::optional<double>()>
-        hour;  ///< of the scene's day; none: its sun stands still
-    std::function<void(double)> set_hour;
-    std::function<void()> start_again;
-    std::function<std::vector<SaveSlot>()> save_slots;
-    std::function<void(int)> save_game;  ///< to the slot of this number
-    std::function<void(int)> load_game;
-    std::function<void()> quit;
-    std::function<void()> forget_first_minute;
+    const LiveBindings* bindings{nullptr};  ///< must outlive the menu, as the scenes
+    const std::vector<scene::ListedScene>* scenes{nullptr};
+    AppConfig config{};
+    AppConfig config_below{};  ///< where "reset" leads back to
+    std::string scene_title{};
+    bool replaying{false};       ///< a recording keeps its accuracy
+    bool looks_at_model{false};  ///< a model by itself is turned, nobody plays
+    study::Setting accuracy{};   ///< as the world runs
+    scene::LiveSwitches switches{};
+    scene::FogDescription fog{.on = false};  ///< as the scene has it, or a plain one
+    std::optional<double> hour{};            ///< of the scene's day; none: its sun stands still
+    std::vector<SaveSlot> saves{};
 };
 
 class MenuPages {
@@ -59,6 +48,15 @@ public:
     MenuPages(Menu& menu, MenuWorld world) : menu_(menu), world_(std::move(world)) {}
     MenuPages(const MenuPages&) = delete;
     MenuPages& operator=(const MenuPages&) = delete;
+
+    /// Once a frame, before what was pressed in it.
+    void show(MenuWorld world) {
+        world_ = std::move(world);
+        changed_bindings_.reset();
+    }
+    /// What was chosen since the last call.
+    Requests take_requests() { return std::exchange(requests_, {}); }
+    const LiveBindings& bindings() const { return *world_.bindings; }
 
     /// With the running scene behind it, which goes on from here.
     Page start();
@@ -79,6 +77,8 @@ private:
         std::size_t index{0};
     };
 
+    void ask(Request request) { requests_.push_back(std::move(request)); }
+
     // pages.cpp
     Page all_scenes();
     Page saved_games();
@@ -96,23 +96,34 @@ private:
     void add_accuracy(Page& page);
     Line setting_line(std::size_t row);
     void change_setting(std::size_t row, const std::function<void(const Setting&)>& change);
+    void change_accuracy(const study::Setting& setting);
 
     // light_page.cpp
     void add_light(Page& page);
     Line fog_colors();
     void add_hour(Page& page, double hour);
+    void switch_effect(const std::string& effect, std::optional<bool> on);
+    void set_fog(float density_scale, std::size_t color);
+    void set_light(float scale);
+    void set_hour(double hour);
 
     // controls_pages.cpp
     Page controls();
     Page press_page();
     Page conflict_page();
     Line binding_line(Action action);
+    /// As they are stored, with what was changed in this frame.
+    const input::Bindings& stored() const {
+        return changed_bindings_ ? *changed_bindings_ : world_.bindings->stored();
+    }
     void change_bindings(const std::function<void(input::Bindings&)>& change);
     void wait_for_press(Slot slot);
     void bind(Slot slot, const input::Input& input);
 
     Menu& menu_;
     MenuWorld world_;
+    std::optional<input::Bindings> changed_bindings_;
+    Requests requests_;
     Tab tab_{Tab::Image};
     bool has_pad_{false};
     bool capture_begins_{false};

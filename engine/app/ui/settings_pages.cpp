@@ -90,13 +90,17 @@ Cell count_cell(std::string_view key,
 }  // namespace
 
 void MenuPages::change_setting(std::size_t row, const std::function<void(const Setting&)>& change) {
-    AppConfig wanted = world_.config.current();
-    change(settings_of(wanted)[row]);
-    world_.change_config(wanted);
+    change(settings_of(world_.config)[row]);
+    ask(ChangeConfig{world_.config});
+}
+
+void MenuPages::change_accuracy(const study::Setting& setting) {
+    world_.accuracy = setting;
+    ask(WorldRequest{SetAccuracy{setting}});
 }
 
 Line MenuPages::setting_line(std::size_t row) {
-    AppConfig now = world_.config.current();
+    AppConfig now = world_.config;
     const Setting setting = settings_of(now)[row];
     Line line{.kind = LineKind::Cells, .label = std::string(setting.label)};
     if (bool* const* flag = std::get_if<bool*>(&setting.target)) {
@@ -134,7 +138,7 @@ Line MenuPages::setting_line(std::size_t row) {
 void MenuPages::add_settings(Page& page, std::vector<std::string_view> tables) {
     // What only counts at the next start is for the file.
     constexpr std::array<std::string_view, 3> kAtStart{"width", "height", "voices"};
-    AppConfig now = world_.config.current();
+    AppConfig now = world_.config;
     const std::vector<Setting> settings = settings_of(now);
     for (std::size_t i = 0; i < settings.size(); ++i) {
         const bool shown = std::ranges::find(tables, settings[i].table) != tables.end() &&
@@ -144,7 +148,7 @@ void MenuPages::add_settings(Page& page, std::vector<std::string_view> tables) {
 }
 
 void MenuPages::add_mouse(Page& page) {
-    const input::Bindings& bindings = world_.bindings.stored();
+    const input::Bindings& bindings = stored();
     for (const NamedTuning& named : kTuning) {
         const input::TuningKey& key = *input::find_tuning_key(named.key);
         Line line{.kind = LineKind::Cells, .label = std::string(named.label)};
@@ -178,7 +182,7 @@ void MenuPages::add_mouse(Page& page) {
         {.kind = LineKind::Cells,
          .cells = {{.text = "Reset to defaults", .icon = Icon::Again, .activate = [this] {
                         change_bindings([this](input::Bindings& wanted) {
-                            wanted.tuning = world_.bindings.below().tuning;
+                            wanted.tuning = world_.bindings->below().tuning;
                         });
                     }}}});
 }
@@ -225,31 +229,29 @@ Page MenuPages::settings() {
     page.lines.push_back(
         {.kind = LineKind::Cells,
          .cells = {{.text = "Reset to defaults", .icon = Icon::Again, .activate = [this, tables] {
-                        AppConfig wanted = world_.config.current();
-                        AppConfig below = world_.config.below();
-                        const std::vector<Setting> to = settings_of(wanted);
-                        const std::vector<Setting> from = settings_of(below);
+                        const std::vector<Setting> to = settings_of(world_.config);
+                        const std::vector<Setting> from = settings_of(world_.config_below);
                         for (std::size_t i = 0; i < to.size(); ++i) {
                             if (std::ranges::find(tables, to[i].table) != tables.end())
                                 copy_value(from[i], to[i]);
                         }
-                        world_.change_config(wanted);
+                        ask(ChangeConfig{world_.config});
                     }}}});
     return page;
 }
 
 void MenuPages::add_accuracy(Page& page) {
-    const study::Setting now = world_.accuracy();
+    const study::Setting now = world_.accuracy;
     page.lines.push_back(
         {.kind = LineKind::Text, .label = fmt::format("Current: {}", study::setting_text(now))});
-    if (world_.accuracy_is_recorded) {
+    if (world_.replaying) {
         page.lines.push_back(
-            {.kind = LineKind::Text, .label = "Accuracy is locked while recording or replaying."});
+            {.kind = LineKind::Text, .label = "Accuracy is locked while replaying."});
         return;
     }
     const auto choice = [&](std::string text, const study::Setting& setting) {
         return Cell{.text = std::move(text),
-                    .activate = [this, setting] { world_.change_accuracy(setting); },
+                    .activate = [this, setting] { change_accuracy(setting); },
                     .marked = setting == now};
     };
     Line presets{.kind = LineKind::Cells, .label = "Preset"};
@@ -274,7 +276,7 @@ void MenuPages::add_accuracy(Page& page) {
     page.lines.push_back({.kind = LineKind::Cells,
                           .cells = {{.text = "Save a copy of the scene with these settings",
                                      .icon = Icon::Scenes,
-                                     .activate = world_.adopt_accuracy}}});
+                                     .activate = [this] { ask(AdoptAccuracy{}); }}}});
     page.lines.push_back(
         {.kind = LineKind::Text,
          .label = "Accuracy belongs to the scene file, so that everybody gets the same simulation. "

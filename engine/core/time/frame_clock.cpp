@@ -33,7 +33,7 @@ FrameTime FrameClock::advance(double now_s) {
         step_requested_ = false;
         time.steps = 1;
     }
-    if (paused_) {
+    if (stands_still()) {
         time.blend = 1.0F;
         return time;
     }

@@ -40,6 +40,10 @@ public:
 
     void set_paused(bool paused) { paused_ = paused; }
     bool paused() const { return paused_; }
+    /// Time stands still as in a pause, which the person's own pause neither ends nor knows: while a
+    /// menu is open.
+    void hold(bool held) { held_ = held; }
+    bool stands_still() const { return paused_ || held_; }
     /// Runs one step in the next frame, paused or not.
     void request_step() { step_requested_ = true; }
 
@@ -63,6 +67,7 @@ private:
     double too_slow_s_{0.0};
     bool started_{false};
     bool paused_{false};
+    bool held_{false};
     bool step_requested_{false};
 };
 

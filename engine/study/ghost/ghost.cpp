@@ -35,6 +35,7 @@ struct Ghost::Impl {
     std::optional<ChildProcess> worker;
     std::string received;
     bool waiting{false};  ///< for an answer
+    bool ready{false};    ///< the first answer came
     std::deque<Observation> observations;
     double observed_s{0};
     double cpu_ms{0};
@@ -154,11 +155,15 @@ void Ghost::take_answers() {
         Result<GhostState> state = parse_ghost_state(answer->body);
         if (!state || state->bodies.size() != impl.bodies.size())
             return impl.fail(state ? "its bodies are not ours" : state.error().message);
+        impl.ready = true;
         impl.take(std::move(*state));
         impl.ask_next();
     }
 }
 
+bool Ghost::ready() const {
+    return impl_->ready;
+}
 const GhostState& Ghost::latest() const {
     return impl_->latest;
 }

@@ -30,6 +30,8 @@ public:
     void follow(const scene::Simulation& simulation);
     /// Once a frame: takes what the ghost has answered.
     void take_answers();
+    /// Its scene is loaded and stands where it was to start from.
+    bool ready() const;
 
     /// Poses of the bodies listed at the start, as of latest().time_s.
     const GhostState& latest() const;

@@ -27,7 +27,7 @@ TEST_F(SessionTest, ReloadReadsWhatWasSaved) {
     folder_.write("scene.toml", text);
     ASSERT_TRUE(session->reload().ok());
     EXPECT_EQ(session->simulation->moving_bodies().size(), 1U);
-    ASSERT_TRUE(session->reset().ok());
+    ASSERT_TRUE(session->apply(StartAgain{}).ok());
     EXPECT_EQ(session->simulation->moving_bodies().size(), 1U) << "reset keeps what was read";
 }
 
@@ -40,7 +40,7 @@ TEST_F(SessionTest, TheHourThatWasAskedForIsThatOfEveryStart) {
         const double expected = hour.value_or(9.0);
         EXPECT_NEAR(hour_of(*session->simulation).value_or(-1.0), expected, 0.01);
         set_hour(*session->simulation, 3.0);
-        ASSERT_TRUE(session->reset().ok());
+        ASSERT_TRUE(session->apply(StartAgain{}).ok());
         EXPECT_NEAR(hour_of(*session->simulation).value_or(-1.0), expected, 0.01);
         ASSERT_TRUE(session->reload().ok());
         EXPECT_NEAR(hour_of(*session->simulation).value_or(-1.0), expected, 0.01);

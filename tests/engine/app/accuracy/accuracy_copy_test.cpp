@@ -1,5 +1,6 @@
-// The copy of a scene that "adopt" writes: its own text with the setting in it.
-#include "engine/app/accuracy/accuracy_control.h"
+// The scene that "adopt" writes: the one that runs, with the setting over it.
+#include "engine/app/accuracy/accuracy_copy.h"
+
 #include "engine/core/io/files.h"
 #include "engine/scene/scene_file.h"
 #include "tests/engine/app/session_fixture.h"
@@ -52,11 +53,12 @@ TEST_F(AdoptedCopy, HoldsTheSettingAndEverythingElse) {
     const scene::Accuracy accuracy = accuracy_of(*copy);
     EXPECT_EQ(accuracy.step_hz, 120);
     EXPECT_EQ(accuracy.substeps, 8);
-    const auto text = read_file(*copy, 10000);
-    ASSERT_TRUE(text.ok());
-    EXPECT_NE(text->find("# a comment"), std::string::npos);
-    EXPECT_NE(text->find("name = \"cube\""), std::string::npos);
-    EXPECT_EQ(text->find("draft"), std::string::npos);
+    EXPECT_EQ(accuracy.preset, "balanced") << "nothing of the scene's own preset";
+    EXPECT_EQ(*read_file(*copy, 10000),
+              "# \"mine.toml\", at an accuracy that was chosen in play.\n"
+              "[scene]\nbase = \"mine.toml\"\nwithout = [\"accuracy\"]\n\n"
+              "[accuracy]\nsolver = \"small_step\"\nstep_hz = 120\nsubsteps = 8\n"
+              "iterations = 1\n");
 }
 
 TEST_F(AdoptedCopy, GetsTheTableThatTheSceneLacks) {
@@ -106,28 +108,52 @@ primitive = { box = [1, 1, 1] }
 }
 
 TEST_F(AdoptedCopy, LosesNothingOfTheFile) {
-    const std::string text = R"(# on top
+    const std::filesystem::path file = write(R"(# on top
+scene.title = "a tower"
+world.gravity_mps2 = [0, -1.62, 0]
 [accuracy]
-preset = "draft"        # fast
+preset = "auto"
+tolerance = 0.5
 joints = "iterative"
-step_hz = 30
-  [[entity]]            # indented, behind the table
-  name = "cube"
-  primitive = { box = [1, 1, 1] }
-  [entity.body]
-  kind = "dynamic"
-)";
-    const auto copy = adopt(write(text), kChosen);
+[[material]]
+name = "red"
+[[entity]]
+name = "cube"
+material = "red"
+primitive = { box = [1, 1, 1] }
+[entity.body]
+kind = "dynamic"
+)");
+    const auto copy = adopt(file, kChosen);
     ASSERT_TRUE(copy.ok()) << copy.error().message;
-    const std::string got = *read_file(*copy, 10000);
-    std::string expected = text;
-    const auto replace = [&](const std::string& from, const std::string& to) {
-        expected.replace(expected.find(from), from.size(), to);
-    };
-    replace("[accuracy]\n", "[accuracy]\niterations = 1\nsolver = \"small_step\"\nsubsteps = 8\n");
-    replace("\"draft\"", "\"balanced\"");
-    replace("step_hz = 30", "step_hz = 120");
-    EXPECT_EQ(got, expected);
+    Diagnostics faults;
+    const auto own = scene::read_description(file, folder_.path(), faults);
+    const auto made = scene::read_description(*copy, folder_.path(), faults);
+    ASSERT_TRUE(own.ok() && made.ok());
+    EXPECT_TRUE(faults.list().empty());
+    EXPECT_EQ(made->title, "a tower");
+    EXPECT_EQ(made->gravity_mps2, own->gravity_mps2);
+    EXPECT_EQ(made->materials.size(), 1U);
+    ASSERT_EQ(made->entities.size(), 1U);
+    EXPECT_EQ(made->entities[0].name, "cube");
+    EXPECT_EQ(made->accuracy.joints, physics::JointMethod::Iterative);
+    EXPECT_FALSE(made->accuracy.tolerance) << "a wish of the preset";
+    expect_chosen(made->accuracy);
+    // What is adopted can be adopted again.
+    const auto again = adopt(*copy, {.step_hz = 240, .substeps = 2});
+    ASSERT_TRUE(again.ok()) << again.error().message;
+    EXPECT_EQ(again->filename(), "mine-adopted-adopted.toml");
+    EXPECT_EQ(accuracy_of(*again).step_hz, 240);
+    EXPECT_EQ(accuracy_of(*again).joints, physics::JointMethod::Iterative);
+}
+
+TEST_F(AdoptedCopy, NamesItsSceneHoweverThatIsCalled) {
+    for (const char* name : {"a \"b\".toml", "\xC3\xA9t\xC3\xA9.toml", "tab\there.toml"}) {
+        const auto scene = folder_.write(name, kScene);
+        const auto copy = adopt(scene, kChosen);
+        ASSERT_TRUE(copy.ok()) << copy.error().message;
+        expect_chosen(accuracy_of(*copy));
+    }
 }
 
 TEST_F(AdoptedCopy, OverwritesNothing) {

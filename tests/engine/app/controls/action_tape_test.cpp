@@ -43,7 +43,7 @@ TEST(ActionTape, GivesBackEveryBitOfARandomSitting) {
     std::vector<Actions> made;
     TapeRecorder recorder(kHeader);
     for (std::uint64_t step = 0; step < 500; ++step) {
-        if (step == 100) recorder.add_reset(step);
+        if (step == 100) recorder.add_request(step, "again");
         made.push_back(random_input.next());
         recorder.add_step(step, made.back());
         if ((step + 1) % 60 == 0) recorder.add_state(step + 1, state(step * 7919));
@@ -54,7 +54,7 @@ TEST(ActionTape, GivesBackEveryBitOfARandomSitting) {
     ASSERT_TRUE(player.ok()) << player.error().message;
     for (std::uint64_t step = 0; step < 500; ++step) {
         const TapePlayer::Told told = player->step(step);
-        EXPECT_EQ(told.reset, step == 100);
+        EXPECT_EQ(told.requests.size(), step == 100 ? 1U : 0U);
         EXPECT_TRUE(same(told.actions, made[step])) << "step " << step;
         const std::optional<TapeState> there = player->state_after(step + 1);
         EXPECT_EQ(there.has_value(), (step + 1) % 60 == 0 || step == 499) << step;

@@ -38,8 +38,8 @@ TEST(ActionWords, WhatAModelByItselfTakesIsNoPlayAndTheOtherWayRound) {
     }
     EXPECT_FALSE(is_for_models(Action::Jump));
     EXPECT_TRUE(is_for_models(Action::Forward)) << "nearer";
-    EXPECT_FALSE(in_this_version(Action::Select8));
-    EXPECT_TRUE(in_this_version(Action::Select7));
+    EXPECT_FALSE(is_offered(Action::Select8));
+    EXPECT_TRUE(is_offered(Action::Select7));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <variant>
+
 namespace plumbline::app {
 namespace {
 
@@ -38,6 +40,32 @@ TEST(ResumeToggles, GoOnAsTheSavedGameHasThem) {
             EXPECT_EQ(actions.presses(Action::Crouch), 0) << "nobody pressed a key";
         }
     }
+}
+
+/// What one press of a key asks for, with the built-in bindings.
+Requests asked_by(int key) {
+    input::ActionLatch latch(input::built_in_bindings());
+    ViewSettings view;
+    FrameClock clock(1.0 / 60);
+    InputSnapshot input;
+    latch.update(input, {});
+    input.events = {{DeviceEventKind::Key, key, true}};
+    input.keys[static_cast<std::size_t>(key)] = true;
+    latch.update(input, {});
+    Requests requests;
+    apply_frame_actions(latch, view, clock, requests, [](const std::string&) {});
+    return requests;
+}
+
+TEST(FrameActions, AskForWhatTheLoopDoes) {
+    const Requests reset = asked_by('R');
+    ASSERT_EQ(reset.size(), 1U);
+    EXPECT_EQ(std::get<WorldRequest>(reset[0]), WorldRequest{StartAgain{}});
+    constexpr int kF12 = 301;
+    const Requests image = asked_by(kF12);
+    ASSERT_EQ(image.size(), 1U);
+    EXPECT_TRUE(std::holds_alternative<SaveImage>(image[0]));
+    for (const int key : {'8', '9', 'W'}) EXPECT_TRUE(asked_by(key).empty());
 }
 
 TEST(ResumeToggles, WhatIsHeldByAKeyFollowsTheKey) {

@@ -18,8 +18,10 @@ protected:
         input.cursor_px = {x, y};
         input.buttons[0] = down;
         canvas_.begin(input);
-        const float taken = panels::draw_animation_bar(
-            bar_, canvas_.width_px(), canvas_.height_px(), canvas_.font_px());
+        Requests requests;
+        const float taken = panels::draw_animation_bar(bar_, canvas_.font_px(), requests);
+        for (const Request& request : requests)
+            asked_ = std::get<SetAnimation>(std::get<WorldRequest>(request));
         const ImGuiIO& io = ImGui::GetIO();
         wants_mouse_ = io.WantCaptureMouse;
         canvas_.end();
@@ -36,6 +38,7 @@ protected:
 
     ui::Canvas canvas_;
     AnimationBar bar_{.name = "walk", .length_s = 2.0, .time_s = 0.5};
+    std::optional<SetAnimation> asked_{};  ///< the latest
     double now_s_{0};
     bool wants_mouse_{false};
 };
@@ -60,21 +63,21 @@ TEST_F(AnimationBarTest, ItsButtonsStopAndGoToTheNextAndItsSliderSetsTheTime) {
     const double taken = frame(1, 1, false);
     const double y = 720.0 - font_px() * 0.8 - (taken - font_px() * 0.8) * 0.5;
     const double left = 640.0 - std::min(1280.0 * 0.7, font_px() * 44.0) * 0.5;
+    EXPECT_FALSE(asked_) << "nothing is asked for by itself";
     click(left + 25.0, y);
-    EXPECT_TRUE(bar_.paused);
+    EXPECT_EQ(asked_, (SetAnimation{.time_s = 0.5, .paused = true}));
+    bar_.paused = true;
     click(left + 25.0, y);
-    EXPECT_FALSE(bar_.paused);
-    EXPECT_FALSE(bar_.next);
-    EXPECT_EQ(bar_.time_s, 0.5);
+    EXPECT_EQ(asked_, (SetAnimation{.time_s = 0.5, .paused = false}));
     click(left + 75.0, y);
-    EXPECT_TRUE(bar_.next);
+    EXPECT_EQ(asked_, (SetAnimation{.time_s = 0, .paused = true, .next = true}));
     const double right = 1280.0 - left;
     frame(right - 60.0, y, false);
     frame(right - 60.0, y, false);
     frame(right - 60.0, y, true);
     frame(2000.0, y, true);  // dragged beyond its end
     frame(2000.0, y, true);
-    EXPECT_EQ(bar_.time_s, 2.0);
+    EXPECT_EQ(asked_, (SetAnimation{.time_s = 2.0, .paused = true}));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace plumbline::app {
 
 class OverlayPanels : public SessionTest {
 protected:
-    OverlayPanels() : session_(open()), accuracy_(*session_, false) {}
+    OverlayPanels() : session_(open()), accuracy_(*session_) {}
 
     OverlayInput input() {
         return {.parts = parts_,

@@ -66,18 +66,5 @@ TEST_F(OverlayPanels, WhatIsLookedAtStandsBelowACrosshairOnly) {
     EXPECT_TRUE(panels::hud_texts(input()).target.empty());
 }
 
-TEST(MessageLines, FadeInTheirLastSecondUnlessMotionIsReduced) {
-    const std::deque<panels::Message> messages{{"old", 10.5}, {"new", 14.0}, {"past", 9.0}};
-    const auto lines = panels::message_lines(messages, 10.0, false);
-    ASSERT_EQ(lines.size(), 3U);
-    EXPECT_EQ(lines[0].text, "old");
-    EXPECT_FLOAT_EQ(lines[0].alpha, 0.5F);
-    EXPECT_FLOAT_EQ(lines[1].alpha, 1.0F);
-    EXPECT_FLOAT_EQ(lines[2].alpha, 0.05F) << "hardly seen in its last frame";
-    EXPECT_FLOAT_EQ(panels::message_lines(messages, 10.0, true)[0].alpha, 1.0F);
-    EXPECT_EQ(panels::stem_of("light: 80 %"), "light: ");
-    EXPECT_EQ(panels::stem_of("paused"), "paused");
-}
-
 }  // namespace
 }  // namespace plumbline::app

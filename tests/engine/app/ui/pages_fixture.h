@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <variant>
 
 namespace plumbline::app::ui {
 namespace fs = std::filesystem;
@@ -42,28 +43,48 @@ protected:
         config_ = std::make_unique<LiveConfig>(shipped, user_);
         bindings_ = std::make_unique<LiveBindings>(
             BindingsDef{.shipped_folder = shipped, .user_folder = user_});
-        control_ = std::make_unique<MenuControl>(MenuWorld{
-            .config = *config_,
-            .bindings = *bindings_,
-            .scenes = scenes_,
-            .scene_title = "The garden",
-            .accuracy = [this] { return accuracy_; },
-            .change_config = [this](const AppConfig& wanted) { stored(config_->change(wanted)); },
-            .change_bindings =
-                [this](const input::Bindings& wanted) { stored(bindings_->change(wanted)); },
-            .change_accuracy = [this](const study::Setting& wanted) { accuracy_ = wanted; },
-            .adopt_accuracy = [this] { adopted_ = true; },
-            .looks_at_model = [this] { return looks_at_model_; },
-            .open_scene = [this](const fs::path& file) { opened_ = file; },
-            .switches = [this]() -> scene::LiveSwitches& { return switches_; },
-            .scene_fog = [] { return scene::FogDescription{.density_per_m = 0.04F, .on = false}; },
-            .hour = [this] { return hour_; },
-            .set_hour = [this](double hour) { hour_ = hour; },
-            .start_again = [this] { started_again_ = true; },
-            .quit = [this] { quit_ = true; },
-            .forget_first_minute = [this] { forgotten_ = true; }});
+        control_ = std::make_unique<MenuControl>(world());
     }
 
+    /// As the program shows it at the beginning of a frame.
+    MenuWorld world() const {
+        return {.bindings = bindings_.get(),
+                .scenes = &scenes_,
+                .config = config_->current(),
+                .config_below = config_->below(),
+                .scene_title = "The garden",
+                .looks_at_model = looks_at_model_,
+                .accuracy = accuracy_,
+                .switches = switches_,
+                .fog = {.density_per_m = 0.04F, .on = false},
+                .hour = hour_};
+    }
+
+    // What was asked for, done as the program does it.
+    void apply(const StartAgain&) { started_again_ = true; }
+    void apply(const SwitchEffect& asked) {
+        switches_.effects.erase(asked.effect);
+        if (asked.on) switches_.turn(asked.effect, *asked.on);
+    }
+    void apply(const SetFog& asked) {
+        switches_.fog_density_scale = asked.density_scale;
+        switches_.fog_color = asked.color;
+    }
+    void apply(const SetHour& asked) { hour_ = asked.hour; }
+    void apply(const SetAccuracy& asked) { accuracy_ = asked.setting; }
+    void apply(const WorldRequest& asked) {
+        std::visit([this](const auto& each) { apply(each); }, asked);
+    }
+    void apply(const ChangeConfig& asked) { stored(config_->change(asked.wanted)); }
+    void apply(const ChangeBindings& asked) { stored(bindings_->change(asked.wanted)); }
+    void apply(const OpenScene& asked) { opened_ = asked.file; }
+    void apply(const AdoptAccuracy&) { adopted_ = true; }
+    void apply(const ShowHintsAgain&) { forgotten_ = true; }
+    void apply(const Quit&) { quit_ = true; }
+    template <class Other>
+    void apply(const Other&) {
+        ADD_FAILURE() << "nobody asked for that";
+    }
     static void stored(const Result<Done>& result) { EXPECT_TRUE(result.ok()); }
 
     void resize(int width, int height) {
@@ -85,8 +106,13 @@ protected:
         return take(input);
     }
     InputSnapshot take(const InputSnapshot& input) {
+        control_->show(world());
         lay_out();
-        return control_->take(input, bindings_->current());
+        Requests requests;
+        InputSnapshot rest = control_->take(input, requests);
+        for (const Request& request : requests)
+            std::visit([this](const auto& asked) { apply(asked); }, request);
+        return rest;
     }
 
     const Cell& cell(CellPlace place) const {

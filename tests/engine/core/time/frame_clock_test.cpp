@@ -181,6 +181,22 @@ TEST(FrameClock, PausedTimeIsNeitherRunNorLost) {
     EXPECT_EQ(clock.lost_s(), 0.0);
 }
 
+TEST(FrameClock, AHoldIsAPauseOfItsOwn) {
+    FrameClock clock(kStep_s);
+    clock.advance(0.0);
+    clock.hold(true);
+    EXPECT_TRUE(clock.stands_still());
+    EXPECT_FALSE(clock.paused());
+    EXPECT_EQ(clock.advance(kHour_s).steps, 0);
+    clock.set_paused(true);
+    clock.hold(false);
+    EXPECT_TRUE(clock.stands_still()) << "the person's pause outlasts it";
+    EXPECT_EQ(clock.advance(kHour_s + 1.0).steps, 0);
+    clock.set_paused(false);
+    EXPECT_EQ(clock.advance(kHour_s + 1.0 + kStep_s).steps, 1);
+    EXPECT_EQ(clock.lost_s(), 0.0);
+}
+
 TEST(FrameClock, ARequestedStepRunsOnceEvenWhilePaused) {
     FrameClock clock(kStep_s);
     clock.advance(0.0);

@@ -1,5 +1,5 @@
 // What of the command line holds for the next scene of a session.
-#include "engine/app/frame_loop.h"
+#include "engine/app/frame/play_def.h"
 
 #include <gtest/gtest.h>
 
@@ -19,9 +19,9 @@ PlayDef asked_for_everything() {
     return def;
 }
 
-TEST(GoOn, TimeRunsOnAndWhatWasOfTheSceneBeforeIsGone) {
+TEST(NextScene, TimeRunsOnAndWhatWasOfTheSceneBeforeIsGone) {
     PlayDef def = asked_for_everything();
-    go_on(def, {.chosen_s = 99.0, .seconds = 4.0, .steps = 0, .report = "{}"});
+    continue_with_next(def, {.chosen_s = 99.0, .seconds = 4.0, .steps = 0, .report = "{}"});
     EXPECT_FALSE(def.start_page);
     EXPECT_EQ(def.first_message, "");
     EXPECT_EQ(def.camera_path, "");
@@ -34,17 +34,17 @@ TEST(GoOn, TimeRunsOnAndWhatWasOfTheSceneBeforeIsGone) {
     EXPECT_EQ(def.record, "play.tape") << "no time went on behind the start page";
 }
 
-TEST(GoOn, ARecordingIsOfTheFirstSceneInWhichTimeWentOn) {
+TEST(NextScene, ARecordingIsOfTheFirstSceneInWhichTimeWentOn) {
     PlayDef def = asked_for_everything();
     testing::internal::CaptureStderr();
-    go_on(def, {.seconds = 4.0, .steps = 1});
+    continue_with_next(def, {.seconds = 4.0, .steps = 1});
     const std::string log = testing::internal::GetCapturedStderr();
     const std::string words = "a recording is of one scene: play.tape ends with the one before";
     EXPECT_EQ(def.first_message, words);
     EXPECT_NE(log.find(words), std::string::npos) << log;
     EXPECT_EQ(def.record, "");
     def.seconds.reset();
-    go_on(def, {.seconds = 1.0, .steps = 5});
+    continue_with_next(def, {.seconds = 1.0, .steps = 5});
     EXPECT_EQ(def.first_message, "") << "said once";
     EXPECT_FALSE(def.seconds.has_value());
 }

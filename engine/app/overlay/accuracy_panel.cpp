@@ -137,13 +137,21 @@ Setting finer(Setting setting) {
     return setting;
 }
 
-void draw_ghost(const AccuracyControl& control, AccuracyRequest& request) {
-    const study::Ghost* ghost = control.ghost();
+/// The buttons that make a ghost.
+void offer_ghost(const Setting& setting, Requests& requests) {
+    if (ImGui::Button("Ghost from the start"))
+        requests.push_back(StartGhost{setting, GhostFrom::Start});
+    ImGui::SameLine();
+    if (ImGui::Button("Ghost from here")) requests.push_back(StartGhost{setting, GhostFrom::Here});
+}
+
+void draw_ghost(const AccuracyPanel& shown, Requests& requests) {
+    const study::Ghost* ghost = shown.control.ghost();
     if (ghost == nullptr || !ghost->failure().empty()) {
-        if (ghost != nullptr) text(fmt::format("ghost failed: {}", ghost->failure()));
-        if (ImGui::Button("Start ghost")) request.start_ghost = finer(control.setting());
-        ImGui::SameLine();
-        text("the same scene at higher accuracy");
+        text(ghost == nullptr ? "ghost: the same scene at higher accuracy"
+                              : fmt::format("ghost failed: {}", ghost->failure()));
+        // A replay starts as it was recorded.
+        if (!shown.replaying) offer_ghost(finer(shown.control.setting()), requests);
         return;
     }
     text(fmt::format("ghost: {}", study::setting_text(ghost->setting())));
@@ -153,9 +161,9 @@ void draw_ghost(const AccuracyControl& control, AccuracyRequest& request) {
     plot("mean distance, mm", ghost->history(), &study::GhostDistance::mean_m, 1e3);
     plot("this world, ms/s", ghost->history(), &study::GhostDistance::visible_ms_per_s, 1);
     plot("ghost, ms/s", ghost->history(), &study::GhostDistance::ghost_ms_per_s, 1);
-    if (ImGui::Button("Restart ghost")) request.start_ghost = ghost->setting();
+    offer_ghost(ghost->setting(), requests);
     ImGui::SameLine();
-    if (ImGui::Button("Stop ghost")) request.stop_ghost = true;
+    if (ImGui::Button("Stop ghost")) requests.push_back(StopGhost{});
     text(
         "Outlines show bodies that are 1 mm or more apart.\nThe ghost does not feel your hands or "
         "what you drop.");
@@ -163,11 +171,7 @@ void draw_ghost(const AccuracyControl& control, AccuracyRequest& request) {
 
 }  // namespace
 
-AccuracyRequest draw_accuracy(const AccuracyControl& control,
-                              const FrameClock& clock,
-                              float font_px,
-                              float& taken_px) {
-    AccuracyRequest request;
+float draw_accuracy(const AccuracyPanel& shown, float font_px, Requests& requests) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float margin = font_px * 0.8F;
     const float width = std::min(font_px * 24.0F, screen.x - 2 * margin);
@@ -180,28 +184,28 @@ AccuracyRequest draw_accuracy(const AccuracyControl& control,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing);
-    taken_px = width + margin;
     ImGui::PushItemWidth(width * 0.5F);
     text("Accuracy and cost (last second)");
     ImGui::Separator();
-    Setting setting = control.setting();
-    if (control.recorded())
-        text(fmt::format("{}\nAccuracy is locked while recording or replaying.",
-                         study::setting_text(setting)));
+    Setting setting = shown.control.setting();
+    if (shown.replaying)
+        text(fmt::format("{}\nAccuracy is locked while replaying.", study::setting_text(setting)));
     else if (choose_setting(setting))
-        request.setting = setting;
+        requests.push_back(WorldRequest{SetAccuracy{setting}});
+    // Above all that grows and shrinks, so that it stays where it is.
+    if (ImGui::Button("Save copy")) requests.push_back(AdoptAccuracy{});
+    ImGui::SameLine();
+    text("Writes this setting into a copy of the scene.");
     text(fmt::format("{}; plumbline-f64 runs in double precision",
                      study::precision_name(setting.precision)));
+    if (shown.is_hard_case) text("What you throw, push or drop counts in the verdict.");
     ImGui::Separator();
-    draw_gauges(control.gauges(clock));
+    draw_gauges(shown.control.gauges(shown.clock));
     ImGui::Separator();
-    draw_ghost(control, request);
-    ImGui::Separator();
-    if (ImGui::Button("Save copy")) request.adopt = true;
-    text("Writes this setting into a copy of the scene.");
+    draw_ghost(shown, requests);
     ImGui::PopItemWidth();
     ImGui::End();
-    return request;
+    return width + margin;
 }
 
 }  // namespace plumbline::app::panels
