@@ -154,6 +154,7 @@ void GpuMaterials::update(const MaterialUse& use) {
         assets::MaterialData material =
             id == 0 ? assets::MaterialData{} : library_.material(assets::MaterialId{id});
         if (use.shading) material.shading = *use.shading;
+        if (!use.textures) material.base_color_map.clear();
         if (!use.parallax) material.height_map.clear();
         if (!use.refraction) material.attenuation_m = 0.0F;
         if (!use.caustics) material.caustics = 0.0F;
@@ -166,12 +167,7 @@ void GpuMaterials::update(const MaterialUse& use) {
         std::memcpy(bytes.data() + id * stride_, &block, sizeof(block));
         materials_.push_back(
             {.features = features_of(material), .textures = textures_of(material)});
-        std::vector<TextureRequest>& textures = materials_.back().textures;
-        if (!use.textures) {
-            for (TextureRequest& request : textures) {
-                if (request.unit == kBaseColorUnit) request = kWhite;
-            }
-        }
+        const std::vector<TextureRequest>& textures = materials_.back().textures;
         wanted.insert(wanted.end(), textures.begin(), textures.end());
     }
     textures_.decode_ahead(wanted);

@@ -20,7 +20,7 @@ std::vector<TextureRequest> textures_of(const assets::MaterialData& material);
 /// What a frame asks of all materials.
 struct MaterialUse {
     std::optional<assets::Shading> shading{};  ///< over every material's own
-    bool textures{true};  ///< false: white base colour maps, so that no other shader is needed
+    bool textures{true};                       ///< false: no base colour maps
     /// False leaves normal maps out, and the maps of roughness where nothing is metal.
     bool surface_maps{true};
     bool parallax{true};    ///< false leaves height maps out

@@ -18,13 +18,6 @@ gl::Filter filter_for(MipContent content) {
 // Finished chains waiting for upload hold memory; so few are kept under way.
 constexpr std::size_t kChainsUnderWay = 4;
 
-assets::ImageData white_image(std::uint32_t side_px) {
-    return {.width = side_px,
-            .height = side_px,
-            .format = assets::PixelFormat::Rgba8,
-            .bytes = std::vector<std::uint8_t>(std::size_t{4} * side_px * side_px, 255)};
-}
-
 }  // namespace
 
 const gl::Texture& GpuTextures::add(const TextureRequest& request,
@@ -45,7 +38,6 @@ const gl::Texture& GpuTextures::add(const TextureRequest& request,
 const gl::Texture& GpuTextures::get(const TextureRequest& request) {
     const auto found = textures_.find(Key{request.file, request.content});
     if (found != textures_.end()) return found->second;
-    if (request.file.empty()) return add(request, white_image(2), {white_image(1)});
     const auto image = in_bytes(library_.take_image(request.file), request.content);
     return add(request, *image, mip_chain(*image, request.content, request.alpha_cutoff));
 }
@@ -53,8 +45,7 @@ const gl::Texture& GpuTextures::get(const TextureRequest& request) {
 void GpuTextures::decode_ahead(const std::vector<TextureRequest>& requests) {
     std::vector<std::filesystem::path> files;
     for (const TextureRequest& request : requests) {
-        if (!request.file.empty() && !textures_.contains(Key{request.file, request.content}))
-            files.push_back(request.file);
+        if (!textures_.contains(Key{request.file, request.content})) files.push_back(request.file);
     }
     library_.prefetch_images(files);
 }
@@ -76,8 +67,7 @@ void GpuTextures::load(const std::vector<TextureRequest>& requests,
     for (const TextureRequest& request : requests) {
         on_each();
         const Key key{request.file, request.content};
-        if (request.file.empty() || textures_.contains(key) || !asked.emplace(key, true).second)
-            continue;
+        if (textures_.contains(key) || !asked.emplace(key, true).second) continue;
         // Deferred to whoever asks where no thread can be made; given as a copy, for a failed start
         // of a thread takes along what it was given.
         const auto image = in_bytes(library_.take_image(request.file), request.content);

@@ -24,9 +24,6 @@ struct TextureRequest {
     TextureUnit unit{kBaseColorUnit};
 };
 
-/// No file: a white image in the commonest format.
-inline const TextureRequest kWhite{};
-
 class GpuTextures {
 public:
     /// Images larger than `largest_px` on a side are halved until they fit.

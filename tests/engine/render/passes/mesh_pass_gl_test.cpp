@@ -1,9 +1,6 @@
 // How many shader programs the meshes of a scene need, whatever is switched while it is played.
-#include "engine/assets/image/image_import.h"
 #include "engine/render/passes/mesh_pass.h"
 #include "tests/engine/render/renderer_fixture.h"
-
-#include <filesystem>
 
 namespace plumbline::render {
 namespace {
@@ -20,24 +17,11 @@ protected:
 };
 
 TEST_F(MeshPassGl, SwitchesOfPlayNeedNoOtherPrograms) {
-    const std::filesystem::path file =
-        std::filesystem::temp_directory_path() / "plumbline_grey_image.png";
-    ASSERT_TRUE(assets::write_png(file,
-                                  {.width = 1,
-                                   .height = 1,
-                                   .format = assets::PixelFormat::Rgb8,
-                                   .bytes = {128, 128, 128}})
-                    .ok());
     RenderFrame frame = sunny_box();
     frame.post = Post{};
-    add_box(frame,
-            Vec3f{1.0F},
-            {2.0F, 0.5F, 0.0F},
-            library_.add_material({.name = "grey", .base_color_map = file}));
     EXPECT_GT(new_programs(frame), 0U);
     frame.fog = Fog{};
     frame.wind = Wind{.mean_mps = {3.0F, 0.0F}};
-    frame.textures = false;
     for (const DepthTest test :
          {DepthTest::Always, DepthTest::Off, DepthTest::Never, DepthTest::Greater}) {
         frame.depth_test = test;
