@@ -86,7 +86,7 @@ TEST_F(SettingsPages, TheTabsStayWhereTheyAreOnEveryTabAndWhenThePageScrolls) {
         }
         return places;
     };
-    resize(400, 220);
+    resize(320, 140);
     const auto at_first = tabs();
     const Box panel = control_->menu().layout().panel;
     ASSERT_EQ(at_first.size(), 8U);
