@@ -17,12 +17,10 @@ set(made "${CMAKE_BINARY_DIR}/install")
 set(made_files "")
 foreach(program plumbline plumbline-f64)
     add_custom_command(
-        OUTPUT "${made}/${program}.1.gz" "${made}/${program}.bash" "${made}/_${program}" "${made}/${program}.fish"
+        OUTPUT "${made}/${program}.1.gz" "${made}/${program}.bash"
         COMMAND ${CMAKE_COMMAND} -E make_directory "${made}"
         COMMAND ${program} help-data --man | gzip -9n > "${made}/${program}.1.gz"
         COMMAND ${program} help-data --bash > "${made}/${program}.bash"
-        COMMAND ${program} help-data --zsh > "${made}/_${program}"
-        COMMAND ${program} help-data --fish > "${made}/${program}.fish"
         DEPENDS ${program}
         COMMENT "Writing the manual page and completion of ${program}"
         VERBATIM)
@@ -30,9 +28,6 @@ foreach(program plumbline plumbline-f64)
     install(FILES "${made}/${program}.1.gz" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
     install(FILES "${made}/${program}.bash"
         DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME "${program}")
-    install(FILES "${made}/_${program}" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions")
-    install(FILES "${made}/${program}.fish"
-        DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
 endforeach()
 add_custom_target(plumbline_help_data ALL DEPENDS ${made_files})
 

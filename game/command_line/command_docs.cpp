@@ -129,11 +129,6 @@ std::string roff(std::string text) {
     return text;
 }
 
-/// In single quotes of zsh or fish, both of which take another quote only from outside them.
-std::string quoted(std::string text) {
-    return "'" + replaced(std::move(text), "'", R"('\'')") + "'";
-}
-
 /// "[scene]", "files ...": what stands where, without options.
 std::string positionals(const CLI::App& command) {
     std::string line;
@@ -224,96 +219,6 @@ std::string bash_completion(const CLI::App& app) {
         "}}\ncomplete -o filenames -F {} {}\n",
         function,
         name);
-    return script;
-}
-
-namespace {
-
-/// One `_arguments` line for each spelling.
-std::string zsh_arguments(const CLI::App& command) {
-    std::string lines;
-    for (const Words& words : options_of(command)) {
-        std::string text = replaced(words.option->get_description(), "\\", "\\\\");
-        for (const char* special : {"[", "]", ":"})
-            text = replaced(text, special, std::string("\\") + special);
-        for (const std::string& spelled : words.spelled) {
-            lines += " \\\n            " +
-                     quoted(fmt::format(
-                         "{}[{}]{}", spelled, text, words.takes_value ? ":value:_files" : ""));
-        }
-    }
-    return lines;
-}
-
-}  // namespace
-
-std::string zsh_completion(const CLI::App& app) {
-    const std::string name = app.get_name();
-    const std::string function = "_" + replaced(name, "-", "_");
-    std::string script = fmt::format(
-        "#compdef {0}\n# zsh completion of {0}, written by {0} itself\n{1}() {{\n"
-        "    local -a commands=(\n",
-        name,
-        function);
-    for (const CLI::App* command : commands_of(app)) {
-        script +=
-            "        " +
-            quoted(fmt::format(
-                "{}:{}", command->get_name(), replaced(command->get_description(), ":", "\\:"))) +
-            "\n";
-    }
-    script += fmt::format("    )\n    local command=${{words[(r)({})]}}\n    case $command in\n",
-                          fmt::join(command_names(app), "|"));
-    for (const CLI::App* command : commands_of(app)) {
-        script += fmt::format("        {}) _arguments{}{} '*:file:_files' ;;\n",
-                              command->get_name(),
-                              zsh_arguments(*command),
-                              zsh_arguments(app));
-    }
-    script += fmt::format(
-        "        *) _arguments{} '1: :->first' '*:file:_files'\n"
-        "            [[ $state == first ]] && {{ _describe command commands; _files }} ;;\n"
-        "    esac\n}}\n{} \"$@\"\n",
-        zsh_arguments(app),
-        function);
-    return script;
-}
-
-namespace {
-
-std::string fish_options(const CLI::App& command,
-                         const std::string& program,
-                         const std::string& when) {
-    std::string lines;
-    for (const Words& words : options_of(command)) {
-        if (words.spelled.empty()) continue;
-        lines += fmt::format("complete -c {}{}", program, when);
-        for (const std::string& spelled : words.spelled) {
-            lines +=
-                spelled.starts_with("--") ? " -l " + spelled.substr(2) : " -s " + spelled.substr(1);
-        }
-        lines += fmt::format(
-            "{} -d {}\n", words.takes_value ? " -r" : "", quoted(words.option->get_description()));
-    }
-    return lines;
-}
-
-}  // namespace
-
-std::string fish_completion(const CLI::App& app) {
-    const std::string name = app.get_name();
-    std::string script = fmt::format("# fish completion of {0}, written by {0} itself\n", name);
-    script += fish_options(app, name, "");
-    for (const CLI::App* command : commands_of(app)) {
-        script += fmt::format("complete -c {} -n __fish_use_subcommand -a {} -d {}\n",
-                              name,
-                              command->get_name(),
-                              quoted(command->get_description()));
-        script +=
-            fish_options(*command,
-                         name,
-                         fmt::format(" -n '__fish_seen_subcommand_from {}'", command->get_name()));
-    }
     return script;
 }
 

@@ -1,5 +1,5 @@
-// The manual page and the shells' completion, written from the description of the command line that
-// parses it: a new option is in all of them, and none of them has one that is gone.
+// The manual page and bash's completion, written from the description of the command line that
+// parses it: a new option is in both, and neither has one that is gone.
 #pragma once
 
 #include <string>
@@ -14,7 +14,5 @@ namespace plumbline::game {
 std::string man_page(const CLI::App& app, const std::string& version);
 
 std::string bash_completion(const CLI::App& app);
-std::string zsh_completion(const CLI::App& app);
-std::string fish_completion(const CLI::App& app);
 
 }  // namespace plumbline::game

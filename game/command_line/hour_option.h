@@ -1,8 +1,8 @@
 // The option --hour of play and render.
 #pragma once
 
-#include "engine/scene/environment/sun_hour.h"
 #include "engine/scene/simulation.h"
+#include "engine/scene/simulation/sun_hour.h"
 #include "game/command_line/refuse.h"
 
 #include <optional>

@@ -55,8 +55,6 @@ void add_program_words(CLI::App& app) {
     const std::string footer = fmt::format("plumbline {}", PL_VERSION);
     add_printing_flag(*data, "--man", [&app, footer] { return man_page(app, footer); });
     add_printing_flag(*data, "--bash", [&app] { return bash_completion(app); });
-    add_printing_flag(*data, "--zsh", [&app] { return zsh_completion(app); });
-    add_printing_flag(*data, "--fish", [&app] { return fish_completion(app); });
 }
 
 }  // namespace plumbline::game

@@ -50,20 +50,5 @@ TEST_F(CommandDocs, BashOffersWordsOfTheCommandThatStandsThere) {
     EXPECT_FALSE(holds(script, "secret"));
 }
 
-TEST_F(CommandDocs, ZshAndFishQuoteWhatTheyWouldRead) {
-    const std::string zsh = zsh_completion(app);
-    EXPECT_TRUE(zsh.starts_with("#compdef fall-f64\n"));
-    EXPECT_TRUE(holds(zsh, "'--quiet[Says less\\: it'\\''s silent]'")) << zsh;
-    EXPECT_TRUE(holds(zsh, "'fall:Lets [things] fall'")) << zsh;
-    EXPECT_TRUE(holds(zsh, "'--speed[.5 is slow]:value:_files'")) << zsh;
-    const std::string fish = fish_completion(app);
-    EXPECT_TRUE(holds(fish, "complete -c fall-f64 -l quiet -d 'Says less: it'\\''s silent'\n"))
-        << fish;
-    EXPECT_TRUE(holds(fish,
-                      "complete -c fall-f64 -n '__fish_seen_subcommand_from fall' -s s -l speed -r "
-                      "-d '.5 is slow'\n"))
-        << fish;
-}
-
 }  // namespace
 }  // namespace plumbline::game
