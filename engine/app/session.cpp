@@ -1,7 +1,7 @@
 #include "engine/app/session.h"
 
 #include "engine/core/log.h"
-#include "engine/scene/environment/sun_hour.h"
+#include "engine/scene/simulation/sun_hour.h"
 #include "engine/study/auto_preset/auto_accuracy.h"
 #include "engine/study/gallery/case_events.h"
 

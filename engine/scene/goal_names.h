@@ -12,7 +12,7 @@ inline std::optional<std::string_view> stem_of(std::string_view wanted) {
     return wanted.substr(0, wanted.size() - 1);
 }
 
-inline bool is_meant(std::string_view name, std::string_view wanted) {
+inline bool matches_pattern(std::string_view name, std::string_view wanted) {
     const std::optional<std::string_view> stem = stem_of(wanted);
     return stem ? name.starts_with(*stem) : name == wanted;
 }

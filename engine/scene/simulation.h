@@ -12,7 +12,6 @@
 #include "engine/scene/accuracy.h"
 #include "engine/scene/components.h"
 #include "engine/scene/scene_description.h"
-#include "engine/scene/simulation/contact_listeners.h"
 #include "engine/scene/surfaces.h"
 
 #include <cstdint>
@@ -86,6 +85,27 @@ struct SceneJoint {
     Vec3 anchor_a_body{0, 0, 0};  ///< where it holds a, in a's frame
     float creak{0.0F};            ///< how loudly it creaks; 0: not at all
     SourceLocation location{};
+};
+
+/// Who asks for contact events: they are made while somebody does.
+class ContactListeners {
+public:
+    /// "effect impact_sounds"
+    void add(const std::string& who) {
+        names_.push_back(who);
+        ++revision_;
+    }
+    void remove(const std::string& who) {
+        std::erase(names_, who);
+        ++revision_;
+    }
+    const std::vector<std::string>& names() const { return names_; }
+    /// Changes with each of the above.
+    std::uint64_t revision() const { return revision_; }
+
+private:
+    std::vector<std::string> names_;
+    std::uint64_t revision_{0};
 };
 
 /// So many fields because effects, game and study each keep beside the world what they tell each other.

@@ -23,7 +23,9 @@ Goal::Goal(const scene::Simulation& simulation) : goal_(*simulation.description(
     for (auto [entity, name, body] :
          simulation.registry.view<const scene::Name, const scene::BodyRef>()) {
         const std::string& text = name.text;
-        const auto meant = [&](const std::string& wanted) { return scene::is_meant(text, wanted); };
+        const auto meant = [&](const std::string& wanted) {
+            return scene::matches_pattern(text, wanted);
+        };
         if (std::ranges::any_of(goal_.things, meant)) things_.push_back(entity);
     }
     wanted_ = goal_.count > 0 ? goal_.count : static_cast<int>(things_.size());

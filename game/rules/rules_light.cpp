@@ -1,6 +1,6 @@
 // Flashlight, fog, sun, the spotlight.
 #include "engine/scene/environment/live_light.h"
-#include "engine/scene/environment/sun_hour.h"
+#include "engine/scene/simulation/sun_hour.h"
 #include "game/rules/rules.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "engine/app/frame/input_phase.h"
 
 #include "engine/core/log.h"
-#include "engine/scene/environment/sun_hour.h"
+#include "engine/scene/simulation/sun_hour.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "engine/app/session.h"
 
-#include "engine/scene/environment/sun_hour.h"
+#include "engine/scene/simulation/sun_hour.h"
 #include "tests/engine/app/session_fixture.h"
 
 #include <sys/resource.h>

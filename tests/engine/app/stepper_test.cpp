@@ -1,7 +1,7 @@
 #include "engine/app/stepper.h"
 
 #include "engine/core/io/files.h"
-#include "engine/scene/environment/sun_hour.h"
+#include "engine/scene/simulation/sun_hour.h"
 #include "tests/engine/app/session_fixture.h"
 #include "tests/engine/assets/fixture.h"
 

@@ -1,7 +1,7 @@
 #include "engine/scene/extract.h"
 
 #include "engine/core/limits.h"
-#include "engine/scene/environment/sun_hour.h"
+#include "engine/scene/simulation/sun_hour.h"
 #include "tests/support/near.h"
 #include "tests/support/scene_in_code.h"
 

@@ -38,14 +38,14 @@ TEST_F(SessionTest, AnotherSettingStartsAHardCaseAnew) {
     AccuracyControl accuracy(*session);
     accuracy.watch(true);
     step(*session, accuracy, 61);
-    EXPECT_TRUE(session->judge->over());
+    EXPECT_TRUE(session->judge->has_ended());
     EXPECT_EQ(session->judge->verdict(), study::Verdict::Pass);
     const FrameClock clock(session->simulation->step_s());
     EXPECT_GT(accuracy.gauges(clock).cost.step_ms.size(), 50U);
     const study::Setting other{.solver = physics::Solver::BulletSi, .step_hz = 120, .substeps = 1};
     ASSERT_TRUE(session->apply(SetAccuracy{other}).ok());
     EXPECT_EQ(session->judge->verdict(), study::Verdict::Undecided);
-    EXPECT_FALSE(session->judge->over());
+    EXPECT_FALSE(session->judge->has_ended());
     EXPECT_EQ(session->simulation->steps(), 0U);
     EXPECT_EQ(accuracy.setting(), other);
     accuracy.take_answers();

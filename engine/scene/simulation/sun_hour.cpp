@@ -1,4 +1,4 @@
-#include "engine/scene/environment/sun_hour.h"
+#include "engine/scene/simulation/sun_hour.h"
 
 #include "engine/scene/environment/sun_path.h"
 

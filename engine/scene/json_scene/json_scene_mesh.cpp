@@ -1,6 +1,6 @@
 #include "engine/core/hash.h"
 #include "engine/core/limits.h"
-#include "engine/scene/formats/json_scene_impl.h"
+#include "engine/scene/json_scene/json_scene_impl.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

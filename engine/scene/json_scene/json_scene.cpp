@@ -4,7 +4,7 @@
 #include "engine/core/limits.h"
 #include "engine/core/text/printable.h"
 #include "engine/scene/formats/json_read.h"
-#include "engine/scene/formats/json_scene_impl.h"
+#include "engine/scene/json_scene/json_scene_impl.h"
 #include "engine/scene/sections/scene_parts.h"
 
 #include <fmt/format.h>

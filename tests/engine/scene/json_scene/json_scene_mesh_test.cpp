@@ -1,5 +1,5 @@
 // Triangles of JSON scenes.
-#include "tests/engine/scene/formats/json_scene_fixture.h"
+#include "tests/engine/scene/json_scene/json_scene_fixture.h"
 
 #include <cmath>
 

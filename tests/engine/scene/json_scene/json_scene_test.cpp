@@ -1,5 +1,5 @@
 // JSON scenes of the viewer: every number of their source's worked checks, and what they say wrongly.
-#include "tests/engine/scene/formats/json_scene_fixture.h"
+#include "tests/engine/scene/json_scene/json_scene_fixture.h"
 
 #include <algorithm>
 #include <cmath>

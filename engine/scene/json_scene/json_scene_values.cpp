@@ -1,4 +1,4 @@
-#include "engine/scene/formats/json_scene_impl.h"
+#include "engine/scene/json_scene/json_scene_impl.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // JSON scenes that are wrong: file, object and element named, exit code 4.
-#include "tests/engine/scene/formats/json_scene_fixture.h"
+#include "tests/engine/scene/json_scene/json_scene_fixture.h"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // Numbers and transforms of JSON scenes.
-#include "tests/engine/scene/formats/json_scene_fixture.h"
+#include "tests/engine/scene/json_scene/json_scene_fixture.h"
 
 namespace plumbline::scene {
 namespace {
