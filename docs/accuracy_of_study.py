@@ -2,20 +2,25 @@
 """Brings ACCURACY.md up to date with a study: docs/accuracy_of_study.py DIR
 
 DIR is what `plumbline study --out DIR` wrote. The tables between <!-- NAME --> and <!-- end --> are made
-anew from DIR/findings.json; the images are taken out of DIR/report.html, each an SVG of its own on light
-paper. The words between the tables are a person's: read them again.
+anew from DIR/findings.json and assets/data/peers.csv; the images are diagrams of DIR/report.html, each an SVG of its
+own on light paper, for which Node.js runs the page's scripts. The words between the tables are a person's: read them
+again.
 """
 
+import csv
 import json
 import math
 import pathlib
 import re
 import statistics
+import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 
 SVG = "http://www.w3.org/2000/svg"
 DOCS = pathlib.Path(__file__).resolve().parent
+DATA = DOCS.parent / "assets/data"
+DRAW = DOCS.parent / "tests/engine/study/report/draw_page.js"
 
 # File: subject of the study, and which of its two diagrams.
 IMAGES = {
@@ -135,38 +140,30 @@ def verdicts_table(findings):
         yield f"| {solver} | {knob} | " + " | ".join(map(str, counts)) + " |"
 
 
-def section_of(page, subject):
-    for section in page.iter("section"):
-        title = section.find("h2").text
-        if title == subject or title.startswith(subject + ":"):
-            return section
-    sys.exit(f"the page has no {subject}")
+def table_of(name):
+    lines = (DATA / name).read_text(encoding="utf-8").splitlines()
+    return list(csv.DictReader(line for line in lines if not line.startswith("#")))
 
 
-def figure_of(page, subject, kind):
-    """The diagram "cost" or "step" of a subject."""
-    for figure in section_of(page, subject).iter("figure"):
-        if figure.get("id").endswith("-" + kind):
-            return figure.find(f"{{{SVG}}}svg")
-    sys.exit(f"the page has no diagram of error against {kind} for {subject}")
-
-
-def peers_of(section):
-    """(engine and its steps a second, CPU ms per simulated second, error) of the grey points of a subject."""
-    for details in section.iter("details"):
-        if "other engines" not in details.find("summary").text:
+def peers_of(subject):
+    """(engine and its steps a second, CPU ms per simulated second, error) of the other engines on a subject's scene."""
+    figures = [row for row in table_of("peers.csv") if row["scene"] == subject["peer_scene"]]
+    fallen = {(row["engine"], row["substeps"]) for row in figures if row["metric"] == "stands" and float(row["value"]) == 0}
+    for same in table_of("peer_metrics.csv"):
+        if (same["scene"], same["metric"]) != (subject["peer_scene"], subject["metrics"][0]["name"]):
             continue
-        for row in details.find(".//tbody").iter("tr"):
-            engine, rate, price, wrong = ("".join(cell.itertext()) for cell in row.iter("td"))
-            share = float(wrong[:-2]) / 100 if wrong.endswith(" %") else float(wrong)
-            yield f"{engine} {rate} Hz", float(price), share
+        for row in figures:
+            if row["metric"] == same["figure"]:
+                fell = (row["engine"], row["substeps"]) in fallen
+                yield (f"{row['engine']} {60 * int(row['substeps'])} Hz", 60 * float(row["cpu_ms_per_frame"]),
+                       max(abs(float(row["value"])) * float(same["factor"]), 1.0 if fell else 0.0))
 
 
-def peers_table(findings, page):
+def peers_table(findings):
     yield "| subject | 1 % costs, ms/s: small_step | the cheapest other engine | least error: small_step | the best other engine |"
     yield "|---|---|---|--:|---|"
     for subject in findings["subjects"]:
-        peers = list(peers_of(section_of(page, subject["id"]))) if subject["peer_scene"] else []
+        peers = list(peers_of(subject))
         if not peers:
             continue
         ours = of_solver(subject, "small_step")
@@ -177,11 +174,11 @@ def peers_table(findings, page):
                f"{error_text(best[2])} ({best[0]}) |")
 
 
-def update_tables(findings, page):
+def update_tables(findings):
     path = DOCS / "ACCURACY.md"
     text = path.read_text(encoding="utf-8")
     tables = {"made with": [made_with(findings)], "settings": settings_table(findings),
-              "verdicts": verdicts_table(findings), "peers": peers_table(findings, page),
+              "verdicts": verdicts_table(findings), "peers": peers_table(findings),
               "subjects": subjects_table(findings)}
     for name, rows in tables.items():
         pattern = re.compile(f"(<!-- {name} -->\n).*?(<!-- end -->)", re.DOTALL)
@@ -196,23 +193,29 @@ def standalone(image):
     width, height = image.get("viewBox").split()[2:]
     image.set("width", width)
     image.set("height", height)
-    paper = ElementTree.Element(f"{{{SVG}}}rect", {"width": width, "height": height, "fill": "#fbfbf9"})
-    image.insert(0, paper)
+    image.set("color", "#1b1d21")
+    image.insert(0, ElementTree.Element(f"{{{SVG}}}rect", {"width": width, "height": height, "fill": "#fbfbf9"}))
     return ElementTree.tostring(image, encoding="unicode")
 
 
-def update_images(page):
+def update_images(findings, page):
     ElementTree.register_namespace("", SVG)
-    ElementTree.register_namespace("xlink", "http://www.w3.org/1999/xlink")
+    drawn = subprocess.run(["node", DRAW, page], capture_output=True, text=True, check=True).stdout
+    sections = {section.get("id"): section for section in ElementTree.fromstring(drawn).iter("section")}
+    numbers = {subject["id"]: i + 1 for i, subject in enumerate(findings["subjects"])}
     for name, (subject, kind) in IMAGES.items():
-        (DOCS / "images" / name).write_text(standalone(figure_of(page, subject, kind)) + "\n", encoding="utf-8")
+        if subject not in numbers:
+            sys.exit(f"the study has no {subject}")
+        figure = sections[f"s{numbers[subject]}"].find(f"figure[@class='{kind}']")
+        if figure is None:
+            sys.exit(f"the page has no diagram of error against {kind} for {subject}")
+        (DOCS / "images" / name).write_text(standalone(figure.find(f"{{{SVG}}}svg")) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
     if len(sys.argv) != 2:
         sys.exit(__doc__.splitlines()[0])
     folder = pathlib.Path(sys.argv[1])
-    report = (folder / "report.html").read_text(encoding="utf-8")
-    made = ElementTree.fromstring(report.split("\n", 1)[1])  # XML but for its first line
-    update_tables(json.loads((folder / "findings.json").read_text(encoding="utf-8")), made)
-    update_images(made)
+    study = json.loads((folder / "findings.json").read_text(encoding="utf-8"))
+    update_tables(study)
+    update_images(study, folder / "report.html")

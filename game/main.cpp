@@ -4,7 +4,7 @@
 #include "engine/core/process/crash_report.h"
 #include "engine/core/process/interrupt.h"
 #include "engine/core/process/process_memory.h"
-#include "engine/study/workers/worker.h"
+#include "engine/study/study_worker.h"
 #include "game/command_line/command_line.h"
 #include "game/command_line/option_ranges.h"
 #include "game/command_line/parse_error.h"

@@ -3,7 +3,7 @@
 
 #include "engine/core/log.h"
 #include "engine/core/process/interrupt.h"
-#include "engine/study/workers/worker.h"
+#include "engine/study/study_worker.h"
 #include "game/command_line/parse_error.h"
 #include "game/command_line/program_words.h"
 #include "game/commands/simulate_cli.h"

@@ -21,7 +21,6 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libgl1")
 # OpenAL Soft and GL load their drivers by name; without them there is silence, or no image.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core, libasound2, libgl1-mesa-dri, libpulse0")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gnuplot-nox")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
 
 # Debian's policy wants both of every package.

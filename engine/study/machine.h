@@ -1,4 +1,4 @@
-// What numbers were made on, as a report says it.
+// The machine, the build and the date, as reports name them.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What one run of a study is made at: the knobs whose price and worth the study measures.
+// The setting of one run of a study: solver, step rate, sub-steps, iterations, precision.
 #pragma once
 
 #include "engine/physics/physics_world.h"
@@ -29,9 +29,10 @@ struct Setting {
 std::string setting_text(const Setting& setting);
 /// The keys to paste under [accuracy], one a line.
 std::string accuracy_lines(const Setting& setting);
-/// For scenarios that build their own world. Gravity and the rest stay at their defaults.
+/// The setting as a WorldDef, for scenarios, which build their own world. Gravity and everything else
+/// keep their defaults.
 physics::WorldDef world_def(const Setting& setting);
-/// For scenes: over what the file says. The precision is the program's, not the world's.
+/// The setting as overrides of a scene file. They do not hold the precision, which is the program's.
 scene::SimulationOverrides overrides(const Setting& setting);
 
 }  // namespace plumbline::study

@@ -20,7 +20,7 @@ struct Lap {
         step_ms;  ///< on the wall: a thread's CPU clock costs as much as a small step
 };
 
-/// Row solves, contact points and pairs looked after: what a step did, whatever the machine.
+/// The work of a step, the same on every machine: row solves, contact points and pairs.
 double work_of(const physics::StepCost& cost);
 
 /// Times the steps of one lap. CPU time counts between resume() and pause() only.
@@ -51,20 +51,10 @@ struct Repeats {
     double budget_s{1};  ///< CPU time: fewer where so many would take longer, but at least one
 };
 
-/// Takes laps until there are enough, by the budget.
+/// Takes laps until their number or the budget is reached.
 std::vector<Lap> take_laps(const std::function<Lap()>& lap, const Repeats& repeats);
-/// Percentiles are those of the steps of the fastest lap. All zero where there is none.
+/// Medians and percentiles are those of the fastest lap; of the longest step and frame of each lap it
+/// is the shortest, which leaves out what other processes delayed. All zero where there is none.
 RunCost cost_of(std::span<const Lap> laps);
-
-/// Something that is stepped at a fixed rate: a world, or a scene with all that belongs to it.
-struct Stepping {
-    std::function<void()> step;
-    std::function<const physics::StepCost&()> cost;  ///< of the latest step
-    double step_s{0};
-};
-/// Makes it anew for every lap, after one that only warms caches up, and times `steps` steps.
-Result<RunCost> measure_stepping(const std::function<Result<Stepping>()>& make,
-                                 int steps,
-                                 const Repeats& repeats);
 
 }  // namespace plumbline::study

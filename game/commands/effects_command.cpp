@@ -4,13 +4,9 @@
 #include "engine/core/process/interrupt.h"
 #include "engine/core/time/stopwatch.h"
 #include "engine/study/scenes/effects_cost.h"
-#include "engine/study/workers/job.h"
 #include "game/offscreen/offscreen_studio.h"
 
-#include <fmt/format.h>
-
 #include <array>
-#include <iostream>
 #include <utility>
 
 namespace plumbline::game {
@@ -38,7 +34,7 @@ public:
                              .caller = ledger[row].called_for_by.empty()
                                            ? std::string()
                                            : ledger[row].called_for_by.front(),
-                             .domain = definition.domain,
+                             .domain = std::string(study::domain_name(definition.domain)),
                              .frame_ms = difference(definition.name, pairs),
                              .calls = ledger[row].calls,
                              .bytes_cpu = ledger[row].bytes_cpu,
@@ -83,30 +79,28 @@ private:
 
 }  // namespace
 
-ExitCode run_effects_study(const std::filesystem::path& scene, std::optional<double> seconds) {
+Result<study::EffectFindings> study_effects(const std::filesystem::path& scene,
+                                            std::optional<double> seconds) {
     study::EffectsRun run{.scene = scene};
     run.seconds = seconds.value_or(run.seconds);
     Result<std::vector<study::EffectCost>> costs = study::measure_effects(run, 1);
-    if (!costs) {
-        log_error("{}", costs.error().message);
-        return costs.error().exit_code;
+    if (!costs) return costs.error();
+    study::EffectFindings findings{.scene = scene.filename().string(),
+                                   .seconds = run.seconds,
+                                   .pairs = run.pairs,
+                                   .rows = std::move(*costs)};
+    if (interrupted()) return findings;
+    Result<OffscreenStudio> studio = OffscreenStudio::open(scene);
+    if (!studio) {
+        log_warning("effects of the image are left out: {}", studio.error().message);
+        return findings;
     }
-    if (!interrupted()) {
-        Result<OffscreenStudio> studio = OffscreenStudio::open(scene);
-        if (studio) {
-            std::vector<study::EffectCost> image =
-                EffectImages(std::move(*studio)).measure(run.pairs);
-            costs->insert(costs->begin(), image.begin(), image.end());
-        } else {
-            log_warning("image effects were not measured: {}", studio.error().message);
-        }
-    }
-    std::cout << study::effects_text(run, *costs);
-    std::cout << fmt::format("Images are {} x {}; times are CPU times and exclude GPU work.\n",
-                             kStudioWidth_px,
-                             kStudioHeight_px)
-              << std::flush;
-    return interrupted() ? ExitCode::Interrupted : ExitCode::Good;
+    findings.width_px = kStudioWidth_px;
+    findings.height_px = kStudioHeight_px;
+    const std::vector<study::EffectCost> image =
+        EffectImages(std::move(*studio)).measure(run.pairs);
+    findings.rows.insert(findings.rows.begin(), image.begin(), image.end());
+    return findings;
 }
 
 }  // namespace plumbline::game

@@ -1,14 +1,17 @@
-// `plumbline study --effects SCENE`: what each effect that a scene calls for costs.
+// `plumbline study --effects`: what each effect of a scene costs.
 #pragma once
 
-#include "engine/core/process/exit_code.h"
+#include "engine/core/result.h"
+#include "engine/study/findings/effect_findings.h"
 
 #include <filesystem>
 #include <optional>
 
 namespace plumbline::game {
 
-/// Prints a table. Without a usable GL the effects of the image are left out, and a line says so.
-ExitCode run_effects_study(const std::filesystem::path& scene, std::optional<double> seconds);
+/// The effects of the image, for which it needs OpenGL, and those of the steps and the sound. When
+/// interrupted: those measured by then. Refused: a scene that does not load.
+Result<study::EffectFindings> study_effects(const std::filesystem::path& scene,
+                                            std::optional<double> seconds);
 
 }  // namespace plumbline::game

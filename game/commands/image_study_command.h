@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/study/image/image_findings.h"
+#include "engine/study/findings/image_findings.h"
 #include "engine/study/image/light_image.h"
 
 #include <filesystem>

@@ -80,7 +80,9 @@ Result<study::StabilityTable> planned(const StabilityOptions& options) {
 Result<Done> write_files(const study::StabilityTable& table, const fs::path& folder) {
     const Result<Done> json = write_output(folder / kTable, study::stability_json(table));
     if (!json) return json;
-    return write_output(folder / kStabilityPage, study::stability_page(table));
+    const Result<std::string> page = study::stability_page(table);
+    if (!page) return page.error();
+    return write_output(folder / kStabilityPage, *page);
 }
 
 /// What is asked of the outcome, once it is told and written.

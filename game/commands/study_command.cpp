@@ -10,8 +10,9 @@
 #include "engine/scene/scene_file.h"
 #include "engine/study/findings/findings_json.h"
 #include "engine/study/machine.h"
+#include "engine/study/merged_findings.h"
 #include "engine/study/progress.h"
-#include "engine/study/report/report.h"
+#include "engine/study/report/page.h"
 #include "engine/study/scenarios/scenario_study.h"
 #include "engine/study/scenarios/scenario_text.h"
 #include "engine/study/workers/job.h"
@@ -112,7 +113,9 @@ Result<Done> write_files(const study::Findings& findings, const fs::path& folder
     for (const auto& [name, text] : files) {
         if (Result<Done> written = write_output(folder / name, text); !written) return written;
     }
-    return study::write_report(findings, folder);
+    const Result<std::string> page = study::study_page(findings);
+    if (!page) return page.error();
+    return write_output(folder / kReportPage, *page);
 }
 
 /// The scenarios' part of the findings, printed: how many runs the whole has.
@@ -186,34 +189,36 @@ Result<std::vector<fs::path>> scenes_for(const char* option, const StudyOptions&
     return scenes;
 }
 
-ExitCode study_effects(const StudyOptions& options) {
-    const Result<std::vector<fs::path>> scenes = scenes_for("--effects", options);
-    if (!scenes) return refuse(scenes.error());
-    for (const fs::path& scene : *scenes) {
-        if (const ExitCode code = run_effects_study(scene, options.seconds); code != ExitCode::Good)
-            return code;
-    }
-    return ExitCode::Good;
+/// What is measured of a scene instead of its accuracy: added to the findings, and printed.
+using MeasureScene = Result<Done> (*)(const StudyOptions& options,
+                                      const fs::path& scene,
+                                      const fs::path& folder,
+                                      study::Findings& findings);
+
+Result<Done> add_effects(const StudyOptions& options,
+                         const fs::path& scene,
+                         const fs::path& /*folder*/,
+                         study::Findings& findings) {
+    Result<study::EffectFindings> made = study_effects(scene, options.seconds);
+    if (!made) return made.error();
+    std::cout << study::effects_text(*made) << std::flush;
+    findings.complete = !interrupted();
+    findings.effects.push_back(std::move(*made));
+    return Done{};
 }
 
-/// The images' part of the findings, printed; each reference beside the page.
-Result<Done> add_images(const StudyOptions& options,
-                        const std::vector<fs::path>& scenes,
-                        const fs::path& folder,
-                        study::Findings& findings) {
-    for (const fs::path& scene : scenes) {
-        if (!findings.complete) break;
-        Result<ImageStudy> made = study_image(scene, options.seconds);
-        if (!made) return made.error();
-        std::cout << study::image_text(made->findings) << std::flush;
-        findings.complete = made->complete;
-        findings.images.push_back(std::move(made->findings));
-        const fs::path file = folder / (scene.stem().string() + "_reference.png");
-        if (const Result<Done> written = assets::write_png(file, study::codes_of(made->reference));
-            !written)
-            return written;
-    }
-    return Done{};
+/// The reference comes beside the page.
+Result<Done> add_image(const StudyOptions& options,
+                       const fs::path& scene,
+                       const fs::path& folder,
+                       study::Findings& findings) {
+    Result<ImageStudy> made = study_image(scene, options.seconds);
+    if (!made) return made.error();
+    std::cout << study::image_text(made->findings) << std::flush;
+    findings.complete = made->complete;
+    findings.images.push_back(std::move(made->findings));
+    return assets::write_png(folder / (scene.stem().string() + "_reference.png"),
+                             study::codes_of(made->reference));
 }
 
 /// The command of the whole that a shard is of.
@@ -270,14 +275,17 @@ ExitCode merge_study(const StudyOptions& options) {
     return finish_study(*whole, *folder);
 }
 
-ExitCode run_image_study(const StudyOptions& options) {
-    const Result<std::vector<fs::path>> scenes = scenes_for("--picture", options);
+ExitCode study_each_scene(const char* option, const StudyOptions& options, MeasureScene measure) {
+    const Result<std::vector<fs::path>> scenes = scenes_for(option, options);
     if (!scenes) return refuse(scenes.error());
     const Result<fs::path> folder = output_folder(options);
     if (!folder) return refuse(folder.error());
     study::Findings findings = empty_findings(options);
-    if (const Result<Done> added = add_images(options, *scenes, *folder, findings); !added)
-        return refuse(added.error());
+    for (const fs::path& scene : *scenes) {
+        if (!findings.complete) break;
+        if (const Result<Done> added = measure(options, scene, *folder, findings); !added)
+            return refuse(added.error());
+    }
     return finish_study(findings, *folder);
 }
 
@@ -329,8 +337,8 @@ ExitCode run_study(const StudyOptions& options) {
     }
     if (!options.merge.empty()) return merge_study(options);
     const PollsInterrupts polls;
-    if (options.effects) return study_effects(options);
-    if (options.image) return run_image_study(options);
+    if (options.effects) return study_each_scene("--effects", options, add_effects);
+    if (options.image) return study_each_scene("--picture", options, add_image);
     const Result<Chosen> chosen = chosen_by(options);
     if (!chosen) return refuse(chosen.error());
     if (const Result<Done> there = study::check_worker_programs(); !there)

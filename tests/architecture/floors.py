@@ -19,10 +19,10 @@ FLOORS = {
                 "dynamics/impact", "dynamics", "world", "bullet/shape", "bullet/contact", "bullet/archive", "bullet",
                 "character"],
     "render": ["gl", "shaders", "culling", "resources", "sky", "light", "setup", "passes", "passes/screen"],
-    "scene": ["formats", "environment", "paths", "sections", "build", "simulation"],
+    "scene": ["environment", "formats", "paths", "sections", "json_scene", "build", "simulation"],
     "effects": ["light", "nature", "physics", "sound", "screen"],
-    "study": ["findings", "image", "workers", "scenarios/world", "scenarios", "scenarios/families", "gallery", "ghost", "scenes",
-              "report/diagrams", "report", "auto_preset"],
+    "study": ["findings", "image", "report", "workers", "scenarios/world", "scenarios", "scenarios/families", "gallery", "ghost",
+              "scenes", "auto_preset"],
     "app": ["capture", "settings", "controls", "accuracy", "ui", "overlay", "frame"],
     "game": ["command_line", "rules", "offscreen", "commands"],
 }
@@ -45,19 +45,6 @@ STILL_UPWARD = {
     ("physics", "world", "bullet/archive"),
     ("physics", "world", "bullet/contact"),
     ("physics", "world", "bullet/shape"),
-    ("scene", "build", "simulation"),
-    ("scene", "environment", "simulation"),
-    ("scene", "formats", "environment"),
-    ("scene", "formats", "sections"),
-    ("study", "findings", "image"),
-    ("study", "gallery", "report"),
-    ("study", "image", "report"),
-    ("study", "report/diagrams", "report"),
-    ("study", "scenarios/world", "scenarios"),
-    ("study", "workers", "gallery"),
-    ("study", "workers", "ghost"),
-    ("study", "workers", "scenarios"),
-    ("study", "workers", "scenes"),
 }
 
 

@@ -9,7 +9,7 @@ from sources import ROOT, finish, own_files
 MACHINE_PATH = re.compile(r"(?<![\w.])/(ro" r"ot|wo" r"rk|ho" r"me/[a-z]\w*)/")
 LATER = re.compile(r"\b(TO" r"DO|FIX" r"ME|X" r"XX)\b")
 TEXT = (".h", ".cpp", ".vert", ".frag", ".geom", ".glsl", ".py", ".sh", ".cmake", ".txt", ".md",
-        ".toml", ".json", ".yml")
+        ".toml", ".json", ".yml", ".js", ".css", ".html")
 SCRIPTS = ("play", "test", ".ci/run")
 FOLDERS = ("engine", "game", "shaders", "tests", "cmake", "config", "docs", "assets")
 # Third parties' own words.

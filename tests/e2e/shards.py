@@ -18,7 +18,7 @@ folder = pathlib.Path(tempfile.mkdtemp())
 environment = {**os.environ, "HOME": str(folder), "XDG_CONFIG_HOME": str(folder / "config")}
 environment.pop("DISPLAY", None)
 CLOCKS = {"ms_per_s_min", "ms_per_s_median", "ms_per_s_max", "repeats", "step_ms_median", "step_ms_p99",
-          "cpu_ms_per_s", "step_ms_max"}
+          "cpu_ms_per_s", "step_ms_max", "frame_ms_p99", "frame_ms_max", "peak_bytes"}
 
 
 def run(*words, code=0, says=""):

@@ -70,11 +70,16 @@ def studied():
 def a_study_says_what_accuracy_costs():
     path = scene("bounce")
     said = run("study", path, "--seconds", 1).stdout
-    for words in ("Cost to reach", "Error at a budget", "Nothing beats", "Paste under [accuracy]", "small_step", "bullet_si",
+    for words in ("Cost to reach", "Error at a budget", "Settings that no other beats", "Paste under [accuracy]", "small_step", "bullet_si",
                   "T4 self-converged", "reference"):
         assert words in said, (words, said)
     assert len(studied()) == 1
     kept = json.loads(studied()[0].read_text())
+    for point in kept["subject"]["points"]:
+        cost = point["cost"]
+        if cost["repeats"]:
+            assert cost["bodies"] == 2 and cost["peak_bytes"] > 1 << 20, cost
+            assert all(cost[key] > 0 for key in ("step_ms_p99", "step_ms_max", "frame_ms_p99", "frame_ms_max")), cost
     assert kept["grid"] == "full" and abs(kept["seconds"] - 1) < 1e-6
     # The lines alone come from what is kept, at once.
     start = time.time()
@@ -127,8 +132,27 @@ def an_interrupt_keeps_what_is_done():
 
 
 def effects_have_their_price():
-    said = run("study", "--effects", scene("effects"), "--seconds", 0.5).stdout
-    assert "What switching an effect off saves" in said, said
+    out = folder / "effects_out"
+    said = run("study", "--effects", scene("effects"), "--seconds", 0.5, "--out", out).stdout
+    assert "what switching an effect off saves" in said and str(out / "report.html") in said, said
+    effects = json.loads((out / "findings.json").read_text())["effects"][0]
+    assert effects["scene"] == "effects.toml" and effects["rows"], effects
+    for row in effects["rows"]:
+        assert row["domain"] in ("step", "image", "sound") and row["step_ms"]["pairs"] + row["frame_ms"]["pairs"] > 0, row
+        assert (row["name"] in said), said
+
+
+def effects_that_are_cut_short_leave_a_page():
+    out = folder / "cut"
+    study = subprocess.Popen([program, "study", "--effects", "garden", "--seconds", "1", "--out", str(out)], env=environment,
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(4)
+    study.send_signal(signal.SIGINT)
+    said = study.communicate(timeout=60)
+    assert study.returncode == 130, (study.returncode, said)
+    findings = json.loads((out / "findings.json").read_text())
+    assert not findings["complete"] and len(findings["effects"]) == 1, findings
+    assert '"complete": false' in (out / "report.html").read_text()
 
 
 def a_image_has_its_price():
@@ -139,7 +163,7 @@ def a_image_has_its_price():
     assert rows["level low"]["rms_error"] > rows["level high"]["rms_error"], rows
     assert all(row["cpu_ms"] > 0 for row in rows.values()), rows
     assert "level low" in said and str(out / "report.html") in said, said
-    assert "The image of" in (out / "report.html").read_text()
+    assert '"scene": "falling_cube.toml"' in (out / "report.html").read_text()
     assert (out / "falling_cube_reference.png").read_bytes().startswith(b"\x89PNG")
     run("study", "--picture", code=2, says="--picture needs a scene")
     run("study", "--picture", "A20", code=4, says="A20")
@@ -150,4 +174,5 @@ auto_uses_what_is_kept_or_looks_for_itself()
 what_cannot_be_studied_is_refused()
 an_interrupt_keeps_what_is_done()
 effects_have_their_price()
+effects_that_are_cut_short_leave_a_page()
 a_image_has_its_price()

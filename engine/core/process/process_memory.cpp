@@ -32,6 +32,12 @@ bool may_still_map(std::size_t bytes) {
     return true;
 }
 
+void reset_peak_resident_bytes() {
+    malloc_trim(0);
+    // "5" sets the peak to what is resident now (proc(5), clear_refs).
+    std::ofstream("/proc/self/clear_refs") << 5;
+}
+
 void return_large_blocks_early() {
     mallopt(M_MMAP_THRESHOLD, 128 * 1024);
     // What is smaller is used again soon: given back and taken anew it costs page faults.

@@ -36,7 +36,6 @@ Json json_of(const StudyKey& key, const CachedStudy& cached) {
             {"made_on", cached.made_on},
             {"grid", cached.grid == GridSize::Full ? "full" : "quick"},
             {"seconds", cached.study.seconds},
-            {"uncertainty", cached.study.uncertainty},
             {"chaotic", cached.study.chaotic},
             {"subject", json_of(cached.study.subject)}};
 }
@@ -60,7 +59,6 @@ CachedStudy cached_from(const Json& json, const StudyKey& key) {
         throw std::runtime_error("it is of another scene, program or machine");
     CachedStudy cached{.study = {.subject = subject_from(json.at("subject")),
                                  .seconds = json.at("seconds"),
-                                 .uncertainty = number_from(json.at("uncertainty")),
                                  .chaotic = json.at("chaotic")},
                        .grid = json.at("grid") == "full" ? GridSize::Full : GridSize::Quick,
                        .made_on = json.at("made_on")};

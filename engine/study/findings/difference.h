@@ -1,4 +1,4 @@
-// What two ways of doing a thing differ by, measured in turns.
+// The difference between two ways to do a thing, measured in turns.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@ struct Difference {
     double standard_error{0};
     int pairs{0};
 
-    /// Two standard errors from nothing.
-    bool told_from_nothing() const {
+    /// At least two standard errors from zero.
+    bool is_significant() const {
         return pairs > 1 && (mean < 0 ? -mean : mean) > 2.0 * standard_error;
     }
 };

@@ -2,7 +2,8 @@
 // `preset = "auto"`.
 #pragma once
 
-#include "engine/study/image/image_findings.h"
+#include "engine/study/findings/effect_findings.h"
+#include "engine/study/findings/image_findings.h"
 #include "engine/study/setting.h"
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace plumbline::study {
 
-/// How far a reference can be trusted (docs/ACCURACY.md). T4 says consistent, not right.
+/// How far a reference can be trusted (docs/ACCURACY.md). T4 shows consistency, not correctness.
 enum class Tier {
     ClosedForm,      ///< T1
     TwoIntegrators,  ///< T2: independent high-order integrators that agree to 1e-10
@@ -22,7 +23,7 @@ enum class Tier {
 };
 std::string_view tier_name(Tier tier);  ///< "T1 closed form"
 
-/// One number that is held against the reference. Errors are relative to `scale`, so 0.01 is 1 %.
+/// One number that is compared with the reference. Errors are relative to `scale`: 0.01 is 1 %.
 struct Metric {
     std::string name;   ///< "height at 2 s"
     std::string scale;  ///< what 1 means: "the distance fallen, 19.62 m"
@@ -42,6 +43,11 @@ struct RunCost {
     int repeats{0};
     double step_ms_median{0};
     double step_ms_p99{0};
+    double step_ms_max{0};
+    double frame_ms_p99{0};  ///< of the steps that fall into one frame, together
+    double frame_ms_max{0};
+    std::size_t bodies{0};        ///< that move
+    std::uint64_t peak_bytes{0};  ///< most resident memory of the process that ran it
     /// Clock-free, exactly repeatable: row solves + contact points looked after, per simulated second.
     double work_per_s{0};
 };
@@ -55,7 +61,7 @@ struct Point {
     RunCost cost;
 };
 
-/// The Euler floor: what a semi-implicit Euler body is off by at a step, whatever the solver does.
+/// The Euler floor: the error of a body moved by semi-implicit Euler at a step, without any constraint.
 struct FloorPoint {
     double step_s{0};
     double error{0};
@@ -64,8 +70,8 @@ struct FloorPoint {
 enum class Trend { Converges, Stalls, Diverges, Exact, TooFew };
 std::string_view trend_name(Trend trend);  ///< "converges"
 
-/// What turning one knob does to the first metric's error, the others held still.
-struct KnobVerdict {
+/// How the first metric's error changes with one parameter while the others stay fixed.
+struct Convergence {
     std::string knob;  ///< "step rate", "sub-steps", "iterations"
     physics::Solver solver{physics::Solver::SmallStep};
     std::string held;  ///< the rest of the setting, as text
@@ -86,9 +92,10 @@ struct Subject {
     /// the names in report/peers.cpp.
     std::string peer_scene;
     std::vector<Metric> metrics;
+    double uncertainty{0};                ///< of every error, from the reference's own
     std::vector<FloorPoint> euler_floor;  ///< of the first metric; empty where it has no meaning
     std::vector<Point> points;
-    std::vector<KnobVerdict> verdicts;
+    std::vector<Convergence> verdicts;
     std::vector<std::string>
         notes;  ///< "chaotic: 16 perturbed copies", "reference converged to 1e-6"
 };
@@ -117,6 +124,7 @@ struct Findings {
     double clock_spread{0};        ///< (median-min)/min over all points' repeats, median of them
     std::vector<Subject> subjects;
     std::vector<ImageFindings> images;
+    std::vector<EffectFindings> effects;
 };
 
 }  // namespace plumbline::study

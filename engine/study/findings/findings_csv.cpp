@@ -11,7 +11,7 @@ constexpr std::string_view kCsvHeading =
     "subject,metric,scale,tier,solver,step_hz,substeps,substeps_max,iterations,precision,status,"
     "why,"
     "error,ms_per_s_min,ms_per_s_median,ms_per_s_max,repeats,step_ms_median,step_ms_p99,"
-    "work_per_s\n";
+    "work_per_s,step_ms_max,frame_ms_p99,frame_ms_max,bodies,peak_bytes\n";
 
 std::string field(std::string_view text) {
     if (text.find_first_of(",\"\n") == std::string_view::npos) return std::string(text);
@@ -44,7 +44,7 @@ std::string line_of(const Subject& subject,
                                         status_name(point.status),
                                         field(point.why));
     const std::string found = std::isfinite(error) ? fmt::format("{}", error) : std::string();
-    return fmt::format("{},{},{},{},{},{},{},{},{},{}\n",
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                        what,
                        how,
                        found,
@@ -54,7 +54,12 @@ std::string line_of(const Subject& subject,
                        cost.repeats,
                        cost.step_ms_median,
                        cost.step_ms_p99,
-                       cost.work_per_s);
+                       cost.work_per_s,
+                       cost.step_ms_max,
+                       cost.frame_ms_p99,
+                       cost.frame_ms_max,
+                       cost.bodies,
+                       cost.peak_bytes);
 }
 
 }  // namespace

@@ -75,6 +75,11 @@ Json json_of(const RunCost& cost) {
             {"repeats", cost.repeats},
             {"step_ms_median", cost.step_ms_median},
             {"step_ms_p99", cost.step_ms_p99},
+            {"step_ms_max", cost.step_ms_max},
+            {"frame_ms_p99", cost.frame_ms_p99},
+            {"frame_ms_max", cost.frame_ms_max},
+            {"bodies", cost.bodies},
+            {"peak_bytes", cost.peak_bytes},
             {"work_per_s", cost.work_per_s}};
 }
 
@@ -85,10 +90,15 @@ RunCost cost_from(const Json& json) {
             .repeats = json.at("repeats"),
             .step_ms_median = json.at("step_ms_median"),
             .step_ms_p99 = json.at("step_ms_p99"),
+            .step_ms_max = json.at("step_ms_max"),
+            .frame_ms_p99 = json.at("frame_ms_p99"),
+            .frame_ms_max = json.at("frame_ms_max"),
+            .bodies = json.at("bodies"),
+            .peak_bytes = json.at("peak_bytes"),
             .work_per_s = json.at("work_per_s")};
 }
 
-Json json_of(const KnobVerdict& verdict) {
+Json json_of(const Convergence& verdict) {
     return {{"knob", verdict.knob},
             {"solver", physics::solver_name(verdict.solver)},
             {"held", verdict.held},
@@ -105,7 +115,7 @@ physics::Solver solver_from(const Json& json) {
     return *solver;
 }
 
-KnobVerdict verdict_from(const Json& json) {
+Convergence verdict_from(const Json& json) {
     return {.knob = json.at("knob"),
             .solver = solver_from(json.at("solver")),
             .held = json.at("held"),
@@ -121,6 +131,12 @@ Json json_of(const Difference& difference) {
             {"pairs", difference.pairs}};
 }
 
+Difference difference_from(const Json& json) {
+    return {.mean = number_from(json.at("mean")),
+            .standard_error = number_from(json.at("standard_error")),
+            .pairs = json.at("pairs")};
+}
+
 Json json_of(const ImageRow& row) {
     return {{"name", row.name},
             {"rms_error", study::json_of(row.error.rms)},
@@ -132,19 +148,39 @@ Json json_of(const ImageRow& row) {
 }
 
 ImageRow image_row_from(const Json& json) {
-    const Json& more = json.at("more_ms");
     return {.name = json.at("name"),
             .error = {.mean = number_from(json.at("mean_error")),
                       .rms = number_from(json.at("rms_error"))},
             .cpu_ms = number_from(json.at("cpu_ms")),
-            .more_ms = {.mean = number_from(more.at("mean")),
-                        .standard_error = number_from(more.at("standard_error")),
-                        .pairs = more.at("pairs")},
+            .more_ms = difference_from(json.at("more_ms")),
             .unbeaten = json.at("unbeaten"),
             .verdict = json.at("verdict")};
 }
 
+Json json_of(const EffectCost& cost) {
+    return {{"name", cost.name},
+            {"caller", cost.caller},
+            {"domain", cost.domain},
+            {"step_ms", json_of(cost.step_ms)},
+            {"frame_ms", json_of(cost.frame_ms)},
+            {"calls", cost.calls},
+            {"bytes_cpu", cost.bytes_cpu},
+            {"bytes_gpu", cost.bytes_gpu}};
+}
+
+EffectCost effect_cost_from(const Json& json) {
+    return {.name = json.at("name"),
+            .caller = json.at("caller"),
+            .domain = json.at("domain"),
+            .step_ms = difference_from(json.at("step_ms")),
+            .frame_ms = difference_from(json.at("frame_ms")),
+            .calls = json.at("calls"),
+            .bytes_cpu = json.at("bytes_cpu"),
+            .bytes_gpu = json.at("bytes_gpu")};
+}
+
 Json json_of(const ImageFindings& findings);
+Json json_of(const EffectFindings& findings);
 
 template <class T>
 Json array_of(const std::vector<T>& values) {
@@ -171,14 +207,22 @@ ImageFindings image_from(const Json& json) {
             .rows = list_from(json.at("rows"), image_row_from)};
 }
 
-/// Parses and converts, with both libraries' complaints as one error.
-template <class T>
-Result<T> parsed(const std::string& text, T (*convert)(const Json&)) {
-    try {
-        return convert(scene::read_json<Json>(text));
-    } catch (const std::exception& fault) {
-        return Error{.message = fmt::format("not what a study writes: {}", fault.what())};
-    }
+Json json_of(const EffectFindings& findings) {
+    return {{"scene", findings.scene},
+            {"seconds", findings.seconds},
+            {"pairs", findings.pairs},
+            {"width_px", findings.width_px},
+            {"height_px", findings.height_px},
+            {"rows", array_of(findings.rows)}};
+}
+
+EffectFindings effects_from(const Json& json) {
+    return {.scene = json.at("scene"),
+            .seconds = json.at("seconds"),
+            .pairs = json.at("pairs"),
+            .width_px = json.at("width_px"),
+            .height_px = json.at("height_px"),
+            .rows = list_from(json.at("rows"), effect_cost_from)};
 }
 
 std::optional<Shard> shard_of(const Json& findings) {
@@ -213,7 +257,8 @@ Findings findings_from(const Json& json) {
             .shard = shard_of(json),
             .clock_spread = json.at("clock_spread"),
             .subjects = list_from(json.at("subjects"), subject_from),
-            .images = list_from(json.at("images"), image_from)};
+            .images = list_from(json.at("images"), image_from),
+            .effects = list_from(json.at("effects"), effects_from)};
 }
 
 }  // namespace
@@ -276,6 +321,7 @@ Json json_of(const Subject& subject) {
             {"tier", tier_name(subject.tier)},
             {"peer_scene", subject.peer_scene},
             {"metrics", array_of(subject.metrics)},
+            {"uncertainty", json_of(subject.uncertainty)},
             {"euler_floor", array_of(subject.euler_floor)},
             {"points", array_of(subject.points)},
             {"verdicts", array_of(subject.verdicts)},
@@ -290,22 +336,11 @@ Subject subject_from(const Json& json) {
             .tier = named(json.at("tier"), kTiers, tier_name),
             .peer_scene = json.at("peer_scene"),
             .metrics = list_from(json.at("metrics"), metric_from),
+            .uncertainty = number_from(json.at("uncertainty")),
             .euler_floor = list_from(json.at("euler_floor"), floor_from),
             .points = list_from(json.at("points"), point_from),
             .verdicts = list_from(json.at("verdicts"), verdict_from),
             .notes = json.at("notes")};
-}
-
-std::string setting_to_json(const Setting& setting) {
-    return text_of(json_of(setting));
-}
-
-std::string point_to_json(const Point& point) {
-    return text_of(json_of(point));
-}
-
-std::string subject_to_json(const Subject& subject) {
-    return text_of(json_of(subject));
 }
 
 std::string findings_to_json(const Findings& findings) {
@@ -316,27 +351,20 @@ std::string findings_to_json(const Findings& findings) {
               {"complete", findings.complete},
               {"clock_spread", json_of(findings.clock_spread)},
               {"subjects", array_of(findings.subjects)},
-              {"images", array_of(findings.images)}};
+              {"images", array_of(findings.images)},
+              {"effects", array_of(findings.effects)}};
     if (const auto& shard = findings.shard)
         json["shard"] = {{"index", shard->index}, {"of", shard->of}, {"what", shard->what}};
     json["sum"] = sum_of(json);
-    return fmt::format("{}\n", text_of(json, 1));
-}
-
-Result<Setting> setting_from_json(const std::string& text) {
-    return parsed(text, setting_from);
-}
-
-Result<Point> point_from_json(const std::string& text) {
-    return parsed(text, point_from);
-}
-
-Result<Subject> subject_from_json(const std::string& text) {
-    return parsed(text, subject_from);
+    return text_of(json, 1) + "\n";
 }
 
 Result<Findings> findings_from_json(const std::string& text) {
-    return parsed(text, findings_from);
+    try {
+        return findings_from(scene::read_json<Json>(text));
+    } catch (const std::exception& fault) {
+        return Error{.message = fmt::format("not what a study writes: {}", fault.what())};
+    }
 }
 
 }  // namespace plumbline::study

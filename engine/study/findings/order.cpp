@@ -88,8 +88,8 @@ Observed observed_order(std::span<const ErrorAt> series) {
     return observed;
 }
 
-std::vector<KnobVerdict> verdicts_of(std::span<const Point> points, const TheoryOf& theory) {
-    std::vector<KnobVerdict> verdicts;
+std::vector<Convergence> verdicts_of(std::span<const Point> points, const TheoryOf& theory) {
+    std::vector<Convergence> verdicts;
     for (const Knob& knob : kOrderKnobs) {
         std::vector<const Point*> open;
         for (const Point& point : points) {

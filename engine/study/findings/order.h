@@ -8,8 +8,8 @@
 
 namespace plumbline::study {
 
-/// What counts as rounding, of errors that are relative: some tens of roundings of one number, and in
-/// proportion more where there are more than 120 sub-steps a second to add one each.
+/// The relative error that counts as rounding: some tens of roundings of one number, and in proportion
+/// more above 120 sub-steps a second, each of which adds one.
 double rounding_level(const Setting& setting);
 
 /// Least order at which an error falls rather than stalls.
@@ -37,6 +37,6 @@ using TheoryOf =
     std::function<std::optional<double>(const Setting& setting, std::string_view knob)>;
 
 /// For every knob that some points of a subject differ in alone: step rate, sub-steps, iterations.
-std::vector<KnobVerdict> verdicts_of(std::span<const Point> points, const TheoryOf& theory);
+std::vector<Convergence> verdicts_of(std::span<const Point> points, const TheoryOf& theory);
 
 }  // namespace plumbline::study

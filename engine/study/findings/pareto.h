@@ -1,5 +1,5 @@
-// What accuracy costs, read off measured points: the cheapest for a tolerance, the most accurate for
-// a budget, and the settings that nothing beats. Pure functions; indices are into the span given.
+// Choices among measured points: the cheapest within a tolerance, the most accurate within a budget, and
+// the points that no other beats. Pure functions; indices refer to the span that was given.
 #pragma once
 
 #include "engine/study/findings/findings.h"

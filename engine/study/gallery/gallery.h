@@ -1,4 +1,4 @@
-// The gallery of hard cases: which there are, one run of one of them, and what came of it.
+// The gallery of hard cases: one run of a case, and its result.
 #pragma once
 
 #include "engine/core/result.h"

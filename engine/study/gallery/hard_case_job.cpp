@@ -1,15 +1,10 @@
 // One hard case in a worker process: the scene, stepped as `simulate` would, and its judge.
-#include "engine/core/io/files.h"
-#include "engine/effects/advance.h"
 #include "engine/scene/formats/json_read.h"
-#include "engine/scene/formats/json_text.h"
-#include "engine/scene/open_scene.h"
-#include "engine/scene/state_report.h"
-#include "engine/study/gallery/case_events.h"
+#include "engine/study/findings/findings_json_impl.h"
 #include "engine/study/gallery/gallery.h"
+#include "engine/study/played_scene.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -19,13 +14,6 @@
 namespace plumbline::study {
 namespace {
 
-using scene::JsonText;
-
-/// Numbers that are none travel as null.
-double number_or_nan(const nlohmann::json& value) {
-    return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
-
 constexpr std::array<std::string_view, 3> kAllowedNames{"below", "above", "near"};
 
 Allowed::Kind kind_called(const std::string& name) {
@@ -34,7 +22,19 @@ Allowed::Kind kind_called(const std::string& name) {
     return static_cast<Allowed::Kind>(found - kAllowedNames.begin());
 }
 
-physics::Interventions interventions_from(const nlohmann::json& json) {
+Json json_of(const physics::Interventions& done) {
+    return {{"braked_J", done.braked_J},
+            {"braked_islands", done.braked_islands},
+            {"clamped_bodies", done.clamped_bodies},
+            {"unresolved_islands", done.unresolved_islands},
+            {"restored_islands", done.restored_islands},
+            {"limited_bodies", done.limited_bodies},
+            {"impacts", done.impacts},
+            {"oversized_islands", done.oversized_islands},
+            {"left_out_pairs", done.left_out_pairs}};
+}
+
+physics::Interventions interventions_from(const Json& json) {
     return {.braked_J = json.at("braked_J"),
             .braked_islands = json.at("braked_islands"),
             .clamped_bodies = json.at("clamped_bodies"),
@@ -49,7 +49,7 @@ physics::Interventions interventions_from(const nlohmann::json& json) {
 std::vector<RuleResult> results_of(const HardCaseJudge& judge) {
     std::vector<RuleResult> results;
     for (const RuleState& state : judge.rules()) {
-        if (!state.seen && !judge.over()) continue;  // given up before its time came
+        if (!state.seen && !judge.has_ended()) continue;  // given up before its time came
         results.push_back({.text = state.text,
                            .allowed = state.allowed,
                            .value = state.seen ? state.value : std::nan(""),
@@ -62,14 +62,14 @@ std::vector<RuleResult> results_of(const HardCaseJudge& judge) {
 }
 
 /// Steps until the judge has seen the case's whole time.
-CaseResult run_to_the_end(scene::Simulation& simulation, HardCaseJudge& judge, double cpu_limit_s) {
-    scene::NoGame game(simulation.description().camera);
-    effects::EffectRuntime effects(simulation, {.frame = false, .sound = false});
+CaseResult run_to_the_end(PlayedScene& scene, HardCaseJudge& judge, double cpu_limit_s) {
+    const scene::Simulation& simulation = scene.simulation();
+    scene.start();
     CaseResult result{.ran = true};
     double cpu_ms = 0;
     double work = 0;
-    while (!judge.over() && cpu_ms < cpu_limit_s * 1e3) {
-        effects::advance(simulation, effects, game, {});
+    while (!judge.has_ended() && cpu_ms < cpu_limit_s * 1e3) {
+        scene.step();
         const physics::StepCost& cost = simulation.physics.cost();
         cpu_ms += cost.total_ms;
         result.step_ms_max = std::max(result.step_ms_max, cost.total_ms);
@@ -79,10 +79,10 @@ CaseResult run_to_the_end(scene::Simulation& simulation, HardCaseJudge& judge, d
     result.simulated_s = simulation.time_s();
     result.cpu_ms_per_s = cpu_ms / result.simulated_s;
     result.work_per_s = work / result.simulated_s;
-    result.passed = judge.over() && judge.verdict() == Verdict::Pass;
+    result.passed = judge.has_ended() && judge.verdict() == Verdict::Pass;
     result.interventions = judge.interventions();
     result.rules = results_of(judge);
-    if (!judge.over()) {
+    if (!judge.has_ended()) {
         result.gave_up = judge.verdict() != Verdict::Fail;
         result.why = fmt::format("given up after {:g} s of CPU time, {:.2g} s simulated",
                                  cpu_limit_s,
@@ -100,60 +100,55 @@ const RuleResult* CaseResult::worst() const {
 }
 
 Result<CaseResult> run_case(const CaseRun& run) {
-    const Result<DataFolders> folders = find_data_folders();
-    if (!folders) return folders.error();
-    Diagnostics faults;
-    const Result<scene::OpenedScene> opened = scene::open_scene(
-        run.scene,
-        {.folders = *folders, .overrides = {.solver = run.solver, .step_hz = run.step_hz}},
-        faults);
+    const Result<scene::OpenedScene> opened =
+        open_for_study(run.scene, {.solver = run.solver, .step_hz = run.step_hz});
     if (!opened) return opened.error();
     assets::AssetLibrary library;
-    const Result<std::unique_ptr<scene::Simulation>> simulation = opened->build(library);
-    if (!simulation) return simulation.error();
-    play_case_events(**simulation);
-    Result<HardCaseJudge> judge = HardCaseJudge::create(**simulation);
+    Result<PlayedScene> scene = PlayedScene::create(*opened, library);
+    if (!scene) return scene.error();
+    Result<HardCaseJudge> judge = HardCaseJudge::create(scene->simulation());
     if (!judge) return judge.error();
-    return run_to_the_end(**simulation, *judge, run.cpu_limit_s);
+    return run_to_the_end(*scene, *judge, run.cpu_limit_s);
 }
 
 std::string case_result_json(const CaseResult& result) {
-    JsonText json(scene::JsonLayout::OneLine);
-    json.begin_object();
-    json.key("ran").boolean(result.ran).key("passed").boolean(result.passed);
-    json.key("gave_up").boolean(result.gave_up);
-    json.key("why").text(result.why);
-    json.key("simulated_s").number(result.simulated_s);
-    json.key("cpu_ms_per_s").number(result.cpu_ms_per_s);
-    json.key("step_ms_max").number(result.step_ms_max);
-    json.key("work_per_s").number(result.work_per_s);
-    json.key("interventions").raw(scene::interventions_json(result.interventions));
-    json.key("rules").begin_array();
-    for (const RuleResult& rule : result.rules) {
-        json.begin_object().key("text").text(rule.text);
-        json.key("allowed").text(kAllowedNames[static_cast<std::size_t>(rule.allowed.kind)]);
-        json.key("limit").number(rule.allowed.limit).key("within").number(rule.allowed.within);
-        json.key("value").number(rule.value).key("margin").number(rule.margin);
-        json.key("passed").boolean(rule.passed);
-        json.key("worst_of").text(rule.worst_of).key("worst_at_s").number(rule.worst_at_s);
-        json.end_object();
-    }
-    return json.end_array().end_object().str();
+    Json rules = Json::array();
+    for (const RuleResult& rule : result.rules)
+        rules.push_back({{"text", rule.text},
+                         {"allowed", kAllowedNames[static_cast<std::size_t>(rule.allowed.kind)]},
+                         {"limit", rule.allowed.limit},
+                         {"within", rule.allowed.within},
+                         {"value", study::json_of(rule.value)},
+                         {"margin", study::json_of(rule.margin)},
+                         {"passed", rule.passed},
+                         {"worst_of", rule.worst_of},
+                         {"worst_at_s", rule.worst_at_s}});
+    return Json{{"ran", result.ran},
+                {"passed", result.passed},
+                {"gave_up", result.gave_up},
+                {"why", result.why},
+                {"simulated_s", result.simulated_s},
+                {"cpu_ms_per_s", study::json_of(result.cpu_ms_per_s)},
+                {"step_ms_max", result.step_ms_max},
+                {"work_per_s", study::json_of(result.work_per_s)},
+                {"interventions", json_of(result.interventions)},
+                {"rules", std::move(rules)}}
+        .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string case_job_body(const CaseRun& run) {
-    JsonText json(scene::JsonLayout::OneLine);
-    json.begin_object().key("scene").text(run.scene.string());
-    json.key("solver").text(physics::solver_name(run.solver));
-    json.key("step_hz").number(run.step_hz).key("cpu_limit_s").number(run.cpu_limit_s);
-    return json.end_object().str();
+    return Json{{"scene", run.scene.string()},
+                {"solver", physics::solver_name(run.solver)},
+                {"step_hz", run.step_hz},
+                {"cpu_limit_s", run.cpu_limit_s}}
+        .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string run_hard_case_job(const std::string& body) {
     const auto refused = [](std::string why) { return case_result_json({.why = std::move(why)}); };
-    nlohmann::json job;
+    Json job;
     try {
-        job = scene::read_json<nlohmann::json>(body);
+        job = scene::read_json<Json>(body);
     } catch (const std::exception&) {
         job = nullptr;
     }
@@ -171,24 +166,24 @@ std::string run_hard_case_job(const std::string& body) {
 
 Result<CaseResult> parse_case_result(const std::string& text) {
     try {
-        const nlohmann::json json = scene::read_json<nlohmann::json>(text);
+        const Json json = scene::read_json<Json>(text);
         CaseResult result{.ran = json.at("ran"),
                           .passed = json.at("passed"),
                           .gave_up = json.at("gave_up"),
                           .why = json.at("why"),
                           .simulated_s = json.at("simulated_s"),
-                          .cpu_ms_per_s = json.at("cpu_ms_per_s"),
+                          .cpu_ms_per_s = number_from(json.at("cpu_ms_per_s")),
                           .step_ms_max = json.at("step_ms_max"),
-                          .work_per_s = json.at("work_per_s")};
+                          .work_per_s = number_from(json.at("work_per_s"))};
         result.interventions = interventions_from(json.at("interventions"));
-        for (const nlohmann::json& rule : json.at("rules")) {
-            const double margin = number_or_nan(rule.at("margin"));
+        for (const Json& rule : json.at("rules")) {
+            const double margin = number_from(rule.at("margin"));
             result.rules.push_back(
                 {.text = rule.at("text"),
                  .allowed = {.kind = kind_called(rule.at("allowed")),
                              .limit = rule.at("limit"),
                              .within = rule.at("within")},
-                 .value = number_or_nan(rule.at("value")),
+                 .value = number_from(rule.at("value")),
                  .margin = std::isnan(margin) ? -std::numeric_limits<double>::infinity() : margin,
                  .passed = rule.at("passed"),
                  .worst_of = rule.at("worst_of"),

@@ -219,10 +219,10 @@ Result<std::vector<std::size_t>> HardCaseJudge::joints_called(
     std::vector<std::size_t> found;
     const auto joints = simulation.joints();
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        const auto is_meant = [&](const std::string& pattern) {
+        const auto matches_pattern = [&](const std::string& pattern) {
             return matches(pattern, joints[i].name);
         };
-        if (rule.of.empty() || std::ranges::any_of(rule.of, is_meant)) found.push_back(i);
+        if (rule.of.empty() || std::ranges::any_of(rule.of, matches_pattern)) found.push_back(i);
     }
     if (found.empty())
         return fault_at(rule.location,
@@ -297,7 +297,7 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
 }
 
 void HardCaseJudge::after_step(const scene::Simulation& simulation) {
-    if (over_) return;
+    if (has_ended_) return;
     interventions_.add(simulation.physics.cost().interventions);
     const double time_s = simulation.time_s();
     const double half_step_s = kHalfStep * simulation.step_s();
@@ -308,7 +308,7 @@ void HardCaseJudge::after_step(const scene::Simulation& simulation) {
             std::min(body.lowest_m, static_cast<double>(state.world_from_body.position.y));
     }
     if (needs_contacts_) contacts_ = simulation.physics.all_contacts();
-    over_ = time_s > seconds_ - half_step_s;
+    has_ended_ = time_s > seconds_ - half_step_s;
     bool any_failed = false;
     for (std::size_t i = 0; i < states_.size(); ++i) {
         RuleState& state = states_[i];
@@ -316,11 +316,11 @@ void HardCaseJudge::after_step(const scene::Simulation& simulation) {
         if (has_begun && time_s < state.to_s + half_step_s) look(simulation, watched_[i], state);
         if (state.seen && !(state.margin() >= 0))
             state.verdict = Verdict::Fail;
-        else if (over_ || time_s > state.to_s + half_step_s)
+        else if (has_ended_ || time_s > state.to_s + half_step_s)
             state.verdict = state.seen ? Verdict::Pass : Verdict::Fail;
         any_failed = any_failed || state.verdict == Verdict::Fail;
     }
-    verdict_ = any_failed ? Verdict::Fail : over_ ? Verdict::Pass : Verdict::Undecided;
+    verdict_ = any_failed ? Verdict::Fail : has_ended_ ? Verdict::Pass : Verdict::Undecided;
 }
 
 const RuleState* HardCaseJudge::worst() const {

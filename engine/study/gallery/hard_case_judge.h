@@ -1,5 +1,5 @@
-// Says of a running hard case whether it still holds: fed after every step, by the job that runs
-// the gallery and live by the game.
+// Decides whether a running hard case still holds its rules. The gallery's job and the game call it after
+// every step.
 #pragma once
 
 #include "engine/core/result.h"
@@ -65,7 +65,7 @@ public:
     std::span<const RuleState> rules() const { return states_; }
     /// With the smallest margin of those whose time has come; null before any has.
     const RuleState* worst() const;
-    bool over() const { return over_; }  ///< the case's time has run out
+    bool has_ended() const { return has_ended_; }  ///< the case's time has run out
     /// Of all steps so far.
     const physics::Interventions& interventions() const { return interventions_; }
 
@@ -106,7 +106,7 @@ private:
     std::vector<physics::ContactEvent> contacts_;
     physics::Interventions interventions_{};
     bool needs_contacts_{false};
-    bool over_{false};
+    bool has_ended_{false};
     Verdict verdict_{Verdict::Undecided};
 };
 

@@ -2,7 +2,6 @@
 
 #include "engine/core/text/nearest_name.h"
 #include "engine/core/text/text_case.h"
-#include "engine/scene/formats/json_text.h"
 #include "engine/scene/open_scene.h"
 #include "engine/study/workers/job.h"
 
@@ -21,7 +20,6 @@ namespace fs = std::filesystem;
 constexpr double kCiLimit_s = 10;
 constexpr double kNightlyLimit_s = 600;
 constexpr double kWallPerCpu = 30;
-constexpr int kGameRate_hz = 60;
 
 Result<CaseEntry> load_entry(const fs::path& file, const DataFolders& folders) {
     Diagnostics faults;
@@ -257,49 +255,6 @@ std::string stability_text(const StabilityTable& table) {
         }
     }
     return text;
-}
-
-namespace {
-
-void add_known_reds(scene::JsonText& json, const scene::HardCase& hard) {
-    json.key("known_red").begin_array();
-    for (const scene::HardCaseRed& red : hard.known_red) {
-        json.begin_object().key("rule").text(red.rule);
-        json.key("reached").number(red.gone ? std::nan("") : red.reached);
-        json.key("why").text(red.why).end_object();
-    }
-    json.end_array();
-}
-
-}  // namespace
-
-std::string stability_json(const StabilityTable& table) {
-    scene::JsonText json(scene::JsonLayout::Readable);
-    json.begin_object();
-    json.key("command").text(table.command).key("machine").text(table.machine);
-    json.key("build").text(table.build).key("made_on").text(table.made_on);
-    json.key("complete").boolean(table.complete);
-    if (table.shard) {
-        json.key("shard").begin_object().key("index").number(table.shard->index);
-        json.key("of").number(table.shard->of).key("what").text(table.shard->what).end_object();
-    }
-    json.key("runs").begin_array();
-    for (const StabilityRun& run : table.runs) {
-        const scene::HardCase& hard = table.cases[run.entry].hard;
-        json.begin_object().key("case").text(hard.id);
-        json.key("solver").text(physics::solver_name(run.solver));
-        json.key("step_hz").number(run.step_hz);
-        json.key("tier").text(hard.nightly ? "nightly" : "ci");
-        if (run.solver == physics::Solver::SmallStep && run.step_hz == kGameRate_hz)
-            add_known_reds(json, hard);
-        json.key("result");
-        if (run.result)
-            json.raw(case_result_json(*run.result));
-        else
-            json.raw("null");
-        json.end_object();
-    }
-    return json.end_array().end_object().str() + "\n";
 }
 
 }  // namespace plumbline::study

@@ -33,6 +33,8 @@ Result<std::vector<CaseEntry>> select_cases(const std::vector<CaseEntry>& all,
                                             const std::vector<std::string>& ids,
                                             bool with_nightly);
 
+/// The rate of the game, at which known red rules are held against what is measured.
+inline constexpr int kGameRate_hz = 60;
 /// How much farther outside than measured the limit of a known red rule may lie, as a factor.
 inline constexpr double kRedRoom = 1.5;
 
@@ -95,7 +97,7 @@ std::string run_line(const StabilityTable& table, const StabilityRun& run);
 /// All lines and how many are green for each solver.
 std::string stability_text(const StabilityTable& table);
 std::string stability_json(const StabilityTable& table);
-/// One self-contained page.
-std::string stability_page(const StabilityTable& table);
+/// One self-contained page. Refused: what report_page() refuses.
+Result<std::string> stability_page(const StabilityTable& table);
 
 }  // namespace plumbline::study

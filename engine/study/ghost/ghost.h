@@ -9,7 +9,7 @@
 
 namespace plumbline::study {
 
-/// How far the visible world and its ghost were apart at one instant that both have reached.
+/// The distance between the visible world and its ghost at one instant that both have reached.
 struct GhostDistance {
     double time_s{0};
     double largest_m{0};  ///< of all bodies, between their origins

@@ -1,10 +1,7 @@
-#include "engine/core/io/files.h"
-#include "engine/effects/advance.h"
 #include "engine/scene/formats/json_read.h"
-#include "engine/scene/open_scene.h"
 #include "engine/scene/simulation/simulation_archive.h"
-#include "engine/study/gallery/case_events.h"
 #include "engine/study/ghost/ghost_state.h"
+#include "engine/study/played_scene.h"
 
 #include <nlohmann/json.hpp>
 
@@ -25,34 +22,30 @@ using nlohmann::json;
 class GhostWorld {
 public:
     explicit GhostWorld(const GhostStart& start) {
-        const Result<DataFolders> folders = find_data_folders();
-        if (!folders) throw std::runtime_error(folders.error().message);
-        Diagnostics faults;
-        const Result<scene::OpenedScene> opened = scene::open_scene(
-            start.scene, {.folders = *folders, .overrides = overrides(start.setting)}, faults);
+        const Result<scene::OpenedScene> opened =
+            open_for_study(start.scene, overrides(start.setting));
         if (!opened) throw std::runtime_error(opened.error().message);
-        auto built = opened->build(library_);
-        if (!built) throw std::runtime_error(built.error().message);
-        simulation_ = std::move(*built);
-        play_case_events(*simulation_);
+        Result<PlayedScene> scene = PlayedScene::create(*opened, library_);
+        if (!scene) throw std::runtime_error(scene.error().message);
+        scene_.emplace(std::move(*scene));
         take_up(start.state);
-        simulation_->set_time(start.time_s);
+        scene_->simulation().set_time(start.time_s);
         find_bodies(start.bodies);
-        game_.emplace(simulation_->description().camera);
-        effects_.emplace(*simulation_, effects::ServedDomains{.frame = false, .sound = false});
+        scene_->start();
     }
 
     GhostState go_on(double seconds) {
-        const auto steps = std::max(1L, std::lround(seconds / simulation_->step_s()));
+        const scene::Simulation& simulation = scene_->simulation();
+        const auto steps = std::max(1L, std::lround(seconds / simulation.step_s()));
         GhostState state;
         for (long i = 0; i < steps; ++i) {
-            effects::advance(*simulation_, *effects_, *game_, {});
-            state.cpu_ms += simulation_->physics.cost().total_ms;
+            scene_->step();
+            state.cpu_ms += simulation.physics.cost().total_ms;
         }
-        state.time_s = simulation_->time_s();
+        state.time_s = simulation.time_s();
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            if (bodies_[i] && simulation_->physics.contains(*bodies_[i])) {
-                const Pose pose = simulation_->physics.state(*bodies_[i]).world_from_body;
+            if (bodies_[i] && simulation.physics.contains(*bodies_[i])) {
+                const Pose pose = simulation.physics.state(*bodies_[i]).world_from_body;
                 last_[i] = {.position_m = Vec3d(pose.position),
                             .orientation = Quatd(pose.orientation)};
             }
@@ -64,28 +57,27 @@ public:
 private:
     /// What the visible world carries goes on at the ghost's own accuracy.
     void take_up(const std::string& state) {
-        physics::WorldDef own = simulation_->physics.def();
+        scene::Simulation& simulation = scene_->simulation();
+        physics::WorldDef own = simulation.physics.def();
         Archive archive(state);
-        serialize_bodies_of_scene(*simulation_, archive);
+        serialize_bodies_of_scene(simulation, archive);
         if (archive.failed()) throw std::runtime_error("its state: " + archive.fault());
-        own.gravity_mps2 = simulation_->physics.def().gravity_mps2;
-        simulation_->set_accuracy(own);
+        own.gravity_mps2 = simulation.physics.def().gravity_mps2;
+        simulation.set_accuracy(own);
     }
 
     void find_bodies(const std::vector<GhostBody>& bodies) {
         for (const GhostBody& body : bodies) {
             last_.push_back(body);
             last_.back().name.clear();
-            const ecs::Entity entity = simulation_->find(body.name);
-            const auto* ref = simulation_->registry.find<scene::BodyRef>(entity);
+            const ecs::Entity entity = scene_->simulation().find(body.name);
+            const auto* ref = scene_->simulation().registry.find<scene::BodyRef>(entity);
             bodies_.push_back(ref != nullptr ? std::optional(ref->body) : std::nullopt);
         }
     }
 
     assets::AssetLibrary library_;
-    std::unique_ptr<scene::Simulation> simulation_;
-    std::optional<scene::NoGame> game_;
-    std::optional<effects::EffectRuntime> effects_;
+    std::optional<PlayedScene> scene_;
     std::vector<std::optional<physics::BodyId>> bodies_;
     std::vector<GhostBody> last_;
 };

@@ -1,4 +1,4 @@
-// What the game and the process of its ghost tell each other.
+// Messages between the game and the process of its ghost.
 #pragma once
 
 #include "engine/core/result.h"

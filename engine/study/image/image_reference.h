@@ -1,5 +1,5 @@
-// The image that shadow maps, coarse meshes and smoothed edges are held against: the mean of many
-// samples a pixel, each of them lit by the sun or not as an exact ray says.
+// The reference image for shadow maps, coarse meshes and smoothed edges: the mean of many samples a
+// pixel. An exact ray decides for each sample whether the sun lights it.
 #pragma once
 
 #include "engine/render/render_frame.h"

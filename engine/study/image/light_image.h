@@ -1,9 +1,9 @@
-// Images as light, and how far two lie apart.
+// Images in linear light, and the error between two.
 #pragma once
 
 #include "engine/assets/image_data.h"
 #include "engine/core/math.h"
-#include "engine/study/image/image_findings.h"
+#include "engine/study/findings/image_findings.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,5 @@
-// What a ray meets among the things of a RenderFrame: full meshes, alpha masks by their texture. The
-// exact side of what shadow maps and coarser meshes are held against. Embree finds the triangles.
+// Casts rays into a RenderFrame: full meshes, alpha masks by their texture. It is the exact reference for
+// shadow maps and coarser meshes. Embree finds the triangles.
 #pragma once
 
 #include "engine/render/render_frame.h"

@@ -1,4 +1,4 @@
-// The study of the scenarios: the grid of settings, the runs in workers, and what comes of them.
+// The study of the scenarios: the grid of settings, the runs in workers, and their findings.
 #pragma once
 
 #include "engine/core/result.h"
@@ -17,7 +17,7 @@ enum class Effort {
     Full,
 };
 
-/// The settings that a scenario is run at: each knob turned alone, from the same middle.
+/// The settings that a scenario is run at: each parameter varies alone, from the same default.
 std::vector<Setting> grid_of(const Scenario& scenario, Effort effort);
 
 struct ScenarioStudyOptions {

@@ -16,7 +16,7 @@ std::string point_line(const Point& point, std::size_t metrics) {
         "{} {:>10.4g} {:>10.4g}\n", line, point.cost.ms_per_s_min, point.cost.work_per_s);
 }
 
-std::string verdict_line(const KnobVerdict& verdict) {
+std::string verdict_line(const Convergence& verdict) {
     const std::string order = verdict.order ? fmt::format("{:.2f}", *verdict.order) : "-";
     const std::string theory =
         verdict.theory ? fmt::format(", theory {:g}", *verdict.theory) : std::string();
@@ -55,7 +55,7 @@ std::string subject_text(const Subject& subject) {
             text += fmt::format(" {:.2e} at {:.0f} Hz", point.error, 1 / point.step_s);
         text += '\n';
     }
-    for (const KnobVerdict& verdict : subject.verdicts) text += verdict_line(verdict);
+    for (const Convergence& verdict : subject.verdicts) text += verdict_line(verdict);
     for (const std::string& note : subject.notes) text += fmt::format("  Note: {}\n", note);
     return text;
 }

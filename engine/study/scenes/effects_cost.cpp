@@ -1,12 +1,10 @@
 #include "engine/study/scenes/effects_cost.h"
 
-#include "engine/core/io/files.h"
+#include "engine/core/process/interrupt.h"
 #include "engine/core/time/stopwatch.h"
-#include "engine/effects/advance.h"
 #include "engine/scene/formats/json_read.h"
-#include "engine/scene/open_scene.h"
 #include "engine/study/findings/findings_json_impl.h"
-#include "engine/study/gallery/case_events.h"
+#include "engine/study/played_scene.h"
 #include "engine/study/workers/job.h"
 
 #include <fmt/format.h>
@@ -28,29 +26,25 @@ struct Passed {
 
 /// One run from the start, a frame's sounds per step.
 Result<Passed> pass(const scene::OpenedScene& scene, std::string_view without, double seconds) {
-    const Result<DataFolders> folders = find_data_folders();
-    if (!folders) return folders.error();
-    assets::AssetLibrary library(folders->assets);
-    const Result<std::unique_ptr<scene::Simulation>> built = scene.build(library);
-    if (!built) return built.error();
-    scene::Simulation& simulation = **built;
-    play_case_events(simulation);
-    scene::NoGame game(simulation.description().camera);
-    effects::EffectRuntime effects(simulation, {.frame = false, .sound = true, .without = without});
+    assets::AssetLibrary library(scene.folders.assets);
+    Result<PlayedScene> played = PlayedScene::create(scene, library);
+    if (!played) return played.error();
+    scene::Simulation& simulation = played->simulation();
+    played->start({.sound = true, .without = without});
     const auto steps = std::max(1, static_cast<int>(std::lround(seconds / simulation.step_s())));
     Passed passed;
     for (int i = 0; i < steps; ++i) {
         const CpuTimer step;
-        effects::advance(simulation, effects, game, {});
+        played->step();
         passed.step_ms += step.ms();
         const CpuTimer frame;
-        effects.sound(simulation, game.view(simulation, Real{1}, 0.0F, 0.0F));
+        played->effects().sound(simulation, played->game().view(simulation, Real{1}, 0.0F, 0.0F));
         simulation.cues.clear();
         passed.frame_ms += frame.ms();
     }
     passed.step_ms /= steps;
     passed.frame_ms /= steps;
-    passed.ledger = effects.ledger();
+    passed.ledger = played->effects().ledger();
     return passed;
 }
 
@@ -68,7 +62,7 @@ Json list_effects(const scene::OpenedScene& scene, double seconds) {
         if (line.constructions == 0) continue;
         effects.push_back({{"name", line.name},
                            {"caller", line.called_for_by.empty() ? "" : line.called_for_by.front()},
-                           {"domain", static_cast<int>(effects::effect_table()[row].domain)},
+                           {"domain", domain_name(effects::effect_table()[row].domain)},
                            {"calls", line.calls},
                            {"bytes_cpu", line.bytes_cpu}});
     }
@@ -100,11 +94,7 @@ Json measure_pairs(const scene::OpenedScene& scene,
 }
 
 Json answer_effect_job(const Json& job) {
-    const std::filesystem::path file = job.at("scene").get<std::string>();
-    const Result<DataFolders> folders = find_data_folders();
-    if (!folders) return refusal(folders.error().message);
-    Diagnostics faults;
-    const Result<scene::OpenedScene> scene = scene::open_scene(file, {.folders = *folders}, faults);
+    const Result<scene::OpenedScene> scene = open_for_study(job.at("scene").get<std::string>());
     if (!scene) return refusal(scene.error().message);
     const std::string effect = job.at("effect");
     if (effect.empty()) return list_effects(*scene, job.at("seconds"));
@@ -136,24 +126,28 @@ Result<Json> json_from(const Answer& answer) {
     return json;
 }
 
+/// Empty where it was interrupted.
 Result<std::vector<EffectCost>> called_for(const EffectsRun& run) {
-    Result<Json> listed = Error{.message = "interrupted", .exit_code = ExitCode::Interrupted};
+    std::optional<Result<Json>> listed;
     const Result<bool> all =
         run_jobs(std::vector{job_for(run, {})}, 1, [&](std::size_t, const Answer& answer) {
             listed = json_from(answer);
         });
     if (!all) return all.error();
-    if (!listed) return listed.error();
     std::vector<EffectCost> costs;
-    for (const Json& effect : listed->at("effects")) {
+    if (!listed) return costs;
+    if (!*listed) return listed->error();
+    for (const Json& effect : (*listed)->at("effects")) {
         costs.push_back({.name = effect.at("name"),
                          .caller = effect.at("caller"),
-                         .domain = static_cast<effects::Domain>(effect.at("domain").get<int>()),
+                         .domain = effect.at("domain"),
                          .calls = effect.at("calls"),
                          .bytes_cpu = effect.at("bytes_cpu")});
     }
     return costs;
 }
+
+}  // namespace
 
 std::string_view domain_name(effects::Domain domain) {
     switch (domain) {
@@ -166,16 +160,6 @@ std::string_view domain_name(effects::Domain domain) {
     }
     return "";
 }
-
-std::string difference_text(const Difference& difference) {
-    if (difference.pairs == 0) return "-";
-    return fmt::format("{:+.4f} +- {:.4f}{}",
-                       difference.mean,
-                       difference.standard_error,
-                       difference.told_from_nothing() ? "" : " ~0");
-}
-
-}  // namespace
 
 std::string run_effect_job(const std::string& body) {
     Json answer;
@@ -208,35 +192,8 @@ Result<std::vector<EffectCost>> measure_effects(const EffectsRun& run, int worke
     });
     if (!all) return all.error();
     if (fault) return *fault;
+    std::erase_if(*costs, [](const EffectCost& cost) { return cost.step_ms.pairs == 0; });
     return costs;
-}
-
-std::string effects_text(const EffectsRun& run, std::span<const EffectCost> costs) {
-    std::string text = fmt::format(
-        "What switching an effect off saves: {:g} s of the scene with and without it, {} times in "
-        "turns;\nmean and standard error, \"~0\" within two of them. A scene without an effect may "
-        "move otherwise.\n{:<22}{:<9}{:>26}{:>26}{:>9}{:>11}{:>12}  called for by\n",
-        run.seconds,
-        run.pairs,
-        "effect",
-        "of the",
-        "ms a step",
-        "ms a frame",
-        "calls",
-        "CPU bytes",
-        "GPU bytes");
-    for (const EffectCost& cost : costs)
-        text += fmt::format("{:<22}{:<9}{:>26}{:>26}{:>9}{:>11}{:>12}  {}\n",
-                            cost.name,
-                            domain_name(cost.domain),
-                            difference_text(cost.step_ms),
-                            difference_text(cost.frame_ms),
-                            cost.calls,
-                            cost.bytes_cpu,
-                            cost.bytes_gpu,
-                            cost.caller);
-    if (costs.empty()) text += "This scene calls for no effect.\n";
-    return text;
 }
 
 }  // namespace plumbline::study

@@ -12,14 +12,14 @@ enum class GridSize {
     Quick,  ///< what `preset = "auto"` chooses from: float32, the solvers that win
 };
 
-/// The 60 Hz ones first: from what they cost, the cost of the others is foretold.
+/// The settings at 60 Hz come first: their measured cost predicts the cost of the others.
 std::vector<Setting> scene_grid(GridSize size);
 
-/// small_step in float64, sub-stepped four times: what references are made at.
+/// The setting of references: small_step in float64 with four sub-steps.
 Setting reference_setting(int step_hz);
 
-/// CPU time as a multiple of small_step's at 60 Hz with sub-steps on demand. A rough guess, to plan
-/// with until something of the kind is measured.
+/// A rough guess of CPU time, as a multiple of small_step's at 60 Hz with sub-steps on demand. The plan
+/// uses it until a similar setting was measured.
 double guessed_cost(const Setting& setting);
 
 /// Whether one differs from the other in its step rate alone.

@@ -1,5 +1,5 @@
-// What a study of a scene may spend, and what it has spent: wall time on so many workers, foretold
-// from what runs cost so far. And how it hands runs to workers.
+// The time budget of a scene's study: how much wall time is left on the workers, predicted from what
+// runs cost so far. It also hands runs to workers.
 #pragma once
 
 #include "engine/study/scenes/scene_run.h"

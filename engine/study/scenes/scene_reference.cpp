@@ -53,7 +53,7 @@ private:
         double off{0};  ///< of the level before, against this one
     };
 
-    double seconds() const { return probe_.moments.back() * kLookEvery_s; }
+    double seconds() const { return probe_.moments.back() * kSampleEvery_s; }
     double cost_s(int step_hz) const {
         return probe_.second_cpu_s * seconds() * guessed_cost(reference_setting(step_hz));
     }

@@ -1,5 +1,5 @@
-// What a scene's runs are held against: float64 at rising step rates until they agree, or, where the
-// scene is chaotic, the statistics of many copies that start a millionth of a metre apart.
+// The reference of a scene's runs: float64 at rising step rates until two agree. For a chaotic scene it
+// is the statistics of many copies that start a millionth of a metre apart.
 #pragma once
 
 #include "engine/study/scenes/scene_errors.h"

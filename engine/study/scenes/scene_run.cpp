@@ -1,12 +1,10 @@
 #include "engine/study/scenes/scene_run.h"
 
-#include "engine/core/io/files.h"
+#include "engine/core/process/process_memory.h"
 #include "engine/core/random.h"
 #include "engine/core/time/stopwatch.h"
-#include "engine/effects/advance.h"
 #include "engine/scene/simulation/entity_lookup.h"
-#include "engine/scene/state_report.h"
-#include "engine/study/gallery/case_events.h"
+#include "engine/study/stepping_cost.h"
 
 #include <fmt/format.h>
 
@@ -33,18 +31,18 @@ double quantile(std::vector<double>& values, double share) {
 /// One simulation from its start to its end.
 class OneRun {
 public:
-    OneRun(const SceneRun& run, scene::Simulation& simulation)
+    OneRun(const SceneRun& run, PlayedScene& scene)
         : run_(run),
-          simulation_(simulation),
-          game_(simulation.description().camera),
-          effects_(simulation, {.frame = false, .sound = false}),
-          steps_per_look_(
-              std::max(1, static_cast<int>(std::lround(kLookEvery_s / simulation.step_s())))) {
-        for (const scene::MovingBody& moving : simulation.moving_bodies()) {
+          scene_(scene),
+          simulation_(scene.simulation()),
+          steps_per_sample_(
+              std::max(1, static_cast<int>(std::lround(kSampleEvery_s / simulation_.step_s())))) {
+        scene_.start();
+        for (const scene::MovingBody& moving : simulation_.moving_bodies()) {
             if (moving.kind != physics::BodyKind::Dynamic) continue;
             bodies_.push_back(moving.body);
             masses_kg_.push_back(
-                static_cast<double>(simulation.physics.mass_properties(moving.body).mass_kg));
+                static_cast<double>(simulation_.physics.mass_properties(moving.body).mass_kg));
             poses_.push_back({});
         }
     }
@@ -84,14 +82,14 @@ public:
         }
     }
 
-    /// Steps to the end, looking as often as agreed.
-    Trace look() {
+    /// Steps to the end, sampling as often as agreed.
+    Trace sample() {
         Trace trace;
         const physics::Energy start = simulation_.physics.energy();
         trace.moments.push_back(moment());
         std::size_t next = 0;
-        for (int look = 1; next < run_.moments.size(); ++look) {
-            if (!steps_of_one_look(trace)) break;
+        for (int sample = 1; next < run_.moments.size(); ++sample) {
+            if (!step_to_next_sample(trace)) break;
             const physics::Energy energy = simulation_.physics.energy();
             trace.energy_turnover_J = std::max({trace.energy_turnover_J,
                                                 energy.kinetic_J,
@@ -100,7 +98,7 @@ public:
                 std::max(trace.penetration_m, simulation_.physics.max_penetration_m());
             trace.joint_error_m =
                 std::max(trace.joint_error_m, simulation_.physics.max_joint_error_m());
-            if (look != run_.moments[next]) continue;
+            if (sample != run_.moments[next]) continue;
             trace.moments.push_back(moment());
             ++next;
         }
@@ -111,26 +109,29 @@ public:
     /// Steps to the end for the clock alone.
     void repeat() {
         Trace unused;
-        for (int look = 0; look < run_.moments.back(); ++look) {
-            if (!steps_of_one_look(unused)) break;
+        for (int sample = 0; sample < run_.moments.back(); ++sample) {
+            if (!step_to_next_sample(unused)) break;
         }
     }
 
-    double cpu_ms() const { return cpu_ms_; }
-    double work() const { return work_; }
-    const std::vector<float>& step_ms() const { return step_ms_; }
+    /// Of all steps so far.
+    Lap lap() const {
+        Lap lap = lap_;
+        lap.simulated_s = simulation_.time_s();
+        return lap;
+    }
 
 private:
     /// False where the run ends early; `trace` then says why.
-    bool steps_of_one_look(Trace& trace) {
+    bool step_to_next_sample(Trace& trace) {
         const CpuTimer timer;
-        for (int i = 0; i < steps_per_look_; ++i) {
-            effects::advance(simulation_, effects_, game_, {});
+        for (int i = 0; i < steps_per_sample_; ++i) {
+            scene_.step();
             const physics::StepCost& cost = simulation_.physics.cost();
-            work_ += static_cast<double>(cost.row_solves) + static_cast<double>(cost.contacts);
-            step_ms_.push_back(static_cast<float>(cost.total_ms));
+            lap_.work += static_cast<double>(cost.row_solves) + static_cast<double>(cost.contacts);
+            lap_.step_ms.push_back(static_cast<float>(cost.total_ms));
         }
-        cpu_ms_ += timer.ms();
+        lap_.cpu_ms += timer.ms();
         if (!simulation_.physics.quarantined().empty()) {
             trace.status = RunStatus::NotFinite;
             trace.why = fmt::format(
@@ -140,7 +141,7 @@ private:
                 simulation_.time_s());
             return false;
         }
-        if (cpu_ms_ > run_.cpu_limit_s * 1e3) {
+        if (lap_.cpu_ms > run_.cpu_limit_s * 1e3) {
             trace.status = RunStatus::TimedOut;
             trace.why = fmt::format(
                 "{:g} s of CPU time went for {:.2f} s", run_.cpu_limit_s, simulation_.time_s());
@@ -159,7 +160,7 @@ private:
         }
         Moment moment{.time_s = simulation_.time_s(), .layout = layout()};
         moment.energy_J = simulation_.physics.energy().total_J();
-        const std::size_t every = bodies_.size() / kBodiesTold + 1;
+        const std::size_t every = bodies_.size() / kMostBodiesSampled + 1;
         for (std::size_t i = 0; i < bodies_.size(); i += every) moment.bodies.push_back(poses_[i]);
         return moment;
     }
@@ -193,91 +194,49 @@ private:
     }
 
     const SceneRun& run_;
+    PlayedScene& scene_;
     scene::Simulation& simulation_;
-    scene::NoGame game_;
-    effects::EffectRuntime effects_;
-    int steps_per_look_;
+    int steps_per_sample_;
     std::vector<physics::BodyId> bodies_;
     std::vector<double> masses_kg_;
     std::vector<BodyPose> poses_;
-    double cpu_ms_{0};
-    double work_{0};
-    std::vector<float> step_ms_;
+    Lap lap_;
 };
 
-/// Costs of several runs of one setting; the first warms up, and counts only if it stays alone.
-class CostBook {
-public:
-    void add(const OneRun& run, double simulated_s) {
-        if (simulated_s <= 0) return;
-        total_ms_ += run.cpu_ms();
-        work_per_s_ = run.work() / simulated_s;
-        runs_.push_back({run.cpu_ms() / simulated_s, run.step_ms()});
-    }
-    double total_s() const { return total_ms_ * 1e-3; }
-
-    RunCost cost() {
-        if (runs_.size() > 1) runs_.erase(runs_.begin());
-        if (runs_.empty()) return {};
-        std::vector<double> ms_per_s;
-        std::vector<float> step_ms;
-        for (const auto& [each, steps] : runs_) {
-            ms_per_s.push_back(each);
-            step_ms.insert(step_ms.end(), steps.begin(), steps.end());
-        }
-        std::ranges::sort(ms_per_s);
-        const scene::Percentiles steps = scene::percentiles_of(std::move(step_ms));
-        return {.ms_per_s_min = ms_per_s.front(),
-                .ms_per_s_median = ms_per_s[ms_per_s.size() / 2],
-                .ms_per_s_max = ms_per_s.back(),
-                .repeats = static_cast<int>(ms_per_s.size()),
-                .step_ms_median = steps.median,
-                .step_ms_p99 = steps.p99,
-                .work_per_s = work_per_s_};
-    }
-
-private:
-    std::vector<std::pair<double, std::vector<float>>> runs_;
-    double total_ms_{0};
-    double work_per_s_{0};
-};
+/// The first run warms up, and counts only where it stays alone.
+RunCost cost_of_runs(std::span<const Lap> laps) {
+    return cost_of(laps.size() > 1 ? laps.subspan(1) : laps);
+}
 
 }  // namespace
 
 Result<Done> SceneRunner::open(const std::filesystem::path& file) {
     if (opened_ && file_ == file && scene::unchanged(opened_->files)) return Done{};
-    const Result<DataFolders> folders = find_data_folders();
-    if (!folders) return folders.error();
     opened_.reset();
     library_ = std::make_unique<assets::AssetLibrary>();
-    Diagnostics faults;
-    Result<scene::OpenedScene> opened = scene::open_scene(file, {.folders = *folders}, faults);
+    Result<scene::OpenedScene> opened = open_for_study(file);
     if (!opened) return opened.error();
     opened_ = std::move(*opened);
     file_ = file;
     return Done{};
 }
 
-Result<std::unique_ptr<scene::Simulation>> SceneRunner::build(const Setting& setting) {
-    opened_->overrides = overrides(setting);
-    Result<std::unique_ptr<scene::Simulation>> built = opened_->build(*library_);
-    if (built) play_case_events(**built);
-    return built;
-}
-
 Result<SceneAnswer> SceneRunner::run(const SceneRun& run) {
     const double start_s = wall_s();
     const double cpu_start_s = thread_cpu_s();
     if (const Result<Done> opened = open(run.scene); !opened) return opened.error();
+    opened_->overrides = overrides(run.setting);
+    reset_peak_resident_bytes();
     SceneAnswer answer;
-    CostBook book;
+    std::vector<Lap> laps;
+    double spent_s = 0;
     const int runs = run.copies + run.repeats;
     for (int i = 0; i < runs; ++i) {
-        if (i >= run.copies && book.total_s() > run.repeat_s) break;
-        const Result<std::unique_ptr<scene::Simulation>> built = build(run.setting);
-        if (!built) return built.error();
-        scene::Simulation& simulation = **built;
-        OneRun one(run, simulation);
+        if (i >= run.copies && spent_s > run.repeat_s) break;
+        Result<PlayedScene> scene = PlayedScene::create(*opened_, *library_);
+        if (!scene) return scene.error();
+        const scene::Simulation& simulation = scene->simulation();
+        OneRun one(run, *scene);
         if (one.bodies().empty())
             return Error{.message = fmt::format("{}: nothing in it moves by itself, so there is no "
                                                 "accuracy to study; expected a body of kind "
@@ -294,14 +253,17 @@ Result<SceneAnswer> SceneRunner::run(const SceneRun& run) {
         if (run.shift_m > 0)
             one.shift(run.seed + static_cast<std::uint64_t>(std::min(i, run.copies - 1)));
         if (i < run.copies) {
-            answer.traces.push_back(one.look());
+            answer.traces.push_back(one.sample());
         } else {
             one.repeat();
         }
-        book.add(one, simulation.time_s());
+        if (simulation.time_s() > 0) laps.push_back(one.lap());
+        spent_s += one.lap().cpu_ms * 1e-3;
         if (answer.traces.back().status != RunStatus::Done) break;
     }
-    answer.cost = book.cost();
+    answer.cost = cost_of_runs(laps);
+    answer.cost.bodies = answer.bodies;
+    answer.cost.peak_bytes = peak_resident_bytes();
     answer.cpu_s = thread_cpu_s() - cpu_start_s;
     answer.wall_s = wall_s() - start_s;
     return answer;

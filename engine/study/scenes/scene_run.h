@@ -1,13 +1,14 @@
-// One setting of any scene, run in a worker process: where its bodies were at fixed times, how the
-// whole of them lay, and what the steps cost.
+// One run of a scene at one setting, in a worker process: the poses of its bodies at fixed times, their
+// layout as a whole, and what the steps cost.
 //
-// Looked at every 1/30 s, which every step of the grid divides. Bodies are the scene's dynamic ones.
+// Poses are sampled every 1/30 s, which is a whole number of steps at every rate of the grid. Bodies are
+// the scene's dynamic ones.
 #pragma once
 
 #include "engine/core/math.h"
 #include "engine/core/result.h"
-#include "engine/scene/open_scene.h"
 #include "engine/study/findings/findings.h"
+#include "engine/study/played_scene.h"
 #include "engine/study/workers/worker.h"
 
 #include <cstdint>
@@ -19,15 +20,15 @@
 
 namespace plumbline::study {
 
-inline constexpr double kLookEvery_s = 1.0 / 30.0;
+inline constexpr double kSampleEvery_s = 1.0 / 30.0;
 
 /// What a worker is asked.
 struct SceneRun {
     std::filesystem::path scene{};
     Setting setting{};
-    /// In units of kLookEvery_s, rising, the last one is the run's end.
+    /// In units of kSampleEvery_s, rising, the last one is the run's end.
     std::vector<int> moments{};
-    int copies{1};           ///< runs that are looked at; with `shift_m` each starts elsewhere
+    int copies{1};           ///< runs that are sampled; with `shift_m` each starts elsewhere
     std::uint64_t seed{1};   ///< of the first copy's shifts; the next copies count on
     double shift_m{0};       ///< every body starts up to so far away, along each axis
     int repeats{0};          ///< further runs of the first copy, for the clock alone
@@ -41,21 +42,21 @@ struct BodyPose {
     bool there{true};  ///< false: removed, or taken out; the pose is the last one
 };
 
-/// How the bodies lie, taken together. Heights are against gravity.
+/// Where the bodies are, taken together. Heights are measured against gravity.
 struct Layout {
     Vec3d center_m{0, 0, 0};  ///< of mass
-    double top_m{0};          ///< height that 95 % of the bodies are below
-    double spread_m{0};       ///< root mean square of their distance from the centre, level
-    double reach_m{0};        ///< distance from the centre that 95 % are within, level
+    double top_m{0};          ///< 95th percentile of the bodies' heights
+    double spread_m{0};       ///< root mean square of the horizontal distance from the centre
+    double reach_m{0};        ///< 95th percentile of that distance
 };
 
 struct Moment {
     double time_s{0};
-    std::vector<BodyPose> bodies{};  ///< of at most kBodiesTold, evenly chosen
+    std::vector<BodyPose> bodies{};  ///< of at most kMostBodiesSampled, evenly chosen
     Layout layout{};
     double energy_J{0};
 };
-inline constexpr std::size_t kBodiesTold = 300;
+inline constexpr std::size_t kMostBodiesSampled = 300;
 
 /// One run. Shorter than asked for where its status is not Done.
 struct Trace {
@@ -64,7 +65,7 @@ struct Trace {
     double end_s{0};
     std::vector<Moment> moments{};  ///< the start first
     double energy_turnover_J{0};    ///< most kinetic energy, or change of the potential
-    double penetration_m{0};        ///< deepest of all looks after the start
+    double penetration_m{0};        ///< deepest of all samples after the start
     double joint_error_m{0};
 };
 
@@ -76,14 +77,14 @@ struct SceneAnswer {
     double mass_kg{0};
     double gravity_mps2{0};
     double body_size_m{0};  ///< median diagonal of the bodies' boxes
-    double cpu_s{0};        ///< of all that was done for it, loading and looking included
+    double cpu_s{0};        ///< of all that was done for it, loading and sampling included
     double wall_s{0};       ///< likewise; more than `cpu_s` on a machine that does other things too
     std::vector<Trace> traces{};  ///< one per copy
     RunCost cost{};
 };
 
-/// Runs scenes in this process. It is asked about one scene over and over: the latest one stays
-/// loaded until one of its files changes.
+/// Runs scenes in this process. The latest scene stays loaded until one of its files changes, as a
+/// study asks about one scene many times.
 class SceneRunner {
 public:
     /// Refused: a scene that does not load, or has no dynamic body (exit code 4).
@@ -91,7 +92,6 @@ public:
 
 private:
     Result<Done> open(const std::filesystem::path& file);
-    Result<std::unique_ptr<scene::Simulation>> build(const Setting& setting);
 
     std::filesystem::path file_;
     std::optional<scene::OpenedScene> opened_;

@@ -1,9 +1,8 @@
 #include "engine/study/scenes/scene_study.h"
 
-#include "engine/core/io/files.h"
 #include "engine/core/log.h"
-#include "engine/scene/open_scene.h"
 #include "engine/study/findings/order.h"
+#include "engine/study/played_scene.h"
 #include "engine/study/scenes/scene_reference.h"
 
 #include <fmt/format.h>
@@ -15,7 +14,7 @@ namespace plumbline::study {
 namespace {
 
 constexpr double kSeconds = 3.0;
-constexpr int kLooksLeast = 6;  // 0.2 s
+constexpr int kLeastSamples = 6;  // 0.2 s
 constexpr int kMoments = 5;
 constexpr double kWall_s = 50.0;
 constexpr double kWallMany_s = 120.0;
@@ -29,12 +28,12 @@ constexpr int kCopies = 7;
 /// Measured even where the time is over.
 constexpr std::size_t kSettingsLeast = 4;
 
-/// Fixed times, in looks: a fifth of the run each.
-std::vector<int> moments_of(int looks) {
+/// Fixed times, in samples: a fifth of the run each.
+std::vector<int> moments_of(int samples) {
     std::vector<int> moments;
     for (int i = 1; i <= kMoments; ++i) {
-        const int look = std::max(1, looks * i / kMoments);
-        if (moments.empty() || look > moments.back()) moments.push_back(look);
+        const int sample = std::max(1, samples * i / kMoments);
+        if (moments.empty() || sample > moments.back()) moments.push_back(sample);
     }
     return moments;
 }
@@ -70,11 +69,7 @@ public:
 
 private:
     Result<Done> load_title() {
-        const Result<DataFolders> folders = find_data_folders();
-        if (!folders) return folders.error();
-        Diagnostics faults;
-        const Result<scene::OpenedScene> opened =
-            scene::open_scene(options_.scene, {.folders = *folders}, faults);
+        const Result<scene::OpenedScene> opened = open_for_study(options_.scene);
         if (!opened) return opened.error();
         const std::string& title = opened->description.title;
         study_.subject.id = options_.scene.string();
@@ -83,17 +78,17 @@ private:
     }
 
     /// How much of the scene's time the plan has time for.
-    int affordable_looks(double second_cpu_s, int wanted) const {
+    int affordable_samples(double second_cpu_s, int wanted) const {
         const double affordable_s = plan_.cpu_left_s(kReserve) /
                                     std::max(1e-9, second_cpu_s * sum_of_guesses(options_.grid));
-        const int looks = static_cast<int>(std::min(1e6, affordable_s / kLookEvery_s));
-        return std::clamp(looks, std::min(kLooksLeast, wanted), wanted);
+        const int samples = static_cast<int>(std::min(1e6, affordable_s / kSampleEvery_s));
+        return std::clamp(samples, std::min(kLeastSamples, wanted), wanted);
     }
 
     /// One run at 60 Hz: what there is, and what a second of it costs.
     Result<Done> probe() {
         const double seconds = options_.seconds.value_or(kSeconds);
-        const int wanted = std::max(1, static_cast<int>(std::lround(seconds / kLookEvery_s)));
+        const int wanted = std::max(1, static_cast<int>(std::lround(seconds / kSampleEvery_s)));
         const SceneRun run{.scene = options_.scene,
                            .moments = moments_of(wanted),
                            .cpu_limit_s = 0.08 * plan_.left_s()};
@@ -114,17 +109,17 @@ private:
         if (!options_.wall_s && answer.bodies > kManyBodies) plan_.extend(kWallMany_s);
         probe_.scene = options_.scene;
         probe_.second_cpu_s = std::max(1e-6, answer.cost.ms_per_s_min * 1e-3);
-        const int looks = affordable_looks(probe_.second_cpu_s, wanted);
-        if (looks < wanted)
+        const int samples = affordable_samples(probe_.second_cpu_s, wanted);
+        if (samples < wanted)
             study_.subject.notes.push_back(fmt::format(
                 "{:.2f} s instead of {:.2f} s of the scene: {} bodies, {:.3g} ms of CPU "
                 "time for a second at 60 Hz",
-                looks * kLookEvery_s,
+                samples * kSampleEvery_s,
                 seconds,
                 answer.bodies,
                 answer.cost.ms_per_s_min));
-        probe_.moments = moments_of(looks);
-        study_.seconds = looks * kLookEvery_s;
+        probe_.moments = moments_of(samples);
+        study_.seconds = samples * kSampleEvery_s;
         set_up_ = fmt::format(
             "{} bodies, {} joints, {:.2f} s", answer.bodies, answer.joints, study_.seconds);
         return Done{};
@@ -269,7 +264,7 @@ private:
         study_.complete = !plan_.interrupted();
         if (reference_) {
             study_.chaotic = reference_->chaotic;
-            study_.uncertainty = reference_->uncertainty;
+            subject.uncertainty = reference_->uncertainty;
             subject.tier = reference_->chaotic ? Tier::Spread : Tier::SelfConverged;
             subject.reference = reference_->text;
             subject.metrics = metrics_of(*reference_);
@@ -277,7 +272,8 @@ private:
                 subject.notes.begin(), reference_->notes.begin(), reference_->notes.end());
             std::string times;
             for (const int moment : probe_.moments)
-                times += fmt::format("{}{:.2f}", times.empty() ? "" : ", ", moment * kLookEvery_s);
+                times +=
+                    fmt::format("{}{:.2f}", times.empty() ? "" : ", ", moment * kSampleEvery_s);
             subject.set_up = fmt::format("{}, compared at {} s", set_up_, times);
         }
         if (left_out_ > 0)

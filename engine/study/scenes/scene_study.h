@@ -1,5 +1,5 @@
-// What accuracy costs in a scene that nobody has a formula for: a reference made here and now, the
-// grid of settings held against it, and the table that comes of it.
+// A study of a scene without a closed form: it makes a reference, runs the grid of settings, and
+// compares them with the reference.
 #pragma once
 
 #include "engine/study/scenes/scene_grid.h"
@@ -21,8 +21,7 @@ struct SceneStudyOptions {
 
 struct SceneStudy {
     Subject subject;
-    double seconds{0};      ///< simulated
-    double uncertainty{0};  ///< of the errors, as the reference has it
+    double seconds{0};  ///< simulated
     bool chaotic{false};
     bool complete{true};  ///< false: interrupted; the points are those done by then
 };

@@ -37,7 +37,7 @@ std::string table_of_points(const Subject& subject) {
         const bool in_front = std::ranges::find(front, i) != front.end();
         text += fmt::format("  {:>10}{}\n", percent(error_of(point)), in_front ? "  *" : "");
     }
-    return fmt::format("{}* nothing is both cheaper and more accurate\n", text);
+    return fmt::format("{}* no other setting is both cheaper and more accurate\n", text);
 }
 
 std::string pick_text(const Subject& subject, const Pick& pick) {
@@ -73,8 +73,8 @@ std::optional<Choice> choose(const SceneStudy& study, const Wish& wish) {
         found = recommend_for_budget(own, *wish.budget_ms);
     } else {
         const double tolerance = wish.tolerance.value_or(kUsualTolerance);
-        found =
-            recommend_for_tolerance(own, std::max(0.5 * tolerance, tolerance - study.uncertainty));
+        found = recommend_for_tolerance(
+            own, std::max(0.5 * tolerance, tolerance - study.subject.uncertainty));
         // Nothing within the tightened one: then what is within the one asked for.
         if (found && !found->met) found = recommend_for_tolerance(own, tolerance);
     }
@@ -86,7 +86,7 @@ std::optional<Choice> choose(const SceneStudy& study, const Wish& wish) {
 
 std::string wish_text(const SceneStudy& study, const Wish& wish) {
     const std::optional<Choice> choice = choose(study, wish);
-    if (!choice) return "# no setting got through this scene: there is nothing to recommend\n";
+    if (!choice) return "# no setting completed this scene, so none is recommended\n";
     const Point& point = study.subject.points[choice->point];
     std::string head;
     if (!choice->met) {
@@ -102,11 +102,11 @@ std::string wish_text(const SceneStudy& study, const Wish& wish) {
 std::string scene_study_text(const SceneStudy& study) {
     const Subject& subject = study.subject;
     std::string text = fmt::format("{} ({})\n{}\n", subject.title, subject.id, subject.set_up);
-    text += fmt::format("Held against: {} ({})\n", subject.reference, tier_name(subject.tier));
+    text += fmt::format("Reference: {} ({})\n", subject.reference, tier_name(subject.tier));
     for (const std::string& note : subject.notes) text += fmt::format("  {}\n", note);
     if (subject.points.empty()) return text + "No setting was measured.\n";
     if (nothing_measured(subject)) {
-        text += "Every setting came to an early end, so there is nothing to compare:\n";
+        text += "Every setting ended early, so there is nothing to compare:\n";
         for (const Point& point : subject.points)
             text += fmt::format("  {}: {}, {}\n",
                                 setting_text(point.setting),
@@ -124,7 +124,7 @@ std::string scene_study_text(const SceneStudy& study) {
     text += "Error at a budget\n";
     for (const Pick& pick : error_at_budget(subject.points))
         text += fmt::format("  {:>3} ms a frame  {}\n", pick.asked, pick_text(subject, pick));
-    text += "Nothing beats\n";
+    text += "Settings that no other beats\n";
     for (const std::size_t i : pareto_front(subject.points))
         text += fmt::format("  {}\n", point_text(subject.points[i]));
     return fmt::format("{}Paste under [accuracy]\n{}", text, wish_text(study, {}));

@@ -7,13 +7,13 @@
 
 namespace plumbline::study {
 
-/// The whole table, cost to reach, error at a budget, the settings that nothing beats, and what to
-/// paste.
+/// The table of all settings, the cost to reach an error, the error at a budget, the settings that no
+/// other beats, and the lines to paste.
 std::string scene_study_text(const SceneStudy& study);
 
 inline constexpr double kUsualTolerance = 0.01;
 
-/// What was asked for, at most one of them; neither: the usual tolerance.
+/// What was asked for. At most one has a value; without both, the usual tolerance counts.
 struct Wish {
     std::optional<double> tolerance{};
     std::optional<double> budget_ms{};  ///< CPU ms for 1/60 s
@@ -26,7 +26,8 @@ struct Choice {
 };
 std::optional<Choice> choose(const SceneStudy& study, const Wish& wish);
 
-/// Lines to paste under [accuracy], and above them as comments what they reach, or that nothing does.
+/// Lines to paste under [accuracy]. Comments above them say what error they reach, or that no setting
+/// reaches what was asked for.
 std::string wish_text(const SceneStudy& study, const Wish& wish);
 
 /// "small_step 60 Hz x 4, float32: 0.8 % off, 0.12 ms a frame".

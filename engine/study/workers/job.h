@@ -8,7 +8,6 @@
 #include "engine/study/setting.h"
 
 #include <functional>
-#include <iosfwd>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,7 +15,7 @@
 
 namespace plumbline::study {
 
-/// `kind` names the function that does it (worker.cpp has the table); `body` is its JSON object.
+/// `kind` names the function that does it (study_worker.cpp has the table); `body` is its JSON object.
 struct Job {
     std::string kind;
     std::string body;
@@ -41,9 +40,6 @@ Result<bool> run_jobs(std::span<const Job> jobs,
 /// Before hours of work: are both worker programs beside this one? Refused (exit code 1) with one
 /// line that says what makes the one that is missing.
 Result<Done> check_worker_programs();
-
-/// What `study-worker` does: answers jobs from `in` until it ends. Returns when it has.
-void serve_jobs(std::istream& in, std::ostream& out);
 
 /// Cores that this process may use; at least 1.
 int default_workers();

@@ -25,8 +25,4 @@ struct ShardHead {
 /// studies or builds, one that is missing, twice there or interrupted.
 Result<std::vector<std::size_t>> order_of_shards(std::span<const ShardHead> heads);
 
-/// The findings of all shards of one study as those of one run: points in the order of the whole,
-/// verdicts and the spread of clocks made anew. Refused: as order_of_shards().
-Result<Findings> merged(std::span<const Findings> shards);
-
 }  // namespace plumbline::study

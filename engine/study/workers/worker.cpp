@@ -2,29 +2,16 @@
 
 #include "engine/core/process/process.h"
 #include "engine/scene/formats/json_read.h"
-#include "engine/study/gallery/gallery.h"
-#include "engine/study/ghost/ghost_state.h"
-#include "engine/study/scenarios/scenario_study.h"
-#include "engine/study/scenes/effects_cost.h"
-#include "engine/study/scenes/scene_run.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <iostream>
 #include <vector>
 
 namespace plumbline::study {
 namespace {
-
-// A row per kind of job.
-constexpr std::array<JobKind, 5> kJobKinds{{{"scenario", each_by_itself<run_scenario_job>},
-                                            {"hard_case", each_by_itself<run_hard_case_job>},
-                                            {"scene", scene_jobs},
-                                            {"effect", each_by_itself<run_effect_job>},
-                                            {"ghost", ghost_jobs}}};
 
 constexpr std::string_view kDone = "done";
 constexpr std::string_view kFailed = "failed";
@@ -74,24 +61,16 @@ private:
 
 }  // namespace
 
-std::span<const JobKind> job_kinds() {
-    return kJobKinds;
-}
-
 void serve_jobs(std::span<const JobKind> kinds, std::istream& in, std::ostream& out) {
     JobServer server(kinds);
     std::string line;
     while (std::getline(in, line) && out) out << server.answer_to(line) << '\n' << std::flush;
 }
 
-void serve_jobs(std::istream& in, std::ostream& out) {
-    serve_jobs(job_kinds(), in, out);
-}
-
-void run_study_worker() {
+void run_worker(std::span<const JobKind> kinds) {
     end_with_parent();
     const AnswerPipe answers;
-    JobServer server(kJobKinds);
+    JobServer server(kinds);
     std::string line;
     while (std::getline(std::cin, line)) {
         if (!answers.send_line(server.answer_to(line))) break;

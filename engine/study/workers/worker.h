@@ -1,9 +1,10 @@
-// The worker's side of the study: which kinds of jobs there are, and answering them line by line.
+// The worker's side of the study: jobs are answered line by line, each by the function of its kind.
 #pragma once
 
 #include "engine/study/workers/job.h"
 
 #include <functional>
+#include <iosfwd>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,15 +24,12 @@ template <std::string (*kRun)(const std::string& body)>
 RunJob each_by_itself() {
     return kRun;
 }
-/// All that this program can do.
-std::span<const JobKind> job_kinds();
-
-/// As serve_jobs(in, out), with other kinds.
+/// Answers jobs from `in` until it ends.
 void serve_jobs(std::span<const JobKind> kinds, std::istream& in, std::ostream& out);
 
-/// The command `study-worker`: answers what comes on standard input until it ends, or until the
-/// program that started it does. Whatever else is printed goes to standard error.
-void run_study_worker();
+/// Answers what comes on standard input until it ends, or until the program that started this one
+/// does. Whatever else is printed goes to standard error.
+void run_worker(std::span<const JobKind> kinds);
 
 /// A job as the worker reads it, and an answer as the pool does: one line each, without its end.
 std::string job_line(const Job& job);

@@ -36,29 +36,28 @@ TEST(Measure, ABudgetEndsTheLapsButNotBeforeTheFirst) {
     EXPECT_EQ(taken, 6);
 }
 
-TEST(Measure, EveryLapStepsAFreshWorld) {
-    int made = 0;
-    int stepped = 0;
-    const physics::StepCost cost{.row_solves = 3, .contacts = 2, .pairs = 1};
-    const auto make = [&]() -> Result<Stepping> {
-        ++made;
-        return Stepping{.step = [&] { ++stepped; },
-                        .cost = [&]() -> const physics::StepCost& { return cost; },
-                        .step_s = 0.5};
-    };
-    const Result<RunCost> measured = measure_stepping(make, 4, {.wanted = 3, .budget_s = 1e9});
-    ASSERT_TRUE(measured.ok());
-    EXPECT_EQ(made, 4) << "one to warm up";
-    EXPECT_EQ(stepped, 16);
-    EXPECT_EQ(measured->repeats, 3);
-    EXPECT_DOUBLE_EQ(measured->work_per_s, 12);
+TEST(Measure, AFrameIsTheStepsOfASixtiethAndTheWorstIsNotAHiccup) {
+    // 1 s at 240 Hz: four steps a frame, each of 1 ms, but one frame of 4 x 3 ms.
+    Lap plain{.cpu_ms = 240, .simulated_s = 1};
+    for (int i = 0; i < 240; ++i) plain.step_ms.push_back(i / 4 == 7 ? 3.0F : 1.0F);
+    Lap disturbed = plain;
+    disturbed.cpu_ms = 200;  // the fastest, with a step that waited for another process
+    disturbed.step_ms[100] = 50;
+    const RunCost cost = cost_of(std::vector{plain, disturbed});
+    EXPECT_DOUBLE_EQ(cost.frame_ms_max, 12);
+    EXPECT_DOUBLE_EQ(cost.step_ms_max, 3);
+    EXPECT_DOUBLE_EQ(cost.step_ms_median, 1);
+    // At 30 Hz every step is a frame of its own.
+    Lap slow{.cpu_ms = 30, .simulated_s = 1};
+    for (int i = 0; i < 30; ++i) slow.step_ms.push_back(static_cast<float>(i));
+    EXPECT_DOUBLE_EQ(cost_of(std::vector{slow}).frame_ms_max, 29);
 }
 
-TEST(Measure, WhatCannotBeMadeIsRefused) {
-    const auto make = []() -> Result<Stepping> { return Error{.message = "no world"}; };
-    const Result<RunCost> measured = measure_stepping(make, 4, {});
-    ASSERT_FALSE(measured.ok());
-    EXPECT_EQ(measured.error().message, "no world");
+TEST(Measure, WorkIsThatOfTheLastLapWhicheverIsFastest) {
+    Lap first = lap(10);
+    first.work = 60;
+    EXPECT_DOUBLE_EQ(cost_of(std::vector{first, lap(20)}).work_per_s, 50);
+    EXPECT_DOUBLE_EQ(cost_of(std::vector{lap(20), first}).work_per_s, 30);
 }
 
 }  // namespace

@@ -16,8 +16,6 @@ protected:
     CommandRun studied(const StudyOptions& options) {
         return ran([&] { return run_study(options); });
     }
-
-    test::ScopedVariable no_drawer_{"PLUMBLINE_GNUPLOT", "no-such-drawer"};
 };
 
 TEST_F(StudyCommand, TheListNamesEveryScenarioAndWhatIsLeftOut) {

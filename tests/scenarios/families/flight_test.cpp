@@ -40,8 +40,8 @@ std::vector<Place> places() {
 }
 
 ConservedErrors conserved_errors_of(FreeBody& body, double seconds) {
-    Course course(Course::Mode::Looked);
-    return conserved_errors(body.world, seconds, course);
+    Stepper stepper(Stepper::Mode::Errors);
+    return conserved_errors(body.world, seconds, stepper);
 }
 
 TEST(Tops, A05ABoxOfThreeLengthsFlipsOnTime) {

@@ -41,15 +41,15 @@ namespace {
 constexpr double kLeastSeen_m = 1e-3;
 
 /// Root mean square over the steps of the energy's error, as a share of `range_J`.
-double energy_rms(ScenarioWorld& world, Course& course, double seconds, double range_J) {
+double energy_rms(ScenarioWorld& world, Stepper& stepper, double seconds, double range_J) {
     const double start_J = world.energy_J();
     double sum = 0;
     int count = 0;
-    course.run(world, seconds, {.after = [&](int) {
-                   const double off = (world.energy_J() - start_J) / range_J;
-                   sum += off * off;
-                   ++count;
-               }});
+    stepper.run(world, seconds, {.after = [&](int) {
+                    const double off = (world.energy_J() - start_J) / range_J;
+                    sum += off * off;
+                    ++count;
+                }});
     return std::sqrt(sum / std::max(1, count));
 }
 
@@ -61,17 +61,17 @@ BouncingEnd bouncing_end(double e) {
     return {flights, Drop{.height_m = 1, .e = e}.contact_s(flights + 1)};
 }
 
-double bouncing_end_found_s(double e, const Setting& setting, Course& course) {
+double bouncing_end_found_s(double e, const Setting& setting, Stepper& stepper) {
     DroppedBody dropped(setting, {.height_m = 1, .e = e});
     const double longest_s = std::ceil(bouncing_end(e).expected_s * 1.5);
     double last_s = 0;
-    course.run(dropped.world, longest_s, {.after = [&](int i) {
-                   if (dropped.reach_m() > kLeastSeen_m) last_s = (i + 1) * dropped.world.step_s();
-               }});
+    stepper.run(dropped.world, longest_s, {.after = [&](int i) {
+                    if (dropped.reach_m() > kLeastSeen_m) last_s = (i + 1) * dropped.world.step_s();
+                }});
     return last_s;
 }
 
-double elastic_balls_energy_rms(const Setting& setting, Course& course) {
+double elastic_balls_energy_rms(const Setting& setting, Stepper& stepper) {
     constexpr double kHeight_m = 5;
     ScenarioWorld world(setting);
     world.floor(0.5, 1);
@@ -79,7 +79,7 @@ double elastic_balls_energy_rms(const Setting& setting, Course& course) {
         world.sphere({0.5 * (i % 7), 0.1 + kHeight_m, 0.5 * static_cast<double>(i / 7)},
                      0.1,
                      {.mass_kg = 10, .restitution = 1});
-    return energy_rms(world, course, 20, 49 * 10 * kG_mps2 * kHeight_m);
+    return energy_rms(world, stepper, 20, 49 * 10 * kG_mps2 * kHeight_m);
 }
 
 namespace {
@@ -118,12 +118,12 @@ Scenario dropped(const Drop& drop) {
                 "apex n = e^(2n) H; read off place and speed at a moment of the flight that "
                 "every step divides",
             .metrics = metrics,
-            .run = [=](const Setting& setting, Course& course) -> Errors {
+            .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
                 DroppedBody falls(setting, drop);
                 Errors errors;
                 double now_s = 0;
                 for (const double moment_s : moments_s) {
-                    course.run(falls.world, moment_s - now_s);
+                    stepper.run(falls.world, moment_s - now_s);
                     now_s = moment_s;
                     const int n = static_cast<int>(errors.size()) + 1;
                     errors.push_back(falls.reach_m() / drop.apex_m(n) - 1);
@@ -145,8 +145,8 @@ Scenario end_of_bouncing(double e) {
                                  end.flights + 1,
                                  end.expected_s),
         .metrics = {{"last moment with 1 mm to go", "the time itself"}},
-        .run = [=](const Setting& setting, Course& course) -> Errors {
-            return {bouncing_end_found_s(e, setting, course) / end.expected_s - 1};
+        .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
+            return {bouncing_end_found_s(e, setting, stepper) / end.expected_s - 1};
         }};
 }
 
@@ -159,8 +159,8 @@ Scenario elastic_balls() {
             .reference = "energy is kept",
             .tier = Tier::Conserved,
             .metrics = {{"energy, rms over the steps", "m g H of all balls"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
-                return {elastic_balls_energy_rms(setting, course)};
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+                return {elastic_balls_energy_rms(setting, stepper)};
             },
             .knobs = {.most_hz = 240}};
 }
@@ -175,7 +175,7 @@ Scenario elastic_grid() {
             .reference = "energy is kept",
             .tier = Tier::Conserved,
             .metrics = {{"energy, rms over the steps", "m g H of all balls, 21.2 kJ"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 ScenarioWorld world(setting);
                 world.floor(0, 1);
                 Random random(666);
@@ -186,7 +186,7 @@ Scenario elastic_grid() {
                                  0.1,
                                  {.mass_kg = 10, .friction = 0, .restitution = 1});
                 }
-                return {energy_rms(world, course, 4, 216 * 10 * kG_mps2)};
+                return {energy_rms(world, stepper, 4, 216 * 10 * kG_mps2)};
             },
             .knobs = {.substeps = false, .iterations = false, .most_hz = 240}};
 }

@@ -57,7 +57,7 @@ Scenario catenary() {
         .metrics = {{"pull at a nail, mean of the last second", "59.17 N"},
                     {"sag at 4 s", "0.5337 m"},
                     {"largest gap", "a rod, 0.2 m"}},
-        .run = [](const Setting& setting, Course& course) -> Errors {
+        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
             ScenarioWorld world(setting);
             std::vector<JointId> joints;
             Vec3d end{0, 0, 0};
@@ -86,12 +86,12 @@ Scenario catenary() {
             double sum_N = 0;
             int count = 0;
             double gap_m = 0;
-            course.run(world, kSeconds, {.after = [&](int i) {
-                           gap_m = std::max(gap_m, widest_gap_m(world, joints));
-                           if ((i + 1) * world.step_s() <= kSeconds - 1) return;
-                           sum_N += static_cast<double>(world.joint(joints.front()).force_N);
-                           ++count;
-                       }});
+            stepper.run(world, kSeconds, {.after = [&](int i) {
+                            gap_m = std::max(gap_m, widest_gap_m(world, joints));
+                            if ((i + 1) * world.step_s() <= kSeconds - 1) return;
+                            sum_N += static_cast<double>(world.joint(joints.front()).force_N);
+                            ++count;
+                        }});
             // The middle joint is the end of rod 5.
             const BodyId middle = world.movers[kRods / 2 - 1];
             const Vec3d lowest = world.at(middle) + world.turn(middle) * Vec3d{kRod_m / 2, 0, 0};
@@ -108,7 +108,7 @@ struct Hanging {
     double end_kg;
 };
 
-Errors hang(const Hanging& chain, double seconds, const Setting& setting, Course& course) {
+Errors hang(const Hanging& chain, double seconds, const Setting& setting, Stepper& stepper) {
     ScenarioWorld world(setting);
     std::vector<JointId> joints;
     BodyId before{};
@@ -137,14 +137,14 @@ Errors hang(const Hanging& chain, double seconds, const Setting& setting, Course
     double squares_m2 = 0;
     double stretch_m = 0;
     int count = 0;
-    course.run(world, seconds, {.after = [&](int i) {
-                   const double off_m = -world.at(ball).y - length_m - 0.25;
-                   stretch_m = std::max(stretch_m, std::abs(off_m));
-                   if ((i + 1) * world.step_s() <= seconds - 2) return;
-                   sum_N += static_cast<double>(world.joint(joints.front()).force_N);
-                   squares_m2 += glm::dot(world.velocity(ball), world.velocity(ball));
-                   ++count;
-               }});
+    stepper.run(world, seconds, {.after = [&](int i) {
+                    const double off_m = -world.at(ball).y - length_m - 0.25;
+                    stretch_m = std::max(stretch_m, std::abs(off_m));
+                    if ((i + 1) * world.step_s() <= seconds - 2) return;
+                    sum_N += static_cast<double>(world.joint(joints.front()).force_N);
+                    squares_m2 += glm::dot(world.velocity(ball), world.velocity(ball));
+                    ++count;
+                }});
     const double off_m = -world.at(ball).y - length_m - 0.25;
     return {off_m / length_m,
             stretch_m / length_m,
@@ -165,7 +165,7 @@ Scenario heavy_chain(std::string id, const Hanging& chain, double seconds) {
                         {"load on the first joint, mean of 2 s", "the weight below it"},
                         {"speed of the end, rms of the last 2 s", "sqrt(g l)"}},
             .run = [=](const Setting& setting,
-                       Course& course) { return hang(chain, seconds, setting, course); },
+                       Stepper& stepper) { return hang(chain, seconds, setting, stepper); },
             .knobs = {.most_hz = chain.links > 10 ? 240 : 960}};
 }
 

@@ -43,9 +43,9 @@ Scenario projectile() {
             .reference = "x = v0 t - g t^2 / 2",
             .metrics = {{"height at 2 s", "the distance fallen, 19.62 m"},
                         {"path along at 2 s", "6 m"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 ThrownBall thrown(setting);
-                course.run(thrown.world, kSeconds);
+                stepper.run(thrown.world, kSeconds);
                 const Vec3d off_m = thrown.off_m(kSeconds);
                 return {off_m.y / kFallen_m, off_m.x / 6};
             },
@@ -67,13 +67,13 @@ Scenario along_a_wall() {
             .reference = "y = v0 t - g t^2 / 2; a semi-implicit Euler body is off by g T h / 2",
             .metrics = {{"height at 2 s", "the distance fallen, 19.62 m"},
                         {"path into the wall at 2 s", "its radius, 0.1 m"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 ScenarioWorld world(setting);
                 world.fixed_box({-1.1, 0, 0}, {2, 60, 20}, {.friction = 0});
                 const BodyId ball =
                     world.sphere({0, 0, 0}, 0.1, {.friction = 0, .velocity_mps = {0, 10, 0}});
                 const auto press = [&](int) { world.physics.apply_force(ball, {-10, 0, 0}); };
-                course.run(world, kSeconds, {.before = press});
+                stepper.run(world, kSeconds, {.before = press});
                 const double expected_m = 10 * kSeconds - kFallen_m;
                 return {(world.at(ball).y - expected_m) / kFallen_m, world.at(ball).x / 0.1};
             },
@@ -93,10 +93,10 @@ Scenario damped_fall() {
             .set_up = "A ball falls from rest for 5 s; damping takes 20 % of its speed a second.",
             .reference = "v = (g/k)(1 - exp(-k t)), k = -ln 0.8",
             .metrics = {{"speed at 5 s", "29.6 m/s"}, {"path at 5 s", "the distance fallen"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 ScenarioWorld world(setting);
                 const BodyId ball = world.sphere({0, 0, 0}, 0.1, {.linear_damping_per_s = rate});
-                course.run(world, kSeconds);
+                stepper.run(world, kSeconds);
                 return {-world.velocity(ball).y / speed_mps - 1, -world.at(ball).y / path_m - 1};
             },
             // v <- (v + g h) exp(-k h), summed.
@@ -137,7 +137,7 @@ Scenario quadratic_drag() {
                 "game would.",
             .reference = "v = vt tanh(g t / vt), y = (vt^2/g) ln cosh(g t / vt)",
             .metrics = {{"path at 2 s", "13.13 m"}, {"speed at 2 s", "9.612 m/s"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 ScenarioWorld world(setting);
                 const BodyId ball = world.sphere({0, 0, 0}, 0.1);
                 const auto drag = [&](int) {
@@ -145,7 +145,7 @@ Scenario quadratic_drag() {
                     world.physics.apply_force(ball,
                                               vec({0, kG_mps2 * share * std::abs(share) * -1, 0}));
                 };
-                course.run(world, kSeconds, {.before = drag});
+                stepper.run(world, kSeconds, {.before = drag});
                 return {-world.at(ball).y / path_m - 1, -world.velocity(ball).y / speed_mps - 1};
             },
             .euler_floor =
@@ -193,7 +193,7 @@ Scenario orbit() {
             .metrics = {{"place at 60 s", "the half axis, 1 m"},
                         {"largest error of energy", "the energy, 0.5 J"},
                         {"angular momentum at 60 s", "that at the start"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 ScenarioWorld world(setting, {0, 0, 0});
                 const BodyId body = world.sphere(kPericentre, 0.05, {.velocity_mps = kFastest_mps});
                 const auto pull = [&](int) {
@@ -206,7 +206,7 @@ Scenario orbit() {
                     const double energy = speed * speed / 2 - 1 / glm::length(world.at(body));
                     energy_off = std::max(energy_off, std::abs(energy + 0.5) / 0.5);
                 };
-                course.run(world, kOrbit_s, {.before = pull, .after = look});
+                stepper.run(world, kOrbit_s, {.before = pull, .after = look});
                 const Vec3d turned = glm::cross(world.at(body), world.velocity(body));
                 const Vec3d start = glm::cross(kPericentre, kFastest_mps);
                 return {glm::distance(world.at(body), kepler_at(kOrbit_s)),

@@ -28,7 +28,7 @@ constexpr int kAzimuths = 24;
 SpinningBallErrors spun_off(const Incidence& incidence,
                             double mu,
                             const Setting& setting,
-                            Course& course) {
+                            Stepper& stepper) {
     static constexpr double kRadius_m = 0.5;
     static constexpr double kE = 0.7;
     double off = 0;
@@ -49,7 +49,7 @@ SpinningBallErrors spun_off(const Incidence& incidence,
                                           .restitution = kE,
                                           .velocity_mps = before.velocity_mps,
                                           .spin_radps = before.spin_radps});
-        course.run(world, 0.3);
+        stepper.run(world, 0.3);
         const SpinningBall expected = after_floor(before, kRadius_m, mu, kE);
         const double speed = glm::length(expected.velocity_mps);
         off = std::max(off, glm::distance(world.velocity(ball), expected.velocity_mps) / speed);
@@ -64,7 +64,7 @@ SpinningBallErrors spun_off(const Incidence& incidence,
 
 }  // namespace
 
-BallsMeetErrors balls_meet(const BallsMeet& how, const Setting& setting, Course& course) {
+BallsMeetErrors balls_meet(const BallsMeet& how, const Setting& setting, Stepper& stepper) {
     static constexpr double kRadius_m = 0.1;
     static constexpr double kE = 0.7;
     ScenarioWorld world(setting, {0, 0, 0});
@@ -76,7 +76,7 @@ BallsMeetErrors balls_meet(const BallsMeet& how, const Setting& setting, Course&
     const BodyId a = world.sphere({-0.5, aside_m, 0}, kRadius_m, coming);
     const BodyId b = world.sphere({0, 0, 0}, kRadius_m, properties);
     const Vec3d momentum = world.physics.momentum_kgmps();
-    course.run(world, 0.5);
+    stepper.run(world, 0.5);
 
     const double up = aside_m / (2 * kRadius_m);
     const Vec3d normal{std::sqrt(1 - up * up), -up, 0};  // from a to b
@@ -104,17 +104,17 @@ SpinningBall after_floor(const SpinningBall& before, double radius_m, double mu,
     return after;
 }
 
-SpinningBallErrors spinning_ball_bounces(double mu, const Setting& setting, Course& course) {
+SpinningBallErrors spinning_ball_bounces(double mu, const Setting& setting, Stepper& stepper) {
     SpinningBallErrors worst{0, 0};
     for (const Incidence& incidence : kIncidences) {
-        const SpinningBallErrors off = spun_off(incidence, mu, setting, course);
+        const SpinningBallErrors off = spun_off(incidence, mu, setting, stepper);
         worst.worst = std::max(worst.worst, off.worst);
         worst.spread = std::max(worst.spread, off.spread);
     }
     return worst;
 }
 
-CradleErrors cradle_swings(const Cradle& cradle, const Setting& setting, Course& course) {
+CradleErrors cradle_swings(const Cradle& cradle, const Setting& setting, Stepper& stepper) {
     constexpr double kRadius_m = 0.1;
     constexpr int kBalls = 5;
     ScenarioWorld world(setting, {0, 0, 0});
@@ -127,7 +127,7 @@ CradleErrors cradle_swings(const Cradle& cradle, const Setting& setting, Course&
                       .restitution = 1,
                       .velocity_mps = {comes ? kMeetingSpeed_mps : 0.0, 0, 0}});
     }
-    course.run(world, 1);
+    stepper.run(world, 1);
     CradleErrors errors{0, 0};
     for (int i = 0; i < kBalls; ++i) {
         const Vec3d velocity = world.velocity(world.movers[static_cast<std::size_t>(i)]);
@@ -154,9 +154,9 @@ Scenario two_balls(double ratio) {
         .metrics = {{"velocities, oblique", "2 m/s"},
                     {"velocities, head on", "2 m/s"},
                     {"momentum", "that at the start"}},
-        .run = [=](const Setting& setting, Course& course) -> Errors {
-            const auto head_on = balls_meet({.mass_ratio = ratio}, setting, course);
-            const auto oblique = balls_meet({.mass_ratio = ratio, .aside = 1}, setting, course);
+        .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
+            const auto head_on = balls_meet({.mass_ratio = ratio}, setting, stepper);
+            const auto oblique = balls_meet({.mass_ratio = ratio, .aside = 1}, setting, stepper);
             return {
                 oblique.velocity, head_on.velocity, std::max(head_on.momentum, oblique.momentum)};
         }};
@@ -172,8 +172,8 @@ Scenario spinning_ball(double mu) {
             .reference = "rigid Coulomb impact: sticks if mu (1 + e) v_n >= 2/7 of the slip",
             .metrics = {{"velocity and spin, worst", "the speed after"},
                         {"spread over directions, worst", "the speed after"}},
-            .run = [=](const Setting& setting, Course& course) -> Errors {
-                const auto [worst, spread] = spinning_ball_bounces(mu, setting, course);
+            .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
+                const auto [worst, spread] = spinning_ball_bounces(mu, setting, stepper);
                 return {worst, spread};
             },
             .knobs = {.most_hz = 240}};
@@ -191,8 +191,8 @@ Scenario cradle(double gap_m) {
                              : "one in, one out: what impacts passed on from pair to pair give, "
                                "and real steel balls nearly do; rigid bodies alone do not say",
             .metrics = {{"speed of the last ball", "2 m/s"}, {"speed of the others", "2 m/s"}},
-            .run = [=](const Setting& setting, Course& course) -> Errors {
-                const auto [leaving, staying] = cradle_swings({.gap_m = gap_m}, setting, course);
+            .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
+                const auto [leaving, staying] = cradle_swings({.gap_m = gap_m}, setting, stepper);
                 return {leaving, staying};
             }};
 }

@@ -2,6 +2,8 @@
 // A40 to A44. None needs a reference.
 #include "engine/study/scenarios/families/invariances.h"
 
+#include "engine/study/scenarios/scenario.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,57 +16,57 @@ namespace {
 using physics::BodyId;
 using physics::BodyKind;
 
-Vec3d pendulum_end(const Frame& frame, const Setting& setting, Course& course) {
+Vec3d pendulum_end(const Frame& frame, const Setting& setting, Stepper& stepper) {
     FramedWorld framed(frame, setting);
     const std::size_t nail =
         framed.box(BodyKind::Static, {0, 0, 0}, {0.2, 0.2, 0.2}, {.touches = false});
     const std::size_t ball = framed.sphere({1, 0, 0}, 0.1, {.touches = false});
     framed.build();
     framed.join(ball, nail, {0, 0, 0});
-    framed.run(course, 2);
+    framed.run(stepper, 2);
     return framed.at(ball);
 }
 
-Vec3d bounce_end(const Frame& frame, const Setting& setting, Course& course) {
+Vec3d bounce_end(const Frame& frame, const Setting& setting, Stepper& stepper) {
     FramedWorld framed(frame, setting);
     framed.floor(0.5, 0.8);
     const std::size_t ball = framed.sphere({0, 1.1, 0}, 0.1, {.restitution = 0.8});
     framed.build();
-    framed.run(course, 0.9);  // about half-way between the first two contacts
+    framed.run(stepper, 0.9);  // about half-way between the first two contacts
     const double speed = framed.velocity(ball).y;
     const Vec3d at = framed.at(ball);
     return {at.x, at.y - 0.1 + speed * speed / (2 * kG_mps2), at.z};
 }
 
-Vec3d slide_end(const Frame& frame, const Setting& setting, Course& course) {
+Vec3d slide_end(const Frame& frame, const Setting& setting, Stepper& stepper) {
     FramedWorld framed(frame, setting);
     framed.floor(0.3);
     const std::size_t box = framed.box(
         BodyKind::Dynamic, {0, 0.25, 0}, {1, 0.5, 1}, {.friction = 0.3, .velocity_mps = {5, 0, 0}});
     framed.build();
-    framed.run(course, 2.5);
+    framed.run(stepper, 2.5);
     return framed.at(box);
 }
 
-Vec3d roll_end(const Frame& frame, const Setting& setting, Course& course) {
+Vec3d roll_end(const Frame& frame, const Setting& setting, Stepper& stepper) {
     FramedWorld framed(frame, setting);
     framed.floor(0.2);
     const std::size_t ball =
         framed.sphere({0, 0.5, 0}, 0.5, {.friction = 0.2, .velocity_mps = {5, 0, 0}});
     framed.build();
-    framed.run(course, 3);
+    framed.run(stepper, 3);
     return framed.at(ball);
 }
 
 /// The top of five cubes that come down a centimetre each.
-Vec3d tower_end(const Frame& frame, const Setting& setting, Course& course) {
+Vec3d tower_end(const Frame& frame, const Setting& setting, Stepper& stepper) {
     FramedWorld framed(frame, setting);
     framed.floor(0.5);
     std::size_t top = 0;
     for (int i = 0; i < 5; ++i)
         top = framed.box(BodyKind::Dynamic, {0, 0.51 + 1.01 * i, 0}, {1, 1, 1}, {});
     framed.build();
-    framed.run(course, 3);
+    framed.run(stepper, 3);
     return framed.at(top);
 }
 
@@ -98,41 +100,41 @@ Frame far_frame(double distance_m) {
     return {.offset_m = {distance_m, 0, -distance_m}};
 }
 
-double back_in_time_m(double seconds, const Setting& setting, Course& course) {
+double back_in_time_m(double seconds, const Setting& setting, Stepper& stepper) {
     ScenarioWorld world(setting);
     world.room(2);
     const BodyId ball = world.sphere(
         {0.3, 0.2, 0.1}, 0.25, {.friction = 0, .restitution = 1, .velocity_mps = {3.1, 2.3, -1.7}});
     const Vec3d start = world.at(ball);
-    course.run(world, seconds);
+    stepper.run(world, seconds);
     world.physics.set_velocity(ball, vec(-world.velocity(ball)), {0, 0, 0});
-    course.run(world, seconds);
+    stepper.run(world, seconds);
     return glm::distance(world.at(ball), start);
 }
 
 namespace {
 
 /// For every scene the furthest that any of the frames ends from the plain one.
-Errors furthest_by_scene(std::span<const Frame> frames, const Setting& setting, Course& course) {
+Errors furthest_by_scene(std::span<const Frame> frames, const Setting& setting, Stepper& stepper) {
     Errors errors;
     for (const FramedScene& scene : kScenes) {
-        const Vec3d plain = scene.end_m({}, setting, course);
+        const Vec3d plain = scene.end_m({}, setting, stepper);
         double furthest = 0;
         for (const Frame& frame : frames)
             furthest =
-                std::max(furthest, glm::distance(scene.end_m(frame, setting, course), plain));
+                std::max(furthest, glm::distance(scene.end_m(frame, setting, stepper), plain));
         errors.push_back(furthest / scene.scale_m);
     }
     return errors;
 }
 
 /// For every frame the furthest that any scene ends from the plain one, as a share of its way.
-Errors furthest_by_frame(std::span<const Frame> frames, const Setting& setting, Course& course) {
+Errors furthest_by_frame(std::span<const Frame> frames, const Setting& setting, Stepper& stepper) {
     Errors errors(frames.size(), 0.0);
     for (const FramedScene& scene : kScenes) {
-        const Vec3d plain = scene.end_m({}, setting, course);
+        const Vec3d plain = scene.end_m({}, setting, stepper);
         for (std::size_t i = 0; i < frames.size(); ++i) {
-            const double off = glm::distance(scene.end_m(frames[i], setting, course), plain);
+            const double off = glm::distance(scene.end_m(frames[i], setting, stepper), plain);
             errors[i] = std::max(errors[i], off / scene.scale_m);
         }
     }
@@ -160,7 +162,7 @@ Scenario by_scene(std::string id, std::string title, const char* how, std::vecto
             .metrics = metrics_by_scene(),
             .run = [frames = std::move(frames)](
                        const Setting& setting,
-                       Course& course) { return furthest_by_scene(frames, setting, course); },
+                       Stepper& stepper) { return furthest_by_scene(frames, setting, stepper); },
             .knobs = kUpTo240Hz};
 }
 
@@ -185,7 +187,7 @@ Scenario by_value(std::string id,
             .metrics = std::move(metrics),
             .run = [frames = std::move(frames)](
                        const Setting& setting,
-                       Course& course) { return furthest_by_frame(frames, setting, course); },
+                       Stepper& stepper) { return furthest_by_frame(frames, setting, stepper); },
             .knobs = kUpTo240Hz};
 }
 
@@ -237,8 +239,8 @@ Scenario back_in_time() {
             .reference = "it comes back to where it started",
             .tier = Tier::Conserved,
             .metrics = {{"distance from the start", "the room, 4 m"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
-                return {back_in_time_m(2, setting, course) / 4};
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+                return {back_in_time_m(2, setting, stepper) / 4};
             },
             .knobs = {.iterations = false}};
 }

@@ -60,7 +60,7 @@ Scenario smooth_floor_rod() {
             .tier = Tier::TwoIntegrators,
             .metrics = {{"angle at 0.5 s", "90 degrees"},
                         {"path of its middle to the side", "half the rod"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 ScenarioWorld world(setting);
                 world.floor(0);
                 const BodyId rod = leaning_rod(world, kFrom_rad, 0);
@@ -70,7 +70,7 @@ Scenario smooth_floor_rod() {
                     0.5 - kThin_m,
                     static_cast<double>(world.physics.mass_properties(rod).inertia_kgm2.x)};
                 const State<2> expected = reference(law, State<2>{kFrom_rad, 0}, 0, kSeconds);
-                course.run(world, kSeconds);
+                stepper.run(world, kSeconds);
                 return {(lean_rad(world, rod) - expected[0]) / (kPi_d / 2),
                         (world.at(rod).x - start_m) / 0.5};
             }};
@@ -96,7 +96,7 @@ Scenario leaving_ball() {
             .tier = Tier::TwoIntegrators,
             .metrics = {{"place at 1 s", "the sum of the radii, 1.1 m"},
                         {"speed at 1 s", "that of the fall"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 static const double leaves_rad = std::acos(2.0 / 3 * std::cos(kFrom_rad));
                 // When it is there: halving the time.
                 static const double leaves_s = [] {
@@ -127,7 +127,7 @@ Scenario leaving_ball() {
                     world.sphere(Vec3d{std::sin(kFrom_rad), std::cos(kFrom_rad), 0} * kAround_m,
                                  kSmall_m,
                                  {.friction = 0});
-                course.run(world, kSeconds);
+                stepper.run(world, kSeconds);
                 return {glm::distance(world.at(ball), expected) / kAround_m,
                         glm::distance(world.velocity(ball), speed) / glm::length(speed)};
             }};
@@ -145,7 +145,7 @@ Scenario ladder() {
         .tier = Tier::TwoIntegrators,
         .metrics = {{"angle at 0.3 s", "90 degrees"},
                     {"place of its middle at 0.3 s", "half the rod"}},
-        .run = [](const Setting& setting, Course& course) -> Errors {
+        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
             ScenarioWorld world(setting);
             world.floor(0);
             world.fixed_box({-1 - kThin_m, 0, 0}, {2, 8, 8}, {.friction = 0});
@@ -164,7 +164,7 @@ Scenario ladder() {
                                 kG_mps2 * half_m * std::sin(s[0]) / (inertia + half_m * half_m)};
             };
             const State<2> expected = reference(law, State<2>{lean, 0}, 0, kSeconds);
-            course.run(world, kSeconds);
+            stepper.run(world, kSeconds);
             const Vec3d middle{
                 half_m * std::sin(expected[0]), kThin_m + half_m * std::cos(expected[0]), 0};
             return {(-lean_rad(world, rod) - expected[0]) / (kPi_d / 2),

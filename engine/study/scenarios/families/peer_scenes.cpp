@@ -40,23 +40,23 @@ double stretch(const PeerScene& chain, const Vec3d& along) {
 
 Errors run_chain(const std::string& name,
                  const Setting& setting,
-                 Course& course,
+                 Stepper& stepper,
                  const Vec3d& along,
                  bool at_end) {
     const auto opened = PeerScene::open(name, setting);
-    if (!opened) return course.refuse(opened.error());
+    if (!opened) return stepper.refuse(opened.error());
     PeerScene& chain = **opened;
     constexpr double kTail_s = 2;
     double most = 0;
     double tail = 0;
     int in_tail = 0;
-    course.run(chain.world, kChain_s, {.after = [&](int i) {
-                   const double now = stretch(chain, along);
-                   most = std::max(most, now);
-                   if ((i + 1) * chain.world.step_s() < kChain_s - kTail_s + 1e-9) return;
-                   tail += now;
-                   ++in_tail;
-               }});
+    stepper.run(chain.world, kChain_s, {.after = [&](int i) {
+                    const double now = stretch(chain, along);
+                    most = std::max(most, now);
+                    if ((i + 1) * chain.world.step_s() < kChain_s - kTail_s + 1e-9) return;
+                    tail += now;
+                    ++in_tail;
+                }});
     return {at_end ? tail / std::max(1, in_tail) : most};
 }
 
@@ -77,16 +77,16 @@ void add_chain(std::vector<Scenario>& all, const std::string& name, bool hangs) 
                             : "20 m; the gaps of all joints"}},
          .run = [name, along, hangs](
                     const Setting& setting,
-                    Course& course) { return run_chain(name, setting, course, along, hangs); },
+                    Stepper& stepper) { return run_chain(name, setting, stepper, along, hangs); },
          .peer_scene = name,
          .knobs = {.most_hz = 240, .doubled = false}});
 }
 
 // --- a ball that bounces without loss ---
 
-Errors run_bounce(const Setting& setting, Course& course) {
+Errors run_bounce(const Setting& setting, Stepper& stepper) {
     const auto opened = PeerScene::open("bounce", setting);
-    if (!opened) return course.refuse(opened.error());
+    if (!opened) return stepper.refuse(opened.error());
     ScenarioWorld& world = (*opened)->world;
     const BodyId ball = (*opened)->body("ball");
     constexpr double kRadius_m = 0.5;
@@ -97,46 +97,46 @@ Errors run_bounce(const Setting& setting, Course& course) {
     double apex_m = 0;
     // The apex lies between two steps: the energy of the nearer one says how high.
     const auto energy_height = [](double at_m, double v) { return at_m + v * v / (2 * kG_mps2); };
-    course.run(world, 60, {.after = [&](int) {
-                   const double now_m = height_of();
-                   const double now_mps = world.velocity(ball).y;
-                   if (rise_mps > 0 && now_mps <= 0) {
-                       apex_m = rise_mps < -now_mps ? energy_height(height_m, rise_mps)
-                                                    : energy_height(now_m, now_mps);
-                   }
-                   height_m = now_m;
-                   rise_mps = now_mps;
-               }});
+    stepper.run(world, 60, {.after = [&](int) {
+                    const double now_m = height_of();
+                    const double now_mps = world.velocity(ball).y;
+                    if (rise_mps > 0 && now_mps <= 0) {
+                        apex_m = rise_mps < -now_mps ? energy_height(height_m, rise_mps)
+                                                     : energy_height(now_m, now_mps);
+                    }
+                    height_m = now_m;
+                    rise_mps = now_mps;
+                }});
     const bool is_dead = height_m < 0.01 * drop_m && std::abs(rise_mps) < 0.1;
     return {is_dead ? 1.0 : apex_m / drop_m - 1};
 }
 
 // --- a ball that slides until it rolls ---
 
-Errors run_slide_roll(const Setting& setting, Course& course) {
+Errors run_slide_roll(const Setting& setting, Stepper& stepper) {
     constexpr SlideToRoll kLaw{.speed_mps = 5, .mu = 0.3};
     constexpr double kEnd_s = 3;
     const auto opened = PeerScene::open("slideroll", setting);
-    if (!opened) return course.refuse(opened.error());
+    if (!opened) return stepper.refuse(opened.error());
     ScenarioWorld& world = (*opened)->world;
     const BodyId ball = (*opened)->body("ball");
     double most_m = 0;
-    course.run(world, kEnd_s, {.after = [&](int i) {
-                   const double t_s = (i + 1) * world.step_s();
-                   most_m = std::max(most_m, std::abs(world.at(ball).x - kLaw.path_m(t_s)));
-               }});
+    stepper.run(world, kEnd_s, {.after = [&](int i) {
+                    const double t_s = (i + 1) * world.step_s();
+                    most_m = std::max(most_m, std::abs(world.at(ball).x - kLaw.path_m(t_s)));
+                }});
     return {most_m / kLaw.path_m(kEnd_s), world.velocity(ball).x / kLaw.speed_at_mps(kEnd_s) - 1};
 }
 
 // --- a T-handle that turns about its middle axis ---
 
-Errors run_handle(const Setting& setting, Course& course) {
+Errors run_handle(const Setting& setting, Stepper& stepper) {
     constexpr double kSeen_s = 10;
     static const FreeBodyDef def = t_handle();
     static const TurningBody expected =
         turned_for({.own_spin_radps = def.spin_radps}, *def.inertia_kgm2, kSeen_s);
     const auto opened = PeerScene::open("dzhani", setting);
-    if (!opened) return course.refuse(opened.error());
+    if (!opened) return stepper.refuse(opened.error());
     ScenarioWorld& world = (*opened)->world;
     const BodyId handle = (*opened)->body("handle");
     const Vec3d inertia = *def.inertia_kgm2;
@@ -146,15 +146,15 @@ Errors run_handle(const Setting& setting, Course& course) {
     double most_energy = 0;
     double most_momentum = 0;
     const double step_s = world.step_s();
-    course.run(world, 60, {.after = [&](int i) {
-                   const auto [turn, spin] = turning_body(world, handle);
-                   const Vec3d now = inertia * spin;
-                   most_energy = std::max(most_energy, std::abs(glm::dot(spin, now) / energy - 1));
-                   most_momentum = std::max(
-                       most_momentum, glm::length(turn * now - momentum) / glm::length(momentum));
-                   if (std::abs((i + 1) * step_s - kSeen_s) < step_s / 4)
-                       turned_rad = angle_between_rad(turn, expected.turn);
-               }});
+    stepper.run(world, 60, {.after = [&](int i) {
+                    const auto [turn, spin] = turning_body(world, handle);
+                    const Vec3d now = inertia * spin;
+                    most_energy = std::max(most_energy, std::abs(glm::dot(spin, now) / energy - 1));
+                    most_momentum = std::max(
+                        most_momentum, glm::length(turn * now - momentum) / glm::length(momentum));
+                    if (std::abs((i + 1) * step_s - kSeen_s) < step_s / 4)
+                        turned_rad = angle_between_rad(turn, expected.turn);
+                }});
     return {turned_rad / kPi_d, most_energy, most_momentum};
 }
 
@@ -177,15 +177,15 @@ double depth_m(const ScenarioWorld& world, BodyId upper, BodyId lower) {
     return deepest_m;
 }
 
-Errors run_heavy(const std::string& name, const Setting& setting, Course& course) {
+Errors run_heavy(const std::string& name, const Setting& setting, Stepper& stepper) {
     constexpr double kLandedAfter_s = 1;
     const auto opened = PeerScene::open(name, setting);
-    if (!opened) return course.refuse(opened.error());
+    if (!opened) return stepper.refuse(opened.error());
     ScenarioWorld& world = (*opened)->world;
     const BodyId lower = (*opened)->body("lower");
     const BodyId upper = (*opened)->body("upper");
     double most_m = 0;
-    course.run(
+    stepper.run(
         world, 10, {.after = [&](int i) {
             if ((i + 1) * world.step_s() <= kLandedAfter_s) return;
             most_m = std::max({most_m, depth_m(world, lower, lower), depth_m(world, upper, lower)});
@@ -207,7 +207,7 @@ void add_heavy(std::vector<Scenario>& all, int ratio) {
                                 "an edge, 1 m; after the first second; fallen off: all of it"},
                                {"height of the upper cube", "1.5 m"}},
                    .run = [name](const Setting& setting,
-                                 Course& course) { return run_heavy(name, setting, course); },
+                                 Stepper& stepper) { return run_heavy(name, setting, stepper); },
                    .peer_scene = name,
                    .knobs = {.most_hz = 480, .doubled = false}});
 }

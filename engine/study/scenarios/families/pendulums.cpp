@@ -49,7 +49,7 @@ Errors swing(const Pendulum& pendulum,
              const std::function<BodyId(ScenarioWorld&, const Vec3d&, const Quatd&)>& hang,
              double seconds,
              const Setting& setting,
-             Course& course) {
+             Stepper& stepper) {
     ScenarioWorld world(setting);
     const Quatd turn = glm::angleAxis(pendulum.from_rad, Vec3d{0, 0, 1});
     const BodyId body = hang(world, turn * Vec3d{0, -pendulum.to_middle_m, 0}, turn);
@@ -59,11 +59,11 @@ Errors swing(const Pendulum& pendulum,
     double energy_off = 0;
     double gap_m = 0;
     double aside = 0;
-    course.run(world, seconds, {.after = [&](int) {
-                   energy_off = std::max(energy_off, std::abs(world.energy_J() - start_J));
-                   gap_m = std::max(gap_m, world.joint(pivot).error_m);
-                   aside = std::max(aside, std::abs(world.at(body).z));
-               }});
+    stepper.run(world, seconds, {.after = [&](int) {
+                    energy_off = std::max(energy_off, std::abs(world.energy_J() - start_J));
+                    gap_m = std::max(gap_m, world.joint(pivot).error_m);
+                    aside = std::max(aside, std::abs(world.at(body).z));
+                }});
     const Vec3d at = world.at(body);
     const double off =
         std::atan2(at.x, -at.y) - pendulum_rad(pendulum.from_rad, pendulum.length_m, seconds);
@@ -93,12 +93,12 @@ Scenario ball_pendulum(double from_deg) {
             .reference = "sin(a/2) = k cd(sqrt(g/l) t, k), k = sin(a0/2), l = 1.001 m",
             .metrics = swing_metrics(kSeconds, from_deg, "the arm, 1 m"),
             .run =
-                [=](const Setting& setting, Course& course) {
+                [=](const Setting& setting, Stepper& stepper) {
                     const auto hang = [](ScenarioWorld& world, const Vec3d& at, const Quatd& turn) {
                         return world.sphere(at, kRadius_m, {.turn = turn, .touches = false});
                     };
                     return swing(
-                        pendulum, JointKind::BallAndSocket, hang, kSeconds, setting, course);
+                        pendulum, JointKind::BallAndSocket, hang, kSeconds, setting, stepper);
                 },
             .theory = orders_in_step(2, std::nullopt)};
 }
@@ -115,11 +115,11 @@ Scenario rod_pendulum() {
         .reference = "as A09, with l = (I + m d^2)/(m d)",
         .metrics = swing_metrics(kSeconds, 90, "half the rod"),
         .run =
-            [=](const Setting& setting, Course& course) {
+            [=](const Setting& setting, Stepper& stepper) {
                 const auto hang = [](ScenarioWorld& world, const Vec3d& at, const Quatd& turn) {
                     return world.box(at, {kThick_m, 1, kThick_m}, {.turn = turn, .touches = false});
                 };
-                return swing(pendulum, JointKind::Hinge, hang, kSeconds, setting, course);
+                return swing(pendulum, JointKind::Hinge, hang, kSeconds, setting, stepper);
             },
         .theory = orders_in_step(2, std::nullopt)};
 }
@@ -140,7 +140,7 @@ Scenario conical_pendulum() {
         .metrics = {{"place at 20 s", "the radius, 0.5 m"},
                     {"largest change of the cone's angle", "1 rad"},
                     {"angular momentum about the vertical", "that at the start"}},
-        .run = [](const Setting& setting, Course& course) -> Errors {
+        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
             ScenarioWorld world(setting);
             const Vec3d spin{0, around_radps, 0};
             const Vec3d start{std::sin(kCone_rad), -std::cos(kCone_rad), 0};
@@ -153,11 +153,11 @@ Scenario conical_pendulum() {
             world.join({.kind = JointKind::BallAndSocket, .a = ball});
             const double start_L = world.physics.angular_momentum_kgm2ps().y;
             double cone_off = 0;
-            course.run(world, kSeconds, {.after = [&](int) {
-                           const Vec3d at = world.at(ball);
-                           const double cone = std::atan2(std::hypot(at.x, at.z), -at.y);
-                           cone_off = std::max(cone_off, std::abs(cone - kCone_rad));
-                       }});
+            stepper.run(world, kSeconds, {.after = [&](int) {
+                            const Vec3d at = world.at(ball);
+                            const double cone = std::atan2(std::hypot(at.x, at.z), -at.y);
+                            cone_off = std::max(cone_off, std::abs(cone - kCone_rad));
+                        }});
             const Vec3d expected = glm::angleAxis(around_radps * kSeconds, Vec3d{0, 1, 0}) * start;
             return {glm::distance(world.at(ball), expected) / 0.5,
                     cone_off,
@@ -179,7 +179,7 @@ Scenario damped_spring() {
             .metrics = {{"amplitude at 5 s", "that of the formula"},
                         {"phase at 5 s", "1 rad"},
                         {"place at 5 s", "0.5 m"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 ScenarioWorld world(setting, {0, 0, 0});
                 const BodyId ball = world.sphere({kRest_m + kOut_m, 0, 0}, 0.1, {.touches = false});
                 world.join({.kind = JointKind::Spring,
@@ -188,7 +188,7 @@ Scenario damped_spring() {
                             .stiffness_Npm = 100,
                             .damping_Nspm = 1,
                             .rest_length_m = real(kRest_m)});
-                course.run(world, kSeconds);
+                stepper.run(world, kSeconds);
                 // x = A exp(-t/2) cos(w t - p): A and p from place and speed.
                 const auto parts = [](double x, double v) {
                     return glm::dvec2{x, -(v + kDecay * x) / rate};
@@ -218,7 +218,7 @@ Scenario motor() {
             .metrics = {{"speed at 0.5 s", "the target, 4 rad/s"},
                         {"speed at 2 s", "the target"},
                         {"most above the target", "the target"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 ScenarioWorld world(setting, {0, 0, 0});
                 // m r^2 / 2 = 0.5
                 const BodyId wheel =
@@ -228,9 +228,9 @@ Scenario motor() {
                             .motor = physics::JointMotor{.target = 4, .max = 2}});
                 double most = 0;
                 const auto look = [&](int) { most = std::max(most, world.spin(wheel).y); };
-                course.run(world, 0.5, {.after = look});
+                stepper.run(world, 0.5, {.after = look});
                 const double half_way = world.spin(wheel).y;
-                course.run(world, 1.5, {.after = look});
+                stepper.run(world, 1.5, {.after = look});
                 return {(half_way - 2) / 4, (world.spin(wheel).y - 4) / 4, (most - 4) / 4};
             }};
 }

@@ -32,14 +32,17 @@ SlidingBall::SlidingBall(const Setting& setting, const SlideToRoll& law, double 
         world.sphere({0, 0.5, 0}, 0.5, {.friction = law.mu, .velocity_mps = ahead * law.speed_mps});
 }
 
-DownSlopeErrors down_slope(double angle_rad, double share, const Setting& setting, Course& course) {
+DownSlopeErrors down_slope(double angle_rad,
+                           double share,
+                           const Setting& setting,
+                           Stepper& stepper) {
     const double mu = share * 2.0 / 7 * std::tan(angle_rad);
     const Slope slope(angle_rad);
     ScenarioWorld world(setting);
     slope.add_to(world, mu);
     const BodyId ball = world.sphere(slope.out * 0.5, 0.5, {.friction = mu});
     const Vec3d start = world.at(ball);
-    course.run(world, 2);
+    stepper.run(world, 2);
     const bool rolls = share >= 1;
     const double gain = rolls ? 5.0 / 7 * kG_mps2 * std::sin(angle_rad)
                               : kG_mps2 * (std::sin(angle_rad) - mu * std::cos(angle_rad));
@@ -84,9 +87,9 @@ Scenario slide_to_roll() {
         .metrics = {{"path at 3 s", "11.23 m"},
                     {"speed at 3 s", "3.571 m/s"},
                     {"slip at 3 s", "3.571 m/s"}},
-        .run = [](const Setting& setting, Course& course) -> Errors {
+        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
             SlidingBall slides(setting, kLaw);
-            course.run(slides.world, kSeconds);
+            stepper.run(slides.world, kSeconds);
             const double speed = slides.world.velocity(slides.ball).x;
             const double spin = slides.world.spin(slides.ball).z;
             return {slides.world.at(slides.ball).x / kLaw.path_m(kSeconds) - 1,
@@ -118,12 +121,12 @@ Scenario slope(double angle_deg) {
             "rolls (a = 5/7 g sin a) if mu >= 2/7 tan a, else slips "
             "(a = g (sin a - mu cos a))",
         .metrics = metrics,
-        .run = [=](const Setting& setting, Course& course) -> Errors {
+        .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
             Errors errors;
             double spin = 0;
             for (const double share : kShares) {
                 const auto [path, turning] =
-                    down_slope(angle_deg * kPi_d / 180, share, setting, course);
+                    down_slope(angle_deg * kPi_d / 180, share, setting, stepper);
                 errors.push_back(path);
                 spin = std::max(spin, std::abs(turning));
             }
@@ -144,10 +147,10 @@ Scenario turntable() {
             .metrics = {{"place at 15 s", "the circle's radius, 2 m"},
                         {"radius at 15 s", "2 m"},
                         {"angle gone round", "12.86 rad"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 using Turntable = BallOnTurntable;
                 Turntable rolls(setting);
-                course.run(rolls.world, kSeconds, {.after = [&](int) { rolls.follow(); }});
+                stepper.run(rolls.world, kSeconds, {.after = [&](int) { rolls.follow(); }});
                 const Vec3d expected_m = Turntable::expected_m(kSeconds);
                 const double angle_rad = Turntable::kAround_radps * kSeconds;
                 return {glm::distance(rolls.world.at(rolls.ball), expected_m) / Turntable::kPath_m,
@@ -157,7 +160,7 @@ Scenario turntable() {
 }
 
 /// SimBenchmark's rolling test: a plate of 10 kg pulled over the floor with 25 balls on it.
-std::array<double, 2> pull_plate(const Vec3d& pull, const Setting& setting, Course& course) {
+std::array<double, 2> pull_plate(const Vec3d& pull, const Setting& setting, Stepper& stepper) {
     constexpr double kSeconds = 4;
     constexpr double kForce_N = 150;
     constexpr int kBalls = 25;
@@ -173,16 +176,16 @@ std::array<double, 2> pull_plate(const Vec3d& pull, const Setting& setting, Cour
     const double plate_mps2 = 3.5 * on_ball_N;
     double squares = 0;
     int count = 0;
-    course.run(world,
-               kSeconds,
-               {.before = [&](int) { world.physics.apply_force(plate, vec(pull * kForce_N)); },
-                .after =
-                    [&](int i) {
-                        const double t = (i + 1) * world.step_s();
-                        const Vec3d plate_off = world.velocity(plate) - pull * (plate_mps2 * t);
-                        squares += glm::dot(plate_off, plate_off);
-                        ++count;
-                    }});
+    stepper.run(world,
+                kSeconds,
+                {.before = [&](int) { world.physics.apply_force(plate, vec(pull * kForce_N)); },
+                 .after =
+                     [&](int i) {
+                         const double t = (i + 1) * world.step_s();
+                         const Vec3d plate_off = world.velocity(plate) - pull * (plate_mps2 * t);
+                         squares += glm::dot(plate_off, plate_off);
+                         ++count;
+                     }});
     double ball_off = 0;
     for (const BodyId id : world.movers) {
         const double gain = id == plate ? plate_mps2 : on_ball_N;
@@ -205,9 +208,9 @@ Scenario rolling_plate() {
             .metrics = {{"the plate's velocity, rms, pulled askew", "its end speed, 2.95 m/s"},
                         {"the same, pulled along", "its end speed"},
                         {"worst velocity of any body at 4 s", "its end speed"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
-                const auto along = pull_plate({1, 0, 0}, setting, course);
-                const auto askew = pull_plate({0.5, 0, std::sqrt(0.75)}, setting, course);
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+                const auto along = pull_plate({1, 0, 0}, setting, stepper);
+                const auto askew = pull_plate({0.5, 0, std::sqrt(0.75)}, setting, stepper);
                 return {askew[0], along[0], std::max(along[1], askew[1])};
             },
             .knobs = {.most_hz = 240}};

@@ -19,7 +19,7 @@ double sliding_way_m() {
     return kSpeed_mps * kSpeed_mps / (2 * kMu * kG_mps2);
 }
 
-Vec3d sliding_stop_m(const SlidingBox& box, const Setting& setting, Course& course) {
+Vec3d sliding_stop_m(const SlidingBox& box, const Setting& setting, Stepper& stepper) {
     ScenarioWorld world(setting);
     world.floor(kMu);
     const Vec3d forward{std::cos(box.heading_rad), 0, -std::sin(box.heading_rad)};
@@ -28,7 +28,7 @@ Vec3d sliding_stop_m(const SlidingBox& box, const Setting& setting, Course& cour
                                   {.friction = kMu,
                                    .velocity_mps = forward * kSpeed_mps,
                                    .turn = glm::angleAxis(box.turned_rad, Vec3d{0, 1, 0})});
-    course.run(world, 2.5);
+    stepper.run(world, 2.5);
     return world.at(body);
 }
 
@@ -93,14 +93,14 @@ Scenario sliding_stop() {
         .metrics = {{"path", "4.247 m"},
                     {"furthest aside", "4.247 m"},
                     {"most less least path, of 24 directions", "4.247 m"}},
-        .run = [](const Setting& setting, Course& course) -> Errors {
-            const Vec3d first = sliding_stop_m({}, setting, course);
+        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+            const Vec3d first = sliding_stop_m({}, setting, stepper);
             double least = 1e9;
             double most = 0;
             double aside_m = std::abs(first.z);
             for (int i = 0; i < 24; ++i) {
                 const double heading = i * kPi_d / 12;
-                const Vec3d at = sliding_stop_m({.heading_rad = heading}, setting, course);
+                const Vec3d at = sliding_stop_m({.heading_rad = heading}, setting, stepper);
                 const double along = at.x * std::cos(heading) - at.z * std::sin(heading);
                 const double across = at.x * std::sin(heading) + at.z * std::cos(heading);
                 aside_m = std::max(aside_m, std::abs(across));
@@ -120,9 +120,9 @@ Scenario held_on_slope() {
             .set_up = "A cube of 1 m on a slope of tan a = 0.99 mu, mu = 0.5, for 20 s.",
             .reference = "it stays",
             .metrics = {{"path in 20 s", "its edge, 1 m"}, {"speed at 20 s", "1 m/s"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 BoxOnSlope held(setting, std::atan(0.99 * 0.5), 0.5);
-                course.run(held.world, 20);
+                stepper.run(held.world, 20);
                 return {glm::distance(held.world.at(held.box), held.start_m),
                         glm::length(held.world.velocity(held.box))};
             },
@@ -136,9 +136,9 @@ Scenario slides_on_slope() {
             .set_up = "A cube of 1 m on a slope of tan a = 0.6, mu = 0.5, let go; 4 s.",
             .reference = "a = g (sin a - mu cos a)",
             .metrics = {{"path at 4 s", "a t^2 / 2"}, {"speed at 4 s", "a t"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 BoxOnSlope slides(setting, std::atan(kSlope), 0.5);
-                course.run(slides.world, 4);
+                stepper.run(slides.world, 4);
                 const double gain = slides.gain_mps2();
                 return {slides.down_m() / (8 * gain) - 1, slides.down_mps() / (4 * gain) - 1};
             },
@@ -148,11 +148,11 @@ Scenario slides_on_slope() {
 }
 
 /// Spin lost between 0.1 s and 0.5 s.
-double spin_lost_radps(double turned_rad, const Setting& setting, Course& course) {
+double spin_lost_radps(double turned_rad, const Setting& setting, Stepper& stepper) {
     SpinningBox spins(setting, turned_rad);
-    course.run(spins.world, 0.1);
+    stepper.run(spins.world, 0.1);
     const double first = spins.spin_radps();
-    course.run(spins.world, 0.4);
+    stepper.run(spins.world, 0.4);
     return first - spins.spin_radps();
 }
 
@@ -172,12 +172,12 @@ Scenario spinning_box() {
             .metrics = {{"most less least, of 12 yaws", "the law of four corners"},
                         {"against the law of four corners", "that law"},
                         {"against the law of even pressure", "that law"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 double least = 1e9;
                 double most = -1e9;
                 double sum = 0;
                 for (int i = 0; i < 12; ++i) {
-                    const double lost = spin_lost_radps(i * kPi_d / 24, setting, course);
+                    const double lost = spin_lost_radps(i * kPi_d / 24, setting, stepper);
                     least = std::min(least, lost);
                     most = std::max(most, lost);
                     sum += lost / 12;

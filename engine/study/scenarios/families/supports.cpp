@@ -30,7 +30,7 @@ double four_balls_floor_mu() {
     return four_balls_mu() / 4;
 }
 
-bool four_balls_stand(const FourBalls& mu, const Setting& setting, Course& course) {
+bool four_balls_stand(const FourBalls& mu, const Setting& setting, Stepper& stepper) {
     constexpr double kRadius_m = 0.5;
     ScenarioWorld world(setting);
     world.floor(mu.on_floor * mu.on_floor / mu.between);  // pairs get sqrt(a b)
@@ -44,7 +44,7 @@ bool four_balls_stand(const FourBalls& mu, const Setting& setting, Course& cours
     const double top_m = kRadius_m + 2 * kRadius_m * std::sqrt(2.0 / 3);
     const BodyId top = world.sphere({0, top_m, 0}, kRadius_m, {.friction = mu.between});
     const auto fallen = [&] { return world.at(top).y < top_m - 0.02; };
-    course.run(world, 5, {.until = fallen});
+    stepper.run(world, 5, {.until = fallen});
     return !fallen();
 }
 
@@ -89,18 +89,18 @@ struct Face {
     double squares{0};  ///< of errors
 };
 
-PressErrors press(ScenarioWorld& world, std::vector<Face>& faces, Course& course) {
-    course.run(world, 2);
+PressErrors press(ScenarioWorld& world, std::vector<Face>& faces, Stepper& stepper) {
+    stepper.run(world, 2);
     int count = 0;
-    course.run(world, 1, {.after = [&](int) {
-                   for (Face& face : faces) {
-                       const double found = impulse_between_Ns(world, face.below, face.above);
-                       const double off = found / face.expected_Ns - 1;
-                       face.sum += off;
-                       face.squares += off * off;
-                   }
-                   ++count;
-               }});
+    stepper.run(world, 1, {.after = [&](int) {
+                    for (Face& face : faces) {
+                        const double found = impulse_between_Ns(world, face.below, face.above);
+                        const double off = found / face.expected_Ns - 1;
+                        face.sum += off;
+                        face.squares += off * off;
+                    }
+                    ++count;
+                }});
     PressErrors worst{0, 0};
     for (const Face& face : faces) {
         worst.mean = std::max(worst.mean, std::abs(face.sum) / std::max(1, count));
@@ -111,7 +111,7 @@ PressErrors press(ScenarioWorld& world, std::vector<Face>& faces, Course& course
 
 }  // namespace
 
-PressErrors tower_presses(const Setting& setting, Course& course) {
+PressErrors tower_presses(const Setting& setting, Stepper& stepper) {
     constexpr int kBoxes = 10;
     ScenarioWorld world(setting);
     BodyId below = world.floor();
@@ -122,10 +122,10 @@ PressErrors tower_presses(const Setting& setting, Course& course) {
         faces.push_back({below, box, 3 * kG_mps2 * (kBoxes - i) * world.step_s()});
         below = box;
     }
-    return press(world, faces, course);
+    return press(world, faces, stepper);
 }
 
-PressErrors beam_presses(const Setting& setting, Course& course) {
+PressErrors beam_presses(const Setting& setting, Stepper& stepper) {
     ScenarioWorld world(setting);
     const BodyId left = world.fixed_sphere({-1.5, 0.5, 0}, 0.5);
     const BodyId right = world.fixed_sphere({0.5, 0.5, 0}, 0.5);
@@ -133,7 +133,7 @@ PressErrors beam_presses(const Setting& setting, Course& course) {
     world.physics.set_contact_events(beam, true);
     const double weight_Ns = 12 * kG_mps2 * world.step_s();
     std::vector<Face> faces{{left, beam, weight_Ns / 4}, {right, beam, weight_Ns * 0.75}};
-    return press(world, faces, course);
+    return press(world, faces, stepper);
 }
 
 namespace {
@@ -148,22 +148,22 @@ Scenario four_balls() {
             .reference = "between balls sqrt 3 - sqrt 2 = 0.31784, on the floor a quarter of it",
             .metrics = {{"critical friction between balls", "0.3178"},
                         {"critical friction on the floor", "0.0795"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 const double found = threshold_of(0.2, 1.6, 10, [&](double mu) {
-                    return four_balls_stand({mu, 0.5}, setting, course);
+                    return four_balls_stand({mu, 0.5}, setting, stepper);
                 });
                 const double on_floor = threshold_of(0.05, 0.4, 10, [&](double mu) {
-                    return four_balls_stand({1, mu}, setting, course);
+                    return four_balls_stand({1, mu}, setting, stepper);
                 });
                 return {found / four_balls_mu() - 1, on_floor / four_balls_floor_mu() - 1};
             },
             .knobs = {.iterations = false, .most_hz = 240, .doubled = false}};
 }
 
-bool overhang_falls(int blocks, double reach, const Setting& setting, Course& course) {
+bool overhang_falls(int blocks, double reach, const Setting& setting, Stepper& stepper) {
     Overhang leans(setting, blocks, reach);
     const auto fallen = [&] { return leans.fallen_m() > 0.1; };
-    course.run(leans.world, 10, {.until = fallen});
+    stepper.run(leans.world, 10, {.until = fallen});
     return fallen();
 }
 
@@ -177,26 +177,26 @@ Scenario overhang(int blocks) {
                               blocks),
         .reference = "(L/2) sum 1/k",
         .metrics = {{"share at which they fall", "the most that is possible"}},
-        .run = [=](const Setting& setting, Course& course) -> Errors {
+        .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
             return {threshold_of(0.5,
                                  1.2,
                                  7,
                                  [&](double reach) {
-                                     return overhang_falls(blocks, reach, setting, course);
+                                     return overhang_falls(blocks, reach, setting, stepper);
                                  }) -
                     1};
         },
         .knobs = {.iterations = false, .most_hz = 240, .doubled = false}};
 }
 
-bool box_tips(double slope, const Setting& setting, Course& course) {
+bool box_tips(double slope, const Setting& setting, Stepper& stepper) {
     const Slope plane(std::atan(slope));
     ScenarioWorld world(setting);
     world.fixed_box(plane.out * -1.0, {20, 2, 20}, {.friction = 2, .turn = plane.turn});
     const BodyId box =
         world.box(plane.out * 0.5, {0.5, 1, 0.5}, {.friction = 2, .turn = plane.turn});
     const auto tipped = [&] { return glm::dot(world.turn(box) * Vec3d{0, 1, 0}, plane.out) < 0.9; };
-    course.run(world, 5, {.until = tipped});
+    stepper.run(world, 5, {.until = tipped});
     return tipped();
 }
 
@@ -208,9 +208,9 @@ Scenario tipping_box() {
                 "within 5 s? By halving between tan a = 0.3 and 0.7, to 0.3 %.",
             .reference = "tan a > w / h = 0.5",
             .metrics = {{"critical slope", "0.5"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 const double found = threshold_of(
-                    0.3, 0.7, 8, [&](double slope) { return box_tips(slope, setting, course); });
+                    0.3, 0.7, 8, [&](double slope) { return box_tips(slope, setting, stepper); });
                 return {found / 0.5 - 1};
             },
             .knobs = {.iterations = false, .most_hz = 240, .doubled = false}};
@@ -227,8 +227,8 @@ Scenario tower() {
                 "read for 1 s.",
             .reference = "the weight above each face",
             .metrics = kPressMetrics,
-            .run = [](const Setting& setting, Course& course) -> Errors {
-                const auto [mean, rms] = tower_presses(setting, course);
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+                const auto [mean, rms] = tower_presses(setting, stepper);
                 return {mean, rms};
             },
             .knobs = {.most_hz = 240}};
@@ -243,8 +243,8 @@ Scenario beam() {
             "middle.",
         .reference = "the lever rule: a quarter and three quarters of its weight",
         .metrics = kPressMetrics,
-        .run = [](const Setting& setting, Course& course) -> Errors {
-            const auto [mean, rms] = beam_presses(setting, course);
+        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+            const auto [mean, rms] = beam_presses(setting, stepper);
             return {mean, rms};
         },
         .knobs = {.most_hz = 240}};

@@ -85,17 +85,17 @@ Precession disc_precession() {
             .rate_radps = glm::length(momentum) / inertia.x};
 }
 
-ConservedErrors conserved_errors(ScenarioWorld& world, double seconds, Course& course) {
+ConservedErrors conserved_errors(ScenarioWorld& world, double seconds, Stepper& stepper) {
     const double start_J = world.physics.energy().kinetic_J;
     const Vec3d start = world.physics.angular_momentum_kgm2ps();
     ConservedErrors most;
-    course.run(world, seconds, {.after = [&](int) {
-                   const double now_J = world.physics.energy().kinetic_J;
-                   const Vec3d now = world.physics.angular_momentum_kgm2ps();
-                   most.energy = std::max(most.energy, std::abs(now_J / start_J - 1));
-                   most.momentum =
-                       std::max(most.momentum, glm::distance(now, start) / glm::length(start));
-               }});
+    stepper.run(world, seconds, {.after = [&](int) {
+                    const double now_J = world.physics.energy().kinetic_J;
+                    const Vec3d now = world.physics.angular_momentum_kgm2ps();
+                    most.energy = std::max(most.energy, std::abs(now_J / start_J - 1));
+                    most.momentum =
+                        std::max(most.momentum, glm::distance(now, start) / glm::length(start));
+                }});
     return most;
 }
 
@@ -116,13 +116,13 @@ Scenario three_lengths() {
                         {"orientation at 10 s", "1 rad"},
                         {"largest error of energy", "the energy"},
                         {"largest error of angular momentum", "the momentum"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 static const TurningBody expected =
                     turned_for({.own_spin_radps = box_of_three_lengths().spin_radps},
                                Vec3d{13, 10, 5} / 12.0,
                                kSeconds);
                 FreeBody free(setting, box_of_three_lengths());
-                const ConservedErrors kept = conserved_errors(free.world, kSeconds, course);
+                const ConservedErrors kept = conserved_errors(free.world, kSeconds, stepper);
                 const TurningBody now = free.now();
                 return {glm::distance(now.own_spin_radps, expected.own_spin_radps) / 5,
                         angle_between_rad(now.turn, expected.turn),
@@ -144,13 +144,13 @@ Scenario free_disc() {
             .metrics = {{"direction of its axis at 20 s", "1 rad"},
                         {"largest change of the cone's angle", "1 rad"},
                         {"largest error of angular momentum", "the momentum"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 const Precession expected = disc_precession();
                 const Vec3d momentum = expected.momentum_kgm2ps;
                 FreeBody disc(setting, wobbling_disc());
                 double cone_off = 0;
                 double momentum_off = 0;
-                course.run(
+                stepper.run(
                     disc.world, kSeconds, {.after = [&](int) {
                         const double up = glm::dot(disc.axis(), expected.about());
                         const double cone_rad = std::acos(std::min(1.0, up));
@@ -215,14 +215,14 @@ Scenario steady_top(double spin_radps) {
         .metrics = {{"direction of its axis at 10 s", "1 rad"},
                     {"largest change of its tilt", "1 rad"},
                     {"largest gap at the pivot", "the arm, 1 m"}},
-        .run = [=](const Setting& setting, Course& course) -> Errors {
+        .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
             HeavyTop top(setting, spin_radps, around_radps);
             double tilt_off = 0;
             double gap_m = 0;
-            course.run(top.world, kSeconds, {.after = [&](int) {
-                           tilt_off = std::max(tilt_off, std::abs(top.tilt_rad() - kTopTilt_rad));
-                           gap_m = std::max(gap_m, top.world.joint(top.pivot).error_m);
-                       }});
+            stepper.run(top.world, kSeconds, {.after = [&](int) {
+                            tilt_off = std::max(tilt_off, std::abs(top.tilt_rad() - kTopTilt_rad));
+                            gap_m = std::max(gap_m, top.world.joint(top.pivot).error_m);
+                        }});
             const Vec3d start = glm::angleAxis(-kTopTilt_rad, Vec3d{0, 0, 1}) * Vec3d{0, 1, 0};
             const Vec3d expected = glm::angleAxis(around_radps * kSeconds, Vec3d{0, 1, 0}) * start;
             return {glm::distance(top.axis(), expected), tilt_off, gap_m};
@@ -265,7 +265,7 @@ Scenario nodding_top() {
             .metrics = {{"direction of its axis at 5 s", "1 rad"},
                         {"largest tilt of the last second", "the depth of a nod, 0.067 rad"},
                         {"largest gap at the pivot", "the arm, 1 m"}},
-            .run = [](const Setting& setting, Course& course) -> Errors {
+            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
                 static const State<3> expected = reference(law, start, 0, kSeconds);
                 // A nod starts and ends at rest and is deepest where its rate is zero again.
                 static const double deepest = [] {
@@ -281,11 +281,11 @@ Scenario nodding_top() {
                 double gap_m = 0;
                 double last_tilt = 0;
                 const double step_s = top.world.step_s();
-                course.run(top.world, kSeconds, {.after = [&](int i) {
-                               if ((i + 1) * step_s > kSeconds - 1)
-                                   last_tilt = std::max(last_tilt, top.tilt_rad());
-                               gap_m = std::max(gap_m, top.world.joint(top.pivot).error_m);
-                           }});
+                stepper.run(top.world, kSeconds, {.after = [&](int i) {
+                                if ((i + 1) * step_s > kSeconds - 1)
+                                    last_tilt = std::max(last_tilt, top.tilt_rad());
+                                gap_m = std::max(gap_m, top.world.joint(top.pivot).error_m);
+                            }});
                 const Vec3d tilted = glm::angleAxis(-expected[0], Vec3d{0, 0, 1}) * Vec3d{0, 1, 0};
                 const Vec3d axis = glm::angleAxis(expected[2], Vec3d{0, 1, 0}) * tilted;
                 return {glm::distance(top.axis(), axis),

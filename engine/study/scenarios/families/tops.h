@@ -74,6 +74,6 @@ struct ConservedErrors {
     double energy{0};
     double momentum{0};  ///< direction included
 };
-ConservedErrors conserved_errors(ScenarioWorld& world, double seconds, Course& course);
+ConservedErrors conserved_errors(ScenarioWorld& world, double seconds, Stepper& stepper);
 
 }  // namespace plumbline::study

@@ -70,9 +70,9 @@ void FramedWorld::join(std::size_t a, std::size_t b, const Vec3d& anchor) {
                  .anchor_b_world = at});
 }
 
-void FramedWorld::run(Course& course, double seconds) {
+void FramedWorld::run(Stepper& stepper, double seconds) {
     const double scaled_s = seconds * std::sqrt(frame_.scale);
-    course.run(world_, scaled_s);
+    stepper.run(world_, scaled_s);
     passed_s_ += std::round(scaled_s / world_.step_s()) * world_.step_s();
 }
 

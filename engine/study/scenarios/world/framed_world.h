@@ -1,7 +1,7 @@
 // A scene that is built through a change of frame and read back through it, for invariances.
 #pragma once
 
-#include "engine/study/scenarios/scenario.h"
+#include "engine/study/scenarios/world/stepper.h"
 
 namespace plumbline::study {
 
@@ -31,7 +31,7 @@ public:
     void build();
     /// A ball-and-socket joint where `a` is off `b` by now; after build().
     void join(std::size_t a, std::size_t b, const Vec3d& anchor);
-    void run(Course& course, double seconds);
+    void run(Stepper& stepper, double seconds);
 
     Vec3d at(std::size_t part) const;
     Vec3d velocity(std::size_t part) const;

@@ -76,10 +76,10 @@ TEST(AutoAccuracy, NothingReachesItTheBestSeenIsTaken) {
 TEST(AutoAccuracy, AnUncertainReferenceTightensTheTolerance) {
     SceneStudy uncertain = study();
     EXPECT_EQ(auto_choice(uncertain, within(0.0105))->accuracy.step_hz, 60);
-    uncertain.uncertainty = 0.001;
+    uncertain.subject.uncertainty = 0.001;
     EXPECT_EQ(auto_choice(uncertain, within(0.0105))->accuracy.step_hz, 240);
     // It never asks for less than half of the tolerance.
-    uncertain.uncertainty = 10;
+    uncertain.subject.uncertainty = 10;
     EXPECT_EQ(auto_choice(uncertain, within(0.0202))->accuracy.step_hz, 60);
 }
 

@@ -35,7 +35,7 @@ CachedStudy study(double error) {
     point.cost.repeats = 5;
     subject.points = {point};
     cached.study.seconds = 2.0 / 3.0;
-    cached.study.uncertainty = 1e-4 / 3.0;
+    cached.study.subject.uncertainty = 1e-4 / 3.0;
     cached.study.chaotic = true;
     return cached;
 }
@@ -49,7 +49,7 @@ TEST_F(StudyCacheTest, WhatIsKeptIsFoundToTheLastBit) {
     EXPECT_EQ(found->study.subject.points.at(0).setting.step_hz, 120);
     EXPECT_EQ(found->study.subject.tier, Tier::Spread);
     EXPECT_EQ(found->study.seconds, 2.0 / 3.0);
-    EXPECT_EQ(found->study.uncertainty, 1e-4 / 3.0);
+    EXPECT_EQ(found->study.subject.uncertainty, 1e-4 / 3.0);
     EXPECT_TRUE(found->study.chaotic);
     EXPECT_EQ(found->made_on, "2026-11-21");
 }

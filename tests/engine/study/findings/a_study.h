@@ -17,6 +17,7 @@ inline Findings a_study() {
                     .tier = Tier::TwoIntegrators,
                     .peer_scene = "bounce",
                     .metrics = {{"apex, first", "1 m"}, {"energy", "start"}},
+                    .uncertainty = 0.1 / 7,
                     .euler_floor = {{1.0 / 60, 0.1 / 3}},
                     .points = {{.setting = small,
                                 .errors = {1e-300, 0.1},
@@ -26,6 +27,11 @@ inline Findings a_study() {
                                          .repeats = 5,
                                          .step_ms_median = 0.004,
                                          .step_ms_p99 = 0.005,
+                                         .step_ms_max = 0.006,
+                                         .frame_ms_p99 = 0.007,
+                                         .frame_ms_max = 0.008,
+                                         .bodies = 9,
+                                         .peak_bytes = 10,
                                          .work_per_s = 1234}},
                                {.setting = stock, .status = RunStatus::Crashed, .why = "signal 11"},
                                {.setting = stock, .errors = {std::nan(""), 2}}},
@@ -55,7 +61,19 @@ inline Findings a_study() {
                                   .cpu_ms = 12.5,
                                   .more_ms = {.mean = -1e-3, .standard_error = 0.1, .pairs = 4},
                                   .unbeaten = true,
-                                  .verdict = "\"so\""}}}}};
+                                  .verdict = "\"so\""}}}},
+            .effects = {{.scene = "yard.toml",
+                         .seconds = 0.1 / 3,
+                         .pairs = 6,
+                         .width_px = 320,
+                         .height_px = 180,
+                         .rows = {{.name = "wind",
+                                   .caller = "[wind]",
+                                   .domain = "step",
+                                   .step_ms = {.mean = 0.1 / 3, .standard_error = 0.1, .pairs = 4},
+                                   .calls = 3,
+                                   .bytes_cpu = 4,
+                                   .bytes_gpu = 5}}}}};
 }
 
 }  // namespace plumbline::study

@@ -16,7 +16,7 @@ TEST(PairedDifference, WhatDriftsSlowlyFallsOut) {
     EXPECT_DOUBLE_EQ(found.mean, 2);
     EXPECT_DOUBLE_EQ(found.standard_error, 0);
     EXPECT_EQ(found.pairs, 4);
-    EXPECT_TRUE(found.told_from_nothing());
+    EXPECT_TRUE(found.is_significant());
 }
 
 TEST(PairedDifference, HasTheStandardErrorOfItsMean) {
@@ -26,16 +26,16 @@ TEST(PairedDifference, HasTheStandardErrorOfItsMean) {
     EXPECT_EQ(found.pairs, 3) << "what has no partner does not count";
     EXPECT_DOUBLE_EQ(found.mean, 3);
     EXPECT_NEAR(found.standard_error, 2 / std::sqrt(3.0), 1e-15);
-    EXPECT_TRUE(found.told_from_nothing());
+    EXPECT_TRUE(found.is_significant());
     const Difference less{.mean = -1, .standard_error = 0.51, .pairs = 9};
-    EXPECT_FALSE(less.told_from_nothing());
-    EXPECT_TRUE((Difference{.mean = -1, .standard_error = 0.49, .pairs = 9}).told_from_nothing());
+    EXPECT_FALSE(less.is_significant());
+    EXPECT_TRUE((Difference{.mean = -1, .standard_error = 0.49, .pairs = 9}).is_significant());
 }
 
 TEST(PairedDifference, OnePairTellsNothing) {
     const Difference one = paired_difference(std::vector<double>{7}, std::vector<double>{3});
     EXPECT_DOUBLE_EQ(one.mean, 4);
-    EXPECT_FALSE(one.told_from_nothing());
+    EXPECT_FALSE(one.is_significant());
     EXPECT_EQ(paired_difference({}, std::vector<double>{3}).pairs, 0);
 }
 

@@ -88,7 +88,7 @@ TEST(Verdicts, TurnOneKnobAtATime) {
                    ? std::optional<double>(1)
                    : std::nullopt;
     };
-    const std::vector<KnobVerdict> verdicts = verdicts_of(points, theory);
+    const std::vector<Convergence> verdicts = verdicts_of(points, theory);
     ASSERT_EQ(verdicts.size(), 3U);
     EXPECT_EQ(verdicts[0].knob, "step rate");
     EXPECT_EQ(verdicts[0].held, "x 4, float32");

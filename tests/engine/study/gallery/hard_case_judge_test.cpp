@@ -51,10 +51,10 @@ TEST(HardCaseJudge, PassesWhenItsTimeIsOver) {
     Judged judged(falling({{.measure = "sag_m", .below = 4}}));
     judged.step(53);
     EXPECT_EQ(judged.judge.verdict(), Verdict::Undecided);
-    EXPECT_FALSE(judged.judge.over());
+    EXPECT_FALSE(judged.judge.has_ended());
     judged.step(1);
     EXPECT_EQ(judged.judge.verdict(), Verdict::Pass);
-    EXPECT_TRUE(judged.judge.over());
+    EXPECT_TRUE(judged.judge.has_ended());
     const double value = judged.rule(0).value;
     judged.step(20);  // falls on, and nobody asks
     EXPECT_EQ(judged.rule(0).value, value);

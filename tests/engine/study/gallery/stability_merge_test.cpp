@@ -43,7 +43,7 @@ TEST(StabilityMerge, AllShardsAreTheWholeToTheLastByte) {
         ASSERT_TRUE(whole.ok()) << whole.error().message;
         EXPECT_EQ(stability_json(*whole), stability_json(table_of(0, 0))) << of;
         EXPECT_EQ(stability_text(*whole), stability_text(table_of(0, 0))) << of;
-        EXPECT_EQ(stability_page(*whole), stability_page(table_of(0, 0))) << of;
+        EXPECT_EQ(*stability_page(*whole), *stability_page(table_of(0, 0))) << of;
     }
 }
 

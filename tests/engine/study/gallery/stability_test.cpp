@@ -176,7 +176,6 @@ TEST_F(StabilityTableTest, WhatWasGivenUpIsNeitherGreenNorRed) {
     const std::string text = stability_text(table);
     EXPECT_NE(text.find("  slow  "), std::string::npos) << text;
     EXPECT_NE(text.find("1 of 2 pass, 1 given up"), std::string::npos) << text;
-    EXPECT_NE(stability_page(table).find("<td class=\"none\"><b>slow</b>"), std::string::npos);
     const Result<CaseResult> told = parse_case_result(case_result_json(*table.runs[2].result));
     ASSERT_TRUE(told.ok());
     EXPECT_TRUE(told->gave_up);

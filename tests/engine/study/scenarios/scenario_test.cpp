@@ -83,7 +83,7 @@ TEST(Scenarios, OrdersAreThoseOfTheory) {
             setting.step_hz = hz;
             points.push_back(run_scenario(scenario, setting, kOnce));
         }
-        const std::vector<KnobVerdict> verdicts = verdicts_of(points, scenario.theory);
+        const std::vector<Convergence> verdicts = verdicts_of(points, scenario.theory);
         ASSERT_EQ(verdicts.size(), 1U) << row.id;
         EXPECT_EQ(verdicts[0].trend, Trend::Converges) << row.id;
         ASSERT_TRUE(verdicts[0].order) << row.id;

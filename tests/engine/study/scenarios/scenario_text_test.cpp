@@ -1,6 +1,6 @@
 #include "engine/study/scenarios/scenario_text.h"
 
-#include "tests/engine/study/report/sample_findings.h"
+#include "tests/engine/study/findings/sample_findings.h"
 
 #include <gtest/gtest.h>
 

@@ -13,26 +13,6 @@
 namespace plumbline::study {
 namespace {
 
-TEST(EffectsCost, TableSaysWhatIsToldFromNothing) {
-    const std::vector<EffectCost> costs{
-        {.name = "wind",
-         .caller = "[wind] (a.toml:3)",
-         .domain = effects::Domain::Step,
-         .step_ms = {.mean = 0.5, .standard_error = 0.1, .pairs = 6},
-         .frame_ms = {.mean = -0.001, .standard_error = 0.01, .pairs = 6},
-         .calls = 120},
-        {.name = "footsteps", .domain = effects::Domain::Sound}};
-    const std::string text = effects_text({.seconds = 2, .pairs = 6}, costs);
-    EXPECT_NE(text.find("2 s of the scene with and without it, 6 times"), std::string::npos);
-    EXPECT_NE(text.find(" +0.5000 +- 0.1000 "), std::string::npos) << text;
-    EXPECT_NE(text.find(" -0.0010 +- 0.0100 ~0 "), std::string::npos) << text;
-    EXPECT_NE(text.find("footsteps             sound                             -"),
-              std::string::npos)
-        << text;
-    EXPECT_EQ(text.find("calls for no effect"), std::string::npos);
-    EXPECT_TRUE(effects_text({}, {}).ends_with("This scene calls for no effect.\n"));
-}
-
 TEST(EffectsCost, JobsThatAreNoneAreRefused) {
     for (const char* body : {"", "[]", "{}", R"({"scene": 3})"}) {
         EXPECT_TRUE(run_effect_job(body).find("expected an effect to measure: ") !=

@@ -16,7 +16,7 @@ TEST(SceneGrid, BeginsAt60HzAndHasNothingTwice) {
         std::set<std::string> texts;
         for (const Setting& setting : grid) {
             EXPECT_TRUE(texts.insert(setting_text(setting)).second) << setting_text(setting);
-            EXPECT_EQ(240 % setting.step_hz, 0) << "looks every 1/30 s fall on steps";
+            EXPECT_EQ(240 % setting.step_hz, 0) << "samples every 1/30 s fall on steps";
         }
         // small_step on demand and with 1, 2, 4, 8 sub-steps, bullet_si with 10 iterations, at four
         // rates; all else: bullet_si with 50, and at two rates six more and two in float64.

@@ -5,7 +5,7 @@
 namespace plumbline::study {
 namespace {
 
-// It needs both programs beside it, and says so before it looks at the scene.
+// It needs both programs beside it, and says so before it samples at the scene.
 TEST(SceneStudy, NamesTheProgramThatIsMissing) {
     const Result<SceneStudy> study = study_scene({.scene = "/nowhere.toml"});
     ASSERT_FALSE(study.ok());

@@ -33,15 +33,15 @@ SceneStudy told_study() {
 TEST(SceneText, ATolerancesUncertaintyTightensItToHalfAtMost) {
     SceneStudy study = told_study();
     EXPECT_EQ(choose(study, {})->point, 1U) << "1 %, and float64 cannot be asked for";
-    study.uncertainty = 0.003;
+    study.subject.uncertainty = 0.003;
     EXPECT_EQ(choose(study, {.tolerance = 0.01})->point, 1U) << "0.6 % is within 0.7 %";
-    study.uncertainty = 0.005;
+    study.subject.uncertainty = 0.005;
     EXPECT_EQ(choose(study, {.tolerance = 0.01})->point, 2U);
-    study.uncertainty = 0.5;
+    study.subject.uncertainty = 0.5;
     const std::optional<Choice> half = choose(study, {.tolerance = 0.002});
     EXPECT_EQ(half->point, 2U);
     EXPECT_TRUE(half->met);
-    study.uncertainty = 0.0008;
+    study.subject.uncertainty = 0.0008;
     EXPECT_TRUE(choose(study, {.tolerance = 0.001})->met) << "within what was asked for";
     EXPECT_FALSE(choose(study, {.tolerance = 1e-5})->met);
     EXPECT_EQ(choose(study, {.budget_ms = 0.2})->point, 1U);
@@ -60,8 +60,7 @@ TEST(SceneText, WishesAreLinesToPasteWithWhatTheyReach) {
     EXPECT_TRUE(
         wish_text(study, {.budget_ms = 0.005})
             .starts_with("# no setting stays under 0.005 ms a frame; this is the cheapest\n"));
-    EXPECT_EQ(wish_text({}, {}),
-              "# no setting got through this scene: there is nothing to recommend\n");
+    EXPECT_EQ(wish_text({}, {}), "# no setting completed this scene, so none is recommended\n");
 }
 
 TEST(SceneText, TheTableMarksWhatNothingBeatsAndSaysWhoFailed) {

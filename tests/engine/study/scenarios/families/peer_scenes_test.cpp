@@ -1,12 +1,16 @@
 // Stock Bullet was measured on the same scenes by others: our copies of the scenes and our Bullet must
 // give their figures.
 #include "engine/core/io/files.h"
-#include "engine/study/report/peers.h"
 #include "engine/study/scenarios/families/tops.h"
 #include "engine/study/scenarios/scenario.h"
 #include "engine/study/scenarios/world/peer_scene.h"
 
 #include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace plumbline::study {
 
@@ -15,23 +19,42 @@ namespace {
 constexpr Setting kStockBullet{
     .solver = physics::Solver::BulletSi, .step_hz = 60, .substeps = 1, .iterations = 10};
 
+/// Fields of the lines of a table of assets/data, without its comments.
+std::vector<std::vector<std::string>> table_of(const char* file) {
+    const Result<std::string> csv =
+        read_file(std::filesystem::path("assets/data") / file, std::size_t{1} << 24U);
+    EXPECT_TRUE(csv);
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(*csv);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with('#')) continue;
+        std::istringstream fields(line);
+        rows.emplace_back();
+        for (std::string field; std::getline(fields, field, ',');) rows.back().push_back(field);
+    }
+    return rows;
+}
+
 /// The first metric's error of stock Bullet at 60 Hz, as the others measured it.
 double their_error(const Scenario& scenario) {
-    const auto csv = read_file("assets/data/peers.csv", std::size_t{1} << 24U);
-    EXPECT_TRUE(csv);
-    const auto rows = parse_peers(*csv);
-    EXPECT_TRUE(rows);
-    for (const PeerPoint& peer :
-         comparable_peers(*rows, scenario.peer_scene, scenario.metrics.front().name)) {
-        if (peer.engine == "bullet32" && peer.substeps == 1) return peer.error;
+    static const auto kMeanings = table_of("peer_metrics.csv");
+    static const auto kFigures = table_of("peers.csv");
+    for (const std::vector<std::string>& meaning : kMeanings) {
+        if (meaning[0] != scenario.peer_scene || meaning[2] != scenario.metrics.front().name)
+            continue;
+        for (const std::vector<std::string>& row : kFigures) {
+            if (row[0] == meaning[0] && row[1] == "bullet32" && row[2] == "1" &&
+                row[5] == meaning[1])
+                return std::abs(std::stod(row[6])) * std::stod(meaning[3]);
+        }
     }
     ADD_FAILURE() << scenario.id << " has no comparable figure";
     return 0;
 }
 
 double our_error(const Scenario& scenario) {
-    Course course(Course::Mode::Looked);
-    return std::abs(scenario.run(kStockBullet, course).front());
+    Stepper stepper(Stepper::Mode::Errors);
+    return std::abs(scenario.run(kStockBullet, stepper).front());
 }
 
 const Scenario& peer_scene(const std::string& name) {
@@ -105,17 +128,17 @@ TEST(PeerScenes, OneThatIsNotThereIsRefusedAndSaysSo) {
     ASSERT_FALSE(none.ok());
     EXPECT_NE(none.error().message.find("none.toml"), std::string::npos) << none.error().message;
     const Scenario lost{
-        .id = "P none", .metrics = {{"a number", "1"}}, .run = [&](const Setting&, Course& course) {
-            return course.refuse(none.error());
-        }};
+        .id = "P none",
+        .metrics = {{"a number", "1"}},
+        .run = [&](const Setting&, Stepper& stepper) { return stepper.refuse(none.error()); }};
     const Point point = run_scenario(lost, {}, {.wanted = 1, .budget_s = 0});
     EXPECT_EQ(point.status, RunStatus::Refused);
     EXPECT_EQ(point.why, none.error().message);
 }
 
 TEST(PeerScenes, AChainThatIsSolvedDirectlyDoesNotStretch) {
-    Course course(Course::Mode::Looked);
-    EXPECT_LT(peer_scene("chainv").run({.substeps = 4}, course).front(), 1e-5);
+    Stepper stepper(Stepper::Mode::Errors);
+    EXPECT_LT(peer_scene("chainv").run({.substeps = 4}, stepper).front(), 1e-5);
 }
 
 }  // namespace
