@@ -39,7 +39,7 @@ std::string effects_text(const EffectFindings& findings) {
                             cost.bytes_cpu,
                             cost.bytes_gpu,
                             cost.caller);
-    if (findings.rows.empty()) text += "This scene calls for no effect.\n";
+    if (findings.rows.empty()) text += "No effect was measured.\n";
     if (findings.width_px > 0)
         text +=
             fmt::format("Images are {} x {}; what a GPU does beside the CPU is not in their ms.\n",

@@ -27,8 +27,8 @@ TEST(EffectFindings, ACostBelowTheNoiseIsSaidToBeSo) {
               std::string::npos)
         << text;
     EXPECT_NE(text.find("Images are 640 x 360"), std::string::npos) << text;
-    EXPECT_EQ(text.find("calls for no effect"), std::string::npos);
-    EXPECT_TRUE(effects_text({}).ends_with("This scene calls for no effect.\n"));
+    EXPECT_EQ(text.find("No effect was measured"), std::string::npos);
+    EXPECT_TRUE(effects_text({}).ends_with("No effect was measured.\n"));
 }
 
 }  // namespace
