@@ -70,7 +70,7 @@ void apply(Requests& requests, Frame& frame) {
     for (const Request& request : std::exchange(requests, {}))
         std::visit([&](const auto& asked) { apply(asked, frame); }, request);
     // What runs goes on where another scene is refused.
-    if (const Result<Done> opened = frame.opening.poll(); !opened) {
+    if (const Result<Done> opened = frame.opening.update(); !opened) {
         log_error("{}", opened.error().message);
         frame.state.messages.say(opened.error().message);
     }

@@ -13,7 +13,7 @@ void SceneOpening::begin(const PlayDef& def, const std::filesystem::path& file) 
                           [open = def.open_scene, file] { return open(file); });
 }
 
-Result<Done> SceneOpening::poll() {
+Result<Done> SceneOpening::update() {
     if (!running() || opening_.wait_for(std::chrono::seconds(0)) == std::future_status::timeout)
         return Done{};
     Result<std::unique_ptr<Session>> opened = opening_.get();

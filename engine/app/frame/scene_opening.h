@@ -13,7 +13,7 @@ public:
     /// Nothing happens while one is being opened.
     void begin(const PlayDef& def, const std::filesystem::path& file);
     /// Once a frame. The error is why the scene was refused: the one that runs goes on.
-    Result<Done> poll();
+    Result<Done> update();
 
     bool running() const { return opening_.valid(); }
     bool opened() const { return next_ != nullptr; }

@@ -3,10 +3,10 @@
 #include "engine/core/io/files.h"
 #include "engine/core/io/files_impl.h"
 #include "engine/core/process/interrupt.h"
+#include "engine/core/process/process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -44,12 +44,6 @@ bool is_written_through(const fs::path& path) {
     struct stat status {};
     return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) &&
            !S_ISDIR(status.st_mode);
-}
-
-/// A pipe whose reader, `head` for one, has seen enough: no fault of anybody's.
-bool reader_has_gone(int descriptor) {
-    pollfd pipe{.fd = descriptor, .events = POLLOUT, .revents = 0};
-    return ::poll(&pipe, 1, 0) == 1 && (pipe.revents & POLLERR) != 0;
 }
 
 int open_for_writing(const fs::path& path, int flags = 0) {

@@ -286,4 +286,9 @@ bool AnswerPipe::send_line(std::string line) const {
     return send_all(file_, line += '\n');
 }
 
+bool reader_has_gone(int descriptor) {
+    pollfd pipe{.fd = descriptor, .events = POLLOUT, .revents = 0};
+    return poll(&pipe, 1, 0) == 1 && (pipe.revents & POLLERR) != 0;
+}
+
 }  // namespace plumbline

@@ -113,4 +113,7 @@ private:
     int file_{-1};
 };
 
+/// Whether `descriptor` is a pipe whose reader, `head` for one, has closed it.
+bool reader_has_gone(int descriptor);
+
 }  // namespace plumbline

@@ -22,8 +22,8 @@ protected:
     /// Until the thread has ended.
     Result<Done> wait() {
         for (;;) {
-            Result<Done> polled = opening_.poll();
-            if (!opening_.running()) return polled;
+            Result<Done> updated = opening_.update();
+            if (!opening_.running()) return updated;
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
     }
@@ -34,7 +34,7 @@ protected:
 };
 
 TEST_F(SceneOpeningTest, GivesTheSessionOnceItIsOpen) {
-    EXPECT_TRUE(opening_.poll().ok());
+    EXPECT_TRUE(opening_.update().ok());
     EXPECT_FALSE(opening_.running() || opening_.opened());
     opening_.begin(def_, "a.toml");
     opening_.begin(def_, "b.toml");  // one after the other
@@ -51,7 +51,7 @@ TEST_F(SceneOpeningTest, ARefusalIsToldOnceAndAnotherMayFollow) {
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().message, "refused.toml: no scene");
     EXPECT_FALSE(opening_.opened());
-    EXPECT_TRUE(opening_.poll().ok());
+    EXPECT_TRUE(opening_.update().ok());
     opening_.begin(def_, "a.toml");
     EXPECT_TRUE(wait().ok());
     EXPECT_TRUE(opening_.opened());
