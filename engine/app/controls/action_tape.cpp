@@ -25,7 +25,7 @@ constexpr float kMostOfAnAmount = 1e6F;
 
 }  // namespace
 
-enum class TapeKind : std::uint8_t { Header, Step, Request, State, End };
+enum class TapeKind : std::uint8_t { Header, Step, Requested, State, End };
 constexpr TapeKind last_of(TapeKind) {
     return TapeKind::End;
 }
@@ -60,7 +60,7 @@ struct TapeRecord {
                 return archive(header, action_names);
             case TapeKind::Step:
                 return archive(changes, look_rad, pointer);
-            case TapeKind::Request:
+            case TapeKind::Requested:
                 return archive(request);
             case TapeKind::State:
                 return archive(state);
@@ -197,7 +197,7 @@ void TapeRecorder::add_step(std::uint64_t step, const Actions& actions) {
 }
 
 void TapeRecorder::add_request(std::uint64_t step, std::string request) {
-    add(framed({.kind = TapeKind::Request, .step = step, .request = std::move(request)}));
+    add(framed({.kind = TapeKind::Requested, .step = step, .request = std::move(request)}));
 }
 
 void TapeRecorder::add_state(std::uint64_t steps, TapeState state) {
@@ -351,7 +351,8 @@ TapePlayer::Told TapePlayer::step(std::uint64_t step) {
     for (std::size_t next = at_; auto record = peek(next, fault); at_ = next) {
         if (record->step > step || (record->step == step && record->kind == TapeKind::End)) break;
         if (record->kind == TapeKind::Step) told.actions = told_by(*record);
-        if (record->kind == TapeKind::Request) told.requests.push_back(std::move(record->request));
+        if (record->kind == TapeKind::Requested)
+            told.requests.push_back(std::move(record->request));
     }
     now_ = told.actions;
     return told;

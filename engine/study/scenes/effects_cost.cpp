@@ -1,5 +1,6 @@
 #include "engine/study/scenes/effects_cost.h"
 
+#include "engine/core/io/files.h"
 #include "engine/core/process/interrupt.h"
 #include "engine/core/time/stopwatch.h"
 #include "engine/scene/formats/json_read.h"
@@ -26,7 +27,9 @@ struct Passed {
 
 /// One run from the start, a frame's sounds per step.
 Result<Passed> pass(const scene::OpenedScene& scene, std::string_view without, double seconds) {
-    assets::AssetLibrary library(scene.folders.assets);
+    const Result<DataFolders> folders = find_data_folders();
+    if (!folders) return folders.error();
+    assets::AssetLibrary library(folders->assets);
     Result<PlayedScene> played = PlayedScene::create(scene, library);
     if (!played) return played.error();
     scene::Simulation& simulation = played->simulation();
