@@ -1,6 +1,7 @@
 // The menu over settings and controls in a folder of their own, pressed as a person would.
 #pragma once
 
+#include "engine/app/settings/live_config.h"
 #include "engine/app/ui/canvas.h"
 #include "engine/app/ui/menu_control.h"
 #include "engine/app/ui/pages.h"
