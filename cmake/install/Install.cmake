@@ -10,6 +10,7 @@ set(data_folder "${CMAKE_INSTALL_DATADIR}/plumbline")
 install(DIRECTORY assets shaders config
     DESTINATION "${data_folder}"
     PATTERN "assets/source" EXCLUDE
+    PATTERN "assets/models/bench" EXCLUDE
     PATTERN "assets/scenes/bench" EXCLUDE)
 
 # Pages and completion come from the program's own description of its command line.

@@ -55,7 +55,7 @@ def one_hash_at_any_frame_rate():
 def usage():
     run("--version", says="plumbline 0.")
     run("--help", says="simulate")
-    run("--help", says="6 not enough memory", of=program_f64)
+    run("--help", says="6 out of memory", of=program_f64)
     run("simulate", CUBE, "--secnds", 1, code=2, says='the nearest is "--seconds"')
     run("simulate", CUBE, "--seconds", "many", code=2)
     run("simulate", CUBE, "--solver", "bullet_sj", code=2, says="bullet_si")

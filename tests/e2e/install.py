@@ -53,7 +53,7 @@ def what_is_there():
     for below in ("assets", "shaders", "config"):
         tracked = subprocess.run(["git", "-C", source, "ls-files", below], capture_output=True, text=True).stdout
         for name in tracked.splitlines():
-            left_out = name.startswith(("assets/source/", "assets/scenes/bench/"))
+            left_out = name.startswith(("assets/source/", "assets/models/bench/", "assets/scenes/bench/"))
             assert left_out == (data + name not in there), f"{name}: left out is {left_out}"
     assert not any("/source/" in name or "/bench/" in name for name in there), there
     programs = [name for name in there if os.access(prefix / name, os.X_OK)]

@@ -80,7 +80,7 @@ def a_second_interrupt_leaves_at_once():
 def every_command_hears_a_signal():
     many = [pile_of(5_000)] * 1000
     for number, *words in ((signal.SIGTERM, "render", CUBE, "--frames", 100_000, "--size", "64x64", "--out", folder / "frames"),
-                           (signal.SIGHUP, "render", CUBE, "--at", 3e6), (signal.SIGTERM, "tour", "garden", "--out", folder / "tour"),
+                           (signal.SIGHUP, "render", CUBE, "--at", 1e6), (signal.SIGTERM, "tour", "garden", "--out", folder / "tour"),
                            (signal.SIGTERM, "explain", "garden"), (signal.SIGTERM, "check", *many),
                            (signal.SIGTERM, "simulate", pile_of(49_950), "--seconds", 3600),
                            (signal.SIGTERM, "study", "A02", "--out", folder / "study"),

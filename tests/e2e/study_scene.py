@@ -83,7 +83,7 @@ def a_study_says_what_accuracy_costs():
     assert kept["grid"] == "full" and abs(kept["seconds"] - 1) < 1e-6
     # The lines alone come from what is kept, at once.
     start = time.time()
-    lines = run("study", path, "--tolerance", 0.02, says="from the study of").stdout
+    lines = run("study", path, "--tolerance", 0.02, says="from the cached study").stdout
     assert time.time() - start < 5
     assert re.search(r"^solver = \"\w+\"$", lines, re.M) and re.search(r"^step_hz = \d+$", lines, re.M), lines
     run("study", path, "--tolerance", 1e-9, says="no setting stays under")

@@ -59,7 +59,7 @@ def settings_in(folder, environment):
 class Recording:
     """A file of `play --record` (engine/app/controls/action_tape.h): its scene, the actions that it tells of, those that are
     held at its end, whether there is a pointer in it, and whether its end is there."""
-    HEADER, STEP, END = 0, 1, 5
+    HEADER, STEP, END = 0, 1, 4
 
     def __init__(self, path):
         self.scene, self.told, self.held, self.has_pointer, self.whole = "", set(), set(), False, False

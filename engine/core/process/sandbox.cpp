@@ -39,12 +39,12 @@ constexpr std::uint32_t kArchitecture = AUDIT_ARCH_AARCH64;
 
 /// What memory, the standard streams, signals of its own and the end of a process need. mmap and
 /// mprotect are among them: a heap grows with both.
-constexpr std::array kAllowed{SYS_read,         SYS_readv,  SYS_write,         SYS_writev,
-                              SYS_lseek,        SYS_fstat,  SYS_close,         SYS_mmap,
-                              SYS_munmap,       SYS_mremap, SYS_mprotect,      SYS_madvise,
-                              SYS_brk,          SYS_futex,  SYS_clock_gettime, SYS_getrandom,
-                              SYS_getpid,       SYS_gettid, SYS_rt_sigaction,  SYS_rt_sigprocmask,
-                              SYS_rt_sigreturn, SYS_exit,   SYS_exit_group};
+constexpr std::array kAllowed{SYS_read,   SYS_readv,        SYS_write,         SYS_writev,
+                              SYS_lseek,  SYS_fstat,        SYS_close,         SYS_mmap,
+                              SYS_munmap, SYS_mremap,       SYS_mprotect,      SYS_madvise,
+                              SYS_brk,    SYS_futex,        SYS_clock_gettime, SYS_getrandom,
+                              SYS_getpid, SYS_gettid,       SYS_rt_sigaction,  SYS_rt_sigprocmask,
+                              SYS_alarm,  SYS_rt_sigreturn, SYS_exit,          SYS_exit_group};
 
 // What libraries ask for and do without: files beside a sound, what a stream is, how much memory there is
 // (qsort() asks).
