@@ -23,7 +23,7 @@ Result<Done> within_memory(const Build& build) {
     try {
         return build();
     } catch (const std::bad_alloc&) {
-        return Error{.message = "there is not enough memory for this scene: the one before stays"};
+        return Error{.message = "not enough memory for this scene; the current scene stays open"};
     }
 }
 

@@ -141,7 +141,7 @@ TEST_F(MixerTest, ANamedDeviceThatIsNotThereIsNamed) {  // B2
     def_.device = "Gramophone";
     testing::internal::CaptureStderr();
     const Mixer silent(def_, library_);
-    EXPECT_NE(testing::internal::GetCapturedStderr().find("no sound device \"Gramophone\""),
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("no sound device named \"Gramophone\""),
               std::string::npos);
     EXPECT_TRUE(silent.silent());
 }

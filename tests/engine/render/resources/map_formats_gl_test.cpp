@@ -19,11 +19,20 @@ constexpr std::uint8_t kCode = 186;
 
 using MapFormatsGl = ImageGl;
 
+/// As shaders see it: an image in grey is one channel that stands for three.
 std::array<std::uint8_t, 4> first_texel(const gl::Texture& texture) {
     std::array<std::uint8_t, 16> texels{};
     gl::bind_texture(0, gl::TextureKind::Flat, texture);
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
-    return {texels[0], texels[1], texels[2], texels[3]};
+    std::array<GLint, 4> channels{};
+    glGetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, channels.data());
+    std::array<std::uint8_t, 4> seen{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (channels[i] == GL_ONE) seen[i] = 255;
+        if (channels[i] >= GL_RED && channels[i] <= GL_ALPHA)
+            seen[i] = texels[static_cast<std::size_t>(channels[i] - GL_RED)];
+    }
+    return seen;
 }
 
 /// The code as what it is drawn with: as light in an image of colours, as a number in one of data.
