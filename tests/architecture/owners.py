@@ -13,7 +13,7 @@ COMMENT = re.compile(r"//.*")
 
 # (owner, pattern, lines that it finds, lines that it does not)
 OWNED = [
-    ("engine/core/process/",
+    (("engine/core/process/process.cpp", "engine/core/process/sandbox.cpp"),
      re.compile(r"#\s*include\s*<((?:sys/)?(?:poll|wait|prctl|select|epoll)|spawn|sched)\.h>"
                 r"|(?<![\w.>:])(?:::)?((?:v?fork|clone3?|posix_spawnp?|exec[vl]p?e?|wait(?:pid|id|3|4)|p?poll"
                 r"|p?select|pipe2?|dup[23]?|prctl|popen|system|kill(?:pg)?|socketpair)\s*\()"),

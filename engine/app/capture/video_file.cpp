@@ -196,6 +196,8 @@ Result<Done> VideoFile::finish() {
                                  words)};
     }
     if (left == Left::Nothing) {
+        std::error_code failed;
+        if (std::filesystem::is_regular_file(written_, failed)) remove_written();
         return Error{
             fmt::format("the film {} was not written: ffmpeg {}", def_.file.string(), words)};
     }

@@ -36,6 +36,11 @@ protected:
         for (const char* folder : {"assets/scenes", "shaders", "config"})
             std::filesystem::create_directories(folder_ / folder);
     }
+    /// What the pages of reports are made of.
+    void install_page() const {
+        std::filesystem::copy(std::filesystem::path(PL_SOURCE_DIR) / "assets/report",
+                              folder_ / "assets/report");
+    }
 
     TemporaryFolder folder_;
     ScopedVariable data_{"PLUMBLINE_DATA", folder_.path().string()};

@@ -45,8 +45,8 @@ TEST_F(OtherCommands, AFileIsReadAsWhatItsNameSays) {
     // A scene, which is none of the others.
     const std::string scene = "[scene]\ntitle = \"Not here\"\n";
     for (const auto& [name, fault] :
-         {std::pair{"app.toml", "scene.title: no such setting"},
-          {"app.ui.toml", "scene.title: no such setting"},
+         {std::pair{"app.toml", "scene.title: unknown setting"},
+          {"app.ui.toml", "scene.title: unknown setting"},
           {"surfaces.toml", "scene.title: unknown key; known: absorption"},
           {"bindings.toml", "no table [scene]"},
           {"bindings_mine.toml", "no table [scene]"},

@@ -45,6 +45,7 @@ TEST_F(StabilityCommand, AnUnknownCaseIsToldTheNearest) {
 }
 
 TEST_F(StabilityCommand, WhatPassedIsGreen) {
+    install_page();
     write_part(0.5);
     const CommandRun run = judged({.out = folder_ / "all",
                                    .merge = {folder_ / "one"},

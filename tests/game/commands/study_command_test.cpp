@@ -35,8 +35,8 @@ TEST_F(StudyCommand, AWordThatNothingBeginsWithIsToldTheNearest) {
               "\"A20\"; run `plumbline study --list` to list all scenarios\n");
     const CommandRun far = studied({.cases = {"quaternions"}});
     EXPECT_EQ(far.said,
-              "plumbline: error: there is no scenario and no scene \"quaternions\"; plumbline "
-              "study --list names all scenarios\n");
+              "plumbline: error: there is no scenario and no scene \"quaternions\"; run "
+              "`plumbline study --list` to list all scenarios\n");
     // What looks like a file is meant as one.
     const CommandRun file = studied({.cases = {"A2O.toml"}});
     EXPECT_EQ(file.code, ExitCode::Refused);
@@ -56,6 +56,7 @@ TEST_F(StudyCommand, EffectsAndImagesAreOfScenes) {
 }
 
 TEST_F(StudyCommand, ShardsMakeTheFilesOfTheWhole) {
+    install_page();
     study::Findings part{.command = "plumbline study --shard 1/1", .build = "of a test"};
     part.shard = study::Shard{.index = 1, .of = 1, .what = "plumbline study A01"};
     folder_.write("one/findings.json", study::findings_to_json(part));

@@ -58,7 +58,7 @@ TEST(GoneThings, WhatUndoTakesOutOfTheHandIsNotFrozenAfterwards) {
     EXPECT_FALSE(play.game->holds());
     play.messages();
     play.step(with_presses(hold({Action::Grab}), {Action::Freeze, Action::Throw}));
-    EXPECT_EQ(play.messages(), std::vector<std::string>{"nothing to freeze there"});
+    EXPECT_EQ(play.messages(), std::vector<std::string>{"nothing to freeze"});
 }
 
 TEST(GoneThings, WhatIsTakenOutOfTheHandByTheRemoveKeyLeavesTheHandEmpty) {
@@ -141,10 +141,10 @@ TEST(GoneThings, ASpotlightThatIsGoneIsNotAimed) {
     scene.entities.push_back(spot);
     Playground play(scene);
     play.step(press({Action::AimSpot}));
-    EXPECT_EQ(play.messages(), std::vector<std::string>{"the spotlight shines where you look"});
+    EXPECT_EQ(play.messages(), std::vector<std::string>{"spotlight aimed"});
     take_away(play, "spot");
     play.step(with_presses(hold({Action::AimSpot}), {Action::AimSpot}));
-    EXPECT_EQ(play.messages(), std::vector<std::string>{"no spotlight in this scene"});
+    EXPECT_EQ(play.messages(), std::vector<std::string>{"this scene has no spotlight"});
 }
 
 TEST(GoneThings, AGoalCountsThemUnlessItWantsThemInside) {

@@ -84,7 +84,9 @@ TEST(Things, DroppingOnAndOnKeepsToTheLimitAndSaysSoOnce) {
         play.step(look(0.37F, 0.0F));
         play.step(press({Action::Drop}));
         for (const std::string& message : play.messages()) {
-            if (message == "more than 500 things: the oldest one goes for each new one") ++told;
+            if (message ==
+                "limit of 500 dropped objects reached: the oldest one is removed for each new one")
+                ++told;
         }
     }
     EXPECT_LE(play.thing_count(), Things::kMost);

@@ -42,7 +42,8 @@ TEST_F(SessionTest, AnotherSettingStartsAHardCaseAnew) {
     EXPECT_EQ(session->judge->verdict(), study::Verdict::Pass);
     const FrameClock clock(session->simulation->step_s());
     EXPECT_GT(accuracy.gauges(clock).cost.step_ms.size(), 50U);
-    const study::Setting other{.solver = physics::Solver::BulletSi, .step_hz = 120, .substeps = 1};
+    const study::Setting other{
+        .solver = physics::Solver::BulletSi, .step_hz = 120, .substeps = 1, .substeps_max = 1};
     ASSERT_TRUE(session->apply(SetAccuracy{other}).ok());
     EXPECT_EQ(session->judge->verdict(), study::Verdict::Undecided);
     EXPECT_FALSE(session->judge->has_ended());

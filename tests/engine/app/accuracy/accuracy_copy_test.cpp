@@ -211,7 +211,8 @@ TEST_F(AdoptedCopy, SaysTheMostOnlyWhereIslandsAsk) {
     EXPECT_EQ(accuracy_of(*copy).substeps_max, 32);
     const auto fixed = adopt(scene, {.step_hz = 60, .substeps = 2});
     ASSERT_TRUE(fixed.ok()) << fixed.error().message;
-    EXPECT_EQ(accuracy_of(*fixed).substeps_max, 2)
+    EXPECT_EQ(accuracy_of(*fixed).substeps, 2);
+    EXPECT_EQ(accuracy_of(*fixed).substeps_max, std::nullopt)
         << "the most of another choice is not left behind";
 }
 

@@ -77,6 +77,7 @@ TEST_F(VideoFileTest, CutsOffAFragmentThatWasNotFinished) {
     for (const std::string& half : {whole + mp4_box("moof", 12),
                                     whole + kFragment.substr(0, 30),
                                     whole + std::string("\0\0\0", 3)}) {
+        std::filesystem::remove(folder_ / "a film.mp4");
         install(half, "echo disk full; exit 3");
         const Result<Done> ended = film();
         ASSERT_FALSE(ended.ok());
@@ -94,6 +95,7 @@ TEST_F(VideoFileTest, WithoutOneWholeFragmentNothingWasWritten) {
         EXPECT_EQ(film().error().message,
                   "the film " + (folder_ / "a film.mp4").string() +
                       " was not written: ffmpeg ended with exit code 1");
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "a film.mp4"));
     }
 }
 

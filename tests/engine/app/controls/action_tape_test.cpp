@@ -210,7 +210,8 @@ TEST(ActionTape, HostileLinesAreRefused) {
             .message;
     };
     constexpr std::uint8_t kStep = 1;
-    constexpr std::uint8_t kState = 4;
+    constexpr std::uint8_t kState = 3;
+    constexpr std::uint8_t kEnd = 4;
     const std::array<float, 2> level{};
     // One change: number of the action, held, pressed, amount; then the look and no pointer.
     const auto change = [&](std::uint8_t action, double amount, std::array<float, 2> look) {
@@ -225,7 +226,8 @@ TEST(ActionTape, HostileLinesAreRefused) {
     EXPECT_TRUE(said(kStep, ~std::uint64_t{0}).ends_with(": its state ends early"));
     EXPECT_TRUE(said(kState, std::uint64_t{7}, std::uint64_t{1} << 40U)
                     .ends_with(": its state ends early"));
-    EXPECT_TRUE(said(2, std::uint8_t{0}).ends_with(": it goes on after its end"));
+    EXPECT_TRUE(
+        said(kEnd, std::uint64_t{0}, std::uint8_t{0}).ends_with(": it goes on after its end"));
 }
 
 // EXPERIENCE E6

@@ -43,9 +43,9 @@ TEST(Gallery, HasTheRedCasesThatTheReadmeTellsOf) {
     };
     const Result<std::string> readme = read_file(PL_SOURCE_DIR "/README.md", 1 << 20);
     ASSERT_TRUE(readme.ok());
-    const std::string told = fmt::format("Of the gallery's {} cases {} are red",
-                                         std::ranges::count_if(shipped(), quick),
-                                         std::ranges::count_if(shipped(), red));
+    const std::string told = fmt::format("{} of the gallery's {} CI cases fail",
+                                         std::ranges::count_if(shipped(), red),
+                                         std::ranges::count_if(shipped(), quick));
     EXPECT_NE(readme->find(told), std::string::npos) << told;
 }
 
