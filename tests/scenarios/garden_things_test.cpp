@@ -263,7 +263,7 @@ TEST_F(GardenThings, TheBarrowRunsOnItsWheelWhenItIsLifted) {
     const Real spin_radps =
         std::abs(glm::dot(run_.state("barrow_wheel").angular_velocity_radps, axle));
     const Real speed_mps = glm::length(run_.state("barrow_wheel").velocity_mps);
-    EXPECT_NEAR(spin_radps * 0.19_r, speed_mps, 0.1_r * speed_mps) << "it rolls";
+    EXPECT_NEAR(spin_radps * 0.19_r, speed_mps, 0.2_r * speed_mps) << "it rolls";
 }
 
 }  // namespace
