@@ -34,7 +34,7 @@ def problems_of(name):
         for owner, pattern, _, _ in OWNED:
             found = pattern.search(COMMENT.sub("", line))
             if found and not name.startswith(owner):
-                yield f"{name}:{number}: {found.group(0).strip(' (')} is for {owner} alone"
+                yield f"{name}:{number}: {found.group(0).strip(' (')} is for {owner if isinstance(owner, str) else ' and '.join(owner)} alone"
 
 
 if __name__ == "__main__":
@@ -44,7 +44,7 @@ if __name__ == "__main__":
             if bool(pattern.search(COMMENT.sub("", line))) != (line in found):
                 problems.append(f"the check itself is wrong about: {line}")
         own = "".join((ROOT / name).read_text(encoding="utf-8")
-                      for name in own_files(ROOT, owner, suffixes=(".cpp",)))
+                      for name in own_files(ROOT, *([owner] if isinstance(owner, str) else owner), suffixes=(".cpp",)))
         if not pattern.search(own):
             problems.append(f"{owner} has none of what it is to own")
     checked = own_files(ROOT, "engine", "game", suffixes=(".cpp", ".h"))
