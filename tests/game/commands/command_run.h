@@ -38,8 +38,8 @@ protected:
     }
     /// What the pages of reports are made of.
     void install_page() const {
-        std::filesystem::copy(std::filesystem::path(PL_SOURCE_DIR) / "assets/report",
-                              folder_ / "assets/report");
+        for (const char* part : {"assets/report", "assets/data"})
+            std::filesystem::copy(std::filesystem::path(PL_SOURCE_DIR) / part, folder_ / part);
     }
 
     TemporaryFolder folder_;
