@@ -129,7 +129,7 @@ def a_crash_leaves_a_report_and_the_next_start_says_so():
     assert running.returncode == -signal.SIGSEGV and str(report) in said, (running.returncode, said)
     text = report.read_text()
     assert "simulate" in text and "signal SIGSEGV" in text and "(_ZN9plumbline" in text.split("backtrace:")[1], text
-    said = run("play", CUBE, "--no-sound", code=3, says="with --safe only built-in settings are used").stderr
+    said = run("play", CUBE, "--no-sound", code=3, says="start with --safe to use built-in settings only").stderr
     assert "crash.old.txt" in said
     assert "crash" not in run("play", CUBE, "--no-sound", code=3).stderr, "told once"
 

@@ -133,7 +133,9 @@ def an_interrupt_keeps_what_is_done():
 
 def effects_have_their_price():
     out = folder / "effects_out"
-    said = run("study", "--effects", scene("effects"), "--seconds", 0.5, "--out", out).stdout
+    shaded = scene("effects")
+    shaded.write_text(shaded.read_text() + "\n[sun]\ndirection = [-0.3, -1, -0.2]\nshadow = { size_px = 256, distance_m = 10 }\n")
+    said = run("study", "--effects", shaded, "--seconds", 0.5, "--out", out).stdout
     assert "what switching an effect off saves" in said and str(out / "report.html") in said, said
     effects = json.loads((out / "findings.json").read_text())["effects"][0]
     assert effects["scene"] == "effects.toml" and effects["rows"], effects
