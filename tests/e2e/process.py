@@ -109,11 +109,13 @@ def what_is_ignored_at_the_start_stays_ignored():
 def a_limit_on_files_is_a_line_and_a_code():
     save = folder / "limited.save"
     save.write_text("earlier")
+    left = set(folder.glob(".plumbline-saving-*"))  # by programs that two signals ended
     for of in (program, program_f64):
         done = run("simulate", "assets/scenes/pile.toml", "--seconds", "0.05", "--save", save, of=of, code=1, says="File too large",
                    limits=[(resource.RLIMIT_FSIZE, 10 << 10)])
         assert done.stderr.count("\n") == 1, done
-        assert save.read_text() == "earlier" and not list(folder.glob(".plumbline-saving-*"))
+        assert save.read_text() == "earlier", done
+        assert set(folder.glob(".plumbline-saving-*")) <= left
 
 
 # EXPERIENCE I4
@@ -149,7 +151,7 @@ def refused_memory_is_a_line_and_a_code():
                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (room << 20, room << 20)))
             codes.append(done.returncode)
             assert done.returncode in (0, 6), (room, done)
-            assert done.stderr.count("not enough memory") == (1 if done.returncode == 6 else 0), (room, done)
+            assert done.stderr.count("out of memory") == (1 if done.returncode == 6 else 0), (room, done)
         assert 6 in codes, codes
 
 

@@ -164,7 +164,7 @@ def a_monitor_that_goes_leaves_a_window(folder):  # EXPERIENCE A13
             expect(game.wait(20) == 130, game.log())
         finally:
             game.stop()
-        expect("the monitor of the full screen is gone" in game.log(), game.log())
+        expect("the fullscreen monitor was disconnected" in game.log(), game.log())
 
 
 def snap(game, name):
