@@ -6,31 +6,8 @@ nothing bounces, nothing sleeps. The order of the bodies is part of the scene.
 import math
 import textwrap
 
-HEAD = """# {id}: {title}.
-#
-{comment}
-#
-# Written by assets/source/make_hard_scenes.py: change that and run it again.
-
-[scene]
-title = "{id} {title}"
-description = "{shows}"
-include = ["scenes/materials.toml"]
-
-[world]
-gravity_mps2 = {gravity}
-{kill}
-[player]
-position_m = {player}
-yaw_deg = {yaw}
-pitch_deg = {pitch}
-
-[camera]
-position_m = {camera}
-target_m = {target}
-fov_deg = 50
-
-[sun]
+# Light, sky and paints of a scene on open ground; peer scenes have the same.
+LOOK = """[sun]
 direction = [-0.545, -0.53, -0.65]
 color = [1.0, 0.93, 0.82]
 intensity = 3.4
@@ -60,6 +37,32 @@ name = "paint_cream"
 base_color = [0.75, 0.68, 0.52]
 roughness = 0.6
 """
+
+HEAD = """# {id}: {title}.
+#
+{comment}
+#
+# Written by assets/source/make_hard_scenes.py: change that and run it again.
+
+[scene]
+title = "{id} {title}"
+description = "{shows}"
+include = ["scenes/materials.toml"]
+
+[world]
+gravity_mps2 = {gravity}
+{kill}
+[player]
+position_m = {player}
+yaw_deg = {yaw}
+pitch_deg = {pitch}
+
+[camera]
+position_m = {camera}
+target_m = {target}
+fov_deg = 50
+
+""" + LOOK
 
 
 def number(value):

@@ -12,6 +12,7 @@ import pathlib
 import random
 
 from card_house import SIZE_M, card_house
+from hard_scene import LOOK
 
 ASSETS = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = ASSETS / "scenes" / "bench" / "peers"
@@ -33,36 +34,7 @@ position_m = {camera}
 target_m = {target}
 fov_deg = {fov}
 
-[sun]
-direction = [-0.545, -0.53, -0.65]
-color = [1.0, 0.93, 0.82]
-intensity = 3.4
-shadow = {{ size_px = 2048, distance_m = {shadow} }}
-
-[sky]
-skybox = "skies/garden"
-
-[ambient]
-color = [0.3, 0.33, 0.38]
-
-[post]
-exposure = 0.95
-
-[[material]]
-name = "paint_orange"
-base_color = [0.8, 0.28, 0.04]
-roughness = 0.5
-
-[[material]]
-name = "paint_blue"
-base_color = [0.06, 0.22, 0.45]
-roughness = 0.5
-
-[[material]]
-name = "paint_cream"
-base_color = [0.75, 0.68, 0.52]
-roughness = 0.6
-"""
+""" + LOOK
 
 CUBE = "box = [1, 1, 1]"
 DENSITY_KGPM3 = 1000.0
