@@ -29,6 +29,18 @@ Callers EntityCallers::take() {
     return std::move(callers_);
 }
 
+Callers dynamic_bodies_of(const scene::Simulation& simulation,
+                          bool (*is_of_kind)(const scene::SurfaceTable&, std::uint16_t surface)) {
+    EntityCallers callers(simulation);
+    for (const scene::MovingBody& moving : simulation.moving_bodies()) {
+        if (moving.kind != physics::BodyKind::Dynamic) continue;
+        if (!simulation.registry.alive(moving.entity)) continue;
+        const auto surface = simulation.registry.get<scene::SurfaceRef>(moving.entity).surface;
+        if (is_of_kind(simulation.surfaces(), surface)) callers.add(moving.entity);
+    }
+    return callers.take();
+}
+
 Callers wearers_of(const scene::Simulation& simulation,
                    bool (*is_of_kind)(const assets::MaterialData&)) {
     EntityCallers callers(simulation);

@@ -25,6 +25,18 @@ private:
     std::size_t count_{0};
 };
 
+template <class Component>
+Callers entities_with(const scene::Simulation& simulation) {
+    EntityCallers callers(simulation);
+    for (auto [entity, component] : simulation.registry.view<const Component>())
+        callers.add(entity);
+    return callers.take();
+}
+
+/// Entities with a dynamic body that is covered by a surface of that kind.
+Callers dynamic_bodies_of(const scene::Simulation& simulation,
+                          bool (*is_of_kind)(const scene::SurfaceTable&, std::uint16_t surface));
+
 /// Entities that show a material of that kind.
 Callers wearers_of(const scene::Simulation& simulation,
                    bool (*is_of_kind)(const assets::MaterialData&));

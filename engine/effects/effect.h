@@ -25,6 +25,22 @@ struct EffectWork {
     double cpu_ms{0};        ///< spent elsewhere on its behalf, e.g. in the physics
 };
 
+/// Asks for contact events while it lives.
+class ContactListener {
+public:
+    ContactListener(scene::Simulation& simulation, const char* who)
+        : simulation_(simulation), who_(who) {
+        simulation_.contact_listeners.add(who_);
+    }
+    ~ContactListener() { simulation_.contact_listeners.remove(who_); }
+    ContactListener(const ContactListener&) = delete;
+    ContactListener& operator=(const ContactListener&) = delete;
+
+private:
+    scene::Simulation& simulation_;
+    const char* who_;
+};
+
 class Effect {
 public:
     virtual ~Effect() = default;

@@ -39,7 +39,6 @@ public:
     EffectRuntime(scene::Simulation& simulation,
                   const ServedDomains& served,
                   std::span<const EffectRow> table = effect_table());
-    ~EffectRuntime();
     EffectRuntime(const EffectRuntime&) = delete;
     EffectRuntime& operator=(const EffectRuntime&) = delete;
 
@@ -65,8 +64,36 @@ public:
     std::vector<LedgerLine> ledger() const;
 
 private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    /// What an effect's callers depend on: while it stays the same, so do they.
+    struct CallersKey {
+        std::uint64_t revision{0};
+        std::optional<bool> switched{};
+        std::uint64_t own{0};
+
+        friend bool operator==(const CallersKey&, const CallersKey&) = default;
+    };
+    /// One row's effect, while there is one, and what it cost.
+    struct Slot {
+        std::unique_ptr<Effect> effect;
+        Callers callers;
+        std::optional<CallersKey> key;  ///< that `callers` are of
+        std::uint32_t constructions{0};
+        EffectWork earlier;  ///< of effects that are gone, and of the hooks
+        double gpu_ms{0};
+        bool gpu_unknown{false};
+        std::uint64_t bytes_gpu{0};
+    };
+
+    static CallersKey key_of(const EffectRow& row, const scene::Simulation& simulation);
+    bool serves(Domain domain) const;
+    void refresh_row(std::size_t row, scene::Simulation& simulation);
+    /// Runs one hook of every effect there is and books its time.
+    template <class Hook>
+    void each(Hook hook);
+
+    ServedDomains served_;
+    std::span<const EffectRow> table_;
+    std::vector<Slot> slots_;
 };
 
 /// The ledger as a JSON array, as reports hold it.

@@ -4,11 +4,13 @@
 
 #include "engine/effects/effect.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace plumbline::effects {
@@ -32,7 +34,7 @@ struct EffectRow {
     std::string_view passes{};  ///< prefix of its passes in FrameStats ("shadow.sun"); empty: none
 };
 
-// Each is defined in the source file of its name. A row may call for rows below it: impact sounds
+// Each is defined in the source file of its name, those that only fill in the frame in one for their folder. A row may call for rows below it: impact sounds
 // ask for contact events. Sounds come before what changes them.
 #define PL_EFFECTS(ROW)       \
     ROW(sun_shadow)           \
@@ -71,6 +73,34 @@ struct EffectRow {
 #define PL_DECLARE_ROW(name) EffectRow name();
 PL_EFFECTS(PL_DECLARE_ROW)
 #undef PL_DECLARE_ROW
+
+/// The usual make() of a row: T is made of the simulation, or of nothing.
+template <class T>
+std::unique_ptr<Effect> make_effect(scene::Simulation& simulation) {
+    if constexpr (std::is_constructible_v<T, scene::Simulation&>)
+        return std::make_unique<T>(simulation);
+    else
+        return std::make_unique<T>();
+}
+
+/// An effect without a state: kShow fills in the frame.
+template <void (*kShow)(const scene::Simulation&, render::RenderFrame&)>
+class FrameEffect final : public Effect {
+public:
+    void extract(const scene::Simulation& simulation,
+                 const scene::ViewPoint&,
+                 render::RenderFrame& frame) override {
+        kShow(simulation, frame);
+        ++work_.calls;
+    }
+    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
+};
+
+/// `values`: for draft, balanced and precise.
+template <class T>
+constexpr T by_fidelity(scene::Fidelity fidelity, const std::array<T, 3>& values) {
+    return values[static_cast<std::size_t>(fidelity)];
+}
 
 /// In the order of the list.
 std::span<const EffectRow> effect_table();

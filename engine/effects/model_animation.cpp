@@ -108,25 +108,13 @@ private:
     std::map<std::uint32_t, Posed> posed_;  ///< by the entity's index
 };
 
-Callers callers_of_model_animation(const scene::Simulation& simulation) {
-    EntityCallers callers(simulation);
-    for (auto [entity, playing] : simulation.registry.view<const scene::PlayingModel>()) {
-        callers.add(entity);
-    }
-    return callers.take();
-}
-
-std::unique_ptr<Effect> make_model_animation(scene::Simulation& simulation) {
-    return std::make_unique<ModelAnimation>(simulation);
-}
-
 }  // namespace
 
 EffectRow model_animation() {
     return {.name = "model_animation",
             .domain = Domain::Frame,
-            .called_for_by = &callers_of_model_animation,
-            .make = &make_model_animation};
+            .called_for_by = &entities_with<scene::PlayingModel>,
+            .make = &make_effect<ModelAnimation>};
 }
 
 }  // namespace plumbline::effects

@@ -18,10 +18,10 @@ bool shows_flashlight(const scene::Simulation& simulation) {
 
 class LightCubes final : public Effect {
 public:
-    explicit LightCubes(assets::AssetLibrary& library)
-        : mesh_(library.add_mesh("light cube", assets::box_mesh(Vec3f{1.0F}))),
-          material_(
-              library.add_material({.name = "light cube", .shading = assets::Shading::Unlit})) {}
+    explicit LightCubes(scene::Simulation& simulation)
+        : mesh_(simulation.library().add_mesh("light cube", assets::box_mesh(Vec3f{1.0F}))),
+          material_(simulation.library().add_material(
+              {.name = "light cube", .shading = assets::Shading::Unlit})) {}
 
     void extract(const scene::Simulation& simulation,
                  const scene::ViewPoint& view,
@@ -69,17 +69,13 @@ std::uint64_t key_of_light_cubes(const scene::Simulation& simulation) {
     return shows_flashlight(simulation) ? 1 : 0;
 }
 
-std::unique_ptr<Effect> make_light_cubes(scene::Simulation& simulation) {
-    return std::make_unique<LightCubes>(simulation.library());
-}
-
 }  // namespace
 
 EffectRow light_cubes() {
     return {.name = "light_cubes",
             .domain = Domain::Frame,
             .called_for_by = &callers_of_light_cubes,
-            .make = &make_light_cubes,
+            .make = &make_effect<LightCubes>,
             .key = &key_of_light_cubes};
 }
 

@@ -1,5 +1,7 @@
 #include "engine/effects/nature/drops.h"
 
+#include "engine/effects/effect_table.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,17 +20,7 @@ constexpr float kSplashLife_s = 0.35F;
 /// Splashes are too small to be slowed or to splash again.
 constexpr float kSplashSize = 0.5F;
 
-float share_of(scene::Fidelity fidelity) {
-    switch (fidelity) {
-        case scene::Fidelity::Draft:
-            return 0.4F;
-        case scene::Fidelity::Balanced:
-            return 1.0F;
-        case scene::Fidelity::Precise:
-            return 2.0F;
-    }
-    return 1.0F;
-}
+constexpr std::array<float, 3> kDropShares{0.4F, 1.0F, 2.0F};  // by fidelity
 
 float litres_of(float radius_m) {
     return 4.0F / 3.0F * glm::pi<float>() * radius_m * radius_m * radius_m * 1000.0F;
@@ -64,8 +56,8 @@ Drops::Drops(std::span<const scene::FountainDescription> fountains,
         for (const scene::PoolDescription& pool : fountain.pools)
             pools_.push_back({Vec3f(pool.center_m), static_cast<float>(pool.radius_m)});
     }
-    const float share =
-        std::min(share_of(fidelity), total_per_s > 0.0F ? kMostPerSecond / total_per_s : 1.0F);
+    const float share = std::min(by_fidelity(fidelity, kDropShares),
+                                 total_per_s > 0.0F ? kMostPerSecond / total_per_s : 1.0F);
     for (Nozzle& nozzle : nozzles_) {
         nozzle.drops_per_s *= share;
         nozzle.held_l = nozzle.drops_per_s > 0.0F ? nozzle.held_l / nozzle.drops_per_s : 0.0F;

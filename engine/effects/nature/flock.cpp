@@ -230,17 +230,13 @@ Callers callers_of_flock(const scene::Simulation& simulation) {
     return callers;
 }
 
-std::unique_ptr<Effect> make_flock(scene::Simulation& simulation) {
-    return std::make_unique<Flock>(simulation);
-}
-
 }  // namespace
 
 EffectRow flock() {
     return {.name = "flock",
             .domain = Domain::Frame,
             .called_for_by = &callers_of_flock,
-            .make = &make_flock};
+            .make = &make_effect<Flock>};
 }
 
 }  // namespace plumbline::effects

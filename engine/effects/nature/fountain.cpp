@@ -96,17 +96,13 @@ Callers callers_of_fountain(const scene::Simulation& simulation) {
     return callers;
 }
 
-std::unique_ptr<Effect> make_fountain(scene::Simulation& simulation) {
-    return std::make_unique<Fountain>(simulation);
-}
-
 }  // namespace
 
 EffectRow fountain() {
     return {.name = "fountain",
             .domain = Domain::Frame,
             .called_for_by = &callers_of_fountain,
-            .make = &make_fountain,
+            .make = &make_effect<Fountain>,
             .gpu_owner = "drops",
             .passes = "drops"};
 }

@@ -109,17 +109,13 @@ Callers callers_of_grass(const scene::Simulation& simulation) {
     return {setting("[grass]", grass->location)};
 }
 
-std::unique_ptr<Effect> make_grass(scene::Simulation& simulation) {
-    return std::make_unique<Grass>(simulation);
-}
-
 }  // namespace
 
 EffectRow grass() {
     return {.name = "grass",
             .domain = Domain::Frame,
             .called_for_by = &callers_of_grass,
-            .make = &make_grass};
+            .make = &make_effect<Grass>};
 }
 
 }  // namespace plumbline::effects

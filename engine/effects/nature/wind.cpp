@@ -6,34 +6,23 @@
 namespace plumbline::effects {
 namespace {
 
-class Wind final : public Effect {
-public:
-    void extract(const scene::Simulation& simulation,
-                 const scene::ViewPoint&,
-                 render::RenderFrame& frame) override {
-        const scene::WindDescription& wind = *simulation.description().wind;
-        const Vec3f mean(wind.direction * wind.speed_mps);
-        frame.wind = render::Wind{.mean_mps = {mean.x, mean.z}};
-        const auto waves = scene::waves_at(wind, static_cast<double>(frame.time_s));
-        for (std::size_t i = 0; i < waves.size(); ++i) {
-            const scene::GustWave& wave = waves[i];
-            frame.wind->gusts[i] = {.number_radpm = Vec2f(wave.number_radpm),
-                                    .phase_rad = static_cast<float>(wave.phase_rad),
-                                    .speed_mps = static_cast<float>(wave.speed_mps)};
-        }
-        ++work_.calls;
+void show_wind(const scene::Simulation& simulation, render::RenderFrame& frame) {
+    const scene::WindDescription& wind = *simulation.description().wind;
+    const Vec3f mean(wind.direction * wind.speed_mps);
+    frame.wind = render::Wind{.mean_mps = {mean.x, mean.z}};
+    const auto waves = scene::waves_at(wind, static_cast<double>(frame.time_s));
+    for (std::size_t i = 0; i < waves.size(); ++i) {
+        const scene::GustWave& wave = waves[i];
+        frame.wind->gusts[i] = {.number_radpm = Vec2f(wave.number_radpm),
+                                .phase_rad = static_cast<float>(wave.phase_rad),
+                                .speed_mps = static_cast<float>(wave.speed_mps)};
     }
-    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
-};
+}
 
 Callers callers_of_wind(const scene::Simulation& simulation) {
     const auto& wind = simulation.description().wind;
     if (!wind || !simulation.switches.is_on("wind", true)) return {};
     return {setting("[wind]", wind->location)};
-}
-
-std::unique_ptr<Effect> make_wind(scene::Simulation&) {
-    return std::make_unique<Wind>();
 }
 
 }  // namespace
@@ -42,7 +31,7 @@ EffectRow wind() {
     return {.name = "wind",
             .domain = Domain::Frame,
             .called_for_by = &callers_of_wind,
-            .make = &make_wind};
+            .make = &make_effect<FrameEffect<&show_wind>>};
 }
 
 }  // namespace plumbline::effects

@@ -13,17 +13,13 @@ Callers callers_of_contact_events(const scene::Simulation& simulation) {
     return simulation.contact_listeners.names();
 }
 
-std::unique_ptr<Effect> make_contact_events(scene::Simulation& simulation) {
-    return std::make_unique<ContactEvents>(simulation);
-}
-
 }  // namespace
 
 EffectRow contact_events() {
     return {.name = "contact_events",
             .domain = Domain::Step,
             .called_for_by = &callers_of_contact_events,
-            .make = &make_contact_events};
+            .make = &make_effect<ContactEvents>};
 }
 
 }  // namespace plumbline::effects

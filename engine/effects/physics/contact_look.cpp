@@ -9,12 +9,8 @@ namespace {
 
 class ContactLookEffect final : public Effect {
 public:
-    explicit ContactLookEffect(scene::Simulation& simulation) : simulation_(simulation) {
-        simulation_.contact_listeners.add(kWho);
-    }
-    ~ContactLookEffect() override { simulation_.contact_listeners.remove(kWho); }
-    ContactLookEffect(const ContactLookEffect&) = delete;
-    ContactLookEffect& operator=(const ContactLookEffect&) = delete;
+    explicit ContactLookEffect(scene::Simulation& simulation)
+        : listener_(simulation, "effect contact_look") {}
 
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
         std::set<std::uint64_t> touching;
@@ -32,8 +28,6 @@ public:
     std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 
 private:
-    static constexpr const char* kWho = "effect contact_look";
-
     void change(scene::ContactAppearance& look, scene::Visual& visual) {
         look.touches = !look.touches;
         if (look.touches) {
@@ -45,27 +39,16 @@ private:
         ++work_.calls;
     }
 
-    scene::Simulation& simulation_;
+    ContactListener listener_;
 };
-
-Callers callers_of_contact_look(const scene::Simulation& simulation) {
-    EntityCallers callers(simulation);
-    for (auto [entity, look] : simulation.registry.view<const scene::ContactAppearance>())
-        callers.add(entity);
-    return callers.take();
-}
-
-std::unique_ptr<Effect> make_contact_look(scene::Simulation& simulation) {
-    return std::make_unique<ContactLookEffect>(simulation);
-}
 
 }  // namespace
 
 EffectRow contact_look() {
     return {.name = "contact_look",
             .domain = Domain::Frame,
-            .called_for_by = &callers_of_contact_look,
-            .make = &make_contact_look};
+            .called_for_by = &entities_with<scene::ContactAppearance>,
+            .make = &make_effect<ContactLookEffect>};
 }
 
 }  // namespace plumbline::effects

@@ -9,9 +9,7 @@ EffectRow continuous_collision() {
     return {.name = "continuous_collision",
             .domain = Domain::Step,
             .called_for_by = &callers_of_use<&Use::swept>,
-            .make = [](scene::Simulation&) -> std::unique_ptr<Effect> {
-                return std::make_unique<PhysicsUse<&Use::swept_bodies, &Use::sweep_ms>>();
-            },
+            .make = &make_effect<PhysicsUse<&Use::swept_bodies, &Use::sweep_ms>>,
             .key = &key_of_use<&Use::swept>};
 }
 

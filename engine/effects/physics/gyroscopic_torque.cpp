@@ -9,9 +9,7 @@ EffectRow gyroscopic_torque() {
     return {.name = "gyroscopic_torque",
             .domain = Domain::Step,
             .called_for_by = &callers_of_use<&Use::turned>,
-            .make = [](scene::Simulation&) -> std::unique_ptr<Effect> {
-                return std::make_unique<PhysicsUse<&Use::gyro_bodies, &Use::gyro_ms>>();
-            },
+            .make = &make_effect<PhysicsUse<&Use::gyro_bodies, &Use::gyro_ms>>,
             .key = &key_of_use<&Use::turned>};
 }
 

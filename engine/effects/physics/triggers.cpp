@@ -59,24 +59,13 @@ private:
     }
 };
 
-Callers callers_of_triggers(const scene::Simulation& simulation) {
-    EntityCallers callers(simulation);
-    for (auto [entity, volume] : simulation.registry.view<const scene::TriggerVolume>())
-        callers.add(entity);
-    return callers.take();
-}
-
-std::unique_ptr<Effect> make_triggers(scene::Simulation&) {
-    return std::make_unique<Triggers>();
-}
-
 }  // namespace
 
 EffectRow triggers() {
     return {.name = "triggers",
             .domain = Domain::Step,
-            .called_for_by = &callers_of_triggers,
-            .make = &make_triggers};
+            .called_for_by = &entities_with<scene::TriggerVolume>,
+            .make = &make_effect<Triggers>};
 }
 
 }  // namespace plumbline::effects

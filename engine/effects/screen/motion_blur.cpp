@@ -10,18 +10,7 @@
 namespace plumbline::effects {
 namespace {
 
-constexpr std::uint32_t streak_samples(scene::Fidelity fidelity) {
-    switch (fidelity) {
-        case scene::Fidelity::Draft:
-            return 6;
-        case scene::Fidelity::Balanced:
-            return 16;
-        case scene::Fidelity::Precise:
-            return 48;
-    }
-    return 16;
-}
-
+constexpr std::array<std::uint32_t, 3> kStreakSamples{6, 16, 48};  // by fidelity
 // A longer gap between two frames, or a faster way, is a cut to another view.
 constexpr double kLongestGap_s = 0.1;
 constexpr Real kFastest_mps = 100;
@@ -89,11 +78,11 @@ private:
         if (moved.empty() && now.position == before_.position &&
             now.orientation == before_.orientation)
             return;
-        frame.motion_blur =
-            render::MotionBlur{.position_before_world = Vec3f(opened.position),
-                               .orientation_before = Quatf(opened.orientation),
-                               .samples = streak_samples(scene.screen_fidelity.shutter),
-                               .moved = std::move(moved)};
+        frame.motion_blur = render::MotionBlur{
+            .position_before_world = Vec3f(opened.position),
+            .orientation_before = Quatf(opened.orientation),
+            .samples = by_fidelity(scene.screen_fidelity.shutter, kStreakSamples),
+            .moved = std::move(moved)};
         ++work_.calls;
     }
 
@@ -107,17 +96,13 @@ Callers callers_of_motion_blur(const scene::Simulation& simulation) {
     return {setting("[post] shutter_s", post->shutter->location)};
 }
 
-std::unique_ptr<Effect> make_motion_blur(scene::Simulation&) {
-    return std::make_unique<MotionBlur>();
-}
-
 }  // namespace
 
 EffectRow motion_blur() {
     return {.name = "motion_blur",
             .domain = Domain::Frame,
             .called_for_by = &callers_of_motion_blur,
-            .make = &make_motion_blur,
+            .make = &make_effect<MotionBlur>,
             .gpu_owner = "motion_blur",
             .passes = "motion_blur"};
 }

@@ -136,25 +136,13 @@ private:
     std::uint64_t revision_{0};
 };
 
-Callers callers_of_ambient_sounds(const scene::Simulation& simulation) {
-    EntityCallers callers(simulation);
-    for (auto [entity, ambient] : simulation.registry.view<const scene::AmbientSound>()) {
-        callers.add(entity);
-    }
-    return callers.take();
-}
-
-std::unique_ptr<Effect> make_ambient_sounds(scene::Simulation& simulation) {
-    return std::make_unique<AmbientSounds>(simulation);
-}
-
 }  // namespace
 
 EffectRow ambient_sounds() {
     return {.name = "ambient_sounds",
             .domain = Domain::Sound,
-            .called_for_by = &callers_of_ambient_sounds,
-            .make = &make_ambient_sounds};
+            .called_for_by = &entities_with<scene::AmbientSound>,
+            .make = &make_effect<AmbientSounds>};
 }
 
 }  // namespace plumbline::effects

@@ -32,8 +32,7 @@ const std::filesystem::path& creak_file(const scene::Simulation& simulation, phy
     const auto* surface = simulation.registry.alive(entity)
                               ? simulation.registry.find<scene::SurfaceRef>(entity)
                               : nullptr;
-    if (surface == nullptr) return kNone;
-    return simulation.surfaces().get(surface->surface).creak_sound;
+    return surface == nullptr ? kNone : simulation.surfaces().get(surface->surface).creak_sound;
 }
 
 /// "garden gate: creaking"
@@ -138,17 +137,13 @@ Callers callers_of_creak_sounds(const scene::Simulation& simulation) {
     return callers;
 }
 
-std::unique_ptr<Effect> make_creak_sounds(scene::Simulation& simulation) {
-    return std::make_unique<CreakSounds>(simulation);
-}
-
 }  // namespace
 
 EffectRow creak_sounds() {
     return {.name = "creak_sounds",
             .domain = Domain::Sound,
             .called_for_by = &callers_of_creak_sounds,
-            .make = &make_creak_sounds};
+            .make = &make_effect<CreakSounds>};
 }
 
 }  // namespace plumbline::effects

@@ -51,17 +51,13 @@ Callers callers_of_footsteps(const scene::Simulation& simulation) {
     return {setting("[player]", player->location)};
 }
 
-std::unique_ptr<Effect> make_footsteps(scene::Simulation&) {
-    return std::make_unique<Footsteps>();
-}
-
 }  // namespace
 
 EffectRow footsteps() {
     return {.name = "footsteps",
             .domain = Domain::Sound,
             .called_for_by = &callers_of_footsteps,
-            .make = &make_footsteps};
+            .make = &make_effect<Footsteps>};
 }
 
 }  // namespace plumbline::effects

@@ -33,12 +33,8 @@ std::uint64_t merge_key_of(std::uint16_t surface, const Vec3& point) {
 
 class ImpactSounds final : public Effect {
 public:
-    explicit ImpactSounds(scene::Simulation& simulation) : simulation_(simulation) {
-        simulation_.contact_listeners.add(kWho);
-    }
-    ~ImpactSounds() override { simulation_.contact_listeners.remove(kWho); }
-    ImpactSounds(const ImpactSounds&) = delete;
-    ImpactSounds& operator=(const ImpactSounds&) = delete;
+    explicit ImpactSounds(scene::Simulation& simulation)
+        : listener_(simulation, "effect impact_sounds") {}
 
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
         for (const physics::ContactEvent& contact : simulation.physics.contacts()) {
@@ -64,8 +60,6 @@ public:
     }
 
 private:
-    static constexpr const char* kWho = "effect impact_sounds";
-
     static bool is_audible(const physics::ContactEvent& contact) {
         return contact.closing_speed_mps >
                (contact.began ? kLeastClosingSpeed_mps : kAgainClosingSpeed_mps);
@@ -80,17 +74,9 @@ private:
         return false;
     }
 
-    static std::uint16_t surface_of(const scene::Simulation& simulation, std::uint64_t user) {
-        const ecs::Entity entity = entity_of_mark(simulation, user);
-        const auto* surface = simulation.registry.alive(entity)
-                                  ? simulation.registry.find<scene::SurfaceRef>(entity)
-                                  : nullptr;
-        return surface == nullptr ? std::uint16_t{0} : surface->surface;
-    }
-
     void add_cue(scene::Simulation& simulation, const physics::ContactEvent& contact) {
-        std::uint16_t louder = surface_of(simulation, contact.user_a);
-        std::uint16_t softer = surface_of(simulation, contact.user_b);
+        std::uint16_t louder = surface_of_mark(simulation, contact.user_a);
+        std::uint16_t softer = surface_of_mark(simulation, contact.user_b);
         const scene::SurfaceTable& table = simulation.surfaces();
         const auto loudness = [&](std::uint16_t index) {
             return simulation.surfaces().is_heard(index) ? table.get(index).loudness : 0.0F;
@@ -148,7 +134,7 @@ private:
         if (quietest->gain < cue.gain) *quietest = cue;
     }
 
-    scene::Simulation& simulation_;
+    ContactListener listener_;
     SoundBank bank_;
     Random random_{7};  ///< its own: what is heard must not change what happens
     std::vector<audio::SoundCue> cues_;
@@ -156,18 +142,9 @@ private:
 };
 
 Callers callers_of_impact_sounds(const scene::Simulation& simulation) {
-    EntityCallers callers(simulation);
-    for (const scene::MovingBody& moving : simulation.moving_bodies()) {
-        if (moving.kind != physics::BodyKind::Dynamic) continue;
-        if (!simulation.registry.alive(moving.entity)) continue;
-        const auto& surface = simulation.registry.get<scene::SurfaceRef>(moving.entity);
-        if (simulation.surfaces().is_heard(surface.surface)) callers.add(moving.entity);
-    }
-    return callers.take();
-}
-
-std::unique_ptr<Effect> make_impact_sounds(scene::Simulation& simulation) {
-    return std::make_unique<ImpactSounds>(simulation);
+    return dynamic_bodies_of(simulation, [](const scene::SurfaceTable& surfaces, std::uint16_t i) {
+        return surfaces.is_heard(i);
+    });
 }
 
 }  // namespace
@@ -176,7 +153,7 @@ EffectRow impact_sounds() {
     return {.name = "impact_sounds",
             .domain = Domain::Sound,
             .called_for_by = &callers_of_impact_sounds,
-            .make = &make_impact_sounds};
+            .make = &make_effect<ImpactSounds>};
 }
 
 }  // namespace plumbline::effects

@@ -61,12 +61,8 @@ float rolling_mps(const physics::PhysicsWorld& world,
 
 class RollingSounds final : public Effect {
 public:
-    explicit RollingSounds(scene::Simulation& simulation) : simulation_(simulation) {
-        simulation_.contact_listeners.add(kWho);
-    }
-    ~RollingSounds() override { simulation_.contact_listeners.remove(kWho); }
-    RollingSounds(const RollingSounds&) = delete;
-    RollingSounds& operator=(const RollingSounds&) = delete;
+    explicit RollingSounds(scene::Simulation& simulation)
+        : simulation_(simulation), listener_(simulation, "effect rolling_sounds") {}
 
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
         const physics::PhysicsWorld& world = simulation.physics;
@@ -110,7 +106,6 @@ public:
 
 private:
     using Marks = std::pair<std::uint64_t, std::uint64_t>;
-    static constexpr const char* kWho = "effect rolling_sounds";
 
     static bool is_moving(const physics::PhysicsWorld& world, physics::BodyId body) {
         return world.contains(body) && world.kind(body) == physics::BodyKind::Dynamic &&
@@ -128,11 +123,7 @@ private:
     }
 
     const scene::Surface& surface_of(std::uint64_t mark) const {
-        const ecs::Entity entity = entity_of_mark(simulation_, mark);
-        const auto* surface = simulation_.registry.alive(entity)
-                                  ? simulation_.registry.find<scene::SurfaceRef>(entity)
-                                  : nullptr;
-        return simulation_.surfaces().get(surface == nullptr ? std::uint16_t{0} : surface->surface);
+        return simulation_.surfaces().get(surface_of_mark(simulation_, mark));
     }
 
     void listen_to(const physics::ContactEvent& contact) {
@@ -194,25 +185,15 @@ private:
     }
 
     scene::Simulation& simulation_;
+    ContactListener listener_;
     SoundBank bank_;
     std::map<Marks, TouchingPair> pairs_;
 };
 
 Callers callers_of_rolling_sounds(const scene::Simulation& simulation) {
-    EntityCallers callers(simulation);
-    for (const scene::MovingBody& moving : simulation.moving_bodies()) {
-        if (moving.kind != physics::BodyKind::Dynamic) continue;
-        if (!simulation.registry.alive(moving.entity)) continue;
-        const auto index = simulation.registry.get<scene::SurfaceRef>(moving.entity).surface;
-        const scene::Surface& surface = simulation.surfaces().get(index);
-        if (!surface.roll_sound.empty() || !surface.scrape_sound.empty())
-            callers.add(moving.entity);
-    }
-    return callers.take();
-}
-
-std::unique_ptr<Effect> make_rolling_sounds(scene::Simulation& simulation) {
-    return std::make_unique<RollingSounds>(simulation);
+    return dynamic_bodies_of(simulation, [](const scene::SurfaceTable& surfaces, std::uint16_t i) {
+        return !surfaces.get(i).roll_sound.empty() || !surfaces.get(i).scrape_sound.empty();
+    });
 }
 
 }  // namespace
@@ -221,7 +202,7 @@ EffectRow rolling_sounds() {
     return {.name = "rolling_sounds",
             .domain = Domain::Sound,
             .called_for_by = &callers_of_rolling_sounds,
-            .make = &make_rolling_sounds};
+            .make = &make_effect<RollingSounds>};
 }
 
 }  // namespace plumbline::effects

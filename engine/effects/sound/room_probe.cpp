@@ -28,13 +28,7 @@ Vec3 direction_of(std::size_t index) {
 }
 
 float absorption_of(const scene::Simulation& simulation, std::uint64_t user) {
-    const ecs::Entity entity = entity_of_mark(simulation, user);
-    const auto* surface = simulation.registry.alive(entity)
-                              ? simulation.registry.find<scene::SurfaceRef>(entity)
-                              : nullptr;
-    return simulation.surfaces()
-        .get(surface == nullptr ? std::uint16_t{0} : surface->surface)
-        .absorption;
+    return simulation.surfaces().get(surface_of_mark(simulation, user)).absorption;
 }
 
 }  // namespace

@@ -59,17 +59,13 @@ Callers callers_of_room_reverb(const scene::Simulation& simulation) {
     return {setting("[sound] reverb", acoustics->location)};
 }
 
-std::unique_ptr<Effect> make_room_reverb(scene::Simulation&) {
-    return std::make_unique<RoomReverb>();
-}
-
 }  // namespace
 
 EffectRow room_reverb() {
     return {.name = "room_reverb",
             .domain = Domain::Sound,
             .called_for_by = &callers_of_room_reverb,
-            .make = &make_room_reverb};
+            .make = &make_effect<RoomReverb>};
 }
 
 }  // namespace plumbline::effects

@@ -153,9 +153,7 @@ SoundPath path_between(const scene::Simulation& simulation,
     std::array<float, 2> arrives{1.0F, 1.0F};
     for (const SoundObstacle& obstacle :
          obstacles_between(simulation, source_world, ear_world, made_by)) {
-        const ecs::Entity entity = entity_of_mark(simulation, obstacle.user);
-        const auto* surface = simulation.registry.find<scene::SurfaceRef>(entity);
-        const auto index = surface == nullptr ? std::uint16_t{0} : surface->surface;
+        const auto index = surface_of_mark(simulation, obstacle.user);
         const auto density = static_cast<float>(simulation.surfaces().get(index).density_kgpm3);
         Vec3 low{0};
         Vec3 high{0};

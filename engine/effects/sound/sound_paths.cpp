@@ -120,17 +120,13 @@ Callers callers_of_sound_paths(const scene::Simulation& simulation) {
     return {setting("[sound] paths", acoustics->location)};
 }
 
-std::unique_ptr<Effect> make_sound_paths(scene::Simulation&) {
-    return std::make_unique<SoundPaths>();
-}
-
 }  // namespace
 
 EffectRow sound_paths() {
     return {.name = "sound_paths",
             .domain = Domain::Sound,
             .called_for_by = &callers_of_sound_paths,
-            .make = &make_sound_paths};
+            .make = &make_effect<SoundPaths>};
 }
 
 }  // namespace plumbline::effects

@@ -95,17 +95,13 @@ Callers callers_of_wind_sound(const scene::Simulation& simulation) {
     return {setting("[wind] sound", wind->location)};
 }
 
-std::unique_ptr<Effect> make_wind_sound(scene::Simulation& simulation) {
-    return std::make_unique<WindSound>(simulation);
-}
-
 }  // namespace
 
 EffectRow wind_sound() {
     return {.name = "wind_sound",
             .domain = Domain::Sound,
             .called_for_by = &callers_of_wind_sound,
-            .make = &make_wind_sound};
+            .make = &make_effect<WindSound>};
 }
 
 }  // namespace plumbline::effects

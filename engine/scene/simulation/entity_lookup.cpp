@@ -16,6 +16,13 @@ ecs::Entity entity_of_mark(const Simulation& simulation, std::uint64_t user) {
     return simulation.registry.alive(entity) ? entity : ecs::Entity{};
 }
 
+std::uint16_t surface_of_mark(const Simulation& simulation, std::uint64_t user) {
+    const ecs::Entity entity = entity_of_mark(simulation, user);
+    if (!simulation.registry.alive(entity)) return 0;
+    const auto* surface = simulation.registry.find<SurfaceRef>(entity);
+    return surface == nullptr ? std::uint16_t{0} : surface->surface;
+}
+
 std::string name_of_mark(const Simulation& simulation, std::uint64_t user) {
     const ecs::Entity entity = entity_of_mark(simulation, user);
     return simulation.registry.alive(entity) ? simulation.registry.get<Name>(entity).text
