@@ -56,6 +56,11 @@ in vec3 surface_sky_slope;
 #endif
 in vec3 surface_sky_slope_to_eye;
 #endif
+#ifdef PL_INDIRECT
+in vec3 surface_in_grid;
+uniform sampler3D grid_means;
+uniform sampler3D grid_slopes;
+#endif
 #ifdef PL_SUN_SHADOW
 in vec3 surface_sun_shadow;
 uniform sampler2DShadow sun_shadow_map;
@@ -217,6 +222,15 @@ vec3 ambient_light(Surface s, float eye_distance_m, float occlusion) {
 #else
     vec3 diffuse = frame.ambient.rgb * (1.0 + 0.3 * s.normal.y);
     vec3 reflection = frame.ambient.rgb;
+#endif
+#ifdef PL_INDIRECT
+    // Walls are thick: what lies a fiftieth of the box outside of it is not indoors any more.
+    vec3 beyond = abs(surface_in_grid - 0.5) - 0.5;
+    float indoors = clamp(1.0 - 50.0 * max(max(beyond.x, beyond.y), beyond.z), 0.0, 1.0);
+    vec3 middle = texture(grid_means, surface_in_grid).rgb * frame.grid[1].w;
+    float facing = dot(texture(grid_slopes, surface_in_grid).xyz, s.normal);
+    diffuse = mix(diffuse, middle * max(1.0 + 0.6666667 * facing, 0.1), indoors);
+    reflection *= mix(1.0, dot(middle, kLuminance) / max(dot(sky_middle(), kLuminance), 1e-5), indoors);
 #endif
 #ifdef PL_CLEAR
     float upwards = reflect(-s.to_eye, s.normal).y;

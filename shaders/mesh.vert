@@ -57,6 +57,9 @@ out vec3 surface_sky_slope;
 #endif
 out vec3 surface_sky_slope_to_eye;
 #endif
+#ifdef PL_INDIRECT
+out vec3 surface_in_grid;
+#endif
 #ifdef PL_SUN_SHADOW
 out vec3 surface_sun_shadow;
 #endif
@@ -123,6 +126,10 @@ void main() {
 #endif
 #ifdef PL_NORMAL_MAP
     surface_tangent_world = vec4(to_world(vec4(tangent_body.xyz, 0.0)), tangent_body.w);
+#endif
+#ifdef PL_INDIRECT
+    surface_in_grid =
+        (position_world + frame.grid[0].w * normal_world) * frame.grid[0].xyz + frame.grid[1].xyz;
 #endif
 #ifdef PL_SUN_SHADOW
     // Looked up a texel's breadth off the surface, more where light grazes it: no acne.

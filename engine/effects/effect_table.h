@@ -45,6 +45,7 @@ struct EffectRow {
     ROW(refraction)           \
     ROW(caustics)             \
     ROW(ambient_occlusion)    \
+    ROW(indirect_light)       \
     ROW(sun_shafts)           \
     ROW(depth_of_field)       \
     ROW(motion_blur)          \

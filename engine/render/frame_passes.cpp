@@ -54,6 +54,7 @@ void bind_light_images(const FrameSetup& setup,
     samplers.bind_sun_depth(setup.sun.hardens_contacts ? maps.sun : nullptr);
     if (resources.sky.ready())
         gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, resources.sky.reflection());
+    if (resources.light_grid.ready()) resources.light_grid.bind();
 }
 
 float share_of_height(const ImagePlan& image) {

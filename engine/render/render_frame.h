@@ -130,6 +130,15 @@ struct AmbientOcclusion {
     std::uint32_t steps{2};  ///< from the pixel to each
 };
 
+/// A box, such as a house, whose ambient light is what comes in by its windows and goes from wall to
+/// wall. Static items count; glass lets everything through.
+struct IndirectLight {
+    Vec3f min_world{0.0F};
+    Vec3f max_world{0.0F};
+    float spacing_m{0.5F};  ///< of the points at which it is computed
+    float gain{1.0F};       ///< times that much: eyes adapt to a room, one exposure does not
+};
+
 /// Air that the sun lights up where it is not in shadow.
 struct SunShafts {
     float density_per_m{0.003F};
@@ -215,7 +224,8 @@ struct RenderFrame {
     std::optional<Wind> wind;  ///< absent: nothing sways
     float time_s{0.0F};        ///< of what runs by itself: ripples, swaying
     std::optional<AmbientOcclusion> occlusion;
-    std::optional<SunShafts> shafts;  ///< needs sun
+    std::optional<IndirectLight> indirect;  ///< needs sky
+    std::optional<SunShafts> shafts;        ///< needs sun
     std::optional<Refraction> refraction;
     std::optional<DepthOfField> depth_of_field;
     std::optional<MotionBlur> motion_blur;

@@ -99,6 +99,7 @@ void Renderer::begin(const RenderFrame& frame) {
     r.setup = r.set_up_frame(frame);
     if (!r.setup) return;
     FrameSetup& setup = *r.setup;
+    r.scene.light_grid.want(frame, outside_light(setup.block), r.scene.library);
     const bool is_coarse = setup.image.quality.lod_error_px > 0.0F;
     for (const DrawItem& item : frame.items) {
         // An upload makes the coarser versions of a mesh.
@@ -257,6 +258,7 @@ void Renderer::forget_scene() {
     r.scene.textures.clear();
     r.scene.materials.clear();
     r.scene.sky.want(nullptr, {});
+    r.scene.light_grid = {};
     r.drew_a_frame = false;
     r.shadow_passes.sun.free();
     r.shadow_passes.flashlight.free();
@@ -315,6 +317,7 @@ std::vector<GpuBytes> Renderer::gpu_bytes() const {
             {"post", r.targets.post().bloom_bytes() + r.light_passes.exposure.bytes()},
             {"drops", r.scene_passes.drops.bytes()},
             {"refraction", r.scene_passes.refraction.bytes()},
+            {"indirect_light", r.scene.light_grid.bytes()},
             {"ambient_occlusion", r.light_passes.occlusion.bytes()},
             {"sun_shafts", r.light_passes.shafts.bytes()},
             {"depth_of_field", r.light_passes.focus.bytes()},

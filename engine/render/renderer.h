@@ -24,7 +24,7 @@ struct GlInfo {
     std::string version;
 };
 
-/// GPU memory by what called for it: "sun_shadow", "flashlight", "light_shadows", "sky", "post", "drops", "refraction", "ambient_occlusion", "sun_shafts", "depth_of_field", "motion_blur", "meshes", "textures", "targets".
+/// GPU memory by what called for it: "sun_shadow", "flashlight", "light_shadows", "sky", "post", "drops", "refraction", "ambient_occlusion", "indirect_light", "sun_shafts", "depth_of_field", "motion_blur", "meshes", "textures", "targets".
 struct GpuBytes {
     std::string_view owner;
     std::uint64_t bytes{0};

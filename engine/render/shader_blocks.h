@@ -49,9 +49,12 @@ struct FrameBlock {
     /// Horizon's radiance: of itself, and by the cosine of the angle from the light's compass
     /// direction and its square. w: loss, 1/m; that direction's x and z.
     std::array<Vec4f, 3> aerial{};
+    /// Texture coordinates of the light grid: place * grid[0] + grid[1]; w: how far off a surface, m;
+    /// the gain.
+    std::array<Vec4f, 2> grid{};
 };
 static_assert(sizeof(FrameBlock) ==
-              4 * 64 + 12 * 16 + (kGustWaves + kMaxCascades + kSkyCoefficients + 3) * 16);
+              4 * 64 + 12 * 16 + (kGustWaves + kMaxCascades + kSkyCoefficients + 5) * 16);
 static_assert(offsetof(FrameBlock, camera_world) == 256);
 static_assert(offsetof(FrameBlock, sky_light) == 544);
 
@@ -114,10 +117,12 @@ enum TextureUnit : unsigned int {
     kHeightUnit,
     kOcclusionUnit,
     kShaftsUnit,
-    kBlurredUnit
+    kBlurredUnit,
+    kGridMeansUnit,
+    kGridSlopesUnit
 };
 
-inline constexpr std::array<std::pair<const char*, unsigned int>, 17> kSamplerUnits{{
+inline constexpr std::array<std::pair<const char*, unsigned int>, 19> kSamplerUnits{{
     {"base_color_map", kBaseColorUnit},
     {"normal_map", kNormalUnit},
     {"orm_map", kOrmUnit},
@@ -135,6 +140,8 @@ inline constexpr std::array<std::pair<const char*, unsigned int>, 17> kSamplerUn
     {"occlusion_image", kOcclusionUnit},
     {"shafts_image", kShaftsUnit},
     {"blurred_image", kBlurredUnit},
+    {"grid_means", kGridMeansUnit},
+    {"grid_slopes", kGridSlopesUnit},
 }};
 
 }  // namespace plumbline::render

@@ -349,6 +349,7 @@ struct SceneDescription {
     std::optional<TimeDescription> time{};
     Vec3f ambient{0.1F, 0.1F, 0.12F};
     std::optional<OcclusionDescription> occlusion{};
+    std::optional<IndirectLightDescription> indirect{};
     std::optional<FogDescription> fog{};
     std::optional<FlashlightDescription> flashlight{};
     std::optional<PostDescription> post{};

@@ -1,6 +1,7 @@
 // What a scene file asks of its image beyond things and lights, as plain data.
 #pragma once
 
+#include "engine/core/math.h"
 #include "engine/core/text/source_location.h"
 
 #include <cstdint>
@@ -14,6 +15,15 @@ enum class Fidelity : std::uint8_t { Draft, Balanced, Precise };
 struct OcclusionDescription {
     float radius_m{0.8F};  ///< what is farther than this takes no light away
     float strength{1.0F};  ///< 0: nothing is taken away; 1: all that is hidden
+    SourceLocation location{};
+};
+
+/// `[ambient] indirect`: a box, such as a house, whose light comes in by windows.
+struct IndirectLightDescription {
+    Vec3f min_m{0.0F};  ///< the box of its rooms, up to the inner faces of its outer walls
+    Vec3f max_m{1.0F};
+    float spacing_m{0.5F};  ///< of the points at which light is computed
+    float gain{1.0F};       ///< times that much: eyes adapt to a room
     SourceLocation location{};
 };
 

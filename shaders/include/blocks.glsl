@@ -22,6 +22,7 @@ layout(std140) uniform Frame {
     vec4 cascades[PL_MAX_CASCADES];
     vec4 sky_light[PL_SKY_COEFFICIENTS];
     vec4 aerial[3];
+    vec4 grid[2];
 } frame;
 
 layout(std140) uniform Material {

@@ -68,7 +68,7 @@ THIRD_PARTY = {
     "AL/": {"audio"},
     "glad/": {"render"},
     "toml++/": {"input", "scene", "app"},
-    "embree3/": {"study"},
+    "embree3/": {"render"},
     "nlohmann/": {"assets", "scene", "effects", "study", "app", "game"},
     "imgui": {"app"},
     "backends/imgui": {"app"},

@@ -57,6 +57,21 @@ Callers callers_of_occlusion(const scene::Simulation& simulation) {
     return {setting("[ambient] occlusion", occlusion->location)};
 }
 
+/// Light that comes in by windows and goes from wall to wall.
+void show_indirect_light(const scene::Simulation& simulation, render::RenderFrame& frame) {
+    const scene::IndirectLightDescription& indirect = *simulation.description().indirect;
+    frame.indirect = render::IndirectLight{.min_world = indirect.min_m,
+                                           .max_world = indirect.max_m,
+                                           .spacing_m = indirect.spacing_m,
+                                           .gain = indirect.gain};
+}
+
+Callers callers_of_indirect_light(const scene::Simulation& simulation) {
+    const auto& indirect = simulation.description().indirect;
+    if (!indirect || !simulation.switches.is_on("indirect_light", true)) return {};
+    return {setting("[ambient] indirect", indirect->location)};
+}
+
 /// A lens that is sharp at one distance.
 void show_focus(const scene::Simulation& simulation, render::RenderFrame& frame) {
     const scene::SceneDescription& scene = simulation.description();
@@ -111,6 +126,14 @@ EffectRow ambient_occlusion() {
             .make = &make_effect<FrameEffect<&show_occlusion>>,
             .gpu_owner = "ambient_occlusion",
             .passes = "occlusion"};
+}
+
+EffectRow indirect_light() {
+    return {.name = "indirect_light",
+            .domain = Domain::Frame,
+            .called_for_by = &callers_of_indirect_light,
+            .make = &make_effect<FrameEffect<&show_indirect_light>>,
+            .gpu_owner = "indirect_light"};
 }
 
 EffectRow depth_of_field() {

@@ -254,9 +254,32 @@ Texture Texture::cube(std::span<const assets::ImageData> faces, std::uint32_t le
     return texture;
 }
 
+Texture Texture::volume(const std::array<std::uint32_t, 3>& counts, std::span<const Vec4f> texels) {
+    Texture texture;
+    texture.object_ = new_texture();
+    texture.width_ = counts[0];
+    texture.height_ = counts[1];
+    texture.bytes_ = texels.size() * 4 * sizeof(std::uint16_t);
+    glBindTexture(GL_TEXTURE_3D, texture.name());
+    set_parameters(GL_TEXTURE_3D, Filter::Linear, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexImage3D(GL_TEXTURE_3D,
+                 0,
+                 GL_RGBA16F,
+                 static_cast<GLsizei>(counts[0]),
+                 static_cast<GLsizei>(counts[1]),
+                 static_cast<GLsizei>(counts[2]),
+                 0,
+                 GL_RGBA,
+                 GL_FLOAT,
+                 texels.data());
+    return texture;
+}
+
 void bind_texture(unsigned int unit, TextureKind kind, const Texture& texture) {
     glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(kind == TextureKind::Cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, texture.name());
+    constexpr std::array<GLenum, 3> kTargets{GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_3D};
+    glBindTexture(kTargets[static_cast<std::size_t>(kind)], texture.name());
 }
 
 }  // namespace plumbline::render::gl

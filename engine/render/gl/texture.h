@@ -3,8 +3,10 @@
 #pragma once
 
 #include "engine/assets/image_data.h"
+#include "engine/core/math.h"
 #include "engine/render/gl/object.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,7 +16,7 @@ namespace plumbline::render::gl {
 /// Srgb8: light that is drawn into it while GL_FRAMEBUFFER_SRGB is on becomes codes; else as Rgba8.
 enum class TargetFormat { Rgba8, Srgb8, HdrColor, Pair16F, Depth24, Depth32F };
 enum class Filter { Nearest, Linear, LinearMipNearest, Trilinear };
-enum class TextureKind { Flat, Cube };
+enum class TextureKind { Flat, Cube, Volume };
 
 /// What an image of that format holds for one pixel.
 std::size_t bytes_per_pixel(TargetFormat format);
@@ -39,6 +41,10 @@ public:
     static Texture tiling(std::span<const assets::ImageData* const> levels, Filter filter);
     /// Six faces in the order +x -x +y -y +z -z; level after level when `levels` > 1.
     static Texture cube(std::span<const assets::ImageData> faces, std::uint32_t levels);
+
+    /// Half floats at the points of a grid, x fastest, blended between them; clamps at the sides.
+    static Texture volume(const std::array<std::uint32_t, 3>& counts,
+                          std::span<const Vec4f> texels);
 
     unsigned int name() const { return object_.name(); }
     explicit operator bool() const { return static_cast<bool>(object_); }

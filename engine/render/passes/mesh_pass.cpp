@@ -16,7 +16,7 @@ constexpr FeatureSet kSunShadowFeatures = kSunShadow | kCascades | kContactHarde
 constexpr FeatureSet kShadowFilters = kSoftShadows | kHardShadows;
 constexpr FeatureSet kLightFeatures = kSun | kSunShadowFeatures | kShadowFilters |
                                       kFlashlightFeatures | kLocalLights | kLightShadows |
-                                      kSkyLight;
+                                      kSkyLight | kIndirect;
 
 /// For the frames until a program is compiled: nothing that would be see-through is solid, and nothing
 /// is read that is not bound.
@@ -35,6 +35,11 @@ bool is_reached(const Aabb& box, std::span<const LocalLight> lights) {
     return std::ranges::any_of(lights, [&](const LocalLight& light) {
         return distance_to(box, light.position_world) < light.radius_m;
     });
+}
+
+bool reaches_into(const IndirectLight& room, const Aabb& box) {
+    return glm::all(glm::lessThan(box.min, room.max_world)) &&
+           glm::all(glm::greaterThan(box.max, room.min_world));
 }
 
 void scissor(const ClipRect& part, const PixelSize& size_px) {
@@ -76,6 +81,8 @@ struct RunDrawer {
     FeatureSet features_of(const DrawRun& run) const {
         FeatureSet features = setup.features;
         if (!is_reached(run.bounds_world, setup.lamps.lights)) features &= ~kLocalLights;
+        if ((features & kIndirect) != 0 && !reaches_into(*setup.frame->indirect, run.bounds_world))
+            features &= ~kIndirect;
         if (!run.in_beam) features &= ~kFlashlightFeatures;
         return features;
     }
@@ -166,7 +173,7 @@ FeatureSet variant_of(FeatureSet material_features,
     if ((material_features & kUnlit) != 0) frame_features &= ~kLightFeatures;
     if ((frame_features & kSkyLight) == 0) material_features &= ~kSkyReflection;
     if ((material_features & kAlphaMask) == 0) frame_features &= ~kCoverage;
-    if ((material_features & kBlend) != 0) frame_features &= ~kOcclusion;
+    if ((material_features & kBlend) != 0) frame_features &= ~(kOcclusion | kIndirect);
     // What only belongs to something that is not there makes no variant.
     if ((frame_features & kSunShadow) == 0) frame_features &= ~kSunShadowFeatures;
     if ((frame_features & kLocalLights) == 0) frame_features &= ~kLightShadows;

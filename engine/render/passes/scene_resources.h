@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/render/frame_stats.h"
+#include "engine/render/light/gpu_light_grid.h"
 #include "engine/render/passes/scene_light.h"
 #include "engine/render/resources/gpu_materials.h"
 #include "engine/render/resources/gpu_meshes.h"
@@ -32,6 +33,7 @@ struct SceneResources {
     GpuTextures textures;
     GpuMaterials materials;
     GpuSky sky;
+    GpuLightGrid light_grid{};
     /// Looks (material features) that some mesh has which is not faceted: faceted ones share its shader.
     std::set<FeatureSet> smooth_looks;
 };

@@ -76,6 +76,13 @@ void put_air_and_tone(const RenderFrame& frame, FrameBlock& block) {
     block.tone.y = frame.post->bloom;
 }
 
+/// A point of the surface is looked up half a cell off it, in the room that it faces.
+void put_light_grid(const IndirectLight& indirect, FrameBlock& block) {
+    const Vec3f scale = 1.0F / (indirect.max_world - indirect.min_world);
+    block.grid = {Vec4f{scale, 0.5F * indirect.spacing_m},
+                  Vec4f{-indirect.min_world * scale, indirect.gain}};
+}
+
 FeatureSet shadow_filter_of(const FrameSetup& setup, const Device& device) {
     if (!setup.image.quality.shadow_filter) return mesh_feature::kHardShadows;
     return device.is_software_gl ? 0 : mesh_feature::kSoftShadows;
@@ -97,6 +104,7 @@ FeatureSet features_of(const FrameSetup& setup, const Device& device) {
     add(!frame.lights.empty(), mesh_feature::kLocalLights);
     add(!frame.lights.empty() && setup.lamps.shadow_px > 0, mesh_feature::kLightShadows);
     add(frame.sky.has_value(), mesh_feature::kSkyLight);
+    add(frame.sky && frame.indirect, mesh_feature::kIndirect);
     add(setup.block.aerial[0].w > 0.0F, mesh_feature::kAerial);
     add(setup.image.occlusion, mesh_feature::kOcclusion);
     add(setup.image.samples > 1, mesh_feature::kCoverage);
@@ -136,6 +144,7 @@ FrameSetup set_up(const RenderFrame& frame, const ImagePlan& image, const SetupI
     put_camera(frame.camera, setup.screen, image, block);
     put_air_and_tone(frame, block);
     if (frame.sky && inputs.sky.ready()) put_sky(frame, inputs.sky, block);
+    if (frame.indirect) put_light_grid(*frame.indirect, block);
     setup.sun = set_up_sun(frame, image, inputs, block);
     setup.flashlight = set_up_flashlight(frame, block);
     setup.lamps = set_up_lamps(frame, image, inputs, block);

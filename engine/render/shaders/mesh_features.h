@@ -55,6 +55,7 @@ inline constexpr FeatureSet kOcclusion = 1ULL
                                          << 35U;  ///< alpha says what ambient occlusion may take
 inline constexpr FeatureSet kCoverage = 1ULL << 36U;  ///< masks cover samples, not whole pixels
 inline constexpr FeatureSet kCodes = 1ULL << 37U;     ///< the target holds sRGB codes
+inline constexpr FeatureSet kIndirect = 1ULL << 38U;  ///< with kSkyLight: some of it is indoors
 }  // namespace mesh_feature
 
 /// What a thing is drawn without where the flashlight cannot reach it.
@@ -100,6 +101,7 @@ inline constexpr std::array kMeshFeatures{
     Feature{mesh_feature::kOcclusion, "PL_OCCLUSION"},
     Feature{mesh_feature::kCoverage, "PL_COVERAGE"},
     Feature{mesh_feature::kCodes, "PL_CODES"},
+    Feature{mesh_feature::kIndirect, "PL_INDIRECT"},
 };
 
 }  // namespace plumbline::render

@@ -240,6 +240,7 @@ void read_lights_and_air(TableReader& root, SceneDescription& scene, LoadContext
     if (auto table = root.table("ambient")) {
         scene.ambient = table->color("color", scene.ambient);
         scene.occlusion = read_occlusion(*table);
+        scene.indirect = read_indirect(*table);
         table->finish();
     }
     read_fog(root, scene);

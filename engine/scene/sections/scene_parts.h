@@ -76,6 +76,7 @@ struct Wish {
 };
 Wish read_wish(TableReader& table, std::string_view key);
 std::optional<OcclusionDescription> read_occlusion(TableReader& ambient);
+std::optional<IndirectLightDescription> read_indirect(TableReader& ambient);
 std::optional<ShaftsDescription> read_shafts(TableReader& sun);
 std::optional<FocusDescription> read_focus(TableReader& camera);
 std::optional<ShutterDescription> read_shutter(TableReader& post);

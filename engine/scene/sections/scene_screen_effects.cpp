@@ -1,5 +1,7 @@
-// [ambient] occlusion, [sun] shafts, [camera] focus, [post] shutter_s.
+// [ambient] occlusion and indirect, [sun] shafts, [camera] focus, [post] shutter_s.
 #include "engine/scene/sections/scene_parts.h"
+
+#include <algorithm>
 
 namespace plumbline::scene {
 
@@ -26,6 +28,30 @@ std::optional<OcclusionDescription> read_occlusion(TableReader& ambient) {
     occlusion.strength = wish.numbers->single("strength", occlusion.strength, kFraction);
     wish.numbers->finish();
     return occlusion;
+}
+
+std::optional<IndirectLightDescription> read_indirect(TableReader& ambient) {
+    auto table = ambient.table("indirect");
+    if (!table) return {};
+    constexpr Range kSpacing_m{0.1, 5, "a length from 0.1 to 5 m"};
+    constexpr Range kGain{0, 100, "a number from 0 to 100"};
+    constexpr float kMostPoints = 20000.0F;
+    IndirectLightDescription indirect{.location = table->location()};
+    const Vec3 min_m = table->vector("min_m", {0, 0, 0}, kCoordinate_m);
+    const Vec3 max_m = table->vector("max_m", {1, 1, 1}, kCoordinate_m);
+    indirect.min_m = Vec3f(min_m);
+    indirect.max_m = Vec3f(max_m);
+    indirect.spacing_m = table->single("spacing_m", indirect.spacing_m, kSpacing_m);
+    indirect.gain = table->single("gain", indirect.gain, kGain);
+    const Vec3f size = indirect.max_m - indirect.min_m;
+    const Vec3f points = glm::ceil(size / indirect.spacing_m);
+    if (std::min({size.x, size.y, size.z}) <= 0.0F) {
+        table->error("max_m", "must be above min_m along each axis");
+    } else if (points.x * points.y * points.z > kMostPoints) {
+        table->error("spacing_m", "more than 20000 points; take a larger one or a smaller box");
+    }
+    table->finish();
+    return indirect;
 }
 
 std::optional<ShaftsDescription> read_shafts(TableReader& sun) {

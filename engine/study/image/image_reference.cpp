@@ -1,6 +1,6 @@
 #include "engine/study/image/image_reference.h"
 
-#include "engine/study/image/ray_scene.h"
+#include "engine/render/light/ray_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,13 +41,13 @@ LightImage reference_image(const assets::ImageData& in_sun,
 
 IsShaded shaded_by_rays(const render::RenderFrame& frame, assets::AssetLibrary& library) {
     if (!frame.sun || !frame.sun_shadow) return [](const Vec2f&) { return false; };
-    const auto rays = std::make_shared<const RayScene>(frame, library);
+    const auto rays = std::make_shared<const render::RayScene>(frame, library);
     const float aspect =
         static_cast<float>(frame.width_px) / static_cast<float>(std::max(frame.height_px, 1U));
     return [rays, aspect, camera = frame.camera, to_sun = -frame.sun->direction_world](
                const Vec2f& at) {
         const Vec3f direction = ray_through(camera, aspect, at);
-        const std::optional<RayHit> place = rays->first_hit(camera.position_world, direction);
+        const std::optional<render::RayHit> place = rays->first_hit(camera.position_world, direction);
         return place && rays->is_shaded(*place, to_sun);
     };
 }

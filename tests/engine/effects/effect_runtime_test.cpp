@@ -44,6 +44,7 @@ TEST(EffectTable, HasTheRowsOfTheContract) {
                                                  "refraction",
                                                  "caustics",
                                                  "ambient_occlusion",
+                                                 "indirect_light",
                                                  "sun_shafts",
                                                  "depth_of_field",
                                                  "motion_blur",

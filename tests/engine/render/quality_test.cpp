@@ -31,6 +31,7 @@ TEST(Quality, AHigherLevelLeavesNoMoreOut) {
     }
     EXPECT_GE(low.render_scale, kSmallestRenderScale);
     EXPECT_EQ(high.render_scale, 1.0F);
+    EXPECT_EQ(low.refraction, Drawn::Always) << "water shows its basin at every level";
 }
 
 TEST(Quality, WithoutAGpuOnlyWhatIsAlwaysDrawnStays) {

@@ -14,6 +14,7 @@ TEST(ScreenEffects, NobodyWhoDoesNotCallForThemPays) {
     run.step(2, effects);
     const render::RenderFrame frame = draw(run, effects);
     EXPECT_FALSE(frame.occlusion);
+    EXPECT_FALSE(frame.indirect);
     EXPECT_FALSE(frame.shafts);
     EXPECT_FALSE(frame.depth_of_field);
     EXPECT_FALSE(frame.motion_blur);
@@ -21,6 +22,7 @@ TEST(ScreenEffects, NobodyWhoDoesNotCallForThemPays) {
     for (const char* name : {"refraction",
                              "caustics",
                              "ambient_occlusion",
+                             "indirect_light",
                              "sun_shafts",
                              "depth_of_field",
                              "motion_blur"}) {
@@ -47,6 +49,26 @@ TEST(ScreenEffects, OcclusionHasTheScenesNumbersAndItsFidelitysLooks) {
               Callers{"[ambient] occlusion (garden.toml:30)"});
     run->switches.turn("ambient_occlusion", false);
     EXPECT_FALSE(draw(run, effects).occlusion);
+}
+
+TEST(ScreenEffects, IndirectLightHasTheScenesBox) {
+    SceneDescription scene = test::scene_of({});
+    scene.indirect = scene::IndirectLightDescription{.min_m = {-3.0F, 0.0F, -2.0F},
+                                                     .max_m = {3.0F, 2.5F, 2.0F},
+                                                     .spacing_m = 0.25F,
+                                                     .gain = 2.0F,
+                                                     .location = in_file("garden.toml", 31)};
+    Running run(scene);
+    EffectRuntime effects(*run, kImage);
+    const render::RenderFrame frame = draw(run, effects);
+    ASSERT_TRUE(frame.indirect);
+    EXPECT_EQ(frame.indirect->max_world.y, 2.5F);
+    EXPECT_EQ(frame.indirect->spacing_m, 0.25F);
+    EXPECT_EQ(frame.indirect->gain, 2.0F);
+    EXPECT_EQ(line_of(effects, "indirect_light").called_for_by,
+              Callers{"[ambient] indirect (garden.toml:31)"});
+    run->switches.turn("indirect_light", false);
+    EXPECT_FALSE(draw(run, effects).indirect);
 }
 
 TEST(ScreenEffects, ShaftsAndLensHaveTheScenesNumbers) {

@@ -12,8 +12,8 @@ constexpr std::uint32_t kLampSide_px = 240;
 constexpr float kLampHalf_m = 6.0F;
 constexpr float kLampEye_m = 60.0F;
 constexpr float kLampPixel_m = 2.0F * kLampHalf_m / kLampSide_px;
-constexpr Vec3f kBoxMin{-1.0F, 0.0F, -1.0F};
-constexpr Vec3f kBoxMax{1.0F, 2.0F, 1.0F};
+constexpr Vec3f kLampBoxMin{-1.0F, 0.0F, -1.0F};
+constexpr Vec3f kLampBoxMax{1.0F, 2.0F, 1.0F};
 
 bool hits_box(const Vec3f& from, const Vec3f& to) {
     float first = 1e-5F;
@@ -21,11 +21,11 @@ bool hits_box(const Vec3f& from, const Vec3f& to) {
     for (int i = 0; i < 3; ++i) {
         const float way = to[i] - from[i];
         if (std::abs(way) < 1e-9F) {
-            if (from[i] < kBoxMin[i] || from[i] > kBoxMax[i]) return false;
+            if (from[i] < kLampBoxMin[i] || from[i] > kLampBoxMax[i]) return false;
             continue;
         }
-        const float a = (kBoxMin[i] - from[i]) / way;
-        const float b = (kBoxMax[i] - from[i]) / way;
+        const float a = (kLampBoxMin[i] - from[i]) / way;
+        const float b = (kLampBoxMax[i] - from[i]) / way;
         first = std::max(first, std::min(a, b));
         last = std::min(last, std::max(a, b));
     }
@@ -52,7 +52,7 @@ protected:
 
     RenderFrame box_by(const LocalLight& light) {
         RenderFrame frame = floor_from_above();
-        add_box(frame, kBoxMax - kBoxMin, 0.5F * (kBoxMin + kBoxMax), chalk());
+        add_box(frame, kLampBoxMax - kLampBoxMin, 0.5F * (kLampBoxMin + kLampBoxMax), chalk());
         frame.lights.push_back(light);
         return frame;
     }

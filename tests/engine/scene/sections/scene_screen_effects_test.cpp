@@ -42,6 +42,26 @@ TEST_F(SceneFileTest, WrongOcclusionIsNamed) {
               "scene.toml:2:13: error: ambient.occlusion: 3; expected a table");
 }
 
+TEST_F(SceneFileTest, IndirectLightHasABoxWithFewEnoughPoints) {
+    const Outcome asked = load(
+        "[ambient]\nindirect = { min_m = [-3, 0, -2], max_m = [3, 2.5, 2], spacing_m = 0.4 }\n");
+    ASSERT_TRUE(asked.scene.ok()) << asked.scene.error().message;
+    ASSERT_TRUE(asked.scene->indirect);
+    EXPECT_EQ(asked.scene->indirect->min_m.x, -3.0F);
+    EXPECT_EQ(asked.scene->indirect->spacing_m, 0.4F);
+    EXPECT_EQ(asked.scene->indirect->gain, 1.0F);
+    const auto fault = [&](const std::string& text) {
+        const Outcome outcome = load(text);
+        return outcome.faults.size() == 1 ? outcome.faults[0] : "not one fault";
+    };
+    EXPECT_EQ(
+        fault("[ambient]\nindirect = { min_m = [0, 0, 0], max_m = [1, -1, 1] }\n"),
+        "scene.toml:2:41: error: ambient.indirect.max_m: must be above min_m along each axis");
+    EXPECT_EQ(fault("[ambient]\nindirect = { max_m = [30, 30, 30], spacing_m = 0.5 }\n"),
+              "scene.toml:2:48: error: ambient.indirect.spacing_m: more than 20000 points; take a "
+              "larger one or a smaller box");
+}
+
 TEST_F(SceneFileTest, ShaftsLensAndShutterAreThereWhenAskedFor) {
     const Outcome unasked = load("[sun]\nshafts = false\n[post]\nshutter_s = 0\n");
     ASSERT_TRUE(unasked.scene.ok());

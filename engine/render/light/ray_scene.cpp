@@ -1,4 +1,4 @@
-#include "engine/study/image/ray_scene.h"
+#include "engine/render/light/ray_scene.h"
 
 #include "engine/render/resources/mip_chain.h"
 
@@ -12,7 +12,7 @@
 #include <limits>
 #include <map>
 
-namespace plumbline::study {
+namespace plumbline::render {
 namespace {
 
 using assets::AlphaMode;
@@ -24,6 +24,31 @@ struct Surface {
     std::shared_ptr<const ImageData> mask;  ///< its fourth channel; null: no mask
     float cutoff{0.5F};
     bool two_sided{false};
+    Vec3f albedo{0.5F};
+};
+
+/// What a base colour map is taken for: most are wood, stone and plaster.
+constexpr float kMeanOfMaps = 0.4F;
+
+Vec3f albedo_of(const Vec3f& tint,
+                const assets::MeshData& mesh,
+                const assets::SubMesh& part,
+                const assets::MaterialData& material) {
+    Vec3f sum{0.0F};
+    for (std::uint32_t i = 0; i < part.index_count; ++i)
+        sum += mesh.vertices[mesh.indices[part.first_index + i]].color;
+    const float maps = material.base_color_map.empty() ? 1.0F : kMeanOfMaps;
+    return tint * material.base_color * sum * (maps / static_cast<float>(part.index_count));
+}
+
+/// What the filters know of the ray.
+struct Query {
+    RTCIntersectContext context{};
+    Backs backs{Backs::LookedThrough};
+
+    explicit Query(Backs wanted = Backs::LookedThrough) : backs(wanted) {
+        rtcInitIntersectContext(&context);
+    }
 };
 
 std::uint32_t wrapped(std::int64_t at, std::uint32_t size) {
@@ -77,7 +102,10 @@ void let_through_holes_and_backs(const RTCFilterFunctionNArguments* asked) {
     const Vec3f direction{RTCRayN_dir_x(asked->ray, asked->N, 0),
                           RTCRayN_dir_y(asked->ray, asked->N, 0),
                           RTCRayN_dir_z(asked->ray, asked->N, 0)};
-    if (!surface_of(*asked).two_sided && glm::dot(normal, direction) > 0.0F) asked->valid[0] = 0;
+    const auto* query = reinterpret_cast<const Query*>(asked->context);  // its first member
+    if (query->backs == Backs::LookedThrough && !surface_of(*asked).two_sided &&
+        glm::dot(normal, direction) > 0.0F)
+        asked->valid[0] = 0;
     let_through_holes(asked);
 }
 
@@ -118,19 +146,18 @@ struct RayScene::Impl {
         if (material.alpha_mode != AlphaMode::Mask || material.base_color_map.empty()) return {};
         auto& mask = masks[material.base_color_map];
         if (!mask) {
-            mask = render::in_bytes(library.take_image(material.base_color_map),
-                                    render::MipContent::Color);
+            mask = in_bytes(library.take_image(material.base_color_map), MipContent::Color);
         }
         return mask && mask->format == assets::PixelFormat::Rgba8 ? mask : nullptr;
     }
-    void add(const render::DrawItem& item,
+    void add(const DrawItem& item,
              const assets::MeshData& mesh,
              const assets::SubMesh& part,
              const assets::MaterialData& material,
              assets::AssetLibrary& library);
 };
 
-void RayScene::Impl::add(const render::DrawItem& item,
+void RayScene::Impl::add(const DrawItem& item,
                          const assets::MeshData& mesh,
                          const assets::SubMesh& part,
                          const assets::MaterialData& material,
@@ -139,7 +166,8 @@ void RayScene::Impl::add(const render::DrawItem& item,
     if (triangles == 0) return;
     surfaces.push_back({.mask = mask_of(material, library),
                         .cutoff = material.alpha_cutoff / std::max(material.alpha, 1e-4F),
-                        .two_sided = material.two_sided});
+                        .two_sided = material.two_sided,
+                        .albedo = albedo_of(item.tint, mesh, part, material)});
     Surface& surface = surfaces.back();
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -166,12 +194,14 @@ void RayScene::Impl::add(const render::DrawItem& item,
     rtcReleaseGeometry(geometry);
 }
 
-RayScene::RayScene(const render::RenderFrame& frame, assets::AssetLibrary& library)
+RayScene::RayScene(const RenderFrame& frame,
+                   assets::AssetLibrary& library,
+                   const std::function<bool(const DrawItem&)>& wanted)
     : impl_(std::make_unique<Impl>()) {
-    for (const render::DrawItem& item : frame.items) {
-        if (item.mesh.value == 0) continue;
+    for (const DrawItem& item : frame.items) {
+        if (item.mesh.value == 0 || (wanted && !wanted(item))) continue;
         const assets::MeshData& mesh = library.mesh(item.mesh);
-        const auto materials = render::materials_of(frame, item);
+        const auto materials = materials_of(frame, item);
         for (const assets::SubMesh& part : mesh.sub_meshes) {
             const bool has_one =
                 part.material < materials.size() && materials[part.material].value != 0;
@@ -188,22 +218,25 @@ RayScene::RayScene(const render::RenderFrame& frame, assets::AssetLibrary& libra
 RayScene::~RayScene() = default;
 
 std::optional<RayHit> RayScene::first_hit(const Vec3f& origin_world,
-                                          const Vec3f& direction_world) const {
+                                          const Vec3f& direction_world,
+                                          Backs backs) const {
     RTCRayHit found{};
     found.ray = ray_of(origin_world, direction_world);
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(impl_->seen, &context, &found);
+    Query query(backs);
+    rtcIntersect1(impl_->seen, &query.context, &found);
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    Vec3f normal = glm::normalize(Vec3f{found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z});
-    if (glm::dot(normal, direction_world) > 0.0F) normal = -normal;
     const auto* surface = static_cast<const Surface*>(
         rtcGetGeometryUserData(rtcGetGeometry(impl_->seen, found.hit.geomID)));
+    Vec3f normal = glm::normalize(Vec3f{found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z});
+    const bool from_behind = glm::dot(normal, direction_world) > 0.0F;
+    if (from_behind && surface->two_sided) normal = -normal;
     return RayHit{.position_world = origin_world + found.ray.tfar * direction_world,
                   .normal_world = normal,
                   .distance_m = found.ray.tfar,
-                  .two_sided = surface->two_sided};
+                  .two_sided = surface->two_sided,
+                  .from_behind = from_behind && !surface->two_sided,
+                  .albedo = surface->albedo};
 }
 
 bool RayScene::is_shaded(const RayHit& place, const Vec3f& to_light_world) const {
@@ -212,10 +245,9 @@ bool RayScene::is_shaded(const RayHit& place, const Vec3f& to_light_world) const
     const bool from_behind = place.two_sided && glm::dot(place.normal_world, to_light_world) < 0.0F;
     const Vec3f side = from_behind ? -place.normal_world : place.normal_world;
     RTCRay ray = ray_of(place.position_world + side * off_m, to_light_world);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(impl_->casters, &context, &ray);
+    Query query;
+    rtcOccluded1(impl_->casters, &query.context, &ray);
     return ray.tfar < 0.0F;
 }
 
-}  // namespace plumbline::study
+}  // namespace plumbline::render

@@ -1,4 +1,4 @@
-#include "engine/study/image/ray_scene.h"
+#include "engine/render/light/ray_scene.h"
 
 #include "engine/assets/image/image_import.h"
 #include "engine/assets/primitives.h"
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace plumbline::study {
+namespace plumbline::render {
 namespace {
 
 const Vec3f kDown{0.0F, -1.0F, 0.0F};
@@ -23,11 +23,11 @@ protected:
              const assets::MaterialData& look,
              bool casts_shadow = true) {
         const assets::MaterialId material = library_.add_material(look);
-        render::add_item(frame_,
-                         {.mesh = library_.add_mesh(name, std::move(mesh)),
-                          .world_from_body = glm::translate(Mat4f{1.0F}, place),
-                          .casts_shadow = casts_shadow},
-                         {&material, 1});
+        add_item(frame_,
+                 {.mesh = library_.add_mesh(name, std::move(mesh)),
+                  .world_from_body = glm::translate(Mat4f{1.0F}, place),
+                  .casts_shadow = casts_shadow},
+                 {&material, 1});
     }
     /// A card of 2 x 2 m at the height of 2 m that lies flat, its right half a hole.
     void add_card_with_a_hole() {
@@ -61,7 +61,7 @@ protected:
 
     test::TemporaryFolder folder_;
     assets::AssetLibrary library_;
-    render::RenderFrame frame_;
+    RenderFrame frame_;
 };
 
 TEST_F(RayScenes, ARayMeetsTheNearestThing) {
@@ -157,10 +157,10 @@ TEST_F(RayScenes, LooksThroughBacksAsTheImageDoes) {
 
 TEST(RayScene, OfNothingHasNothingToMeet) {
     assets::AssetLibrary library;
-    const RayScene rays(render::RenderFrame{}, library);
+    const RayScene rays(RenderFrame{}, library);
     EXPECT_FALSE(rays.first_hit(Vec3f{0.0F}, kDown).has_value());
     EXPECT_FALSE(rays.is_shaded({}, kUp));
 }
 
 }  // namespace
-}  // namespace plumbline::study
+}  // namespace plumbline::render
