@@ -45,6 +45,7 @@ shafts = { density_per_m = 0.0025 }
 
 [ambient]
 occlusion = { radius_m = 0.45 }
+indirect = { min_m = [-3.38, 0.12, -8.78], max_m = [3.38, 2.62, -3.62], spacing_m = 0.45, gain = 4 }
 
 # South of the equator, the house looking north-west: the afternoon's sun and the evening's shine on
 # its front.

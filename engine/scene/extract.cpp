@@ -118,7 +118,7 @@ render::RenderFrame extract(const Simulation& simulation,
     // Dusk dims sun and sky; lamps shine on.
     const float daylight = simulation.switches.light_scale;
     frame.clear_color = scene.clear_color * daylight;
-    frame.ambient = scene.ambient * daylight;
+    frame.ambient = scene.ambient.color * daylight;
     if (scene.sun) {
         frame.sun = render::DirectionalLight{
             .direction_world =

@@ -347,9 +347,7 @@ struct SceneDescription {
     std::optional<SunDescription> sun{};
     std::optional<SkyDescription> sky{};
     std::optional<TimeDescription> time{};
-    Vec3f ambient{0.1F, 0.1F, 0.12F};
-    std::optional<OcclusionDescription> occlusion{};
-    std::optional<IndirectLightDescription> indirect{};
+    AmbientDescription ambient{};
     std::optional<FogDescription> fog{};
     std::optional<FlashlightDescription> flashlight{};
     std::optional<PostDescription> post{};

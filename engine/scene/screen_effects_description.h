@@ -5,6 +5,7 @@
 #include "engine/core/text/source_location.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace plumbline::scene {
 
@@ -25,6 +26,13 @@ struct IndirectLightDescription {
     float spacing_m{0.5F};  ///< of the points at which light is computed
     float gain{1.0F};       ///< times that much: eyes adapt to a room
     SourceLocation location{};
+};
+
+/// `[ambient]`: light from everywhere.
+struct AmbientDescription {
+    Vec3f color{0.1F, 0.1F, 0.12F};
+    std::optional<OcclusionDescription> occlusion{};
+    std::optional<IndirectLightDescription> indirect{};
 };
 
 /// `[sun] shafts`: air that the sun lights up where it is not in shadow.

@@ -124,6 +124,7 @@ void PlaygroundGame::forget_gone(scene::Simulation& simulation) {
 }
 
 void PlaygroundGame::act(scene::Simulation& simulation, const Actions& actions) {
+    step_s_ = static_cast<Real>(simulation.step_s());  // play may have changed the rate
     forget_gone(simulation);
     pointer_ = actions.pointer;
     look_.begin_step();

@@ -45,21 +45,21 @@ Callers callers_of_refraction(const scene::Simulation& simulation) {
 void show_occlusion(const scene::Simulation& simulation, render::RenderFrame& frame) {
     const scene::SceneDescription& scene = simulation.description();
     const scene::Fidelity fidelity = scene.screen_fidelity.occlusion;
-    frame.occlusion = render::AmbientOcclusion{.radius_m = scene.occlusion->radius_m,
-                                               .strength = scene.occlusion->strength,
+    frame.occlusion = render::AmbientOcclusion{.radius_m = scene.ambient.occlusion->radius_m,
+                                               .strength = scene.ambient.occlusion->strength,
                                                .slices = by_fidelity(fidelity, kOcclusionSlices),
                                                .steps = by_fidelity(fidelity, kOcclusionSteps)};
 }
 
 Callers callers_of_occlusion(const scene::Simulation& simulation) {
-    const auto& occlusion = simulation.description().occlusion;
+    const auto& occlusion = simulation.description().ambient.occlusion;
     if (!occlusion || !simulation.switches.is_on("ambient_occlusion", true)) return {};
     return {setting("[ambient] occlusion", occlusion->location)};
 }
 
 /// Light that comes in by windows and goes from wall to wall.
 void show_indirect_light(const scene::Simulation& simulation, render::RenderFrame& frame) {
-    const scene::IndirectLightDescription& indirect = *simulation.description().indirect;
+    const scene::IndirectLightDescription& indirect = *simulation.description().ambient.indirect;
     frame.indirect = render::IndirectLight{.min_world = indirect.min_m,
                                            .max_world = indirect.max_m,
                                            .spacing_m = indirect.spacing_m,
@@ -67,7 +67,7 @@ void show_indirect_light(const scene::Simulation& simulation, render::RenderFram
 }
 
 Callers callers_of_indirect_light(const scene::Simulation& simulation) {
-    const auto& indirect = simulation.description().indirect;
+    const auto& indirect = simulation.description().ambient.indirect;
     if (!indirect || !simulation.switches.is_on("indirect_light", true)) return {};
     return {setting("[ambient] indirect", indirect->location)};
 }

@@ -204,7 +204,7 @@ bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s) {
     Transform stopped = record.before.at;
     stopped.position_m += (record.motion->at.position_m - stopped.position_m) * swept.share;
     // What stands at the hit already and still heads for it has contacts elsewhere, about which it
-    // turns: it goes on turning.
+    // turns: it goes on turning. The speed that it cannot have would grow from step to step.
     const bool stuck = swept.share < kStuckShare;
     stopped.rotation = turned(record.before.at.rotation,
                               record.motion->spin_radps,
@@ -212,16 +212,11 @@ bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s) {
     // Less the speed of the fall that it did not make.
     record.motion->velocity_mps -=
         record.traits.weight_N * record.motion->inverse_mass * (duration_s * (1 - swept.share));
-    lose_approach(record, swept);
+    const Real into = glm::dot(record.motion->velocity_mps, swept.normal);
+    if (stuck && into < 0) record.motion->velocity_mps -= swept.normal * into;
     record.motion->at = stopped;
     write_rigid_pose(record);
     return true;
-}
-
-void lose_approach(BodyRecord& record, const SweepResult& swept) {
-    Vec3& velocity = record.motion->velocity_mps;
-    const Real into = glm::dot(velocity, swept.normal);
-    if (swept.share < kStuckShare && into < 0) velocity -= swept.normal * into;
 }
 
 void stop_at_share(BodyRecord& record, Real share) {

@@ -77,9 +77,6 @@ SweepResult swept_fraction(const StepWorld& world,
 /// On a hit the body stops there and keeps its velocity, so that the next step's contact bounces it
 /// as it should. Whether there was one.
 bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s);
-/// A body that stood at the hit when the step began loses the speed with which it heads for it:
-/// stopped again and again, it would grow.
-void lose_approach(BodyRecord& record, const SweepResult& swept);
 /// Puts the body where it was after this share of its displacement since record.before.
 void stop_at_share(BodyRecord& record, Real share);
 

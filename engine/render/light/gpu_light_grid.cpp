@@ -60,15 +60,16 @@ void GpuLightGrid::want(const RenderFrame& frame,
     const Vec3f margin{frame.indirect->spacing_m};
     const Aabb box{frame.indirect->min_world - margin, frame.indirect->max_world + margin};
     const std::uint64_t content = content_of(frame, box, library);
-    if (grid_ == nullptr || content != content_) {
-        auto rays = std::make_unique<const RayScene>(
-            frame, library, [&](const DrawItem& item) { return stands_in(item, box, library); });
-        grid_ = std::make_unique<LightGrid>(*frame.indirect, std::move(rays));
-        content_ = content;
-    } else if (is_nearly(outside, outside_) || std::abs(frame.time_s - lit_at_s_) < kRest_s) {
-        return;
-    }
-    grid_->light(outside);
+    const bool is_new = grid_ == nullptr || content != content_;
+    const bool is_lit =
+        is_nearly(outside, outside_) || std::abs(frame.time_s - lit_at_s_) < kRest_s;
+    if (!is_new && is_lit) return;
+    // Built again each time that the light has changed: that takes less than it would take memory.
+    const RayScene rays(
+        frame, library, [&](const DrawItem& item) { return stands_in(item, box, library); });
+    if (is_new) grid_ = std::make_unique<LightGrid>(*frame.indirect, rays);
+    content_ = content;
+    grid_->light(outside, rays);
     outside_ = outside;
     lit_at_s_ = frame.time_s;
     means_ = gl::Texture::volume(grid_->counts(), grid_->means());

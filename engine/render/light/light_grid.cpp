@@ -42,8 +42,8 @@ Vec3f radiance_from(const OutsideLight& outside, const Vec3f& direction) {
 
 }  // namespace
 
-LightGrid::LightGrid(const IndirectLight& box, std::unique_ptr<const RayScene> rays)
-    : box_(box), rays_(std::move(rays)), directions_(even_directions()) {
+LightGrid::LightGrid(const IndirectLight& box, const RayScene& rays)
+    : box_(box), directions_(even_directions()) {
     std::uint32_t points = 1;
     for (int axis = 0; axis < 3; ++axis) {
         const float cells = (box.max_world[axis] - box.min_world[axis]) / box.spacing_m;
@@ -54,7 +54,7 @@ LightGrid::LightGrid(const IndirectLight& box, std::unique_ptr<const RayScene> r
     is_closed_.resize(points);
     means_.assign(points, Vec4f{0.0F});
     slopes_.assign(points, Vec4f{0.0F});
-    for (std::uint32_t point = 0; point < points; ++point) cast_from(point);
+    for (std::uint32_t point = 0; point < points; ++point) cast_from(point, rays);
 }
 
 Vec3f LightGrid::place_of(std::uint32_t point) const {
@@ -64,21 +64,25 @@ Vec3f LightGrid::place_of(std::uint32_t point) const {
     return box_.min_world + (index + 0.5F) / counts * (box_.max_world - box_.min_world);
 }
 
-void LightGrid::cast_from(std::uint32_t point) {
+void LightGrid::cast_from(std::uint32_t point, const RayScene& rays) {
     const Vec3f place = place_of(point);
     std::uint32_t backs = 0;
     for (std::uint32_t i = 0; i < kDirections; ++i) {
-        const auto hit = rays_->first_hit(place, directions_[i], Backs::Seen);
+        const auto hit = rays.first_hit(place, directions_[i], Backs::Seen);
         const bool is_within =
             hit &&
             glm::all(glm::greaterThan(hit->position_world, box_.min_world - box_.spacing_m)) &&
             glm::all(glm::lessThan(hit->position_world, box_.max_world + box_.spacing_m));
         if (!is_within) {
-            escapes_.push_back({point, i});
+            escapes_.push_back(point * kDirections + i);
         } else if (hit->from_behind) {
             ++backs;
         } else {
-            samples_.push_back({.point = point, .direction = i, .hit = *hit});
+            samples_.push_back({.place_world = hit->position_world,
+                                .ray = point * kDirections + i,
+                                .normal = glm::packSnorm4x8(
+                                    Vec4f{hit->normal_world, hit->two_sided ? 1.0F : 0.0F}),
+                                .albedo = glm::packUnorm4x8(Vec4f{hit->albedo, 0.0F})});
         }
     }
     is_closed_[point] = backs > kMostBacks;
@@ -112,14 +116,22 @@ Vec3f LightGrid::diffuse_at(const Vec3f& place_world, const Vec3f& normal_world)
     return mean * std::max(1.0F + 0.6666667F * glm::dot(slope, normal_world), 0.0F);
 }
 
-void LightGrid::light(const OutsideLight& outside) {
+void LightGrid::find_sun(const OutsideLight& outside, const RayScene& rays) {
     const bool has_sun = outside.to_sun_world.y > 0.0F && outside.sun_radiance != Vec3f{0.0F};
     for (Sample& sample : samples_) {
-        const float cosine = glm::dot(sample.hit.normal_world, outside.to_sun_world);
+        const Vec4f packed = glm::unpackSnorm4x8(sample.normal);
+        const RayHit place{.position_world = sample.place_world,
+                           .normal_world = Vec3f{packed},
+                           .two_sided = packed.w > 0.0F};
+        const float cosine = glm::dot(place.normal_world, outside.to_sun_world);
         const bool is_lit =
-            has_sun && cosine > 0.0F && !rays_->is_shaded(sample.hit, outside.to_sun_world);
+            has_sun && cosine > 0.0F && !rays.is_shaded(place, outside.to_sun_world);
         sample.sun = is_lit ? cosine : 0.0F;
     }
+}
+
+void LightGrid::light(const OutsideLight& outside, const RayScene& rays) {
+    find_sun(outside, rays);
     std::ranges::fill(means_, Vec4f{0.0F});
     std::ranges::fill(slopes_, Vec4f{0.0F});
     for (int bounce = 0; bounce < kBounces; ++bounce) {
@@ -131,20 +143,20 @@ void LightGrid::light(const OutsideLight& outside) {
 void LightGrid::gather(const OutsideLight& outside) {
     std::vector<Vec4f> means(means_.size(), Vec4f{0.0F});
     std::vector<Vec3f> moments(means_.size(), Vec3f{0.0F});  // of luminance
-    const auto receive = [&](std::uint32_t point, std::uint32_t direction, const Vec3f& radiance) {
+    const auto receive = [&](std::uint32_t ray, const Vec3f& radiance) {
+        const std::uint32_t point = ray / kDirections;
         means[point] += Vec4f{radiance, 0.0F} / static_cast<float>(kDirections);
-        moments[point] += directions_[direction] * glm::dot(radiance, kLuminance);
+        moments[point] += directions_[ray % kDirections] * glm::dot(radiance, kLuminance);
     };
-    for (const Escape& escape : escapes_)
-        receive(
-            escape.point, escape.direction, radiance_from(outside, directions_[escape.direction]));
+    for (const std::uint32_t ray : escapes_)
+        receive(ray, radiance_from(outside, directions_[ray % kDirections]));
     for (const Sample& sample : samples_) {
-        const RayHit& hit = sample.hit;
-        const Vec3f off = hit.normal_world * (kOffSurface * box_.spacing_m);
-        receive(sample.point,
-                sample.direction,
-                hit.albedo * (sample.sun * outside.sun_radiance +
-                              diffuse_at(hit.position_world + off, hit.normal_world)));
+        const Vec3f normal{glm::unpackSnorm4x8(sample.normal)};
+        const Vec3f off = normal * (kOffSurface * box_.spacing_m);
+        receive(
+            sample.ray,
+            Vec3f{glm::unpackUnorm4x8(sample.albedo)} *
+                (sample.sun * outside.sun_radiance + diffuse_at(sample.place_world + off, normal)));
     }
     for (std::size_t point = 0; point < means.size(); ++point) {
         const float luminance = glm::dot(Vec3f{means[point]}, kLuminance) * kDirections;
@@ -175,11 +187,6 @@ void LightGrid::fill_closed_points() {
         means_[point] = open > 0.0F ? mean / open : Vec4f{0.0F};
         slopes_[point] = open > 0.0F ? slope / open : Vec4f{0.0F};
     }
-}
-
-std::uint64_t LightGrid::bytes() const {
-    return samples_.size() * sizeof(Sample) + escapes_.size() * sizeof(Escape) +
-           2 * means_.size() * sizeof(Vec4f);
 }
 
 }  // namespace plumbline::render

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -25,10 +24,10 @@ struct OutsideLight {
 class LightGrid {
 public:
     /// Casts all rays: some tenths of a second for a house.
-    LightGrid(const IndirectLight& box, std::unique_ptr<const RayScene> rays);
+    LightGrid(const IndirectLight& box, const RayScene& rays);
 
-    /// Computes what arrives at each point; no ray but those to the sun.
-    void light(const OutsideLight& outside);
+    /// Computes what arrives at each point; casts no rays but those to the sun.
+    void light(const OutsideLight& outside, const RayScene& rays);
 
     /// Along x, y and z; points lie in the middle of equal cells, x runs fastest.
     const std::array<std::uint32_t, 3>& counts() const { return counts_; }
@@ -36,23 +35,20 @@ public:
     std::span<const Vec4f> means() const { return means_; }
     /// xyz: radiance is mean * (1 + dot(it, direction)).
     std::span<const Vec4f> slopes() const { return slopes_; }
-    std::uint64_t bytes() const;
 
 private:
-    /// Where a ray from a point ends on a surface within the box.
+    /// Where a ray ends on a surface within the box. There are some hundred thousand: packed.
     struct Sample {
-        std::uint32_t point{0};
-        std::uint32_t direction{0};
-        RayHit hit;
-        float sun{0.0F};  ///< cosine to the sun; 0 in shadow
-    };
-    struct Escape {
-        std::uint32_t point{0};
-        std::uint32_t direction{0};
+        Vec3f place_world{0.0F};
+        std::uint32_t ray{0};     ///< its point times the directions, plus its direction
+        std::uint32_t normal{0};  ///< snorm4x8; w: two-sided
+        std::uint32_t albedo{0};  ///< unorm4x8
+        float sun{0.0F};          ///< cosine to the sun; 0 in shadow
     };
 
     Vec3f place_of(std::uint32_t point) const;
-    void cast_from(std::uint32_t point);
+    void cast_from(std::uint32_t point, const RayScene& rays);
+    void find_sun(const OutsideLight& outside, const RayScene& rays);
     /// What a matt white surface there sends out, by the grid.
     Vec3f diffuse_at(const Vec3f& place_world, const Vec3f& normal_world) const;
     void gather(const OutsideLight& outside);
@@ -60,11 +56,10 @@ private:
 
     IndirectLight box_;
     std::array<std::uint32_t, 3> counts_{};
-    std::unique_ptr<const RayScene> rays_;
     std::vector<Vec3f> directions_;
     std::vector<Sample> samples_;
-    std::vector<Escape> escapes_;
-    std::vector<bool> is_closed_;  // within a wall
+    std::vector<std::uint32_t> escapes_;  // rays, as in Sample
+    std::vector<bool> is_closed_;         // within a wall
     std::vector<Vec4f> means_;
     std::vector<Vec4f> slopes_;
 };

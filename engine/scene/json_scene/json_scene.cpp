@@ -326,7 +326,7 @@ private:
         scene_.title = scene_.file.stem().string();
         scene_.description = "a JSON scene";
         scene_.controls = "viewer";
-        scene_.ambient = Vec3f{kLightAmbient};
+        scene_.ambient.color = Vec3f{kLightAmbient};
         const Real reach_m =
             glm::distance(scene_.camera.position_m, viewer_.center_m) + 2 * viewer_.radius_m;
         scene_.sun =

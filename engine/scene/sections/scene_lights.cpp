@@ -238,9 +238,9 @@ void read_lights_and_air(TableReader& root, SceneDescription& scene, LoadContext
     read_time(root, scene);
     read_sky(root, scene, context);
     if (auto table = root.table("ambient")) {
-        scene.ambient = table->color("color", scene.ambient);
-        scene.occlusion = read_occlusion(*table);
-        scene.indirect = read_indirect(*table);
+        scene.ambient.color = table->color("color", scene.ambient.color);
+        scene.ambient.occlusion = read_occlusion(*table);
+        scene.ambient.indirect = read_indirect(*table);
         table->finish();
     }
     read_fog(root, scene);

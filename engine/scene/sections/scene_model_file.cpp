@@ -32,7 +32,7 @@ SceneDescription scene_of_model(const std::filesystem::path& file,
     scene.description = "a model on a ground plane";
     scene.controls = "viewer";
     // Together they make white that faces the sun just white, not more.
-    scene.ambient = Vec3f{0.2F, 0.215F, 0.24F};
+    scene.ambient.color = Vec3f{0.2F, 0.215F, 0.24F};
     scene.sun = SunDescription{.direction = glm::normalize(Vec3{-0.4_r, Real{-1}, -0.3_r}),
                                .intensity = 2.4F,
                                .shadow = ShadowDescription{.location = location},

@@ -47,7 +47,8 @@ IsShaded shaded_by_rays(const render::RenderFrame& frame, assets::AssetLibrary& 
     return [rays, aspect, camera = frame.camera, to_sun = -frame.sun->direction_world](
                const Vec2f& at) {
         const Vec3f direction = ray_through(camera, aspect, at);
-        const std::optional<render::RayHit> place = rays->first_hit(camera.position_world, direction);
+        const std::optional<render::RayHit> place =
+            rays->first_hit(camera.position_world, direction);
         return place && rays->is_shaded(*place, to_sun);
     };
 }

@@ -77,6 +77,7 @@ TEST_F(ShaderBlocksGl, FrameLiesAsInCpp) {
         {"Frame.cascades[0]", offsetof(FrameBlock, cascades)},
         {"Frame.sky_light[0]", offsetof(FrameBlock, sky_light)},
         {"Frame.aerial[0]", offsetof(FrameBlock, aerial)},
+        {"Frame.grid[0]", offsetof(FrameBlock, grid)},
     };
     EXPECT_EQ(offsets, expected);
 }

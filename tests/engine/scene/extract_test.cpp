@@ -78,7 +78,7 @@ TEST(Extract, EqualThingsShareOneMesh) {
 TEST(Extract, DuskDimsSunAndSkyButNoLamp) {
     SceneDescription scene = scene_of({});
     scene.sun = SunDescription{.direction = {0, -1, 0}, .color = {1, 1, 1}, .intensity = 4};
-    scene.ambient = {0.2F, 0.2F, 0.2F};
+    scene.ambient.color = {0.2F, 0.2F, 0.2F};
     EntityDescription lamp;
     lamp.name = "lamp";
     lamp.light = LightDescription{.color = {1, 1, 1}, .intensity = 10};

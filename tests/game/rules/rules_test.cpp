@@ -24,6 +24,23 @@ TEST(Rules, LooksWhereTheMouseSaysAndNotPastTheZenith) {
     EXPECT_NEAR(std::asin(zenith.y), radians_from_degrees(89.0), 1e-3);
 }
 
+TEST(Rules, KeysTurnAsFastAfterAChangeOfTheRate) {
+    const auto turned_rad = [](bool changes_rate) {
+        Playground play;
+        if (changes_rate) {
+            physics::WorldDef def = play.simulation->physics.def();
+            def.step_s /= 4;
+            play.simulation->set_accuracy(def);
+        }
+        play.run(0.5, hold({Action::RotateLeft}));
+        const Quat view = play.game->view(*play.simulation, 1, 0, 0).world_from_camera.orientation;
+        const Vec3 forward = view * Vec3{0, 0, -1};
+        return std::atan2(-forward.x, -forward.z);
+    };
+    EXPECT_GT(turned_rad(false), 0.3);
+    EXPECT_NEAR(turned_rad(true), turned_rad(false), 0.03);
+}
+
 TEST(Rules, TheHandIsBelowTheEyeAndAimsAtTheSamePoint) {
     Playground play;
     const auto view = play.game->view(*play.simulation, 1, 0.0F, 0.0F);

@@ -65,7 +65,6 @@ void JointSweep::stop_at_hit(const StepWorld& world, BodyRecord& record, Real du
     const SweepResult swept = swept_fraction(world, record, record.sweep.group);
     if (swept.share >= 1) return;
     for (BodyRecord* member : group) stop_at_share(*member, swept.share);
-    lose_approach(record, swept);
 }
 
 }  // namespace plumbline::physics

@@ -35,7 +35,7 @@ TEST(ScreenEffects, NobodyWhoDoesNotCallForThemPays) {
 
 TEST(ScreenEffects, OcclusionHasTheScenesNumbersAndItsFidelitysLooks) {
     SceneDescription scene = test::scene_of({});
-    scene.occlusion = scene::OcclusionDescription{
+    scene.ambient.occlusion = scene::OcclusionDescription{
         .radius_m = 0.5F, .strength = 0.75F, .location = in_file("garden.toml", 30)};
     scene.screen_fidelity.occlusion = scene::Fidelity::Draft;
     Running run(scene);
@@ -53,11 +53,12 @@ TEST(ScreenEffects, OcclusionHasTheScenesNumbersAndItsFidelitysLooks) {
 
 TEST(ScreenEffects, IndirectLightHasTheScenesBox) {
     SceneDescription scene = test::scene_of({});
-    scene.indirect = scene::IndirectLightDescription{.min_m = {-3.0F, 0.0F, -2.0F},
-                                                     .max_m = {3.0F, 2.5F, 2.0F},
-                                                     .spacing_m = 0.25F,
-                                                     .gain = 2.0F,
-                                                     .location = in_file("garden.toml", 31)};
+    scene.ambient.indirect =
+        scene::IndirectLightDescription{.min_m = {-3.0F, 0.0F, -2.0F},
+                                        .max_m = {3.0F, 2.5F, 2.0F},
+                                        .spacing_m = 0.25F,
+                                        .gain = 2.0F,
+                                        .location = in_file("garden.toml", 31)};
     Running run(scene);
     EffectRuntime effects(*run, kImage);
     const render::RenderFrame frame = draw(run, effects);

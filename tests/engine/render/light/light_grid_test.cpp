@@ -38,10 +38,13 @@ protected:
     }
     void close_room() { add_wall({0.2F, 3.4F, 4.4F}, {2.1F, 1.5F, 0.0F}); }
 
-    LightGrid grid() {
+    LightGrid grid_under(const OutsideLight& outside) {
         const IndirectLight box{
             .min_world = {-2.0F, 0.0F, -2.0F}, .max_world = {2.0F, 3.0F, 2.0F}, .spacing_m = 0.5F};
-        return {box, std::make_unique<const RayScene>(frame_, library_)};
+        const RayScene rays(frame_, library_);
+        LightGrid grid(box, rays);
+        grid.light(outside, rays);
+        return grid;
     }
     static float mean_at(const LightGrid& grid, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
         return grid.means()[x + grid.counts()[0] * (y + grid.counts()[1] * z)].y;
@@ -55,16 +58,14 @@ protected:
 TEST_F(LightGrids, NothingReachesAClosedRoom) {
     add_open_room();
     close_room();
-    LightGrid grid = this->grid();
-    grid.light(even_sky());
+    const LightGrid grid = grid_under(even_sky());
     for (const Vec4f& mean : grid.means()) EXPECT_LT(mean.y, 1e-3F);
 }
 
 TEST_F(LightGrids, TheSkyIsSeenInFullWhereNothingStands) {
-    LightGrid grid = this->grid();
     OutsideLight outside = even_sky();
     outside.sky[1] = Vec3f{0.3F};  // more from above
-    grid.light(outside);
+    const LightGrid grid = grid_under(outside);
     // Above the horizon 1 + 0.488603 * 0.3 * y, whose mean is that at y = 1/2; below it the ground.
     const float ground = 0.22F;
     const float expected = 0.5F * (1.0F + 0.488603F * 0.3F * 0.5F + ground);
@@ -74,8 +75,7 @@ TEST_F(LightGrids, TheSkyIsSeenInFullWhereNothingStands) {
 
 TEST_F(LightGrids, ARoomIsBrightestAtItsOpenSideAndLightComesFromThere) {
     add_open_room();
-    LightGrid grid = this->grid();
-    grid.light(even_sky());
+    const LightGrid grid = grid_under(even_sky());
     for (std::uint32_t x = 0; x + 1 < grid.counts()[0]; ++x)
         EXPECT_LT(mean_at(grid, x, 3, 4), mean_at(grid, x + 1, 3, 4));
     const std::uint32_t middle = 4 + grid.counts()[0] * (3 + grid.counts()[1] * 4);
@@ -84,14 +84,11 @@ TEST_F(LightGrids, ARoomIsBrightestAtItsOpenSideAndLightComesFromThere) {
 
 TEST_F(LightGrids, ASpotOfSunLightsTheCeilingFromBelow) {
     add_open_room();
-    LightGrid grid = this->grid();
-    const OutsideLight night{};
-    grid.light(night);
-    EXPECT_EQ(mean_at(grid, 6, 3, 4), 0.0F);
+    const LightGrid dark = grid_under({});
+    EXPECT_EQ(mean_at(dark, 6, 3, 4), 0.0F);
     // In by the open side, down to the floor.
-    OutsideLight noon{.sun_radiance = Vec3f{1.0F},
-                      .to_sun_world = glm::normalize(Vec3f{1.0F, 1.0F, 0.0F})};
-    grid.light(noon);
+    const LightGrid grid = grid_under(
+        {.sun_radiance = Vec3f{1.0F}, .to_sun_world = glm::normalize(Vec3f{1.0F, 1.0F, 0.0F})});
     const std::uint32_t below_ceiling = 5 + grid.counts()[0] * (5 + grid.counts()[1] * 4);
     EXPECT_GT(grid.means()[below_ceiling].y, 0.02F);
     EXPECT_LT(grid.slopes()[below_ceiling].y, 0.0F);
@@ -99,8 +96,7 @@ TEST_F(LightGrids, ASpotOfSunLightsTheCeilingFromBelow) {
 
 TEST_F(LightGrids, WhatLiesWithinAWallTakesItsNeighboursLight) {
     add_wall({0.6F, 3.0F, 4.0F}, {0.25F, 1.5F, 0.0F});
-    LightGrid grid = this->grid();
-    grid.light(even_sky());
+    const LightGrid grid = grid_under(even_sky());
     const float within = mean_at(grid, 4, 3, 4);
     EXPECT_GT(within, 0.1F);
     EXPECT_NEAR(within, (mean_at(grid, 3, 3, 4) + mean_at(grid, 5, 3, 4)) * 0.5F, 0.05F);

@@ -84,7 +84,7 @@ TEST_F(JsonScene, WhatIsLeftOutHasItsDefault) {
     EXPECT_EQ(scene.controls, "viewer");
     // SOURCES C18: from (1, 1, 1), ambient 0.1; the unit of the sun is pi times that of lectures.
     expect_near(scene.sun->direction, -glm::normalize(Vec3{1, 1, 1}));
-    EXPECT_EQ(scene.ambient, Vec3f{0.1F});
+    EXPECT_EQ(scene.ambient.color, Vec3f{0.1F});
     EXPECT_FALSE(scene.post.has_value()) << "no tone curve, no exposure";
 }
 

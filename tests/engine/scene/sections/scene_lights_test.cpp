@@ -85,7 +85,7 @@ exposure = 2
     EXPECT_NEAR(scene.sun->shadow->distance_m, Real{40}, kSlack);
     EXPECT_EQ(scene.sky->folder, assets() / "skies/day");
     EXPECT_EQ(to_string(scene.sky->location), "scene.toml:9");
-    expect_near_f(scene.ambient, {0.2F, 0.3F, 0.4F});
+    expect_near_f(scene.ambient.color, {0.2F, 0.3F, 0.4F});
     // sRGB 0.5 is 0.21404 linear.
     EXPECT_NEAR(scene.fog->color.y, 0.21404F, 1e-5F);
     EXPECT_FLOAT_EQ(scene.fog->color.x, 1.0F);

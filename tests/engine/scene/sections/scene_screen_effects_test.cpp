@@ -7,22 +7,22 @@ namespace {
 TEST_F(SceneFileTest, AmbientOcclusionIsThereWhenAskedFor) {
     const Outcome unasked = load("[ambient]\ncolor = [1, 1, 1]\n");
     ASSERT_TRUE(unasked.scene.ok());
-    EXPECT_FALSE(unasked.scene->occlusion);
+    EXPECT_FALSE(unasked.scene->ambient.occlusion);
     const Outcome refused = load("[ambient]\nocclusion = false\n");
     ASSERT_TRUE(refused.scene.ok());
-    EXPECT_FALSE(refused.scene->occlusion);
+    EXPECT_FALSE(refused.scene->ambient.occlusion);
     const Outcome plain = load("[ambient]\nocclusion = true\n");
     ASSERT_TRUE(plain.scene.ok());
-    ASSERT_TRUE(plain.scene->occlusion);
-    EXPECT_EQ(plain.scene->occlusion->radius_m, OcclusionDescription{}.radius_m);
+    ASSERT_TRUE(plain.scene->ambient.occlusion);
+    EXPECT_EQ(plain.scene->ambient.occlusion->radius_m, OcclusionDescription{}.radius_m);
     EXPECT_EQ(plain.scene->screen_fidelity.occlusion, Fidelity::Balanced);
     const Outcome exact = load(
         "[ambient]\nocclusion = { radius_m = 1.5, strength = 0.25 }\n"
         "[effects.ambient_occlusion]\nfidelity = \"precise\"\n");
     ASSERT_TRUE(exact.scene.ok());
-    ASSERT_TRUE(exact.scene->occlusion);
-    EXPECT_EQ(exact.scene->occlusion->radius_m, 1.5F);
-    EXPECT_EQ(exact.scene->occlusion->strength, 0.25F);
+    ASSERT_TRUE(exact.scene->ambient.occlusion);
+    EXPECT_EQ(exact.scene->ambient.occlusion->radius_m, 1.5F);
+    EXPECT_EQ(exact.scene->ambient.occlusion->strength, 0.25F);
     EXPECT_EQ(exact.scene->screen_fidelity.occlusion, Fidelity::Precise);
 }
 
@@ -46,10 +46,10 @@ TEST_F(SceneFileTest, IndirectLightHasABoxWithFewEnoughPoints) {
     const Outcome asked = load(
         "[ambient]\nindirect = { min_m = [-3, 0, -2], max_m = [3, 2.5, 2], spacing_m = 0.4 }\n");
     ASSERT_TRUE(asked.scene.ok()) << asked.scene.error().message;
-    ASSERT_TRUE(asked.scene->indirect);
-    EXPECT_EQ(asked.scene->indirect->min_m.x, -3.0F);
-    EXPECT_EQ(asked.scene->indirect->spacing_m, 0.4F);
-    EXPECT_EQ(asked.scene->indirect->gain, 1.0F);
+    ASSERT_TRUE(asked.scene->ambient.indirect);
+    EXPECT_EQ(asked.scene->ambient.indirect->min_m.x, -3.0F);
+    EXPECT_EQ(asked.scene->ambient.indirect->spacing_m, 0.4F);
+    EXPECT_EQ(asked.scene->ambient.indirect->gain, 1.0F);
     const auto fault = [&](const std::string& text) {
         const Outcome outcome = load(text);
         return outcome.faults.size() == 1 ? outcome.faults[0] : "not one fault";
