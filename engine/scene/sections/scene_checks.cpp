@@ -14,13 +14,6 @@ namespace {
 
 constexpr std::size_t kGroups = 32;  // bits of a filter mask
 
-std::uint64_t copies_in(const ArrayDescription& array) {
-    std::uint64_t copies = 1;
-    // Each count is at most 50000, so three of them fit.
-    for (const int count : array.count) copies *= static_cast<std::uint64_t>(count);
-    return copies;
-}
-
 /// Calls visit(entity, place, path, copies) for all that will stand in the scene.
 template <class Visit>
 void for_each_kind(const SceneDescription& scene, const LoadContext& context, Visit visit) {
@@ -34,7 +27,7 @@ void for_each_kind(const SceneDescription& scene, const LoadContext& context, Vi
         visit(scene.arrays[i].prefab,
               context.array_locations[i],
               fmt::format("array[{}]", i),
-              copies_in(scene.arrays[i]));
+              copies_of(scene.arrays[i]));
     }
 }
 
@@ -52,23 +45,20 @@ void check_counts(const SceneDescription& scene, LoadContext& context) {
                       if (entity.light) lights += n;
                       if (things <= limits::kBodies || refused) return;
                       refused = true;
-                      context.faults.error(
-                          location,
-                          path,
-                          fmt::format("brings the scene to {} things; at most {} are built",
-                                      things,
-                                      limits::kBodies));
+                      context.faults.error(location,
+                                           path,
+                                           "brings the scene to {} things; at most {} are built",
+                                           things,
+                                           limits::kBodies);
                   });
     if (refused || scene.file.empty()) return;
     const SourceLocation whole = context.scene_location;
-    if (things > limits::kBodiesWarn) {
+    if (things > limits::kBodiesWarn)
         context.faults.warning(
-            whole, {}, fmt::format("{} things; expect fewer than 30 frames a second", things));
-    }
-    if (lights > limits::kLights) {
+            whole, {}, "{} things; expect fewer than 30 frames a second", things);
+    if (lights > limits::kLights)
         context.faults.warning(
-            whole, {}, fmt::format("{} lights; the nearest {} shine", lights, limits::kLights));
-    }
+            whole, {}, "{} lights; the nearest {} shine", lights, limits::kLights);
 }
 
 void check_groups(const SceneDescription& scene, LoadContext& context) {
@@ -78,11 +68,11 @@ void check_groups(const SceneDescription& scene, LoadContext& context) {
             if (entity.body) groups.insert(entity.body->group);
         });
     if (groups.size() > kGroups) {
-        context.faults.error(
-            context.scene_location,
-            {},
-            fmt::format(
-                "{} collision groups; at most {} can be told apart", groups.size(), kGroups));
+        context.faults.error(context.scene_location,
+                             {},
+                             "{} collision groups; at most {} can be told apart",
+                             groups.size(),
+                             kGroups);
     }
     std::vector<std::string_view> known(groups.begin(), groups.end());
     for_each_kind(scene,
@@ -96,9 +86,9 @@ void check_groups(const SceneDescription& scene, LoadContext& context) {
                           if (group == kNoGroup || groups.contains(group)) continue;
                           context.faults.warning(location,
                                                  path + ".body.collides_with",
-                                                 fmt::format("no body is in group \"{}\"{}",
-                                                             shown(group),
-                                                             suggestion(group, known)));
+                                                 "no body is in group \"{}\"{}",
+                                                 shown(group),
+                                                 suggestion(group, known));
                       }
                   });
 }
@@ -129,15 +119,14 @@ void check_mass_ratio(const SceneDescription& scene, LoadContext& context) {
             if (mass_kg > heavy.mass_kg) heavy = here;
         });
     if (light.mass_kg == 0 || heavy.mass_kg <= light.mass_kg * kRatio * 1.000001) return;
-    context.faults.warning(
-        heavy.location,
-        {},
-        fmt::format("\"{}\" weighs {:.3g} times as much as \"{}\" ({}); if they touch, the lighter "
-                    "one may sink in",
-                    shown(heavy.name),
-                    heavy.mass_kg / light.mass_kg,
-                    shown(light.name),
-                    to_string(light.location)));
+    context.faults.warning(heavy.location,
+                           {},
+                           "\"{}\" weighs {:.3g} times as much as \"{}\" ({}); if they touch, the "
+                           "lighter one may sink in",
+                           shown(heavy.name),
+                           heavy.mass_kg / light.mass_kg,
+                           shown(light.name),
+                           to_string(light.location));
 }
 
 /// A name that nothing has never comes in. Things made in play are numbered: "crate#1".
@@ -150,10 +139,11 @@ void check_triggers(const SceneDescription& scene, LoadContext& context) {
         if (!trigger) continue;
         for (const std::string& name : trigger->of) {
             if (names.find(name) || name.find('#') != std::string::npos) continue;
-            context.faults.warning(
-                context.entity_locations[i],
-                fmt::format("entity[{}].trigger.of", i),
-                fmt::format("no entity is called \"{}\"{}", shown(name), names.hint(name)));
+            context.faults.warning(context.entity_locations[i],
+                                   fmt::format("entity[{}].trigger.of", i),
+                                   "no entity is called \"{}\"{}",
+                                   shown(name),
+                                   names.hint(name));
         }
     }
 }
@@ -181,10 +171,10 @@ void check_whole_scene(SceneDescription& scene, LoadContext& context) {
     check_triggers(scene, context);
     check_ground(scene, context);
     if (context.not_built.empty()) return;
-    context.faults.warning(
-        context.not_built_location,
-        {},
-        fmt::format("checked but not built yet: {}", fmt::join(context.not_built, "; ")));
+    context.faults.warning(context.not_built_location,
+                           {},
+                           "checked but not built yet: {}",
+                           fmt::join(context.not_built, "; "));
 }
 
 }  // namespace plumbline::scene
