@@ -6,17 +6,13 @@
 
 namespace plumbline::render {
 
-void render_fog(const FrameSetup& setup,
-                SceneTarget& scene,
-                const FullscreenTriangle& triangle,
-                SceneResources& resources,
-                FrameStats& stats) {
-    const gl::Program* program = resources.shaders.find(kFogShader, 0);
+void render_fog(const FrameSetup& setup, SceneTarget& scene, PassContext context) {
+    const gl::Program* program = context.program(kFogShader);
     if (program == nullptr) return;
-    const bool has_sky = setup.frame->sky && resources.sky.ready();
+    const bool has_sky = setup.frame->sky && context.resources.sky.ready();
     scene.bind_light();
     program->use();
-    gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, scene.depth());
+    gl::bind_texture(kDepthUnit, scene.depth());
     const Vec2f& depth_line = setup.screen.depth_line;
     glUniform2f(program->location("depth_line"), depth_line.x, depth_line.y);
     glUniform1f(program->location("has_sky"), has_sky ? 1.0F : 0.0F);
@@ -25,8 +21,7 @@ void render_fog(const FrameSetup& setup,
     glEnable(GL_BLEND);
     // Alpha, the share of the light that can be occluded, shrinks as the light does.
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-    triangle.draw();
-    ++stats.draw_calls;
+    context.draw_triangle();
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     scene.bind();

@@ -1,19 +1,14 @@
 // Fog between the eye and all that is opaque, and before the sky.
 #pragma once
 
-#include "engine/render/passes/scene_resources.h"
+#include "engine/render/passes/pass_context.h"
 #include "engine/render/passes/scene_target.h"
-#include "engine/render/passes/sky_pass.h"
 #include "engine/render/setup/frame_setup.h"
 
 namespace plumbline::render {
 
 /// Blends the fog's colour over the scene's light by its depth. What blends is drawn afterwards and has
 /// fog in its own shader.
-void render_fog(const FrameSetup& setup,
-                SceneTarget& scene,
-                const FullscreenTriangle& triangle,
-                SceneResources& resources,
-                FrameStats& stats);
+void render_fog(const FrameSetup& setup, SceneTarget& scene, PassContext context);
 
 }  // namespace plumbline::render

@@ -178,7 +178,7 @@ void GpuMaterials::bind(assets::MaterialId id) {
     gl::bind_uniforms(kMaterialBinding, blocks_, id.value * stride_, sizeof(MaterialBlock));
     const Entry& material = materials_[id.value];
     for (const TextureRequest& request : material.textures) {
-        gl::bind_texture(request.unit, gl::TextureKind::Flat, textures_.get(request));
+        gl::bind_texture(request.unit, textures_.get(request));
     }
 }
 

@@ -88,12 +88,10 @@ bool MotionVectors::make_image(const gl::Texture& depth) {
 const gl::Texture* MotionVectors::render(const MotionBlur& blur,
                                          const ShutterView& view,
                                          const gl::Texture& depth,
-                                         SceneResources& resources,
-                                         FrameStats& stats) {
+                                         PassContext context) {
     const Vec2f size_px{depth.width(), depth.height()};
-    find_seen(blur, view, size_px, resources.library);
-    const gl::Program* program =
-        seen_.empty() ? nullptr : resources.shaders.find(kVelocityShader, 0);
+    find_seen(blur, view, size_px, context.resources.library);
+    const gl::Program* program = seen_.empty() ? nullptr : context.program(kVelocityShader);
     if (program == nullptr || !make_image(depth)) {
         *this = {};
         return nullptr;
@@ -115,9 +113,9 @@ const gl::Texture* MotionVectors::render(const MotionBlur& blur,
         const Mat4f before = view.clip_before_from_world * seen.moved->world_from_body_before;
         glUniformMatrix4fv(
             program->location("clip_before_from_body"), 1, GL_FALSE, glm::value_ptr(before));
-        const GpuMesh& mesh = resources.meshes.get(seen.run.mesh);
+        const GpuMesh& mesh = context.resources.meshes.get(seen.run.mesh);
         draw_instances(mesh, MeshDetail::Full, moments_, seen.run);
-        count_draw(stats, seen.run);
+        count_draw(context.stats, seen.run);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDepthMask(GL_TRUE);
