@@ -1,7 +1,6 @@
 #include "engine/render/renderer.h"
 
 #include "engine/render/frame_passes.h"
-#include "engine/render/passes/fog_pass.h"
 #include "engine/render/renderer_impl.h"
 
 #include <glad/gl.h>

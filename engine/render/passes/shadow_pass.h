@@ -55,18 +55,8 @@ private:
         gl::Texture depth;
         gl::Framebuffer framebuffer;
     };
-    /// Texels of a part, from its left and its bottom.
-    struct TexelRect {
-        int left{0};
-        int bottom{0};
-        int right{0};
-        int top{0};
-        bool empty() const { return left >= right || bottom >= top; }
-        bool overlaps(const TexelRect& other) const {
-            return left < other.right && other.left < right && bottom < other.top &&
-                   other.bottom < top;
-        }
-    };
+    /// Texels of a part.
+    using TexelRect = gl::PixelRect;
     /// What one part shows; hashes.
     struct Part {
         Mat4f view{0.0F};          ///< in which it is drawn: clip from world

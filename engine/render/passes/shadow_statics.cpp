@@ -118,18 +118,7 @@ void ShadowPass::copy(const Map& from,
                       const TexelRect& into) {
     if (rect.empty()) return;
     glDisable(GL_SCISSOR_TEST);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer.name());
-    glBlitFramebuffer(rect.left,
-                      rect.bottom,
-                      rect.right,
-                      rect.top,
-                      into.left,
-                      into.bottom,
-                      into.right,
-                      into.top,
-                      GL_DEPTH_BUFFER_BIT,
-                      GL_NEAREST);
+    gl::copy(from.framebuffer, rect, to.framebuffer, into, GL_DEPTH_BUFFER_BIT);
 }
 
 }  // namespace plumbline::render

@@ -29,20 +29,15 @@ bool is_plane(const BodyShapeDescription& shape, const VisualDescription& visual
 
 void read_mass(TableReader& table, BodyDescription& body) {
     const std::string_view key = table.either("mass_kg", "density_kgpm3");
-    if (key == "density_kgpm3") {
-        table.read(key, body.density_kgpm3, {1e-3, 1e5, "kg/m3 from 0.001 to 100000"});
-        return;
-    }
+    if (key == "density_kgpm3")
+        return table.read(key, body.density_kgpm3, {1e-3, 1e5, "kg/m3 from 0.001 to 100000"});
     if (key.empty()) return;
     const TomlNode* node = table.find(key);
     const auto* integer = std::get_if<std::int64_t>(&node->value);
     const auto* number = std::get_if<double>(&node->value);
     const bool is_zero =
         (integer != nullptr && *integer == 0) || (number != nullptr && *number == 0.0);
-    if (!is_zero) {
-        table.read(key, body.mass_kg, kMass_kg);
-        return;
-    }
+    if (!is_zero) return table.read(key, body.mass_kg, kMass_kg);
     if (body.kind == BodyKind::Dynamic) {
         table.warning(key, "0 means immovable; the body is static");
         body.kind = BodyKind::Static;

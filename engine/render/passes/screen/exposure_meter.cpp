@@ -61,8 +61,7 @@ float ExposureMeter::measure(const gl::Texture& scene, Reading reading, PassCont
     make();
     const bool has_before = reading == Reading::Later && copied_;
     const float before = has_before ? read_copy() : 0.0F;
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    glViewport(0, 0, PL_METER_X, PL_METER_Y);
+    gl::draw_into(framebuffer_.name(), PL_METER_X, PL_METER_Y);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);

@@ -96,8 +96,7 @@ const gl::Texture* MotionVectors::render(const MotionBlur& blur,
         *this = {};
         return nullptr;
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    glViewport(0, 0, static_cast<GLsizei>(depth.width()), static_cast<GLsizei>(depth.height()));
+    gl::draw_into(framebuffer_.name(), depth.width(), depth.height());
     constexpr std::array<float, 4> kNothing{};
     glClearBufferfv(GL_COLOR, 0, kNothing.data());
     glEnable(GL_DEPTH_TEST);

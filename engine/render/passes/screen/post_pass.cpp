@@ -13,10 +13,6 @@ namespace {
 constexpr std::size_t kBloomLevels = 6;
 constexpr std::uint32_t kSmallestSide_px = 4;
 
-void set_viewport(const PixelSize& size_px) {
-    glViewport(0, 0, static_cast<GLsizei>(size_px.width), static_cast<GLsizei>(size_px.height));
-}
-
 /// Depth is only written while the test is on.
 void write_depth(bool keeps_depth) {
     if (!keeps_depth) {
@@ -131,8 +127,9 @@ void PostPass::render_image(const SceneLight& light,
     for (const Step& step : steps) {
         const bool is_last = step.target == nullptr;
         const bool keeps_depth = is_last && plan.keeps_depth;
-        glBindFramebuffer(GL_FRAMEBUFFER, is_last ? present_framebuffer : step.target->name());
-        set_viewport(is_last ? plan.present_px : plan.image_px);
+        const PixelSize& size_px = is_last ? plan.present_px : plan.image_px;
+        gl::draw_into(
+            is_last ? present_framebuffer : step.target->name(), size_px.width, size_px.height);
         const gl::Program* program = context.program(
             step.shader, step.features | screen_feature::kKeepDepth.when(keeps_depth));
         if (program == nullptr) continue;

@@ -115,8 +115,9 @@ TEST(TableReader, LayersLieOverEachOtherKeyByKey) {
         EXPECT_EQ(digit_of(*sub, "x"), 1);
         EXPECT_EQ(digit_of(*sub, "y"), 2);
         EXPECT_EQ(sub->path(), "thing.sub");
-        ASSERT_TRUE(table.without_top());
-        EXPECT_EQ(digit_of(*table.without_top(), "b"), 2);
+        auto lower = table.without_top();
+        ASSERT_TRUE(lower);
+        EXPECT_EQ(digit_of(*lower, "b"), 2);
         EXPECT_FALSE(table.without_top()->without_top());
         table.finish();
     }
