@@ -73,14 +73,6 @@ void FaultList::add(Severity severity,
         {severity, file, location.line, location.column, std::move(key), std::move(message)});
 }
 
-void FaultList::error(const SourceLocation& location, std::string key, std::string message) {
-    add(Severity::Error, location, std::move(key), std::move(message));
-}
-
-void FaultList::warning(const SourceLocation& location, std::string key, std::string message) {
-    add(Severity::Warning, location, std::move(key), std::move(message));
-}
-
 std::string shown(std::string_view text) {
     constexpr std::size_t kShownBytes = 60;
     if (text.size() <= kShownBytes) return printable(text);
@@ -163,29 +155,22 @@ std::optional<Vec3d> vector_of(const TomlNode& node,
     return value;
 }
 
-TableReader::TableReader(std::vector<const TomlNode*> layers, std::string path, FaultList& faults)
+TableKeys::TableKeys(std::vector<const TomlNode*> layers, std::string path, FaultList& faults)
     : layers_(std::move(layers)), path_(std::move(path)), faults_(&faults) {
     PL_ASSERT(!layers_.empty(), "at least one layer");
 }
 
-TableReader::TableReader(const TomlNode& table, std::string path, FaultList& faults)
-    : TableReader(std::vector<const TomlNode*>{&table}, std::move(path), faults) {}
-
-const SourceLocation& TableReader::location() const {
-    return layers_.front()->location;
-}
-
-std::string TableReader::path_of(std::string_view key) const {
+std::string TableKeys::path_of(std::string_view key) const {
     const std::string part = is_bare_key(key) ? shown(key) : "\"" + shown(key) + "\"";
     return path_.empty() ? part : path_ + "." + part;
 }
 
 std::optional<TableReader> TableReader::without_top() const {
-    if (layers_.size() < 2) return {};
-    return TableReader({layers_.begin() + 1, layers_.end()}, path_, *faults_);
+    if (layers().size() < 2) return {};
+    return TableReader({layers().begin() + 1, layers().end()}, path(), faults());
 }
 
-const TomlNode* TableReader::find(std::string_view key) {
+const TomlNode* TableKeys::find(std::string_view key) {
     if (std::ranges::find(known_, key) == known_.end()) known_.push_back(key);
     for (const TomlNode* layer : layers_) {
         if (const TomlNode* node = find_key(*layer->table(), key)) return node;
@@ -193,7 +178,7 @@ const TomlNode* TableReader::find(std::string_view key) {
     return nullptr;
 }
 
-std::string_view TableReader::either(std::string_view a, std::string_view b) {
+std::string_view TableKeys::either(std::string_view a, std::string_view b) {
     find(a);
     find(b);
     for (const TomlNode* layer : layers_) {
@@ -210,7 +195,7 @@ std::string_view TableReader::either(std::string_view a, std::string_view b) {
     return {};
 }
 
-void TableReader::read(std::string_view key, bool& value) {
+void TableReader::take(std::string_view key, bool& value) {
     const TomlNode* node = find(key);
     if (node == nullptr) return;
     const auto* flag = std::get_if<bool>(&node->value);
@@ -227,18 +212,14 @@ void TableReader::read(std::string_view key, int& value, int min, int max) {
     value = static_cast<int>(*given);
 }
 
-void TableReader::read(std::string_view key, std::optional<int>& value, int min, int max) {
-    if (has(key)) read(key, value.emplace(min), min, max);
-}
-
-void TableReader::read(std::string_view key, std::string& value) {
+void TableReader::take(std::string_view key, std::string& value) {
     const TomlNode* node = find(key);
     if (node == nullptr) return;
     if (node->text() == nullptr) return error(key, "{}; expected a text in quotes", found(*node));
     value = *node->text();
 }
 
-void TableReader::read(std::string_view key, std::vector<std::string>& values) {
+void TableReader::take(std::string_view key, std::vector<std::string>& values) {
     const TomlNode* node = find(key);
     if (node == nullptr) return;
     const TomlArray* array = node->array();
@@ -247,20 +228,12 @@ void TableReader::read(std::string_view key, std::vector<std::string>& values) {
         if (const std::string* value = (*array)[i].text()) {
             values.push_back(*value);
         } else {
-            faults_->error((*array)[i].location,
+            faults().error((*array)[i].location,
                            fmt::format("{}[{}]", path_of(key), i),
                            "{}; expected a text in quotes",
                            found((*array)[i]));
         }
     }
-}
-
-void TableReader::read(std::string_view key, Vec3& value, const Range& each) {
-    if (const auto given = vector(key, each)) value = Vec3(*given);
-}
-
-void TableReader::read(std::string_view key, std::optional<Vec3>& value, const Range& each) {
-    if (const auto given = vector(key, each)) value = Vec3(*given);
 }
 
 void TableReader::read_degrees(std::string_view key, Vec3& value, const Range& each) {
@@ -272,21 +245,9 @@ void TableReader::read_degrees(std::string_view key, Vec3& value, const Range& e
 std::optional<Real> TableReader::number(std::string_view key, const Range& range) {
     const TomlNode* node = find(key);
     if (node == nullptr) return {};
-    const auto value = number_of(*node, path_of(key), range, *faults_);
+    const auto value = number_of(*node, path_of(key), range, faults());
     if (!value) return {};
     return static_cast<Real>(*value);
-}
-
-std::string TableReader::text(std::string_view key) {
-    std::string value;
-    read(key, value);
-    return value;
-}
-
-std::vector<std::string> TableReader::texts(std::string_view key) {
-    std::vector<std::string> values;
-    read(key, values);
-    return values;
 }
 
 std::size_t TableReader::choice(std::string_view key,
@@ -315,20 +276,16 @@ std::optional<std::array<Real, 2>> TableReader::pair(std::string_view key,
         error(key, "{}; expected {}", found(*node), expected);
         return {};
     }
-    const auto first = number_of(array->front(), path_of(key) + "[0]", each, *faults_);
-    const auto second = number_of(array->back(), path_of(key) + "[1]", each, *faults_);
+    const auto first = number_of(array->front(), path_of(key) + "[0]", each, faults());
+    const auto second = number_of(array->back(), path_of(key) + "[1]", each, faults());
     if (!first || !second) return {};
     return std::array<Real, 2>{static_cast<Real>(*first), static_cast<Real>(*second)};
-}
-
-void TableReader::require(std::string_view key, std::string_view expected) {
-    if (!has(key)) error(key, "missing; expected {}", expected);
 }
 
 std::optional<Vec3d> TableReader::vector(std::string_view key, const Range& each) {
     const TomlNode* node = find(key);
     if (node == nullptr) return {};
-    return vector_of(*node, path_of(key), each, *faults_);
+    return vector_of(*node, path_of(key), each, faults());
 }
 
 Vec3d TableReader::direction(std::string_view key, const Vec3d& fallback) {
@@ -363,17 +320,17 @@ void TableReader::read_color(std::string_view key, Vec3f& value, const Range& ea
 std::optional<TableReader> TableReader::table(std::string_view key) {
     find(key);
     std::vector<const TomlNode*> parts;
-    for (const TomlNode* layer : layers_) {
+    for (const TomlNode* layer : layers()) {
         const TomlNode* node = find_key(*layer->table(), key);
         if (node == nullptr) continue;
         if (node->table() == nullptr) {
-            faults_->error(node->location, path_of(key), found(*node) + "; expected a table");
+            faults().error(node->location, path_of(key), found(*node) + "; expected a table");
             continue;
         }
         parts.push_back(node);
     }
     if (parts.empty()) return {};
-    return TableReader(std::move(parts), path_of(key), *faults_);
+    return TableReader(std::move(parts), path_of(key), faults());
 }
 
 std::span<const TomlNode> TableReader::tables(std::string_view key) {
@@ -388,21 +345,21 @@ std::span<const TomlNode> TableReader::tables(std::string_view key) {
     return {};
 }
 
-void TableReader::error(std::string_view key, std::string message) {
+void TableKeys::error(std::string_view key, std::string message) {
     const TomlNode* node = key.empty() ? nullptr : find(key);
     faults_->error(node != nullptr ? node->location : location(),
                    key.empty() ? path_ : path_of(key),
                    std::move(message));
 }
 
-void TableReader::warning(std::string_view key, std::string message) {
+void TableKeys::warning(std::string_view key, std::string message) {
     const TomlNode* node = key.empty() ? nullptr : find(key);
     faults_->warning(node != nullptr ? node->location : location(),
                      key.empty() ? path_ : path_of(key),
                      std::move(message));
 }
 
-void TableReader::finish() {
+void TableKeys::finish() {
     for (const TomlNode* layer : layers_) {
         for (const TomlEntry& entry : *layer->table()) {
             if (std::ranges::find(known_, std::string_view(entry.key)) != known_.end()) continue;

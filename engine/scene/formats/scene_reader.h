@@ -32,8 +32,12 @@ public:
     FaultList(const FaultList&) = delete;
     FaultList& operator=(const FaultList&) = delete;
 
-    void error(const SourceLocation& location, std::string key, std::string message);
-    void warning(const SourceLocation& location, std::string key, std::string message);
+    void error(const SourceLocation& location, std::string key, std::string message) {
+        add(Severity::Error, location, std::move(key), std::move(message));
+    }
+    void warning(const SourceLocation& location, std::string key, std::string message) {
+        add(Severity::Warning, location, std::move(key), std::move(message));
+    }
     /// The message is made as fmt::format() makes it.
     template <class... Parts>
     void error(const SourceLocation& location,
@@ -86,19 +90,15 @@ inline constexpr Range kColor{0, 1e4, "a colour part from 0 to 10000"};
 
 /// One table, or a table laid over others that it starts from (an entity over its prefab): a key
 /// is taken from the first layer that has it.
-class TableReader {
+class TableKeys {
 public:
-    TableReader(std::vector<const TomlNode*> layers, std::string path, FaultList& faults);
-    TableReader(const TomlNode& table, std::string path, FaultList& faults);
+    TableKeys(std::vector<const TomlNode*> layers, std::string path, FaultList& faults);
 
     /// Where the table itself starts.
-    const SourceLocation& location() const;
+    const SourceLocation& location() const { return layers_.front()->location; }
     const std::string& path() const { return path_; }
     std::string path_of(std::string_view key) const;
     FaultList& faults() const { return *faults_; }
-
-    /// Without the uppermost layer; nothing when it is the only one.
-    std::optional<TableReader> without_top() const;
 
     /// The value of a key, or null; from now on the key counts as known.
     const TomlNode* find(std::string_view key);
@@ -106,24 +106,63 @@ public:
     /// Of two keys that say the same in two ways, the one of the upper layer. Both in one layer is
     /// an error. Returns the key, or empty.
     std::string_view either(std::string_view a, std::string_view b);
-
-    /// Each takes the key's value. What is absent or faulty leaves `value` as it is.
-    void read(std::string_view key, bool& value);
-    void read(std::string_view key, int& value, int min, int max);
-    void read(std::string_view key, std::string& value);
-    void read(std::string_view key, std::vector<std::string>& values);
-    void read(std::string_view key, Vec3& value, const Range& each);
-    void read(std::string_view key, std::optional<Vec3>& value, const Range& each);
-    /// Where it is faulty: `min`.
-    void read(std::string_view key, std::optional<int>& value, int min, int max);
-    /// Numbers have the precision of Real, the one that stays as well.
-    template <std::floating_point T>
-    void read(std::string_view key, T& value, const Range& range) {
-        value = static_cast<T>(number(key, range).value_or(static_cast<Real>(value)));
+    /// An error when the key is absent.
+    void require(std::string_view key, std::string_view expected) {
+        if (!has(key)) error(key, "missing; expected {}", expected);
     }
-    template <std::floating_point T>
-    void read(std::string_view key, std::optional<T>& value, const Range& range) {
-        if (const auto given = number(key, range)) value = static_cast<T>(*given);
+
+    /// An error at the value of `key`, or at the table when it is absent.
+    void error(std::string_view key, std::string message);
+    void warning(std::string_view key, std::string message);
+    /// The message is made as fmt::format() makes it.
+    template <class... Parts>
+    void error(std::string_view key, fmt::format_string<Parts...> message, Parts&&... parts) {
+        error(key, fmt::format(message, std::forward<Parts>(parts)...));
+    }
+    template <class... Parts>
+    void warning(std::string_view key, fmt::format_string<Parts...> message, Parts&&... parts) {
+        warning(key, fmt::format(message, std::forward<Parts>(parts)...));
+    }
+
+    /// Call last: complains about every key that was never asked for.
+    void finish();
+
+protected:
+    /// Upper first; tables all.
+    const std::vector<const TomlNode*>& layers() const { return layers_; }
+
+private:
+    std::vector<const TomlNode*> layers_;
+    std::string path_;
+    FaultList* faults_;
+    std::vector<std::string_view> known_;
+};
+
+/// What the keys hold.
+class TableReader : public TableKeys {
+public:
+    using TableKeys::TableKeys;
+    TableReader(const TomlNode& table, std::string path, FaultList& faults)
+        : TableKeys({&table}, std::move(path), faults) {}
+
+    /// Without the uppermost layer; nothing when it is the only one.
+    std::optional<TableReader> without_top() const;
+
+    /// Takes the key's value: true or false, a text or several. What is absent or faulty leaves `value` as
+    /// it is.
+    template <class T>
+    void read(std::string_view key, T& value) {
+        take(key, value);
+    }
+    /// A number, which has the precision of Real, or a vector.
+    template <class T>
+    void read(std::string_view key, T& value, const Range& range) {
+        take(key, value, range);
+    }
+    /// A whole number; an optional one is `min` where it is faulty.
+    void read(std::string_view key, int& value, int min, int max);
+    void read(std::string_view key, std::optional<int>& value, int min, int max) {
+        if (has(key)) read(key, value.emplace(min), min, max);
     }
     /// The file has degrees, `value` is in radians.
     template <std::floating_point T>
@@ -156,14 +195,14 @@ public:
 
     std::optional<Real> number(std::string_view key, const Range& range);
     /// Empty when absent or faulty.
-    std::string text(std::string_view key);
-    std::vector<std::string> texts(std::string_view key);
+    std::string text(std::string_view key) { return taken<std::string>(key); }
+    std::vector<std::string> texts(std::string_view key) {
+        return taken<std::vector<std::string>>(key);
+    }
     /// [a, b]; `expected` says what they are.
     std::optional<std::array<Real, 2>> pair(std::string_view key,
                                             const Range& each,
                                             std::string_view expected);
-    /// An error when the key is absent.
-    void require(std::string_view key, std::string_view expected);
 
     /// What fill(table, value, more...) reads from the sub-table; an absent one leaves `value` empty. A
     /// `location` is set, and keys that nothing asked for are errors.
@@ -192,26 +231,33 @@ public:
     std::span<const TomlNode> tables(std::string_view key);
     /// Reader of one of them.
     TableReader item(std::string_view key, std::span<const TomlNode> tables, std::size_t i) const {
-        return {tables[i], fmt::format("{}[{}]", path_of(key), i), *faults_};
+        return {tables[i], fmt::format("{}[{}]", path_of(key), i), faults()};
     }
-
-    /// An error at the value of `key`, or at the table when it is absent.
-    void error(std::string_view key, std::string message);
-    void warning(std::string_view key, std::string message);
-    /// The message is made as fmt::format() makes it.
-    template <class... Parts>
-    void error(std::string_view key, fmt::format_string<Parts...> message, Parts&&... parts) {
-        error(key, fmt::format(message, std::forward<Parts>(parts)...));
-    }
-    template <class... Parts>
-    void warning(std::string_view key, fmt::format_string<Parts...> message, Parts&&... parts) {
-        warning(key, fmt::format(message, std::forward<Parts>(parts)...));
-    }
-
-    /// Call last: complains about every key that was never asked for.
-    void finish();
 
 private:
+    void take(std::string_view key, bool& value);
+    void take(std::string_view key, std::string& value);
+    void take(std::string_view key, std::vector<std::string>& values);
+    template <std::floating_point T>
+    void take(std::string_view key, T& value, const Range& range) {
+        value = static_cast<T>(number(key, range).value_or(static_cast<Real>(value)));
+    }
+    template <std::floating_point T>
+    void take(std::string_view key, std::optional<T>& value, const Range& range) {
+        if (const auto given = number(key, range)) value = static_cast<T>(*given);
+    }
+    void take(std::string_view key, Vec3& value, const Range& each) {
+        if (const auto given = vector(key, each)) value = Vec3(*given);
+    }
+    void take(std::string_view key, std::optional<Vec3>& value, const Range& each) {
+        if (const auto given = vector(key, each)) value = Vec3(*given);
+    }
+    template <class T>
+    T taken(std::string_view key) {
+        T value;
+        take(key, value);
+        return value;
+    }
     template <class T, class Read, class... More>
     void read_whole(T& value, Read fill, More&&... more) {
         if constexpr (requires { value.location; }) value.location = location();
@@ -223,11 +269,6 @@ private:
                        std::span<const std::string_view> choices);
     std::optional<Vec3d> vector(std::string_view key, const Range& each);
     Vec3d direction(std::string_view key, const Vec3d& fallback);
-
-    std::vector<const TomlNode*> layers_;  // upper first; tables all
-    std::string path_;
-    FaultList* faults_;
-    std::vector<std::string_view> known_;
 };
 
 /// Readers of single values, for arrays; the fault is reported at the value.
