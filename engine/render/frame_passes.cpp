@@ -14,26 +14,21 @@ ShadowMaps draw_shadow_maps(const FrameSetup& setup, ShadowPasses& passes, PassC
     if (!setup.sun.shadow_views.empty()) {
         const gl::PassTimers::Scope timed(context.timers, "shadow.sun");
         const auto& sight = setup.draws.shadow_sight;
-        passes.sun.render(setup.sun.shadow_views,
-                          sight ? &*sight : nullptr,
-                          frame,
-                          context.resources,
-                          context.stats);
+        passes.sun.render(setup.sun.shadow_views, sight ? &*sight : nullptr, frame, context);
         maps.sun = &passes.sun.map();
     } else {
         passes.sun.free();
     }
     if (setup.flashlight.shadow) {
         const gl::PassTimers::Scope timed(context.timers, "shadow.flashlight");
-        passes.flashlight.render(
-            {&*setup.flashlight.shadow, 1}, nullptr, frame, context.resources, context.stats);
+        passes.flashlight.render({&*setup.flashlight.shadow, 1}, nullptr, frame, context);
         maps.flashlight = &passes.flashlight.map();
     } else {
         passes.flashlight.free();
     }
     if (!setup.lamps.choice.chosen().empty()) {
         const gl::PassTimers::Scope timed(context.timers, "shadow.lights");
-        passes.lamps.render(setup, context.resources, context.stats);
+        passes.lamps.render(setup, context);
         maps.lamps = &passes.lamps.map();
     } else if (setup.lamps.shadow_px == 0) {
         passes.lamps.free();
@@ -46,14 +41,13 @@ void bind_light_images(const FrameSetup& setup,
                        const SceneResources& resources,
                        Samplers& samplers) {
     const auto bind = [](TextureUnit unit, const gl::Texture* map) {
-        if (map != nullptr) gl::bind_texture(unit, gl::TextureKind::Flat, *map);
+        if (map != nullptr) gl::bind_texture(unit, *map);
     };
     bind(kSunShadowUnit, maps.sun);
     bind(kLightShadowUnit, maps.lamps);
     bind(kFlashlightShadowUnit, maps.flashlight);
     samplers.bind_sun_depth(setup.sun.hardens_contacts ? maps.sun : nullptr);
-    if (resources.sky.ready())
-        gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, resources.sky.reflection());
+    if (resources.sky.ready()) gl::bind_texture(kSkyUnit, resources.sky.reflection());
     if (resources.light_grid.ready()) resources.light_grid.bind();
 }
 
@@ -96,7 +90,7 @@ SceneLight finish_light(const FrameSetup& setup,
                         LightPasses& passes,
                         PassContext context) {
     const ImagePlan& image = setup.image;
-    auto& [resources, triangle, timers, stats] = context;
+    gl::PassTimers& timers = context.timers;
     if (scene.samples() > 1) {
         const gl::PassTimers::Scope timed(timers, "resolve");
         scene.resolve();
@@ -106,39 +100,37 @@ SceneLight finish_light(const FrameSetup& setup,
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    if (image.occlusion) {
-        const gl::PassTimers::Scope timed(timers, "occlusion");
-        light.occlusion = passes.occlusion.render(setup, *light.depth, triangle, resources, stats);
-        if (light.occlusion != nullptr) light.features |= screen_feature::kOcclusion;
-    } else {
-        passes.occlusion.free();
-    }
-    if (image.shafts && setup.sun.light) {
-        const gl::PassTimers::Scope timed(timers, "shafts");
-        light.shafts =
-            passes.shafts.render(setup, *light.depth, maps.sun, triangle, resources, stats);
-        if (light.shafts != nullptr) light.features |= screen_feature::kShafts;
-    } else {
-        passes.shafts.free();
-    }
+    // What nobody asks for is freed.
+    const auto run = [&](bool is_asked, std::string_view name, auto& images, auto pass) {
+        if (!is_asked) {
+            images = {};
+            return static_cast<const gl::Texture*>(nullptr);
+        }
+        const gl::PassTimers::Scope timed(timers, name);
+        return pass(images);
+    };
+    light.occlusion = run(image.occlusion, "occlusion", passes.occlusion, [&](PairImages& images) {
+        return find_occlusion(setup, *light.depth, images, context);
+    });
+    light.shafts =
+        run(image.shafts && setup.sun.light, "shafts", passes.shafts, [&](PairImages& images) {
+            return find_shafts(setup, *light.depth, maps.sun, images, context);
+        });
+    light.features = screen_feature::kOcclusion.when(light.occlusion != nullptr) |
+                     screen_feature::kShafts.when(light.shafts != nullptr);
     // What a lens or a shutter makes of the light holds all that was to be added.
     const auto replace_by = [&](const gl::Texture* seen) {
         if (seen == nullptr) return;
         light.image = seen;
         light.features = 0;
     };
-    if (image.focus) {
-        const gl::PassTimers::Scope timed(timers, "focus");
-        replace_by(passes.focus.render(setup, light, triangle, resources, stats));
-    } else {
-        passes.focus.free();
-    }
-    if (image.motion_blur) {
-        const gl::PassTimers::Scope timed(timers, "motion_blur");
-        replace_by(passes.motion_blur.render(setup, light, triangle, resources, stats));
-    } else {
-        passes.motion_blur.free();
-    }
+    replace_by(run(image.focus, "focus", passes.focus, [&](FocusImages& images) {
+        return see_through_lens(setup, light, images, context);
+    }));
+    replace_by(
+        run(image.motion_blur, "motion_blur", passes.motion_blur, [&](MotionBlurImages& images) {
+            return blur_motion(setup, light, images, context);
+        }));
     return light;
 }
 
@@ -156,9 +148,7 @@ std::optional<float> measured_exposure(const FrameSetup& setup,
     return passes.exposure.measure(
         scene.color(),
         device.is_offscreen ? ExposureMeter::Reading::Now : ExposureMeter::Reading::Later,
-        context.triangle,
-        context.resources,
-        context.stats);
+        context);
 }
 
 }  // namespace plumbline::render

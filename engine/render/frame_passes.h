@@ -2,32 +2,17 @@
 // its own images only.
 #pragma once
 
-#include "engine/render/gl/pass_timer.h"
 #include "engine/render/passes/light_shadow_pass.h"
 #include "engine/render/passes/refraction_pass.h"
-#include "engine/render/passes/scene_light.h"
-#include "engine/render/passes/scene_resources.h"
 #include "engine/render/passes/screen/exposure_meter.h"
-#include "engine/render/passes/screen/focus_pass.h"
-#include "engine/render/passes/screen/motion_blur_pass.h"
-#include "engine/render/passes/screen/occlusion_pass.h"
-#include "engine/render/passes/screen/shaft_pass.h"
+#include "engine/render/passes/screen/light_passes.h"
 #include "engine/render/passes/shadow_pass.h"
-#include "engine/render/passes/sky_pass.h"
 #include "engine/render/resources/samplers.h"
 #include "engine/render/setup/frame_setup.h"
 
 #include <optional>
 
 namespace plumbline::render {
-
-/// What all passes draw with, and where they say what it took.
-struct PassContext {
-    SceneResources& resources;
-    const FullscreenTriangle& triangle;
-    gl::PassTimers& timers;
-    FrameStats& stats;
-};
 
 struct ShadowPasses {
     ShadowPass sun;
@@ -42,12 +27,12 @@ struct ShadowMaps {
     const gl::Texture* lamps{nullptr};
 };
 
-/// Passes that read the scene's light, in their order.
+/// What the passes that read the scene's light draw into, in their order.
 struct LightPasses {
-    OcclusionPass occlusion;
-    ShaftPass shafts;
-    FocusPass focus;
-    MotionBlurPass motion_blur;
+    PairImages occlusion;
+    PairImages shafts;
+    FocusImages focus;
+    MotionBlurImages motion_blur;
     ExposureMeter exposure;
 };
 

@@ -1,7 +1,6 @@
 #include "engine/render/gl_device.h"
 
 #include "engine/core/log.h"
-#include "engine/render/gl/debug.h"
 #include "engine/render/gl/framebuffer.h"
 
 #include <fmt/format.h>
@@ -12,6 +11,38 @@
 
 namespace plumbline::render {
 namespace {
+
+// In builds without NDEBUG, and where the context has KHR_debug: driver errors go to the log.
+#ifdef NDEBUG
+
+void listen_to_driver() {}
+
+#else
+
+void GLAD_API_PTR on_message(GLenum /*source*/,
+                             GLenum type,
+                             GLuint /*id*/,
+                             GLenum severity,
+                             GLsizei /*length*/,
+                             const GLchar* message,
+                             const void* /*user*/) {
+    if (severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
+    if (type == GL_DEBUG_TYPE_ERROR) {
+        log_error("OpenGL: {}", message);
+    } else {
+        log_debug("OpenGL: {}", message);
+    }
+}
+
+void listen_to_driver() {
+    if (GLAD_GL_KHR_debug == 0) return;
+    glEnable(GL_DEBUG_OUTPUT);
+    // Errors are then reported inside the call that made them: a breakpoint shows who.
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(on_message, nullptr);
+}
+
+#endif
 
 std::string gl_text(GLenum name) {
     const auto* text = reinterpret_cast<const char*>(glGetString(name));
@@ -87,7 +118,7 @@ GpuLimits within_driver(GpuLimits limits, bool is_software_gl) {
 Result<GlDevice> load_device(GlLoader loader, PresentTarget target, const GpuLimits& limits) {
     auto info = load_gl(loader);
     if (!info) return info.error();
-    gl::listen_to_driver();
+    listen_to_driver();
     const bool is_software_gl = is_software(*info);
     return GlDevice{.device = {.limits = within_driver(limits, is_software_gl),
                                .is_software_gl = is_software_gl,

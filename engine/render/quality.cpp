@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumbline::render {
@@ -59,26 +60,14 @@ Quality without_gpu(Quality quality) {
 }
 
 std::uint32_t samples_of(AntiAliasing way) {
-    switch (way) {
-        case AntiAliasing::Msaa2:
-            return 2;
-        case AntiAliasing::Msaa4:
-            return 4;
-        case AntiAliasing::Msaa8:
-            return 8;
-        case AntiAliasing::Off:
-        case AntiAliasing::Fxaa:
-        case AntiAliasing::Ssaa4:
-            return 1;
-    }
-    return 1;
+    constexpr std::array<std::uint32_t, 6> kSamples{1, 1, 2, 4, 8, 1};
+    return kSamples[static_cast<std::size_t>(way)];
 }
 
 std::optional<QualityLevel> quality_level_named(std::string_view name) {
-    for (std::size_t i = 0; i < kImageLevelNames.size(); ++i) {
-        if (kImageLevelNames[i] == name) return static_cast<QualityLevel>(i);
-    }
-    return std::nullopt;
+    const auto found = std::ranges::find(kImageLevelNames, name);
+    if (found == kImageLevelNames.end()) return std::nullopt;
+    return static_cast<QualityLevel>(found - kImageLevelNames.begin());
 }
 
 std::string what_gave_way(const Quality& quality) {

@@ -1,27 +1,20 @@
 #include "engine/render/renderer.h"
 
 #include "engine/render/frame_passes.h"
-#include "engine/render/passes/fog_pass.h"
 #include "engine/render/renderer_impl.h"
 
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace plumbline::render {
 namespace {
 
 GLenum polygon_mode(FillMode mode) {
-    switch (mode) {
-        case FillMode::Filled:
-            return GL_FILL;
-        case FillMode::Wireframe:
-            return GL_LINE;
-        case FillMode::Points:
-            return GL_POINT;
-    }
-    return GL_FILL;
+    constexpr std::array<GLenum, 3> kModes{GL_FILL, GL_LINE, GL_POINT};
+    return kModes[static_cast<std::size_t>(mode)];
 }
 
 /// Nothing passes where every depth is refused, or lies before all that there is.
@@ -148,7 +141,7 @@ void Renderer::opaque() {
     bind_light_images(setup, r.shadow_maps, r.scene, r.samplers);
     r.samplers.bind_base(share_of_height(setup.image));
     r.scene_passes.opaque.render(
-        setup.draws.opaque, setup.draws.opaque_kind, setup, {}, r.scene, r.stats);
+        setup.draws.opaque, setup.draws.opaque_kind, setup, {}, r.context());
     Samplers::unbind_base();
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     // Without the test nothing would have been written: the same draws, and then no depth, save the
@@ -162,11 +155,11 @@ void Renderer::sky() {
     const FrameSetup& setup = *r.setup;
     if (setup.frame->sky && r.scene.sky.ready()) {
         const gl::PassTimers::Scope timed(r.timers, "sky");
-        render_sky(r.triangle, setup.image.writes_codes, r.scene, r.stats);
+        render_sky(setup.image.writes_codes, r.context());
     }
     if (setup.frame->fog) {
         const gl::PassTimers::Scope timed(r.timers, "fog");
-        render_fog(setup, r.targets.scene(), r.triangle, r.scene, r.stats);
+        render_fog(setup, r.targets.scene(), r.context());
     }
 }
 
@@ -191,13 +184,13 @@ void Renderer::translucent() {
         glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(setup.frame->fill_mode));
         r.samplers.bind_base(share_of_height(setup.image));
         r.scene_passes.translucent.render(
-            setup.draws.translucent, DrawKind::Translucent, setup, behind, r.scene, r.stats);
+            setup.draws.translucent, DrawKind::Translucent, setup, behind, r.context());
         Samplers::unbind_base();
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     }
     if (has_drops) {
         const gl::PassTimers::Scope timed(r.timers, "drops");
-        r.scene_passes.drops.render(setup, r.scene, r.stats);
+        r.scene_passes.drops.render(setup, r.context());
     }
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
@@ -213,7 +206,7 @@ void Renderer::post() {
     if (setup.image.writes_codes) return;
     if (setup.image.bloom) {
         const gl::PassTimers::Scope timed(r.timers, "post.bloom");
-        r.targets.post().render_bloom(light, r.triangle, r.scene, r.stats);
+        r.targets.post().render_bloom(light, r.context());
     }
     if (const std::optional<float> exposure =
             measured_exposure(setup, r.gl.device, r.targets.scene(), r.light_passes, r.context())) {
@@ -226,9 +219,7 @@ void Renderer::post() {
                                   r.targets.scene().depth(),
                                   setup.image,
                                   r.targets.present_framebuffer(),
-                                  r.triangle,
-                                  r.scene,
-                                  r.stats);
+                                  r.context());
 }
 
 void Renderer::lines() {
@@ -237,7 +228,7 @@ void Renderer::lines() {
     r.targets.bind_present();
     if (r.setup->frame->lines.vertices.empty()) return;
     const gl::PassTimers::Scope timed(r.timers, "lines");
-    r.scene_passes.lines.render(r.setup->frame->lines, r.scene, r.stats);
+    r.scene_passes.lines.render(r.setup->frame->lines, r.context());
 }
 
 void Renderer::end() {

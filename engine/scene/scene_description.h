@@ -261,6 +261,7 @@ struct ArrayDescription {
     Vec3 spacing_m{1, 1, 1};
     Vec3 turn_rad{0, 0, 0};  ///< about +Y; of each copy against the one before it along x, y, z
 };
+std::size_t copies_of(const ArrayDescription& array);
 
 using physics::JointKind;
 

@@ -21,8 +21,8 @@ struct OcclusionDescription {
 
 /// `[ambient] indirect`: a box, such as a house, whose light comes in by windows.
 struct IndirectLightDescription {
-    Vec3f min_m{0.0F};  ///< the box of its rooms, up to the inner faces of its outer walls
-    Vec3f max_m{1.0F};
+    Vec3 min_m{0, 0, 0};  ///< the box of its rooms, up to the inner faces of its outer walls
+    Vec3 max_m{1, 1, 1};
     float spacing_m{0.5F};  ///< of the points at which light is computed
     float gain{1.0F};       ///< times that much: eyes adapt to a room
     SourceLocation location{};

@@ -40,7 +40,7 @@ fs::path sound_file(TableReader& table,
     if (!file)
         table.error(key, file.error().message);
     else if (!fs::is_regular_file(*file, failed))
-        table.warning(key, fmt::format("\"{}\" does not exist; left out", shown(name)));
+        table.warning(key, "\"{}\" does not exist; left out", shown(name));
     else
         return *file;
     return {};
@@ -56,7 +56,7 @@ std::vector<fs::path> read_sounds(TableReader& table,
         if (prefix->empty()) return {};
         auto files = variations_of(assets_folder, *prefix);
         if (files.empty())
-            table.warning(key, fmt::format("no sounds/{}_0.ogg; it stays silent", shown(*prefix)));
+            table.warning(key, "no sounds/{}_0.ogg; it stays silent", shown(*prefix));
         return files;
     }
     std::vector<fs::path> files;
@@ -69,27 +69,26 @@ std::vector<fs::path> read_sounds(TableReader& table,
 
 /// A loop; empty where there is none.
 fs::path read_loop(TableReader& table, std::string_view key, const fs::path& assets_folder) {
-    const std::string name = table.text(key, "");
+    const std::string name = table.text(key);
     return name.empty() ? fs::path{} : sound_file(table, key, name, assets_folder);
 }
 
 Surface read_surface(TableReader& table, const std::string& name, const fs::path& assets_folder) {
     constexpr Range kSurfaceFriction{0, 10, "a coefficient from 0 to 10"};
     constexpr Range kDensity{1e-3, 1e5, "kg/m3 from 0.001 to 100000"};
-    constexpr Range kLoudness{0, 10, "a factor from 0 to 10"};
     Surface surface;
     surface.name = name;
-    surface.friction = table.number("friction", surface.friction, kSurfaceFriction);
-    surface.restitution = table.number("restitution", surface.restitution, kFraction);
-    surface.density_kgpm3 = table.number("density_kgpm3", surface.density_kgpm3, kDensity);
+    table.read("friction", surface.friction, kSurfaceFriction);
+    table.read("restitution", surface.restitution, kFraction);
+    table.read("density_kgpm3", surface.density_kgpm3, kDensity);
     surface.impact_sounds = read_sounds(table, "impact_sounds", assets_folder);
     surface.step_sounds = read_sounds(table, "step_sounds", assets_folder);
     surface.roll_sound = read_loop(table, "roll_sound", assets_folder);
     surface.scrape_sound = read_loop(table, "scrape_sound", assets_folder);
     surface.creak_sound = read_loop(table, "creak_sound", assets_folder);
-    surface.loudness = table.single("loudness", surface.loudness, kLoudness);
-    surface.absorption = table.single("absorption", surface.absorption, kFraction);
-    surface.caption = table.text("caption", {});
+    table.read("loudness", surface.loudness, kGain);
+    table.read("absorption", surface.absorption, kFraction);
+    table.read("caption", surface.caption);
     table.finish();
     return surface;
 }
@@ -128,9 +127,8 @@ SurfaceTable load_surfaces(const fs::path& file, const fs::path& assets_folder, 
             continue;
         }
         if (table.surfaces.size() >= kSurfaces) {
-            faults.error(entry.key_location,
-                         shown(entry.key),
-                         fmt::format("more than {} surfaces; left out", kSurfaces));
+            faults.error(
+                entry.key_location, shown(entry.key), "more than {} surfaces; left out", kSurfaces);
             break;
         }
         TableReader reader(entry.node, shown(entry.key), faults);

@@ -25,7 +25,6 @@ EXEMPT = {
     "engine/app/frame/view_phase.cpp": "of a running window: e2e window.py, films.py",
     "engine/app/offscreen_run.cpp": "renders a whole run: e2e image_levels.py, models.py",
     "engine/app/overlay/overlay.cpp": "needs a window; its parts have their tests: e2e window.py, menu.py",
-    "engine/render/gl/debug.cpp": "only in debug builds; passes the driver's messages on",
     "engine/render/passes/scene_light.cpp": "binds what others made: occlusion, shaft and focus GL tests",
     "game/commands/effects_command.cpp": "renders in turns with the shipped shaders: e2e study_scene.py",
     "game/commands/image_study_command.cpp": "renders with the shipped shaders: e2e study_scene.py",

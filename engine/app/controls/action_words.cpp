@@ -1,43 +1,30 @@
 #include "engine/app/controls/action_words.h"
 
+#include <algorithm>
+#include <array>
+
 namespace plumbline::app {
 
 bool is_offered(Action action) {
-    switch (action) {
-        case Action::Select8:
-        case Action::Select9:
-            return false;
-        default:
-            return true;
-    }
+    return action != Action::Select8 && action != Action::Select9;
 }
 
 bool is_for_models(Action action) {
-    switch (action) {
-        case Action::Look:
-        case Action::Jump:
-        case Action::Crouch:
-        case Action::Sprint:
-            return false;
-        default:
-            return group_of(action) != ActionGroup::Things;
-    }
+    constexpr std::array kWalkers{Action::Look, Action::Jump, Action::Crouch, Action::Sprint};
+    return group_of(action) != ActionGroup::Things &&
+           std::ranges::find(kWalkers, action) == kWalkers.end();
 }
 
 bool is_for_play(Action action) {
-    switch (action) {
-        case Action::Grid:
-        case Action::Axes:
-        case Action::Normals:
-        case Action::Turntable:
-        case Action::Ground:
-        case Action::Background:
-        case Action::TurnModel:
-        case Action::ShiftModel:
-            return false;
-        default:
-            return true;
-    }
+    constexpr std::array kViewers{Action::Grid,
+                                  Action::Axes,
+                                  Action::Normals,
+                                  Action::Turntable,
+                                  Action::Ground,
+                                  Action::Background,
+                                  Action::TurnModel,
+                                  Action::ShiftModel};
+    return std::ranges::find(kViewers, action) == kViewers.end();
 }
 
 }  // namespace plumbline::app

@@ -59,10 +59,7 @@ bool CameraPathControl::read() {
 
 void CameraPathControl::begin_recording() {
     playing_ = false;
-    if (def_.folder.empty()) {
-        say_(kNoFolder);
-        return;
-    }
+    if (def_.folder.empty()) return say_(kNoFolder);
     recording_.emplace();
     at_s_ = 0;
     say_("recording the camera path; press the same key to stop");
@@ -84,10 +81,7 @@ void CameraPathControl::end_recording() {
     if (!recording_) return;
     scene::CameraPath recorded = std::move(*recording_);
     recording_.reset();
-    if (recorded.size() < 2) {
-        say_("empty camera path: nothing was recorded");
-        return;
-    }
+    if (recorded.size() < 2) return say_("empty camera path: nothing was recorded");
     path_ = std::move(recorded);
     const Result<Done> saved = save();
     say_(saved ? fmt::format("camera path saved ({:.1f} s): {}", path_.length_s(), file().string())
@@ -98,10 +92,9 @@ void CameraPathControl::play(const std::string& record_key) {
     end_recording();
     std::error_code ignored;
     if (path_.empty() && !file().empty() && std::filesystem::exists(file(), ignored)) read();
-    if (path_.empty()) {
-        say_(fmt::format("this scene has no camera path yet; record one with {}", record_key));
-        return;
-    }
+    if (path_.empty())
+        return say_(
+            fmt::format("this scene has no camera path yet; record one with {}", record_key));
     playing_ = true;
     at_s_ = 0;
 }

@@ -71,11 +71,7 @@ void apply_frame_actions(input::ActionLatch& latch,
 
 void resume_toggles(const scene::Game& game, input::ActionLatch& latch) {
     const auto put = [&](Action action, bool engaged) {
-        if (engaged) {
-            latch.engage(action);
-        } else {
-            latch.release(action);
-        }
+        engaged ? latch.engage(action) : latch.release(action);
     };
     put(Action::Grab, game.holds());
     put(Action::Crouch, game.crouches());

@@ -1,6 +1,5 @@
-// What a person asked for, one function a request.
+// What a person asked for, request by request.
 #include "engine/app/frame/frame.h"
-#include "engine/core/log.h"
 
 #include <utility>
 #include <variant>
@@ -8,57 +7,41 @@
 namespace plumbline::app {
 namespace {
 
-void apply(const WorldRequest& asked, Frame& frame) {
-    frame.world.apply(asked);
-}
-void apply(const ChangeConfig& asked, Frame& frame) {
-    frame.input.change_config(asked.wanted);
-}
-void apply(const ChangeBindings& asked, Frame& frame) {
-    frame.input.change_bindings(asked.wanted);
-}
-void apply(const OpenScene& asked, Frame& frame) {
-    frame.opening.begin(frame.state.play.def, asked.file);
-}
-void apply(const ReloadScene&, Frame& frame) {
-    if (frame.world.reload_scene()) frame.view.renderer().forget_scene();
-}
-void apply(const ReloadShaders&, Frame& frame) {
-    frame.view.reload_shaders();
-}
-void apply(const SaveGame& asked, Frame& frame) {
-    frame.world.save_game(asked.slot);
-}
-void apply(const LoadGame& asked, Frame& frame) {
-    frame.world.load_game(asked.slot);
-}
-void apply(const SaveImage&, Frame& frame) {
-    frame.view.save_image();
-}
-void apply(const SaveRecording&, Frame& frame) {
-    frame.world.save_recording();
-}
-void apply(const StartOrEndFilm&, Frame& frame) {
-    frame.film.start_or_end();
-}
-void apply(const ToggleFullscreen&, Frame& frame) {
-    frame.window.set_fullscreen(!frame.window.fullscreen());
-}
-void apply(const AdoptAccuracy&, Frame& frame) {
-    frame.world.adopt_accuracy();
-}
-void apply(const StartGhost& asked, Frame& frame) {
-    frame.world.start_ghost(asked);
-}
-void apply(const StopGhost&, Frame& frame) {
-    frame.world.accuracy.stop_ghost();
-}
-void apply(const ShowHintsAgain&, Frame& frame) {
-    frame.view.hints.forget();
-    frame.state.messages.say("hints reset");
-}
-void apply(const Quit&, Frame& frame) {
-    frame.present.end_with(ExitCode::Good);
+template <class... Functions>
+struct Overloaded : Functions... {
+    using Functions::operator()...;
+};
+template <class... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
+
+void apply(const Request& request, Frame& frame) {
+    std::visit(
+        Overloaded{
+            [&](const WorldRequest& asked) { frame.world.apply(asked); },
+            [&](const ChangeConfig& asked) { frame.input.change_config(asked.wanted); },
+            [&](const ChangeBindings& asked) { frame.input.change_bindings(asked.wanted); },
+            [&](const OpenScene& asked) { frame.opening.begin(frame.state.play.def, asked.file); },
+            [&](const ReloadScene&) {
+                if (frame.world.reload_scene()) frame.view.renderer().forget_scene();
+            },
+            [&](const ReloadShaders&) { frame.view.reload_shaders(); },
+            [&](const SaveGame& asked) { frame.world.save_game(asked.slot); },
+            [&](const LoadGame& asked) { frame.world.load_game(asked.slot); },
+            [&](const SaveImage&) { frame.view.save_image(); },
+            [&](const SaveRecording&) { frame.world.save_recording(); },
+            [&](const StartOrEndFilm&) { frame.film.start_or_end(); },
+            [&](const ToggleFullscreen&) {
+                frame.window.set_fullscreen(!frame.window.fullscreen());
+            },
+            [&](const AdoptAccuracy&) { frame.world.adopt_accuracy(); },
+            [&](const StartGhost& asked) { frame.world.start_ghost(asked); },
+            [&](const StopGhost&) { frame.world.accuracy.stop_ghost(); },
+            [&](const ShowHintsAgain&) {
+                frame.view.hints.forget();
+                frame.state.messages.say("hints reset");
+            },
+            [&](const Quit&) { frame.present.end_with(ExitCode::Good); }},
+        request);
 }
 
 }  // namespace
@@ -67,13 +50,10 @@ void apply(Requests& requests, Frame& frame) {
     frame.world.accuracy.watch(frame.view.settings.parts.accuracy);
     frame.world.note_saved_files(frame.window.now_s(), requests);
     frame.view.note_saved_files(frame.window.now_s(), requests);
-    for (const Request& request : std::exchange(requests, {}))
-        std::visit([&](const auto& asked) { apply(asked, frame); }, request);
+    for (const Request& request : std::exchange(requests, {})) apply(request, frame);
     // What runs goes on where another scene is refused.
-    if (const Result<Done> opened = frame.opening.update(); !opened) {
-        log_error("{}", opened.error().message);
-        frame.state.messages.say(opened.error().message);
-    }
+    if (const Result<Done> opened = frame.opening.update(); !opened)
+        frame.state.say_failed(opened.error());
 }
 
 }  // namespace plumbline::app

@@ -55,10 +55,7 @@ bool WorldPhase::refuses_in_replay() {
 void WorldPhase::apply(const WorldRequest& request) {
     if (refuses_in_replay()) return;
     const Result<Done> done = within_memory([&] { return stepper.apply(request); });
-    if (!done) {
-        log_error("{}", done.error().message);
-        return state_.messages.say(done.error().message);
-    }
+    if (!done) return state_.say_failed(done.error());
     std::string words = words_of(request, session_.judge != nullptr);
     if (!words.empty()) state_.messages.say(std::move(words));
 }
@@ -90,8 +87,7 @@ void WorldPhase::save_game(int slot) {
     if (saved)
         return state_.messages.say(
             fmt::format("saved to slot {}: {}", saves.chosen(), file.string()));
-    log_error("{}", saved.error().message);
-    state_.messages.say(saved.error().message);
+    state_.say_failed(saved.error());
 }
 
 void WorldPhase::load_game(int slot) {

@@ -7,7 +7,7 @@
 #include "engine/app/frame_report.h"
 #include "engine/app/overlay/first_minute.h"
 #include "engine/app/request.h"
-#include "engine/app/ui/hud_layout.h"
+#include "engine/app/ui/canvas.h"
 #include "engine/core/time/frame_clock.h"
 #include "engine/input/action_latch.h"
 #include "engine/platform/window.h"
@@ -15,7 +15,6 @@
 #include "engine/study/gallery/hard_case_judge.h"
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,8 +79,8 @@ public:
     bool takes_keys() const;
 
 private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    platform::Window& window_;
+    ui::Canvas canvas_;
 };
 
 }  // namespace plumbline::app

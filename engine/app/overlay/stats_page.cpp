@@ -28,8 +28,9 @@ HudLine head(std::string text) {
     return {.text = std::move(text), .tone = Tone::Head};
 }
 
-HudLine row(std::string text, std::string value) {
-    return {.text = std::move(text), .value = std::move(value)};
+template <class... Parts>
+HudLine row(std::string text, fmt::format_string<Parts...> value, Parts&&... parts) {
+    return {.text = std::move(text), .value = fmt::format(value, std::forward<Parts>(parts)...)};
 }
 
 HudLine graph(std::span<const float> values, float budget, float least_top) {
@@ -64,7 +65,7 @@ void add_most_expensive(std::vector<NamedCost> costs, std::vector<HudLine>& line
     std::ranges::sort(costs, std::ranges::greater{}, &NamedCost::ms);
     if (costs.size() > kMostExpensive) costs.resize(kMostExpensive);
     for (const NamedCost& cost : costs) {
-        lines.push_back(row(cost.name, fmt::format("{:.2f} ms", cost.ms)));
+        lines.push_back(row(cost.name, "{:.2f} ms", cost.ms));
         const double most = costs.front().ms;
         lines.back().share = most > 0.0 ? static_cast<float>(cost.ms / most) : 0.0F;
     }
@@ -75,7 +76,8 @@ HudLine frame_line(const FrameReport& report) {
     HudLine line = row(fmt::format("{:.0f} fps   {:.1f} ms",
                                    frame.median > 0.0 ? 1000.0 / frame.median : 0.0,
                                    frame.median),
-                       fmt::format("p99 {:.1f} ms", frame.p99));
+                       "p99 {:.1f} ms",
+                       frame.p99);
     line.tone = Tone::Head;
     return line;
 }
@@ -83,8 +85,9 @@ HudLine frame_line(const FrameReport& report) {
 HudLine step_line(const scene::Simulation& simulation) {
     HudLine line =
         row(fmt::format("Physics   {:.2f} ms per step", simulation.physics.cost().total_ms),
-            fmt::format(
-                "{:.0f} Hz x {}", 1.0 / simulation.step_s(), most_substeps(simulation.physics)));
+            "{:.0f} Hz x {}",
+            1.0 / simulation.step_s(),
+            most_substeps(simulation.physics));
     line.tone = Tone::Head;
     return line;
 }
@@ -93,21 +96,22 @@ HudLine image_line(const FrameReport& report) {
     const QualityInForce& image = report.image();
     const render::FrameStats& stats = report.last_stats();
     return row(fmt::format("Image quality {}{}", image.level, image.is_automatic ? " (auto)" : ""),
-               fmt::format("{} x {}", stats.scene_width_px, stats.scene_height_px));
+               "{} x {}",
+               stats.scene_width_px,
+               stats.scene_height_px);
 }
 
 HudLine memory_line() {
-    return row("Peak memory",
-               fmt::format("{:.0f} MiB", static_cast<double>(peak_resident_bytes()) / 1048576.0));
+    return row("Peak memory", "{:.0f} MiB", static_cast<double>(peak_resident_bytes()) / 1048576.0);
 }
 
 void add_world(const OverlayInput& input, std::vector<HudLine>& lines) {
     const physics::PhysicsWorld& world = input.simulation.physics;
     lines.push_back(row(fmt::format("{} bodies, {} awake", world.body_count(), world.awake_count()),
-                        fmt::format("{} contacts", world.cost().contacts)));
+                        "{} contacts",
+                        world.cost().contacts));
     if (input.clock.lost_s() >= 0.1)
-        lines.push_back(
-            row("Dropped time (too slow)", fmt::format("{:.1f} s", input.clock.lost_s())));
+        lines.push_back(row("Dropped time (too slow)", "{:.1f} s", input.clock.lost_s()));
 }
 
 std::vector<HudLine> summary(const OverlayInput& input) {
@@ -133,7 +137,7 @@ std::vector<HudLine> summary(const OverlayInput& input) {
 
 void add_step_phases(const physics::StepCost& cost, std::vector<HudLine>& lines) {
     const auto add = [&](const char* name, double ms) {
-        lines.push_back(row(name, fmt::format("{:.2f} ms", ms)));
+        lines.push_back(row(name, "{:.2f} ms", ms));
     };
     add("  broad phase", cost.broad_ms);
     add("  narrow phase", cost.narrow_ms);
@@ -146,30 +150,29 @@ void add_drawn(const FrameReport& report, std::vector<HudLine>& lines) {
     lines.push_back(image_line(report));
     if (const std::string without = render::what_gave_way(report.image().quality); !without.empty())
         lines.push_back({.text = "Reduced: " + without});
-    lines.push_back(row("Draw calls", fmt::format("{}", stats.draw_calls)));
-    lines.push_back(row("Triangles", fmt::format("{}", stats.triangles)));
-    lines.push_back(row("Instances", fmt::format("{}", stats.instances)));
-    lines.push_back(
-        row("Shadow maps",
-            fmt::format(
-                "{} drawn, {} cached", stats.shadow_passes_rendered, stats.shadow_passes_cached)));
+    lines.push_back(row("Draw calls", "{}", stats.draw_calls));
+    lines.push_back(row("Triangles", "{}", stats.triangles));
+    lines.push_back(row("Instances", "{}", stats.instances));
+    lines.push_back(row("Shadow maps",
+                        "{} drawn, {} cached",
+                        stats.shadow_passes_rendered,
+                        stats.shadow_passes_cached));
     if (stats.shadowed_lights + stats.unshadowed_lights > 0)
-        lines.push_back(row(
-            "Lamps",
-            fmt::format(
-                "{} with shadows, {} without", stats.shadowed_lights, stats.unshadowed_lights)));
+        lines.push_back(row("Lamps",
+                            "{} with shadows, {} without",
+                            stats.shadowed_lights,
+                            stats.unshadowed_lights));
 }
 
 std::vector<HudLine> full_table(const OverlayInput& input) {
     const scene::Percentiles frame = input.report.recent_frame_ms();
     const physics::PhysicsWorld& world = input.simulation.physics;
     std::vector<HudLine> lines{frame_line(input.report),
-                               row("Frame p95", fmt::format("{:.1f} ms", frame.p95)),
+                               row("Frame p95", "{:.1f} ms", frame.p95),
                                step_line(input.simulation)};
     add_step_phases(world.cost(), lines);
     add_world(input, lines);
-    lines.push_back(
-        row("Max penetration", fmt::format("{:.2f} mm", world.max_penetration_m() * 1e3)));
+    lines.push_back(row("Max penetration", "{:.2f} mm", world.max_penetration_m() * 1e3));
     if (const std::string done = scene::interventions_text(input.report.interventions());
         !done.empty())
         lines.push_back({.text = "Solver interventions: " + done});
@@ -178,11 +181,11 @@ std::vector<HudLine> full_table(const OverlayInput& input) {
     lines.push_back(head("Passes: CPU and GPU ms"));
     for (const render::PassTiming& pass : input.report.recent_passes()) {
         const std::string gpu = pass.gpu_ms >= 0.0 ? fmt::format("{:.2f}", pass.gpu_ms) : "-";
-        lines.push_back(row(std::string(pass.name), fmt::format("{:.2f}  {}", pass.cpu_ms, gpu)));
+        lines.push_back(row(std::string(pass.name), "{:.2f}  {}", pass.cpu_ms, gpu));
     }
     lines.push_back(head("Effects: CPU ms per frame"));
     for (const NamedCost& effect : effect_costs(input))
-        lines.push_back(row(effect.name, fmt::format("{:.3f}", effect.ms)));
+        lines.push_back(row(effect.name, "{:.3f}", effect.ms));
     lines.push_back(
         {.text = fmt::format("{}: close", hint_for(input.bindings, Action::Stats, input.device)),
          .tone = Tone::Faint});
@@ -199,11 +202,10 @@ std::vector<HudLine> model_lines(const scene::Simulation& simulation) {
         const assets::MeshData& mesh = library.mesh(visual.mesh);
         const Vec3f size = mesh.bounds.size();
         lines.push_back(head(simulation.description().file.filename().string()));
-        lines.push_back(row("Triangles", fmt::format("{}", mesh.indices.size() / 3)));
-        lines.push_back(row("Vertices", fmt::format("{}", mesh.vertices.size())));
-        lines.push_back(row("Materials", fmt::format("{}", visual.materials.size())));
-        lines.push_back(
-            row("Size", fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.x, size.y, size.z)));
+        lines.push_back(row("Triangles", "{}", mesh.indices.size() / 3));
+        lines.push_back(row("Vertices", "{}", mesh.vertices.size()));
+        lines.push_back(row("Materials", "{}", visual.materials.size()));
+        lines.push_back(row("Size", "{:.4g} x {:.4g} x {:.4g} m", size.x, size.y, size.z));
     }
     return lines;
 }

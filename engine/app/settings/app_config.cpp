@@ -17,40 +17,29 @@
 #include <toml++/toml.h>
 
 namespace plumbline::app {
-namespace {
-
-bool same(const SettingTarget& a, const SettingTarget& b) {
-    return std::visit(
-        [&](const auto& mine) {
-            const auto& other = std::get<std::decay_t<decltype(mine)>>(b);
-            if constexpr (requires { mine.value; }) {
-                return *mine.value == *other.value;
-            } else {
-                return *mine == *other;
-            }
-        },
-        a);
-}
-
-}  // namespace
-
 void copy_value(const Setting& from, const Setting& to) {
     std::visit(
         [&](const auto& source) {
             const auto& target = std::get<std::decay_t<decltype(source)>>(to.target);
-            if constexpr (requires { source.value; }) {
-                *target.value = *source.value;
-            } else {
-                *target = *source;
-            }
+            *target.value = *source.value;
         },
         from.target);
 }
 
 namespace {
 
+bool same(const SettingTarget& a, const SettingTarget& b) {
+    return std::visit(
+        [&](const auto& mine) {
+            const auto& other = std::get<std::decay_t<decltype(mine)>>(b);
+            return *mine.value == *other.value;
+        },
+        a);
+}
+
 std::string toml_value(const SettingTarget& target) {
-    if (bool* const* flag = std::get_if<bool*>(&target)) return **flag ? "true" : "false";
+    if (const auto* flag = std::get_if<FlagSetting>(&target))
+        return *flag->value ? "true" : "false";
     if (const auto* whole = std::get_if<IntSetting>(&target))
         return fmt::format("{}", *whole->value);
     if (const auto* word = std::get_if<WordSetting>(&target))
@@ -60,10 +49,10 @@ std::string toml_value(const SettingTarget& target) {
 
 /// Empty when it was taken.
 std::string set(const SettingTarget& target, const toml::node& node) {
-    if (bool* const* flag = std::get_if<bool*>(&target)) {
+    if (const auto* flag = std::get_if<FlagSetting>(&target)) {
         const std::optional<bool> value = node.value_exact<bool>();
         if (!value) return "expected true or false";
-        **flag = *value;
+        *flag->value = *value;
         return {};
     }
     if (const auto* whole = std::get_if<IntSetting>(&target)) {
@@ -105,10 +94,8 @@ void apply_entry(const std::string& file,
                     .key = table.empty() ? std::string(key) : fmt::format("{}.{}", table, key),
                     .message = std::move(message)});
     };
-    if (table == "time" && key == "max_steps_per_frame") {
-        fault("this setting was removed. Line ignored.");
-        return;
-    }
+    if (table == "time" && key == "max_steps_per_frame")
+        return fault("this setting was removed. Line ignored.");
     std::vector<std::string_view> known;
     for (const Setting& setting : settings_of(config)) {
         if (setting.table == table && setting.key == key) {
@@ -118,10 +105,8 @@ void apply_entry(const std::string& file,
         }
         known.push_back(setting.key);
         // A key above the first table.
-        if (table.empty() && setting.key == key) {
-            fault(fmt::format("expected below [{}]. Line ignored.", setting.table));
-            return;
-        }
+        if (table.empty() && setting.key == key)
+            return fault(fmt::format("expected below [{}]. Line ignored.", setting.table));
     }
     const std::string_view nearest = nearest_name(key, known);
     fault(nearest.empty()
@@ -180,10 +165,6 @@ void apply_layer(const std::filesystem::path& path, AppConfig& config, Diagnosti
     }
 }
 
-}  // namespace
-
-namespace {
-
 template <class Enum>
 std::uint8_t* place_of(Enum& value) {
     static_assert(std::is_same_v<std::underlying_type_t<Enum>, std::uint8_t>);
@@ -196,9 +177,12 @@ std::vector<Setting> settings_of(AppConfig& config) {
     return {
         {"window", "width", IntSetting{&config.width, 64, 16384}, "Window width"},
         {"window", "height", IntSetting{&config.height, 64, 16384}, "Window height"},
-        {"window", "vsync", &config.vsync, "VSync"},
+        {"window", "vsync", FlagSetting{&config.vsync}, "VSync"},
         {"window", "max_fps", IntSetting{&config.max_fps, 10, 10000}, "Frame rate limit"},
-        {"window", "pause_on_focus_loss", &config.pause_on_focus_loss, "Pause when unfocused"},
+        {"window",
+         "pause_on_focus_loss",
+         FlagSetting{&config.pause_on_focus_loss},
+         "Pause when unfocused"},
         {"image",
          "level",
          WordSetting{place_of(config.quality_level), kImageLevelNames},
@@ -211,16 +195,16 @@ std::vector<Setting> settings_of(AppConfig& config) {
          "Anti-aliasing"},
         {"image", "fov_deg", FloatSetting{&config.fov_deg, 30, 120}, "Field of view"},
         {"hud", "ui_scale", FloatSetting{&config.ui_scale, 0, 3}, "UI scale"},
-        {"hud", "hints", &config.hints, "Tutorial hints"},
-        {"hud", "reduce_motion", &config.reduce_motion, "Reduce motion"},
+        {"hud", "hints", FlagSetting{&config.hints}, "Tutorial hints"},
+        {"hud", "reduce_motion", FlagSetting{&config.reduce_motion}, "Reduce motion"},
         {"sound", "master_gain", FloatSetting{&config.master_gain, 0, 1}, "Master volume"},
         {"sound", "effects_gain", FloatSetting{&config.effects_gain, 0, 1}, "Effects volume"},
         {"sound", "ambience_gain", FloatSetting{&config.ambience_gain, 0, 1}, "Ambience volume"},
         {"sound", "ui_gain", FloatSetting{&config.ui_gain, 0, 1}, "Menu volume"},
-        {"sound", "mute", &config.mute, "Mute"},
-        {"sound", "mono", &config.mono, "Mono"},
-        {"sound", "doppler", &config.doppler, "Doppler shift"},
-        {"sound", "captions", &config.captions, "Sound captions"},
+        {"sound", "mute", FlagSetting{&config.mute}, "Mute"},
+        {"sound", "mono", FlagSetting{&config.mono}, "Mono"},
+        {"sound", "doppler", FlagSetting{&config.doppler}, "Doppler shift"},
+        {"sound", "captions", FlagSetting{&config.captions}, "Sound captions"},
         {"sound", "voices", IntSetting{&config.voices, 1, 256}, "Voice limit"},
     };
 }

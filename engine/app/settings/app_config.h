@@ -51,6 +51,9 @@ struct AppConfig {
     friend bool operator==(const AppConfig&, const AppConfig&) = default;
 };
 
+struct FlagSetting {
+    bool* value;
+};
 struct IntSetting {
     int* value;
     int min;
@@ -66,7 +69,7 @@ struct WordSetting {
     std::uint8_t* value;
     std::span<const std::string_view> words;
 };
-using SettingTarget = std::variant<IntSetting, FloatSetting, bool*, WordSetting>;
+using SettingTarget = std::variant<IntSetting, FloatSetting, FlagSetting, WordSetting>;
 
 /// One key of app.toml and the place of its value.
 struct Setting {

@@ -158,19 +158,9 @@ bool QualityControl::decide(double median_ms) {
 QualityRequest quality_request_of(const AppConfig& config) {
     QualityRequest wish{.render_scale = config.render_scale,
                         .target_ms = static_cast<double>(config.target_ms)};
-    switch (config.quality_level) {
-        case QualityLevel::Auto:
-            break;
-        case QualityLevel::Low:
-            wish.level = render::QualityLevel::Low;
-            break;
-        case QualityLevel::Medium:
-            wish.level = render::QualityLevel::Medium;
-            break;
-        case QualityLevel::High:
-            wish.level = render::QualityLevel::High;
-            break;
-    }
+    // The levels are in one order, after "auto".
+    if (config.quality_level != QualityLevel::Auto)
+        wish.level = static_cast<render::QualityLevel>(static_cast<int>(config.quality_level) - 1);
     if (config.anti_aliasing != EdgeWish::Auto) {
         const auto found =
             std::ranges::find(render::kAntiAliasingNames,

@@ -31,20 +31,13 @@ constexpr std::array<std::pair<ImGuiKey_, int>, 6> kPanelKeys{{{ImGuiKey_UpArrow
                                                                {ImGuiKey_Escape, kEscapeKey}}};
 
 ImU32 color_of(Tone tone, float alpha) {
-    const auto a = static_cast<int>(std::clamp(alpha, 0.0F, 1.0F) * 255.0F);
-    switch (tone) {
-        case Tone::Plain:
-            return IM_COL32(245, 245, 245, a);
-        case Tone::Head:
-            return IM_COL32(255, 209, 115, a);
-        case Tone::Good:
-            return IM_COL32(140, 230, 140, a);
-        case Tone::Bad:
-            return IM_COL32(255, 125, 110, a);
-        case Tone::Faint:
-            return IM_COL32(205, 205, 205, a);
-    }
-    return IM_COL32_WHITE;
+    constexpr std::array<ImU32, 5> kTones{IM_COL32(245, 245, 245, 0),
+                                          IM_COL32(255, 209, 115, 0),
+                                          IM_COL32(140, 230, 140, 0),
+                                          IM_COL32(255, 125, 110, 0),
+                                          IM_COL32(205, 205, 205, 0)};
+    const auto a = static_cast<ImU32>(std::clamp(alpha, 0.0F, 1.0F) * 255.0F);
+    return kTones[static_cast<std::size_t>(tone)] | a << IM_COL32_A_SHIFT;
 }
 
 void apply_style(float font_px) {

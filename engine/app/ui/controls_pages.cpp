@@ -1,6 +1,7 @@
 #include "engine/app/controls/action_words.h"
 #include "engine/app/controls/key_labels.h"
 #include "engine/app/ui/pages.h"
+#include "engine/app/ui/setting_cells.h"
 
 #include <fmt/format.h>
 
@@ -68,28 +69,24 @@ Line MenuPages::binding_line(Action action) {
     }
     if (!input::same_inputs(stored, below, action) ||
         stored.hold_mode[index] != below.hold_mode[index]) {
-        line.cells.push_back({.text = "reset", .icon = Icon::Again, .activate = [this, action] {
-                                  change_bindings([&](input::Bindings& wanted) {
-                                      input::reset_action(wanted, world_.bindings->below(), action);
-                                  });
-                              }});
+        line.cells.push_back(reset("reset", [this, action] {
+            change_bindings([&](input::Bindings& wanted) {
+                input::reset_action(wanted, world_.bindings->below(), action);
+            });
+        }));
     }
     return line;
 }
 
 Page MenuPages::controls() {
     Page page{.title = "Controls"};
-    page.lines.push_back(
-        {.kind = LineKind::Cells,
-         .cells = {back_cell(), {.text = "Reset all", .icon = Icon::Again, .activate = [this] {
-                                     change_bindings([this](input::Bindings& wanted) {
-                                         wanted = world_.bindings->below();
-                                     });
-                                 }}}});
-    page.lines.push_back({.kind = LineKind::Text,
-                          .label =
-                              "Select a binding to replace it, + to add one; Delete removes it. "
-                              "Changes are saved immediately."});
+    const auto reset_all = [this] {
+        change_bindings([this](input::Bindings& wanted) { wanted = world_.bindings->below(); });
+    };
+    page.add_cells({back_cell(), reset("Reset all", reset_all)});
+    page.add_text(
+        "Select a binding to replace it, + to add one; Delete removes it. Changes are saved "
+        "immediately.");
     std::optional<ActionGroup> group;
     for (std::size_t i = 0; i < kActionCount; ++i) {
         const auto action = static_cast<Action>(i);
@@ -97,16 +94,12 @@ Page MenuPages::controls() {
         if (!is_offered(action) || action == Action::Look) continue;
         if (group != group_of(action)) {
             group = group_of(action);
-            page.lines.push_back(
-                {.kind = LineKind::Heading, .label = std::string(group_words(*group))});
-            page.lines.push_back(
-                {.kind = LineKind::Cells,
-                 .cells = {
-                     {.text = "Reset group", .icon = Icon::Again, .activate = [this, of = *group] {
-                          change_bindings([&](input::Bindings& wanted) {
-                              input::reset_group(wanted, world_.bindings->below(), of);
-                          });
-                      }}}});
+            page.add_heading(group_words(*group));
+            page.add_cells({reset("Reset group", [this, of = *group] {
+                change_bindings([&](input::Bindings& wanted) {
+                    input::reset_group(wanted, world_.bindings->below(), of);
+                });
+            })});
         }
         page.lines.push_back(binding_line(action));
     }
@@ -125,12 +118,10 @@ void MenuPages::wait_for_press(Slot slot) {
 Page MenuPages::press_page() {
     Page page{.title = fmt::format("Press a key for: {}", action_words(slot_.action)),
               .most_width = 40.0F};
-    if (!refused_.empty()) page.lines.push_back({.kind = LineKind::Text, .label = refused_});
-    page.lines.push_back(
-        {.kind = LineKind::Text,
-         .label =
-             "Key, mouse button, wheel, gamepad button, trigger or stick; hold Ctrl, Shift, Alt or "
-             "Super for a chord. Escape cancels."});
+    if (!refused_.empty()) page.add_text(refused_);
+    page.add_text(
+        "Key, mouse button, wheel, gamepad button, trigger or stick; hold Ctrl, Shift, Alt or "
+        "Super for a chord. Escape cancels.");
     return page;
 }
 
@@ -140,8 +131,7 @@ void MenuPages::take_press(const InputSnapshot& input) {
     if (state == PressCapture::State::Waiting) return;
     if (state == PressCapture::State::Cancelled) {
         capture_.reset();
-        menu_.back();
-        return;
+        return menu_.back();
     }
     const input::Input taken = capture_->taken();
     const input::Bindings& stored = this->stored();
@@ -152,10 +142,7 @@ void MenuPages::take_press(const InputSnapshot& input) {
     }
     capture_.reset();
     menu_.back();
-    if (input::also_drives(stored, taken, slot_.action).empty()) {
-        bind(slot_, taken);
-        return;
-    }
+    if (input::also_drives(stored, taken, slot_.action).empty()) return bind(slot_, taken);
     wanted_ = taken;
     menu_.push([this] { return conflict_page(); });
 }
@@ -176,12 +163,11 @@ Page MenuPages::conflict_page() {
         if (stored.of(other).size() == 1)
             unbound += fmt::format(" \"{}\" will then have no binding.", action_words(other));
     }
-    page.lines.push_back({.kind = LineKind::Text,
-                          .label = fmt::format("{} is bound to {}. Bind it to \"{}\" instead?{}",
-                                               label_of(*wanted_),
-                                               others,
-                                               action_words(slot_.action),
-                                               unbound)});
+    page.add_text(fmt::format("{} is bound to {}. Bind it to \"{}\" instead?{}",
+                              label_of(*wanted_),
+                              others,
+                              action_words(slot_.action),
+                              unbound));
     page.lines.push_back(
         {.kind = LineKind::List,
          .cells = {{.text = "Rebind",

@@ -61,42 +61,35 @@ void MenuPages::add_light(Page& page) {
                       notch,
                       [set](double wanted) { set(static_cast<float>(std::exp2(wanted))); });
     };
-    page.lines.push_back({.kind = LineKind::Cells,
-                          .label = "Fog",
-                          .cells = {toggle(now.is_on("fog", fog.on),
-                                           [this](bool on) { switch_effect("fog", on); })}});
-    page.lines.push_back(
-        {.kind = LineKind::Cells,
-         .label = "Fog density",
-         .cells = {factor(fmt::format("{:.2g} per m", fog.density_per_m * now.fog_density_scale),
-                          now.fog_density_scale,
-                          scene::kThinnestFog,
-                          scene::kDensestFog,
-                          [this](float value) { set_fog(value, world_.switches.fog_color); })}});
+    page.add_cells(
+        {toggle(now.is_on("fog", fog.on), [this](bool on) { switch_effect("fog", on); })}, "Fog");
+    page.add_cells({factor(fmt::format("{:.2g} per m", fog.density_per_m * now.fog_density_scale),
+                           now.fog_density_scale,
+                           scene::kThinnestFog,
+                           scene::kDensestFog,
+                           [this](float value) { set_fog(value, world_.switches.fog_color); })},
+                   "Fog density");
     page.lines.push_back(fog_colors());
-    page.lines.push_back({.kind = LineKind::Cells,
-                          .label = "Sun and sky",
-                          .cells = {factor(percent(now.light_scale),
-                                           now.light_scale,
-                                           scene::kDimmestLight,
-                                           scene::kBrightestLight,
-                                           [this](float value) { set_light(value); })}});
+    page.add_cells({factor(percent(now.light_scale),
+                           now.light_scale,
+                           scene::kDimmestLight,
+                           scene::kBrightestLight,
+                           [this](float value) { set_light(value); })},
+                   "Sun and sky");
     if (world_.hour) add_hour(page, *world_.hour);
-    page.lines.push_back({.kind = LineKind::Text,
-                          .label = "These settings last until you reset or leave the scene."});
+    page.add_text("These settings last until you reset or leave the scene.");
 }
 
 void MenuPages::add_hour(Page& page, double hour) {
     constexpr double kQuarter = 0.25;
     const auto minutes = std::lround(hour * 60.0) % (24 * 60);
-    page.lines.push_back({.kind = LineKind::Cells,
-                          .label = "Time of day",
-                          .cells = {slider(fmt::format("{}:{:02}", minutes / 60, minutes % 60),
-                                           hour,
-                                           0,
-                                           24 - kQuarter,  // 24 is 0 again
-                                           kQuarter,
-                                           [this](double wanted) { set_hour(wanted); })}});
+    page.add_cells({slider(fmt::format("{}:{:02}", minutes / 60, minutes % 60),
+                           hour,
+                           0,
+                           24 - kQuarter,  // 24 is 0 again
+                           kQuarter,
+                           [this](double wanted) { set_hour(wanted); })},
+                   "Time of day");
     const scene::LiveSwitches& now = world_.switches;
     const bool by_themselves = !now.effects.contains("lamps");
     Line lamps{.kind = LineKind::Cells, .label = "Lamps"};

@@ -100,16 +100,10 @@ void Menu::scroll(float distance_px) {
 void Menu::move(int dx, int dy) {
     Shown& shown = pages_.back();
     const Cell* cell = cell_at(shown.focus);
-    if (dx != 0 && cell != nullptr && cell->adjust) {
-        call(cell->adjust, dx);
-        return;
-    }
+    if (dx != 0 && cell != nullptr && cell->adjust) return call(cell->adjust, dx);
     const CellPlace next = neighbour(layout_, shown.focus, dx, dy);
-    if (next == shown.focus && dy != 0) {
-        // Nothing more to choose there: what else the page says is still to be read.
-        scroll(static_cast<float>(dy) * font_px_ * 3.0F);
-        return;
-    }
+    // Nothing more to choose there: what else the page says is still to be read.
+    if (next == shown.focus && dy != 0) return scroll(static_cast<float>(dy) * font_px_ * 3.0F);
     if (next != shown.focus) ++use_.moves;
     shown.focus = next;
     shown.scroll_px = scroll_to(layout_, next, shown.scroll_px);
@@ -120,12 +114,9 @@ void Menu::click() {
     if (at == nullptr) return;
     pages_.back().focus = at->place;
     const Cell* cell = cell_at(at->place);
-    if (cell->set_fraction) {
-        dragging_ = true;
-        drag_to(pointer_x_, pointer_y_);
-        return;
-    }
-    call(cell->activate);
+    if (!cell->set_fraction) return call(cell->activate);
+    dragging_ = true;
+    drag_to(pointer_x_, pointer_y_);
 }
 
 void Menu::press(MenuPress press) {

@@ -12,10 +12,7 @@ void MenuControl::show_start() {
 }
 
 void MenuControl::take_event(const DeviceEvent& event, const input::Bindings& bindings) {
-    if (help_alone_ && opens_help(event, bindings)) {
-        menu_.close();
-        return;
-    }
+    if (help_alone_ && opens_help(event, bindings)) return menu_.close();
     if (event.kind == DeviceEventKind::MouseButton && !event.pressed) menu_.release_drag();
     for (const MenuPress press : MenuKeys::press_of(event, bindings)) menu_.press(press);
 }

@@ -32,19 +32,12 @@ constexpr std::array<FixedKey, 4> kPadButtons{
     {{11, MenuPress::Up}, {12, MenuPress::Right}, {13, MenuPress::Down}, {14, MenuPress::Left}}};
 
 bool drives(const input::Bindings& bindings, Action action, const DeviceEvent& event) {
+    using input::DeviceKind;
+    constexpr std::array kKinds{
+        DeviceKind::Key, DeviceKind::MouseButton, DeviceKind::Wheel, DeviceKind::PadButton};
     return std::ranges::any_of(bindings.of(action), [&](const input::Input& input) {
-        if (input.modifiers != 0 || input.code != event.code) return false;
-        switch (event.kind) {
-            case DeviceEventKind::Key:
-                return input.kind == input::DeviceKind::Key;
-            case DeviceEventKind::MouseButton:
-                return input.kind == input::DeviceKind::MouseButton;
-            case DeviceEventKind::Wheel:
-                return input.kind == input::DeviceKind::Wheel;
-            case DeviceEventKind::PadButton:
-                return input.kind == input::DeviceKind::PadButton;
-        }
-        return false;
+        return input.modifiers == 0 && input.code == event.code &&
+               input.kind == kKinds[static_cast<std::size_t>(event.kind)];
     });
 }
 

@@ -5,6 +5,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace plumbline::app::ui {
@@ -67,6 +69,24 @@ struct Page {
     float most_width{64.0F};  ///< of the panel, in letters' heights
     /// Tabs: the first line does not scroll, and the panel is as high as the window whatever is below.
     bool pins_first_line{false};
+
+    void add_heading(std::string_view words) {
+        lines.push_back({.kind = LineKind::Heading, .label = std::string(words)});
+    }
+    void add_text(std::string words) {
+        lines.push_back({.kind = LineKind::Text, .label = std::move(words)});
+    }
+    void add_cells(std::vector<Cell> cells, std::string label = {}) {
+        lines.push_back(
+            {.kind = LineKind::Cells, .label = std::move(label), .cells = std::move(cells)});
+    }
+    void add_cards(std::vector<Cell> cells) {
+        lines.push_back({.kind = LineKind::Cards, .cells = std::move(cells)});
+    }
+    void add_keys(std::string keys, std::string_view words) {
+        lines.push_back(
+            {.kind = LineKind::Keys, .label = std::move(keys), .value = std::string(words)});
+    }
 };
 
 }  // namespace plumbline::app::ui

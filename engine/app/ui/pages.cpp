@@ -2,6 +2,7 @@
 
 #include "engine/app/controls/action_words.h"
 #include "engine/app/controls/key_labels.h"
+#include "engine/app/ui/setting_cells.h"
 #include "engine/core/text/text_case.h"
 
 #include <fmt/format.h>
@@ -99,15 +100,15 @@ std::vector<Cell> MenuPages::cards(const std::string& folder, bool are_users_own
 }
 
 void MenuPages::add_scenes(Page& page) {
-    page.lines.push_back({.kind = LineKind::Heading, .label = "Scenes"});
-    Line shipped{.kind = LineKind::Cards, .cells = cards({}, false)};
+    page.add_heading("Scenes");
+    std::vector<Cell> shipped = cards({}, false);
     std::map<std::string, std::vector<const scene::ListedScene*>> folders;
     for (const scene::ListedScene& scene : *world_.scenes)
         folders[folder_of(scene)].push_back(&scene);
     for (const auto& [name, scenes] : folders) {
         if (name.empty() || name.starts_with(kBenchFolder)) continue;
         const bool hard = name == kHardFolder;
-        shipped.cells.push_back(
+        shipped.push_back(
             {.text = hard ? "Hard cases" : folder_words(name),
              .note = hard ? fmt::format("{} stress tests of the solver, each with pass rules that "
                                         "are checked live",
@@ -118,36 +119,34 @@ void MenuPages::add_scenes(Page& page) {
                  menu_.push([this, folder] { return this->folder(folder); });
              }});
     }
-    page.lines.push_back(std::move(shipped));
+    page.add_cards(std::move(shipped));
     if (std::vector<Cell> own = cards({}, true); !own.empty()) {
-        page.lines.push_back({.kind = LineKind::Heading, .label = "Your scenes"});
-        page.lines.push_back({.kind = LineKind::Cards, .cells = std::move(own)});
+        page.add_heading("Your scenes");
+        page.add_cards(std::move(own));
     }
 }
 
 Page MenuPages::folder(const std::string& name) {
     const bool hard = name == kHardFolder;
     Page page{.title = hard ? "Hard cases" : folder_words(name)};
-    page.lines.push_back({.kind = LineKind::Cells, .cells = {back_cell()}});
+    page.add_cells({back_cell()});
     for (const bool own : {false, true}) {
         if (std::vector<Cell> cells = cards(name, own); !cells.empty())
-            page.lines.push_back({.kind = LineKind::Cards, .cells = std::move(cells)});
+            page.add_cards(std::move(cells));
     }
     return page;
 }
 
 Page MenuPages::start() {
     Page page{.title = "Plumbline"};
-    page.lines.push_back(
-        {.kind = LineKind::Cells,
-         .cells = {{.text = fmt::format("Continue: {}", world_.scene_title),
-                    .icon = Icon::Play,
-                    .activate = [this] { menu_.close(); },
-                    .marked = true},
-                   to_page("Settings", Icon::Settings, &MenuPages::settings),
-                   to_page("Controls", Icon::Keys, &MenuPages::controls),
-                   to_page("Help", Icon::Help, &MenuPages::help),
-                   {.text = "Quit", .icon = Icon::Quit, .activate = [this] { ask(Quit{}); }}}});
+    page.add_cells({{.text = fmt::format("Continue: {}", world_.scene_title),
+                     .icon = Icon::Play,
+                     .activate = [this] { menu_.close(); },
+                     .marked = true},
+                    to_page("Settings", Icon::Settings, &MenuPages::settings),
+                    to_page("Controls", Icon::Keys, &MenuPages::controls),
+                    to_page("Help", Icon::Help, &MenuPages::help),
+                    {.text = "Quit", .icon = Icon::Quit, .activate = [this] { ask(Quit{}); }}});
     add_scenes(page);
     return page;
 }
@@ -175,7 +174,7 @@ Page MenuPages::in_play() {
 
 Page MenuPages::saved_games() {
     Page page{.title = fmt::format("Saved games: {}", world_.scene_title), .most_width = 32.0F};
-    page.lines.push_back({.kind = LineKind::Cells, .cells = {back_cell()}});
+    page.add_cells({back_cell()});
     for (const SaveSlot& slot : world_.saves) {
         Line line{
             .kind = LineKind::Cells,
@@ -200,33 +199,24 @@ Page MenuPages::saved_games() {
 
 Page MenuPages::all_scenes() {
     Page page{.title = "Scenes"};
-    page.lines.push_back({.kind = LineKind::Cells, .cells = {back_cell()}});
+    page.add_cells({back_cell()});
     add_scenes(page);
     return page;
 }
 
 Page MenuPages::help() {
     Page page{.title = "Help"};
-    page.lines.push_back(
-        {.kind = LineKind::Cells,
-         .cells = {back_cell(),
-                   to_page("Controls", Icon::Keys, &MenuPages::controls),
-                   {.text = "Reset hints", .icon = Icon::Again, .activate = [this] {
-                        ask(ShowHintsAgain{});
-                    }}}});
+    page.add_cells({back_cell(),
+                    to_page("Controls", Icon::Keys, &MenuPages::controls),
+                    reset("Reset hints", [this] { ask(ShowHintsAgain{}); })});
     const input::Bindings& bindings = this->bindings().current();
     const bool at_model = world_.looks_at_model;
     const std::span<const Action> essential = at_model ? std::span<const Action>(kEssentialAtModel)
                                                        : std::span<const Action>(kEssentialInPlay);
-    page.lines.push_back({.kind = LineKind::Heading, .label = "Essentials"});
-    if (!at_model)
-        page.lines.push_back({.kind = LineKind::Keys,
-                              .label = walk_labels(bindings, input::LastDevice::KeyboardMouse),
-                              .value = "Move"});
+    page.add_heading("Essentials");
+    if (!at_model) page.add_keys(walk_labels(bindings, input::LastDevice::KeyboardMouse), "Move");
     for (const Action action : essential)
-        page.lines.push_back({.kind = LineKind::Keys,
-                              .label = all_labels(bindings, action, has_pad_),
-                              .value = std::string(action_words(action))});
+        page.add_keys(all_labels(bindings, action, has_pad_), action_words(action));
     constexpr std::array kGroups{ActionGroup::Walk,
                                  ActionGroup::Things,
                                  ActionGroup::View,
@@ -241,7 +231,7 @@ Page MenuPages::help() {
 void MenuPages::add_help_group(Page& page, ActionGroup group, std::span<const Action> shown_above) {
     const input::Bindings& bindings = this->bindings().current();
     const bool at_model = world_.looks_at_model;
-    std::vector<Line> lines;
+    bool has_heading = false;
     for (std::size_t i = 0; i < kActionCount; ++i) {
         const auto action = static_cast<Action>(i);
         if (group_of(action) != group || !is_offered(action)) continue;
@@ -249,13 +239,9 @@ void MenuPages::add_help_group(Page& page, ActionGroup group, std::span<const Ac
         if (std::ranges::find(shown_above, action) != shown_above.end()) continue;
         std::string keys = all_labels(bindings, action, has_pad_);
         if (keys == kUnbound) continue;
-        lines.push_back({.kind = LineKind::Keys,
-                         .label = std::move(keys),
-                         .value = std::string(action_words(action))});
+        if (!std::exchange(has_heading, true)) page.add_heading(group_words(group));
+        page.add_keys(std::move(keys), action_words(action));
     }
-    if (lines.empty()) return;
-    page.lines.push_back({.kind = LineKind::Heading, .label = std::string(group_words(group))});
-    std::ranges::move(lines, std::back_inserter(page.lines));
 }
 
 }  // namespace plumbline::app::ui

@@ -95,7 +95,6 @@ private:
     void add_mouse(Page& page);
     void add_accuracy(Page& page);
     Line setting_line(std::size_t row);
-    void change_setting(std::size_t row, const std::function<void(const Setting&)>& change);
     void change_accuracy(const study::Setting& setting);
 
     // light_page.cpp

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace plumbline::app::ui {
 
@@ -12,6 +13,10 @@ Cell toggle(bool on, const std::function<void(bool)>& set) {
             .icon = on ? Icon::On : Icon::Off,
             .activate = [on, set] { set(!on); },
             .adjust = [set](int direction) { set(direction > 0); }};
+}
+
+Cell reset(std::string text, std::function<void()> activate) {
+    return {.text = std::move(text), .icon = Icon::Again, .activate = std::move(activate)};
 }
 
 Cell slider(std::string text,

@@ -9,6 +9,8 @@
 namespace plumbline::app::ui {
 
 Cell toggle(bool on, const std::function<void(bool)>& set);
+/// Brings back what was there before.
+Cell reset(std::string text, std::function<void()> activate);
 /// A number between two ends that moves by equal parts of its way.
 Cell slider(std::string text,
             double value,

@@ -46,25 +46,17 @@ Cell number_cell(std::string_view key,
                       5,
                       take);
     }
-    if (key == "render_scale") {
-        // The lowest step is 0: by the level.
-        const auto by_level = [take](double value) { take(value < 0.25 ? 0.0 : value); };
+    // The lowest step is 0, which chooses by itself.
+    const auto or_automatic = [&](double lowest, double max, double step) {
         return slider(now == 0.0F ? "automatic" : percent(now),
-                      now == 0.0F ? 0.2 : static_cast<double>(now),
-                      0.2,
-                      1,
-                      0.05,
-                      by_level);
-    }
-    if (key == "ui_scale") {
-        const auto automatic = [take](double value) { take(value < 0.75 ? 0.0 : value); };
-        return slider(now == 0.0F ? "automatic" : percent(now),
-                      now == 0.0F ? 0.5 : static_cast<double>(now),
-                      0.5,
-                      3,
-                      0.25,
-                      automatic);
-    }
+                      now == 0.0F ? lowest : static_cast<double>(now),
+                      lowest,
+                      max,
+                      step,
+                      [take, least = lowest + step](double v) { take(v < least ? 0.0 : v); });
+    };
+    if (key == "render_scale") return or_automatic(0.2, 1, 0.05);
+    if (key == "ui_scale") return or_automatic(0.5, 3, 0.25);
     return slider(percent(now),
                   static_cast<double>(now),
                   static_cast<double>(real.min),
@@ -89,11 +81,6 @@ Cell count_cell(std::string_view key,
 
 }  // namespace
 
-void MenuPages::change_setting(std::size_t row, const std::function<void(const Setting&)>& change) {
-    change(settings_of(world_.config)[row]);
-    ask(ChangeConfig{world_.config});
-}
-
 void MenuPages::change_accuracy(const study::Setting& setting) {
     world_.accuracy = setting;
     ask(WorldRequest{SetAccuracy{setting}});
@@ -103,34 +90,26 @@ Line MenuPages::setting_line(std::size_t row) {
     AppConfig now = world_.config;
     const Setting setting = settings_of(now)[row];
     Line line{.kind = LineKind::Cells, .label = std::string(setting.label)};
-    if (bool* const* flag = std::get_if<bool*>(&setting.target)) {
-        line.cells.push_back(toggle(**flag, [this, row](bool on) {
-            change_setting(row, [on](const Setting& s) { *std::get<bool*>(s.target) = on; });
-        }));
-    } else if (const auto* word = std::get_if<WordSetting>(&setting.target)) {
-        for (std::size_t i = 0; i < word->words.size(); ++i) {
-            const auto each = static_cast<std::uint8_t>(i);
-            line.cells.push_back({.text = std::string(word->words[i]),
-                                  .activate =
-                                      [this, row, each] {
-                                          change_setting(row, [each](const Setting& s) {
-                                              *std::get<WordSetting>(s.target).value = each;
-                                          });
-                                      },
-                                  .marked = *word->value == each});
-        }
+    const auto setter = [this, row]<class Target>(const Target&) {
+        return [this, row](auto value) {
+            *std::get<Target>(settings_of(world_.config)[row].target).value = value;
+            ask(ChangeConfig{world_.config});
+        };
+    };
+    if (const auto* flag = std::get_if<FlagSetting>(&setting.target)) {
+        line.cells.push_back(toggle(*flag->value, setter(*flag)));
     } else if (const auto* real = std::get_if<FloatSetting>(&setting.target)) {
-        line.cells.push_back(number_cell(setting.key, *real, [this, row](float value) {
-            change_setting(row, [value](const Setting& s) {
-                *std::get<FloatSetting>(s.target).value = value;
-            });
-        }));
+        line.cells.push_back(number_cell(setting.key, *real, setter(*real)));
+    } else if (const auto* whole = std::get_if<IntSetting>(&setting.target)) {
+        line.cells.push_back(count_cell(setting.key, *whole, setter(*whole)));
     } else {
-        const auto& whole = std::get<IntSetting>(setting.target);
-        line.cells.push_back(count_cell(setting.key, whole, [this, row](int value) {
-            change_setting(
-                row, [value](const Setting& s) { *std::get<IntSetting>(s.target).value = value; });
-        }));
+        const auto& word = std::get<WordSetting>(setting.target);
+        for (std::size_t i = 0; i < word.words.size(); ++i) {
+            const auto each = static_cast<std::uint8_t>(i);
+            line.cells.push_back({.text = std::string(word.words[i]),
+                                  .activate = [set = setter(word), each] { set(each); },
+                                  .marked = *word.value == each});
+        }
     }
     return line;
 }
@@ -178,13 +157,10 @@ void MenuPages::add_mouse(Page& page) {
         }
         page.lines.push_back(std::move(line));
     }
-    page.lines.push_back(
-        {.kind = LineKind::Cells,
-         .cells = {{.text = "Reset to defaults", .icon = Icon::Again, .activate = [this] {
-                        change_bindings([this](input::Bindings& wanted) {
-                            wanted.tuning = world_.bindings->below().tuning;
-                        });
-                    }}}});
+    page.add_cells({reset("Reset to defaults", [this] {
+        change_bindings(
+            [this](input::Bindings& wanted) { wanted.tuning = world_.bindings->below().tuning; });
+    })});
 }
 
 Page MenuPages::settings() {
@@ -209,46 +185,30 @@ Page MenuPages::settings() {
     }
     tabs.cells.push_back(to_page("Controls", Icon::Keys, &MenuPages::controls));
     page.lines.push_back(std::move(tabs));
-    if (tab_ == Tab::Mouse) {
-        add_mouse(page);
-        return page;
-    }
-    if (tab_ == Tab::Light) {
-        add_light(page);
-        return page;
-    }
-    if (tab_ == Tab::Accuracy) {
-        add_accuracy(page);
-        return page;
-    }
+    if (tab_ == Tab::Mouse) add_mouse(page);
+    if (tab_ == Tab::Light) add_light(page);
+    if (tab_ == Tab::Accuracy) add_accuracy(page);
     std::vector<std::string_view> tables;
     if (tab_ == Tab::Image) tables = {"image"};
     if (tab_ == Tab::Screen) tables = {"window", "hud"};
     if (tab_ == Tab::Sound) tables = {"sound"};
+    if (tables.empty()) return page;
     add_settings(page, tables);
-    page.lines.push_back(
-        {.kind = LineKind::Cells,
-         .cells = {{.text = "Reset to defaults", .icon = Icon::Again, .activate = [this, tables] {
-                        const std::vector<Setting> to = settings_of(world_.config);
-                        const std::vector<Setting> from = settings_of(world_.config_below);
-                        for (std::size_t i = 0; i < to.size(); ++i) {
-                            if (std::ranges::find(tables, to[i].table) != tables.end())
-                                copy_value(from[i], to[i]);
-                        }
-                        ask(ChangeConfig{world_.config});
-                    }}}});
+    page.add_cells({reset("Reset to defaults", [this, tables] {
+        const std::vector<Setting> to = settings_of(world_.config);
+        const std::vector<Setting> from = settings_of(world_.config_below);
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            if (std::ranges::find(tables, to[i].table) != tables.end()) copy_value(from[i], to[i]);
+        }
+        ask(ChangeConfig{world_.config});
+    })});
     return page;
 }
 
 void MenuPages::add_accuracy(Page& page) {
     const study::Setting now = world_.accuracy;
-    page.lines.push_back(
-        {.kind = LineKind::Text, .label = fmt::format("Current: {}", study::setting_text(now))});
-    if (world_.replaying) {
-        page.lines.push_back(
-            {.kind = LineKind::Text, .label = "Accuracy is locked while replaying."});
-        return;
-    }
+    page.add_text(fmt::format("Current: {}", study::setting_text(now)));
+    if (world_.replaying) return page.add_text("Accuracy is locked while replaying.");
     const auto choice = [&](std::string text, const study::Setting& setting) {
         return Cell{.text = std::move(text),
                     .activate = [this, setting] { change_accuracy(setting); },
@@ -273,15 +233,13 @@ void MenuPages::add_accuracy(Page& page) {
     page.lines.push_back(std::move(presets));
     page.lines.push_back(std::move(solvers));
     page.lines.push_back(std::move(rates));
-    page.lines.push_back({.kind = LineKind::Cells,
-                          .cells = {{.text = "Save a copy of the scene with these settings",
-                                     .icon = Icon::Scenes,
-                                     .activate = [this] { ask(AdoptAccuracy{}); }}}});
-    page.lines.push_back(
-        {.kind = LineKind::Text,
-         .label = "Accuracy belongs to the scene file, so that everybody gets the same simulation. "
-                  "Changes made here last until you leave the scene; save a copy to keep them. The "
-                  "accuracy panel shows cost and error during play."});
+    page.add_cells({{.text = "Save a copy of the scene with these settings",
+                     .icon = Icon::Scenes,
+                     .activate = [this] { ask(AdoptAccuracy{}); }}});
+    page.add_text(
+        "Accuracy belongs to the scene file, so that everybody gets the same simulation. Changes "
+        "made here last until you leave the scene; save a copy to keep them. The accuracy panel "
+        "shows cost and error during play.");
 }
 
 }  // namespace plumbline::app::ui

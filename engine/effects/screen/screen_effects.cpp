@@ -60,8 +60,8 @@ Callers callers_of_occlusion(const scene::Simulation& simulation) {
 /// Light that comes in by windows and goes from wall to wall.
 void show_indirect_light(const scene::Simulation& simulation, render::RenderFrame& frame) {
     const scene::IndirectLightDescription& indirect = *simulation.description().ambient.indirect;
-    frame.indirect = render::IndirectLight{.min_world = indirect.min_m,
-                                           .max_world = indirect.max_m,
+    frame.indirect = render::IndirectLight{.min_world = Vec3f(indirect.min_m),
+                                           .max_world = Vec3f(indirect.max_m),
                                            .spacing_m = indirect.spacing_m,
                                            .gain = indirect.gain};
 }

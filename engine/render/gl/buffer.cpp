@@ -2,22 +2,14 @@
 
 #include <glad/gl.h>
 
+#include <array>
+
 namespace plumbline::render::gl {
 namespace {
 
-GLenum target_of(BufferUse use) {
-    switch (use) {
-        case BufferUse::Vertices:
-            return GL_ARRAY_BUFFER;
-        case BufferUse::Indices:
-            return GL_ELEMENT_ARRAY_BUFFER;
-        case BufferUse::Uniforms:
-            return GL_UNIFORM_BUFFER;
-        case BufferUse::ReadBack:
-            return GL_PIXEL_PACK_BUFFER;
-    }
-    return GL_ARRAY_BUFFER;
-}
+// By BufferUse.
+constexpr std::array<GLenum, 4> kTargets{
+    GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER, GL_UNIFORM_BUFFER, GL_PIXEL_PACK_BUFFER};
 
 BufferObject new_buffer() {
     GLuint name = 0;
@@ -32,7 +24,8 @@ Buffer::Buffer(BufferUse use, BufferLife life) : object_(new_buffer()), use_(use
 void Buffer::upload(const void* bytes, std::size_t size) {
     // Index buffers are part of the bound vertex array's state; going through GL_ARRAY_BUFFER
     // leaves whichever is bound alone.
-    const GLenum target = use_ == BufferUse::Indices ? GL_ARRAY_BUFFER : target_of(use_);
+    const GLenum target =
+        use_ == BufferUse::Indices ? GL_ARRAY_BUFFER : kTargets[static_cast<std::size_t>(use_)];
     glBindBuffer(target, object_.name());
     glBufferData(target,
                  static_cast<GLsizeiptr>(size),
@@ -50,6 +43,21 @@ void bind_uniforms(unsigned int binding,
                       buffer.name(),
                       static_cast<GLintptr>(offset),
                       static_cast<GLsizeiptr>(size));
+}
+
+void float_attribute(unsigned int location,
+                     int count,
+                     std::size_t stride,
+                     std::size_t offset,
+                     unsigned int divisor) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location,
+                          count,
+                          GL_FLOAT,
+                          GL_FALSE,
+                          static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
+    glVertexAttribDivisor(location, divisor);
 }
 
 }  // namespace plumbline::render::gl

@@ -34,4 +34,12 @@ void bind_uniforms(unsigned int binding,
                    std::size_t offset,
                    std::size_t size);
 
+/// A vertex attribute of the bound vertex array: `count` floats at `offset` of each vertex, or of each
+/// instance where `divisor` is 1, in the buffer uploaded or bound last.
+void float_attribute(unsigned int location,
+                     int count,
+                     std::size_t stride,
+                     std::size_t offset,
+                     unsigned int divisor = 0);
+
 }  // namespace plumbline::render::gl

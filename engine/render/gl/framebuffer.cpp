@@ -29,4 +29,28 @@ Framebuffer::Framebuffer(const Texture* color, const Texture* depth) {
     complete_ = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
+void draw_into(unsigned int framebuffer, std::uint32_t width, std::uint32_t height) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
+}
+
+void copy(const Framebuffer& from,
+          const PixelRect& rect,
+          const Framebuffer& to,
+          const PixelRect& into,
+          unsigned int buffers) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.name());
+    glBlitFramebuffer(rect.left,
+                      rect.bottom,
+                      rect.right,
+                      rect.top,
+                      into.left,
+                      into.bottom,
+                      into.right,
+                      into.top,
+                      buffers,
+                      GL_NEAREST);
+}
+
 }  // namespace plumbline::render::gl

@@ -29,4 +29,17 @@ void delete_sampler(unsigned int name) {
     glDeleteSamplers(1, &name);
 }
 
+VertexArrayObject new_vertex_array() {
+    GLuint name = 0;
+    glGenVertexArrays(1, &name);
+    glBindVertexArray(name);
+    return VertexArrayObject{name};
+}
+
+TextureObject new_texture() {
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    return TextureObject{name};
+}
+
 }  // namespace plumbline::render::gl

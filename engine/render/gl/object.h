@@ -53,4 +53,7 @@ using ShaderObject = Object<delete_shader>;
 using QueryObject = Object<delete_query>;
 using SamplerObject = Object<delete_sampler>;
 
+VertexArrayObject new_vertex_array();  ///< bound
+TextureObject new_texture();
+
 }  // namespace plumbline::render::gl

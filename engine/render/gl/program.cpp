@@ -7,6 +7,17 @@
 namespace plumbline::render::gl {
 namespace {
 
+/// What glGetShaderInfoLog or glGetProgramInfoLog tells.
+template <class GetNumber, class GetLog>
+std::string log_of(unsigned int name, GetNumber get_number, GetLog get_log) {
+    GLint length = 0;
+    get_number(name, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(length > 0 ? length : 1), '\0');
+    get_log(name, static_cast<GLsizei>(log.size()), &length, log.data());
+    log.resize(static_cast<std::size_t>(length));
+    return log;
+}
+
 Result<ShaderObject> compile(GLenum stage, const std::string& source) {
     ShaderObject shader{glCreateShader(stage)};
     const char* text = source.c_str();
@@ -15,21 +26,7 @@ Result<ShaderObject> compile(GLenum stage, const std::string& source) {
     GLint good = 0;
     glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &good);
     if (good == GL_TRUE) return shader;
-    GLint length = 0;
-    glGetShaderiv(shader.name(), GL_INFO_LOG_LENGTH, &length);
-    std::string log(static_cast<std::size_t>(length > 0 ? length : 1), '\0');
-    glGetShaderInfoLog(shader.name(), static_cast<GLsizei>(log.size()), &length, log.data());
-    log.resize(static_cast<std::size_t>(length));
-    return Error{log, ExitCode::NoDisplay};
-}
-
-std::string link_log(unsigned int program) {
-    GLint length = 0;
-    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-    std::string log(static_cast<std::size_t>(length > 0 ? length : 1), '\0');
-    glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), &length, log.data());
-    log.resize(static_cast<std::size_t>(length));
-    return log;
+    return Error{log_of(shader.name(), glGetShaderiv, glGetShaderInfoLog), ExitCode::NoDisplay};
 }
 
 void assign_bindings(unsigned int program) {
@@ -61,7 +58,9 @@ Result<Program> Program::link(const std::string& vertex_source,
     glDetachShader(program.name(), fragment->name());
     GLint good = 0;
     glGetProgramiv(program.name(), GL_LINK_STATUS, &good);
-    if (good != GL_TRUE) return Error{link_log(program.name()), ExitCode::NoDisplay};
+    if (good != GL_TRUE)
+        return Error{log_of(program.name(), glGetProgramiv, glGetProgramInfoLog),
+                     ExitCode::NoDisplay};
     assign_bindings(program.name());
     return program;
 }

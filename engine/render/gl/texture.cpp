@@ -19,70 +19,40 @@ struct GlFormat {
     std::size_t bytes_per_pixel;
 };
 
-// Colour images are plain 8-bit, not GL_SRGB8: the shader decodes after filtering. Software GL
-// filters plain bytes in a fast path of its own; decoding each of eight samples costs more than
-// the whole rest of the lookup.
-GlFormat format_of(assets::PixelFormat format) {
-    switch (format) {
-        case assets::PixelFormat::R8:
-            return {GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1};
-        case assets::PixelFormat::Rgb8:
-            return {GL_RGB8, GL_RGB, GL_UNSIGNED_BYTE, 4};
-        case assets::PixelFormat::Rgba8:
-            return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
-        case assets::PixelFormat::Rgb16F:
-            // Half the memory of half floats, and no bands in a clear sky: nine bits a colour.
-            return {GL_RGB9_E5, GL_RGB, GL_UNSIGNED_INT_5_9_9_9_REV, 4};
-        case assets::PixelFormat::Rgba16F:
-            return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
-    }
-    return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+// By PixelFormat. Colour images are plain 8-bit, not GL_SRGB8: the shader decodes after filtering.
+// Software GL filters plain bytes in a fast path of its own; decoding each of eight samples costs more
+// than the whole rest of the lookup.
+constexpr std::array<GlFormat, 5> kPixelFormats{
+    {{GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1},
+     {GL_RGB8, GL_RGB, GL_UNSIGNED_BYTE, 4},
+     {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4},
+     // Half the memory of half floats, and no bands in a clear sky: nine bits a colour.
+     {GL_RGB9_E5, GL_RGB, GL_UNSIGNED_INT_5_9_9_9_REV, 4},
+     {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8}}};
+static_assert(assets::PixelFormat::Rgba16F == assets::PixelFormat{kPixelFormats.size() - 1});
+
+// By TargetFormat.
+constexpr std::array<GlFormat, 6> kTargetFormats{
+    {{GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4},
+     {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, 4},
+     {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8},
+     {GL_RG16F, GL_RG, GL_HALF_FLOAT, 4},
+     {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4},
+     {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4}}};
+
+const GlFormat& format_of(TargetFormat format) {
+    return kTargetFormats[static_cast<std::size_t>(format)];
 }
 
-GlFormat format_of(TargetFormat format) {
-    switch (format) {
-        case TargetFormat::Rgba8:
-            return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
-        case TargetFormat::Srgb8:
-            return {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
-        case TargetFormat::HdrColor:
-            return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
-        case TargetFormat::Pair16F:
-            return {GL_RG16F, GL_RG, GL_HALF_FLOAT, 4};
-        case TargetFormat::Depth24:
-            return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4};
-        case TargetFormat::Depth32F:
-            return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4};
-    }
-    return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
-}
-
-GLint min_filter(Filter filter) {
-    switch (filter) {
-        case Filter::Nearest:
-            return GL_NEAREST;
-        case Filter::Linear:
-            return GL_LINEAR;
-        case Filter::LinearMipNearest:
-            return GL_LINEAR_MIPMAP_NEAREST;
-        case Filter::Trilinear:
-            return GL_LINEAR_MIPMAP_LINEAR;
-    }
-    return GL_LINEAR;
-}
+// By Filter.
+constexpr std::array<GLint, 4> kMinFilters{
+    GL_NEAREST, GL_LINEAR, GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_LINEAR};
 
 // No shader reads from this unit: filling a new image takes none away from those that are drawn with.
 constexpr GLenum kFillUnit = GL_TEXTURE31;
 
-TextureObject new_texture() {
-    glActiveTexture(kFillUnit);
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    return TextureObject{name};
-}
-
 void set_parameters(GLenum target, Filter filter, GLint wrap) {
-    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, min_filter(filter));
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, kMinFilters[static_cast<std::size_t>(filter)]);
     glTexParameteri(
         target, GL_TEXTURE_MAG_FILTER, filter == Filter::Nearest ? GL_NEAREST : GL_LINEAR);
     glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
@@ -140,7 +110,7 @@ assets::ImageData packed(const assets::ImageData& image) {
 
 /// Half floats must have been packed.
 std::size_t upload_level(GLenum target, GLint level, const assets::ImageData& image) {
-    const GlFormat format = format_of(image.format);
+    const GlFormat& format = kPixelFormats[static_cast<std::size_t>(image.format)];
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(target,
                  level,
@@ -160,17 +130,19 @@ std::size_t bytes_per_pixel(TargetFormat format) {
     return format_of(format).bytes_per_pixel;
 }
 
+Texture::Texture(unsigned int target, std::uint32_t width, std::uint32_t height)
+    : object_(new_texture()), kind_(target), width_(width), height_(height) {
+    glActiveTexture(kFillUnit);
+    glBindTexture(target, object_.name());
+}
+
 Texture Texture::target(TargetFormat format,
                         std::uint32_t width,
                         std::uint32_t height,
                         Filter filter) {
-    const GlFormat gl_format = format_of(format);
-    Texture texture;
-    texture.object_ = new_texture();
-    texture.width_ = width;
-    texture.height_ = height;
+    const GlFormat& gl_format = format_of(format);
+    Texture texture(GL_TEXTURE_2D, width, height);
     texture.bytes_ = std::size_t{width} * height * gl_format.bytes_per_pixel;
-    glBindTexture(GL_TEXTURE_2D, texture.name());
     set_parameters(GL_TEXTURE_2D, filter, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     const bool compares = gl_format.format == GL_DEPTH_COMPONENT && filter == Filter::Linear;
@@ -194,18 +166,14 @@ Texture Texture::multisampled(TargetFormat format,
                               std::uint32_t width,
                               std::uint32_t height,
                               std::uint32_t samples) {
-    const GlFormat gl_format = format_of(format);
+    const GlFormat& gl_format = format_of(format);
     GLint most = 1;
     glGetIntegerv(gl_format.format == GL_DEPTH_COMPONENT ? GL_MAX_DEPTH_TEXTURE_SAMPLES
                                                          : GL_MAX_COLOR_TEXTURE_SAMPLES,
                   &most);
-    Texture texture;
-    texture.object_ = new_texture();
-    texture.width_ = width;
-    texture.height_ = height;
+    Texture texture(GL_TEXTURE_2D_MULTISAMPLE, width, height);
     texture.samples_ = std::min(samples, static_cast<std::uint32_t>(std::max(most, 1)));
     texture.bytes_ = std::size_t{width} * height * gl_format.bytes_per_pixel * texture.samples_;
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture.name());
     glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE,
                             static_cast<GLsizei>(texture.samples_),
                             gl_format.internal,
@@ -216,11 +184,7 @@ Texture Texture::multisampled(TargetFormat format,
 }
 
 Texture Texture::tiling(std::span<const assets::ImageData* const> levels, Filter filter) {
-    Texture texture;
-    texture.object_ = new_texture();
-    texture.width_ = levels.front()->width;
-    texture.height_ = levels.front()->height;
-    glBindTexture(GL_TEXTURE_2D, texture.name());
+    Texture texture(GL_TEXTURE_2D, levels.front()->width, levels.front()->height);
     set_parameters(GL_TEXTURE_2D, filter, GL_REPEAT);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.size()) - 1);
     if (levels.front()->format == assets::PixelFormat::R8) {  // grey, not red
@@ -234,11 +198,7 @@ Texture Texture::tiling(std::span<const assets::ImageData* const> levels, Filter
 }
 
 Texture Texture::cube(std::span<const assets::ImageData> faces, std::uint32_t levels) {
-    Texture texture;
-    texture.object_ = new_texture();
-    texture.width_ = faces.front().width;
-    texture.height_ = faces.front().height;
-    glBindTexture(GL_TEXTURE_CUBE_MAP, texture.name());
+    Texture texture(GL_TEXTURE_CUBE_MAP, faces.front().width, faces.front().height);
     set_parameters(
         GL_TEXTURE_CUBE_MAP, levels > 1 ? Filter::Trilinear : Filter::Linear, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels) - 1);
@@ -255,12 +215,8 @@ Texture Texture::cube(std::span<const assets::ImageData> faces, std::uint32_t le
 }
 
 Texture Texture::volume(const std::array<std::uint32_t, 3>& counts, std::span<const Vec4f> texels) {
-    Texture texture;
-    texture.object_ = new_texture();
-    texture.width_ = counts[0];
-    texture.height_ = counts[1];
+    Texture texture(GL_TEXTURE_3D, counts[0], counts[1]);
     texture.bytes_ = texels.size() * 4 * sizeof(std::uint16_t);
-    glBindTexture(GL_TEXTURE_3D, texture.name());
     set_parameters(GL_TEXTURE_3D, Filter::Linear, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
     glTexImage3D(GL_TEXTURE_3D,
@@ -276,10 +232,9 @@ Texture Texture::volume(const std::array<std::uint32_t, 3>& counts, std::span<co
     return texture;
 }
 
-void bind_texture(unsigned int unit, TextureKind kind, const Texture& texture) {
+void bind_texture(unsigned int unit, const Texture& texture) {
     glActiveTexture(GL_TEXTURE0 + unit);
-    constexpr std::array<GLenum, 3> kTargets{GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_3D};
-    glBindTexture(kTargets[static_cast<std::size_t>(kind)], texture.name());
+    glBindTexture(texture.kind(), texture.name());
 }
 
 }  // namespace plumbline::render::gl

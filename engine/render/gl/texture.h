@@ -16,7 +16,6 @@ namespace plumbline::render::gl {
 /// Srgb8: light that is drawn into it while GL_FRAMEBUFFER_SRGB is on becomes codes; else as Rgba8.
 enum class TargetFormat { Rgba8, Srgb8, HdrColor, Pair16F, Depth24, Depth32F };
 enum class Filter { Nearest, Linear, LinearMipNearest, Trilinear };
-enum class TextureKind { Flat, Cube, Volume };
 
 /// What an image of that format holds for one pixel.
 std::size_t bytes_per_pixel(TargetFormat format);
@@ -47,6 +46,8 @@ public:
                           std::span<const Vec4f> texels);
 
     unsigned int name() const { return object_.name(); }
+    /// GL_TEXTURE_2D, or where else GL binds it.
+    unsigned int kind() const { return kind_; }
     explicit operator bool() const { return static_cast<bool>(object_); }
     std::uint32_t width() const { return width_; }
     std::uint32_t height() const { return height_; }
@@ -54,13 +55,17 @@ public:
     std::size_t bytes() const { return bytes_; }
 
 private:
+    /// Bound to be filled. `target`: of GL.
+    Texture(unsigned int target, std::uint32_t width, std::uint32_t height);
+
     TextureObject object_;
+    unsigned int kind_{0};
     std::uint32_t width_{0};
     std::uint32_t height_{0};
     std::uint32_t samples_{1};
     std::size_t bytes_{0};
 };
 
-void bind_texture(unsigned int unit, TextureKind kind, const Texture& texture);
+void bind_texture(unsigned int unit, const Texture& texture);
 
 }  // namespace plumbline::render::gl

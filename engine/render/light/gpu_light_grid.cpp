@@ -77,8 +77,8 @@ void GpuLightGrid::want(const RenderFrame& frame,
 }
 
 void GpuLightGrid::bind() const {
-    gl::bind_texture(kGridMeansUnit, gl::TextureKind::Volume, means_);
-    gl::bind_texture(kGridSlopesUnit, gl::TextureKind::Volume, slopes_);
+    gl::bind_texture(kGridMeansUnit, means_);
+    gl::bind_texture(kGridSlopesUnit, slopes_);
 }
 
 }  // namespace plumbline::render

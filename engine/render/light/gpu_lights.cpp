@@ -14,9 +14,7 @@ void GpuLights::upload(std::span<const LocalLight> lights,
     if (!masks_texture_) {
         lights_ = gl::Buffer{gl::BufferUse::Uniforms, gl::BufferLife::PerFrame};
         masks_ = gl::Buffer{gl::BufferUse::Vertices, gl::BufferLife::PerFrame};
-        GLuint name = 0;
-        glGenTextures(1, &name);
-        masks_texture_ = gl::TextureObject{name};
+        masks_texture_ = gl::new_texture();
     }
     LocalLightsBlock block;
     for (std::size_t i = 0; i < std::min(lights.size(), kMaxLights); ++i) {

@@ -6,14 +6,12 @@
 #include <cstddef>
 
 namespace plumbline::render {
-void DropPass::render(const FrameSetup& setup, SceneResources& resources, FrameStats& stats) {
+void DropPass::render(const FrameSetup& setup, PassContext context) {
     const RenderFrame& frame = *setup.frame;
-    const gl::Program* program = resources.shaders.find(kDropShader, 0);
+    const gl::Program* program = context.program(kDropShader);
     if (program == nullptr) return;
     if (!vertex_array_) {
-        GLuint name = 0;
-        glGenVertexArrays(1, &name);
-        vertex_array_ = gl::VertexArrayObject{name};
+        vertex_array_ = gl::new_vertex_array();
         instances_ = gl::Buffer{gl::BufferUse::Vertices, gl::BufferLife::PerFrame};
     }
     filled_.clear();
@@ -26,16 +24,8 @@ void DropPass::render(const FrameSetup& setup, SceneResources& resources, FrameS
     instances_.upload(filled_.data(), filled_.size() * sizeof(Instance));
 
     glBindVertexArray(vertex_array_.name());
-    for (const GLuint location : {0U, 1U}) {
-        glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location,
-                              4,
-                              GL_FLOAT,
-                              GL_FALSE,
-                              sizeof(Instance),
-                              reinterpret_cast<const void*>(location * sizeof(Vec4f)));
-        glVertexAttribDivisor(location, 1);
-    }
+    gl::float_attribute(0, 4, sizeof(Instance), offsetof(Instance, place), 1);
+    gl::float_attribute(1, 4, sizeof(Instance), offsetof(Instance, trail), 1);
     program->use();
     glUniform1f(program->location("pixel_rad"),
                 2.0F * std::tan(frame.camera.fov_y_rad * 0.5F) /
@@ -43,9 +33,9 @@ void DropPass::render(const FrameSetup& setup, SceneResources& resources, FrameS
     glDisable(GL_CULL_FACE);
     const auto count = static_cast<GLsizei>(filled_.size());
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
-    ++stats.draw_calls;
-    stats.instances += static_cast<std::uint32_t>(count);
-    stats.triangles += 2 * static_cast<std::uint64_t>(count);
+    ++context.stats.draw_calls;
+    context.stats.instances += static_cast<std::uint32_t>(count);
+    context.stats.triangles += 2 * static_cast<std::uint64_t>(count);
 }
 
 void DropPass::free() {

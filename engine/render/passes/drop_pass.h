@@ -3,7 +3,7 @@
 
 #include "engine/render/gl/buffer.h"
 #include "engine/render/gl/object.h"
-#include "engine/render/passes/scene_resources.h"
+#include "engine/render/passes/pass_context.h"
 #include "engine/render/setup/frame_setup.h"
 
 #include <vector>
@@ -17,7 +17,7 @@ public:
     }
 
     /// Blending is on, depth is read only.
-    void render(const FrameSetup& setup, SceneResources& resources, FrameStats& stats);
+    void render(const FrameSetup& setup, PassContext context);
     void free();
     std::uint64_t bytes() const { return instances_.size(); }
 

@@ -12,7 +12,7 @@ constexpr float kCasterError_m = 0.008F;
 std::vector<VisibleItem> casters_near(std::span<const ShadowedLight> chosen,
                                       float error_m,
                                       const RenderFrame& frame,
-                                      SceneResources& resources) {
+                                      const SceneResources& resources) {
     Aabb reach;
     for (const ShadowedLight& one : chosen) {
         const LocalLight& light = frame.lights[one.light];
@@ -22,15 +22,8 @@ std::vector<VisibleItem> casters_near(std::span<const ShadowedLight> chosen,
     const Vec3f half = reach.size() * 0.5F;
     const Mat4f clip_from_world =
         glm::translate(glm::scale(Mat4f{1.0F}, 1.0F / half), -reach.center());
-    std::vector<VisibleItem> casters =
-        cull(frame,
-             resources.library,
-             {.frustum = Frustum{clip_from_world},
-              .eye_world = frame.camera.position_world,
-              .lods = error_m > 0.0F ? &resources.meshes.lods() : nullptr,
-              .error_m = error_m});
-    std::erase_if(casters, [](const VisibleItem& c) { return !c.item->casts_shadow; });
-    return casters;
+    return casters_in(
+        Frustum{clip_from_world}, frame.camera.position_world, error_m, frame, resources);
 }
 
 bool reaches(const LocalLight& light, const Aabb& box_world) {
@@ -40,16 +33,14 @@ bool reaches(const LocalLight& light, const Aabb& box_world) {
 
 }  // namespace
 
-void LightShadowPass::render(const FrameSetup& setup,
-                             SceneResources& resources,
-                             FrameStats& stats) {
+void LightShadowPass::render(const FrameSetup& setup, PassContext context) {
     const RenderFrame& frame = *setup.frame;
     const std::vector<ShadowedLight>& chosen = setup.lamps.choice.chosen();
     const std::uint32_t size_px = setup.lamps.shadow_px;
     const float error_m = setup.image.quality.lod_error_px > 0.0F ? kCasterError_m : 0.0F;
     for (const ShadowedLight& one : chosen) rows_ = std::max(rows_, one.row + 1);
     maps_.resize(size_px, kLightFaces, rows_);
-    const std::vector<VisibleItem> near = casters_near(chosen, error_m, frame, resources);
+    const std::vector<VisibleItem> near = casters_near(chosen, error_m, frame, context.resources);
     for (const ShadowedLight& one : chosen) {
         const LocalLight& light = frame.lights[one.light];
         std::vector<VisibleItem> lit;
@@ -68,8 +59,7 @@ void LightShadowPass::render(const FrameSetup& setup,
             std::ranges::copy_if(lit, std::back_inserter(casters), [&](const VisibleItem& caster) {
                 return sight.may_touch(caster.bounds_world);
             });
-            maps_.show(
-                one.row * kLightFaces + face, view, nullptr, std::move(casters), resources, stats);
+            maps_.show(one.row * kLightFaces + face, view, nullptr, std::move(casters), context);
         }
     }
 }

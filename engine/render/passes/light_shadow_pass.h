@@ -10,7 +10,7 @@ namespace plumbline::render {
 class LightShadowPass {
 public:
     /// The frame's choice of lamps is not empty.
-    void render(const FrameSetup& setup, SceneResources& resources, FrameStats& stats);
+    void render(const FrameSetup& setup, PassContext context);
     /// Frees the maps.
     void free();
 

@@ -11,27 +11,17 @@ constexpr float kHiddenOpacity = 0.2F;
 
 }  // namespace
 
-void LinePass::render(const LineList& lines, SceneResources& resources, FrameStats& stats) {
-    const gl::Program* program = resources.shaders.find(kLineShader, 0);
+void LinePass::render(const LineList& lines, PassContext context) {
+    const gl::Program* program = context.program(kLineShader);
     if (program == nullptr || lines.vertices.empty()) return;
     if (!vertex_array_) {
-        GLuint name = 0;
-        glGenVertexArrays(1, &name);
-        vertex_array_ = gl::VertexArrayObject{name};
+        vertex_array_ = gl::new_vertex_array();
         vertices_ = gl::Buffer{gl::BufferUse::Vertices, gl::BufferLife::PerFrame};
     }
     vertices_.upload(lines.vertices.data(), lines.vertices.size() * sizeof(LineVertex));
     glBindVertexArray(vertex_array_.name());
-    const auto stride = static_cast<GLsizei>(sizeof(LineVertex));
-    glEnableVertexAttribArray(0);
-    glEnableVertexAttribArray(1);
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
-    glVertexAttribPointer(1,
-                          3,
-                          GL_FLOAT,
-                          GL_FALSE,
-                          stride,
-                          reinterpret_cast<const void*>(offsetof(LineVertex, color)));
+    gl::float_attribute(0, 3, sizeof(LineVertex), 0);
+    gl::float_attribute(1, 3, sizeof(LineVertex), offsetof(LineVertex, color));
     program->use();
     const auto count = static_cast<GLsizei>(lines.vertices.size());
     glEnable(GL_DEPTH_TEST);
@@ -46,7 +36,7 @@ void LinePass::render(const LineList& lines, SceneResources& resources, FrameSta
     glUniform1f(program->location("opacity"), 1.0F);
     glDrawArrays(GL_LINES, 0, count);
     glDepthMask(GL_TRUE);
-    stats.draw_calls += 2;
+    context.stats.draw_calls += 2;
 }
 
 }  // namespace plumbline::render

@@ -4,13 +4,13 @@
 #include "engine/core/lines.h"
 #include "engine/render/gl/buffer.h"
 #include "engine/render/gl/object.h"
-#include "engine/render/passes/scene_resources.h"
+#include "engine/render/passes/pass_context.h"
 
 namespace plumbline::render {
 
 class LinePass {
 public:
-    void render(const LineList& lines, SceneResources& resources, FrameStats& stats);
+    void render(const LineList& lines, PassContext context);
 
 private:
     gl::VertexArrayObject vertex_array_;

@@ -74,8 +74,7 @@ struct RunDrawer {
     const FrameSetup& setup;
     const std::optional<PixelPart>& behind;
     const InstanceStream& instances;
-    SceneResources& resources;
-    FrameStats& stats;
+    PassContext context;
 
     /// What of the frame's features the run needs.
     FeatureSet features_of(const DrawRun& run) const {
@@ -100,10 +99,10 @@ struct RunDrawer {
         const bool may_be_shadowed = (features & kSunShadow) != 0 && run.only_item != nullptr &&
                                      setup.sun.shadow_margin_m > 0.0F;
         if (may_be_shadowed && part_seen(run.bounds_world, clip_from_world).share() > kLeastSplit &&
-            is_convex(resources.library.mesh(run.mesh))) {
+            is_convex(context.resources.library.mesh(run.mesh))) {
             const std::optional<ConvexVolume> dark =
                 shadows_of_others(*setup.frame,
-                                  resources.library,
+                                  context.resources.library,
                                   *run.only_item,
                                   setup.sun.light->direction_world,
                                   setup.sun.shadow_margin_m);
@@ -132,16 +131,16 @@ struct RunDrawer {
     }
 
     void draw(const DrawRun& run, FeatureSet features) const {
-        const GpuMesh& mesh = resources.meshes.get(run.mesh);
-        FeatureSet look = resources.materials.features(run.material);
+        const GpuMesh& mesh = context.resources.meshes.get(run.mesh);
+        FeatureSet look = context.resources.materials.features(run.material);
         if (!behind) look &= ~kRefraction;
         const FeatureSet variant =
-            variant_of(look, features_with(features, mesh), resources.smooth_looks);
+            variant_of(look, features_with(features, mesh), context.resources.smooth_looks);
         const gl::Program* program =
-            resources.shaders.find_or_similar(kMeshShader, variant, kSubstitutes);
+            context.resources.shaders.find_or_similar(kMeshShader, variant, kSubstitutes);
         if (program == nullptr) return;
         program->use();
-        resources.materials.bind(run.material);
+        context.resources.materials.bind(run.material);
         if ((variant & kRefraction) != 0) bind_behind(*behind, setup.screen.depth_line, *program);
         if (run.two_sided) {
             glDisable(GL_CULL_FACE);
@@ -152,7 +151,7 @@ struct RunDrawer {
         if (covers_samples) glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
         draw_instances(mesh, MeshDetail::Full, instances, run);
         if (covers_samples) glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-        count_draw(stats, run);
+        count_draw(context.stats, run);
     }
 };
 
@@ -187,11 +186,10 @@ void MeshPass::render(const DrawList& draws,
                       DrawKind kind,
                       const FrameSetup& setup,
                       const std::optional<PixelPart>& behind,
-                      SceneResources& resources,
-                      FrameStats& stats) {
+                      PassContext context) {
     if (draws.runs.empty()) return;
     instances_.upload(draws.instances);
-    const RunDrawer drawer{setup, behind, instances_, resources, stats};
+    const RunDrawer drawer{setup, behind, instances_, context};
     for (const DrawRun& run : draws.runs) {
         const FeatureSet features = drawer.features_of(run);
         std::vector<LocalCode> locals;

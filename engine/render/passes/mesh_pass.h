@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/render/gl/buffer.h"
+#include "engine/render/passes/pass_context.h"
 #include "engine/render/passes/refraction_pass.h"
-#include "engine/render/passes/scene_resources.h"
 #include "engine/render/setup/frame_setup.h"
 
 #include <optional>
@@ -19,8 +19,7 @@ public:
                 DrawKind kind,
                 const FrameSetup& setup,
                 const std::optional<PixelPart>& behind,
-                SceneResources& resources,
-                FrameStats& stats);
+                PassContext context);
 
 private:
     InstanceStream instances_;

@@ -27,8 +27,8 @@ bool RefractionPass::copy(const SceneTarget& scene,
 }
 
 void RefractionPass::bind() const {
-    gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, behind_.color());
-    gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, behind_.depth());
+    gl::bind_texture(kSourceUnit, behind_.color());
+    gl::bind_texture(kDepthUnit, behind_.depth());
 }
 
 }  // namespace plumbline::render

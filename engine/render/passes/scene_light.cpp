@@ -8,11 +8,9 @@ namespace plumbline::render {
 
 void bind_scene_light(const SceneLight& light, const gl::Program& program) {
     if (light.features == 0) return;
-    gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, *light.depth);
-    if (light.occlusion != nullptr)
-        gl::bind_texture(kOcclusionUnit, gl::TextureKind::Flat, *light.occlusion);
-    if (light.shafts != nullptr)
-        gl::bind_texture(kShaftsUnit, gl::TextureKind::Flat, *light.shafts);
+    gl::bind_texture(kDepthUnit, *light.depth);
+    if (light.occlusion != nullptr) gl::bind_texture(kOcclusionUnit, *light.occlusion);
+    if (light.shafts != nullptr) gl::bind_texture(kShaftsUnit, *light.shafts);
     glUniform2f(program.location("depth_line"), light.depth_line.x, light.depth_line.y);
 }
 

@@ -12,28 +12,19 @@ namespace plumbline::render {
 
 /// Of the shaders that read the scene's light or encode it.
 namespace screen_feature {
-inline constexpr FeatureSet kOcclusion = 1ULL << 0U;  ///< less ambient light in corners
-inline constexpr FeatureSet kShafts = 1ULL << 1U;     ///< light from air in the sun
-inline constexpr FeatureSet kMoved = 1ULL << 2U;      ///< things moved while the shutter was open
-inline constexpr FeatureSet kBloom = 1ULL << 3U;
-inline constexpr FeatureSet kToneMap = 1ULL << 4U;      ///< exposure and tone curve
-inline constexpr FeatureSet kFourSamples = 1ULL << 5U;  ///< two by two make a pixel
-inline constexpr FeatureSet kFxaa = 1ULL << 6U;
-inline constexpr FeatureSet kSharpen = 1ULL << 7U;
-inline constexpr FeatureSet kKeepDepth = 1ULL << 8U;  ///< lines will be drawn over the image
-}  // namespace screen_feature
+inline constexpr Feature kOcclusion{0, "PL_OCCLUSION"};  ///< less ambient light in corners
+inline constexpr Feature kShafts{1, "PL_SHAFTS"};        ///< light from air in the sun
+inline constexpr Feature kMoved{2, "PL_MOVED"};  ///< things moved while the shutter was open
+inline constexpr Feature kBloom{3, "PL_BLOOM"};
+inline constexpr Feature kToneMap{4, "PL_TONE_MAP"};          ///< exposure and tone curve
+inline constexpr Feature kFourSamples{5, "PL_FOUR_SAMPLES"};  ///< two by two make a pixel
+inline constexpr Feature kFxaa{6, "PL_FXAA"};
+inline constexpr Feature kSharpen{7, "PL_SHARPEN"};
+inline constexpr Feature kKeepDepth{8, "PL_KEEP_DEPTH"};  ///< lines will be drawn over the image
 
-inline constexpr std::array kScreenFeatures{
-    Feature{screen_feature::kOcclusion, "PL_OCCLUSION"},
-    Feature{screen_feature::kShafts, "PL_SHAFTS"},
-    Feature{screen_feature::kMoved, "PL_MOVED"},
-    Feature{screen_feature::kBloom, "PL_BLOOM"},
-    Feature{screen_feature::kToneMap, "PL_TONE_MAP"},
-    Feature{screen_feature::kFourSamples, "PL_FOUR_SAMPLES"},
-    Feature{screen_feature::kFxaa, "PL_FXAA"},
-    Feature{screen_feature::kSharpen, "PL_SHARPEN"},
-    Feature{screen_feature::kKeepDepth, "PL_KEEP_DEPTH"},
-};
+inline constexpr std::array kAll{
+    kOcclusion, kShafts, kMoved, kBloom, kToneMap, kFourSamples, kFxaa, kSharpen, kKeepDepth};
+}  // namespace screen_feature
 
 /// An image of light, and what the first pass that reads it has to add: shaders/include/scene_light.glsl.
 struct SceneLight {

@@ -40,50 +40,51 @@ struct SceneResources {
 
 /// Of the shader of shadow maps.
 namespace depth_feature {
-inline constexpr FeatureSet kAlphaMask = 1ULL << 0U;
-}
-inline constexpr std::array kDepthFeatures{Feature{depth_feature::kAlphaMask, "PL_ALPHA_MASK"}};
+inline constexpr Feature kAlphaMask{0, "PL_ALPHA_MASK"};
 
+inline constexpr std::array kAll{kAlphaMask};
+}  // namespace depth_feature
 /// Of the sky's shaders.
 namespace sky_feature {
-inline constexpr FeatureSet kClouds = 1ULL << 0U;    ///< before a computed sky
-inline constexpr FeatureSet kSkyCodes = 1ULL << 1U;  ///< the sky's faces hold sRGB codes
-inline constexpr FeatureSet kCodes = 1ULL << 2U;     ///< the target holds sRGB codes
-}  // namespace sky_feature
-inline constexpr std::array kSkyFeatures{Feature{sky_feature::kClouds, "PL_CLOUDS"},
-                                         Feature{sky_feature::kSkyCodes, "PL_SKY_CODES"},
-                                         Feature{sky_feature::kCodes, "PL_CODES"}};
+inline constexpr Feature kClouds{0, "PL_CLOUDS"};       ///< before a computed sky
+inline constexpr Feature kSkyCodes{1, "PL_SKY_CODES"};  ///< the sky's faces hold sRGB codes
+inline constexpr Feature kCodes{2, "PL_CODES"};         ///< the target holds sRGB codes
 
+inline constexpr std::array kAll{kClouds, kSkyCodes, kCodes};
+}  // namespace sky_feature
 /// Of the shader of sun shafts.
 namespace shaft_feature {
-inline constexpr FeatureSet kSunShadow = 1ULL << 0U;
-inline constexpr FeatureSet kCascades = 1ULL << 1U;
-}  // namespace shaft_feature
-inline constexpr std::array kShaftFeatures{Feature{shaft_feature::kSunShadow, "PL_SUN_SHADOW"},
-                                           Feature{shaft_feature::kCascades, "PL_CASCADES"}};
+inline constexpr Feature kSunShadow{0, "PL_SUN_SHADOW"};
+inline constexpr Feature kCascades{1, "PL_CASCADES"};
 
-inline constexpr ShaderPair kMeshShader{"mesh.vert", "mesh.frag", kMeshFeatures};
-inline constexpr ShaderPair kDepthShader{"depth.vert", "depth.frag", kDepthFeatures};
-inline constexpr ShaderPair kSkyShader{"fullscreen.vert", "sky.frag", kSkyFeatures};
-inline constexpr ShaderPair kSkyDomeShader{"sky_dome.vert", "sky_dome.frag", kSkyFeatures};
-inline constexpr ShaderPair kSkyPointShader{"sky_point.vert", "sky_point.frag", kSkyFeatures};
+inline constexpr std::array kAll{kSunShadow, kCascades};
+}  // namespace shaft_feature
+inline constexpr ShaderPair kMeshShader{"mesh.vert", "mesh.frag", mesh_feature::kAll};
+inline constexpr ShaderPair kDepthShader{"depth.vert", "depth.frag", depth_feature::kAll};
+inline constexpr ShaderPair kSkyShader{"fullscreen.vert", "sky.frag", sky_feature::kAll};
+inline constexpr ShaderPair kSkyDomeShader{"sky_dome.vert", "sky_dome.frag", sky_feature::kAll};
+inline constexpr ShaderPair kSkyPointShader{"sky_point.vert", "sky_point.frag", sky_feature::kAll};
 inline constexpr ShaderPair kFogShader{"fullscreen.vert", "fog.frag"};
 inline constexpr ShaderPair kExposureShader{"fullscreen.vert", "exposure.frag"};
 inline constexpr ShaderPair kOcclusionShader{"fullscreen.vert", "occlusion.frag"};
 inline constexpr ShaderPair kPairBlurShader{"fullscreen.vert", "pair_blur.frag"};
-inline constexpr ShaderPair kShaftsShader{"fullscreen.vert", "shafts.frag", kShaftFeatures};
-inline constexpr ShaderPair kFocusDownShader{"fullscreen.vert", "focus_down.frag", kScreenFeatures};
+inline constexpr ShaderPair kShaftsShader{"fullscreen.vert", "shafts.frag", shaft_feature::kAll};
+inline constexpr ShaderPair kFocusDownShader{
+    "fullscreen.vert", "focus_down.frag", screen_feature::kAll};
 inline constexpr ShaderPair kFocusGatherShader{"fullscreen.vert", "focus_gather.frag"};
-inline constexpr ShaderPair kFocusJoinShader{"fullscreen.vert", "focus_join.frag", kScreenFeatures};
+inline constexpr ShaderPair kFocusJoinShader{
+    "fullscreen.vert", "focus_join.frag", screen_feature::kAll};
 inline constexpr ShaderPair kMotionBlurShader{
-    "fullscreen.vert", "motion_blur.frag", kScreenFeatures};
+    "fullscreen.vert", "motion_blur.frag", screen_feature::kAll};
 inline constexpr ShaderPair kVelocityShader{"velocity.vert", "velocity.frag"};
-inline constexpr ShaderPair kToneMapShader{"fullscreen.vert", "tone_map.frag", kScreenFeatures};
+inline constexpr ShaderPair kToneMapShader{
+    "fullscreen.vert", "tone_map.frag", screen_feature::kAll};
 inline constexpr ShaderPair kBloomDownShader{"fullscreen.vert", "bloom_down.frag"};
 inline constexpr ShaderPair kBloomUpShader{"fullscreen.vert", "bloom_up.frag"};
 inline constexpr ShaderPair kSmoothEdgesShader{
-    "fullscreen.vert", "smooth_edges.frag", kScreenFeatures};
-inline constexpr ShaderPair kScaleUpShader{"fullscreen.vert", "scale_up.frag", kScreenFeatures};
+    "fullscreen.vert", "smooth_edges.frag", screen_feature::kAll};
+inline constexpr ShaderPair kScaleUpShader{
+    "fullscreen.vert", "scale_up.frag", screen_feature::kAll};
 inline constexpr ShaderPair kLineShader{"line.vert", "line.frag"};
 inline constexpr ShaderPair kDropShader{"drop.vert", "drop.frag"};
 /// All there are: a missing file is found at the start, not when its effect first runs.

@@ -41,8 +41,7 @@ std::size_t SceneTarget::bytes_for(const PixelSize& size_px,
 
 void SceneTarget::bind() const {
     const gl::Framebuffer& drawn = samples_framebuffer_ ? samples_framebuffer_ : framebuffer_;
-    glBindFramebuffer(GL_FRAMEBUFFER, drawn.name());
-    glViewport(0, 0, static_cast<GLsizei>(color_.width()), static_cast<GLsizei>(color_.height()));
+    gl::draw_into(drawn.name(), color_.width(), color_.height());
 }
 
 void SceneTarget::bind_light() {
@@ -59,18 +58,8 @@ void SceneTarget::copy(const SceneTarget& from, const Vec2f& first_px, const Vec
         from.samples_framebuffer_ ? from.samples_framebuffer_ : from.framebuffer_;
     const glm::ivec2 low{first_px};
     const glm::ivec2 high = glm::ivec2{last_px} + 1;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
-    glBlitFramebuffer(low.x,
-                      low.y,
-                      high.x,
-                      high.y,
-                      low.x,
-                      low.y,
-                      high.x,
-                      high.y,
-                      GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT,
-                      GL_NEAREST);
+    const gl::PixelRect rect{low.x, low.y, high.x, high.y};
+    gl::copy(drawn, rect, framebuffer_, rect, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
 void SceneTarget::resolve() const {
@@ -78,11 +67,9 @@ void SceneTarget::resolve() const {
 }
 
 void SceneTarget::resolve(unsigned int buffers) const {
-    const auto width = static_cast<GLint>(color_.width());
-    const auto height = static_cast<GLint>(color_.height());
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_framebuffer_.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
-    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, buffers, GL_NEAREST);
+    const gl::PixelRect all{
+        0, 0, static_cast<int>(color_.width()), static_cast<int>(color_.height())};
+    gl::copy(samples_framebuffer_, all, framebuffer_, all, buffers);
 }
 
 }  // namespace plumbline::render

@@ -100,6 +100,22 @@ constexpr int kFarLag_frames = 3;
 
 }  // namespace
 
+std::vector<VisibleItem> casters_in(const Frustum& volume,
+                                    const Vec3f& eye_world,
+                                    float error_m,
+                                    const RenderFrame& frame,
+                                    const SceneResources& resources) {
+    std::vector<VisibleItem> casters =
+        cull(frame,
+             resources.library,
+             {.frustum = volume,
+              .eye_world = eye_world,
+              .lods = error_m > 0.0F ? &resources.meshes.lods() : nullptr,
+              .error_m = error_m});
+    std::erase_if(casters, [](const VisibleItem& caster) { return !caster.item->casts_shadow; });
+    return casters;
+}
+
 void ShadowPass::make_map(Map& map) const {
     map.framebuffer = {};
     map.depth = gl::Texture::target(
@@ -120,27 +136,23 @@ void ShadowPass::resize(std::uint32_t size_px, std::uint32_t columns, std::uint3
 void ShadowPass::render(std::span<const ShadowView> views,
                         const ShadowSight* sight,
                         const RenderFrame& frame,
-                        SceneResources& resources,
-                        FrameStats& stats) {
+                        PassContext context) {
     resize(std::max(views.front().size_px, 16U), static_cast<std::uint32_t>(views.size()), 1);
+    const assets::AssetLibrary& library = context.resources.library;
     for (std::size_t i = 0; i < views.size(); ++i) {
         ShadowView view = views[i];
-        std::vector<VisibleItem> casters =
-            cull(frame,
-                 resources.library,
-                 {.frustum = caster_volume(view.clip_from_world),
-                  .eye_world = view.eye_world,
-                  .lods = view.error_m > 0.0F ? &resources.meshes.lods() : nullptr,
-                  .error_m = view.error_m});
-        std::erase_if(casters,
-                      [](const VisibleItem& caster) { return !caster.item->casts_shadow; });
+        std::vector<VisibleItem> casters = casters_in(caster_volume(view.clip_from_world),
+                                                      view.eye_world,
+                                                      view.error_m,
+                                                      frame,
+                                                      context.resources);
         const std::size_t bare_floors = std::erase_if(casters, [&](const VisibleItem& caster) {
-            return is_bare_floor(caster, view.clip_from_world, frame, resources.library);
+            return is_bare_floor(caster, view.clip_from_world, frame, library);
         });
         if (view.clip_from_world != drawn_[i].view && is_parallel(view.clip_from_world))
-            view.statics = hash_of_statics(frame, resources.library, bare_floors, view.error_m);
+            view.statics = hash_of_statics(frame, library, bare_floors, view.error_m);
         view.may_lag = i > 0;
-        show(i, view, i == 0 ? sight : nullptr, std::move(casters), resources, stats);
+        show(i, view, i == 0 ? sight : nullptr, std::move(casters), context);
     }
 }
 
@@ -148,32 +160,32 @@ void ShadowPass::show(std::size_t part,
                       const ShadowView& view,
                       const ShadowSight* sight,
                       std::vector<VisibleItem> casters,
-                      SceneResources& resources,
-                      FrameStats& stats) {
-    const std::uint64_t statics = hash_of(view, casters, Casters::Static, resources.library);
-    const std::uint64_t moving = hash_of(view, casters, Casters::Moving, resources.library);
+                      PassContext context) {
+    const assets::AssetLibrary& library = context.resources.library;
+    const std::uint64_t statics = hash_of(view, casters, Casters::Static, library);
+    const std::uint64_t moving = hash_of(view, casters, Casters::Moving, library);
     Part& shown = drawn_[part];
     const bool may_lag = view.may_lag && ++shown.age_frames <= kFarLag_frames;
     const bool same_statics = shown.statics == statics;
     const bool same_moving = shown.moving == moving;
     if (same_statics && (same_moving || may_lag) && !shown.is_partial) {
-        ++stats.shadow_passes_cached;
+        ++context.stats.shadow_passes_cached;
         return;
     }
-    ++stats.shadow_passes_rendered;
+    ++context.stats.shadow_passes_rendered;
     if (!statics_.depth && (same_statics || is_likely_to_move(view, casters))) make_map(statics_);
     shown.statics = statics;
     shown.moving = moving;
     shown.age_frames = 0;
     const std::size_t all = casters.size();
-    if (sight != nullptr && !same_moving) remove_unseen_casters(casters, resources.library, *sight);
+    if (sight != nullptr && !same_moving) remove_unseen_casters(casters, library, *sight);
     shown.is_partial = casters.size() < all;
     if (statics_.depth && !view.moves) {
-        draw_on_statics(view, part, std::move(casters), resources, stats);
+        draw_on_statics(view, part, std::move(casters), context);
     } else {
         clear(shown_, part, whole());
         shown.ground = 0;
-        draw(view, std::move(casters), resources, stats);
+        draw(view, std::move(casters), context);
     }
     shown.view = view.clip_from_world;
 }
@@ -202,17 +214,16 @@ void ShadowPass::clear(const Map& map, std::size_t part, const TexelRect& rect) 
 
 void ShadowPass::draw(const ShadowView& view,
                       std::vector<VisibleItem> casters,
-                      SceneResources& resources,
-                      FrameStats& stats) {
+                      PassContext context) {
     draws_.clear();
     const Emitters emitters = view.from_lamp ? Emitters::LetThrough : Emitters::Cast;
     remove_hidden(casters,
-                  resources.library,
+                  context.resources.library,
                   {.clip_from_world = view.clip_from_world,
                    .width_px = size_px_,
                    .height_px = size_px_,
                    .emitters = emitters});
-    build_depth_draws(std::move(casters), resources.library, emitters, draws_);
+    build_depth_draws(std::move(casters), context.resources.library, emitters, draws_);
     glEnable(GL_SCISSOR_TEST);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -226,25 +237,25 @@ void ShadowPass::draw(const ShadowView& view,
     for (const DrawRun& run : draws_.runs) {
         const bool masked = run.material.value != 0;
         const gl::Program* program =
-            resources.shaders.find(kDepthShader, masked ? depth_feature::kAlphaMask : 0U);
+            context.program(kDepthShader, depth_feature::kAlphaMask.when(masked));
         if (program == nullptr) continue;
         program->use();
         glUniformMatrix4fv(program->location("clip_from_world"),
                            1,
                            GL_FALSE,
                            glm::value_ptr(view.clip_from_world));
-        if (masked) resources.materials.bind(run.material);
+        if (masked) context.resources.materials.bind(run.material);
         // A closed body's far sides lie behind its near ones; cards and leaves have no far side.
         if (run.two_sided) {
             glDisable(GL_CULL_FACE);
         } else {
             glEnable(GL_CULL_FACE);
         }
-        draw_instances(resources.meshes.get(run.mesh),
+        draw_instances(context.resources.meshes.get(run.mesh),
                        masked ? MeshDetail::Full : MeshDetail::DepthOnly,
                        instances_,
                        run);
-        count_draw(stats, run);
+        count_draw(context.stats, run);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_CLAMP);

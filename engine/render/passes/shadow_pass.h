@@ -11,7 +11,7 @@
 #include "engine/render/gl/framebuffer.h"
 #include "engine/render/gl/texture.h"
 #include "engine/render/light/shadow_view.h"
-#include "engine/render/passes/scene_resources.h"
+#include "engine/render/passes/pass_context.h"
 
 #include <cstdint>
 #include <optional>
@@ -19,6 +19,13 @@
 #include <vector>
 
 namespace plumbline::render {
+
+/// What casts shadows into a volume, as coarse as it may be: off by `error_m`; 0: full meshes.
+std::vector<VisibleItem> casters_in(const Frustum& volume,
+                                    const Vec3f& eye_world,
+                                    float error_m,
+                                    const RenderFrame& frame,
+                                    const SceneResources& resources);
 
 class ShadowPass {
 public:
@@ -28,8 +35,7 @@ public:
     void render(std::span<const ShadowView> views,
                 const ShadowSight* sight,
                 const RenderFrame& frame,
-                SceneResources& resources,
-                FrameStats& stats);
+                PassContext context);
     /// Of a map that is made of many: `columns` in a row. Nothing is shown any more if the size changes.
     void resize(std::uint32_t size_px, std::uint32_t columns, std::uint32_t rows);
     /// One of those maps, row by row; drawn only if it does not show this already.
@@ -37,8 +43,7 @@ public:
               const ShadowView& view,
               const ShadowSight* sight,
               std::vector<VisibleItem> casters,
-              SceneResources& resources,
-              FrameStats& stats);
+              PassContext context);
     /// Frees the map.
     void free();
 
@@ -50,18 +55,8 @@ private:
         gl::Texture depth;
         gl::Framebuffer framebuffer;
     };
-    /// Texels of a part, from its left and its bottom.
-    struct TexelRect {
-        int left{0};
-        int bottom{0};
-        int right{0};
-        int top{0};
-        bool empty() const { return left >= right || bottom >= top; }
-        bool overlaps(const TexelRect& other) const {
-            return left < other.right && other.left < right && bottom < other.top &&
-                   other.bottom < top;
-        }
-    };
+    /// Texels of a part.
+    using TexelRect = gl::PixelRect;
     /// What one part shows; hashes.
     struct Part {
         Mat4f view{0.0F};          ///< in which it is drawn: clip from world
@@ -97,18 +92,13 @@ private:
                        std::size_t part,
                        glm::ivec2 shift,
                        std::span<const VisibleItem> casters,
-                       SceneResources& resources,
-                       FrameStats& stats);
+                       PassContext context);
     void draw_on_statics(const ShadowView& view,
                          std::size_t part,
                          std::vector<VisibleItem> casters,
-                         SceneResources& resources,
-                         FrameStats& stats);
+                         PassContext context);
     /// Into the map aimed at.
-    void draw(const ShadowView& view,
-              std::vector<VisibleItem> casters,
-              SceneResources& resources,
-              FrameStats& stats);
+    void draw(const ShadowView& view, std::vector<VisibleItem> casters, PassContext context);
 
     Map shown_;
     Map statics_;  ///< empty until something moves, in the sun's map until something can

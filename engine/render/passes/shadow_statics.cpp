@@ -21,8 +21,7 @@ constexpr float kRounding_px = 0.02F;
 void ShadowPass::draw_on_statics(const ShadowView& view,
                                  std::size_t part,
                                  std::vector<VisibleItem> casters,
-                                 SceneResources& resources,
-                                 FrameStats& stats) {
+                                 PassContext context) {
     const auto first_moving =
         std::stable_partition(casters.begin(), casters.end(), [](const VisibleItem& caster) {
             return caster.item->is_static;
@@ -32,10 +31,10 @@ void ShadowPass::draw_on_statics(const ShadowView& view,
     Part& shown = drawn_[part];
     if (shown.in_statics_map != shown.statics) {
         if (const std::optional<glm::ivec2> shift = shift_of(part, view)) {
-            shift_statics(view, part, *shift, casters, resources, stats);
+            shift_statics(view, part, *shift, casters, context);
         } else {
             clear(statics_, part, whole());
-            draw(view, std::move(casters), resources, stats);
+            draw(view, std::move(casters), context);
         }
         shown.in_statics_map = shown.statics;
         shown.all_statics = view.statics;
@@ -46,7 +45,7 @@ void ShadowPass::draw_on_statics(const ShadowView& view,
     shown.ground = shown.statics;
     shown.drawn_over = texels_of(view, moving);
     aim(shown_, part, whole());
-    draw(view, std::move(moving), resources, stats);
+    draw(view, std::move(moving), context);
 }
 
 std::optional<glm::ivec2> ShadowPass::shift_of(std::size_t part, const ShadowView& view) const {
@@ -68,8 +67,7 @@ void ShadowPass::shift_statics(const ShadowView& view,
                                std::size_t part,
                                glm::ivec2 shift,
                                std::span<const VisibleItem> casters,
-                               SceneResources& resources,
-                               FrameStats& stats) {
+                               PassContext context) {
     const TexelRect all = whole();
     const TexelRect kept{std::max(shift.x, 0),
                          std::max(shift.y, 0),
@@ -90,7 +88,7 @@ void ShadowPass::shift_statics(const ShadowView& view,
             return rect.overlaps(texels_of(view, {&caster, 1}));
         });
         clear(shown_, part, rect);
-        draw(view, std::move(within), resources, stats);
+        draw(view, std::move(within), context);
     }
     copy(shown_, placed(part, all), statics_, placed(part, all));
     drawn_[part].ground = drawn_[part].statics;
@@ -120,18 +118,7 @@ void ShadowPass::copy(const Map& from,
                       const TexelRect& into) {
     if (rect.empty()) return;
     glDisable(GL_SCISSOR_TEST);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer.name());
-    glBlitFramebuffer(rect.left,
-                      rect.bottom,
-                      rect.right,
-                      rect.top,
-                      into.left,
-                      into.bottom,
-                      into.right,
-                      into.top,
-                      GL_DEPTH_BUFFER_BIT,
-                      GL_NEAREST);
+    gl::copy(from.framebuffer, rect, to.framebuffer, into, GL_DEPTH_BUFFER_BIT);
 }
 
 }  // namespace plumbline::render

@@ -6,12 +6,6 @@
 
 namespace plumbline::render {
 
-FullscreenTriangle::FullscreenTriangle() {
-    GLuint name = 0;
-    glGenVertexArrays(1, &name);
-    vertex_array_ = gl::VertexArrayObject{name};
-}
-
 void FullscreenTriangle::draw() const {
     glBindVertexArray(vertex_array_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -19,59 +13,75 @@ void FullscreenTriangle::draw() const {
 
 namespace {
 
-void render_image(const FullscreenTriangle& triangle,
-                  FeatureSet features,
-                  SceneResources& resources,
-                  FrameStats& stats) {
-    const gl::Program* program = resources.shaders.find(kSkyShader, features);
+void render_image(FeatureSet features, PassContext context) {
+    const gl::Program* program = context.program(kSkyShader, features);
     if (program == nullptr) return;
     program->use();
-    gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, resources.sky.background());
-    triangle.draw();
-    ++stats.draw_calls;
+    gl::bind_texture(kSkyUnit, context.resources.sky.background());
+    context.draw_triangle();
 }
 
-void render_computed(FeatureSet features, SceneResources& resources, FrameStats& stats) {
-    const gl::Program* dome = resources.shaders.find(kSkyDomeShader, features);
-    const gl::Program* points = resources.shaders.find(kSkyPointShader, features);
+void render_computed(FeatureSet features, PassContext context) {
+    const gl::Program* dome = context.program(kSkyDomeShader, features);
+    const gl::Program* points = context.program(kSkyPointShader, features);
     if (dome == nullptr || points == nullptr) return;
-    const GpuSkyDome& gpu = resources.sky.dome();
+    const GpuSky& all = context.resources.sky;
+    const GpuSkyDome& gpu = all.dome();
+    const ComputedSky& sky = *all.computed();
     dome->use();
     if ((features & sky_feature::kClouds) != 0) {
-        const ComputedSky& sky = *resources.sky.computed();
         const Vec3f& key = sky.to_cloud_light();
-        gl::bind_texture(kSkyUnit, gl::TextureKind::Cube, resources.sky.background());
+        gl::bind_texture(kSkyUnit, all.background());
         glUniform3f(dome->location("cloud_key"), key.x, key.z, sky.model().clouds);
     }
     gpu.draw_dome();
     points->use();
     if ((features & sky_feature::kClouds) != 0)
-        glUniform1f(points->location("cloud_share"), resources.sky.computed()->model().clouds);
+        glUniform1f(points->location("cloud_share"), sky.model().clouds);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     gpu.draw_points();
     glDisable(GL_BLEND);
-    stats.draw_calls += 2;
+    context.stats.draw_calls += 2;
 }
 
 }  // namespace
 
-void render_sky(const FullscreenTriangle& triangle,
-                bool writes_codes,
-                SceneResources& resources,
-                FrameStats& stats) {
-    FeatureSet features = writes_codes ? sky_feature::kCodes : 0;
+void render_sky(bool writes_codes, PassContext context) {
+    const GpuSky& sky = context.resources.sky;
+    FeatureSet features = sky_feature::kCodes.when(writes_codes);
     glDisable(GL_CULL_FACE);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
-    if (resources.sky.computed() != nullptr) {
-        if (resources.sky.background()) features |= sky_feature::kClouds;
-        render_computed(features, resources, stats);
+    if (sky.computed() != nullptr) {
+        if (sky.background()) features |= sky_feature::kClouds;
+        render_computed(features, context);
     } else {
-        if (resources.sky.is_srgb()) features |= sky_feature::kSkyCodes;
-        render_image(triangle, features, resources, stats);
+        if (sky.is_srgb()) features |= sky_feature::kSkyCodes;
+        render_image(features, context);
     }
     glDepthMask(GL_TRUE);
+}
+
+void render_fog(const FrameSetup& setup, SceneTarget& scene, PassContext context) {
+    const gl::Program* program = context.program(kFogShader);
+    if (program == nullptr) return;
+    const bool has_sky = setup.frame->sky && context.resources.sky.ready();
+    scene.bind_light();
+    program->use();
+    gl::bind_texture(kDepthUnit, scene.depth());
+    const Vec2f& depth_line = setup.screen.depth_line;
+    glUniform2f(program->location("depth_line"), depth_line.x, depth_line.y);
+    glUniform1f(program->location("has_sky"), has_sky ? 1.0F : 0.0F);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    // Alpha, the share of the light that can be occluded, shrinks as the light does.
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+    context.draw_triangle();
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    scene.bind();
 }
 
 }  // namespace plumbline::render

@@ -1,25 +1,17 @@
-// The sky behind all that is opaque.
+// The sky behind all that is opaque, and the fog between the eye and both.
 #pragma once
 
-#include "engine/render/gl/object.h"
-#include "engine/render/passes/scene_resources.h"
+#include "engine/render/passes/pass_context.h"
+#include "engine/render/passes/scene_target.h"
+#include "engine/render/setup/frame_setup.h"
 
 namespace plumbline::render {
 
-/// An empty vertex array and one triangle: what full-screen passes draw.
-class FullscreenTriangle {
-public:
-    FullscreenTriangle();
-    void draw() const;
-
-private:
-    gl::VertexArrayObject vertex_array_;
-};
-
 /// At the far plane, where nothing was drawn. `writes_codes`: the target holds sRGB codes.
-void render_sky(const FullscreenTriangle& triangle,
-                bool writes_codes,
-                SceneResources& resources,
-                FrameStats& stats);
+void render_sky(bool writes_codes, PassContext context);
+
+/// Blends the fog's colour over the scene's light by its depth. What blends is drawn afterwards and has
+/// fog in its own shader.
+void render_fog(const FrameSetup& setup, SceneTarget& scene, PassContext context);
 
 }  // namespace plumbline::render

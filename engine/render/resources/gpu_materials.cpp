@@ -114,22 +114,16 @@ std::vector<TextureRequest> textures_of(const assets::MaterialData& material) {
                             .content = MipContent::Color,
                             .alpha_cutoff = masked ? material.alpha_cutoff : 0.0F});
     }
-    if ((features & mesh_feature::kNormalMap) != 0) {
-        requests.push_back(
-            {.file = material.normal_map, .content = MipContent::Data, .unit = kNormalUnit});
-    }
-    if ((features & mesh_feature::kParallax) != 0) {
-        requests.push_back(
-            {.file = material.height_map, .content = MipContent::Data, .unit = kHeightUnit});
-    }
-    if ((features & mesh_feature::kOrmMap) != 0) {
-        requests.push_back(
-            {.file = material.orm_map, .content = MipContent::Data, .unit = kOrmUnit});
-    }
-    if ((features & mesh_feature::kEmissiveMap) != 0) {
-        requests.push_back(
-            {.file = material.emissive_map, .content = MipContent::Color, .unit = kEmissiveUnit});
-    }
+    const auto add = [&](FeatureSet feature, TextureRequest request) {
+        if ((features & feature) != 0) requests.push_back(std::move(request));
+    };
+    constexpr MipContent kData = MipContent::Data;
+    add(mesh_feature::kNormalMap,
+        {.file = material.normal_map, .content = kData, .unit = kNormalUnit});
+    add(mesh_feature::kParallax,
+        {.file = material.height_map, .content = kData, .unit = kHeightUnit});
+    add(mesh_feature::kOrmMap, {.file = material.orm_map, .content = kData, .unit = kOrmUnit});
+    add(mesh_feature::kEmissiveMap, {.file = material.emissive_map, .unit = kEmissiveUnit});
     return requests;
 }
 
@@ -178,7 +172,7 @@ void GpuMaterials::bind(assets::MaterialId id) {
     gl::bind_uniforms(kMaterialBinding, blocks_, id.value * stride_, sizeof(MaterialBlock));
     const Entry& material = materials_[id.value];
     for (const TextureRequest& request : material.textures) {
-        gl::bind_texture(request.unit, gl::TextureKind::Flat, textures_.get(request));
+        gl::bind_texture(request.unit, textures_.get(request));
     }
 }
 

@@ -130,12 +130,6 @@ const void* offset_pointer(std::size_t offset) {
     return reinterpret_cast<const void*>(offset);
 }
 
-void float_attribute(GLuint location, GLint count, std::size_t stride, std::size_t offset) {
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(
-        location, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), offset_pointer(offset));
-}
-
 void packed_attribute(GLuint location, GLenum type, std::size_t offset) {
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, 4, type, GL_TRUE, sizeof(PackedVertex), offset_pointer(offset));
@@ -148,20 +142,13 @@ void enable_instance_attributes() {
     }
 }
 
-gl::VertexArrayObject new_vertex_array() {
-    GLuint name = 0;
-    glGenVertexArrays(1, &name);
-    glBindVertexArray(name);
-    return gl::VertexArrayObject{name};
-}
-
 void set_up_full(GpuMesh& mesh) {
-    mesh.vertex_array = new_vertex_array();
+    mesh.vertex_array = gl::new_vertex_array();
     glBindBuffer(GL_ARRAY_BUFFER, mesh.vertices.name());
-    float_attribute(kPosition, 3, sizeof(PackedVertex), offsetof(PackedVertex, position_body));
+    gl::float_attribute(kPosition, 3, sizeof(PackedVertex), offsetof(PackedVertex, position_body));
     packed_attribute(kNormal, GL_INT_2_10_10_10_REV, offsetof(PackedVertex, normal_body));
     packed_attribute(kTangent, GL_INT_2_10_10_10_REV, offsetof(PackedVertex, tangent_body));
-    float_attribute(kUv, 2, sizeof(PackedVertex), offsetof(PackedVertex, uv));
+    gl::float_attribute(kUv, 2, sizeof(PackedVertex), offsetof(PackedVertex, uv));
     packed_attribute(kColor, GL_UNSIGNED_BYTE, offsetof(PackedVertex, color));
     if (mesh.sways) {
         glBindBuffer(GL_ARRAY_BUFFER, mesh.wind.name());
@@ -175,9 +162,9 @@ void set_up_full(GpuMesh& mesh) {
 }
 
 void set_up_depth(GpuMesh& mesh) {
-    mesh.depth_vertex_array = new_vertex_array();
+    mesh.depth_vertex_array = gl::new_vertex_array();
     glBindBuffer(GL_ARRAY_BUFFER, mesh.depth_vertices.name());
-    float_attribute(kPosition, 3, sizeof(Vec3f), 0);
+    gl::float_attribute(kPosition, 3, sizeof(Vec3f), 0);
     enable_instance_attributes();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.depth_indices.name());
     glBindVertexArray(0);

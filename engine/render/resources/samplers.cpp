@@ -29,7 +29,7 @@ void Samplers::bind_sun_depth(const gl::Texture* map) {
     }
     if (!depth_) depth_ = new_sampler(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
     glBindSampler(kSunDepthUnit, depth_.name());
-    gl::bind_texture(kSunDepthUnit, gl::TextureKind::Flat, *map);
+    gl::bind_texture(kSunDepthUnit, *map);
 }
 
 void Samplers::bind_base(float share) {

@@ -85,7 +85,7 @@ void put_light_grid(const IndirectLight& indirect, FrameBlock& block) {
 
 FeatureSet shadow_filter_of(const FrameSetup& setup, const Device& device) {
     if (!setup.image.quality.shadow_filter) return mesh_feature::kHardShadows;
-    return device.is_software_gl ? 0 : mesh_feature::kSoftShadows;
+    return mesh_feature::kSoftShadows.when(!device.is_software_gl);
 }
 
 /// The shader code that the frame's draws share.

@@ -94,8 +94,8 @@ private:
 
 std::string defines_of(std::span<const Feature> features, FeatureSet set) {
     std::string text;
-    for (const auto& [bit, macro] : features) {
-        if ((set & bit) != 0) text += fmt::format("#define {} 1\n", macro);
+    for (const Feature& feature : features) {
+        if ((set & feature) != 0) text += fmt::format("#define {} 1\n", feature.macro);
     }
     return text;
 }

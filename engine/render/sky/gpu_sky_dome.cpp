@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 #include <vector>
 
 namespace plumbline::render {
@@ -137,26 +136,18 @@ std::vector<SkyPoint> sky_points(const ComputedSky& sky) {
     return points;
 }
 
-void lay_out(gl::VertexArrayObject& array,
-             const gl::Buffer& buffer,
-             std::size_t stride,
-             std::span<const GLint> parts) {
-    GLuint name = 0;
-    glGenVertexArrays(1, &name);
-    array = gl::VertexArrayObject{name};
-    glBindVertexArray(name);
+/// Attributes one after the other, of so many floats each.
+gl::VertexArrayObject laid_out(const gl::Buffer& buffer,
+                               std::size_t stride,
+                               const std::array<int, 4>& parts) {
+    gl::VertexArrayObject array = gl::new_vertex_array();
     glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
     std::size_t at = 0;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        glEnableVertexAttribArray(static_cast<GLuint>(i));
-        glVertexAttribPointer(static_cast<GLuint>(i),
-                              parts[i],
-                              GL_FLOAT,
-                              GL_FALSE,
-                              static_cast<GLsizei>(stride),
-                              reinterpret_cast<const void*>(at));
+    for (GLuint i = 0; i < parts.size(); ++i) {
+        gl::float_attribute(i, parts[i], stride, at);
         at += static_cast<std::size_t>(parts[i]) * sizeof(float);
     }
+    return array;
 }
 
 }  // namespace
@@ -167,8 +158,8 @@ void GpuSkyDome::update(const ComputedSky& sky) {
     if (!dome_array_) {
         vertices_ = gl::Buffer{gl::BufferUse::Vertices, gl::BufferLife::PerFrame};
         points_ = gl::Buffer{gl::BufferUse::Vertices, gl::BufferLife::PerFrame};
-        lay_out(point_array_, points_, sizeof(SkyPoint), std::array<GLint, 4>{3, 3, 3, 1});
-        lay_out(dome_array_, vertices_, sizeof(DomeVertex), std::array<GLint, 4>{3, 3, 3, 3});
+        point_array_ = laid_out(points_, sizeof(SkyPoint), {3, 3, 3, 1});
+        dome_array_ = laid_out(vertices_, sizeof(DomeVertex), {3, 3, 3, 3});
         const std::vector<std::uint32_t> indices = dome_indices();
         indices_ = gl::Buffer{gl::BufferUse::Indices, gl::BufferLife::Kept};
         indices_.upload(indices.data(), indices.size() * sizeof(indices[0]));

@@ -17,13 +17,6 @@ namespace {
 
 constexpr std::size_t kFaultsListed = 200;
 
-bool is_bare_key(std::string_view key) {
-    return !key.empty() && std::ranges::all_of(key, [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               c == '_' || c == '-';
-    });
-}
-
 /// Never as a whole number looks: 1.0 where 1 was wanted is "1.0".
 std::string decimal(double number) {
     std::string text = fmt::format("{}", number);
@@ -32,6 +25,13 @@ std::string decimal(double number) {
 }
 
 }  // namespace
+
+bool is_bare_key(std::string_view key) {
+    return !key.empty() && std::ranges::all_of(key, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '_' || c == '-';
+    });
+}
 
 FaultList::~FaultList() {
     // Files in the order of their first fault, the scene's own before what it includes.
@@ -71,14 +71,6 @@ void FaultList::add(Severity severity,
     if (is_full()) return;
     list_.push_back(
         {severity, file, location.line, location.column, std::move(key), std::move(message)});
-}
-
-void FaultList::error(const SourceLocation& location, std::string key, std::string message) {
-    add(Severity::Error, location, std::move(key), std::move(message));
-}
-
-void FaultList::warning(const SourceLocation& location, std::string key, std::string message) {
-    add(Severity::Warning, location, std::move(key), std::move(message));
 }
 
 std::string shown(std::string_view text) {
@@ -163,29 +155,22 @@ std::optional<Vec3d> vector_of(const TomlNode& node,
     return value;
 }
 
-TableReader::TableReader(std::vector<const TomlNode*> layers, std::string path, FaultList& faults)
+TableKeys::TableKeys(std::vector<const TomlNode*> layers, std::string path, FaultList& faults)
     : layers_(std::move(layers)), path_(std::move(path)), faults_(&faults) {
     PL_ASSERT(!layers_.empty(), "at least one layer");
 }
 
-TableReader::TableReader(const TomlNode& table, std::string path, FaultList& faults)
-    : TableReader(std::vector<const TomlNode*>{&table}, std::move(path), faults) {}
-
-const SourceLocation& TableReader::location() const {
-    return layers_.front()->location;
-}
-
-std::string TableReader::path_of(std::string_view key) const {
+std::string TableKeys::path_of(std::string_view key) const {
     const std::string part = is_bare_key(key) ? shown(key) : "\"" + shown(key) + "\"";
     return path_.empty() ? part : path_ + "." + part;
 }
 
 std::optional<TableReader> TableReader::without_top() const {
-    if (layers_.size() < 2) return {};
-    return TableReader({layers_.begin() + 1, layers_.end()}, path_, *faults_);
+    if (layers().size() < 2) return {};
+    return TableReader({layers().begin() + 1, layers().end()}, path(), faults());
 }
 
-const TomlNode* TableReader::find(std::string_view key) {
+const TomlNode* TableKeys::find(std::string_view key) {
     if (std::ranges::find(known_, key) == known_.end()) known_.push_back(key);
     for (const TomlNode* layer : layers_) {
         if (const TomlNode* node = find_key(*layer->table(), key)) return node;
@@ -193,7 +178,7 @@ const TomlNode* TableReader::find(std::string_view key) {
     return nullptr;
 }
 
-std::string_view TableReader::either(std::string_view a, std::string_view b) {
+std::string_view TableKeys::either(std::string_view a, std::string_view b) {
     find(a);
     find(b);
     for (const TomlNode* layer : layers_) {
@@ -210,48 +195,59 @@ std::string_view TableReader::either(std::string_view a, std::string_view b) {
     return {};
 }
 
-bool TableReader::flag(std::string_view key, bool fallback) {
+void TableReader::take(std::string_view key, bool& value) {
     const TomlNode* node = find(key);
-    if (node == nullptr) return fallback;
-    if (const auto* value = std::get_if<bool>(&node->value)) return *value;
-    error(key, found(*node) + "; expected true or false");
-    return fallback;
+    if (node == nullptr) return;
+    const auto* flag = std::get_if<bool>(&node->value);
+    if (flag == nullptr) return error(key, "{}; expected true or false", found(*node));
+    value = *flag;
 }
 
-int TableReader::integer(std::string_view key, int fallback, int min, int max) {
+void TableReader::read(std::string_view key, int& value, int min, int max) {
     const TomlNode* node = find(key);
-    if (node == nullptr) return fallback;
-    const auto* value = std::get_if<std::int64_t>(&node->value);
-    if (value != nullptr && *value >= min && *value <= max) return static_cast<int>(*value);
-    error(key, fmt::format("{}; expected a whole number from {} to {}", found(*node), min, max));
-    return fallback;
+    if (node == nullptr) return;
+    const auto* given = std::get_if<std::int64_t>(&node->value);
+    if (given == nullptr || *given < min || *given > max)
+        return error(key, "{}; expected a whole number from {} to {}", found(*node), min, max);
+    value = static_cast<int>(*given);
 }
 
-Real TableReader::number(std::string_view key, Real fallback, const Range& range) {
-    return optional_number(key, range).value_or(fallback);
-}
-
-float TableReader::single(std::string_view key, float fallback, const Range& range) {
+void TableReader::take(std::string_view key, std::string& value) {
     const TomlNode* node = find(key);
-    if (node == nullptr) return fallback;
-    const auto value = number_of(*node, path_of(key), range, *faults_);
-    return value ? static_cast<float>(*value) : fallback;
+    if (node == nullptr) return;
+    if (node->text() == nullptr) return error(key, "{}; expected a text in quotes", found(*node));
+    value = *node->text();
 }
 
-std::optional<Real> TableReader::optional_number(std::string_view key, const Range& range) {
+void TableReader::take(std::string_view key, std::vector<std::string>& values) {
+    const TomlNode* node = find(key);
+    if (node == nullptr) return;
+    const TomlArray* array = node->array();
+    if (array == nullptr) return error(key, "{}; expected an array of texts", found(*node));
+    for (std::size_t i = 0; i < array->size(); ++i) {
+        if (const std::string* value = (*array)[i].text()) {
+            values.push_back(*value);
+        } else {
+            faults().error((*array)[i].location,
+                           fmt::format("{}[{}]", path_of(key), i),
+                           "{}; expected a text in quotes",
+                           found((*array)[i]));
+        }
+    }
+}
+
+void TableReader::read_degrees(std::string_view key, Vec3& value, const Range& each) {
+    const auto given_deg = vector(key, each);
+    if (!given_deg) return;
+    for (int i = 0; i < 3; ++i) value[i] = radians_from_degrees(static_cast<Real>((*given_deg)[i]));
+}
+
+std::optional<Real> TableReader::number(std::string_view key, const Range& range) {
     const TomlNode* node = find(key);
     if (node == nullptr) return {};
-    const auto value = number_of(*node, path_of(key), range, *faults_);
+    const auto value = number_of(*node, path_of(key), range, faults());
     if (!value) return {};
     return static_cast<Real>(*value);
-}
-
-std::string TableReader::text(std::string_view key, std::string fallback) {
-    const TomlNode* node = find(key);
-    if (node == nullptr) return fallback;
-    if (const std::string* value = node->text()) return *value;
-    error(key, found(*node) + "; expected a text in quotes");
-    return fallback;
 }
 
 std::size_t TableReader::choice(std::string_view key,
@@ -259,40 +255,42 @@ std::size_t TableReader::choice(std::string_view key,
                                 std::span<const std::string_view> choices) {
     const TomlNode* node = find(key);
     if (node == nullptr) return fallback;
+    std::string hint;
     if (const std::string* value = node->text()) {
         const auto at = std::ranges::find(choices, std::string_view(*value));
         if (at != choices.end()) return static_cast<std::size_t>(at - choices.begin());
-        std::string hint;
         const std::string_view nearest = nearest_name(*value, choices);
         if (!nearest.empty()) hint = fmt::format("; did you mean \"{}\"?", nearest);
-        error(
-            key,
-            fmt::format("{}; expected one of {}{}", found(*node), fmt::join(choices, ", "), hint));
-        return fallback;
     }
-    error(key, fmt::format("{}; expected one of {}", found(*node), fmt::join(choices, ", ")));
+    error(key, "{}; expected one of {}{}", found(*node), fmt::join(choices, ", "), hint);
     return fallback;
 }
 
-Vec3 TableReader::vector(std::string_view key, const Vec3& fallback, const Range& each) {
-    return optional_vector(key, each).value_or(fallback);
-}
-
-std::optional<Vec3> TableReader::optional_vector(std::string_view key, const Range& each) {
-    const auto value = exact_vector(key, each);
-    if (!value) return {};
-    return Vec3(*value);
-}
-
-std::optional<Vec3d> TableReader::exact_vector(std::string_view key, const Range& each) {
+std::optional<std::array<Real, 2>> TableReader::pair(std::string_view key,
+                                                     const Range& each,
+                                                     std::string_view expected) {
     const TomlNode* node = find(key);
     if (node == nullptr) return {};
-    return vector_of(*node, path_of(key), each, *faults_);
+    const TomlArray* array = node->array();
+    if (array == nullptr || array->size() != 2) {
+        error(key, "{}; expected {}", found(*node), expected);
+        return {};
+    }
+    const auto first = number_of(array->front(), path_of(key) + "[0]", each, faults());
+    const auto second = number_of(array->back(), path_of(key) + "[1]", each, faults());
+    if (!first || !second) return {};
+    return std::array<Real, 2>{static_cast<Real>(*first), static_cast<Real>(*second)};
+}
+
+std::optional<Vec3d> TableReader::vector(std::string_view key, const Range& each) {
+    const TomlNode* node = find(key);
+    if (node == nullptr) return {};
+    return vector_of(*node, path_of(key), each, faults());
 }
 
 Vec3d TableReader::direction(std::string_view key, const Vec3d& fallback) {
     constexpr Range kPart{-1e6, 1e6, "a number from -1000000 to 1000000"};
-    const auto value = exact_vector(key, kPart);
+    const auto value = vector(key, kPart);
     if (!value) return glm::normalize(fallback);
     if (glm::length(*value) < 1e-6) {
         error(key, "[0, 0, 0] has no direction; expected a vector of some length");
@@ -301,7 +299,7 @@ Vec3d TableReader::direction(std::string_view key, const Vec3d& fallback) {
     return glm::normalize(*value);
 }
 
-Vec3f TableReader::color(std::string_view key, const Vec3f& fallback, const Range& each) {
+void TableReader::read_color(std::string_view key, Vec3f& value, const Range& each) {
     // Names of keys must outlive the reader; the few that colours have are spelt out.
     static constexpr std::string_view kSrgbNames[] = {
         "color_srgb", "base_color_srgb", "emissive_srgb", "clear_color_srgb"};
@@ -310,50 +308,29 @@ Vec3f TableReader::color(std::string_view key, const Vec3f& fallback, const Rang
     });
     PL_ASSERT(srgb_name != std::end(kSrgbNames), "a colour's key");
     const std::string_view used = either(key, *srgb_name);
-    if (used.empty()) return fallback;
-    auto value = exact_vector(used, used == key ? each : kFraction);
-    if (!value) return fallback;
+    if (used.empty()) return;
+    auto given = vector(used, used == key ? each : kFraction);
+    if (!given) return;
     if (used != key) {
-        for (int i = 0; i < 3; ++i) (*value)[i] = linear_from_srgb((*value)[i]);
+        for (int i = 0; i < 3; ++i) (*given)[i] = linear_from_srgb((*given)[i]);
     }
-    return Vec3f(*value);
-}
-
-std::vector<std::string> TableReader::texts(std::string_view key) {
-    const TomlNode* node = find(key);
-    if (node == nullptr) return {};
-    const TomlArray* array = node->array();
-    if (array == nullptr) {
-        error(key, found(*node) + "; expected an array of texts");
-        return {};
-    }
-    std::vector<std::string> values;
-    for (std::size_t i = 0; i < array->size(); ++i) {
-        if (const std::string* value = (*array)[i].text()) {
-            values.push_back(*value);
-        } else {
-            faults_->error((*array)[i].location,
-                           fmt::format("{}[{}]", path_of(key), i),
-                           found((*array)[i]) + "; expected a text in quotes");
-        }
-    }
-    return values;
+    value = Vec3f(*given);
 }
 
 std::optional<TableReader> TableReader::table(std::string_view key) {
     find(key);
     std::vector<const TomlNode*> parts;
-    for (const TomlNode* layer : layers_) {
+    for (const TomlNode* layer : layers()) {
         const TomlNode* node = find_key(*layer->table(), key);
         if (node == nullptr) continue;
         if (node->table() == nullptr) {
-            faults_->error(node->location, path_of(key), found(*node) + "; expected a table");
+            faults().error(node->location, path_of(key), found(*node) + "; expected a table");
             continue;
         }
         parts.push_back(node);
     }
     if (parts.empty()) return {};
-    return TableReader(std::move(parts), path_of(key), *faults_);
+    return TableReader(std::move(parts), path_of(key), faults());
 }
 
 std::span<const TomlNode> TableReader::tables(std::string_view key) {
@@ -368,21 +345,21 @@ std::span<const TomlNode> TableReader::tables(std::string_view key) {
     return {};
 }
 
-void TableReader::error(std::string_view key, std::string message) {
+void TableKeys::error(std::string_view key, std::string message) {
     const TomlNode* node = key.empty() ? nullptr : find(key);
     faults_->error(node != nullptr ? node->location : location(),
                    key.empty() ? path_ : path_of(key),
                    std::move(message));
 }
 
-void TableReader::warning(std::string_view key, std::string message) {
+void TableKeys::warning(std::string_view key, std::string message) {
     const TomlNode* node = key.empty() ? nullptr : find(key);
     faults_->warning(node != nullptr ? node->location : location(),
                      key.empty() ? path_ : path_of(key),
                      std::move(message));
 }
 
-void TableReader::finish() {
+void TableKeys::finish() {
     for (const TomlNode* layer : layers_) {
         for (const TomlEntry& entry : *layer->table()) {
             if (std::ranges::find(known_, std::string_view(entry.key)) != known_.end()) continue;

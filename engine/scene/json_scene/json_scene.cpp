@@ -72,18 +72,13 @@ public:
     std::optional<SceneDescription> read(const fs::path& file) {
         scene_.file = file;
         const Result<std::string> text = read_file(file, limits::kModelJsonBytes);
-        if (!text) {
-            faults_.error({}, text.error().message);
-            return std::nullopt;
-        }
+        if (!text) return faults_.error({}, text.error().message);
         hasher_.add(text->data(), text->size());
         scene_.source_files.push_back(file);
         const std::optional<Json> root = parse(*text);
         if (!root) return std::nullopt;
-        if (!root->is_object()) {
-            faults_.error({}, fmt::format("expected an object, found {}", root->type_name()));
-            return std::nullopt;
-        }
+        if (!root->is_object())
+            return faults_.error({}, "expected an object, found {}", root->type_name());
         read_camera(*root);
         read_background(*root);
         read_objects(*root);
@@ -94,10 +89,7 @@ public:
 
 private:
     std::optional<Json> parse(const std::string& text) const {
-        if (is_utf16(text)) {
-            faults_.error({}, std::string(kUtf16Fault));
-            return std::nullopt;
-        }
+        if (is_utf16(text)) return faults_.error({}, std::string(kUtf16Fault));
         try {
             return read_json<Json>(text);
         } catch (const Json::parse_error& fault) {
@@ -131,10 +123,10 @@ private:
         if (!sides) return;
         for (const double side : *sides) {
             if (side >= 1 && side <= limits::kImageSide && side == std::floor(side)) continue;
-            faults_.error(
-                "camera.resolution",
-                fmt::format(
-                    "expected whole numbers from 1 to {}, found {}", limits::kImageSide, side));
+            faults_.error("camera.resolution",
+                          "expected whole numbers from 1 to {}, found {}",
+                          limits::kImageSide,
+                          side);
             return;
         }
         viewer_.width_px = static_cast<int>((*sides)[0]);
@@ -154,10 +146,8 @@ private:
         const double tangent = json_positive(*camera, "s", 1.0, "camera", faults_);
         const double near_m = json_positive(*camera, "z_near", 1e-3, "camera", faults_);
         const double far_m = json_positive(*camera, "z_far", 1e3, "camera", faults_);
-        if (near_m >= far_m) {
-            faults_.error("camera.z_far",
-                          fmt::format("{} is not beyond z_near, {}", far_m, near_m));
-        }
+        if (near_m >= far_m)
+            faults_.error("camera.z_far", "{} is not beyond z_near, {}", far_m, near_m);
         const JsonTransform transform = json_transform(*camera, "camera", faults_);
         const glm::dmat3 linear{transform.matrix};
         const double volume =
@@ -191,9 +181,8 @@ private:
         scene_.clear_color = Vec3f{1.0F};
         const Json* value = member_of(root, "background");
         if (value == nullptr) return;
-        const auto parts = json_numbers(*value, 3, "background", faults_);
-        if (!parts) return;
-        scene_.clear_color = Vec3f{glm::dvec3{(*parts)[0], (*parts)[1], (*parts)[2]}};
+        if (const auto color = json_vector(*value, "background", faults_))
+            scene_.clear_color = Vec3f{*color};
     }
 
     void read_objects(const Json& root) {
@@ -209,8 +198,7 @@ private:
             const std::string path = fmt::format("objects[{}]", i);
             const Json& object = (*objects)[i];
             if (!object.is_object()) {
-                faults_.error(path,
-                              fmt::format("expected an object, found {}", object.type_name()));
+                faults_.error(path, "expected an object, found {}", object.type_name());
                 continue;
             }
             if (!read_object(object, i, path)) return;
@@ -230,9 +218,9 @@ private:
         triangles_ += source.mesh->triangles.indices.size() / 3;
         if (triangles_ * 3 > limits::kIndices) {
             faults_.error(path,
-                          fmt::format("with it the scene has {} triangles; at most {} are drawn",
-                                      triangles_,
-                                      limits::kIndices / 3));
+                          "with it the scene has {} triangles; at most {} are drawn",
+                          triangles_,
+                          limits::kIndices / 3);
             return false;
         }
         add_entity(source, ours_from_file_ * transform.matrix, number, path);
@@ -241,7 +229,7 @@ private:
 
     ReadFile read_mesh_file(const Json& name, const std::string& path) {
         if (!name.is_string()) {
-            faults_.error(path, fmt::format("expected text, found {}", name.type_name()));
+            faults_.error(path, "expected text, found {}", name.type_name());
             return {};
         }
         const std::string wanted = name.get<std::string>();

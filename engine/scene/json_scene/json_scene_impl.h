@@ -6,6 +6,7 @@
 #include "engine/core/math.h"
 #include "engine/scene/formats/scene_reader.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
@@ -22,14 +23,26 @@ struct JsonFaults {
     FaultList& list;
     const SourceLocation& file;
 
-    void error(std::string path, std::string message) const {
+    /// Says it; nothing, for who then returns nothing.
+    std::nullopt_t error(std::string path, std::string message) const {
         list.error(file, std::move(path), std::move(message));
+        return std::nullopt;
+    }
+    template <class... Parts>
+    std::nullopt_t error(std::string path,
+                         fmt::format_string<Parts...> message,
+                         Parts&&... parts) const {
+        return error(std::move(path), fmt::format(message, std::forward<Parts>(parts)...));
     }
 };
 
 // --- json_scene_values.cpp
 /// The member, or null; null also where `object` is none.
 const nlohmann::json* member_of(const nlohmann::json& object, std::string_view key);
+/// Three numbers under a key.
+std::optional<glm::dvec3> json_vector(const nlohmann::json& value,
+                                      const std::string& path,
+                                      const JsonFaults& faults);
 /// Finite numbers; `count` 0: any number of them.
 std::optional<std::vector<double>> json_numbers(const nlohmann::json& value,
                                                 std::size_t count,

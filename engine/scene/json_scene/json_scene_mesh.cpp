@@ -24,8 +24,7 @@ std::optional<std::vector<double>> triples_of(const Json& object,
     auto numbers = json_numbers(*value, 0, place, faults);
     if (!numbers) return std::nullopt;
     if (numbers->size() % 3 == 0) return numbers;
-    faults.error(place, fmt::format("{} numbers are not whole triples", numbers->size()));
-    return std::nullopt;
+    return faults.error(place, "{} numbers are not whole triples", numbers->size());
 }
 
 /// Corners by number; checked against the vertices there are.
@@ -39,10 +38,11 @@ std::optional<std::vector<std::uint32_t>> indices_of(const std::vector<double>& 
         const std::size_t place = indices.size();
         if (!(number >= 0.0 && number < static_cast<double>(vertices)) ||
             number != std::floor(number)) {
-            faults.error(
-                fmt::format("{}.faces[{}]", path, place),
-                fmt::format("face {} names vertex {}; there are {}", place / 3, number, vertices));
-            return std::nullopt;
+            return faults.error(fmt::format("{}.faces[{}]", path, place),
+                                "face {} names vertex {}; there are {}",
+                                place / 3,
+                                number,
+                                vertices);
         }
         indices.push_back(static_cast<std::uint32_t>(number));
     }
@@ -96,11 +96,10 @@ std::optional<JsonMesh> json_inline_mesh(const Json& object,
     const auto colors = triples_of(object, "vertex_colors", path, faults);
     if (!places || !faces || !colors) return std::nullopt;
     if (member_of(object, "vertex_colors") != nullptr && colors->size() != places->size()) {
-        faults.error(path + ".vertex_colors",
-                     fmt::format("{} colours for {} vertices; expected as many",
-                                 colors->size() / 3,
-                                 places->size() / 3));
-        return std::nullopt;
+        return faults.error(path + ".vertex_colors",
+                            "{} colours for {} vertices; expected as many",
+                            colors->size() / 3,
+                            places->size() / 3);
     }
     JsonMesh mesh;
     auto indices = indices_of(*faces, places->size() / 3, path, faults);
@@ -113,9 +112,7 @@ std::optional<JsonMesh> json_inline_mesh(const Json& object,
         if (!colors->empty()) vertex.color = triple(*colors, i);
         if (plumbline::is_finite(vertex.position_body) && plumbline::is_finite(vertex.color))
             continue;
-        faults.error(fmt::format("{}.vertices", path),
-                     fmt::format("vertex {} is too large for a float", i));
-        return std::nullopt;
+        return faults.error(path + ".vertices", "vertex {} is too large for a float", i);
     }
     Hasher hasher;
     for (const auto* numbers : {&*places, &*faces, &*colors})

@@ -2,17 +2,12 @@
 #include "engine/core/limits.h"
 #include "engine/scene/sections/scene_parts.h"
 
-#include <fmt/format.h>
-
-#include <array>
-
 namespace plumbline::scene {
 namespace {
 
 using physics::BodyKind;
 
 constexpr Range kMass_kg{limits::kMassMin_kg, limits::kMassMax_kg, "kg from 0.001 to 10000000"};
-constexpr Range kDensity_kgpm3{1e-3, 1e5, "kg/m3 from 0.001 to 100000"};
 constexpr Range kFriction{0, 1000, "a coefficient from 0 to 1000"};
 constexpr Range kDamping{0, 1000, "a rate from 0 to 1000 per s"};
 constexpr Range kSpeed_mps{-limits::kSpeed_mps, limits::kSpeed_mps, "m/s from -1000 to 1000"};
@@ -34,20 +29,15 @@ bool is_plane(const BodyShapeDescription& shape, const VisualDescription& visual
 
 void read_mass(TableReader& table, BodyDescription& body) {
     const std::string_view key = table.either("mass_kg", "density_kgpm3");
-    if (key == "density_kgpm3") {
-        body.density_kgpm3 = table.optional_number(key, kDensity_kgpm3);
-        return;
-    }
+    if (key == "density_kgpm3")
+        return table.read(key, body.density_kgpm3, {1e-3, 1e5, "kg/m3 from 0.001 to 100000"});
     if (key.empty()) return;
     const TomlNode* node = table.find(key);
     const auto* integer = std::get_if<std::int64_t>(&node->value);
     const auto* number = std::get_if<double>(&node->value);
     const bool is_zero =
         (integer != nullptr && *integer == 0) || (number != nullptr && *number == 0.0);
-    if (!is_zero) {
-        body.mass_kg = table.optional_number(key, kMass_kg);
-        return;
-    }
+    if (!is_zero) return table.read(key, body.mass_kg, kMass_kg);
     if (body.kind == BodyKind::Dynamic) {
         table.warning(key, "0 means immovable; the body is static");
         body.kind = BodyKind::Static;
@@ -63,9 +53,8 @@ bool is_physical(const Vec3& inertia) {
 }
 
 void read_mass_frame(TableReader& table, BodyDescription& body) {
-    constexpr Range kMoment{-1e12, 1e12, "kg m2 up to 1e12"};
-    body.center_of_mass_m = table.optional_vector("center_of_mass_m", kCoordinate_m);
-    body.inertia_kgm2 = table.optional_vector("inertia_kgm2", kMoment);
+    table.read("center_of_mass_m", body.center_of_mass_m, kCoordinate_m);
+    table.read("inertia_kgm2", body.inertia_kgm2, {-1e12, 1e12, "kg m2 up to 1e12"});
     if (!body.inertia_kgm2 || is_physical(*body.inertia_kgm2)) return;
     table.warning("inertia_kgm2",
                   "no body has these moments (each is above 0 and at most the sum of the other "
@@ -74,18 +63,19 @@ void read_mass_frame(TableReader& table, BodyDescription& body) {
 }
 
 void read_surface(TableReader& table, BodyDescription& body) {
-    body.friction = table.optional_number("friction", kFriction);
-    body.restitution = table.optional_number("restitution", kFraction);
-    body.rolling_friction = table.number("rolling_friction", Real{0}, kFriction);
-    body.spinning_friction = table.number("spinning_friction", Real{0}, kFriction);
-    body.linear_damping_per_s = table.number("linear_damping_per_s", Real{0}, kDamping);
-    body.angular_damping_per_s = table.number("angular_damping_per_s", Real{0}, kDamping);
+    table.read("friction", body.friction, kFriction);
+    table.read("restitution", body.restitution, kFraction);
+    table.read("rolling_friction", body.rolling_friction, kFriction);
+    table.read("spinning_friction", body.spinning_friction, kFriction);
+    table.read("linear_damping_per_s", body.linear_damping_per_s, kDamping);
+    table.read("angular_damping_per_s", body.angular_damping_per_s, kDamping);
 }
 
 /// 1 for each of the world's axes that the body is free to move along, 0 for the others.
 Vec3 read_linear_factor(TableReader& table, const BodyDescription& body) {
     const Vec3 free{1, 1, 1};
-    const Vec3 factor = table.vector("linear_factor", free, kAnyNumber);
+    Vec3 factor = free;
+    table.read("linear_factor", factor, kAnyNumber);
     for (int axis = 0; axis < 3; ++axis) {
         if (factor[axis] == Real{0} || factor[axis] == Real{1}) continue;
         table.error("linear_factor",
@@ -100,13 +90,11 @@ Vec3 read_linear_factor(TableReader& table, const BodyDescription& body) {
 }
 
 void read_motion_state(TableReader& table, BodyDescription& body) {
-    body.velocity_mps = table.vector("velocity_mps", Vec3{0, 0, 0}, kSpeed_mps);
-    body.angular_velocity_radps =
-        table.vector("angular_velocity_radps", Vec3{0, 0, 0}, kSpin_radps);
+    table.read("velocity_mps", body.velocity_mps, kSpeed_mps);
+    table.read("angular_velocity_radps", body.angular_velocity_radps, kSpin_radps);
     body.linear_factor = read_linear_factor(table, body);
-    body.can_sleep = table.flag("can_sleep", true);
-    constexpr std::array<std::string_view, 3> kSweeps{"auto", "on", "off"};
-    body.ccd = static_cast<physics::ContinuousCollision>(table.choice("ccd", 0, kSweeps));
+    table.read("can_sleep", body.can_sleep);
+    table.read_choice("ccd", body.ccd, {"auto", "on", "off"});
     if (body.kind == BodyKind::Dynamic) return;
     const bool moves = glm::length(body.velocity_mps) > 0;
     const bool spins = glm::length(body.angular_velocity_radps) > 0;
@@ -119,9 +107,9 @@ void read_motion_state(TableReader& table, BodyDescription& body) {
 }
 
 void read_groups(TableReader& table, BodyDescription& body) {
-    body.group = table.text("group", "default");
+    table.read("group", body.group);
     if (body.group.empty()) table.error("group", "is empty; expected a name");
-    body.collides_with = table.texts("collides_with");
+    table.read("collides_with", body.collides_with);
     // An empty list means everything in the description, and nothing in the file.
     const TomlNode* node = table.find("collides_with");
     if (node != nullptr && node->array() != nullptr && node->array()->empty())
@@ -151,23 +139,18 @@ void check_shape(TableReader& table,
 
 }  // namespace
 
-std::optional<BodyDescription> read_body(TableReader& entity,
-                                         const VisualDescription& visual,
-                                         EntityUse use) {
-    auto table = entity.table("body");
-    if (!table) return {};
-    constexpr std::array<std::string_view, 3> kKinds{"static", "dynamic", "kinematic"};
-    BodyDescription body;
-    body.kind = static_cast<BodyKind>(table->choice("kind", 1, kKinds));
-    read_mass(*table, body);
-    body.shape = read_body_shape(*table, visual);
-    read_mass_frame(*table, body);
-    read_surface(*table, body);
-    read_motion_state(*table, body);
-    read_groups(*table, body);
-    check_shape(*table, body, visual, use);
-    table->finish();
-    return body;
+void read_body(TableReader& table,
+               BodyDescription& body,
+               const VisualDescription& visual,
+               EntityUse use) {
+    table.read_choice("kind", body.kind, {"static", "dynamic", "kinematic"});
+    read_mass(table, body);
+    body.shape = read_body_shape(table, visual);
+    read_mass_frame(table, body);
+    read_surface(table, body);
+    read_motion_state(table, body);
+    read_groups(table, body);
+    check_shape(table, body, visual, use);
 }
 
 }  // namespace plumbline::scene

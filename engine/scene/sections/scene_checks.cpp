@@ -14,130 +14,105 @@ namespace {
 
 constexpr std::size_t kGroups = 32;  // bits of a filter mask
 
-std::uint64_t copies_in(const ArrayDescription& array) {
-    std::uint64_t copies = 1;
-    // Each count is at most 50000, so three of them fit.
-    for (const int count : array.count) copies *= static_cast<std::uint64_t>(count);
-    return copies;
+/// An entity, or an array's copies of its prefab.
+struct Kind {
+    const EntityDescription& entity;
+    const SourceLocation& location;
+    std::string path;
+    std::uint64_t copies{1};
+};
+
+/// All that will stand in the scene.
+std::vector<Kind> kinds_of(const SceneDescription& scene, const LoadContext& context) {
+    std::vector<Kind> kinds;
+    for (std::size_t i = 0; i < scene.entities.size(); ++i)
+        kinds.push_back(
+            {scene.entities[i], context.entity_locations[i], fmt::format("entity[{}]", i)});
+    for (std::size_t i = 0; i < scene.arrays.size(); ++i)
+        kinds.push_back({scene.arrays[i].prefab,
+                         context.array_locations[i],
+                         fmt::format("array[{}]", i),
+                         copies_of(scene.arrays[i])});
+    return kinds;
 }
 
-/// Calls visit(entity, place, path, copies) for all that will stand in the scene.
-template <class Visit>
-void for_each_kind(const SceneDescription& scene, const LoadContext& context, Visit visit) {
-    for (std::size_t i = 0; i < scene.entities.size(); ++i) {
-        visit(scene.entities[i],
-              context.entity_locations[i],
-              fmt::format("entity[{}]", i),
-              std::uint64_t{1});
-    }
-    for (std::size_t i = 0; i < scene.arrays.size(); ++i) {
-        visit(scene.arrays[i].prefab,
-              context.array_locations[i],
-              fmt::format("array[{}]", i),
-              copies_in(scene.arrays[i]));
-    }
-}
-
-void check_counts(const SceneDescription& scene, LoadContext& context) {
+void check_counts(const SceneDescription& scene,
+                  const std::vector<Kind>& kinds,
+                  LoadContext& context) {
     std::uint64_t things = 0;
     std::uint64_t lights = 0;
-    bool refused = false;
-    for_each_kind(scene,
-                  context,
-                  [&](const EntityDescription& entity,
-                      const SourceLocation& location,
-                      const std::string& path,
-                      auto n) {
-                      things += n;
-                      if (entity.light) lights += n;
-                      if (things <= limits::kBodies || refused) return;
-                      refused = true;
-                      context.faults.error(
-                          location,
-                          path,
-                          fmt::format("brings the scene to {} things; at most {} are built",
-                                      things,
-                                      limits::kBodies));
-                  });
-    if (refused || scene.file.empty()) return;
+    for (const Kind& kind : kinds) {
+        things += kind.copies;
+        if (kind.entity.light) lights += kind.copies;
+        if (things <= limits::kBodies) continue;
+        return context.faults.error(kind.location,
+                                    kind.path,
+                                    "brings the scene to {} things; at most {} are built",
+                                    things,
+                                    limits::kBodies);
+    }
+    if (scene.file.empty()) return;
     const SourceLocation whole = context.scene_location;
-    if (things > limits::kBodiesWarn) {
+    if (things > limits::kBodiesWarn)
         context.faults.warning(
-            whole, {}, fmt::format("{} things; expect fewer than 30 frames a second", things));
-    }
-    if (lights > limits::kLights) {
+            whole, {}, "{} things; expect fewer than 30 frames a second", things);
+    if (lights > limits::kLights)
         context.faults.warning(
-            whole, {}, fmt::format("{} lights; the nearest {} shine", lights, limits::kLights));
-    }
+            whole, {}, "{} lights; the nearest {} shine", lights, limits::kLights);
 }
 
-void check_groups(const SceneDescription& scene, LoadContext& context) {
+void check_groups(const std::vector<Kind>& kinds, LoadContext& context) {
     std::set<std::string> groups{"default"};
-    for_each_kind(
-        scene, context, [&](const EntityDescription& entity, const auto&, const auto&, auto) {
-            if (entity.body) groups.insert(entity.body->group);
-        });
-    if (groups.size() > kGroups) {
-        context.faults.error(
-            context.scene_location,
-            {},
-            fmt::format(
-                "{} collision groups; at most {} can be told apart", groups.size(), kGroups));
+    for (const Kind& kind : kinds) {
+        if (kind.entity.body) groups.insert(kind.entity.body->group);
     }
-    std::vector<std::string_view> known(groups.begin(), groups.end());
-    for_each_kind(scene,
-                  context,
-                  [&](const EntityDescription& entity,
-                      const SourceLocation& location,
-                      const std::string& path,
-                      auto) {
-                      if (!entity.body) return;
-                      for (const std::string& group : entity.body->collides_with) {
-                          if (group == kNoGroup || groups.contains(group)) continue;
-                          context.faults.warning(location,
-                                                 path + ".body.collides_with",
-                                                 fmt::format("no body is in group \"{}\"{}",
-                                                             shown(group),
-                                                             suggestion(group, known)));
-                      }
-                  });
+    if (groups.size() > kGroups) {
+        context.faults.error(context.scene_location,
+                             {},
+                             "{} collision groups; at most {} can be told apart",
+                             groups.size(),
+                             kGroups);
+    }
+    const std::vector<std::string_view> known(groups.begin(), groups.end());
+    for (const Kind& kind : kinds) {
+        if (!kind.entity.body) continue;
+        for (const std::string& group : kind.entity.body->collides_with) {
+            if (group == kNoGroup || groups.contains(group)) continue;
+            context.faults.warning(kind.location,
+                                   kind.path + ".body.collides_with",
+                                   "no body is in group \"{}\"{}",
+                                   shown(group),
+                                   suggestion(group, known));
+        }
+    }
 }
 
 /// Solvers lose their grip where very unlike masses touch.
-void check_mass_ratio(const SceneDescription& scene, LoadContext& context) {
+void check_mass_ratio(const std::vector<Kind>& kinds, LoadContext& context) {
     constexpr double kRatio = 1e4;
-    struct Extreme {
-        double mass_kg{0};
-        std::string name;
-        SourceLocation location{};
+    const Kind* light = nullptr;
+    const Kind* heavy = nullptr;
+    const auto mass_of = [](const Kind& kind) {
+        return static_cast<double>(*kind.entity.body->mass_kg);
     };
-    Extreme light;
-    Extreme heavy;
-    for_each_kind(
-        scene,
-        context,
-        [&](const EntityDescription& entity,
-            const SourceLocation& location,
-            const auto& path,
-            auto) {
-            if (!entity.body || entity.body->kind != physics::BodyKind::Dynamic ||
-                !entity.body->mass_kg)
-                return;
-            const auto mass_kg = static_cast<double>(*entity.body->mass_kg);
-            const Extreme here{mass_kg, entity.name.empty() ? path : entity.name, location};
-            if (light.mass_kg == 0 || mass_kg < light.mass_kg) light = here;
-            if (mass_kg > heavy.mass_kg) heavy = here;
-        });
-    if (light.mass_kg == 0 || heavy.mass_kg <= light.mass_kg * kRatio * 1.000001) return;
-    context.faults.warning(
-        heavy.location,
-        {},
-        fmt::format("\"{}\" weighs {:.3g} times as much as \"{}\" ({}); if they touch, the lighter "
-                    "one may sink in",
-                    shown(heavy.name),
-                    heavy.mass_kg / light.mass_kg,
-                    shown(light.name),
-                    to_string(light.location)));
+    for (const Kind& kind : kinds) {
+        const auto& body = kind.entity.body;
+        if (!body || body->kind != physics::BodyKind::Dynamic || !body->mass_kg) continue;
+        if (light == nullptr || mass_of(kind) < mass_of(*light)) light = &kind;
+        if (heavy == nullptr || mass_of(kind) > mass_of(*heavy)) heavy = &kind;
+    }
+    if (light == nullptr || mass_of(*heavy) <= mass_of(*light) * kRatio * 1.000001) return;
+    const auto name_of = [](const Kind& kind) {
+        return shown(kind.entity.name.empty() ? kind.path : kind.entity.name);
+    };
+    context.faults.warning(heavy->location,
+                           {},
+                           "\"{}\" weighs {:.3g} times as much as \"{}\" ({}); if they touch, the "
+                           "lighter one may sink in",
+                           name_of(*heavy),
+                           mass_of(*heavy) / mass_of(*light),
+                           name_of(*light),
+                           to_string(light->location));
 }
 
 /// A name that nothing has never comes in. Things made in play are numbered: "crate#1".
@@ -150,22 +125,20 @@ void check_triggers(const SceneDescription& scene, LoadContext& context) {
         if (!trigger) continue;
         for (const std::string& name : trigger->of) {
             if (names.find(name) || name.find('#') != std::string::npos) continue;
-            context.faults.warning(
-                context.entity_locations[i],
-                fmt::format("entity[{}].trigger.of", i),
-                fmt::format("no entity is called \"{}\"{}", shown(name), names.hint(name)));
+            context.faults.warning(context.entity_locations[i],
+                                   fmt::format("entity[{}].trigger.of", i),
+                                   "no entity is called \"{}\"{}",
+                                   shown(name),
+                                   names.hint(name));
         }
     }
 }
 
-void check_ground(const SceneDescription& scene, LoadContext& context) {
-    if (!scene.player) return;
-    bool stands = false;
-    for_each_kind(
-        scene, context, [&](const EntityDescription& entity, const auto&, const auto&, auto) {
-            stands = stands || (entity.body && entity.body->kind != physics::BodyKind::Dynamic);
-        });
-    if (!stands)
+void check_ground(const std::vector<Kind>& kinds, LoadContext& context) {
+    const auto stands = [](const Kind& kind) {
+        return kind.entity.body && kind.entity.body->kind != physics::BodyKind::Dynamic;
+    };
+    if (std::ranges::none_of(kinds, stands))
         context.faults.warning(context.scene_location,
                                {},
                                "no static body: there is nothing for the player to stand on");
@@ -174,17 +147,18 @@ void check_ground(const SceneDescription& scene, LoadContext& context) {
 }  // namespace
 
 void check_whole_scene(SceneDescription& scene, LoadContext& context) {
-    check_counts(scene, context);
+    const std::vector<Kind> kinds = kinds_of(scene, context);
+    check_counts(scene, kinds, context);
     check_names(scene, context);
-    check_groups(scene, context);
-    check_mass_ratio(scene, context);
+    check_groups(kinds, context);
+    check_mass_ratio(kinds, context);
     check_triggers(scene, context);
-    check_ground(scene, context);
+    if (scene.player) check_ground(kinds, context);
     if (context.not_built.empty()) return;
-    context.faults.warning(
-        context.not_built_location,
-        {},
-        fmt::format("checked but not built yet: {}", fmt::join(context.not_built, "; ")));
+    context.faults.warning(context.not_built_location,
+                           {},
+                           "checked but not built yet: {}",
+                           fmt::join(context.not_built, "; "));
 }
 
 }  // namespace plumbline::scene

@@ -1,7 +1,6 @@
 // [[entity]], [[prefab]], [[array]]: what stands in the scene.
 #include "engine/assets/model_import.h"
 #include "engine/core/limits.h"
-#include "engine/core/text/nearest_name.h"
 #include "engine/scene/sections/scene_parts.h"
 
 #include <fmt/format.h>
@@ -26,76 +25,46 @@ void read_visual(TableReader& table, EntityDescription& entity, const LoadContex
     }
 }
 
-std::optional<SoundDescription> read_sound(TableReader& entity, const LoadContext& context) {
-    auto table = entity.table("sound");
-    if (!table) return {};
-    constexpr Range kGain{0, 10, "a factor from 0 to 10"};
-    SoundDescription sound;
-    sound.location = table->location();
-    if (!table->has("file")) table->error("file", "missing; expected a sound file");
-    const auto file =
-        read_file_reference(*table, "file", kSoundExtensions, "it stays silent", context);
-    sound.loop = table->flag("loop", true);
-    sound.gain = table->single("gain", 1.0F, kGain);
-    sound.radius_m = table->single("radius_m", sound.radius_m, kSize_m);
-    sound.by_wind = table->flag("by_wind", sound.by_wind);
-    sound.by_flow = table->flag("by_flow", sound.by_flow);
-    table->finish();
-    if (!file || !file->exists) return {};
-    sound.file = file->file;
-    return sound;
+void read_sound(TableReader& table, SoundDescription& sound, const LoadContext& context) {
+    sound.file = read_sound_file(table, context);
+    table.read("loop", sound.loop);
+    table.read("gain", sound.gain, kGain);
+    table.read("radius_m", sound.radius_m, kSize_m);
+    table.read("by_wind", sound.by_wind);
+    table.read("by_flow", sound.by_flow);
 }
 
-std::optional<MotionDescription> read_motion(TableReader& entity) {
-    auto table = entity.table("motion");
-    if (!table) return {};
-    MotionDescription motion;
-    if (const TomlNode* node = table->find("points_m")) {
+void read_motion(TableReader& table, MotionDescription& motion) {
+    if (const TomlNode* node = table.find("points_m")) {
         const TomlArray* points = node->array();
         if (points == nullptr || points->size() > 1000) {
-            table->error("points_m", found(*node) + "; expected up to 1000 points [x, y, z]");
+            table.error("points_m", "{}; expected up to 1000 points [x, y, z]", found(*node));
         } else {
             for (std::size_t i = 0; i < points->size(); ++i) {
                 const auto point = vector_of((*points)[i],
-                                             fmt::format("{}[{}]", table->path_of("points_m"), i),
+                                             fmt::format("{}[{}]", table.path_of("points_m"), i),
                                              kCoordinate_m,
-                                             table->faults());
+                                             table.faults());
                 if (point) motion.points_m.push_back(Vec3(*point));
             }
         }
     }
-    constexpr Range kPeriod_s{0.05, 1e5, "seconds from 0.05 to 100000"};
     constexpr Range kSpin_degps{-36'000, 36'000, "degrees per second from -36000 to 36000"};
-    motion.period_s = table->number("period_s", motion.period_s, kPeriod_s);
-    const Vec3 spin_degps = table->vector("spin_degps", Vec3{0, 0, 0}, kSpin_degps);
-    motion.spin_radps = Vec3{radians_from_degrees(spin_degps.x),
-                             radians_from_degrees(spin_degps.y),
-                             radians_from_degrees(spin_degps.z)};
-    table->finish();
-    return motion;
+    table.read("period_s", motion.period_s, {0.05, 1e5, "seconds from 0.05 to 100000"});
+    table.read_degrees("spin_degps", motion.spin_radps, kSpin_degps);
 }
 
-std::optional<TriggerDescription> read_trigger(TableReader& entity, const LoadContext& context) {
-    auto table = entity.table("trigger");
-    if (!table) return {};
-    TriggerDescription trigger;
-    trigger.spawn = table->text("spawn", {});
-    if (!table->has("spawn")) {
-        table->error("spawn", "missing; expected the name of a prefab");
-    } else if (!context.prefabs.contains(trigger.spawn)) {
-        std::vector<std::string_view> known;
-        for (const auto& [name, prefab] : context.prefabs) known.push_back(name);
-        table->error("spawn",
-                     fmt::format("no prefab is called \"{}\"{}",
-                                 shown(trigger.spawn),
-                                 suggestion(trigger.spawn, known)));
+void read_trigger(TableReader& table, TriggerDescription& trigger, const LoadContext& context) {
+    table.require("spawn", "the name of a prefab");
+    table.read("spawn", trigger.spawn);
+    if (table.has("spawn") && !context.prefabs.contains(trigger.spawn)) {
+        const std::string hint = suggestion(trigger.spawn, context.prefabs);
+        table.error("spawn", "no prefab is called \"{}\"{}", shown(trigger.spawn), hint);
     }
-    if (!table->has("at_m")) table->error("at_m", "missing; expected where it appears");
-    trigger.at_m = table->vector("at_m", trigger.at_m, kCoordinate_m);
-    trigger.of = table->texts("of");
-    trigger.times = table->integer("times", trigger.times, 1, 10'000);
-    table->finish();
-    return trigger;
+    table.require("at_m", "where it appears");
+    table.read("at_m", trigger.at_m, kCoordinate_m);
+    table.read("of", trigger.of);
+    table.read("times", trigger.times, 1, 10'000);
 }
 
 /// A volume needs a shape, and nothing that stops what comes in.
@@ -107,23 +76,14 @@ void check_trigger(TableReader& table, const EntityDescription& entity) {
         table.error("trigger", "is the volume of a primitive other than a plane; there is none");
 }
 
-std::string material_names_hint(const std::string& name, const LoadContext& context) {
-    std::vector<std::string_view> known;
-    for (const auto& [material, location] : context.material_locations) known.push_back(material);
-    return suggestion(name, known);
-}
-
-std::string read_material_name(TableReader& table,
-                               std::string_view key,
-                               const LoadContext& context) {
-    std::string name = table.text(key, {});
-    if (table.has(key) && !context.material_locations.contains(name)) {
-        table.error(
-            key,
-            fmt::format(
-                "no material is called \"{}\"{}", shown(name), material_names_hint(name, context)));
-    }
-    return name;
+void read_material_name(TableReader& table,
+                        std::string_view key,
+                        std::string& name,
+                        const LoadContext& context) {
+    table.read(key, name);
+    if (!table.has(key) || context.material_locations.contains(name)) return;
+    const std::string hint = suggestion(name, context.material_locations);
+    table.error(key, "no material is called \"{}\"{}", shown(name), hint);
 }
 
 /// Sizes as they are once the scale is applied.
@@ -145,8 +105,7 @@ void check_scaled_size(TableReader& table, const EntityDescription& entity) {
             if (length_m >= limits::kSizeMin_m * 0.999 && length_m <= limits::kSizeMax_m * 1.001)
                 continue;
             table.error(
-                "scale",
-                fmt::format("makes a length of {:.4g} m; expected {}", length_m, kSize_m.expected));
+                "scale", "makes a length of {:.4g} m; expected {}", length_m, kSize_m.expected);
             return;
         }
     };
@@ -161,7 +120,7 @@ std::array<int, 3> read_count(TableReader& table) {
     if (node == nullptr) return count;
     const TomlArray* array = node->array();
     if (array == nullptr || array->size() != 3) {
-        table.error("count", fmt::format("{}; expected {}", found(*node), kExpected));
+        table.error("count", "{}; expected {}", found(*node), kExpected);
         return count;
     }
     for (std::size_t i = 0; i < 3; ++i) {
@@ -173,7 +132,9 @@ std::array<int, 3> read_count(TableReader& table) {
         }
         table.faults().error((*array)[i].location,
                              fmt::format("{}[{}]", table.path_of("count"), i),
-                             fmt::format("{}; expected {}", found((*array)[i]), kExpected));
+                             "{}; expected {}",
+                             found((*array)[i]),
+                             kExpected);
     }
     return count;
 }
@@ -187,9 +148,9 @@ bool is_good_name(std::string_view name) {
 
 std::string read_short_text(TableReader& table, const char* key) {
     const TomlNode* node = table.find(key);
-    std::string text = table.text(key, {});
+    std::string text = table.text(key);
     if (node != nullptr && node->text() != nullptr && !is_good_name(text)) {
-        table.error(key, fmt::format("{}; expected 1 to {} letters", found(*node), kNameBytes));
+        table.error(key, "{}; expected 1 to {} letters", found(*node), kNameBytes);
         return {};
     }
     return text;
@@ -206,17 +167,17 @@ EntityDescription read_entity(TableReader& table, EntityUse use, LoadContext& co
     table.find("name");
     entity.label = read_short_text(table, "label");
     entity.world_from_body = read_pose(table);
-    constexpr Range kScale{1e-3, 1e4, "a factor from 0.001 to 10000"};
-    entity.scale = table.vector("scale", Vec3{1, 1, 1}, kScale);
+    table.read("scale", entity.scale, {1e-3, 1e4, "a factor from 0.001 to 10000"});
     read_visual(table, entity, context);
-    entity.material = read_material_name(table, "material", context);
-    entity.contact_material = read_material_name(table, "contact_material", context);
-    entity.casts_shadow = table.flag("casts_shadow", true);
-    entity.light = read_light(table);
-    entity.sound = read_sound(table, context);
-    entity.motion = read_motion(table);
-    entity.body = read_body(table, entity.visual, use);
-    entity.trigger = read_trigger(table, context);
+    read_material_name(table, "material", entity.material, context);
+    read_material_name(table, "contact_material", entity.contact_material, context);
+    table.read("casts_shadow", entity.casts_shadow);
+    table.read_table("light", entity.light, read_light);
+    table.read_table("sound", entity.sound, read_sound, context);
+    if (entity.sound && entity.sound->file.empty()) entity.sound.reset();
+    table.read_table("motion", entity.motion, read_motion);
+    table.read_table("body", entity.body, read_body, entity.visual, use);
+    table.read_table("trigger", entity.trigger, read_trigger, context);
     check_trigger(table, entity);
     if (!entity.contact_material.empty() && !entity.body && use == EntityUse::Entity)
         table.error("contact_material", "nothing touches an entity without a body");
@@ -246,10 +207,8 @@ Layered layered(const TomlNode& table,
         }
         const auto prefab = context.prefabs.find(*name);
         if (prefab == context.prefabs.end()) {
-            std::vector<std::string_view> known;
-            for (const auto& [other, node] : context.prefabs) known.push_back(other);
-            refuse(fmt::format(
-                "no prefab is called \"{}\"{}", shown(*name), suggestion(*name, known)));
+            const std::string hint = suggestion(*name, context.prefabs);
+            refuse(fmt::format("no prefab is called \"{}\"{}", shown(*name), hint));
             break;
         }
         const bool again = std::ranges::find(chain, *name) != chain.end();
@@ -299,21 +258,19 @@ void read_entities(TableReader& root, SceneDescription& scene, LoadContext& cont
 void read_arrays(TableReader& root, SceneDescription& scene, LoadContext& context) {
     const auto nodes = root.tables("array");
     for (std::size_t i = 0; i < nodes.size() && !context.faults.is_full(); ++i) {
-        const std::string path = fmt::format("array[{}]", i);
-        TableReader table(nodes[i], path, context.faults);
+        TableReader table = root.item("array", nodes, i);
         ArrayDescription array;
         array.name = read_name(table);
-        if (array.name.empty()) array.name = path;
-        array.origin_m = table.vector("origin_m", array.origin_m, kCoordinate_m);
-        array.spacing_m = table.vector("spacing_m", array.spacing_m, kCoordinate_m);
+        if (array.name.empty()) array.name = table.path();
+        table.read("origin_m", array.origin_m, kCoordinate_m);
+        table.read("spacing_m", array.spacing_m, kCoordinate_m);
         array.count = read_count(table);
-        array.turn_rad = read_turn_of_copies(table);
+        table.read_degrees("turn_deg", array.turn_rad, kTurn_deg);
         const std::optional<Quat> turn = read_turn(table);
-        if (!table.has("prefab")) {
-            table.error("prefab", "missing; expected the name of the prefab to copy");
-        } else if (auto prefab = layered(nodes[i], path, context).table.without_top()) {
+        table.require("prefab", "the name of the prefab to copy");
+        if (auto prefab = layered(nodes[i], table.path(), context).table.without_top()) {
             array.prefab = read_entity(*prefab, EntityUse::Entity, context);
-            array.prefab.name = table.text("prefab", {});
+            array.prefab.name = table.text("prefab");
             if (turn) array.prefab.world_from_body.orientation = *turn;
         }
         table.finish();

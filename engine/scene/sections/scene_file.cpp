@@ -109,7 +109,7 @@ private:
         std::set<const std::string*> below;
         TableReader root(source.root, {}, faults_);
         if (auto table = root.table("scene")) {
-            if (const std::string base = table->text("base", {}); !base.empty()) {
+            if (const std::string base = table->text("base"); !base.empty()) {
                 const Part part =
                     bring(base, table->find("base")->location, "scene.base", file, PartUse::Base);
                 bases_[&source] = part.source;
@@ -146,10 +146,8 @@ private:
         auto table = root.table("scene");
         for (const std::string& section : table->texts("without")) {
             if (std::ranges::find(kSceneOnly, section) == kSceneOnly.end()) {
-                table->error("without",
-                             fmt::format("no table is called \"{}\"{}",
-                                         shown(section),
-                                         suggestion(section, kSceneOnly)));
+                const std::string hint = suggestion(section, kSceneOnly);
+                table->error("without", "no table is called \"{}\"{}", shown(section), hint);
             }
             std::erase_if(std::get<TomlTable>(below.value),
                           [&](const TomlEntry& entry) { return entry.key == section; });
@@ -173,9 +171,8 @@ private:
         if (!reference || !reference->exists) {
             faults_.error(location,
                           key,
-                          fmt::format("\"{}\" does not exist beside this file, in assets or in "
-                                      "assets/scenes",
-                                      shown(name)));
+                          "\"{}\" does not exist beside this file, in assets or in assets/scenes",
+                          shown(name));
             return {};
         }
         const fs::path file = reference->file.lexically_normal();
@@ -188,20 +185,18 @@ private:
         if (std::ranges::any_of(chain_, same)) {
             std::string chain;
             for (const fs::path& link : chain_) chain += link.filename().string() + " -> ";
-            faults_.error(location,
-                          key,
-                          fmt::format("includes itself: {}{}", chain, file.filename().string()));
+            chain += file.filename().string();
+            faults_.error(location, key, "includes itself: {}", chain);
             return {};
         }
         // Two ways to the same file bring it once.
         if (const auto known = included_.find(real); known != included_.end()) return known->second;
         if (chain_.size() >= kIncludeDepth || sources_.size() >= limits::kReferencedFiles) {
-            faults_.error(
-                location,
-                key,
-                fmt::format("too many files include one another; at most {} deep, {} in all",
-                            kIncludeDepth,
-                            limits::kReferencedFiles));
+            faults_.error(location,
+                          key,
+                          "too many files include one another; at most {} deep, {} in all",
+                          kIncludeDepth,
+                          limits::kReferencedFiles);
             return {};
         }
         const SourceFile* source = open(file, location, key);
@@ -234,19 +229,19 @@ private:
                     const std::set<const std::string*>& below) {
         if (earlier == nullptr || below.contains(earlier->file.get())) return true;
         table.error("name",
-                    fmt::format("\"{}\" is the name of the {} at {} already",
-                                shown(name),
-                                what,
-                                to_string(*earlier)));
+                    "\"{}\" is the name of the {} at {} already",
+                    shown(name),
+                    what,
+                    to_string(*earlier));
         return false;
     }
 
     void take_materials(TableReader& root, const std::set<const std::string*>& below) {
         const auto nodes = root.tables("material");
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-            TableReader table(nodes[i], fmt::format("material[{}]", i), faults_);
+            TableReader table = root.item("material", nodes, i);
             const std::string name = read_name(table);
-            if (!table.has("name")) table.error("name", "missing; expected the material's name");
+            table.require("name", "the material's name");
             assets::MaterialData material = read_material(table, context_);
             if (name.empty()) continue;
             const auto earlier = context_.material_locations.find(name);
@@ -261,9 +256,9 @@ private:
     void take_prefabs(TableReader& root, const std::set<const std::string*>& below) {
         const auto nodes = root.tables("prefab");
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-            TableReader table(nodes[i], fmt::format("prefab[{}]", i), faults_);
+            TableReader table = root.item("prefab", nodes, i);
             const std::string name = read_name(table);
-            if (!table.has("name")) table.error("name", "missing; expected the prefab's name");
+            table.require("name", "the prefab's name");
             if (name.empty()) continue;
             const auto earlier = context_.prefabs.find(name);
             const SourceLocation* location =

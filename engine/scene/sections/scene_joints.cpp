@@ -43,11 +43,8 @@ struct End {
 };
 
 End read_end(TableReader& table, std::string_view key, const SceneNames& names, std::string& name) {
-    name = table.text(key, {});
-    if (!table.has(key)) {
-        table.error(key, "missing; expected the name of an entity");
-        return {};
-    }
+    table.require(key, "the name of an entity");
+    table.read(key, name);
     if (name.empty()) return {};
     if (name == "world" && key == "b") return {.good = true};
     if (name == "world") {
@@ -57,20 +54,15 @@ End read_end(TableReader& table, std::string_view key, const SceneNames& names, 
     const auto found_entity = names.find(name);
     if (!found_entity) {
         const std::string nearest = names.nearest(name);
-        table.error(key,
-                    fmt::format("no entity is called \"{}\"{}",
-                                shown(name),
-                                nearest.empty() ? ""
-                                                : fmt::format("; did you mean \"{}\" ({})?",
-                                                              nearest,
-                                                              to_string(names.location(nearest)))));
+        const std::string place = to_string(names.location(nearest));
+        const std::string hint =
+            nearest.empty() ? "" : fmt::format("; did you mean \"{}\" ({})?", nearest, place);
+        table.error(key, "no entity is called \"{}\"{}", shown(name), hint);
         return {};
     }
     if (!found_entity->entity->body) {
-        table.error(key,
-                    fmt::format("\"{}\" ({}) has no body to hold on to",
-                                shown(name),
-                                to_string(names.location(name))));
+        const std::string place = to_string(names.location(name));
+        table.error(key, "\"{}\" ({}) has no body to hold on to", shown(name), place);
         return {};
     }
     return {.entity = found_entity->entity, .position_m = found_entity->position_m, .good = true};
@@ -79,7 +71,7 @@ End read_end(TableReader& table, std::string_view key, const SceneNames& names, 
 void check_ends(TableReader& table, const JointDescription& joint, const End& a, const End& b) {
     if (!a.good || !b.good) return;
     if (joint.a == joint.b)
-        return table.error("b", fmt::format("\"{}\" cannot be joined to itself", shown(joint.b)));
+        return table.error("b", "\"{}\" cannot be joined to itself", shown(joint.b));
     const auto is_static = [](const End& end) {
         return end.entity == nullptr || end.entity->body->kind == physics::BodyKind::Static;
     };
@@ -88,49 +80,29 @@ void check_ends(TableReader& table, const JointDescription& joint, const End& a,
 }
 
 void read_anchors(TableReader& table, JointDescription& joint, const End& a, const End& b) {
+    joint.anchor_a_m = a.position_m;
     if (has_two_anchors(joint.kind)) {
-        joint.anchor_a_m = table.vector("anchor_a_m", a.position_m, kCoordinate_m);
-        joint.anchor_b_m = table.vector(
-            "anchor_b_m", b.entity != nullptr ? b.position_m : a.position_m, kCoordinate_m);
+        joint.anchor_b_m = b.entity != nullptr ? b.position_m : a.position_m;
+        table.read("anchor_a_m", joint.anchor_a_m, kCoordinate_m);
+        table.read("anchor_b_m", joint.anchor_b_m, kCoordinate_m);
         if (b.good && b.entity == nullptr && !table.has("anchor_b_m"))
             table.error("anchor_b_m", "missing; the world needs a point to hold on to");
         return;
     }
-    joint.anchor_a_m = table.vector("anchor_m", a.position_m, kCoordinate_m);
+    table.read("anchor_m", joint.anchor_a_m, kCoordinate_m);
     joint.anchor_b_m = joint.anchor_a_m;
     const bool needed = joint.kind == JointKind::BallAndSocket || joint.kind == JointKind::Hinge ||
                         joint.kind == JointKind::Cone;
-    if (needed && !table.has("anchor_m"))
-        table.error("anchor_m", "missing; expected the point to turn about, [x, y, z] in world m");
-}
-
-std::optional<std::array<Real, 2>> read_pair(TableReader& table,
-                                             std::string_view key,
-                                             const Range& range) {
-    const TomlNode* node = table.find(key);
-    if (node == nullptr) return {};
-    const TomlArray* array = node->array();
-    if (array == nullptr || array->size() != 2) {
-        table.error(key, fmt::format("{}; expected two numbers", found(*node)));
-        return {};
-    }
-    const std::string path = table.path_of(key);
-    const auto low = number_of((*array)[0], path + "[0]", range, table.faults());
-    const auto high = number_of((*array)[1], path + "[1]", range, table.faults());
-    if (!low || !high) return {};
-    return std::array<Real, 2>{static_cast<Real>(*low), static_cast<Real>(*high)};
+    if (needed) table.require("anchor_m", "the point to turn about, [x, y, z] in world m");
 }
 
 /// A lower and an upper bound, as the file writes them.
 std::optional<std::array<Real, 2>> read_bounds(TableReader& table,
                                                std::string_view key,
                                                const Range& range) {
-    const auto bounds = read_pair(table, key, range);
-    if (bounds && (*bounds)[0] > (*bounds)[1]) {
-        table.error(
-            key,
-            fmt::format("{} is above {}; expected [lower, upper]", (*bounds)[0], (*bounds)[1]));
-    }
+    const auto bounds = table.pair(key, range, "two numbers");
+    if (bounds && (*bounds)[0] > (*bounds)[1])
+        table.error(key, "{} is above {}; expected [lower, upper]", (*bounds)[0], (*bounds)[1]);
     return bounds;
 }
 
@@ -167,33 +139,29 @@ void check_length(TableReader& table, const JointDescription& joint) {
                     "the anchors are on one spot; use kind = \"ball_and_socket\", or limits");
 }
 
+void read_motor(TableReader& table, physics::JointMotor& motor) {
+    table.require("target", "rad/s or m/s");
+    table.require("max", "N m or N");
+    table.read("target", motor.target, {-1e4, 1e4, "rad/s or m/s from -10000 to 10000"});
+    table.read("max", motor.max, kForce);
+}
+
 void read_drive(TableReader& table, JointDescription& joint) {
-    if (auto motor = table.table("motor")) {
-        constexpr Range kTarget{-1e4, 1e4, "rad/s or m/s from -10000 to 10000"};
-        if (!motor->has("target")) motor->error("target", "missing; expected rad/s or m/s");
-        if (!motor->has("max")) motor->error("max", "missing; expected N m or N");
-        joint.motor = physics::JointMotor{.target = motor->number("target", Real{0}, kTarget),
-                                          .max = motor->number("max", Real{0}, kForce)};
-        motor->finish();
-    }
-    joint.stiffness_Npm = table.number("stiffness_Npm", Real{0}, kForce);
-    joint.damping_Nspm = table.number("damping_Nspm", Real{0}, kForce);
-    constexpr Range kLength_m{0, 1e4, "a length from 0 to 10000 m"};
-    joint.rest_length_m = table.optional_number("rest_length_m", kLength_m);
-    joint.collide = table.flag("collide", false);
-    joint.break_N = table.number("break_N", Real{0}, kForce);
-    constexpr Range kCreak{0, 10, "a factor from 0 to 10"};
-    joint.creak = table.single("creak", joint.creak, kCreak);
+    table.read_table("motor", joint.motor, read_motor);
+    table.read("stiffness_Npm", joint.stiffness_Npm, kForce);
+    table.read("damping_Nspm", joint.damping_Nspm, kForce);
+    table.read("rest_length_m", joint.rest_length_m, {0, 1e4, "a length from 0 to 10000 m"});
+    table.read("collide", joint.collide);
+    table.read("break_N", joint.break_N, kForce);
+    table.read("creak", joint.creak, {0, 10, "a factor from 0 to 10"});
 }
 
 /// Keys that the kind has no use for: said, not refused.
 void warn_of_unused(TableReader& table, JointKind kind) {
     const auto unused = [&](std::string_view key) {
-        if (table.has(key)) {
-            table.warning(key,
-                          fmt::format("a joint of kind {} does not use it; ignored",
-                                      kKinds[static_cast<std::size_t>(kind)]));
-        }
+        if (!table.has(key)) return;
+        const std::string_view name = kKinds[static_cast<std::size_t>(kind)];
+        table.warning(key, "a joint of kind {} does not use it; ignored", name);
     };
     if (!has_axis(kind)) unused("axis");
     if (!has_limits(kind)) unused("limits");
@@ -213,26 +181,21 @@ void warn_of_unused(TableReader& table, JointKind kind) {
     }
 }
 
-JointDescription read_joint(TableReader& table, const SceneNames& names) {
-    JointDescription joint;
-    joint.location = table.location();
+void read_joint(TableReader& table, JointDescription& joint, const SceneNames& names) {
     joint.name = read_name(table);
     if (!table.has("kind"))
-        table.error("kind", fmt::format("missing; expected one of {}", fmt::join(kKinds, ", ")));
-    joint.kind = static_cast<JointKind>(table.choice("kind", 0, kKinds));
+        table.error("kind", "missing; expected one of {}", fmt::join(kKinds, ", "));
+    table.read_choice("kind", joint.kind, kKinds);
     const End a = read_end(table, "a", names, joint.a);
     const End b = read_end(table, "b", names, joint.b);
     check_ends(table, joint, a, b);
     read_anchors(table, joint, a, b);
-    joint.axis = Vec3(table.direction("axis", Vec3d(joint.axis)));
+    table.read_direction("axis", joint.axis);
     read_limits(table, joint);
     read_drive(table, joint);
     if (a.good && b.good) check_length(table, joint);
-    if (joint.kind == JointKind::Spring && !table.has("stiffness_Npm"))
-        table.error("stiffness_Npm", "missing; expected N per m");
+    if (joint.kind == JointKind::Spring) table.require("stiffness_Npm", "N per m");
     warn_of_unused(table, joint.kind);
-    table.finish();
-    return joint;
 }
 
 }  // namespace
@@ -241,20 +204,18 @@ void read_joints(TableReader& root, SceneDescription& scene, LoadContext& contex
     const auto nodes = root.tables("joint");
     if (nodes.empty()) return;
     const SceneNames names(scene, context);
+    root.read_tables("joint", scene.joints, read_joint, names);
     std::map<std::string, SourceLocation> locations;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const std::string path = fmt::format("joint[{}]", i);
-        TableReader table(nodes[i], path, context.faults);
-        JointDescription joint = read_joint(table, names);
-        if (joint.name.empty()) joint.name = path;
-        const auto [other, is_new] = locations.emplace(joint.name, table.location());
-        if (!is_new) {
-            table.error("name",
-                        fmt::format("\"{}\" is the name of the joint at {} already",
-                                    shown(joint.name),
-                                    to_string(other->second)));
-        }
-        scene.joints.push_back(std::move(joint));
+        TableReader table = root.item("joint", nodes, i);
+        std::string& name = scene.joints[i].name;
+        if (name.empty()) name = table.path();
+        const auto [other, is_new] = locations.emplace(name, table.location());
+        if (is_new) continue;
+        table.error("name",
+                    "\"{}\" is the name of the joint at {} already",
+                    shown(name),
+                    to_string(other->second));
     }
 }
 

@@ -34,7 +34,7 @@ std::optional<Reference> read_file_reference(TableReader& table,
                                              std::span<const std::string_view> extensions,
                                              std::string_view instead,
                                              const LoadContext& context) {
-    const std::string name = table.text(key, {});
+    const std::string name = table.text(key);
     const TomlNode* node = table.find(key);
     if (node == nullptr || node->text() == nullptr) return {};
     const Result<Reference>& reference = context.reference(*node);
@@ -45,40 +45,43 @@ std::optional<Reference> read_file_reference(TableReader& table,
     const std::string extension = std::filesystem::path(name).extension().string();
     if (std::ranges::find(extensions, to_lower(extension)) == extensions.end()) {
         table.error(key,
-                    fmt::format("\"{}\" is of a kind that is not read here; expected {}{}",
-                                shown(name),
-                                fmt::join(extensions, " "),
-                                key == "model" ? " (convert others to glTF)" : ""));
+                    "\"{}\" is of a kind that is not read here; expected {}{}",
+                    shown(name),
+                    fmt::join(extensions, " "),
+                    key == "model" ? " (convert others to glTF)" : "");
         return {};
     }
     if (!reference->exists) {
-        table.warning(key, fmt::format("\"{}\" does not exist; {}", shown(name), instead));
+        table.warning(key, "\"{}\" does not exist; {}", shown(name), instead);
     } else if (!std::filesystem::is_regular_file(reference->file)) {
-        table.error(key, fmt::format("\"{}\" is not a regular file", shown(name)));
+        table.error(key, "\"{}\" is not a regular file", shown(name));
         return {};
     }
     return *reference;
 }
 
+std::filesystem::path read_sound_file(TableReader& sound, const LoadContext& context) {
+    sound.require("file", "a sound file");
+    const auto file =
+        read_file_reference(sound, "file", kSoundExtensions, "it stays silent", context);
+    return file && file->exists ? file->file : std::filesystem::path{};
+}
+
 assets::MaterialData read_material(TableReader& table, const LoadContext& context) {
-    constexpr std::array<std::string_view, 3> kShadings{"pbr", "blinn_phong", "unlit"};
-    constexpr std::array<std::string_view, 3> kAlphaModes{"opaque", "mask", "blend"};
     assets::MaterialData material;
-    material.name = table.text("name", {});
-    material.shading = static_cast<assets::Shading>(table.choice("shading", 0, kShadings));
-    material.base_color = table.color("base_color", material.base_color, kFraction);
-    material.alpha = table.single("alpha", 1.0F, kFraction);
-    material.ripple_slope = table.single("ripple_slope", 0.0F, kFraction);
-    constexpr Range kAttenuation_m{0, 1000, "a length from 0 to 1000 m"};
-    constexpr Range kCaustics{0, 20, "a number from 0 to 20"};
-    material.attenuation_m = table.single("attenuation_m", 0.0F, kAttenuation_m);
-    material.caustics = table.single("caustics", 0.0F, kCaustics);
+    table.read("name", material.name);
+    table.read_choice("shading", material.shading, {"pbr", "blinn_phong", "unlit"});
+    table.read_color("base_color", material.base_color, kFraction);
+    table.read("alpha", material.alpha, kFraction);
+    table.read("ripple_slope", material.ripple_slope, kFraction);
+    table.read("attenuation_m", material.attenuation_m, {0, 1000, "a length from 0 to 1000 m"});
+    table.read("caustics", material.caustics, {0, 20, "a number from 0 to 20"});
     if (material.attenuation_m > 0.0F && material.ripple_slope <= 0.0F)
         table.warning("attenuation_m", "needs a ripple_slope above 0; ignored");
     if (material.caustics > 0.0F && material.attenuation_m <= 0.0F)
         table.warning("caustics", "needs an attenuation_m above 0; ignored");
-    material.variation = table.single("variation", 0.0F, kFraction);
-    material.emissive = table.color("emissive", material.emissive);
+    table.read("variation", material.variation, kFraction);
+    table.read_color("emissive", material.emissive);
     material.base_color_map =
         read_map(table, "base_color_map", "a chequered image stands in", context);
     // Without these maps a surface is merely smoother.
@@ -91,27 +94,24 @@ assets::MaterialData read_material(TableReader& table, const LoadContext& contex
         if (!map->empty() && !std::filesystem::exists(*map, failed)) map->clear();
     }
     constexpr Range kDepth{0, 0.2, "a share of the map's width from 0 to 0.2"};
-    material.height_depth = table.single("height_depth", material.height_depth, kDepth);
+    table.read("height_depth", material.height_depth, kDepth);
     if (!material.height_map.empty() && material.normal_map.empty())
         table.warning("height_map", "needs a normal_map; the map is left out");
-    material.roughness = table.single("roughness", material.roughness, kFraction);
-    material.metallic = table.single("metallic", material.metallic, kFraction);
-    constexpr Range kShininess{0, 1000, "an exponent from 0 to 1000"};
-    material.shininess = table.single("shininess", material.shininess, kShininess);
-    material.specular = table.single("specular", material.specular, kFraction);
-    material.diffuse = table.single("diffuse", material.diffuse, kFraction);
-    material.white_highlight = table.flag("white_highlight", material.white_highlight);
+    table.read("roughness", material.roughness, kFraction);
+    table.read("metallic", material.metallic, kFraction);
+    table.read("shininess", material.shininess, {0, 1000, "an exponent from 0 to 1000"});
+    table.read("specular", material.specular, kFraction);
+    table.read("diffuse", material.diffuse, kFraction);
+    table.read("white_highlight", material.white_highlight);
     warn_of_unused(table, material);
-    material.flat = table.flag("flat", material.flat);
-    material.alpha_mode =
-        static_cast<assets::AlphaMode>(table.choice("alpha_mode", 0, kAlphaModes));
-    material.alpha_cutoff = table.single("alpha_cutoff", material.alpha_cutoff, kFraction);
-    constexpr Range kIor{1, 4, "an index of refraction from 1 to 4"};
-    material.ior = table.single("ior", material.ior, kIor);
+    table.read("flat", material.flat);
+    table.read_choice("alpha_mode", material.alpha_mode, {"opaque", "mask", "blend"});
+    table.read("alpha_cutoff", material.alpha_cutoff, kFraction);
+    table.read("ior", material.ior, {1, 4, "an index of refraction from 1 to 4"});
     if (material.ior > 0.0F && material.alpha_mode != assets::AlphaMode::Blend)
         table.warning("ior", "needs alpha_mode = \"blend\"; ignored");
-    material.two_sided = table.flag("two_sided", false);
-    material.surface = table.text("surface", {});
+    table.read("two_sided", material.two_sided);
+    table.read("surface", material.surface);
     table.finish();
     return material;
 }

@@ -88,9 +88,9 @@ void check_names(const SceneDescription& scene, LoadContext& context) {
             if (is_new) return;
             context.faults.error(location,
                                  std::move(path),
-                                 fmt::format("\"{}\" is the name of what stands at {} already",
-                                             shown(name),
-                                             to_string(other->second)));
+                                 "\"{}\" is the name of what stands at {} already",
+                                 shown(name),
+                                 to_string(other->second));
         };
     const SceneNames names(scene, context);
     for (std::size_t i = 0; i < scene.entities.size(); ++i) {
@@ -103,9 +103,9 @@ void check_names(const SceneDescription& scene, LoadContext& context) {
         if (const auto copy = names.copy_location(scene.entities[i].name)) {
             context.faults.error(context.entity_locations[i],
                                  fmt::format("entity[{}].name", i),
-                                 fmt::format("\"{}\" is the name of a copy of the array at {}",
-                                             shown(scene.entities[i].name),
-                                             to_string(*copy)));
+                                 "\"{}\" is the name of a copy of the array at {}",
+                                 shown(scene.entities[i].name),
+                                 to_string(*copy));
         }
     }
 }

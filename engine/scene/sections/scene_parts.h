@@ -58,27 +58,21 @@ std::optional<Reference> read_file_reference(TableReader& table,
                                              std::span<const std::string_view> extensions,
                                              std::string_view instead,
                                              const LoadContext& context);
+/// The key `file` of a table `sound`, which needs one; empty where there is no such file.
+std::filesystem::path read_sound_file(TableReader& sound, const LoadContext& context);
 
 // --- scene_sections.cpp: [scene] … [effects.*] but for the entities
 void read_sections(TableReader& root, SceneDescription& scene, LoadContext& context);
-Accuracy read_accuracy(TableReader& table);
 
 // --- scene_lights.cpp
 void read_lights_and_air(TableReader& root, SceneDescription& scene, LoadContext& context);
-std::optional<LightDescription> read_light(TableReader& entity);
+void read_light(TableReader& table, LightDescription& light);
 
 // --- scene_screen_effects.cpp
-/// `KEY = { … }`, or true for one with the usual numbers; false or absent: none.
-struct Wish {
-    bool is_made{false};
-    std::optional<TableReader> numbers{};
-    SourceLocation location{};
-};
-Wish read_wish(TableReader& table, std::string_view key);
-std::optional<OcclusionDescription> read_occlusion(TableReader& ambient);
-std::optional<IndirectLightDescription> read_indirect(TableReader& ambient);
-std::optional<ShaftsDescription> read_shafts(TableReader& sun);
-std::optional<FocusDescription> read_focus(TableReader& camera);
+void read_occlusion(TableReader& table, OcclusionDescription& occlusion);
+void read_indirect(TableReader& table, IndirectLightDescription& indirect);
+void read_shafts(TableReader& table, ShaftsDescription& shafts);
+void read_focus(TableReader& table, FocusDescription& focus);
 std::optional<ShutterDescription> read_shutter(TableReader& post);
 
 // --- scene_materials.cpp
@@ -112,9 +106,10 @@ bool is_good_name(std::string_view name);
 std::string read_name(TableReader& table);
 
 // --- scene_bodies.cpp
-std::optional<BodyDescription> read_body(TableReader& entity,
-                                         const VisualDescription& visual,
-                                         EntityUse use);
+void read_body(TableReader& table,
+               BodyDescription& body,
+               const VisualDescription& visual,
+               EntityUse use);
 
 // --- scene_shapes.cpp
 /// One of box, sphere, cylinder, capsule, cone, plane in `table`; none of them: nothing.
@@ -128,8 +123,6 @@ BodyShapeDescription read_body_shape(TableReader& body, const VisualDescription&
 Pose read_pose(TableReader& table);
 /// rotation_deg or orientation; nothing where there is neither.
 std::optional<Quat> read_turn(TableReader& table);
-/// turn_deg of an array, in radians.
-Vec3 read_turn_of_copies(TableReader& table);
 
 // --- scene_joints.cpp
 void read_joints(TableReader& root, SceneDescription& scene, LoadContext& context);
@@ -149,7 +142,7 @@ void read_goal(TableReader& root, SceneDescription& scene, LoadContext& context)
 // --- scene_nature.cpp
 void read_nature(TableReader& root, SceneDescription& scene, const LoadContext& context);
 /// The key `fidelity` of [effects.NAME].
-Fidelity read_fidelity(TableReader& table);
+void read_fidelity(TableReader& table, Fidelity& fidelity);
 
 // --- json_scene.cpp
 /// A JSON scene of meshes and a camera (docs/SCENE-FORMAT.md, "JSON scenes"), with all that it names.

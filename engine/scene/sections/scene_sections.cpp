@@ -14,9 +14,6 @@
 namespace plumbline::scene {
 namespace {
 
-constexpr Range kYaw_deg{-36'000, 36'000, "degrees from -36000 to 36000"};
-constexpr Range kPitch_deg{-90, 90, "degrees from -90 to 90"};
-
 // Names of effects that may carry a table of settings.
 constexpr std::array<std::string_view, 20> kEffects{"sun_shadow",
                                                     "flashlight",
@@ -44,87 +41,62 @@ constexpr std::array<std::string_view, 6> kEffectsToCome{
 void read_world(TableReader& root, SceneDescription& scene) {
     auto table = root.table("world");
     if (!table) return;
-    constexpr Range kPart{-1e30, 1e30, "a finite number"};
-    scene.gravity_mps2 = table->vector("gravity_mps2", scene.gravity_mps2, kPart);
+    table->read("gravity_mps2", scene.gravity_mps2, {-1e30, 1e30, "a finite number"});
     const Vec3d gravity(scene.gravity_mps2);
     if (glm::length(gravity) > limits::kGravity_mps2) {
-        table->warning(
-            "gravity_mps2",
-            fmt::format(
-                "stronger than {} m/s2; {} is used", limits::kGravity_mps2, limits::kGravity_mps2));
-        scene.gravity_mps2 = Vec3(glm::normalize(gravity) * limits::kGravity_mps2);
+        constexpr double kMost = limits::kGravity_mps2;
+        table->warning("gravity_mps2", "stronger than {} m/s2; {} is used", kMost, kMost);
+        scene.gravity_mps2 = Vec3(glm::normalize(gravity) * kMost);
     }
-    scene.kill_below_m = table->optional_number("kill_below_m", kCoordinate_m);
+    table->read("kill_below_m", scene.kill_below_m, kCoordinate_m);
     table->finish();
 }
 
-void read_player(TableReader& root, SceneDescription& scene) {
-    auto table = root.table("player");
-    if (!table) return;
-    PlayerDescription player;
-    player.location = table->location();
-    player.feet_position_m = table->vector("position_m", player.feet_position_m, kCoordinate_m);
-    player.yaw_rad = radians_from_degrees(table->number("yaw_deg", Real{0}, kYaw_deg));
-    player.pitch_rad = radians_from_degrees(table->number("pitch_deg", Real{0}, kPitch_deg));
-    table->finish();
-    scene.player = player;
+void read_player(TableReader& table, PlayerDescription& player) {
+    table.read("position_m", player.feet_position_m, kCoordinate_m);
+    table.read_degrees("yaw_deg", player.yaw_rad, kTurn_deg);
+    table.read_degrees("pitch_deg", player.pitch_rad, {-90, 90, "degrees from -90 to 90"});
 }
 
 /// `orbit` also says where the camera stands, as seen from the target: yaw_deg about +Y from the side
 /// of -Z, pitch_deg above the horizon. What it leaves open is as position_m says.
-void read_orbit(TableReader& camera_table, CameraDescription& camera) {
-    auto table = camera_table.table("orbit");
-    if (!table) return;
-    constexpr Range kDistance_m{0.1, 500, "a length from 0.1 to 500 m"};
-    constexpr Range kSteepness_deg{-89, 89, "degrees from -89 to 89"};
-    constexpr Range kStep_deg{0.1, 90, "degrees from 0.1 to 90"};
-    constexpr Range kStep_m{1e-3, 100, "a length from 0.001 to 100 m"};
-    OrbitDescription orbit;
-    orbit.step_rad = radians_from_degrees(
-        table->number("step_deg", degrees_from_radians(orbit.step_rad), kStep_deg));
-    orbit.step_m = table->number("step_m", orbit.step_m, kStep_m);
-    if (table->has("distance_m") || table->has("pitch_deg") || table->has("yaw_deg")) {
-        const Quat world_from_upright = upright(camera.up);
-        const Vec3 away =
-            glm::conjugate(world_from_upright) * (camera.position_m - camera.target_m);
-        const Real length_m = glm::length(away);
-        const Real height = length_m > 0 ? std::clamp(away.y / length_m, Real{-1}, Real{1}) : 0;
-        const Real distance_m = table->number("distance_m", length_m, kDistance_m);
-        const Real pitch_rad = radians_from_degrees(table->number(
-            "pitch_deg", degrees_from_radians(portable_asin(height)), kSteepness_deg));
-        const Real yaw_rad = radians_from_degrees(table->number(
-            "yaw_deg", degrees_from_radians(portable_atan2(-away.x, -away.z)), kYaw_deg));
-        const Vec3 direction{-portable_sin(yaw_rad) * portable_cos(pitch_rad),
-                             portable_sin(pitch_rad),
-                             -portable_cos(yaw_rad) * portable_cos(pitch_rad)};
-        camera.position_m = camera.target_m + world_from_upright * direction * distance_m;
-    }
-    table->finish();
-    camera.orbit = orbit;
+void read_orbit(TableReader& table, OrbitDescription& orbit, CameraDescription& camera) {
+    table.read_degrees("step_deg", orbit.step_rad, {0.1, 90, "degrees from 0.1 to 90"});
+    table.read("step_m", orbit.step_m, {1e-3, 100, "a length from 0.001 to 100 m"});
+    if (!table.has("distance_m") && !table.has("pitch_deg") && !table.has("yaw_deg")) return;
+    const Quat world_from_upright = upright(camera.up);
+    const Vec3 away = glm::conjugate(world_from_upright) * (camera.position_m - camera.target_m);
+    Real distance_m = glm::length(away);
+    const Real height = distance_m > 0 ? std::clamp(away.y / distance_m, Real{-1}, Real{1}) : 0;
+    Real pitch_rad = portable_asin(height);
+    Real yaw_rad = portable_atan2(-away.x, -away.z);
+    table.read("distance_m", distance_m, {0.1, 500, "a length from 0.1 to 500 m"});
+    table.read_degrees("pitch_deg", pitch_rad, {-89, 89, "degrees from -89 to 89"});
+    table.read_degrees("yaw_deg", yaw_rad, kTurn_deg);
+    const Vec3 direction{-portable_sin(yaw_rad) * portable_cos(pitch_rad),
+                         portable_sin(pitch_rad),
+                         -portable_cos(yaw_rad) * portable_cos(pitch_rad)};
+    camera.position_m = camera.target_m + world_from_upright * direction * distance_m;
 }
 
 void read_camera(TableReader& root, SceneDescription& scene) {
     auto table = root.table("camera");
     if (!table) return;
-    constexpr Range kFov_deg{1, 170, "degrees from 1 to 170"};
     constexpr Range kPlane_m{1e-3, 1e6, "a length from 0.001 to 1000000 m"};
     CameraDescription& camera = scene.camera;
-    scene.clear_color = table->color("clear_color", scene.clear_color);
+    table->read_color("clear_color", scene.clear_color);
     // [camera] with nothing but a clear colour places no camera.
     scene.has_camera = table->has("position_m") || table->has("target_m") || table->has("orbit");
-    camera.position_m = table->vector("position_m", camera.position_m, kCoordinate_m);
-    camera.target_m = table->vector("target_m", camera.target_m, kCoordinate_m);
-    camera.up = Vec3(table->direction("up", Vec3d(camera.up)));
-    read_orbit(*table, camera);
-    camera.focus = read_focus(*table);
-    camera.fov_y_rad = radians_from_degrees(
-        table->number("fov_deg", degrees_from_radians(camera.fov_y_rad), kFov_deg));
-    camera.near_m = table->number("near_m", camera.near_m, kPlane_m);
-    camera.far_m = table->number("far_m", camera.far_m, kPlane_m);
-    if (camera.near_m >= camera.far_m) {
-        table->error("near_m",
-                     fmt::format("{} m is not before far_m, {} m", camera.near_m, camera.far_m));
-    }
+    table->read("position_m", camera.position_m, kCoordinate_m);
+    table->read("target_m", camera.target_m, kCoordinate_m);
+    table->read_direction("up", camera.up);
+    table->read_table("orbit", camera.orbit, read_orbit, camera);
+    table->read_table("focus", camera.focus, read_focus);
+    table->read_degrees("fov_deg", camera.fov_y_rad, {1, 170, "degrees from 1 to 170"});
+    table->read("near_m", camera.near_m, kPlane_m);
+    table->read("far_m", camera.far_m, kPlane_m);
+    if (camera.near_m >= camera.far_m)
+        table->error("near_m", "{} m is not before far_m, {} m", camera.near_m, camera.far_m);
     if (glm::distance(camera.position_m, camera.target_m) < 1e-6_r)
         table->error("target_m", "is where the camera is; expected another point");
     const Vec3 forward = normalize_or(camera.target_m - camera.position_m, Vec3{0, 0, -1});
@@ -133,15 +105,9 @@ void read_camera(TableReader& root, SceneDescription& scene) {
     table->finish();
 }
 
-void read_acoustics(TableReader& root, SceneDescription& scene) {
-    auto table = root.table("sound");
-    if (!table) return;
-    AcousticsDescription acoustics;
-    acoustics.location = table->location();
-    acoustics.paths = table->flag("paths", acoustics.paths);
-    acoustics.reverb = table->flag("reverb", acoustics.reverb);
-    table->finish();
-    scene.acoustics = acoustics;
+void read_acoustics(TableReader& table, AcousticsDescription& acoustics) {
+    table.read("paths", acoustics.paths);
+    table.read("reverb", acoustics.reverb);
 }
 
 void read_effects(TableReader& root, SceneDescription& scene, LoadContext& context) {
@@ -162,7 +128,7 @@ void read_effects(TableReader& root, SceneDescription& scene, LoadContext& conte
     for (const auto& [name, fidelity] : with_fidelity) {
         auto settings = table->table(name);
         if (!settings) continue;
-        *fidelity = read_fidelity(*settings);
+        read_fidelity(*settings, *fidelity);
         settings->finish();
         scene.effect_settings.emplace(name, settings->location());
     }
@@ -172,6 +138,42 @@ void read_effects(TableReader& root, SceneDescription& scene, LoadContext& conte
             context.note_not_built(settings->location(), fmt::format("[effects.{}]", name));
     }
     table->finish();
+}
+
+Accuracy read_accuracy(TableReader& table) {
+    std::vector<std::string_view> names;
+    for (const Preset& preset : presets()) names.push_back(preset.name);
+    std::size_t chosen = 1;  // balanced
+    table.read_choice("preset", chosen, names);
+    const Preset& preset = presets()[chosen];
+
+    Accuracy accuracy;
+    accuracy.preset = preset.name;
+    accuracy.step_hz = preset.step_hz;
+    table.read("step_hz", accuracy.step_hz, limits::kStepHzMin, limits::kStepHzMax);
+    table.read("substeps", accuracy.substeps, 1, kMostSubsteps);
+    table.read("substeps_max", accuracy.substeps_max, 1, kMostSubsteps);
+    table.read("iterations", accuracy.iterations, 1, kMostIterations);
+    table.read("tolerance", accuracy.tolerance, {1e-9, 1, "a relative error above 0, up to 1"});
+    table.read("budget_ms", accuracy.budget_ms, {1e-6, 1e6, "a time above 0 ms, up to 1000000 ms"});
+    if (accuracy.tolerance && accuracy.budget_ms)
+        table.error("budget_ms", "is a second wish beside tolerance; expected one of the two");
+    accuracy.step_hz_given = table.has("step_hz");
+    accuracy.solver_given = table.has("solver");
+
+    std::array<std::string_view, physics::kSolvers.size()> solver_names{};
+    std::ranges::transform(physics::kSolvers, solver_names.begin(), physics::solver_name);
+    std::size_t solver = 0;
+    table.read_choice("solver", solver, solver_names);
+    accuracy.solver = physics::kSolvers[solver];
+    table.read_choice("joints", accuracy.joints, {"direct", "iterative"});
+    if (accuracy.substeps && accuracy.substeps_max && *accuracy.substeps > *accuracy.substeps_max) {
+        table.error("substeps_max",
+                    "{} is below substeps = {}; expected at least as many",
+                    *accuracy.substeps_max,
+                    *accuracy.substeps);
+    }
+    return accuracy;
 }
 
 }  // namespace
@@ -189,58 +191,11 @@ const Result<Reference>& LoadContext::reference(const TomlNode& node) const {
         .first->second;
 }
 
-namespace {
-
-std::optional<int> optional_integer(TableReader& table, std::string_view key, int most) {
-    if (!table.has(key)) return {};
-    return table.integer(key, 1, 1, most);
-}
-
-}  // namespace
-
-Accuracy read_accuracy(TableReader& table) {
-    std::vector<std::string_view> names;
-    for (const Preset& preset : presets()) names.push_back(preset.name);
-    constexpr std::size_t kBalanced = 1;
-    const Preset& preset = presets()[table.choice("preset", kBalanced, names)];
-
-    Accuracy accuracy;
-    accuracy.preset = preset.name;
-    accuracy.step_hz =
-        table.integer("step_hz", preset.step_hz, limits::kStepHzMin, limits::kStepHzMax);
-    accuracy.substeps = optional_integer(table, "substeps", kMostSubsteps);
-    accuracy.substeps_max = optional_integer(table, "substeps_max", kMostSubsteps);
-    accuracy.iterations = optional_integer(table, "iterations", kMostIterations);
-    constexpr Range kTolerance{1e-9, 1, "a relative error above 0, up to 1"};
-    if (const auto tolerance = table.optional_number("tolerance", kTolerance))
-        accuracy.tolerance = static_cast<double>(*tolerance);
-    constexpr Range kBudget_ms{1e-6, 1e6, "a time above 0 ms, up to 1000000 ms"};
-    if (const auto budget_ms = table.optional_number("budget_ms", kBudget_ms))
-        accuracy.budget_ms = static_cast<double>(*budget_ms);
-    if (accuracy.tolerance && accuracy.budget_ms)
-        table.error("budget_ms", "is a second wish beside tolerance; expected one of the two");
-    accuracy.step_hz_given = table.has("step_hz");
-    accuracy.solver_given = table.has("solver");
-
-    std::array<std::string_view, physics::kSolvers.size()> solver_names{};
-    std::ranges::transform(physics::kSolvers, solver_names.begin(), physics::solver_name);
-    accuracy.solver = physics::kSolvers[table.choice("solver", 0, solver_names)];
-    constexpr std::array<std::string_view, 2> kMethods{"direct", "iterative"};
-    accuracy.joints = static_cast<physics::JointMethod>(table.choice("joints", 0, kMethods));
-    if (accuracy.substeps && accuracy.substeps_max && *accuracy.substeps > *accuracy.substeps_max) {
-        table.error("substeps_max",
-                    fmt::format("{} is below substeps = {}; expected at least as many",
-                                *accuracy.substeps_max,
-                                *accuracy.substeps));
-    }
-    return accuracy;
-}
-
 void read_sections(TableReader& root, SceneDescription& scene, LoadContext& context) {
     if (auto table = root.table("scene")) {
-        scene.title = table->text("title", {});
-        scene.description = table->text("description", {});
-        scene.controls = table->text("controls", {});
+        table->read("title", scene.title);
+        table->read("description", scene.description);
+        table->read("controls", scene.controls);
         for (const char* followed_before : {"include", "base", "without"})
             table->find(followed_before);
         table->finish();
@@ -250,10 +205,10 @@ void read_sections(TableReader& root, SceneDescription& scene, LoadContext& cont
         scene.accuracy = read_accuracy(*table);
         table->finish();
     }
-    read_player(root, scene);
+    root.read_table("player", scene.player, read_player);
     read_camera(root, scene);
     read_lights_and_air(root, scene, context);
-    read_acoustics(root, scene);
+    root.read_table("sound", scene.acoustics, read_acoustics);
     read_effects(root, scene, context);
 }
 

@@ -19,17 +19,9 @@ constexpr std::size_t kCompoundParts = 1'000;
 
 /// [a, b], both lengths.
 std::optional<Vec2> read_two_lengths(TableReader& table, std::string_view key) {
-    const TomlNode* node = table.find(key);
-    const TomlArray* array = node->array();
-    if (array == nullptr || array->size() != 2) {
-        table.error(key, fmt::format("{}; expected two lengths in m", found(*node)));
-        return {};
-    }
-    const std::string path = table.path_of(key);
-    const auto first = number_of((*array)[0], path + "[0]", kSize_m, table.faults());
-    const auto second = number_of((*array)[1], path + "[1]", kSize_m, table.faults());
-    if (!first || !second) return {};
-    return Vec2{static_cast<Real>(*first), static_cast<Real>(*second)};
+    const auto lengths = table.pair(key, kSize_m, "two lengths in m");
+    if (!lengths) return {};
+    return Vec2{(*lengths)[0], (*lengths)[1]};
 }
 
 template <class Round>
@@ -46,8 +38,7 @@ std::optional<std::vector<Vec3>> read_points(TableReader& table,
     const TomlNode* node = table.find(key);
     const TomlArray* array = node->array();
     if (array == nullptr || array->size() < min || array->size() > max) {
-        table.error(key,
-                    fmt::format("{}; expected {} to {} points [x, y, z]", found(*node), min, max));
+        table.error(key, "{}; expected {} to {} points [x, y, z]", found(*node), min, max);
         return {};
     }
     std::vector<Vec3> points;
@@ -74,8 +65,6 @@ std::optional<physics::MeshShape> read_mesh(TableReader& table) {
     if (!vertices) return {};
     mesh.vertices_m = std::move(*vertices);
     const std::size_t count = mesh.vertices_m.size();
-    const std::string expected =
-        fmt::format("[i, j, k] with indices of points from 0 to {}", count - 1);
     const TomlArray& triangles = *node->array();
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const TomlArray* corners = triangles[t].array();
@@ -89,7 +78,8 @@ std::optional<physics::MeshShape> read_mesh(TableReader& table) {
         if (!good) {
             table.faults().error(triangles[t].location,
                                  fmt::format("{}[{}]", table.path_of("triangles"), t),
-                                 fmt::format("expected {}", expected));
+                                 "expected [i, j, k] with indices of points from 0 to {}",
+                                 count - 1);
             return {};
         }
         mesh.triangles.push_back(triangle);
@@ -126,8 +116,7 @@ std::optional<physics::CompoundChild> read_compound_part(const TomlNode& node,
         good = false;
         bool tried = false;
         for (const std::string_view key : kPrimitives) tried = tried || part.has(key);
-        if (!tried)
-            part.error("", fmt::format("no shape; expected {}, or hull_m", kExpectedPrimitive));
+        if (!tried) part.error("", "no shape; expected {}, or hull_m", kExpectedPrimitive);
     }
     part.finish();
     if (!good) return {};
@@ -139,10 +128,10 @@ BodyShapeDescription read_compound(TableReader& table) {
     const TomlNode* node = table.find("compound");
     const TomlArray* parts = node->array();
     if (parts == nullptr || parts->empty() || parts->size() > kCompoundParts) {
-        table.error(
-            "compound",
-            fmt::format(
-                "{}; expected 1 to {} tables with a shape each", found(*node), kCompoundParts));
+        table.error("compound",
+                    "{}; expected 1 to {} tables with a shape each",
+                    found(*node),
+                    kCompoundParts);
         return FitShape{};
     }
     for (std::size_t i = 0; i < parts->size(); ++i) {
@@ -155,12 +144,13 @@ BodyShapeDescription read_compound(TableReader& table) {
 
 /// `hull = "model"` and `mesh = "model"` name the entity's own model.
 void check_names_model(TableReader& table, std::string_view key) {
-    if (table.text(key, "model") != "model") {
-        table.error(key,
-                    fmt::format("{}; expected \"model\", the entity's own (or {}_m with points)",
-                                found(*table.find(key)),
-                                key));
-    }
+    std::string named = "model";
+    table.read(key, named);
+    if (named == "model") return;
+    table.error(key,
+                "{}; expected \"model\", the entity's own (or {}_m with points)",
+                found(*table.find(key)),
+                key);
 }
 
 }  // namespace
@@ -170,18 +160,19 @@ std::optional<Primitive> read_primitive(TableReader& table) {
     for (const std::string_view key : kPrimitives) {
         if (!table.has(key)) continue;
         if (!kind.empty()) {
-            table.error(key, fmt::format("given beside {}; a shape is one of them", kind));
+            table.error(key, "given beside {}; a shape is one of them", kind);
             continue;
         }
         kind = key;
     }
     if (kind == "box") {
-        const auto size = table.optional_vector("box", kSize_m);
+        std::optional<Vec3> size;
+        table.read(kind, size, kSize_m);
         if (!size) return {};
         return physics::BoxShape{*size};
     }
     if (kind == "sphere") {
-        const auto radius = table.optional_number("sphere", kSize_m);
+        const auto radius = table.number(kind, kSize_m);
         if (!radius) return {};
         return physics::SphereShape{*radius};
     }
@@ -201,14 +192,12 @@ std::optional<Primitive> read_entity_primitive(TableReader& entity) {
     const TomlNode* node = entity.find("primitive");
     if (node == nullptr) return {};
     if (node->table() == nullptr) {
-        entity.error("primitive",
-                     fmt::format("{}; expected {{ {} }}", found(*node), kExpectedPrimitive));
+        entity.error("primitive", "{}; expected {{ {} }}", found(*node), kExpectedPrimitive);
         return {};
     }
     TableReader table(*node, entity.path_of("primitive"), entity.faults());
     const auto primitive = read_primitive(table);
-    if (node->table()->empty())
-        table.error("", fmt::format("is empty; expected {}", kExpectedPrimitive));
+    if (node->table()->empty()) table.error("", "is empty; expected {}", kExpectedPrimitive);
     table.finish();
     return primitive;
 }
@@ -221,10 +210,9 @@ BodyShapeDescription read_body_shape(TableReader& body, const VisualDescription&
     if (node->table() == nullptr) {
         body.error(
             "shape",
-            fmt::format("{}; expected \"fit\" or a table with {}, hull, hull_m, mesh, mesh_m "
-                        "or compound",
-                        found(*node),
-                        kExpectedPrimitive));
+            "{}; expected \"fit\" or a table with {}, hull, hull_m, mesh, mesh_m or compound",
+            found(*node),
+            kExpectedPrimitive);
         return FitShape{};
     }
     TableReader table(*node, body.path_of("shape"), body.faults());
@@ -238,10 +226,9 @@ BodyShapeDescription read_body_shape(TableReader& body, const VisualDescription&
     table.find("triangles");
 
     if (kinds == 0) {
-        table.error(
-            "",
-            fmt::format("names no shape; expected {}, hull, hull_m, mesh, mesh_m or compound",
-                        kExpectedPrimitive));
+        table.error("",
+                    "names no shape; expected {}, hull, hull_m, mesh, mesh_m or compound",
+                    kExpectedPrimitive);
     } else if (primitives > 1) {
         return shape;  // said while reading them
     } else if (kinds > 1) {

@@ -19,12 +19,6 @@ constexpr std::size_t kOverlapChecks = 2'000;
 constexpr std::size_t kOverlapsCounted = 1'000;
 constexpr double kMostSwing_rad = 0.5;  ///< of a spring in a sub-step
 
-std::size_t copies_of(const ArrayDescription& array) {
-    std::size_t copies = 1;
-    for (const int count : array.count) copies *= static_cast<std::size_t>(std::max(count, 0));
-    return copies;
-}
-
 std::size_t body_count_of(const SceneDescription& description) {
     std::size_t bodies = 0;
     for (const EntityDescription& entity : description.entities) bodies += entity.body ? 1U : 0U;

@@ -178,7 +178,7 @@ TEST_F(ShaderBlocksGl, EveryOtherVariantCompiles) {
         program_of(files, 0);
         for (const Feature& feature : files.features) program_of(files, feature.bit);
     }
-    for (const FeatureSet f : {FeatureSet{0}, screen_feature::kKeepDepth}) {
+    for (const FeatureSet f : {FeatureSet{0}, FeatureSet{screen_feature::kKeepDepth}}) {
         using namespace screen_feature;
         program_of(kToneMapShader, f | kOcclusion | kShafts);
         program_of(kToneMapShader, f | kOcclusion | kFourSamples);

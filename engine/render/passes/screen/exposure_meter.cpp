@@ -55,25 +55,19 @@ void ExposureMeter::make() {
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
-float ExposureMeter::measure(const gl::Texture& scene,
-                             Reading reading,
-                             const FullscreenTriangle& triangle,
-                             SceneResources& resources,
-                             FrameStats& stats) {
-    const gl::Program* program = resources.shaders.find(kExposureShader, 0);
+float ExposureMeter::measure(const gl::Texture& scene, Reading reading, PassContext context) {
+    const gl::Program* program = context.program(kExposureShader);
     if (program == nullptr) return exposure_.value_or(1.0F);
     make();
     const bool has_before = reading == Reading::Later && copied_;
     const float before = has_before ? read_copy() : 0.0F;
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    glViewport(0, 0, PL_METER_X, PL_METER_Y);
+    gl::draw_into(framebuffer_.name(), PL_METER_X, PL_METER_Y);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     program->use();
-    gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, scene);
-    triangle.draw();
-    ++stats.draw_calls;
+    gl::bind_texture(kSourceUnit, scene);
+    context.draw_triangle();
     const Clock::time_point now = Clock::now();
     const float since_s = std::chrono::duration<float>(now - seen_).count();
     seen_ = now;

@@ -5,8 +5,7 @@
 #include "engine/render/gl/buffer.h"
 #include "engine/render/gl/framebuffer.h"
 #include "engine/render/gl/texture.h"
-#include "engine/render/passes/scene_resources.h"
-#include "engine/render/passes/sky_pass.h"
+#include "engine/render/passes/pass_context.h"
 
 #include <chrono>
 #include <cstddef>
@@ -29,11 +28,7 @@ public:
     };
 
     /// What to multiply this frame's light with.
-    float measure(const gl::Texture& scene,
-                  Reading reading,
-                  const FullscreenTriangle& triangle,
-                  SceneResources& resources,
-                  FrameStats& stats);
+    float measure(const gl::Texture& scene, Reading reading, PassContext context);
     void free() { *this = {}; }
     std::size_t bytes() const { return cells_.bytes() + read_back_.size(); }
 

@@ -3,7 +3,6 @@
 #include "engine/core/log.h"
 
 #include <fmt/format.h>
-#include <glad/gl.h>
 
 namespace plumbline::render {
 namespace {
@@ -74,9 +73,7 @@ Result<Done> FrameTargets::resize_scene(const ImagePlan& plan, const Device& dev
 }
 
 void FrameTargets::bind_present() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, present_framebuffer());
-    glViewport(
-        0, 0, static_cast<GLsizei>(present_px_.width), static_cast<GLsizei>(present_px_.height));
+    gl::draw_into(present_framebuffer(), present_px_.width, present_px_.height);
 }
 
 }  // namespace plumbline::render

@@ -88,18 +88,15 @@ bool MotionVectors::make_image(const gl::Texture& depth) {
 const gl::Texture* MotionVectors::render(const MotionBlur& blur,
                                          const ShutterView& view,
                                          const gl::Texture& depth,
-                                         SceneResources& resources,
-                                         FrameStats& stats) {
+                                         PassContext context) {
     const Vec2f size_px{depth.width(), depth.height()};
-    find_seen(blur, view, size_px, resources.library);
-    const gl::Program* program =
-        seen_.empty() ? nullptr : resources.shaders.find(kVelocityShader, 0);
+    find_seen(blur, view, size_px, context.resources.library);
+    const gl::Program* program = seen_.empty() ? nullptr : context.program(kVelocityShader);
     if (program == nullptr || !make_image(depth)) {
         *this = {};
         return nullptr;
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    glViewport(0, 0, static_cast<GLsizei>(depth.width()), static_cast<GLsizei>(depth.height()));
+    gl::draw_into(framebuffer_.name(), depth.width(), depth.height());
     constexpr std::array<float, 4> kNothing{};
     glClearBufferfv(GL_COLOR, 0, kNothing.data());
     glEnable(GL_DEPTH_TEST);
@@ -115,9 +112,9 @@ const gl::Texture* MotionVectors::render(const MotionBlur& blur,
         const Mat4f before = view.clip_before_from_world * seen.moved->world_from_body_before;
         glUniformMatrix4fv(
             program->location("clip_before_from_body"), 1, GL_FALSE, glm::value_ptr(before));
-        const GpuMesh& mesh = resources.meshes.get(seen.run.mesh);
+        const GpuMesh& mesh = context.resources.meshes.get(seen.run.mesh);
         draw_instances(mesh, MeshDetail::Full, moments_, seen.run);
-        count_draw(stats, seen.run);
+        count_draw(context.stats, seen.run);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDepthMask(GL_TRUE);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/render/gl/framebuffer.h"
-#include "engine/render/passes/scene_resources.h"
+#include "engine/render/passes/pass_context.h"
 #include "engine/render/resources/gpu_meshes.h"
 
 #include <cstddef>
@@ -22,8 +22,7 @@ public:
     const gl::Texture* render(const MotionBlur& blur,
                               const ShutterView& view,
                               const gl::Texture& depth,
-                              SceneResources& resources,
-                              FrameStats& stats);
+                              PassContext context);
     std::size_t bytes() const { return image_.bytes(); }
 
 private:

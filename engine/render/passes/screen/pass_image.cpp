@@ -1,7 +1,5 @@
 #include "engine/render/passes/screen/pass_image.h"
 
-#include <glad/gl.h>
-
 namespace plumbline::render {
 
 bool PassImage::resize(gl::TargetFormat format, const PixelSize& wanted_px) {
@@ -13,8 +11,7 @@ bool PassImage::resize(gl::TargetFormat format, const PixelSize& wanted_px) {
 }
 
 void PassImage::bind() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-    glViewport(0, 0, static_cast<GLsizei>(image.width()), static_cast<GLsizei>(image.height()));
+    gl::draw_into(framebuffer.name(), image.width(), image.height());
 }
 
 }  // namespace plumbline::render

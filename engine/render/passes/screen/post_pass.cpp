@@ -13,10 +13,6 @@ namespace {
 constexpr std::size_t kBloomLevels = 6;
 constexpr std::uint32_t kSmallestSide_px = 4;
 
-void set_viewport(const PixelSize& size_px) {
-    glViewport(0, 0, static_cast<GLsizei>(size_px.width), static_cast<GLsizei>(size_px.height));
-}
-
 /// Depth is only written while the test is on.
 void write_depth(bool keeps_depth) {
     if (!keeps_depth) {
@@ -67,12 +63,9 @@ std::size_t PostPass::bloom_bytes() const {
     return bytes;
 }
 
-void PostPass::render_bloom(const SceneLight& light,
-                            const FullscreenTriangle& triangle,
-                            SceneResources& resources,
-                            FrameStats& stats) {
-    const gl::Program* down = resources.shaders.find(kBloomDownShader, 0);
-    const gl::Program* up = resources.shaders.find(kBloomUpShader, 0);
+void PostPass::render_bloom(const SceneLight& light, PassContext context) {
+    const gl::Program* down = context.program(kBloomDownShader);
+    const gl::Program* up = context.program(kBloomUpShader);
     if (down == nullptr || up == nullptr || bloom_levels_.empty()) return;
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
@@ -81,9 +74,8 @@ void PostPass::render_bloom(const SceneLight& light,
     const gl::Texture* source = light.image;
     for (const PassImage& level : bloom_levels_) {
         level.bind();
-        gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, *source);
-        triangle.draw();
-        ++stats.draw_calls;
+        gl::bind_texture(kSourceUnit, *source);
+        context.draw_triangle();
         source = &level.image;
     }
     up->use();
@@ -92,9 +84,8 @@ void PostPass::render_bloom(const SceneLight& light,
     for (std::size_t i = bloom_levels_.size() - 1; i > 0; --i) {
         const PassImage& target = bloom_levels_[i - 1];
         target.bind();
-        gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, bloom_levels_[i].image);
-        triangle.draw();
-        ++stats.draw_calls;
+        gl::bind_texture(kSourceUnit, bloom_levels_[i].image);
+        context.draw_triangle();
     }
     glDisable(GL_BLEND);
 }
@@ -103,9 +94,7 @@ void PostPass::render_image(const SceneLight& light,
                             const gl::Texture& depth,
                             const ImagePlan& plan,
                             unsigned int present_framebuffer,
-                            const FullscreenTriangle& triangle,
-                            SceneResources& resources,
-                            FrameStats& stats) const {
+                            PassContext context) const {
     struct Step {
         ShaderPair shader;
         FeatureSet features;
@@ -115,15 +104,15 @@ void PostPass::render_image(const SceneLight& light,
     const gl::Framebuffer* before_scaling = plan.is_scaled() ? &smooth_.framebuffer : nullptr;
     std::vector<Step> steps;
     steps.push_back({kToneMapShader,
-                     light.features | (plan.tone_curve ? screen_feature::kToneMap : 0U) |
-                         (plan.fxaa ? screen_feature::kFxaa : 0U) |
-                         (plan.has_samples() ? screen_feature::kFourSamples : 0U) |
-                         (bloom_levels_.empty() ? 0U : screen_feature::kBloom),
+                     light.features | screen_feature::kToneMap.when(plan.tone_curve) |
+                         screen_feature::kFxaa.when(plan.fxaa) |
+                         screen_feature::kFourSamples.when(plan.has_samples()) |
+                         screen_feature::kBloom.when(!bloom_levels_.empty()),
                      *light.image,
                      plan.fxaa ? &toned_.framebuffer : before_scaling});
     if (plan.fxaa) {
         steps.push_back({kSmoothEdgesShader,
-                         screen_feature::kFxaa | (plan.is_scaled() ? screen_feature::kSharpen : 0U),
+                         screen_feature::kFxaa | screen_feature::kSharpen.when(plan.is_scaled()),
                          toned_.image,
                          before_scaling});
     }
@@ -131,24 +120,24 @@ void PostPass::render_image(const SceneLight& light,
 
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    gl::bind_texture(kDepthUnit, gl::TextureKind::Flat, depth);
+    gl::bind_texture(kDepthUnit, depth);
     if (!bloom_levels_.empty()) {
-        gl::bind_texture(kBloomUnit, gl::TextureKind::Flat, bloom_levels_.front().image);
+        gl::bind_texture(kBloomUnit, bloom_levels_.front().image);
     }
     for (const Step& step : steps) {
         const bool is_last = step.target == nullptr;
         const bool keeps_depth = is_last && plan.keeps_depth;
-        glBindFramebuffer(GL_FRAMEBUFFER, is_last ? present_framebuffer : step.target->name());
-        set_viewport(is_last ? plan.present_px : plan.image_px);
-        const gl::Program* program = resources.shaders.find(
-            step.shader, step.features | (keeps_depth ? screen_feature::kKeepDepth : 0U));
+        const PixelSize& size_px = is_last ? plan.present_px : plan.image_px;
+        gl::draw_into(
+            is_last ? present_framebuffer : step.target->name(), size_px.width, size_px.height);
+        const gl::Program* program = context.program(
+            step.shader, step.features | screen_feature::kKeepDepth.when(keeps_depth));
         if (program == nullptr) continue;
         program->use();
         bind_scene_light(light, *program);
-        gl::bind_texture(kSourceUnit, gl::TextureKind::Flat, step.source);
+        gl::bind_texture(kSourceUnit, step.source);
         write_depth(keeps_depth);
-        triangle.draw();
-        ++stats.draw_calls;
+        context.draw_triangle();
     }
 }
 

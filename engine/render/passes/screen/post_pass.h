@@ -3,11 +3,10 @@
 // the scene's image straight to the screen, or none where the renderer's own target encodes.
 #pragma once
 
+#include "engine/render/passes/pass_context.h"
 #include "engine/render/passes/scene_light.h"
-#include "engine/render/passes/scene_resources.h"
 #include "engine/render/passes/scene_target.h"
 #include "engine/render/passes/screen/pass_image.h"
-#include "engine/render/passes/sky_pass.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,18 +21,13 @@ public:
     std::size_t bloom_bytes() const;
     std::size_t image_bytes() const { return toned_.image.bytes() + smooth_.image.bytes(); }
 
-    void render_bloom(const SceneLight& light,
-                      const FullscreenTriangle& triangle,
-                      SceneResources& resources,
-                      FrameStats& stats);
+    void render_bloom(const SceneLight& light, PassContext context);
     /// All steps after bloom; the last one draws into `present_framebuffer`.
     void render_image(const SceneLight& light,
                       const gl::Texture& depth,
                       const ImagePlan& plan,
                       unsigned int present_framebuffer,
-                      const FullscreenTriangle& triangle,
-                      SceneResources& resources,
-                      FrameStats& stats) const;
+                      PassContext context) const;
 
 private:
     bool resize_bloom(const ImagePlan& plan);

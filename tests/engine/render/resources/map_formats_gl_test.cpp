@@ -22,7 +22,7 @@ using MapFormatsGl = ImageGl;
 /// As shaders see it: an image in grey is one channel that stands for three.
 std::array<std::uint8_t, 4> first_texel(const gl::Texture& texture) {
     std::array<std::uint8_t, 16> texels{};
-    gl::bind_texture(0, gl::TextureKind::Flat, texture);
+    gl::bind_texture(0, texture);
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
     std::array<GLint, 4> channels{};
     glGetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, channels.data());

@@ -8,7 +8,7 @@ namespace {
 
 using namespace mesh_feature;
 
-constexpr ShaderPair kMeshPair{"mesh.vert", "mesh.frag", kMeshFeatures};
+constexpr ShaderPair kMeshPair{"mesh.vert", "mesh.frag", mesh_feature::kAll};
 constexpr FeatureSet kPlain = kVertexColor | kSun | kSkyLight;
 constexpr Substitutes kAny{.kept = kAlphaMask, .harmless = kAerial, .dear = kSunShadow};
 

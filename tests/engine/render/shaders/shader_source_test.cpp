@@ -31,7 +31,7 @@ TEST_F(ShaderSourceTest, ExpandsEachIncludeOnceAndSaysWhereLinesComeFrom) {
     write("b.glsl", "#include \"a.glsl\"\nB\n");
     write("main.frag", "#include \"a.glsl\"\n#include \"b.glsl\"\nM\n");
     const std::string defines = defines_of(
-        std::array{Feature{1, "PL_ONE"}, Feature{2, "PL_TWO"}, Feature{4, "PL_FOUR"}}, 6);
+        std::array{Feature{0, "PL_ONE"}, Feature{1, "PL_TWO"}, Feature{2, "PL_FOUR"}}, 6);
     const auto source = load_shader(folder_, "main.frag", defines);
     ASSERT_TRUE(source.ok()) << source.error().message;
     EXPECT_EQ(source->text,

@@ -55,19 +55,31 @@ TEST(TableReader, GivesValuesOrTheFallbackAndAFault) {
         "list = [\"a\", 1]\nup = [0, 0, 2]\nnone = [0, 0, 0]\nday = 2000-01-01\n",
         [](TableReader& table) {
             constexpr std::array<std::string_view, 2> kWords{"a", "b"};
-            EXPECT_TRUE(table.flag("on", false));
-            EXPECT_TRUE(table.flag("no", true));
-            EXPECT_TRUE(table.flag("absent", true));
-            EXPECT_EQ(table.integer("n", 1, 0, 7), 7);
-            EXPECT_EQ(table.integer("m", 1, 0, 7), 1);
-            EXPECT_EQ(table.number("x", Real{1}, kNotNegative), 2.5_r);
-            EXPECT_EQ(table.number("y", Real{1}, kAnyNumber), Real{1});
-            EXPECT_EQ(table.choice("word", 0, kWords), 1U);
-            EXPECT_EQ(table.choice("other", 0, kWords), 0U);
+            const auto value_of = [&](std::string_view key, auto value, auto... bounds) {
+                table.read(key, value, bounds...);
+                return value;
+            };
+            EXPECT_TRUE(value_of("on", false));
+            EXPECT_TRUE(value_of("no", true));
+            EXPECT_TRUE(value_of("absent", true));
+            EXPECT_EQ(value_of("n", 1, 0, 7), 7);
+            EXPECT_EQ(value_of("m", 1, 0, 7), 1);
+            EXPECT_EQ(value_of("x", Real{1}, kNotNegative), 2.5_r);
+            EXPECT_EQ(value_of("y", Real{1}, kAnyNumber), Real{1});
+            std::size_t word = 0;
+            table.read_choice("word", word, kWords);
+            EXPECT_EQ(word, 1U);
+            word = 0;
+            table.read_choice("other", word, kWords);
+            EXPECT_EQ(word, 0U);
             EXPECT_EQ(table.texts("list"), Lines{"a"});
-            EXPECT_EQ(table.direction("up", {1, 0, 0}), (Vec3d{0, 0, 1}));
-            EXPECT_EQ(table.direction("none", {3, 0, 0}), (Vec3d{1, 0, 0}));
-            EXPECT_EQ(table.text("day", "-"), "-");
+            Vec3d up{1, 0, 0};
+            table.read_direction("up", up);
+            EXPECT_EQ(up, (Vec3d{0, 0, 1}));
+            Vec3d none{3, 0, 0};
+            table.read_direction("none", none);
+            EXPECT_EQ(none, (Vec3d{1, 0, 0}));
+            EXPECT_EQ(value_of("day", std::string("-")), "-");
             table.finish();
         });
     const Lines wanted{"t:2:6: error: no: 1; expected true or false",
@@ -90,16 +102,22 @@ TEST(TableReader, LayersLieOverEachOtherKeyByKey) {
         FaultList faults(said);
         TableReader table(
             {&std::get<TomlNode>(above), &std::get<TomlNode>(below)}, "thing", faults);
-        EXPECT_EQ(table.integer("a", 0, 0, 9), 1);
-        EXPECT_EQ(table.integer("b", 0, 0, 9), 3);
+        const auto digit_of = [](TableReader& of, std::string_view key) {
+            int digit = 0;
+            of.read(key, digit, 0, 9);
+            return digit;
+        };
+        EXPECT_EQ(digit_of(table, "a"), 1);
+        EXPECT_EQ(digit_of(table, "b"), 3);
         EXPECT_EQ(table.either("both", "also"), "also") << "the upper layer's";
         auto sub = table.table("sub");
         ASSERT_TRUE(sub);
-        EXPECT_EQ(sub->integer("x", 0, 0, 9), 1);
-        EXPECT_EQ(sub->integer("y", 0, 0, 9), 2);
+        EXPECT_EQ(digit_of(*sub, "x"), 1);
+        EXPECT_EQ(digit_of(*sub, "y"), 2);
         EXPECT_EQ(sub->path(), "thing.sub");
-        ASSERT_TRUE(table.without_top());
-        EXPECT_EQ(table.without_top()->integer("b", 0, 0, 9), 2);
+        auto lower = table.without_top();
+        ASSERT_TRUE(lower);
+        EXPECT_EQ(digit_of(*lower, "b"), 2);
         EXPECT_FALSE(table.without_top()->without_top());
         table.finish();
     }
@@ -114,10 +132,15 @@ TEST(TableReader, ColoursAreLinearOrOfTheScreen) {
         "clear_color_srgb = [0, 0, 0]\nbase_color_srgb = [5, 0, 0]\n",
         [](TableReader& table) {
             // IEC 61966-2-1: 0.5 is 0.21404 of the light.
-            expect_near_f(table.color("color", {}), {1.0F, 0.2140411F, 0.0F});
-            EXPECT_EQ(table.color("emissive", {}), Vec3f(5, 0, 0));
-            EXPECT_EQ(table.color("clear_color", {}), Vec3f(1, 1, 1));
-            EXPECT_EQ(table.color("base_color", Vec3f{0.5F}), Vec3f{0.5F});
+            const auto color_of = [&](std::string_view key) {
+                Vec3f color{0.5F};
+                table.read_color(key, color);
+                return color;
+            };
+            expect_near_f(color_of("color"), {1.0F, 0.2140411F, 0.0F});
+            EXPECT_EQ(color_of("emissive"), Vec3f(5, 0, 0));
+            EXPECT_EQ(color_of("clear_color"), Vec3f(1, 1, 1));
+            EXPECT_EQ(color_of("base_color"), Vec3f{0.5F});
         });
     EXPECT_EQ(said,
               (Lines{"t:4:20: error: clear_color_srgb: given beside clear_color; they say the same "
