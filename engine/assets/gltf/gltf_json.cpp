@@ -138,72 +138,60 @@ Result<Json> parse_json(std::string_view text, const std::string& name) {
     }
 }
 
-const Json& GltfReader::array(const Json& object, const char* key, std::string_view where) {
+GltfObject object_at(const Json& list, std::size_t i, const std::string& where) {
+    GltfObject object{.json = list[i], .where = fmt::format("{}[{}]", where, i)};
+    if (!object.json.is_object()) fail("{} is not an object", object.where);
+    return object;
+}
+
+const Json& GltfObject::array(const char* key) const {
     static const Json kEmpty = Json::array();
-    const auto found = object.find(key);
-    if (found == object.end()) return kEmpty;
-    if (found->is_array()) return *found;
-    fail("{}{}{} is not an array", where, where.empty() ? "" : ".", key);
-    return kEmpty;
+    const auto found = json.find(key);
+    if (found == json.end()) return kEmpty;
+    if (!found->is_array()) fail("{}{}{} is not an array", where, where.empty() ? "" : ".", key);
+    return *found;
 }
 
-const Json& GltfReader::objects(const char* key, std::size_t limit) {
-    const Json& list = array(document, key, "");
-    if (list.size() > limit) fail("it has {} {}; at most {} are read", list.size(), key, limit);
-    for (std::size_t i = 0; i < list.size() && !failed(); ++i) {
-        if (!list[i].is_object()) fail("{}[{}] is not an object", key, i);
-    }
-    return list;
+std::optional<GltfObject> GltfObject::object(const char* key) const {
+    const auto found = json.find(key);
+    if (found == json.end()) return std::nullopt;
+    if (!found->is_object()) fail("{}.{} is not an object", where, key);
+    return GltfObject{.json = *found, .where = where};
 }
 
-std::optional<std::size_t> GltfReader::whole(const Json& object,
-                                             const char* key,
-                                             std::string_view where) {
-    const auto found = object.find(key);
-    if (found == object.end()) return std::nullopt;
+std::optional<std::size_t> GltfObject::whole(const char* key) const {
+    const auto found = json.find(key);
+    if (found == json.end()) return std::nullopt;
     if (found->is_number_unsigned()) return found->get<std::size_t>();
     fail("{}.{} is {}; it must be a whole number, 0 or more", where, key, found->dump());
-    return std::nullopt;
 }
 
-std::optional<std::size_t> GltfReader::index(const Json& object,
-                                             const char* key,
-                                             std::string_view where,
-                                             std::size_t count) {
-    const std::optional<std::size_t> value = whole(object, key, where);
-    if (!value || *value < count) return value;
-    fail("{}.{} names number {} of {}", where, key, *value, count);
-    return std::nullopt;
+std::optional<std::size_t> GltfObject::index(const char* key, std::size_t count) const {
+    const std::optional<std::size_t> value = whole(key);
+    if (value && *value >= count) fail("{}.{} names number {} of {}", where, key, *value, count);
+    return value;
 }
 
-std::string GltfReader::text(const Json& object, const char* key, std::string_view where) {
-    const auto found = object.find(key);
-    if (found == object.end()) return {};
+std::string GltfObject::text(const char* key) const {
+    const auto found = json.find(key);
+    if (found == json.end()) return {};
     if (found->is_string()) return found->get<std::string>();
     fail("{}.{} is not a text", where, key);
-    return {};
 }
 
-float GltfReader::number(const Json& object,
-                         const char* key,
-                         std::string_view where,
-                         float fallback) {
-    const auto found = object.find(key);
-    if (found == object.end()) return fallback;
+float GltfObject::number(const char* key, float fallback) const {
+    const auto found = json.find(key);
+    if (found == json.end()) return fallback;
     if (found->is_number()) {
         const auto value = static_cast<float>(found->get<double>());
         if (std::isfinite(value)) return value;
     }
     fail("{}.{} is not a number that fits", where, key);
-    return fallback;
 }
 
-std::vector<float> GltfReader::numbers(const Json& object,
-                                       const char* key,
-                                       std::string_view where,
-                                       std::size_t size) {
-    if (!object.contains(key)) return {};
-    const Json& list = array(object, key, where);
+std::vector<float> GltfObject::numbers(const char* key, std::size_t size) const {
+    if (!json.contains(key)) return {};
+    const Json& list = array(key);
     std::vector<float> values;
     for (const Json& value : list) {
         if (!value.is_number()) break;
@@ -212,7 +200,14 @@ std::vector<float> GltfReader::numbers(const Json& object,
     }
     if (list.size() == size && values.size() == size && std::isfinite(values.back())) return values;
     fail("{}.{} must be {} numbers", where, key, size);
-    return {};
+}
+
+std::vector<GltfObject> GltfReader::objects(const char* key, std::size_t limit) const {
+    const Json& list = root.array(key);
+    if (list.size() > limit) fail("it has {} {}; at most {} are read", list.size(), key, limit);
+    std::vector<GltfObject> objects;
+    for (std::size_t i = 0; i < list.size(); ++i) objects.push_back(object_at(list, i, key));
+    return objects;
 }
 
 }  // namespace plumbline::assets
