@@ -193,7 +193,7 @@ void read_animations(GltfReader& reader) {
         ModelAnimation animation{.name = fmt::format("animation {}", i + 1)};
         try {
             read_animation(reader, list[i], animation);
-        } catch (const GltfFault& fault) {
+        } catch (const ModelFault& fault) {
             log_warning("model {}: animation \"{}\" is left out: {}",
                         reader.name,
                         animation.name,

@@ -65,7 +65,7 @@ Result<ModelData> read_gltf(std::string_view bytes,
         read_nodes(reader);
         read_skins(reader);
         read_animations(reader);
-    } catch (const GltfFault& fault) {
+    } catch (const ModelFault& fault) {
         return model_error(name, fault.words);
     } catch (const std::exception& thrown) {
         return model_error(name, thrown.what());

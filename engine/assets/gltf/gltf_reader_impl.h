@@ -25,15 +25,6 @@ struct GltfParts {
     std::optional<std::string_view> binary;
 };
 
-/// Why a document cannot be read: ends the reading, of an animation that one's. Caught by read_gltf.
-struct GltfFault {
-    std::string words;
-};
-template <class... Args>
-[[noreturn]] void fail(fmt::format_string<Args...> format, Args&&... args) {
-    throw GltfFault{fmt::format(format, std::forward<Args>(args)...)};
-}
-
 /// An object of the document, and what messages call it: "nodes[3]". What is not as it is asked for is a
 /// fault.
 struct GltfObject {

@@ -139,7 +139,7 @@ std::string fault_of_reading(const char* text, const Read& read) {
     const Json document = Json::parse(text);
     try {
         read(GltfObject{.json = document, .where = "o"});
-    } catch (const GltfFault& fault) {
+    } catch (const ModelFault& fault) {
         return fault.words;
     }
     return {};
