@@ -49,15 +49,13 @@ void read_head(const GltfReader& reader) {
 Result<ModelData> read_gltf(std::string_view bytes,
                             const std::string& name,
                             ModelReferences& references) {
-    const Result<GltfParts> parts = split_gltf(bytes, name);
-    if (!parts) return parts.error();
-    const Result<Json> document = parse_json(parts->json, name);
-    if (!document) return document.error();
-    GltfReader reader{
-        .root = {.json = *document, .where = {}}, .name = name, .references = references};
     try {
+        const GltfParts parts = split_gltf(bytes, name);
+        const Json document = parse_json(parts.json);
+        GltfReader reader{
+            .root = {.json = document, .where = {}}, .name = name, .references = references};
         read_head(reader);
-        read_buffers(reader, parts->binary);
+        read_buffers(reader, parts.binary);
         read_views(reader);
         read_accessors(reader);
         read_materials(reader);
@@ -65,12 +63,12 @@ Result<ModelData> read_gltf(std::string_view bytes,
         read_nodes(reader);
         read_skins(reader);
         read_animations(reader);
+        return std::move(reader.model);
     } catch (const ModelFault& fault) {
         return model_error(name, fault.words);
     } catch (const std::exception& thrown) {
         return model_error(name, thrown.what());
     }
-    return std::move(reader.model);
 }
 
 }  // namespace plumbline::assets

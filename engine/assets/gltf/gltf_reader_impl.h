@@ -103,9 +103,9 @@ struct GltfReader {
 };
 
 /// GLB or plain text, told by the content.
-Result<GltfParts> split_gltf(std::string_view bytes, const std::string& name);
+GltfParts split_gltf(std::string_view bytes, const std::string& name);
 /// Bracket depth first, without a stack; then the parser, refusing keys that come twice.
-Result<Json> parse_json(std::string_view text, const std::string& name);
+Json parse_json(std::string_view text);
 
 void read_buffers(GltfReader& reader, std::optional<std::string_view> binary);
 void read_views(GltfReader& reader);
