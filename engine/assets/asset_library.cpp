@@ -8,11 +8,11 @@
 #include "engine/core/log.h"
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
 #include <new>
 #include <optional>
 #include <set>
+#include <stop_token>
 #include <string_view>
 #include <thread>
 
@@ -67,16 +67,13 @@ struct AssetLibrary::ModelEntry {
 struct AssetLibrary::SoundsAhead {
     std::mutex mutex;
     std::map<fs::path, SoundData> ready;
-    std::atomic<bool> closing{false};
-    std::thread worker;
+    std::jthread worker;  // last: it ends first
 
-    ~SoundsAhead() {
-        closing = true;
-        if (worker.joinable()) worker.join();
-    }
-    void decode(const std::vector<fs::path>& files, const fs::path& installed) {
+    void decode(const std::stop_token& closing,
+                const std::vector<fs::path>& files,
+                const fs::path& installed) {
         for (const fs::path& file : files) {
-            if (closing) return;
+            if (closing.stop_requested()) return;
             const fs::path key = file.lexically_normal();
             try {
                 Result<SoundData> sound = sound_of(file, installed);
@@ -213,10 +210,9 @@ void AssetLibrary::prefetch_sounds(std::vector<fs::path> files) {
     if (sounds_ahead_) return;
     sounds_ahead_ = std::make_unique<SoundsAhead>();
     try {
-        sounds_ahead_->worker =
-            std::thread([ahead = sounds_ahead_.get(),
-                         files = std::move(files),
-                         installed = images_->installed] { ahead->decode(files, installed); });
+        sounds_ahead_->worker = std::jthread(
+            [ahead = sounds_ahead_.get(), files = std::move(files), installed = images_->installed](
+                const std::stop_token& closing) { ahead->decode(closing, files, installed); });
     } catch (const std::system_error& fault) {
         log_note("sounds are decoded when they are first heard: {}", fault.what());
     }

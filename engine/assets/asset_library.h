@@ -19,24 +19,16 @@
 
 namespace plumbline::assets {
 
-/// Index + 1 into the library's tables; 0 names none.
-struct MeshId {
+/// Index + 1 into one of the library's tables; 0 names none.
+template <class Tag>
+struct AssetId {
     std::uint32_t value{0};
-    friend auto operator<=>(const MeshId&, const MeshId&) = default;
+    friend auto operator<=>(const AssetId&, const AssetId&) = default;
 };
-struct MaterialId {
-    std::uint32_t value{0};
-    friend auto operator<=>(const MaterialId&, const MaterialId&) = default;
-};
-struct SoundId {
-    std::uint32_t value{0};
-    friend auto operator<=>(const SoundId&, const SoundId&) = default;
-};
-
-struct ModelId {
-    std::uint32_t value{0};
-    friend auto operator<=>(const ModelId&, const ModelId&) = default;
-};
+using MeshId = AssetId<struct MeshTag>;
+using MaterialId = AssetId<struct MaterialTag>;
+using SoundId = AssetId<struct SoundTag>;
+using ModelId = AssetId<struct ModelTag>;
 
 /// A model as the scene uses it: all of it as one mesh, at rest, and its materials.
 struct Model {

@@ -105,4 +105,11 @@ void compute_tangents(MeshData& mesh) {
     }
 }
 
+MeshData finished(MeshData mesh) {
+    mesh.sub_meshes = {{.index_count = static_cast<std::uint32_t>(mesh.indices.size())}};
+    mesh.bounds = bounds_of(mesh);
+    compute_tangents(mesh);
+    return mesh;
+}
+
 }  // namespace plumbline::assets

@@ -55,5 +55,7 @@ void compute_normals(MeshData& mesh);
 /// Lengyel 2001, weighted by corner angles, orthogonal to the normal. Vertices without usable
 /// texture coordinates get some tangent orthogonal to their normal.
 void compute_tangents(MeshData& mesh);
+/// Of triangles and normals: all of one material, with bounds and tangents.
+MeshData finished(MeshData mesh);
 
 }  // namespace plumbline::assets

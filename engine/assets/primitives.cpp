@@ -112,14 +112,6 @@ void add_quad(
     add_triangle(mesh, first, first + 2, first + 3);
 }
 
-MeshData finished(MeshData mesh) {
-    mesh.sub_meshes.push_back(
-        {.first_index = 0, .index_count = static_cast<std::uint32_t>(mesh.indices.size())});
-    mesh.bounds = bounds_of(mesh);
-    compute_tangents(mesh);
-    return mesh;
-}
-
 /// Half-circle rings between two polar angles (0 is the top), about a centre on the axis.
 void add_arc(std::vector<Ring>& rings,
              float radius_m,

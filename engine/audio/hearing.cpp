@@ -15,6 +15,14 @@ bool is_near(const Vec3f& position_world) {
            std::abs(position_world.z) < kLargestPosition_m;
 }
 
+/// Of either kind: finite everywhere, some gain, some radius, a sound.
+template <class Cue>
+bool is_sound(const Cue& cue) {
+    return cue.sound.value != 0 && is_near(cue.position_world) && std::isfinite(cue.gain) &&
+           cue.gain > 0.0F && std::isfinite(cue.pitch) && std::isfinite(cue.radius_m) &&
+           cue.radius_m > 0.0F && std::isfinite(cue.low_pass);
+}
+
 SoundCue in_range(SoundCue cue) {
     cue.gain = std::min(cue.gain, 1.0F);
     cue.pitch = std::clamp(cue.pitch, 0.5F, 2.0F);
@@ -54,15 +62,11 @@ float attenuation(float distance_m, float radius_m) {
 }
 
 bool is_playable(const SoundCue& cue) {
-    return cue.sound.value != 0 && is_near(cue.position_world) && std::isfinite(cue.gain) &&
-           cue.gain > 0.0F && std::isfinite(cue.pitch) && std::isfinite(cue.radius_m) &&
-           cue.radius_m > 0.0F && std::isfinite(cue.low_pass);
+    return is_sound(cue);
 }
 
 bool is_playable(const LoopCue& cue) {
-    return cue.key != 0 && cue.sound.value != 0 && is_near(cue.position_world) &&
-           std::isfinite(cue.gain) && cue.gain > 0.0F && std::isfinite(cue.pitch) &&
-           std::isfinite(cue.radius_m) && cue.radius_m > 0.0F && std::isfinite(cue.low_pass);
+    return cue.key != 0 && is_sound(cue);
 }
 
 std::vector<ChosenCue> CueChoice::choose(std::span<const SoundCue> cues,

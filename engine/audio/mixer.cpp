@@ -101,9 +101,7 @@ void Mixer::Impl::set_listener(const Listener& wanted) {
 Mixer::Mixer(const MixerDef& def, const assets::AssetLibrary& library)
     : impl_(std::make_unique<Impl>(def, library)) {
     impl_->def.master_gain = finite_gain(def.master_gain);
-    const bool is_open =
-        def.offline ? impl_->device.open_offline(kOfflineRate_hz) : impl_->device.open(def.device);
-    if (is_open) impl_->prepare_device();
+    impl_->open_device();
 }
 
 Mixer::~Mixer() {
@@ -156,7 +154,7 @@ void Mixer::set_paused(bool paused) {
     if (impl_->paused == paused) return;
     impl_->paused = paused;
     for (const Voice& voice : impl_->voices) {
-        if (voice.in_head) continue;
+        if (voice.cue.in_head) continue;
         ALint state = AL_STOPPED;
         alGetSourcei(voice.source, AL_SOURCE_STATE, &state);
         if (paused && state == AL_PLAYING) alSourcePause(voice.source);

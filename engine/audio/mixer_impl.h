@@ -25,15 +25,8 @@ struct Voice {
     VoiceState state{VoiceState::Free};
     double silent_s{0.0};       ///< Fading: from then on nothing is left of it
     std::uint64_t loop_key{0};  ///< 0: a one-shot
-    std::uint64_t merge_key{0};
-    Vec3f position_world{0.0F};
-    Vec3f velocity_mps{0.0F};
-    float gain{0.0F};
-    float radius_m{1.0F};
-    float low_pass{1.0F};
-    float importance{1.0F};
-    bool in_head{false};
-    float loudness{0.0F};  ///< gain at the listener, as of the last frame
+    SoundCue cue{};             ///< of a loop its place, gain, radius and low pass
+    float loudness{0.0F};       ///< gain at the listener, as of the last frame
 };
 
 /// A cue on its way through the air.

@@ -1,3 +1,4 @@
+#include "engine/assets/sound_import.h"
 #include "engine/audio/mixer_impl.h"
 #include "engine/core/log.h"
 
@@ -24,14 +25,6 @@ std::vector<std::int16_t> mono_of(const assets::SoundData& sound) {
     return mono;
 }
 
-bool is_sound(const assets::SoundData& sound) {
-    constexpr int kMaxChannels = 8;
-    constexpr int kMaxRate_hz = 384'000;
-    return sound.sample_rate_hz > 0 && sound.sample_rate_hz <= kMaxRate_hz && sound.channels > 0 &&
-           sound.channels <= kMaxChannels &&
-           sound.samples.size() >= static_cast<std::size_t>(sound.channels);
-}
-
 }  // namespace
 
 const SampleBuffer& Mixer::Impl::buffer_of(assets::SoundId sound) {
@@ -39,7 +32,8 @@ const SampleBuffer& Mixer::Impl::buffer_of(assets::SoundId sound) {
     SampleBuffer& buffer = entry->second;
     if (!is_new) return buffer;
     const assets::SoundData& data = library.sound(sound);
-    if (!is_sound(data)) {
+    const bool is_empty = data.samples.size() < static_cast<std::size_t>(data.channels);
+    if (!assets::is_playable(data) || is_empty) {
         log_warning("skipped a sound with {} Hz, {} channels and {} samples",
                     data.sample_rate_hz,
                     data.channels,
@@ -83,7 +77,7 @@ void Mixer::Impl::fade(Voice& voice) {
     voice.state = VoiceState::Fading;
     voice.silent_s = clock_s + kStealFade_s;
     voice.loop_key = 0;
-    voice.merge_key = 0;
+    voice.cue.merge_key = 0;
     voice.loudness = 0.0F;
 }
 
@@ -109,7 +103,7 @@ Voice* Mixer::Impl::free_voice() {
 Voice* Mixer::Impl::voice_for(float worth) {
     if (playing() < most_playing) return free_voice();
     Voice* least = nullptr;
-    const auto worth_of = [](const Voice& voice) { return voice.loudness * voice.importance; };
+    const auto worth_of = [](const Voice& voice) { return voice.loudness * voice.cue.importance; };
     for (Voice& voice : voices) {
         if (voice.state != VoiceState::Playing) continue;
         if (least == nullptr || worth_of(voice) < worth_of(*least)) least = &voice;
@@ -135,14 +129,15 @@ void Mixer::Impl::free_finished_voices() {
 }
 
 void Mixer::Impl::place(const Voice& voice) const {
-    alSourcei(voice.source, AL_SOURCE_RELATIVE, voice.in_head ? AL_TRUE : AL_FALSE);
-    if (voice.in_head) {
+    const SoundCue& cue = voice.cue;
+    alSourcei(voice.source, AL_SOURCE_RELATIVE, cue.in_head ? AL_TRUE : AL_FALSE);
+    if (cue.in_head) {
         alSource3f(voice.source, AL_POSITION, 0.0F, 0.0F, -1.0F);
         alSource3f(voice.source, AL_VELOCITY, 0.0F, 0.0F, 0.0F);
         return;
     }
-    MonoPlace at{voice.position_world, voice.velocity_mps};
-    if (def.mono) at = place_in_mono(voice.position_world, voice.velocity_mps, listener);
+    MonoPlace at{cue.position_world, cue.velocity_mps};
+    if (def.mono) at = place_in_mono(cue.position_world, cue.velocity_mps, listener);
     const Vec3f& position = at.position_world;
     alSource3f(voice.source, AL_POSITION, position.x, position.y, position.z);
     const Vec3f velocity = with_bounded_speed(at.velocity_mps);
@@ -151,15 +146,15 @@ void Mixer::Impl::place(const Voice& voice) const {
 
 /// Filters are set where they change to be heard.
 void Mixer::Impl::dull(Voice& voice, float low_pass) {
-    if (std::abs(voice.low_pass - low_pass) < 0.005F) return;
-    voice.low_pass = low_pass;
+    if (std::abs(voice.cue.low_pass - low_pass) < 0.005F) return;
+    voice.cue.low_pass = low_pass;
     device.set_low_pass(voice.source, low_pass);
 }
 
 void Mixer::Impl::follow_room(const Room& room) {
     if (!device.set_room(room)) return;
     // The first room: voices did not lead into it so far.
-    for (const Voice& voice : voices) device.set_low_pass(voice.source, voice.low_pass);
+    for (const Voice& voice : voices) device.set_low_pass(voice.source, voice.cue.low_pass);
 }
 
 /// Those that have come through the air by now; the others are kept until they do.
@@ -186,15 +181,8 @@ std::vector<SoundCue> Mixer::Impl::arrived(std::span<const SoundCue> cues, doubl
 void Mixer::Impl::start(Voice& voice, const ChosenCue& chosen, ALuint buffer) {
     const SoundCue& cue = chosen.cue;
     voice.state = VoiceState::Playing;
-    voice.merge_key = cue.merge_key;
-    voice.position_world = cue.position_world;
-    voice.velocity_mps = cue.velocity_mps;
-    voice.gain = cue.gain;
-    voice.radius_m = cue.radius_m;
-    voice.importance = cue.importance;
-    voice.in_head = cue.in_head;
+    voice.cue = cue;
     voice.loudness = chosen.loudness;
-    voice.low_pass = cue.low_pass;
     alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(buffer));
     alSourcei(voice.source, AL_LOOPING, AL_FALSE);
     alSourcef(voice.source, AL_PITCH, cue.pitch);
@@ -224,7 +212,8 @@ void Mixer::Impl::start_cues(std::span<const SoundCue> cues, double now_s, doubl
         if (buffer.name == 0) continue;
         // A louder cue with the key of a sound that has just begun takes that sound's voice.
         if (cue.merge_key != 0) {
-            const auto same = std::ranges::find(voices, cue.merge_key, &Voice::merge_key);
+            const auto same = std::ranges::find(
+                voices, cue.merge_key, [](const Voice& voice) { return voice.cue.merge_key; });
             ALfloat played_s = 0.0F;
             if (same != voices.end()) alGetSourcef(same->source, AL_SEC_OFFSET, &played_s);
             if (same != voices.end() && static_cast<double>(played_s) < CueChoice::kMerge_s)
@@ -281,7 +270,7 @@ void Mixer::Impl::update_loop(std::uint64_t key, const LoopState& loop) {
         if (voice == nullptr) return;
         voice->state = VoiceState::Playing;
         voice->loop_key = key;
-        voice->low_pass = cue.low_pass;
+        voice->cue.low_pass = cue.low_pass;
         // Where it would be had it been heard all along.
         const double offset_s = std::fmod(clock_s - loop.started_s, buffer.length_s);
         alSourcei(voice->source, AL_BUFFER, static_cast<ALint>(buffer.name));
@@ -291,10 +280,10 @@ void Mixer::Impl::update_loop(std::uint64_t key, const LoopState& loop) {
         alSourcef(voice->source, AL_GAIN, 0.0F);
         alSourcePlay(voice->source);
     }
-    voice->position_world = cue.position_world;
-    voice->velocity_mps = cue.velocity_mps;
-    voice->gain = gain;
-    voice->radius_m = cue.radius_m;
+    voice->cue.position_world = cue.position_world;
+    voice->cue.velocity_mps = cue.velocity_mps;
+    voice->cue.gain = gain;
+    voice->cue.radius_m = cue.radius_m;
     voice->loudness = loudness;
     alSourcef(voice->source, AL_PITCH, cue.pitch);
     dull(*voice, cue.low_pass);
@@ -302,9 +291,9 @@ void Mixer::Impl::update_loop(std::uint64_t key, const LoopState& loop) {
 
 void Mixer::Impl::update_loudness() {
     for (Voice& voice : voices) {
-        if (voice.state != VoiceState::Playing) continue;
-        if (voice.in_head) continue;
-        voice.loudness = loudness_of(voice.position_world, voice.gain, voice.radius_m);
+        const SoundCue& cue = voice.cue;
+        if (voice.state != VoiceState::Playing || cue.in_head) continue;
+        voice.loudness = loudness_of(cue.position_world, cue.gain, cue.radius_m);
         alSourcef(voice.source, AL_GAIN, voice.loudness);
         if (voice.loop_key != 0 || def.mono) place(voice);
     }

@@ -50,9 +50,9 @@ public:
     virtual void extract(const scene::Simulation&, const scene::ViewPoint&, render::RenderFrame&) {
     }  ///< may add to the image
     virtual void sound(const scene::Simulation&, const scene::ViewPoint&, SoundFrame&) {
-    }                                    ///< may add to the sound
-    virtual void serialize(Archive&) {}  ///< what a saved game must keep of it
-    virtual std::uint64_t bytes_cpu() const { return 0; }
+    }                                                       ///< may add to the sound
+    virtual void serialize(Archive&) {}                     ///< what a saved game must keep of it
+    virtual std::uint64_t bytes_held() const { return 0; }  ///< beside itself
 
     const EffectWork& work() const { return work_; }
 

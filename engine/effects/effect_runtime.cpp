@@ -148,7 +148,7 @@ std::vector<LedgerLine> EffectRuntime::ledger() const {
         if (slot.effect) {
             line.calls += slot.effect->work().calls;
             line.cpu_ms += slot.effect->work().cpu_ms;
-            line.bytes_cpu = slot.effect->bytes_cpu();
+            line.bytes_cpu = table_[row].bytes + slot.effect->bytes_held();
         }
         lines.push_back(std::move(line));
     }

@@ -23,10 +23,12 @@ enum class Domain : std::uint8_t { Step, Frame, Sound };
 using Callers = std::vector<std::string>;
 
 struct EffectRow {
-    std::string_view name;  ///< as in reports: "sun_shadow"; also of its live switch
-    Domain domain;
+    /// Both from the list below. The name is that of reports, "sun_shadow", and of its live switch.
+    std::string_view name{};
+    Domain domain{Domain::Step};
     Callers (*called_for_by)(const scene::Simulation&);  ///< empty: not called for
-    std::unique_ptr<Effect> (*make)(scene::Simulation&);
+    std::unique_ptr<Effect> (*make)(scene::Simulation&){nullptr};
+    std::size_t bytes{0};  ///< of what it makes
     /// What its callers depend on beside entities that come and go and its own switch: while the
     /// number stays the same, so do they. Null: nothing.
     std::uint64_t (*key)(const scene::Simulation&){nullptr};
@@ -36,52 +38,56 @@ struct EffectRow {
 
 // Each is defined in the source file of its name, those that only fill in the frame in one for their folder. A row may call for rows below it: impact sounds
 // ask for contact events. Sounds come before what changes them.
-#define PL_EFFECTS(ROW)       \
-    ROW(sun_shadow)           \
-    ROW(light_shadows)        \
-    ROW(flashlight)           \
-    ROW(fog)                  \
-    ROW(skybox)               \
-    ROW(refraction)           \
-    ROW(caustics)             \
-    ROW(ambient_occlusion)    \
-    ROW(indirect_light)       \
-    ROW(sun_shafts)           \
-    ROW(depth_of_field)       \
-    ROW(motion_blur)          \
-    ROW(post)                 \
-    ROW(model_animation)      \
-    ROW(contact_look)         \
-    ROW(triggers)             \
-    ROW(viewer_aids)          \
-    ROW(light_cubes)          \
-    ROW(wind)                 \
-    ROW(grass)                \
-    ROW(flock)                \
-    ROW(fountain)             \
-    ROW(impact_sounds)        \
-    ROW(rolling_sounds)       \
-    ROW(ambient_sounds)       \
-    ROW(footsteps)            \
-    ROW(creak_sounds)         \
-    ROW(wind_sound)           \
-    ROW(sound_paths)          \
-    ROW(room_reverb)          \
-    ROW(continuous_collision) \
-    ROW(gyroscopic_torque)    \
-    ROW(contact_events)
+#define PL_EFFECTS(ROW)             \
+    ROW(sun_shadow, Frame)          \
+    ROW(light_shadows, Frame)       \
+    ROW(flashlight, Frame)          \
+    ROW(fog, Frame)                 \
+    ROW(skybox, Frame)              \
+    ROW(refraction, Frame)          \
+    ROW(caustics, Frame)            \
+    ROW(ambient_occlusion, Frame)   \
+    ROW(indirect_light, Frame)      \
+    ROW(sun_shafts, Frame)          \
+    ROW(depth_of_field, Frame)      \
+    ROW(motion_blur, Frame)         \
+    ROW(post, Frame)                \
+    ROW(model_animation, Frame)     \
+    ROW(contact_look, Frame)        \
+    ROW(triggers, Step)             \
+    ROW(viewer_aids, Frame)         \
+    ROW(light_cubes, Frame)         \
+    ROW(wind, Frame)                \
+    ROW(grass, Frame)               \
+    ROW(flock, Frame)               \
+    ROW(fountain, Frame)            \
+    ROW(impact_sounds, Sound)       \
+    ROW(rolling_sounds, Sound)      \
+    ROW(ambient_sounds, Sound)      \
+    ROW(footsteps, Sound)           \
+    ROW(creak_sounds, Sound)        \
+    ROW(wind_sound, Sound)          \
+    ROW(sound_paths, Sound)         \
+    ROW(room_reverb, Sound)         \
+    ROW(continuous_collision, Step) \
+    ROW(gyroscopic_torque, Step)    \
+    ROW(contact_events, Step)
 
-#define PL_DECLARE_ROW(name) EffectRow name();
+#define PL_DECLARE_ROW(name, domain) EffectRow name();
 PL_EFFECTS(PL_DECLARE_ROW)
 #undef PL_DECLARE_ROW
 
-/// The usual make() of a row: T is made of the simulation, or of nothing.
+/// A row whose effect is a T, made of the simulation or of nothing.
 template <class T>
-std::unique_ptr<Effect> make_effect(scene::Simulation& simulation) {
-    if constexpr (std::is_constructible_v<T, scene::Simulation&>)
-        return std::make_unique<T>(simulation);
-    else
-        return std::make_unique<T>();
+EffectRow with_effect(EffectRow row) {
+    row.bytes = sizeof(T);
+    row.make = [](scene::Simulation& simulation) -> std::unique_ptr<Effect> {
+        if constexpr (std::is_constructible_v<T, scene::Simulation&>)
+            return std::make_unique<T>(simulation);
+        else
+            return std::make_unique<T>();
+    };
+    return row;
 }
 
 /// An effect without a state: kShow fills in the frame.
@@ -94,7 +100,6 @@ public:
         kShow(simulation, frame);
         ++work_.calls;
     }
-    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 };
 
 /// `values`: for draft, balanced and precise.

@@ -41,8 +41,6 @@ public:
         }
     }
 
-    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
-
 private:
     Posed& posed_of(ecs::Entity entity, const MovingModel& model) {
         const auto [found, is_new] = posed_.try_emplace(entity.index);
@@ -111,10 +109,7 @@ private:
 }  // namespace
 
 EffectRow model_animation() {
-    return {.name = "model_animation",
-            .domain = Domain::Frame,
-            .called_for_by = &entities_with<scene::PlayingModel>,
-            .make = &make_effect<ModelAnimation>};
+    return with_effect<ModelAnimation>({.called_for_by = &entities_with<scene::PlayingModel>});
 }
 
 }  // namespace plumbline::effects

@@ -233,13 +233,9 @@ void drop_wheels_that_cannot_hold(Bindings& bindings, Diagnostics& faults) {
         if (!needs_holding(action, bindings.hold_mode[i])) continue;
         std::erase_if(bindings.inputs[i], [&](const Input& input) {
             if (input.kind != DeviceKind::Wheel) return false;
-            faults.add({Severity::Error,
-                        input.origin,
-                        0,
-                        0,
-                        {},
-                        fmt::format("{}. This entry is left out",
-                                    misfit(input, action, bindings.hold_mode[i]))});
+            faults.add_error(input.origin,
+                             fmt::format("{}. This entry is left out",
+                                         misfit(input, action, bindings.hold_mode[i])));
             return true;
         });
     }

@@ -116,7 +116,7 @@ std::vector<Action> also_drives(const Bindings& bindings, const Input& input, Ac
 /// Why this input cannot drive this action at all; empty when it can.
 std::string why_not(const Bindings& bindings, const Input& input, Action action);
 
-/// The table in the program, with no file at all.
+/// What the program has with no file at all: config/bindings.toml as it was built with.
 Bindings built_in_bindings();
 
 /// "left_shift", "mouse.left", "ctrl+f5", "pad.left_y-"; Quake-like aliases ("mouse1", "mwheelup",

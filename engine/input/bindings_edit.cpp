@@ -118,21 +118,9 @@ PressCapture::State PressCapture::take_event(const DeviceEvent& event) {
         return State::Waiting;
     }
     lone_modifier_ = -1;
-    const std::uint8_t modifiers = modifiers_down(keys_down_);
-    switch (event.kind) {
-        case DeviceEventKind::Key:
-            taken_ = input_of(DeviceKind::Key, event.code, 0, modifiers);
-            break;
-        case DeviceEventKind::MouseButton:
-            taken_ = input_of(DeviceKind::MouseButton, event.code, 0, modifiers);
-            break;
-        case DeviceEventKind::Wheel:
-            taken_ = input_of(DeviceKind::Wheel, event.code, 0, modifiers);
-            break;
-        case DeviceEventKind::PadButton:
-            taken_ = input_of(DeviceKind::PadButton, event.code, 0, 0);
-            break;
-    }
+    const bool is_pad = event.kind == DeviceEventKind::PadButton;
+    const std::uint8_t modifiers = is_pad ? std::uint8_t{0} : modifiers_down(keys_down_);
+    taken_ = input_of(device_of(event.kind), event.code, 0, modifiers);
     return taken_ ? State::Taken : State::Waiting;
 }
 

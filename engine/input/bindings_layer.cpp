@@ -2,6 +2,7 @@
 
 #include "engine/core/limits.h"
 #include "engine/core/text/nearest_name.h"
+#include "engine/core/text/split.h"
 #include "engine/core/text/toml_prescan.h"
 #include "engine/input/tuning_keys.h"
 
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace plumbline::input {
 namespace {
@@ -24,17 +26,11 @@ constexpr auto kGroups = std::to_array<ActionGroup>({ActionGroup::Walk,
                                                      ActionGroup::Time,
                                                      ActionGroup::Menu});
 
-constexpr auto kTopKeys = std::to_array<std::string_view>({"format",
-                                                           "profile",
-                                                           "tuning",
-                                                           "hold",
-                                                           "walk",
-                                                           "things",
-                                                           "view",
-                                                           "light",
-                                                           "camera_path",
-                                                           "time",
-                                                           "menu"});
+std::vector<std::string_view> top_keys() {
+    std::vector<std::string_view> keys{"format", "profile", "tuning", "hold"};
+    for (const ActionGroup group : kGroups) keys.push_back(group_name(group));
+    return keys;
+}
 
 SourceLocation location_of(const toml::source_region& region) {
     return {.file = {},
@@ -82,8 +78,22 @@ public:
     }
 
 private:
-    void report(Severity severity, SourceLocation location, std::string message) {
-        faults_.add({severity, file_, location.line, location.column, {}, std::move(message)});
+    template <class... Args>
+    void report(Severity severity,
+                const toml::source_region& place,
+                fmt::format_string<Args...> format,
+                Args&&... args) {
+        const SourceLocation at = location_of(place);
+        std::string message = fmt::format(format, std::forward<Args>(args)...);
+        faults_.add({severity, file_, at.line, at.column, {}, std::move(message)});
+    }
+    template <class... Args>
+    void warn(const toml::key& key, fmt::format_string<Args...> format, Args&&... args) {
+        report(Severity::Warning, key.source(), format, std::forward<Args>(args)...);
+    }
+    template <class... Args>
+    void refuse(const toml::node& node, fmt::format_string<Args...> format, Args&&... args) {
+        report(Severity::Error, node.source(), format, std::forward<Args>(args)...);
     }
 
     void read_top(const toml::key& key, const toml::node& node) {
@@ -93,23 +103,13 @@ private:
         const auto* const group = std::ranges::find(kGroups, name, group_name);
         const bool is_known = group != kGroups.end() || name == "tuning" || name == "hold";
         if (!is_known) {
-            report(Severity::Warning,
-                   location_of(key.source()),
-                   node.is_table()
-                       ? fmt::format(
-                             "no table [{}].{} Table ignored.", name, quote_nearest(name, kTopKeys))
-                       : fmt::format("no key \"{}\" here.{} Line ignored.",
-                                     name,
-                                     quote_nearest(name, kTopKeys)));
-            return;
+            const std::string nearest = quote_nearest(name, top_keys());
+            if (node.is_table()) return warn(key, "no table [{}].{} Table ignored.", name, nearest);
+            return warn(key, "no key \"{}\" here.{} Line ignored.", name, nearest);
         }
         const toml::table* table = node.as_table();
-        if (table == nullptr) {
-            report(Severity::Error,
-                   location_of(node.source()),
-                   fmt::format("[{}] is a table, not {}. Ignored.", name, words_for(node)));
-            return;
-        }
+        if (table == nullptr)
+            return refuse(node, "[{}] is a table, not {}. Ignored.", name, words_for(node));
         for (const auto& [entry_key, entry] : *table) {
             if (name == "tuning") {
                 read_tuning(entry_key, entry);
@@ -123,53 +123,42 @@ private:
 
     void read_format(const toml::node& node) {
         const auto* number = node.as_integer();
-        if (number == nullptr || number->get() < 1) {
-            report(Severity::Error,
-                   location_of(node.source()),
-                   fmt::format("format = {}: 1 is expected. Read as 1.", words_for(node)));
-        } else if (number->get() > kFormat) {
-            report(Severity::Warning,
-                   location_of(node.source()),
-                   fmt::format("format {} is newer than {}: what this program knows is read.",
-                               number->get(),
-                               kFormat));
-        }
+        if (number == nullptr || number->get() < 1)
+            return refuse(node, "format = {}: 1 is expected. Read as 1.", words_for(node));
+        if (number->get() <= kFormat) return;
+        report(Severity::Warning,
+               node.source(),
+               "format {} is newer than {}: what this program knows is read.",
+               number->get(),
+               kFormat);
     }
 
     void read_profile(const toml::node& node) {
         if (const auto* name = node.as_string()) {
             content_.profile = name->get();
         } else {
-            report(Severity::Error,
-                   location_of(node.source()),
-                   fmt::format("profile = {}: a name in quotes is expected. Ignored.",
-                               words_for(node)));
+            refuse(node, "profile = {}: a name in quotes is expected. Ignored.", words_for(node));
         }
     }
 
     void read_tuning(const toml::key& key, const toml::node& node) {
         const TuningKey* entry = find_tuning_key(key.str());
         if (entry == nullptr) {
-            report(Severity::Warning,
-                   location_of(key.source()),
-                   fmt::format("no key \"{}\" in [tuning].{} Line ignored.",
-                               key.str(),
-                               quote_nearest(key.str(), tuning_key_names())));
-            return;
+            return warn(key,
+                        "no key \"{}\" in [tuning].{} Line ignored.",
+                        key.str(),
+                        quote_nearest(key.str(), tuning_key_names()));
         }
         if (entry->flag != nullptr) {
-            const auto* flag = node.as_boolean();
-            if (flag != nullptr) {
+            if (const auto* flag = node.as_boolean()) {
                 tuning_.*entry->flag = flag->get();
                 return;
             }
-            report(Severity::Error,
-                   location_of(node.source()),
-                   fmt::format("{} = {}: true or false is expected. {} is used.",
-                               key.str(),
-                               words_for(node),
-                               tuning_.*entry->flag));
-            return;
+            return refuse(node,
+                          "{} = {}: true or false is expected. {} is used.",
+                          key.str(),
+                          words_for(node),
+                          tuning_.*entry->flag);
         }
         // Written so that nan fails too.
         const std::optional<double> number =
@@ -178,14 +167,13 @@ private:
             tuning_.*entry->number = static_cast<float>(*number);
             return;
         }
-        report(Severity::Error,
-               location_of(node.source()),
-               fmt::format("{} = {}: a number from {} to {} is expected. {} is used.",
-                           key.str(),
-                           words_for(node),
-                           entry->min,
-                           entry->max,
-                           tuning_.*entry->number));
+        refuse(node,
+               "{} = {}: a number from {} to {} is expected. {} is used.",
+               key.str(),
+               words_for(node),
+               entry->min,
+               entry->max,
+               tuning_.*entry->number);
     }
 
     void read_hold(const toml::key& key, const toml::node& node) {
@@ -193,23 +181,20 @@ private:
         if (!action || *action == Action::Look) {
             std::vector<std::string_view> names = action_names({});
             std::erase(names, action_name(Action::Look));
-            report(Severity::Warning,
-                   location_of(key.source()),
-                   fmt::format("no action \"{}\" in [hold].{} Line ignored.",
-                               key.str(),
-                               quote_nearest(key.str(), names)));
-            return;
+            return warn(key,
+                        "no action \"{}\" in [hold].{} Line ignored.",
+                        key.str(),
+                        quote_nearest(key.str(), names));
         }
         const std::string mode = node.value<std::string>().value_or("");
         if (mode == "hold" || mode == "toggle") {
             content_.holds.push_back({*action, mode == "hold" ? HoldMode::Hold : HoldMode::Toggle});
             return;
         }
-        report(Severity::Error,
-               location_of(node.source()),
-               fmt::format("{} = {}: \"hold\" or \"toggle\" is expected. Line ignored.",
-                           key.str(),
-                           words_for(node)));
+        refuse(node,
+               "{} = {}: \"hold\" or \"toggle\" is expected. Line ignored.",
+               key.str(),
+               words_for(node));
     }
 
     void read_action(ActionGroup group, const toml::key& key, const toml::node& node) {
@@ -217,21 +202,18 @@ private:
         if (!action) {
             std::string nearest = quote_nearest(key.str(), action_names(group));
             if (nearest.empty()) nearest = quote_nearest(key.str(), action_names({}));
-            report(Severity::Warning,
-                   location_of(key.source()),
-                   fmt::format("no action \"{}\" in [{}].{} Line ignored.",
-                               key.str(),
-                               group_name(group),
-                               nearest));
-            return;
+            return warn(key,
+                        "no action \"{}\" in [{}].{} Line ignored.",
+                        key.str(),
+                        group_name(group),
+                        nearest);
         }
         if (group_of(*action) != group) {
-            report(Severity::Warning,
-                   location_of(key.source()),
-                   fmt::format("action \"{}\" belongs in [{}], not [{}]. It is taken all the same.",
-                               key.str(),
-                               group_name(group_of(*action)),
-                               group_name(group)));
+            warn(key,
+                 "action \"{}\" belongs in [{}], not [{}]. It is taken all the same.",
+                 key.str(),
+                 group_name(group_of(*action)),
+                 group_name(group));
         }
         LayerLine line{
             .action = *action, .location = location_of(key.source()), .inputs = {}, .faults = {}};
@@ -302,28 +284,23 @@ std::optional<LayerContent> read_layer(const BindingLayer& layer,
 }
 
 std::optional<LayerLine> read_bind_option(std::string_view option, Diagnostics& faults) {
-    const auto refuse = [&](std::string message) {
-        faults.add({Severity::Error, "--bind", 0, 0, {}, std::move(message)});
-    };
-    const auto equals = option.find('=');
-    if (equals == std::string_view::npos) {
-        refuse(fmt::format("\"{}\" is not action=key[,key]. Ignored.", option));
+    std::string_view rest = option;
+    const std::string_view name = cut_part(rest, '=');
+    if (name.size() == option.size()) {
+        faults.add_error("--bind", fmt::format("\"{}\" is not action=key[,key]. Ignored.", option));
         return std::nullopt;
     }
-    const std::string_view name = option.substr(0, equals);
     const std::optional<Action> action = action_from_name(name);
     if (!action) {
-        refuse(fmt::format(
-            "no action \"{}\".{} Ignored.", name, quote_nearest(name, action_names({}))));
+        faults.add_error(
+            "--bind",
+            fmt::format(
+                "no action \"{}\".{} Ignored.", name, quote_nearest(name, action_names({}))));
         return std::nullopt;
     }
     LayerLine line{.action = *action, .location = {}, .inputs = {}, .faults = {}};
-    std::string_view rest = option.substr(equals + 1);
     while (!rest.empty()) {
-        const auto comma = rest.find(',');
-        const std::string_view word = rest.substr(0, comma);
-        rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
-        Result<Input> input = parse_input(word);
+        Result<Input> input = parse_input(cut_part(rest, ','));
         if (input) {
             line.inputs.push_back({*input, {}});
         } else {

@@ -32,12 +32,7 @@ void add_file(BindingSources& sources,
         sources.layers.push_back({name, std::move(*text)});
     } else {
         sources.left_out.push_back(name);
-        faults.add({Severity::Error,
-                    name,
-                    0,
-                    0,
-                    {},
-                    fmt::format("{}. The file is left out.", text.error().message)});
+        faults.add_error(name, fmt::format("{}. The file is left out.", text.error().message));
     }
 }
 
@@ -56,25 +51,17 @@ void add_profile(BindingSources& sources,
     const fs::path folder = shipped_config_folder / "controls";
     const std::set<std::string> known = profiles_in(folder);
     // Only names that are there are opened: a profile cannot lead out of its folder.
-    if (known.contains(profile)) {
-        add_file(sources,
-                 folder / (profile + ".toml"),
-                 fmt::format("controls/{}.toml", profile),
-                 faults);
-        return;
-    }
+    const std::string file = profile + ".toml";
+    if (known.contains(profile))
+        return add_file(sources, folder / file, "controls/" + file, faults);
     const std::vector<std::string_view> names(known.begin(), known.end());
     const std::string_view nearest = nearest_name(profile, names);
-    faults.add({Severity::Error,
-                "profile",
-                0,
-                0,
-                {},
-                fmt::format("no profile \"{}\".{} There are: {}. None is used.",
-                            profile,
-                            nearest.empty() ? "" : fmt::format(" Nearest: \"{}\".", nearest),
-                            names.empty() ? std::string{"none"}
-                                          : fmt::format("{}", fmt::join(names, ", ")))});
+    faults.add_error("profile",
+                     fmt::format("no profile \"{}\".{} There are: {}. None is used.",
+                                 profile,
+                                 nearest.empty() ? "" : fmt::format(" Nearest: \"{}\".", nearest),
+                                 names.empty() ? std::string{"none"}
+                                               : fmt::format("{}", fmt::join(names, ", "))));
 }
 
 /// What the user's file asks for; its faults are reported when the layer is loaded.

@@ -1,4 +1,4 @@
-// GLFW's codes of the modifier keys.
+// Events of devices as bindings know them: which device, and which modifier a key is.
 #pragma once
 
 #include "engine/core/input_snapshot.h"
@@ -8,6 +8,13 @@
 
 namespace plumbline::input {
 
+inline DeviceKind device_of(DeviceEventKind kind) {
+    constexpr std::array kDevices{
+        DeviceKind::Key, DeviceKind::MouseButton, DeviceKind::Wheel, DeviceKind::PadButton};
+    return kDevices[static_cast<std::size_t>(kind)];
+}
+
+/// GLFW's codes.
 struct ModifierKeys {
     Modifier modifier;
     std::size_t left;

@@ -1,9 +1,10 @@
 #include "engine/platform/gamepad_mapping.h"
 
+#include "engine/core/text/split.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 namespace plumbline::platform {
@@ -13,34 +14,17 @@ constexpr std::size_t kGuidDigits = 32;
 constexpr std::size_t kMaxLineBytes = 1'024;
 constexpr std::size_t kMaxNameBytes = 127;  // GLFW keeps 128 with the end
 
-constexpr auto kElements = std::to_array<std::string_view>({"a",
-                                                            "b",
-                                                            "x",
-                                                            "y",
-                                                            "back",
-                                                            "start",
-                                                            "guide",
-                                                            "leftstick",
-                                                            "rightstick",
-                                                            "leftshoulder",
-                                                            "rightshoulder",
-                                                            "dpup",
-                                                            "dpdown",
-                                                            "dpleft",
-                                                            "dpright",
-                                                            "leftx",
-                                                            "lefty",
-                                                            "rightx",
-                                                            "righty",
-                                                            "lefttrigger",
-                                                            "righttrigger",
-                                                            "misc1",
-                                                            "misc2",
-                                                            "paddle1",
-                                                            "paddle2",
-                                                            "paddle3",
-                                                            "paddle4",
-                                                            "touchpad"});
+constexpr std::string_view kElements =
+    "a b x y back start guide leftstick rightstick leftshoulder rightshoulder dpup dpdown dpleft "
+    "dpright leftx lefty rightx righty lefttrigger righttrigger misc1 misc2 paddle1 paddle2 "
+    "paddle3 "
+    "paddle4 touchpad";
+
+bool is_element(std::string_view name) {
+    for (std::string_view rest = kElements; !rest.empty();)
+        if (cut_part(rest, ' ') == name) return true;
+    return false;
+}
 
 bool is_number(std::string_view text, int max) {
     if (text.empty() || text.size() > 3) return false;
@@ -72,13 +56,6 @@ bool is_source(std::string_view text) {
            (bit == "1" || bit == "2" || bit == "4" || bit == "8");
 }
 
-std::string_view next_field(std::string_view& rest) {
-    const auto comma = rest.find(',');
-    const std::string_view field = rest.substr(0, comma);
-    rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
-    return field;
-}
-
 Error fault(std::string message) {
     return {.message = std::move(message)};
 }
@@ -93,8 +70,7 @@ Result<Done> check_element(std::string_view field) {
         name.starts_with("sdk"))
         return Done{};
     if (name.starts_with('+') || name.starts_with('-')) name.remove_prefix(1);
-    if (std::ranges::find(kElements, name) == kElements.end())
-        return fault(fmt::format("unknown element \"{}\"", name));
+    if (!is_element(name)) return fault(fmt::format("unknown element \"{}\"", name));
     if (!is_source(source))
         return fault(fmt::format("\"{}\" is no button, axis or hat (b0, a0, h0.1)", source));
     return Done{};
@@ -110,17 +86,17 @@ Result<Done> check_gamepad_mapping(std::string_view line) {
     };
     if (std::ranges::any_of(line, is_control)) return fault("holds a control character");
     std::string_view rest = line;
-    const std::string_view guid = next_field(rest);
+    const std::string_view guid = cut_part(rest, ',');
     const auto is_hex = [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; };
     if (guid.size() != kGuidDigits || !std::ranges::all_of(guid, is_hex))
         return fault("does not begin with 32 hexadecimal digits and a comma");
-    const std::string_view name = next_field(rest);
+    const std::string_view name = cut_part(rest, ',');
     if (name.empty() || name.size() > kMaxNameBytes)
         return fault(
             fmt::format("the name has {} bytes, 1 to {} expected", name.size(), kMaxNameBytes));
     std::size_t elements = 0;
     while (!rest.empty()) {
-        const std::string_view field = next_field(rest);
+        const std::string_view field = cut_part(rest, ',');
         if (field.empty()) continue;
         if (Result<Done> checked = check_element(field); !checked) return checked;
         ++elements;
@@ -133,9 +109,7 @@ GamepadMappings read_gamepad_mappings(std::string_view text) {
     GamepadMappings mappings;
     std::size_t number = 0;
     while (!text.empty()) {
-        const auto end = text.find('\n');
-        std::string_view line = text.substr(0, end);
-        text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
+        std::string_view line = cut_part(text, '\n');
         ++number;
         while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
         if (line.empty() || line.front() == '#') continue;

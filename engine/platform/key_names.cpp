@@ -1,66 +1,49 @@
+#include "engine/core/text/split.h"
 #include "engine/core/text/text_case.h"
 #include "engine/platform/window.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 
 namespace plumbline::platform {
 namespace {
 
-struct NamedKey {
-    int key;
-    std::string_view name;
+/// Names of keys whose codes follow one another.
+struct KeyRow {
+    int first;
+    std::string_view names;  ///< with a comma between two
 };
 
 // Keys that print nothing, and the keypad: GLFW says "1" for both 1 and keypad 1.
-constexpr auto kNamedKeys = std::to_array<NamedKey>({
+constexpr auto kKeyRows = std::to_array<KeyRow>({
     {GLFW_KEY_SPACE, "Space"},
-    {GLFW_KEY_ESCAPE, "Escape"},
-    {GLFW_KEY_ENTER, "Enter"},
-    {GLFW_KEY_TAB, "Tab"},
-    {GLFW_KEY_BACKSPACE, "Backspace"},
-    {GLFW_KEY_INSERT, "Insert"},
-    {GLFW_KEY_DELETE, "Delete"},
-    {GLFW_KEY_RIGHT, "Right"},
-    {GLFW_KEY_LEFT, "Left"},
-    {GLFW_KEY_DOWN, "Down"},
-    {GLFW_KEY_UP, "Up"},
-    {GLFW_KEY_PAGE_UP, "Page Up"},
-    {GLFW_KEY_PAGE_DOWN, "Page Down"},
-    {GLFW_KEY_HOME, "Home"},
-    {GLFW_KEY_END, "End"},
-    {GLFW_KEY_CAPS_LOCK, "Caps Lock"},
-    {GLFW_KEY_SCROLL_LOCK, "Scroll Lock"},
-    {GLFW_KEY_NUM_LOCK, "Num Lock"},
-    {GLFW_KEY_PRINT_SCREEN, "Print Screen"},
-    {GLFW_KEY_PAUSE, "Pause"},
-    {GLFW_KEY_KP_DECIMAL, "Keypad ."},
-    {GLFW_KEY_KP_DIVIDE, "Keypad /"},
-    {GLFW_KEY_KP_MULTIPLY, "Keypad *"},
-    {GLFW_KEY_KP_SUBTRACT, "Keypad -"},
-    {GLFW_KEY_KP_ADD, "Keypad +"},
-    {GLFW_KEY_KP_ENTER, "Keypad Enter"},
-    {GLFW_KEY_KP_EQUAL, "Keypad ="},
-    {GLFW_KEY_LEFT_SHIFT, "Left Shift"},
-    {GLFW_KEY_LEFT_CONTROL, "Left Ctrl"},
-    {GLFW_KEY_LEFT_ALT, "Left Alt"},
-    {GLFW_KEY_LEFT_SUPER, "Left Super"},
-    {GLFW_KEY_RIGHT_SHIFT, "Right Shift"},
-    {GLFW_KEY_RIGHT_CONTROL, "Right Ctrl"},
-    {GLFW_KEY_RIGHT_ALT, "Right Alt"},
-    {GLFW_KEY_RIGHT_SUPER, "Right Super"},
-    {GLFW_KEY_MENU, "Menu"},
+    {GLFW_KEY_ESCAPE, "Escape,Enter,Tab,Backspace,Insert,Delete,Right,Left,Down,Up"},
+    {GLFW_KEY_PAGE_UP, "Page Up,Page Down,Home,End"},
+    {GLFW_KEY_CAPS_LOCK, "Caps Lock,Scroll Lock,Num Lock,Print Screen,Pause"},
+    {GLFW_KEY_KP_DECIMAL, "Keypad .,Keypad /,Keypad *,Keypad -,Keypad +,Keypad Enter,Keypad ="},
+    {GLFW_KEY_LEFT_SHIFT, "Left Shift,Left Ctrl,Left Alt,Left Super"},
+    {GLFW_KEY_RIGHT_SHIFT, "Right Shift,Right Ctrl,Right Alt,Right Super,Menu"},
 });
+
+/// Empty for keys that are named by what they print.
+std::string_view name_in_rows(int key) {
+    for (const KeyRow& row : kKeyRows) {
+        int code = row.first;
+        for (std::string_view rest = row.names; !rest.empty(); ++code) {
+            const std::string_view name = cut_part(rest, ',');
+            if (code == key) return name;
+        }
+    }
+    return {};
+}
 
 }  // namespace
 
 std::string printed_key_name(int key) {
-    const auto* const named = std::ranges::find(kNamedKeys, key, &NamedKey::key);
-    if (named != kNamedKeys.end()) return std::string{named->name};
+    if (const std::string_view named = name_in_rows(key); !named.empty()) return std::string{named};
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25)
         return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
     if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9)

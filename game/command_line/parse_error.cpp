@@ -47,12 +47,9 @@ std::string about_unknown(const CLI::App& app, const std::string& word) {
         return "unexpected word \"" + shortened(word) + "\"; the commands are " +
                command_names(app);
     }
-    std::string line = "unknown option \"" + shortened(word) + "\"";
     const std::vector<std::string> words = known_words(app);
     const std::vector<std::string_view> views(words.begin(), words.end());
-    const std::string_view nearest = nearest_name(word, views);
-    if (!nearest.empty()) line += "; the nearest is \"" + std::string(nearest) + "\"";
-    return line;
+    return "unknown option \"" + shortened(word) + "\"" + nearest_words(word, views);
 }
 
 }  // namespace

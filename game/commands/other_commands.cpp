@@ -1,6 +1,5 @@
 #include "game/commands/other_commands.h"
 
-#include "engine/app/offscreen_run.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 #include "engine/core/process/interrupt.h"
@@ -8,6 +7,7 @@
 #include "engine/scene/scene_file.h"
 #include "game/command_line/camera_text.h"
 #include "game/command_line/refuse.h"
+#include "game/offscreen/offscreen_studio.h"
 
 #include <fmt/format.h>
 
@@ -63,13 +63,11 @@ ExitCode run_explain(const std::string& scene_name, bool as_json) {
     const Result<std::filesystem::path> scene =
         scene::find_scene(scene_name, scene::scene_folders(folders->assets));
     if (!scene) return refuse(scene.error());
-    Result<std::unique_ptr<app::Session>> session = app::Session::open(
-        {.scene = *scene,
-         .folders = *folders,
-         .served = {.frame = true, .sound = true},
-         .make_game = [](scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
-             return std::make_unique<scene::NoGame>(simulation.description().camera);
-         }});
+    Result<std::unique_ptr<app::Session>> session =
+        app::Session::open({.scene = *scene,
+                            .folders = *folders,
+                            .served = {.frame = true, .sound = true},
+                            .make_game = no_game});
     if (!session) return refuse(session.error());
     scene::Simulation& simulation = *(*session)->simulation;
     const auto steps = static_cast<std::uint64_t>(kExplained_s / simulation.step_s());

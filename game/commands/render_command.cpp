@@ -1,6 +1,5 @@
 #include "game/commands/render_command.h"
 
-#include "engine/app/offscreen_run.h"
 #include "engine/assets/image/image_import.h"
 #include "engine/core/io/files.h"
 #include "engine/core/io/output.h"
@@ -14,6 +13,7 @@
 #include "game/command_line/refuse.h"
 #include "game/offscreen/contact_sheet.h"
 #include "game/offscreen/frame_files.h"
+#include "game/offscreen/offscreen_studio.h"
 
 #include <fmt/format.h>
 
@@ -30,17 +30,10 @@ Error bad_option(std::string message) {
 
 constexpr const char* kSheet = "contact_sheet.png";
 
-/// A session without a player in it, and an off-screen renderer for it.
-struct Studio {
-    std::unique_ptr<app::Session> session;
-    std::unique_ptr<app::OffscreenRun> run;
-    std::uint32_t width_px{0};
-    std::uint32_t height_px{0};
-};
-
-Result<Studio> open_studio(const std::string& scene_name,
-                           const std::string& size,
-                           app::OffscreenDef def) {
+/// Of a size as the command line has it; empty: the scene's own.
+Result<OffscreenStudio> open_studio(const std::string& scene_name,
+                                    const std::string& size,
+                                    app::OffscreenDef def) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
     const Result<std::filesystem::path> scene =
@@ -51,29 +44,9 @@ Result<Studio> open_studio(const std::string& scene_name,
     if (!size.empty() && !parse_size(size, width, height)) {
         return bad_option(fmt::format("--size {}: expected WIDTHxHEIGHT, 1 to 16384 each", size));
     }
-    Result<std::unique_ptr<app::Session>> session = app::Session::open(
-        {.scene = *scene,
-         .folders = *folders,
-         .served = {.frame = true, .sound = false},
-         .make_game = [](scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
-             return std::make_unique<scene::NoGame>(simulation.description().camera);
-         }});
-    if (!session) return session.error();
-    Studio studio{.session = std::move(*session), .run = nullptr};
-    if (size.empty()) {
-        const auto& viewer = studio.session->description().viewer;
-        width = viewer ? viewer->width_px : 1280;
-        height = viewer ? viewer->height_px : 720;
-    }
-    studio.session->prefetch_images();
-    def.shader_folder = folders->shaders;
-    def.width_px = studio.width_px = static_cast<std::uint32_t>(width);
-    def.height_px = studio.height_px = static_cast<std::uint32_t>(height);
-    Result<std::unique_ptr<app::OffscreenRun>> run =
-        app::OffscreenRun::create(*studio.session, def);
-    if (!run) return run.error();
-    studio.run = std::move(*run);
-    return studio;
+    def.width_px = static_cast<std::uint32_t>(width);
+    def.height_px = static_cast<std::uint32_t>(height);
+    return OffscreenStudio::open_undrawn(*scene, def);
 }
 
 Result<std::optional<assets::Shading>> parse_shading(const std::string& name) {
@@ -138,7 +111,7 @@ std::uint64_t steps_in(double seconds, const scene::Simulation& simulation) {
 }
 
 Result<Done> draw_frames(const RenderOptions& options,
-                         Studio& studio,
+                         OffscreenStudio& studio,
                          const scene::ViewPoint& view,
                          const std::optional<scene::CameraPath>& path) {
     scene::Simulation& simulation = *studio.session->simulation;
@@ -182,12 +155,13 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
     }
     const Result<std::filesystem::path> image = image_file(options);
     if (!image) return refuse(image.error());
-    Result<Studio> studio = open_studio(options.scene,
-                                        options.size,
-                                        {.shader_folder = {},
-                                         .shading = *shading,
-                                         .level = render::quality_level_named(options.level),
-                                         .render_scale = options.render_scale});
+    Result<OffscreenStudio> studio =
+        open_studio(options.scene,
+                    options.size,
+                    {.shader_folder = {},
+                     .shading = *shading,
+                     .level = render::quality_level_named(options.level),
+                     .render_scale = options.render_scale});
     if (!studio) return refuse(studio.error());
 
     scene::ViewPoint view = first_view(studio->session->simulation->description());
@@ -203,9 +177,8 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
     if (interrupted()) return ExitCode::Interrupted;
     const app::OffscreenRun& run = *studio->run;
     if (!image->empty()) {
-        if (const Result<Done> written = assets::write_png(*image, run.pixels()); !written) {
+        if (const Result<Done> written = assets::write_png(*image, run.pixels()); !written)
             return refuse(written.error());
-        }
     }
     if (options.out.empty() && !image->empty()) std::cout << printable(image->string()) << '\n';
     if (!options.report.empty()) {
@@ -220,7 +193,7 @@ ExitCode run_render(const RenderOptions& options, const CommonOptions&) {
 ExitCode run_tour(const TourOptions& options, const CommonOptions&) {
     const Result<Done> open = make_output_folder(options.out, {kSheet});
     if (!open) return refuse(open.error());
-    Result<Studio> studio = open_studio(options.scene, options.size, {});
+    Result<OffscreenStudio> studio = open_studio(options.scene, options.size, {});
     if (!studio) return refuse(studio.error());
 
     const scene::SceneDescription& scene = studio->session->simulation->description();

@@ -19,10 +19,8 @@ void take_solver(const std::string& name, std::optional<physics::Solver>& solver
         known.push_back(physics::solver_name(each));
         list += (list.empty() ? "" : ", ") + std::string(physics::solver_name(each));
     }
-    const std::string_view nearest = nearest_name(name, known);
-    std::string complaint = fmt::format("--solver: there is no \"{}\"", name);
-    if (!nearest.empty()) complaint += fmt::format("; the nearest is \"{}\"", nearest);
-    throw CLI::ValidationError(complaint + "; known: " + list);
+    throw CLI::ValidationError(fmt::format(
+        "--solver: there is no \"{}\"{}; known: {}", name, nearest_words(name, known), list));
 }
 
 CLI::App* add_simulate(CLI::App& app, SimulateOptions& options) {

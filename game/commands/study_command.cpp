@@ -58,11 +58,12 @@ Error unknown_case(const std::string& word) {
         known.emplace_back(scenario.id);
         known.emplace_back(std::string_view(scenario.id).substr(0, 3));
     }
-    std::string message = fmt::format("there is no scenario and no scene \"{}\"", word);
-    const std::string_view nearest = nearest_name(word, known);
-    if (!nearest.empty()) message += fmt::format("; the nearest is \"{}\"", nearest);
-    return {.message = message + "; run `plumbline study --list` to list all scenarios",
-            .exit_code = ExitCode::BadUsage};
+    return {
+        .message = fmt::format("there is no scenario and no scene \"{}\"{}; run `plumbline study "
+                               "--list` to list all scenarios",
+                               word,
+                               nearest_words(word, known)),
+        .exit_code = ExitCode::BadUsage};
 }
 
 Result<Chosen> chosen_by(const StudyOptions& options) {

@@ -6,6 +6,10 @@
 
 namespace plumbline::game {
 
+std::unique_ptr<scene::Game> no_game(scene::Simulation& simulation) {
+    return std::make_unique<scene::NoGame>(simulation.description().camera);
+}
+
 Result<OffscreenStudio> OffscreenStudio::open(const std::filesystem::path& scene) {
     Result<OffscreenStudio> studio = open_undrawn(scene);
     if (!studio) return studio;
@@ -13,25 +17,25 @@ Result<OffscreenStudio> OffscreenStudio::open(const std::filesystem::path& scene
     return studio;
 }
 
-Result<OffscreenStudio> OffscreenStudio::open_undrawn(const std::filesystem::path& scene) {
+Result<OffscreenStudio> OffscreenStudio::open_undrawn(const std::filesystem::path& scene,
+                                                      app::OffscreenDef def) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
-    OffscreenStudio studio;
     Result<std::unique_ptr<app::Session>> session = app::Session::open(
-        {.scene = scene,
-         .folders = *folders,
-         .served = {.frame = true},
-         .make_game = [](scene::Simulation& simulation) -> std::unique_ptr<scene::Game> {
-             return std::make_unique<scene::NoGame>(simulation.description().camera);
-         }});
+        {.scene = scene, .folders = *folders, .served = {.frame = true}, .make_game = no_game});
     if (!session) return session.error();
-    studio.session = std::move(*session);
+    OffscreenStudio studio{.session = std::move(*session), .run = nullptr};
     studio.session->prefetch_images();
+    if (def.width_px == 0) {
+        const auto& viewer = studio.session->description().viewer;
+        def.width_px = static_cast<std::uint32_t>(viewer ? viewer->width_px : 1280);
+        def.height_px = static_cast<std::uint32_t>(viewer ? viewer->height_px : 720);
+    }
+    studio.width_px = def.width_px;
+    studio.height_px = def.height_px;
+    def.shader_folder = folders->shaders;
     Result<std::unique_ptr<app::OffscreenRun>> run =
-        app::OffscreenRun::create(*studio.session,
-                                  {.shader_folder = folders->shaders,
-                                   .width_px = kStudioWidth_px,
-                                   .height_px = kStudioHeight_px});
+        app::OffscreenRun::create(*studio.session, def);
     if (!run) return run.error();
     studio.run = std::move(*run);
     return studio;

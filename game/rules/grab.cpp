@@ -44,12 +44,12 @@ Vec3 rotation_vector(Quat rotation) {
     return axis * (2 * portable_atan2(sine, rotation.w) / sine);
 }
 
+}  // namespace
+
 Vec3 middle_of(const physics::PhysicsWorld& world, physics::BodyId body) {
     return transform_point(world.state(body).world_from_body,
                            world.mass_properties(body).center_of_mass_m);
 }
-
-}  // namespace
 
 std::optional<Looked> looked_at(const scene::Simulation& simulation, const Aim& aim, Real arm_m) {
     const auto hit = simulation.physics.cast_ray(
@@ -139,18 +139,12 @@ Vec3 Grab::target_of(const scene::Simulation& simulation, const Aim& aim) const 
 void Grab::pull(scene::Simulation& simulation, const Aim& aim) {
     if (!holding()) return;
     physics::PhysicsWorld& world = simulation.physics;
-    if (world.frozen(body_)) {
-        release(simulation);
-        return;
-    }
+    if (world.frozen(body_)) return release(simulation);
     const Vec3 target = target_of(simulation, aim);
     const Real dt = static_cast<Real>(simulation.step_s());
     const bool lost = !by_pointer_ && glm::length(target - middle_of(world, body_)) > kLost_m;
     stuck_s_ = lost ? stuck_s_ + dt : Real{0};
-    if (stuck_s_ > kLostAfter_s) {
-        release(simulation);
-        return;
-    }
+    if (stuck_s_ > kLostAfter_s) return release(simulation);
     world.wake(body_);
     pull_straight(simulation, aim, target);
     pull_round(simulation, aim);

@@ -23,10 +23,6 @@ constexpr Real kLostBelow_m = 100;      // under the start, where the scene says
 constexpr Real kHandReach_m = 12;       // hand and eye aim at one point this far away
 const Vec3 kHandFromEye{0.25_r, -0.25_r, -0.3_r};
 
-Pose looking(const Vec3& from, const Quat& orientation) {
-    return {.position = from, .orientation = orientation};
-}
-
 /// Below and beside the eye, aimed at the far point that the eye aims at.
 Pose hand_of(const Pose& world_from_camera) {
     const Vec3 hand = transform_point(world_from_camera, kHandFromEye);
@@ -186,10 +182,7 @@ void PlaygroundGame::change_speed(const Actions& actions) {
 }
 
 void PlaygroundGame::next_mode(scene::Simulation& simulation) {
-    if (simulation.description().viewer) {
-        next_view(*simulation.description().viewer);
-        return;
-    }
+    if (const auto& viewer = simulation.description().viewer) return next_view(*viewer);
     const Quat orientation = look_.orientation();
     const Vec3 eye = eye_m(1, orientation);
     const Vec3 forward = orientation * Vec3{0, 0, -1};
@@ -255,7 +248,7 @@ scene::ViewPoint PlaygroundGame::view(const scene::Simulation&,
     const Real yaw = Real{pending_yaw_rad} * gain;
     const Real pitch = Real{pending_pitch_rad} * gain;
     const Quat orientation = look_.orientation(blend, yaw, pitch);
-    const Pose camera = looking(eye_m(blend, orientation), orientation);
+    const Pose camera{.position = eye_m(blend, orientation), .orientation = orientation};
     return {.world_from_camera = camera,
             .world_from_hand = hand_of(camera),
             // To the bit the same where it stays: shadow maps are drawn anew for another one.

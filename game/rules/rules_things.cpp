@@ -65,15 +65,9 @@ void PlaygroundGame::choose(const Actions& actions) {
 }
 
 void PlaygroundGame::put_one(scene::Simulation& simulation, const Vec3& velocity_mps) {
-    if (const auto refusal = goal_ ? goal_->refusal() : std::nullopt) {
-        say(*refusal);
-        return;
-    }
+    if (const auto refusal = goal_ ? goal_->refusal() : std::nullopt) return say(*refusal);
     const auto made = things_.put(simulation, aim(), velocity_mps);
-    if (!made) {
-        say(made.error().message);
-        return;
-    }
+    if (!made) return say(made.error().message);
     if (goal_) goal_->count_throw(simulation);
     if (things_.keep_limit(simulation)) {
         say(fmt::format(
@@ -159,10 +153,8 @@ void PlaygroundGame::freeze(scene::Simulation& simulation) {
         if (is_guarded(looked->entity)) return;
         body = looked->body;
     }
-    if (!world.contains(body) || world.kind(body) != physics::BodyKind::Dynamic) {
-        say("nothing to freeze");
-        return;
-    }
+    if (!world.contains(body) || world.kind(body) != physics::BodyKind::Dynamic)
+        return say("nothing to freeze");
     const bool freezes = !world.frozen(body);
     world.set_frozen(body, freezes);
     say(freezes ? "frozen" : "unfrozen");
@@ -174,10 +166,7 @@ void PlaygroundGame::remove_looked_at(scene::Simulation& simulation) {
         const auto looked = looked_at(simulation, aim(), kRemoveReach_m);
         const bool movable = looked && simulation.registry.alive(looked->entity) &&
                              simulation.physics.kind(looked->body) == physics::BodyKind::Dynamic;
-        if (!movable) {
-            say("nothing to delete");
-            return;
-        }
+        if (!movable) return say("nothing to delete");
         entity = looked->entity;
         if (is_guarded(entity)) return;
     }

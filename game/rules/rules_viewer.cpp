@@ -48,8 +48,8 @@ void PlaygroundGame::begin_view(const scene::SceneDescription& scene) {
 
 void PlaygroundGame::next_view(const scene::ViewerDescription& viewer) {
     const Quat orientation = look_.orientation();
+    const Vec3 eye = eye_m(1, orientation);
     if (mode_ == MoveMode::Fly) {
-        const Vec3 eye = eye_m(1, orientation);
         mode_ = MoveMode::Orbit;
         const Vec3 forward = orientation * Vec3{0, 0, -1};
         // What lies ahead, as far off as the middle of everything.
@@ -59,7 +59,6 @@ void PlaygroundGame::next_view(const scene::ViewerDescription& viewer) {
         orbit_.place(eye + forward * ahead, ahead, look_.pitch_rad());
         say("orbit mode");
     } else {
-        const Vec3 eye = eye_m(1, orientation);
         mode_ = MoveMode::Fly;
         fly_.place(eye);
         say("fly mode (mouse wheel sets the speed)");
@@ -122,10 +121,7 @@ void PlaygroundGame::show_lit(scene::Simulation& simulation, const Actions& acti
     }
     if (actions.presses(Action::SunShadow) % 2 == 1) {
         const scene::SceneDescription& scene = simulation.description();
-        if (!scene.sun || !scene.sun->shadow) {
-            say("this scene has no shadow-casting sun");
-            return;
-        }
+        if (!scene.sun || !scene.sun->shadow) return say("this scene has no shadow-casting sun");
         const bool on = !switches.is_on("sun_shadow", !scene.viewer);
         switches.turn("sun_shadow", on);
         say(on ? "sun shadows on" : "sun shadows off");

@@ -31,32 +31,19 @@ struct Plain {
 };
 
 Plain plain_thing(std::size_t index) {
-    switch (index) {
-        case 0:
-            return {
-                physics::BoxShape{{0.8_r, 0.8_r, 0.8_r}}, 30, "wood", {0.5F, 0.33F, 0.18F}, 0.1_r};
-        case 1:
-            return {physics::SphereShape{0.12_r}, 0.6_r, "rubber", {0.75F, 0.2F, 0.1F}, 0.7_r};
-        case 2:
-            return {
-                physics::CylinderShape{0.3_r, 0.88_r}, 35, "metal", {0.12F, 0.25F, 0.45F}, 0.2_r};
-        case 3:
-            return {physics::BoxShape{{0.24_r, 0.07_r, 0.115_r}},
-                    3.5_r,
-                    "brick",
-                    {0.5F, 0.16F, 0.1F},
-                    0.1_r};
-        case 4:
-            return {
-                physics::BoxShape{{2.4_r, 0.04_r, 0.2_r}}, 13, "wood", {0.6F, 0.45F, 0.27F}, 0.2_r};
-        case 5:
-            return {physics::SphereShape{0.15_r}, 35, "stone", {0.4F, 0.4F, 0.38F}, 0.1_r};
-        case 6:
-            return {
-                physics::BoxShape{{0.5_r, 1, 0.12_r}}, 20, "wood", {0.85F, 0.82F, 0.75F}, 0.1_r};
-        default:
-            return {physics::BoxShape{{1, 1, 1}}, 1, "wood", {0.13F, 0.0F, 0.13F}, 0};
-    }
+    using physics::BoxShape;
+    using physics::CylinderShape;
+    using physics::SphereShape;
+    const std::array<Plain, kThingCount + 1> things{
+        {{BoxShape{{0.8_r, 0.8_r, 0.8_r}}, 30, "wood", {0.5F, 0.33F, 0.18F}, 0.1_r},
+         {SphereShape{0.12_r}, 0.6_r, "rubber", {0.75F, 0.2F, 0.1F}, 0.7_r},
+         {CylinderShape{0.3_r, 0.88_r}, 35, "metal", {0.12F, 0.25F, 0.45F}, 0.2_r},
+         {BoxShape{{0.24_r, 0.07_r, 0.115_r}}, 3.5_r, "brick", {0.5F, 0.16F, 0.1F}, 0.1_r},
+         {BoxShape{{2.4_r, 0.04_r, 0.2_r}}, 13, "wood", {0.6F, 0.45F, 0.27F}, 0.2_r},
+         {SphereShape{0.15_r}, 35, "stone", {0.4F, 0.4F, 0.38F}, 0.1_r},
+         {BoxShape{{0.5_r, 1, 0.12_r}}, 20, "wood", {0.85F, 0.82F, 0.75F}, 0.1_r},
+         {BoxShape{{1, 1, 1}}, 1, "wood", {0.13F, 0.0F, 0.13F}, 0}}};
+    return things[index];
 }
 
 /// A lump of stone: an uneven ball.

@@ -35,14 +35,9 @@ std::optional<physics::JointId> hinge_of(const scene::Simulation& simulation,
     return {};
 }
 
-Vec3 middle_of_body(const physics::PhysicsWorld& world, physics::BodyId body) {
-    return transform_point(world.state(body).world_from_body,
-                           world.mass_properties(body).center_of_mass_m);
-}
-
 /// From the hinge to the leaf's middle, at a right angle to its axis.
 Vec3 arm_of(const physics::PhysicsWorld& world, const physics::JointDef& def, const Vec3& axis) {
-    const Vec3 arm = middle_of_body(world, def.a) - def.anchor_b_world;
+    const Vec3 arm = middle_of(world, def.a) - def.anchor_b_world;
     return arm - axis * glm::dot(arm, axis);
 }
 
@@ -78,7 +73,7 @@ std::optional<Swing> door_at(const scene::Simulation& simulation,
         return Swing{.hinge = *hinge, .angle_rad = shut, .left_s = kSwing_s, .opens = false};
     const Vec3 axis = glm::normalize(def.axis_world);
     const Vec3 opening = glm::cross(axis, arm_of(world, def, axis));
-    const bool away = glm::dot(opening, middle_of_body(world, def.a) - eye_m) > 0;
+    const bool away = glm::dot(opening, middle_of(world, def.a) - eye_m) > 0;
     const bool up = both_ways ? away : high - shut > shut - low;
     return Swing{.hinge = *hinge,
                  .angle_rad = up ? high - kBeforeLimit_rad : low + kBeforeLimit_rad,

@@ -21,26 +21,22 @@ bool is_known(std::string_view extension) {
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 
-void read_head(GltfReader& reader) {
-    const auto asset = reader.document.find("asset");
-    if (asset == reader.document.end() || !asset->is_object()) {
-        reader.fail("it has no \"asset\"; it is not glTF 2");
-        return;
+void read_head(const GltfReader& reader) {
+    const auto asset = reader.root.json.find("asset");
+    if (asset == reader.root.json.end() || !asset->is_object()) {
+        fail("it has no \"asset\"; it is not glTF 2");
     }
-    const std::string version = reader.text(*asset, "version", "asset");
-    if (!version.starts_with("2.")) {
-        reader.fail("it is glTF version \"{}\"; 2 is read", version);
-        return;
-    }
-    for (const Json& required : reader.array(reader.document, "extensionsRequired", "")) {
+    const std::string version = GltfObject{.json = *asset, .where = "asset"}.text("version");
+    if (!version.starts_with("2.")) fail("it is glTF version \"{}\"; 2 is read", version);
+    for (const Json& required : reader.root.array("extensionsRequired")) {
         const auto* name = required.get_ptr<const std::string*>();
         if (name == nullptr || !is_known(*name)) {
-            reader.fail("it requires the extension {}, which is not read", required.dump());
+            fail("it requires the extension {}, which is not read", required.dump());
         }
     }
-    for (const Json& used : reader.array(reader.document, "extensionsUsed", "")) {
+    for (const Json& used : reader.root.array("extensionsUsed")) {
         const auto* name = used.get_ptr<const std::string*>();
-        if (name == nullptr || is_known(*name) || reader.failed()) continue;
+        if (name == nullptr || is_known(*name)) continue;
         // A finer look of materials is no loss worth a line at every start.
         const LogLevel level =
             name->starts_with("KHR_materials_") ? LogLevel::Debug : LogLevel::Warning;
@@ -48,38 +44,28 @@ void read_head(GltfReader& reader) {
     }
 }
 
-Result<ModelData> read_document(const Json& document,
-                                std::optional<std::string_view> binary,
-                                const std::string& name,
-                                ModelReferences& references) {
-    GltfReader reader{.document = document, .name = name, .references = references};
-    const auto stage = [&](auto read) {
-        if (!reader.failed()) read();
-    };
-    stage([&] { read_head(reader); });
-    stage([&] { read_buffers(reader, binary); });
-    stage([&] { read_views(reader); });
-    stage([&] { read_accessors(reader); });
-    stage([&] { read_materials(reader); });
-    stage([&] { read_meshes(reader); });
-    stage([&] { read_nodes(reader); });
-    stage([&] { read_skins(reader); });
-    stage([&] { read_animations(reader); });
-    if (reader.failed()) return model_error(name, reader.fault);
-    return std::move(reader.model);
-}
-
 }  // namespace
 
 Result<ModelData> read_gltf(std::string_view bytes,
                             const std::string& name,
                             ModelReferences& references) {
-    const Result<GltfParts> parts = split_gltf(bytes, name);
-    if (!parts) return parts.error();
-    const Result<Json> document = parse_json(parts->json, name);
-    if (!document) return document.error();
     try {
-        return read_document(*document, parts->binary, name, references);
+        const GltfParts parts = split_gltf(bytes, name);
+        const Json document = parse_json(parts.json);
+        GltfReader reader{
+            .root = {.json = document, .where = {}}, .name = name, .references = references};
+        read_head(reader);
+        read_buffers(reader, parts.binary);
+        read_views(reader);
+        read_accessors(reader);
+        read_materials(reader);
+        read_meshes(reader);
+        read_nodes(reader);
+        read_skins(reader);
+        read_animations(reader);
+        return std::move(reader.model);
+    } catch (const ModelFault& fault) {
+        return model_error(name, fault.words);
     } catch (const std::exception& thrown) {
         return model_error(name, thrown.what());
     }

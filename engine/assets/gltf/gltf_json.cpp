@@ -9,21 +9,18 @@
 namespace plumbline::assets {
 namespace {
 
-Result<GltfParts> split_glb(std::string_view bytes, const std::string& name) {
+GltfParts split_glb(std::string_view bytes, const std::string& name) {
     constexpr std::size_t kHeader = 12;
     constexpr std::size_t kChunkHeader = 8;
     constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
     constexpr std::uint32_t kBinaryChunk = 0x004E4942;
-    if (bytes.size() < kHeader + kChunkHeader) return model_error(name, "the GLB breaks off");
+    if (bytes.size() < kHeader + kChunkHeader) fail("the GLB breaks off");
     if (little_u32(bytes, 4) != 2) {
-        return model_error(name,
-                           fmt::format("it is GLB version {}; 2 is read", little_u32(bytes, 4)));
+        fail("it is GLB version {}; 2 is read", little_u32(bytes, 4));
     }
     const std::size_t length = little_u32(bytes, 8);
     if (length > bytes.size() || length < kHeader + kChunkHeader) {
-        return model_error(
-            name,
-            fmt::format("the GLB header says {} bytes, the file has {}", length, bytes.size()));
+        fail("the GLB header says {} bytes, the file has {}", length, bytes.size());
     }
     if (length < bytes.size()) {
         log_warning(
@@ -34,20 +31,19 @@ Result<GltfParts> split_glb(std::string_view bytes, const std::string& name) {
     std::size_t place = kHeader;
     for (std::size_t chunk = 0; place < bytes.size(); ++chunk) {
         if (bytes.size() - place < kChunkHeader) {
-            return model_error(name, fmt::format("chunk {} of the GLB breaks off", chunk));
+            fail("chunk {} of the GLB breaks off", chunk);
         }
         const std::size_t size = little_u32(bytes, place);
         const std::uint32_t kind = little_u32(bytes, place + 4);
         place += kChunkHeader;
         if (size > bytes.size() - place) {
-            return model_error(name,
-                               fmt::format("chunk {} of the GLB says {} bytes, {} are left",
-                                           chunk,
-                                           size,
-                                           bytes.size() - place));
+            fail("chunk {} of the GLB says {} bytes, {} are left",
+                 chunk,
+                 size,
+                 bytes.size() - place);
         }
         if ((kind == kJsonChunk) != (chunk == 0) || (kind == kBinaryChunk && chunk != 1)) {
-            return model_error(name, "the GLB's chunks are not JSON first, then binary");
+            fail("the GLB's chunks are not JSON first, then binary");
         }
         if (chunk == 0) parts.json = bytes.substr(place, size);
         if (kind == kBinaryChunk) parts.binary = bytes.substr(place, size);
@@ -102,108 +98,90 @@ std::string_view plain_words(std::string_view what) {
 
 }  // namespace
 
-Result<GltfParts> split_gltf(std::string_view bytes, const std::string& name) {
+GltfParts split_gltf(std::string_view bytes, const std::string& name) {
     if (bytes.starts_with("glTF")) return split_glb(bytes, name);
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos || bytes[first] != '{') {
-        return model_error(name, "its content is not glTF: neither JSON nor a GLB");
+        fail("its content is not glTF: neither JSON nor a GLB");
     }
-    return GltfParts{.json = bytes, .binary = {}};
+    return {.json = bytes, .binary = {}};
 }
 
-Result<Json> parse_json(std::string_view text, const std::string& name) {
+Json parse_json(std::string_view text) {
     if (text.size() > limits::kModelJsonBytes) {
-        return model_error(name,
-                           fmt::format("its JSON has {} bytes; at most {} are read",
-                                       text.size(),
-                                       limits::kModelJsonBytes));
+        fail("its JSON has {} bytes; at most {} are read", text.size(), limits::kModelJsonBytes);
     }
     if (json_depth(text) > limits::kModelJsonDepth) {
-        return model_error(name,
-                           fmt::format("its JSON nests deeper than {}", limits::kModelJsonDepth));
+        fail("its JSON nests deeper than {}", limits::kModelJsonDepth);
     }
-
     try {
         KeyWatch watch;
         if (!Json::sax_parse(text.begin(), text.end(), &watch) && !watch.repeated.empty()) {
-            return model_error(name,
-                               fmt::format("its JSON has the key \"{}\" twice", watch.repeated));
+            fail("its JSON has the key \"{}\" twice", watch.repeated);
         }
         Json document = Json::parse(text.begin(), text.end());
-        if (!document.is_object()) return model_error(name, "its JSON is not an object");
+        if (!document.is_object()) fail("its JSON is not an object");
         return document;
     } catch (const std::exception& thrown) {
-        return model_error(name, fmt::format("its JSON is bad: {}", plain_words(thrown.what())));
+        fail("its JSON is bad: {}", plain_words(thrown.what()));
     }
 }
 
-const Json& GltfReader::array(const Json& object, const char* key, std::string_view where) {
+GltfObject object_at(const Json& list, std::size_t i, const std::string& where) {
+    GltfObject object{.json = list[i], .where = fmt::format("{}[{}]", where, i)};
+    if (!object.json.is_object()) fail("{} is not an object", object.where);
+    return object;
+}
+
+const Json& GltfObject::array(const char* key) const {
     static const Json kEmpty = Json::array();
-    const auto found = object.find(key);
-    if (found == object.end()) return kEmpty;
-    if (found->is_array()) return *found;
-    fail("{}{}{} is not an array", where, where.empty() ? "" : ".", key);
-    return kEmpty;
+    const auto found = json.find(key);
+    if (found == json.end()) return kEmpty;
+    if (!found->is_array()) fail("{}{}{} is not an array", where, where.empty() ? "" : ".", key);
+    return *found;
 }
 
-const Json& GltfReader::objects(const char* key, std::size_t limit) {
-    const Json& list = array(document, key, "");
-    if (list.size() > limit) fail("it has {} {}; at most {} are read", list.size(), key, limit);
-    for (std::size_t i = 0; i < list.size() && !failed(); ++i) {
-        if (!list[i].is_object()) fail("{}[{}] is not an object", key, i);
-    }
-    return list;
+std::optional<GltfObject> GltfObject::object(const char* key) const {
+    const auto found = json.find(key);
+    if (found == json.end()) return std::nullopt;
+    if (!found->is_object()) fail("{}.{} is not an object", where, key);
+    return GltfObject{.json = *found, .where = where};
 }
 
-std::optional<std::size_t> GltfReader::whole(const Json& object,
-                                             const char* key,
-                                             std::string_view where) {
-    const auto found = object.find(key);
-    if (found == object.end()) return std::nullopt;
+std::optional<std::size_t> GltfObject::whole(const char* key) const {
+    const auto found = json.find(key);
+    if (found == json.end()) return std::nullopt;
     if (found->is_number_unsigned()) return found->get<std::size_t>();
     fail("{}.{} is {}; it must be a whole number, 0 or more", where, key, found->dump());
-    return std::nullopt;
 }
 
-std::optional<std::size_t> GltfReader::index(const Json& object,
-                                             const char* key,
-                                             std::string_view where,
-                                             std::size_t count) {
-    const std::optional<std::size_t> value = whole(object, key, where);
-    if (!value || *value < count) return value;
-    fail("{}.{} names number {} of {}", where, key, *value, count);
-    return std::nullopt;
+std::optional<std::size_t> GltfObject::index(const char* key, std::size_t count) const {
+    const std::optional<std::size_t> value = whole(key);
+    if (value && *value >= count) fail("{}.{} names number {} of {}", where, key, *value, count);
+    return value;
 }
 
-std::string GltfReader::text(const Json& object, const char* key, std::string_view where) {
-    const auto found = object.find(key);
-    if (found == object.end()) return {};
+std::string GltfObject::text(const char* key) const {
+    const auto found = json.find(key);
+    if (found == json.end()) return {};
     if (found->is_string()) return found->get<std::string>();
     fail("{}.{} is not a text", where, key);
-    return {};
 }
 
-float GltfReader::number(const Json& object,
-                         const char* key,
-                         std::string_view where,
-                         float fallback) {
-    const auto found = object.find(key);
-    if (found == object.end()) return fallback;
+float GltfObject::number(const char* key, float fallback) const {
+    const auto found = json.find(key);
+    if (found == json.end()) return fallback;
     if (found->is_number()) {
         const auto value = static_cast<float>(found->get<double>());
         if (std::isfinite(value)) return value;
     }
     fail("{}.{} is not a number that fits", where, key);
-    return fallback;
 }
 
-std::vector<float> GltfReader::numbers(const Json& object,
-                                       const char* key,
-                                       std::string_view where,
-                                       std::size_t size) {
-    if (!object.contains(key)) return {};
-    const Json& list = array(object, key, where);
+std::vector<float> GltfObject::numbers(const char* key, std::size_t size) const {
+    if (!json.contains(key)) return {};
+    const Json& list = array(key);
     std::vector<float> values;
     for (const Json& value : list) {
         if (!value.is_number()) break;
@@ -212,7 +190,14 @@ std::vector<float> GltfReader::numbers(const Json& object,
     }
     if (list.size() == size && values.size() == size && std::isfinite(values.back())) return values;
     fail("{}.{} must be {} numbers", where, key, size);
-    return {};
+}
+
+std::vector<GltfObject> GltfReader::objects(const char* key, std::size_t limit) const {
+    const Json& list = root.array(key);
+    if (list.size() > limit) fail("it has {} {}; at most {} are read", list.size(), key, limit);
+    std::vector<GltfObject> objects;
+    for (std::size_t i = 0; i < list.size(); ++i) objects.push_back(object_at(list, i, key));
+    return objects;
 }
 
 }  // namespace plumbline::assets

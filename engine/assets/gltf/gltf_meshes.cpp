@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 namespace plumbline::assets {
 namespace {
@@ -13,39 +14,22 @@ enum class Mode : std::size_t { Triangles = 4, TriangleStrip = 5, TriangleFan = 
 
 constexpr std::size_t kMaxTargets = 256;
 
-bool is_whole(unsigned component) {
-    return component == 5121 || component == 5123 || component == 5125;
-}
-
-/// Why one primitive's faces cannot be trusted; empty when they can. These cost the primitive,
-/// not the file.
-std::string index_fault(const GltfReader& reader,
-                        const GltfAccessor& indices,
-                        std::size_t vertices) {
-    if (indices.type != "SCALAR" || !is_whole(indices.component)) {
-        return "its indices are not whole numbers";
+/// A primitive's faces; `unusable` says why they cannot be trusted. That costs the primitive, not the file.
+std::vector<std::uint32_t> indices_of(const GltfReader& reader,
+                                      const GltfAccessor& accessor,
+                                      std::size_t vertices,
+                                      std::string& unusable) {
+    if (accessor.type != "SCALAR" || !is_whole(accessor.component)) {
+        unusable = "its indices are not whole numbers";
+        return {};
     }
-    const GltfView& view = reader.views[*indices.view];
-    const std::size_t stride = view.stride == 0 ? element_bytes(indices) : view.stride;
-    const std::string& bytes = reader.buffers[view.buffer];
-    const std::size_t first = view.offset + indices.offset;
-    for (std::size_t i = 0; i < indices.count; ++i) {
-        const std::uint32_t index = unsigned_at(bytes, first + i * stride, indices.component);
-        if (index >= vertices) {
-            return fmt::format("index {} names vertex {} of {}", i, index, vertices);
-        }
-    }
-    return {};
-}
-
-std::vector<std::uint32_t> indices_of(const GltfReader& reader, const GltfAccessor& accessor) {
-    const GltfView& view = reader.views[*accessor.view];
-    const std::size_t stride = view.stride == 0 ? element_bytes(accessor) : view.stride;
-    const std::size_t first = view.offset + accessor.offset;
+    const GltfElements from = elements_of(reader, accessor);
     std::vector<std::uint32_t> indices(accessor.count);
     for (std::size_t i = 0; i < accessor.count; ++i) {
-        indices[i] =
-            unsigned_at(reader.buffers[view.buffer], first + i * stride, accessor.component);
+        indices[i] = unsigned_at(from.bytes, from.place(i), accessor.component);
+        if (indices[i] < vertices) continue;
+        unusable = fmt::format("index {} names vertex {} of {}", i, indices[i], vertices);
+        return {};
     }
     return indices;
 }
@@ -87,25 +71,23 @@ bool has_known_form(const GltfAccessor& accessor, std::string_view attribute) {
 
 /// The numbers of one attribute; empty when it is absent or (a warning) of a form not read.
 std::vector<float> attribute_of(GltfReader& reader,
-                                const Json& attributes,
+                                const GltfObject& attributes,
                                 const std::string& key,
-                                const std::string& where,
                                 std::size_t vertices) {
-    const auto number = reader.index(attributes, key.c_str(), where, reader.accessors.size());
-    if (reader.failed() || !number) return {};
+    const auto number = attributes.index(key.c_str(), reader.accessors.size());
+    if (!number) return {};
     const GltfAccessor& accessor = reader.accessors[*number];
     if (!has_known_form(accessor, key)) {
         log_warning("model {}: {}.{} is left out: {} of component type {} is not read",
                     reader.name,
-                    where,
+                    attributes.where,
                     key,
                     accessor.type,
                     accessor.component);
         return {};
     }
     if (vertices > 0 && accessor.count != vertices) {
-        reader.fail("{}.{} has {} elements, POSITION {}", where, key, accessor.count, vertices);
-        return {};
+        fail("{}.{} has {} elements, POSITION {}", attributes.where, key, accessor.count, vertices);
     }
     return floats_of(reader, accessor);
 }
@@ -136,14 +118,11 @@ WindWeights wind_of(const float* weights) {
     return {.sway = byte(weights[0]), .phase = byte(weights[1]), .flutter = byte(weights[2])};
 }
 
-void read_influences(GltfReader& reader,
-                     const Json& attributes,
-                     const std::string& where,
-                     ModelMesh& mesh) {
+void read_influences(GltfReader& reader, const GltfObject& attributes, ModelMesh& mesh) {
     const std::size_t count = mesh.vertices.size();
-    const std::vector<float> joints = attribute_of(reader, attributes, "JOINTS_0", where, count);
-    const std::vector<float> weights = attribute_of(reader, attributes, "WEIGHTS_0", where, count);
-    if (reader.failed() || joints.empty() || weights.empty()) return;
+    const std::vector<float> joints = attribute_of(reader, attributes, "JOINTS_0", count);
+    const std::vector<float> weights = attribute_of(reader, attributes, "WEIGHTS_0", count);
+    if (joints.empty() || weights.empty()) return;
     mesh.influences.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         JointInfluence& influence = mesh.influences[i];
@@ -159,24 +138,17 @@ void read_influences(GltfReader& reader,
     }
 }
 
-void read_targets(GltfReader& reader,
-                  const Json& source,
-                  const std::string& where,
-                  ModelMesh& mesh) {
-    const Json& targets = reader.array(source, "targets", where);
+void read_targets(GltfReader& reader, const GltfObject& source, ModelMesh& mesh) {
+    const Json& targets = source.array("targets");
     if (targets.size() > kMaxTargets) {
-        reader.fail("{} has {} targets; at most {} are read", where, targets.size(), kMaxTargets);
+        fail("{} has {} targets; at most {} are read", source.where, targets.size(), kMaxTargets);
     }
-    for (std::size_t t = 0; t < targets.size() && !reader.failed(); ++t) {
-        const std::string place = fmt::format("{}.targets[{}]", where, t);
-        if (!targets[t].is_object()) {
-            reader.fail("{} is not an object", place);
-            return;
-        }
-        const std::size_t count = mesh.vertices.size();
+    const std::size_t count = mesh.vertices.size();
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+        const GltfObject attributes = object_at(targets, t, source.where + ".targets");
         MorphTarget target{
-            .positions = vectors_of(attribute_of(reader, targets[t], "POSITION", place, count)),
-            .normals = vectors_of(attribute_of(reader, targets[t], "NORMAL", place, count))};
+            .positions = vectors_of(attribute_of(reader, attributes, "POSITION", count)),
+            .normals = vectors_of(attribute_of(reader, attributes, "NORMAL", count))};
         if (target.positions.empty()) target.positions.resize(count, Vec3f{0.0F});
         for (Vec3f& offset : target.positions) {
             if (!is_finite(offset)) offset = Vec3f{0.0F};
@@ -185,26 +157,20 @@ void read_targets(GltfReader& reader,
     }
 }
 
-/// Positions and what goes with them; a fault of the file, or `unusable`, ends it.
-void read_vertices(GltfReader& reader,
-                   const Json& attributes,
-                   const std::string& where,
-                   const GltfTexturePlace& place,
-                   ModelMesh& mesh,
-                   std::string& unusable) {
-    const std::vector<float> positions = attribute_of(reader, attributes, "POSITION", where, 0);
-    if (reader.failed()) return;
-    if (positions.empty()) {
-        unusable = "it has no positions";
-        return;
-    }
+/// Positions and what goes with them; why they are of no use, or nothing.
+std::string read_vertices(GltfReader& reader,
+                          const GltfObject& attributes,
+                          const GltfTexturePlace& place,
+                          ModelMesh& mesh) {
+    const std::vector<float> positions = attribute_of(reader, attributes, "POSITION", 0);
+    if (positions.empty()) return "it has no positions";
     const std::size_t count = positions.size() / 3;
     const std::string uv_name = fmt::format("TEXCOORD_{}", place.set);
-    const std::vector<float> normals = attribute_of(reader, attributes, "NORMAL", where, count);
-    const std::vector<float> uvs = attribute_of(reader, attributes, uv_name, where, count);
-    const std::vector<float> colors = attribute_of(reader, attributes, "COLOR_0", where, count);
+    const std::vector<float> normals = attribute_of(reader, attributes, "NORMAL", count);
+    const std::vector<float> uvs = attribute_of(reader, attributes, uv_name, count);
+    const std::vector<float> colors = attribute_of(reader, attributes, "COLOR_0", count);
     const std::size_t color_width = colors.size() / count;
-    const std::vector<float> winds = attribute_of(reader, attributes, "_WIND", where, count);
+    const std::vector<float> winds = attribute_of(reader, attributes, "_WIND", count);
     mesh.vertices.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         Vertex& vertex = mesh.vertices[i];
@@ -222,10 +188,11 @@ void read_vertices(GltfReader& reader,
             const Vec3f rgb{color[0], color[1], color[2]};
             if (is_finite(rgb)) vertex.color = glm::max(rgb, Vec3f{0.0F});
         }
-        if (!is_finite(vertex.position_body) && unusable.empty()) {
-            unusable = fmt::format("its vertex {} is not finite", i);
+        if (!is_finite(vertex.position_body)) {
+            return fmt::format("its vertex {} is not finite", i);
         }
     }
+    return {};
 }
 
 /// The material's number; meshes without one share a plain one, made here.
@@ -247,50 +214,42 @@ void note_colors(GltfReader& reader, const ModelMesh& mesh) {
 
 /// Adds one primitive to the model's meshes and its number to `parts`.
 void read_primitive(GltfReader& reader,
-                    const Json& source,
-                    const std::string& where,
+                    const GltfObject& source,
                     const std::string& name,
                     std::vector<std::uint32_t>& parts) {
     const auto leave_out = [&](std::string_view why) {
-        log_warning("model {}: {} is left out: {}", reader.name, where, why);
+        log_warning("model {}: {} is left out: {}", reader.name, source.where, why);
     };
-    if (!source.is_object() || !source.contains("attributes") ||
-        !source["attributes"].is_object()) {
-        reader.fail("{} has no attributes", where);
-        return;
+    const auto found = source.json.find("attributes");
+    if (found == source.json.end() || !found->is_object()) {
+        fail("{} has no attributes", source.where);
     }
-    const std::size_t mode_number = reader.whole(source, "mode", where).value_or(4);
-    const auto material = reader.index(source, "material", where, reader.texture_places.size());
-    const auto indices = reader.index(source, "indices", where, reader.accessors.size());
-    if (reader.failed()) return;
-    if (mode_number > 6) {
-        reader.fail("{}.mode is {}; 0 to 6 are known", where, mode_number);
-        return;
-    }
+    const GltfObject attributes{.json = *found, .where = source.where};
+    const std::size_t mode_number = source.whole("mode").value_or(4);
+    const auto material = source.index("material", reader.texture_places.size());
+    const auto indices = source.index("indices", reader.accessors.size());
+    if (mode_number > 6) fail("{}.mode is {}; 0 to 6 are known", source.where, mode_number);
     if (mode_number < 4) return leave_out("it holds points or lines");
     ModelMesh mesh{.name = name};
-    std::string unusable;
     const GltfTexturePlace place = material ? reader.texture_places[*material] : GltfTexturePlace{};
-    read_vertices(reader, source["attributes"], where, place, mesh, unusable);
-    if (!reader.failed() && unusable.empty() && indices) {
-        unusable = index_fault(reader, reader.accessors[*indices], mesh.vertices.size());
-    }
-    if (reader.failed()) return;
-    if (!unusable.empty()) return leave_out(unusable);
+    std::string unusable = read_vertices(reader, attributes, place, mesh);
     std::vector<std::uint32_t> corners(mesh.vertices.size());
-    for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = static_cast<std::uint32_t>(i);
-    if (indices) corners = indices_of(reader, reader.accessors[*indices]);
+    std::iota(corners.begin(), corners.end(), 0U);
+    if (unusable.empty() && indices) {
+        corners = indices_of(reader, reader.accessors[*indices], corners.size(), unusable);
+    }
+    if (!unusable.empty()) return leave_out(unusable);
     mesh.indices = as_triangles(static_cast<Mode>(mode_number), std::move(corners));
     mesh.material = material_of(reader, material);
-    read_influences(reader, source["attributes"], where, mesh);
-    read_targets(reader, source, where, mesh);
+    read_influences(reader, attributes, mesh);
+    read_targets(reader, source, mesh);
     note_colors(reader, mesh);
     parts.push_back(static_cast<std::uint32_t>(reader.model.meshes.size()));
     reader.model.meshes.push_back(std::move(mesh));
 }
 
 /// What a file may hold in all before instances are counted.
-void check_size(GltfReader& reader) {
+void check_size(const GltfReader& reader) {
     std::size_t vertices = 0;
     std::size_t indices = 0;
     for (const ModelMesh& mesh : reader.model.meshes) {
@@ -298,34 +257,30 @@ void check_size(GltfReader& reader) {
         indices += mesh.indices.size();
     }
     if (vertices > limits::kVertices) {
-        reader.fail(
-            "its meshes have {} vertices; at most {} are read", vertices, limits::kVertices);
+        fail("its meshes have {} vertices; at most {} are read", vertices, limits::kVertices);
     }
     if (indices > limits::kIndices) {
-        reader.fail("its meshes have {} indices; at most {} are read", indices, limits::kIndices);
+        fail("its meshes have {} indices; at most {} are read", indices, limits::kIndices);
     }
 }
 
 }  // namespace
 
 void read_meshes(GltfReader& reader) {
-    const Json& list = reader.objects("meshes", limits::kModelMeshes);
-    for (std::size_t i = 0; i < list.size() && !reader.failed(); ++i) {
-        const std::string where = fmt::format("meshes[{}]", i);
-        const Json& primitives = reader.array(list[i], "primitives", where);
-        std::string name = reader.text(list[i], "name", where);
-        if (name.empty()) name = fmt::format("{}", i);
+    for (const GltfObject& source : reader.objects("meshes", limits::kModelMeshes)) {
+        const Json& primitives = source.array("primitives");
+        std::string name = source.text("name");
+        if (name.empty()) name = fmt::format("{}", reader.mesh_parts.size());
         if (primitives.size() > limits::kModelMeshes) {
-            reader.fail("{} has {} primitives", where, primitives.size());
+            fail("{} has {} primitives", source.where, primitives.size());
         }
         std::vector<std::uint32_t> parts;
-        for (std::size_t k = 0; k < primitives.size() && !reader.failed(); ++k) {
-            const std::string place = fmt::format("{}.primitives[{}]", where, k);
-            read_primitive(reader, primitives[k], place, name, parts);
+        for (std::size_t k = 0; k < primitives.size(); ++k) {
+            const std::string place = fmt::format("{}.primitives[{}]", source.where, k);
+            read_primitive(reader, {.json = primitives[k], .where = place}, name, parts);
             check_size(reader);
         }
-        const Json& weights = reader.array(list[i], "weights", where);
-        reader.mesh_weights.push_back(reader.numbers(list[i], "weights", where, weights.size()));
+        reader.mesh_weights.push_back(source.numbers("weights", source.array("weights").size()));
         reader.mesh_parts.push_back(std::move(parts));
     }
 }

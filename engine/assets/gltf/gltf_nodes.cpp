@@ -13,22 +13,18 @@ namespace {
 constexpr std::size_t kNoParent = ~std::size_t{0};
 constexpr std::size_t kMaxScenes = 1'024;
 
-/// Numbers of nodes in an array; a fault leaves it short.
-std::vector<std::size_t> node_list(GltfReader& reader,
-                                   const Json& owner,
+/// Numbers of nodes in an array.
+std::vector<std::size_t> node_list(const GltfObject& owner,
                                    const char* key,
-                                   const std::string& where,
                                    std::size_t node_count) {
     std::vector<std::size_t> numbers;
-    for (const Json& entry : reader.array(owner, key, where)) {
+    for (const Json& entry : owner.array(key)) {
         if (!entry.is_number_unsigned()) {
-            reader.fail("{}.{} holds {}; it must name nodes by number", where, key, entry.dump());
-            return {};
+            fail("{}.{} holds {}; it must name nodes by number", owner.where, key, entry.dump());
         }
         const auto number = entry.get<std::size_t>();
         if (number >= node_count) {
-            reader.fail("{}.{} names node {} of {}", where, key, number, node_count);
-            return {};
+            fail("{}.{} names node {} of {}", owner.where, key, number, node_count);
         }
         numbers.push_back(number);
     }
@@ -53,8 +49,7 @@ std::string chain_text(std::size_t start, const std::vector<std::size_t>& parent
 }
 
 /// Depth and cycles, from the roots down, without recursion.
-void check_tree(GltfReader& reader,
-                const std::vector<std::vector<std::size_t>>& children,
+void check_tree(const std::vector<std::vector<std::size_t>>& children,
                 const std::vector<std::size_t>& parents) {
     std::vector<std::size_t> level;
     std::vector<bool> reached(children.size(), false);
@@ -64,9 +59,7 @@ void check_tree(GltfReader& reader,
     }
     for (std::size_t depth = 1; !level.empty(); ++depth) {
         if (depth > limits::kModelNodeDepth) {
-            reader.fail(
-                "nodes[{}] is nested deeper than {}", level.front(), limits::kModelNodeDepth);
-            return;
+            fail("nodes[{}] is nested deeper than {}", level.front(), limits::kModelNodeDepth);
         }
         std::vector<std::size_t> next;
         for (const std::size_t node : level) {
@@ -78,7 +71,7 @@ void check_tree(GltfReader& reader,
     }
     if (reached_count == children.size()) return;
     const auto lost = std::find(reached.begin(), reached.end(), false) - reached.begin();
-    reader.fail("its nodes form a cycle: {}", chain_text(static_cast<std::size_t>(lost), parents));
+    fail("its nodes form a cycle: {}", chain_text(static_cast<std::size_t>(lost), parents));
 }
 
 /// The parts of a matrix; what it shears is lost.
@@ -95,12 +88,11 @@ NodeTransform parts_of(const Mat4f& matrix) {
     return place;
 }
 
-void read_place(GltfReader& reader, const Json& source, const std::string& where, ModelNode& node) {
-    const std::vector<float> matrix = reader.numbers(source, "matrix", where, 16);
-    const std::vector<float> translation = reader.numbers(source, "translation", where, 3);
-    const std::vector<float> rotation = reader.numbers(source, "rotation", where, 4);
-    const std::vector<float> scale = reader.numbers(source, "scale", where, 3);
-    if (reader.failed()) return;
+void read_place(const GltfObject& source, ModelNode& node) {
+    const std::vector<float> matrix = source.numbers("matrix", 16);
+    const std::vector<float> translation = source.numbers("translation", 3);
+    const std::vector<float> rotation = source.numbers("rotation", 4);
+    const std::vector<float> scale = source.numbers("scale", 3);
     if (!matrix.empty()) {
         node.parent_from_node = glm::make_mat4(matrix.data());
         node.rest = parts_of(node.parent_from_node);
@@ -111,24 +103,19 @@ void read_place(GltfReader& reader, const Json& source, const std::string& where
     if (!scale.empty()) rest.scale = glm::make_vec3(scale.data());
     if (!rotation.empty()) {
         const Quatf turn{rotation[3], rotation[0], rotation[1], rotation[2]};
-        if (!(glm::length(turn) > 1e-6F)) {
-            reader.fail("{}.rotation is zero", where);
-            return;
-        }
+        if (!(glm::length(turn) > 1e-6F)) fail("{}.rotation is zero", source.where);
         rest.rotation = glm::normalize(turn);
     }
     node.parent_from_node = matrix_of(rest);
 }
 
-ModelNode read_node(GltfReader& reader, const Json& source, const std::string& where) {
-    ModelNode node{.name = reader.text(source, "name", where)};
-    read_place(reader, source, where, node);
-    const auto mesh = reader.index(source, "mesh", where, reader.mesh_parts.size());
-    const Json& skins = reader.array(reader.document, "skins", "");
-    const auto skin = reader.index(source, "skin", where, skins.size());
-    const Json& weights = reader.array(source, "weights", where);
-    node.morph_weights = reader.numbers(source, "weights", where, weights.size());
-    if (reader.failed() || !mesh) return node;
+ModelNode read_node(const GltfReader& reader, const GltfObject& source) {
+    ModelNode node{.name = source.text("name")};
+    read_place(source, node);
+    const auto mesh = source.index("mesh", reader.mesh_parts.size());
+    const auto skin = source.index("skin", reader.root.array("skins").size());
+    node.morph_weights = source.numbers("weights", source.array("weights").size());
+    if (!mesh) return node;
     node.meshes = reader.mesh_parts[*mesh];
     if (node.morph_weights.empty()) node.morph_weights = reader.mesh_weights[*mesh];
     if (skin) node.skin = static_cast<std::uint32_t>(*skin);
@@ -136,7 +123,7 @@ ModelNode read_node(GltfReader& reader, const Json& source, const std::string& w
 }
 
 /// What all nodes together draw, before anything is built.
-void check_totals(GltfReader& reader) {
+void check_totals(const GltfReader& reader) {
     std::size_t vertices = 0;
     std::size_t indices = 0;
     for (const ModelNode& node : reader.model.nodes) {
@@ -146,16 +133,17 @@ void check_totals(GltfReader& reader) {
         }
     }
     if (vertices > limits::kVertices) {
-        reader.fail("it draws {} vertices; at most {} are read", vertices, limits::kVertices);
+        fail("it draws {} vertices; at most {} are read", vertices, limits::kVertices);
     }
     if (indices > limits::kIndices) {
-        reader.fail("it draws {} indices; at most {} are read", indices, limits::kIndices);
+        fail("it draws {} indices; at most {} are read", indices, limits::kIndices);
     }
 }
 
 /// The nodes that the file's scene starts from; all roots when it has no scene.
-std::vector<std::size_t> scene_roots(GltfReader& reader, const std::vector<std::size_t>& parents) {
-    const Json& scenes = reader.objects("scenes", kMaxScenes);
+std::vector<std::size_t> scene_roots(const GltfReader& reader,
+                                     const std::vector<std::size_t>& parents) {
+    const std::vector<GltfObject> scenes = reader.objects("scenes", kMaxScenes);
     std::vector<std::size_t> roots;
     if (scenes.empty()) {
         for (std::size_t i = 0; i < parents.size(); ++i) {
@@ -163,14 +151,12 @@ std::vector<std::size_t> scene_roots(GltfReader& reader, const std::vector<std::
         }
         return roots;
     }
-    const std::size_t scene = reader.index(reader.document, "scene", "", scenes.size()).value_or(0);
-    if (reader.failed()) return roots;
-    const std::string where = fmt::format("scenes[{}]", scene);
-    roots = node_list(reader, scenes[scene], "nodes", where, parents.size());
+    const GltfObject& scene = scenes[reader.root.index("scene", scenes.size()).value_or(0)];
+    roots = node_list(scene, "nodes", parents.size());
     std::set<std::size_t> named;
     for (const std::size_t root : roots) {
-        if (parents[root] != kNoParent) reader.fail("{}.nodes names node {}, a child", where, root);
-        if (!named.insert(root).second) reader.fail("{}.nodes names node {} twice", where, root);
+        if (parents[root] != kNoParent) fail("{}.nodes names node {}, a child", scene.where, root);
+        if (!named.insert(root).second) fail("{}.nodes names node {} twice", scene.where, root);
     }
     return roots;
 }
@@ -198,29 +184,22 @@ void keep_scene(GltfReader& reader,
 }  // namespace
 
 void read_nodes(GltfReader& reader) {
-    const Json& list = reader.objects("nodes", limits::kModelNodes);
-    if (reader.failed()) return;
+    const std::vector<GltfObject> list = reader.objects("nodes", limits::kModelNodes);
     std::vector<std::size_t> parents(list.size(), kNoParent);
     std::vector<std::vector<std::size_t>> children(list.size());
     std::vector<ModelNode> nodes;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const std::string where = fmt::format("nodes[{}]", i);
-        nodes.push_back(read_node(reader, list[i], where));
-        children[i] = node_list(reader, list[i], "children", where, list.size());
-        if (reader.failed()) return;
+        nodes.push_back(read_node(reader, list[i]));
+        children[i] = node_list(list[i], "children", list.size());
         for (const std::size_t child : children[i]) {
             if (parents[child] != kNoParent) {
-                reader.fail(
-                    "node {} is a child of node {} and of node {}", child, parents[child], i);
-                return;
+                fail("node {} is a child of node {} and of node {}", child, parents[child], i);
             }
             parents[child] = i;
         }
     }
-    check_tree(reader, children, parents);
-    if (reader.failed()) return;
+    check_tree(children, parents);
     const std::vector<std::size_t> roots = scene_roots(reader, parents);
-    if (reader.failed()) return;
     keep_scene(reader, std::move(nodes), children, parents, roots);
     check_totals(reader);
 }

@@ -25,6 +25,28 @@ struct GltfParts {
     std::optional<std::string_view> binary;
 };
 
+/// An object of the document, and what messages call it: "nodes[3]". What is not as it is asked for is a
+/// fault.
+struct GltfObject {
+    const Json& json;
+    std::string where;
+
+    /// The array of that name; an empty one when it is absent.
+    const Json& array(const char* key) const;
+    /// The object of that name, called as this one is; nothing when it is absent.
+    std::optional<GltfObject> object(const char* key) const;
+    /// A whole number, 0 or more; nothing when absent.
+    std::optional<std::size_t> whole(const char* key) const;
+    /// As above, and below `count`, the number of what there is.
+    std::optional<std::size_t> index(const char* key, std::size_t count) const;
+    std::string text(const char* key) const;
+    float number(const char* key, float fallback) const;
+    /// Exactly `size` numbers that floats can hold; empty when absent.
+    std::vector<float> numbers(const char* key, std::size_t size) const;
+};
+/// An element of the list that messages call `where`.
+GltfObject object_at(const Json& list, std::size_t i, const std::string& where);
+
 struct GltfView {
     std::size_t buffer{0};
     std::size_t offset{0};
@@ -39,7 +61,15 @@ struct GltfAccessor {
     unsigned component{0};  ///< GL's number: 5120 to 5126
     std::string type;       ///< "VEC3"
     bool normalized{false};
-    bool sparse{false};
+};
+
+/// The bytes that an accessor's elements lie in: the first one's place, and how far the next ones are.
+struct GltfElements {
+    const std::string& bytes;
+    std::size_t first{0};
+    std::size_t stride{0};
+
+    std::size_t place(std::size_t i) const { return first + i * stride; }
 };
 
 /// What of a material concerns the meshes that wear it: which texture coordinates its base colour
@@ -51,13 +81,12 @@ struct GltfTexturePlace {
     Vec2f scale{1.0F};
 };
 
-/// What the stages share. The first fault ends the reading: stages return when `failed()`.
+/// What the stages share.
 struct GltfReader {
-    const Json& document;
+    GltfObject root;
     const std::string& name;  ///< of the model file, for messages
     ModelReferences& references;
 
-    std::string fault{};
     ModelData model{};
     std::vector<std::string> buffers{};
     std::size_t buffer_bytes{0};                       ///< of all of them
@@ -69,36 +98,14 @@ struct GltfReader {
     std::vector<std::vector<float>> mesh_weights{};           ///< by mesh: of its targets
     std::vector<std::optional<std::uint32_t>> node_places{};  ///< by node: ModelData::nodes
 
-    bool failed() const { return !fault.empty(); }
-    template <class... Args>
-    void fail(fmt::format_string<Args...> format, Args&&... args) {
-        if (fault.empty()) fault = fmt::format(format, std::forward<Args>(args)...);
-    }
-
-    /// The array of that name; an empty one when it is absent or (a fault) something else.
-    const Json& array(const Json& object, const char* key, std::string_view where);
-    /// Elements must be objects.
-    const Json& objects(const char* key, std::size_t limit);
-    /// A whole number, 0 or more; nothing when absent or (a fault) something else.
-    std::optional<std::size_t> whole(const Json& object, const char* key, std::string_view where);
-    /// As above, and below `count`, the number of `what` that there are.
-    std::optional<std::size_t> index(const Json& object,
-                                     const char* key,
-                                     std::string_view where,
-                                     std::size_t count);
-    std::string text(const Json& object, const char* key, std::string_view where);
-    float number(const Json& object, const char* key, std::string_view where, float fallback);
-    /// Exactly `size` numbers that floats can hold; empty when absent or (a fault) something else.
-    std::vector<float> numbers(const Json& object,
-                               const char* key,
-                               std::string_view where,
-                               std::size_t size);
+    /// The elements of an array of the document, at most `limit` of them.
+    std::vector<GltfObject> objects(const char* key, std::size_t limit) const;
 };
 
 /// GLB or plain text, told by the content.
-Result<GltfParts> split_gltf(std::string_view bytes, const std::string& name);
+GltfParts split_gltf(std::string_view bytes, const std::string& name);
 /// Bracket depth first, without a stack; then the parser, refusing keys that come twice.
-Result<Json> parse_json(std::string_view text, const std::string& name);
+Json parse_json(std::string_view text);
 
 void read_buffers(GltfReader& reader, std::optional<std::string_view> binary);
 void read_views(GltfReader& reader);
@@ -115,13 +122,22 @@ std::size_t add_buffer(GltfReader& reader, std::string bytes);
 std::size_t element_bytes(const GltfAccessor& accessor);
 /// Numbers in one element: 3 for VEC3.
 std::size_t component_count(std::string_view type);
-/// An unsigned integer of 1, 2 or 4 bytes, as components 5121, 5123, 5125 are stored.
+GltfElements elements_of(const GltfReader& reader, const GltfAccessor& accessor);
+/// Whether a component is an unsigned integer: 5121, 5123 or 5125.
+bool is_whole(std::size_t component);
+/// Such a one, of 1, 2 or 4 bytes, as it is stored.
 std::uint32_t unsigned_at(const std::string& bytes, std::size_t place, unsigned component);
 /// All numbers of an accessor in order; whole ones as they are, or as shares of their range when
 /// the accessor is normalized.
 /// The error is for files that use their accessors for more than fits into memory.
 std::vector<float> floats_of(GltfReader& reader, const GltfAccessor& accessor);
-/// The bytes behind a data URI; a fault leaves them empty.
-std::string data_uri_bytes(GltfReader& reader, std::string_view uri, const std::string& where);
+/// The bytes behind a data URI.
+std::string data_uri_bytes(std::string_view uri, const std::string& where);
+/// A URI without its escapes; `where` is whose it is.
+std::string decoded_uri(const std::string& uri, const std::string& where);
+/// Where such a file is.
+std::filesystem::path resolved(GltfReader& reader,
+                               const std::string& reference,
+                               const std::string& where);
 
 }  // namespace plumbline::assets

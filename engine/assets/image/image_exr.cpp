@@ -46,29 +46,24 @@ Imath::half clamped(Imath::half value) {
     return value;
 }
 
-Result<ImageData> decode(std::string_view bytes,
-                         const std::string& name,
-                         const ImageBytesAllowed& allowed) {
-    ExrStream stream(bytes, name);
+Result<ImageData> decode(const ImageSource& source) {
+    ExrStream stream(source.bytes, source.name);
     Imf::RgbaInputFile file(stream, 1);
     const Imath::Box2i window = file.dataWindow();
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-    if (width < 1 || height < 1) return image_error(name, "its data window is empty");
+    if (width < 1 || height < 1) return source.refused("its data window is empty");
     const bool has_alpha = (file.channels() & Imf::WRITE_A) != 0;
     const PixelFormat format = has_alpha ? PixelFormat::Rgba16F : PixelFormat::Rgb16F;
-    const std::string fault = size_fault(
-        static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), format, allowed);
-    if (!fault.empty()) return image_error(name, fault);
-
-    ImageData image =
-        blank_image(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), format);
+    Result<ImageData> image = source.image_of(
+        static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), format);
+    if (!image) return image;
     const std::size_t pixel_bytes = bytes_per_pixel(format);
     // A band of rows at a time: the decoder's pixels are wider than ours.
     constexpr std::int64_t kBandRows = 64;
     const auto columns = static_cast<std::size_t>(width);
     std::vector<Imf::Rgba> band(columns * kBandRows);
-    std::uint8_t* target = image.bytes.data();
+    std::uint8_t* target = image->bytes.data();
     for (std::int64_t row = 0; row < height; row += kBandRows) {
         const std::int64_t count = std::min(kBandRows, height - row);
         const std::int64_t first_y = window.min.y + row;
@@ -88,13 +83,11 @@ Result<ImageData> decode(std::string_view bytes,
 
 }  // namespace
 
-Result<ImageData> decode_exr(std::string_view bytes,
-                             const std::string& name,
-                             const ImageBytesAllowed& allowed) {
+Result<ImageData> decode_exr(const ImageSource& source) {
     try {
-        return decode(bytes, name, allowed);
+        return decode(source);
     } catch (const std::exception& fault) {
-        return image_error(name, fault.what());
+        return source.refused(fault.what());
     }
 }
 

@@ -9,9 +9,18 @@
 
 namespace plumbline::assets {
 
-Error image_error(const std::string& name, std::string_view why) {
+Error ImageSource::refused(std::string_view why) const {
     return {.message = fmt::format("image {} is refused: {}", name, why),
             .exit_code = ExitCode::Refused};
+}
+
+Result<ImageData> ImageSource::image_of(std::uint64_t width,
+                                        std::uint64_t height,
+                                        PixelFormat format) const {
+    const std::string fault = size_fault(width, height, format, allowed);
+    if (!fault.empty()) return refused(fault);
+    return blank_image(
+        static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), format);
 }
 
 std::string size_fault(std::uint64_t width,
@@ -58,11 +67,12 @@ Result<ImageData> import_image(const std::filesystem::path& file,
 Result<ImageData> decode_image(std::string_view content,
                                const std::string& name,
                                const ImageBytesAllowed& allowed) {
-    if (content.starts_with("\x89PNG\r\n\x1a\n")) return decode_png(content, name, allowed);
-    if (content.starts_with("\xff\xd8\xff")) return decode_jpeg(content, name, allowed);
-    if (content.starts_with("\x76\x2f\x31\x01")) return decode_exr(content, name, allowed);
-    if (looks_like_tga(content)) return decode_tga(content, name, allowed);
-    return image_error(name, "its content is none of PNG, JPEG, OpenEXR and TGA");
+    const ImageSource source{.bytes = content, .name = name, .allowed = allowed};
+    if (content.starts_with("\x89PNG\r\n\x1a\n")) return decode_png(source);
+    if (content.starts_with("\xff\xd8\xff")) return decode_jpeg(source);
+    if (content.starts_with("\x76\x2f\x31\x01")) return decode_exr(source);
+    if (looks_like_tga(content)) return decode_tga(source);
+    return source.refused("its content is none of PNG, JPEG, OpenEXR and TGA");
 }
 
 Result<Done> write_png(const std::filesystem::path& file, const ImageData& image) {

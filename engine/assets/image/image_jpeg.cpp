@@ -111,9 +111,7 @@ struct JpegDecoder {
 
 }  // namespace
 
-Result<ImageData> decode_jpeg(std::string_view bytes,
-                              const std::string& name,
-                              const ImageBytesAllowed& allowed) {
+Result<ImageData> decode_jpeg(const ImageSource& source) {
     JpegProgress progress{};
     JpegDecoder decoder;
     jpeg_decompress_struct& jpeg = decoder.jpeg;
@@ -123,20 +121,19 @@ Result<ImageData> decode_jpeg(std::string_view bytes,
     progress.errors.emit_message = note_warning;
     progress.errors.output_message = print_nothing;
     progress.watch.progress_monitor = count_scans;
-    if (!read_header(jpeg, progress, bytes)) return image_error(name, progress.message);
+    if (!read_header(jpeg, progress, source.bytes)) return source.refused(progress.message);
 
     PixelFormat format = PixelFormat::Rgb8;
     if (jpeg.num_components == 1) format = PixelFormat::R8;
     if (jpeg.num_components == 4) format = PixelFormat::Rgba8;  // for a moment: C, M, Y, K
-    const std::string fault = size_fault(jpeg.image_width, jpeg.image_height, format, allowed);
-    if (!fault.empty()) return image_error(name, fault);
-    ImageData image = blank_image(jpeg.image_width, jpeg.image_height, format);
-    const std::size_t row_bytes = std::size_t{image.width} * bytes_per_pixel(format);
-    if (!decode_rows(jpeg, progress, image.bytes.data(), row_bytes)) {
-        return image_error(name, progress.message);
+    Result<ImageData> image = source.image_of(jpeg.image_width, jpeg.image_height, format);
+    if (!image) return image;
+    const std::size_t row_bytes = std::size_t{image->width} * bytes_per_pixel(format);
+    if (!decode_rows(jpeg, progress, image->bytes.data(), row_bytes)) {
+        return source.refused(progress.message);
     }
-    if (progress.breaks_off) return image_error(name, "it breaks off");
-    if (format == PixelFormat::Rgba8) return rgb_from_cmyk(image, jpeg.saw_Adobe_marker != FALSE);
+    if (progress.breaks_off) return source.refused("it breaks off");
+    if (format == PixelFormat::Rgba8) return rgb_from_cmyk(*image, jpeg.saw_Adobe_marker != FALSE);
     return image;
 }
 

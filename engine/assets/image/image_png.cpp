@@ -158,26 +158,24 @@ std::vector<png_bytep> rows_of(ImageData& image) {
 
 }  // namespace
 
-Result<ImageData> decode_png(std::string_view bytes,
-                             const std::string& name,
-                             const ImageBytesAllowed& allowed) {
+Result<ImageData> decode_png(const ImageSource& source) {
+    const std::string_view bytes = source.bytes;
     PngProgress progress{
         .bytes = static_cast<const unsigned char*>(static_cast<const void*>(bytes.data())),
         .size = bytes.size(),
         .place = 0,
         .message = {}};
     const Reader reader(progress);
-    if (reader.info == nullptr) return image_error(name, "libpng did not start");
+    if (reader.info == nullptr) return source.refused("libpng did not start");
     Header header{};
-    if (!read_header(reader.png, reader.info, header)) return image_error(name, progress.message);
+    if (!read_header(reader.png, reader.info, header)) return source.refused(progress.message);
     PixelFormat format = PixelFormat::Rgba8;
     if (header.channels == 1) format = PixelFormat::R8;
     if (header.channels == 3) format = PixelFormat::Rgb8;
-    const std::string fault = size_fault(header.width, header.height, format, allowed);
-    if (!fault.empty()) return image_error(name, fault);
-    ImageData image = blank_image(header.width, header.height, format);
-    std::vector<png_bytep> rows = rows_of(image);
-    if (!read_rows(reader.png, rows.data())) return image_error(name, progress.message);
+    Result<ImageData> image = source.image_of(header.width, header.height, format);
+    if (!image) return image;
+    std::vector<png_bytep> rows = rows_of(*image);
+    if (!read_rows(reader.png, rows.data())) return source.refused(progress.message);
     return image;
 }
 

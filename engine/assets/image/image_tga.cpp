@@ -78,28 +78,26 @@ bool looks_like_tga(std::string_view bytes) {
     return tga_header_of(reader).format().has_value() && !reader.failed();
 }
 
-Result<ImageData> decode_tga(std::string_view bytes,
-                             const std::string& name,
-                             const ImageBytesAllowed& allowed) {
-    ByteReader reader(bytes);
+Result<ImageData> decode_tga(const ImageSource& source) {
+    ByteReader reader(source.bytes);
     const TgaHeader header = tga_header_of(reader);
     const std::optional<PixelFormat> format = header.format();
-    if (!format) return image_error(name, "its header is none of a TGA that is read");
-    const std::string fault = size_fault(header.width, header.height, *format, allowed);
-    if (!fault.empty()) return image_error(name, fault);
+    if (!format) return source.refused("its header is none of a TGA that is read");
+    const std::string fault = size_fault(header.width, header.height, *format, source.allowed);
+    if (!fault.empty()) return source.refused(fault);
     const std::size_t width = bytes_per_pixel(*format);
     const std::size_t count = std::size_t{header.width} * header.height;
     const bool packed = (header.kind & kPackedTga) != 0;
     reader.take(header.id_bytes);
     // A packet of 128 equal pixels is a byte and the pixel.
     if (reader.left() < (packed ? count / 128 : count) * width) {
-        return image_error(name, "it breaks off");
+        return source.refused("it breaks off");
     }
     ImageData image = blank_image(header.width, header.height, *format);
     TgaPixels pixels(reader, packed, width);
     for (std::size_t i = 0; i < count; ++i) {
         const std::string_view pixel = pixels.next();
-        if (pixel.size() < width) return image_error(name, "it breaks off");
+        if (pixel.size() < width) return source.refused("it breaks off");
         std::size_t x = i % header.width;
         std::size_t y = i / header.width;
         if ((header.order & kFromRight) != 0) x = header.width - 1 - x;

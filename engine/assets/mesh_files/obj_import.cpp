@@ -6,8 +6,6 @@
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -56,7 +54,6 @@ struct ObjReader {
     std::size_t other_elements{0};
     std::vector<Corner> face{};        // kept from line to line for its memory
     std::vector<Vec3f> face_places{};  // as well
-    std::string fault{};
 
     static std::optional<Vec3f> vector_of(std::string_view& rest) {
         Vec3f vector;
@@ -71,8 +68,7 @@ struct ObjReader {
     void read_position(std::string_view rest) {
         const std::optional<Vec3f> place = vector_of(rest);
         if (positions.size() == limits::kVertices) {
-            fault = fmt::format("it has more than {} vertices", limits::kVertices);
-            return;
+            fail("it has more than {} vertices", limits::kVertices);
         }
         const std::optional<Vec3f> color = rest.empty() ? std::nullopt : vector_of(rest);
         // "v x y z r g b": the first vertex decides. Colours are stored as screens show them.
@@ -178,7 +174,7 @@ struct ObjReader {
         }
         corners += (face.size() - 2) * 3;
         if (corners > limits::kIndices) {
-            fault = fmt::format("it draws more than {} indices", limits::kIndices);
+            fail("it draws more than {} indices", limits::kIndices);
         }
     }
 
@@ -188,7 +184,7 @@ struct ObjReader {
         materials.push_back(std::move(added));
         meshes.emplace_back();
         if (materials.size() > limits::kModelMaterials) {
-            fault = fmt::format("it has more than {} materials", limits::kModelMaterials);
+            fail("it has more than {} materials", limits::kModelMaterials);
         }
     }
 
@@ -211,15 +207,9 @@ struct ObjReader {
         std::string reference(trimmed(rest));
         std::replace(reference.begin(), reference.end(), '\\', '/');
         const Result<fs::path> file = references.resolve(reference, "mtllib");
-        if (!file) {
-            fault = file.error().message;
-            return;
-        }
+        if (!file) fail("{}", file.error().message);
         Result<std::vector<MaterialData>> read = read_mtl(*file, name, references);
-        if (!read) {
-            fault = read.error().message;
-            return;
-        }
+        if (!read) fail("{}", read.error().message);
         for (MaterialData& added : *read) add_material(std::move(added));
     }
 
@@ -262,27 +252,24 @@ struct ObjReader {
 Result<ModelData> read_obj(std::string_view bytes,
                            const std::string& name,
                            ModelReferences& references) {
-    if (bytes.find('\0') != std::string_view::npos) {
-        return model_error(name, "its content is not OBJ text");
-    }
-    ObjReader reader{.name = name, .references = references};
-    LineReader lines(bytes);
-    while (const std::optional<std::string_view> line = lines.next()) {
-        reader.read_line(*line);
-        if (!reader.fault.empty()) return model_error(name, reader.fault);
-    }
-    if (reader.corners == 0) return model_error(name, "it holds no triangles");
-    if (reader.bad_faces > 0) {
-        log_warning(
-            "model {}: {} faces that name vertices it lacks, or no usable ones, are left out",
-            name,
-            reader.bad_faces);
-    }
-    if (reader.other_elements > 0) {
-        log_warning(
-            "model {}: {} points, lines or curves are left out", name, reader.other_elements);
-    }
-    return reader.model();
+    return or_refused(name, [&] {
+        if (bytes.find('\0') != std::string_view::npos) fail("its content is not OBJ text");
+        ObjReader reader{.name = name, .references = references};
+        LineReader lines(bytes);
+        while (const auto line = lines.next()) reader.read_line(*line);
+        if (reader.corners == 0) fail("it holds no triangles");
+        if (reader.bad_faces > 0) {
+            log_warning(
+                "model {}: {} faces that name vertices it lacks, or no usable ones, are left out",
+                name,
+                reader.bad_faces);
+        }
+        if (reader.other_elements > 0) {
+            log_warning(
+                "model {}: {} points, lines or curves are left out", name, reader.other_elements);
+        }
+        return reader.model();
+    });
 }
 
 }  // namespace plumbline::assets

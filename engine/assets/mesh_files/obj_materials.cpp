@@ -63,7 +63,6 @@ struct MtlReader {
     const std::string& name;
     ModelReferences& references;
     std::vector<MaterialData> materials{};
-    std::string fault{};
 
     MaterialData& current() { return materials.back(); }
 
@@ -73,10 +72,7 @@ struct MtlReader {
         if (reference.empty()) return {};
         const std::string field = fmt::format("{} of material \"{}\"", key, current().name);
         const Result<fs::path> beside = references.resolve(reference, field, file.parent_path());
-        if (!beside) {
-            fault = beside.error().message;
-            return {};
-        }
+        if (!beside) fail("{}", beside.error().message);
         std::error_code ignored;
         if (fs::exists(*beside, ignored)) return *beside;
         const Result<fs::path> elsewhere = references.resolve(reference, field);
@@ -134,6 +130,19 @@ struct MtlReader {
             log_debug("model {}: {} of material \"{}\" is not read", name, key, material.name);
         }
     }
+
+    void read_line(std::string_view line) {
+        const std::string key = to_lower(next_word(line));
+        if (key == "newmtl") {
+            materials.push_back({.name = std::string(trimmed(line))});
+            if (materials.size() > limits::kModelMaterials) {
+                fail("it has more than {} materials", limits::kModelMaterials);
+            }
+        } else if (!materials.empty()) {
+            read_number(key, line);
+            read_map(key, line);
+        }
+    }
 };
 
 }  // namespace
@@ -148,29 +157,17 @@ Result<std::vector<MaterialData>> read_mtl(const fs::path& file,
     }
     if (is_utf16(*bytes))
         log_warning("model {}: of {} {}", name, file.filename().string(), kUtf16Fault);
-    MtlReader reader{.file = file, .name = name, .references = references};
-    LineReader lines(*bytes);
-    while (const std::optional<std::string_view> line = lines.next()) {
-        std::string_view rest = *line;
-        const std::string key = to_lower(next_word(rest));
-        if (key == "newmtl") {
-            reader.materials.push_back({.name = std::string(trimmed(rest))});
-            if (reader.materials.size() > limits::kModelMaterials) {
-                return model_error(
-                    name, fmt::format("it has more than {} materials", limits::kModelMaterials));
-            }
-        } else if (!reader.materials.empty()) {
-            reader.read_number(key, rest);
-            reader.read_map(key, rest);
+    return or_refused(name, [&] {
+        MtlReader reader{.file = file, .name = name, .references = references};
+        LineReader lines(*bytes);
+        while (const auto line = lines.next()) reader.read_line(*line);
+        for (MaterialData& material : reader.materials) {
+            // A map would be black as well; exporters that write so mean the map alone.
+            if (!material.base_color_map.empty() && material.base_color == Vec3f{0.0F})
+                material.base_color = Vec3f{1.0F};
         }
-        if (!reader.fault.empty()) return model_error(name, reader.fault);
-    }
-    for (MaterialData& material : reader.materials) {
-        // A map would be black as well; exporters that write so mean the map alone.
-        if (!material.base_color_map.empty() && material.base_color == Vec3f{0.0F})
-            material.base_color = Vec3f{1.0F};
-    }
-    return std::move(reader.materials);
+        return std::move(reader.materials);
+    });
 }
 
 }  // namespace plumbline::assets

@@ -1,21 +1,29 @@
 // What the head of a PLY file promises. Private to ply_import.cpp.
 #pragma once
 
+#include "engine/assets/byte_reader.h"
+
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace plumbline::assets {
 
-enum class PlyNumber : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float, Double };
+/// How numbers are stored.
+struct PlyNumber {
+    std::string_view name;
+    std::string_view other_name;
+    std::size_t bytes;
+    double (*read)(ByteReader& from, std::endian order);
+    double range{1.0};  ///< colours are shares of this
+};
 
 struct PlyProperty {
     std::string name;
-    PlyNumber type{PlyNumber::Float};
-    std::optional<PlyNumber> count;  ///< lists: how their length is stored
+    const PlyNumber* type{nullptr};
+    const PlyNumber* count{nullptr};  ///< lists: how their length is stored
 };
 
 struct PlyElement {
@@ -32,8 +40,8 @@ struct PlyHeader {
     std::string_view body;
 };
 
-/// Empty, or what is wrong with it.
-std::string read_ply_header(std::string_view bytes, PlyHeader& header);
+/// Fails where something is wrong with it.
+PlyHeader read_ply_header(std::string_view bytes);
 
 /// The least that the promised rows take, to refuse counts that the file has no room for.
 std::size_t least_bytes_of(const PlyHeader& header);

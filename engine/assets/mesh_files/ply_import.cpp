@@ -1,6 +1,5 @@
 #include "engine/assets/mesh_files/ply_import.h"
 
-#include "engine/assets/byte_reader.h"
 #include "engine/assets/mesh_files/ply_header_impl.h"
 #include "engine/assets/mesh_files/polygon_triangles_impl.h"
 #include "engine/assets/mesh_files/single_mesh_impl.h"
@@ -9,8 +8,6 @@
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 namespace plumbline::assets {
@@ -18,40 +15,15 @@ namespace {
 
 constexpr double kExactGamma = 2.2;
 
-/// Colours stored as whole numbers are shares of this.
-double range_of(PlyNumber number) {
-    if (number == PlyNumber::Uint8) return 255.0;
-    return number == PlyNumber::Uint16 ? 65'535.0 : 1.0;
-}
-
 /// Values in the order of the file, as text or as bytes.
 class Values {
 public:
     Values(PlyFormat format, std::string_view body) : format_(format), text_(body), bytes_(body) {}
 
-    double next(PlyNumber type) {
+    double next(const PlyNumber* type) {
         if (format_ == PlyFormat::Text) return next_word_value();
-        const std::endian order =
-            format_ == PlyFormat::Big ? std::endian::big : std::endian::little;
-        switch (type) {
-            case PlyNumber::Int8:
-                return bytes_.number<std::int8_t>(order);
-            case PlyNumber::Uint8:
-                return bytes_.number<std::uint8_t>(order);
-            case PlyNumber::Int16:
-                return bytes_.number<std::int16_t>(order);
-            case PlyNumber::Uint16:
-                return bytes_.number<std::uint16_t>(order);
-            case PlyNumber::Int32:
-                return bytes_.number<std::int32_t>(order);
-            case PlyNumber::Uint32:
-                return bytes_.number<std::uint32_t>(order);
-            case PlyNumber::Float:
-                return static_cast<double>(bytes_.number<float>(order));
-            case PlyNumber::Double:
-                return bytes_.number<double>(order);
-        }
-        return 0.0;
+        return type->read(bytes_,
+                          format_ == PlyFormat::Big ? std::endian::big : std::endian::little);
     }
     bool failed() const { return failed_ || bytes_.failed(); }
 
@@ -108,14 +80,11 @@ struct PlyReader {
     bool has_uvs{false};
     std::size_t bad_faces{0};
     std::size_t place{0};  ///< in the element that is read
-    std::string fault{};
 
     /// Which numbers of a vertex the element's properties fill.
     void read_vertices(const PlyElement& element) {
         if (element.count > limits::kVertices) {
-            fault = fmt::format(
-                "it has {} vertices; at most {} are read", element.count, limits::kVertices);
-            return;
+            fail("it has {} vertices; at most {} are read", element.count, limits::kVertices);
         }
         std::size_t places = 0;
         Vertex probe;
@@ -126,23 +95,16 @@ struct PlyReader {
             has_colors = has_colors || slot_of(probe, property.name) == &probe.color.x;
             has_uvs = has_uvs || slot_of(probe, property.name) == &probe.uv.x;
         }
-        if (places != 3) {
-            fault = "its vertices have no x, y and z";
-            return;
-        }
+        if (places != 3) fail("its vertices have no x, y and z");
         mesh.vertices.resize(element.count);
         for (Vertex& vertex : mesh.vertices) {
             vertex.normal_body = Vec3f{0.0F};
             place = static_cast<std::size_t>(&vertex - mesh.vertices.data());
             for (const PlyProperty& property : element.properties) read_value(property, vertex);
             if (values.failed()) return;
-            if (!is_finite(vertex.position_body)) {
-                fault = fmt::format("vertex {} is not finite", place);
-                return;
-            }
+            if (!is_finite(vertex.position_body)) fail("vertex {} is not finite", place);
             if (reading == Reading::Exact && !is_finite(vertex.color)) {
-                fault = fmt::format("the colour of vertex {} is not finite", place);
-                return;
+                fail("the colour of vertex {} is not finite", place);
             }
             if (!is_finite(vertex.normal_body)) vertex.normal_body = Vec3f{0.0F};
             // The image's rows run down here.
@@ -153,32 +115,26 @@ struct PlyReader {
     }
 
     void read_value(const PlyProperty& property, Vertex& vertex) {
-        if (property.count) {
-            read_over_list(property);
-            return;
-        }
+        if (property.count != nullptr) return read_over_list(property);
         const double value = values.next(property.type);
         float* slot = slot_of(vertex, property.name);
         if (slot == nullptr) return;
         *slot = static_cast<float>(value);
         const bool is_color = slot >= &vertex.color.x && slot <= &vertex.color.z;
         if (is_color && reading == Reading::Exact) {
-            const bool coded = range_of(property.type) != 1.0;
-            const double share = value / range_of(property.type);
+            const bool coded = property.type->range != 1.0;
+            const double share = value / property.type->range;
             *slot = static_cast<float>(coded ? std::pow(share, kExactGamma) : value);
         } else if (is_color) {
-            const double share = std::isfinite(value) ? value / range_of(property.type) : 1.0;
+            const double share = std::isfinite(value) ? value / property.type->range : 1.0;
             *slot = linear_from_srgb(static_cast<float>(std::clamp(share, 0.0, 1.0)));
         }
     }
 
     std::vector<std::uint32_t> read_list(const PlyProperty& property) {
-        const double count = values.next(*property.count);
+        const double count = values.next(property.count);
+        if (!(count >= 0.0 && count <= 1e7)) fail("a list has an impossible length");
         std::vector<std::uint32_t> corners;
-        if (!(count >= 0.0 && count <= 1e7)) {
-            fault = "a list has an impossible length";
-            return corners;
-        }
         for (double i = 0; i < count && !values.failed(); ++i) {
             const double value = values.next(property.type);
             const bool fits = value >= 0.0 && value < static_cast<double>(mesh.vertices.size());
@@ -188,22 +144,19 @@ struct PlyReader {
     }
 
     void read_over_list(const PlyProperty& property) {
-        const double count = values.next(*property.count);
+        const double count = values.next(property.count);
         for (double i = 0; i < count && !values.failed(); ++i) values.next(property.type);
     }
 
     void add_face(const std::vector<std::uint32_t>& corners) {
-        if (values.failed() || !fault.empty()) return;
+        if (values.failed()) return;
         const bool bad = std::find(corners.begin(), corners.end(), ~0U) != corners.end();
         if (bad || corners.size() < 3 || corners.size() > kMostCorners) {
             ++bad_faces;
-            if (reading == Reading::Exact) {
-                fault = bad ? fmt::format("face {} names a vertex that is not there: it has {}",
-                                          place,
-                                          mesh.vertices.size())
-                            : fmt::format("face {} has {} corners", place, corners.size());
-            }
-            return;
+            if (reading != Reading::Exact) return;
+            if (!bad) fail("face {} has {} corners", place, corners.size());
+            fail(
+                "face {} names a vertex that is not there: it has {}", place, mesh.vertices.size());
         }
         if (corners.size() == 3) {
             mesh.indices.insert(mesh.indices.end(), corners.begin(), corners.end());
@@ -215,14 +168,14 @@ struct PlyReader {
             }
         }
         if (mesh.indices.size() > limits::kIndices) {
-            fault = fmt::format("it draws more than {} indices", limits::kIndices);
+            fail("it draws more than {} indices", limits::kIndices);
         }
     }
 
     void read_faces(const PlyElement& element) {
-        for (place = 0; place < element.count && !values.failed() && fault.empty(); ++place) {
+        for (place = 0; place < element.count && !values.failed(); ++place) {
             for (const PlyProperty& property : element.properties) {
-                if (!property.count) {
+                if (property.count == nullptr) {
                     values.next(property.type);
                 } else if (property.name == "vertex_indices" || property.name == "vertex_index") {
                     add_face(read_list(property));
@@ -236,7 +189,7 @@ struct PlyReader {
     void read_over(const PlyElement& element) {
         for (place = 0; place < element.count && !values.failed(); ++place) {
             for (const PlyProperty& property : element.properties) {
-                if (property.count) {
+                if (property.count != nullptr) {
                     read_over_list(property);
                 } else {
                     values.next(property.type);
@@ -253,18 +206,13 @@ void make_normals(ModelMesh& mesh) {
     mesh.vertices = std::move(made.vertices);
 }
 
-/// Everything but what is made of it; the error is the file's.
-Result<Done> read_all(std::string_view bytes, const std::string& name, PlyReader& reader) {
-    PlyHeader header;
-    std::string fault = read_ply_header(bytes, header);
-    if (!fault.empty()) return model_error(name, fault);
-    reader.values = Values(header.format, header.body);
+/// Everything but what is made of it.
+PlyReader read_all(std::string_view bytes, Reading reading) {
+    const PlyHeader header = read_ply_header(bytes);
+    PlyReader reader{.reading = reading, .values = Values(header.format, header.body)};
     const std::size_t least = least_bytes_of(header);
     if (least > header.body.size() + 1) {
-        return model_error(
-            name,
-            fmt::format(
-                "its header promises {} bytes or more; {} follow", least, header.body.size()));
+        fail("its header promises {} bytes or more; {} follow", least, header.body.size());
     }
     for (const PlyElement& element : header.elements) {
         reader.place = 0;
@@ -275,41 +223,41 @@ Result<Done> read_all(std::string_view bytes, const std::string& name, PlyReader
         } else {
             reader.read_over(element);
         }
-        if (reader.fault.empty() && reader.values.failed()) {
-            reader.fault = fmt::format(
-                "it breaks off, or holds what is no number, in its element {} number {} of {}",
-                element.name,
-                std::min(reader.place, element.count - 1),
-                element.count);
+        if (reader.values.failed()) {
+            fail("it breaks off, or holds what is no number, in its element {} number {} of {}",
+                 element.name,
+                 std::min(reader.place, element.count - 1),
+                 element.count);
         }
-        if (!reader.fault.empty()) return model_error(name, reader.fault);
     }
-    return Done{};
+    return reader;
 }
 
 }  // namespace
 
 Result<ModelData> read_ply(std::string_view bytes, const std::string& name) {
-    PlyReader reader{.reading = Reading::Model, .values = Values(PlyFormat::Text, {})};
-    if (const Result<Done> read = read_all(bytes, name, reader); !read) return read.error();
-    if (reader.bad_faces > 0) {
-        log_warning(
-            "model {}: {} faces that name vertices it lacks, or no usable ones, are left out",
-            name,
-            reader.bad_faces);
-    }
-    if (reader.mesh.indices.empty()) return model_error(name, "it holds no triangles");
-    if (!reader.has_normals) make_normals(reader.mesh);
-    return model_with_z_up(std::move(reader.mesh), reader.has_colors);
+    return or_refused(name, [&] {
+        PlyReader reader = read_all(bytes, Reading::Model);
+        if (reader.bad_faces > 0) {
+            log_warning(
+                "model {}: {} faces that name vertices it lacks, or no usable ones, are left out",
+                name,
+                reader.bad_faces);
+        }
+        if (reader.mesh.indices.empty()) fail("it holds no triangles");
+        if (!reader.has_normals) make_normals(reader.mesh);
+        return model_with_z_up(std::move(reader.mesh), reader.has_colors);
+    });
 }
 
 Result<ExactPly> read_exact_ply(std::string_view bytes, const std::string& name) {
-    PlyReader reader{.reading = Reading::Exact, .values = Values(PlyFormat::Text, {})};
-    if (const Result<Done> read = read_all(bytes, name, reader); !read) return read.error();
-    return ExactPly{.vertices = std::move(reader.mesh.vertices),
-                    .indices = std::move(reader.mesh.indices),
-                    .has_normals = reader.has_normals,
-                    .has_uvs = reader.has_uvs};
+    return or_refused(name, [&] {
+        PlyReader reader = read_all(bytes, Reading::Exact);
+        return ExactPly{.vertices = std::move(reader.mesh.vertices),
+                        .indices = std::move(reader.mesh.indices),
+                        .has_normals = reader.has_normals,
+                        .has_uvs = reader.has_uvs};
+    });
 }
 
 }  // namespace plumbline::assets

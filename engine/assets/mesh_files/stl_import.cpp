@@ -3,8 +3,6 @@
 #include "engine/assets/mesh_files/text_words_impl.h"
 #include "engine/core/limits.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <optional>
 
@@ -61,8 +59,7 @@ void read_binary(std::string_view bytes, std::size_t count, Facets& facets) {
     }
 }
 
-/// The fault, or nothing.
-std::string read_text(std::string_view bytes, Facets& facets) {
+void read_text(std::string_view bytes, Facets& facets) {
     std::array<Vec3f, 3> corners;
     std::size_t filled = 0;
     std::size_t line_number = 0;
@@ -75,45 +72,41 @@ std::string read_text(std::string_view bytes, Facets& facets) {
         ended = word == "endsolid" || (ended && word.empty());
         if (word == "facet" || word == "outer") filled = 0;
         if (word != "vertex") continue;
-        if (filled == 3) return fmt::format("line {}: a facet has three vertices", line_number);
+        if (filled == 3) fail("line {}: a facet has three vertices", line_number);
         for (int axis = 0; axis < 3; ++axis) {
             const std::optional<float> value = finite_number(next_word(rest));
-            if (!value) {
-                return fmt::format("line {}: a vertex must be three numbers", line_number);
-            }
+            if (!value) fail("line {}: a vertex must be three numbers", line_number);
             corners[filled][axis] = *value;
         }
         if (++filled == 3) facets.add(corners);
-        if (facets.mesh.indices.size() > limits::kIndices) return "it is too large";
+        if (facets.mesh.indices.size() > limits::kIndices) fail("it is too large");
     }
-    return ended ? "" : "the text breaks off before \"endsolid\"";
+    if (!ended) fail("the text breaks off before \"endsolid\"");
 }
 
 }  // namespace
 
 Result<ModelData> read_stl(std::string_view bytes, const std::string& name) {
-    Facets facets;
-    if (const std::optional<std::size_t> count = binary_count(bytes)) {
-        if (*count > kMostTriangles) {
-            return model_error(
-                name,
-                fmt::format("it has {} triangles; at most {} are read", *count, kMostTriangles));
+    return or_refused(name, [&] {
+        Facets facets;
+        if (const std::optional<std::size_t> count = binary_count(bytes)) {
+            if (*count > kMostTriangles) {
+                fail("it has {} triangles; at most {} are read", *count, kMostTriangles);
+            }
+            read_binary(bytes, *count, facets);
+        } else if (bytes.starts_with("solid")) {
+            read_text(bytes, facets);
+        } else if (bytes.size() >= kHeaderBytes) {
+            ByteReader reader(bytes.substr(kHeaderBytes - 4));
+            const std::size_t promised = reader.number<std::uint32_t>();
+            fail("it says {} triangles and has room for {}",
+                 promised,
+                 reader.left() / kTriangleBytes);
+        } else {
+            fail("its content is not STL");
         }
-        read_binary(bytes, *count, facets);
-    } else if (bytes.starts_with("solid")) {
-        const std::string fault = read_text(bytes, facets);
-        if (!fault.empty()) return model_error(name, fault);
-    } else if (bytes.size() >= kHeaderBytes) {
-        ByteReader reader(bytes.substr(kHeaderBytes - 4));
-        const std::size_t promised = reader.number<std::uint32_t>();
-        return model_error(name,
-                           fmt::format("it says {} triangles and has room for {}",
-                                       promised,
-                                       reader.left() / kTriangleBytes));
-    } else {
-        return model_error(name, "its content is not STL");
-    }
-    return model_with_z_up(std::move(facets.mesh), false);
+        return model_with_z_up(std::move(facets.mesh), false);
+    });
 }
 
 }  // namespace plumbline::assets

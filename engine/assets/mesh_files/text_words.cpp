@@ -1,6 +1,6 @@
 #include "engine/assets/mesh_files/text_words_impl.h"
+#include "engine/core/text/split.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -12,18 +12,11 @@ bool is_blank(char letter) {
     return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\v' || letter == '\f';
 }
 
-std::string_view cut_line(std::string_view& text) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = trimmed(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    return line;
-}
-
 }  // namespace
 
 std::optional<std::string_view> LineReader::next() {
     if (text_.empty()) return std::nullopt;
-    std::string_view line = cut_line(text_);
+    std::string_view line = trimmed(cut_part(text_, '\n'));
     if (!line.ends_with('\\')) return line;
     joined_.clear();
     bool goes_on = true;
@@ -32,7 +25,7 @@ std::optional<std::string_view> LineReader::next() {
         if (line.ends_with('\\')) line.remove_suffix(1);
         joined_ += line;
         joined_ += ' ';
-        if (goes_on) line = cut_line(text_);
+        if (goes_on) line = trimmed(cut_part(text_, '\n'));
     }
     return trimmed(joined_);
 }

@@ -249,11 +249,8 @@ MeshData part_mesh(const ModelData& model, const ModelPart& part, const ModelPos
     MeshData mesh{.vertices = vertices_of(instance), .indices = source.indices};
     // Vertices of a deforming mesh stay one for one with the file's.
     mend_normals(mesh, part.deforms ? MissingNormals::Smooth : MissingNormals::FlatWhereAll);
-    mesh.sub_meshes = {{.first_index = 0,
-                        .index_count = static_cast<std::uint32_t>(mesh.indices.size()),
-                        .material = source.material}};
-    mesh.bounds = bounds_of(mesh);
-    compute_tangents(mesh);
+    mesh = finished(std::move(mesh));
+    mesh.sub_meshes.front().material = source.material;
     return mesh;
 }
 

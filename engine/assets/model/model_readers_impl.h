@@ -6,8 +6,11 @@
 #include "engine/assets/model_data.h"
 #include "engine/core/result.h"
 
+#include <fmt/format.h>
+
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace plumbline::assets {
@@ -28,5 +31,23 @@ Result<std::vector<MaterialData>> read_mtl(const std::filesystem::path& file,
 
 /// "model NAME is refused: WHY".
 Error model_error(const std::string& name, std::string_view why);
+
+/// Why a file cannot be read: ends the reading, of a glTF animation that one's. Never leaves a reader.
+struct ModelFault {
+    std::string words;
+};
+template <class... Args>
+[[noreturn]] void fail(fmt::format_string<Args...> format, Args&&... args) {
+    throw ModelFault{fmt::format(format, std::forward<Args>(args)...)};
+}
+/// What `read` makes of the file, or its fault as an error.
+template <class Read>
+auto or_refused(const std::string& name, Read read) -> Result<decltype(read())> {
+    try {
+        return read();
+    } catch (const ModelFault& fault) {
+        return model_error(name, fault.words);
+    }
+}
 
 }  // namespace plumbline::assets

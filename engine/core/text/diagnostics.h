@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace plumbline {
@@ -25,6 +26,10 @@ std::string to_string(const Diagnostic& diagnostic);
 class Diagnostics {
 public:
     void add(Diagnostic diagnostic) { list_.push_back(std::move(diagnostic)); }
+    /// What is wrong with a file as a whole.
+    void add_error(std::string file, std::string message) {
+        add({.file = std::move(file), .key = {}, .message = std::move(message)});
+    }
     bool has_errors() const;
     const std::vector<Diagnostic>& list() const { return list_; }
 

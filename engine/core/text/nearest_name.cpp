@@ -1,5 +1,7 @@
 #include "engine/core/text/nearest_name.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -45,6 +47,11 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
         }
     }
     return best;
+}
+
+std::string nearest_words(std::string_view word, std::span<const std::string_view> known) {
+    const std::string_view nearest = nearest_name(word, known);
+    return nearest.empty() ? std::string() : fmt::format("; the nearest is \"{}\"", nearest);
 }
 
 }  // namespace plumbline

@@ -38,7 +38,6 @@ public:
         }
         ++work_.calls;
     }
-    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 
 private:
     void add(const Pose& pose, float edge_m, const Vec3f& color, render::RenderFrame& frame) const {
@@ -72,11 +71,8 @@ std::uint64_t key_of_light_cubes(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow light_cubes() {
-    return {.name = "light_cubes",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_light_cubes,
-            .make = &make_effect<LightCubes>,
-            .key = &key_of_light_cubes};
+    return with_effect<LightCubes>(
+        {.called_for_by = &callers_of_light_cubes, .key = &key_of_light_cubes});
 }
 
 }  // namespace plumbline::effects

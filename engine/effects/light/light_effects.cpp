@@ -58,7 +58,6 @@ public:
                                .outer_rad = radians_from_degrees(light.outer_deg)};
         ++work_.calls;
     }
-    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 };
 
 Callers callers_of_flashlight(const scene::Simulation& simulation) {
@@ -97,7 +96,6 @@ public:
         frame.refraction->caustics = true;
         ++work_.calls;
     }
-    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 };
 
 Callers callers_of_caustics(const scene::Simulation& simulation) {
@@ -126,55 +124,36 @@ Callers callers_of_shafts(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow sun_shadow() {
-    return {.name = "sun_shadow",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_sun_shadow,
-            .make = &make_effect<FrameEffect<&show_sun_shadow>>,
-            .gpu_owner = "sun_shadow",
-            .passes = "shadow.sun"};
+    return with_effect<FrameEffect<&show_sun_shadow>>({.called_for_by = &callers_of_sun_shadow,
+                                                       .gpu_owner = "sun_shadow",
+                                                       .passes = "shadow.sun"});
 }
 
 EffectRow light_shadows() {
-    return {.name = "light_shadows",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_light_shadows,
-            .make = &make_effect<FrameEffect<&show_light_shadows>>,
-            .gpu_owner = "light_shadows",
-            .passes = "shadow.lights"};
+    return with_effect<FrameEffect<&show_light_shadows>>(
+        {.called_for_by = &callers_of_light_shadows,
+         .gpu_owner = "light_shadows",
+         .passes = "shadow.lights"});
 }
 
 EffectRow flashlight() {
-    return {.name = "flashlight",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_flashlight,
-            .make = &make_effect<Flashlight>,
-            .gpu_owner = "flashlight",
-            .passes = "shadow.flashlight"};
+    return with_effect<Flashlight>({.called_for_by = &callers_of_flashlight,
+                                    .gpu_owner = "flashlight",
+                                    .passes = "shadow.flashlight"});
 }
 
 EffectRow skybox() {
-    return {.name = "skybox",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_skybox,
-            .make = &make_effect<FrameEffect<&show_sky>>,
-            .gpu_owner = "sky",
-            .passes = "sky"};
+    return with_effect<FrameEffect<&show_sky>>(
+        {.called_for_by = &callers_of_skybox, .gpu_owner = "sky", .passes = "sky"});
 }
 
 EffectRow caustics() {
-    return {.name = "caustics",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_caustics,
-            .make = &make_effect<Caustics>};
+    return with_effect<Caustics>({.called_for_by = &callers_of_caustics});
 }
 
 EffectRow sun_shafts() {
-    return {.name = "sun_shafts",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_shafts,
-            .make = &make_effect<FrameEffect<&show_shafts>>,
-            .gpu_owner = "sun_shafts",
-            .passes = "shafts"};
+    return with_effect<FrameEffect<&show_shafts>>(
+        {.called_for_by = &callers_of_shafts, .gpu_owner = "sun_shafts", .passes = "shafts"});
 }
 
 }  // namespace plumbline::effects

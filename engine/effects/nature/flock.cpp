@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace plumbline::effects {
 namespace {
@@ -63,10 +64,7 @@ assets::MeshData wing_mesh(FlockKind kind) {
         corner(0.25F, 0.75F, light);
         mesh.indices = {0, 3, 1, 1, 3, 2, 0, 5, 3, 3, 5, 4};
     }
-    mesh.sub_meshes = {{.index_count = static_cast<std::uint32_t>(mesh.indices.size())}};
-    mesh.bounds = assets::bounds_of(mesh);
-    assets::compute_tangents(mesh);
-    return mesh;
+    return assets::finished(std::move(mesh));
 }
 
 /// A spindle along -Z, 1 m long.
@@ -90,11 +88,8 @@ assets::MeshData body_mesh() {
                 mesh.indices.push_back(c);
         }
     }
-    mesh.sub_meshes = {{.index_count = static_cast<std::uint32_t>(mesh.indices.size())}};
-    mesh.bounds = assets::bounds_of(mesh);
     assets::compute_normals(mesh);
-    assets::compute_tangents(mesh);
-    return mesh;
+    return assets::finished(std::move(mesh));
 }
 
 /// One `[[flock]]`.
@@ -212,8 +207,8 @@ public:
         ++work_.calls;
     }
 
-    std::uint64_t bytes_cpu() const override {
-        std::size_t bytes = sizeof(*this) + flights_.capacity() * sizeof(Flight);
+    std::uint64_t bytes_held() const override {
+        std::size_t bytes = flights_.capacity() * sizeof(Flight);
         for (const Flight& flight : flights_) bytes += flight.bytes();
         return bytes;
     }
@@ -233,10 +228,7 @@ Callers callers_of_flock(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow flock() {
-    return {.name = "flock",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_flock,
-            .make = &make_effect<Flock>};
+    return with_effect<Flock>({.called_for_by = &callers_of_flock});
 }
 
 }  // namespace plumbline::effects

@@ -71,7 +71,7 @@ public:
     }
 
     void serialize(Archive& archive) override { archive(drops_); }
-    std::uint64_t bytes_cpu() const override { return sizeof(*this) + drops_.bytes(); }
+    std::uint64_t bytes_held() const override { return drops_.bytes(); }
 
 private:
     /// At the first nozzle: gusts are larger than fountains.
@@ -99,12 +99,8 @@ Callers callers_of_fountain(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow fountain() {
-    return {.name = "fountain",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_fountain,
-            .make = &make_effect<Fountain>,
-            .gpu_owner = "drops",
-            .passes = "drops"};
+    return with_effect<Fountain>(
+        {.called_for_by = &callers_of_fountain, .gpu_owner = "drops", .passes = "drops"});
 }
 
 }  // namespace plumbline::effects

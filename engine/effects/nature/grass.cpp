@@ -57,7 +57,7 @@ public:
         ++work_.calls;
     }
 
-    std::uint64_t bytes_cpu() const override { return sizeof(*this) + field_.bytes(); }
+    std::uint64_t bytes_held() const override { return field_.bytes(); }
 
 private:
     /// Looked for from above the trees down to well below the eye: under a roof grows nothing.
@@ -112,10 +112,7 @@ Callers callers_of_grass(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow grass() {
-    return {.name = "grass",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_grass,
-            .make = &make_effect<Grass>};
+    return with_effect<Grass>({.called_for_by = &callers_of_grass});
 }
 
 }  // namespace plumbline::effects

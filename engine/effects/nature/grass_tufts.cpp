@@ -74,10 +74,7 @@ assets::MeshData tuft_mesh(std::uint32_t variant, bool near) {
                                   : std::vector<std::uint32_t>{0, 1, 2};
         for (const std::uint32_t corner : corners) mesh.indices.push_back(first + corner);
     }
-    mesh.sub_meshes = {{.index_count = static_cast<std::uint32_t>(mesh.indices.size())}};
-    mesh.bounds = assets::bounds_of(mesh);
-    assets::compute_tangents(mesh);
-    return mesh;
+    return assets::finished(std::move(mesh));
 }
 
 std::vector<Tuft> GrassField::grow(int x, int z, const LawnAt& lawn) const {

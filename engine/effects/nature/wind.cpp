@@ -28,10 +28,7 @@ Callers callers_of_wind(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow wind() {
-    return {.name = "wind",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_wind,
-            .make = &make_effect<FrameEffect<&show_wind>>};
+    return with_effect<FrameEffect<&show_wind>>({.called_for_by = &callers_of_wind});
 }
 
 }  // namespace plumbline::effects

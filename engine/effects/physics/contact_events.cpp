@@ -16,10 +16,7 @@ Callers callers_of_contact_events(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow contact_events() {
-    return {.name = "contact_events",
-            .domain = Domain::Step,
-            .called_for_by = &callers_of_contact_events,
-            .make = &make_effect<ContactEvents>};
+    return with_effect<ContactEvents>({.called_for_by = &callers_of_contact_events});
 }
 
 }  // namespace plumbline::effects

@@ -25,8 +25,6 @@ public:
         }
     }
 
-    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
-
 private:
     void change(scene::ContactAppearance& look, scene::Visual& visual) {
         look.touches = !look.touches;
@@ -45,10 +43,8 @@ private:
 }  // namespace
 
 EffectRow contact_look() {
-    return {.name = "contact_look",
-            .domain = Domain::Frame,
-            .called_for_by = &entities_with<scene::ContactAppearance>,
-            .make = &make_effect<ContactLookEffect>};
+    return with_effect<ContactLookEffect>(
+        {.called_for_by = &entities_with<scene::ContactAppearance>});
 }
 
 }  // namespace plumbline::effects

@@ -6,11 +6,8 @@ namespace plumbline::effects {
 
 EffectRow continuous_collision() {
     using Use = physics::FeatureUse;
-    return {.name = "continuous_collision",
-            .domain = Domain::Step,
-            .called_for_by = &callers_of_use<&Use::swept>,
-            .make = &make_effect<PhysicsUse<&Use::swept_bodies, &Use::sweep_ms>>,
-            .key = &key_of_use<&Use::swept>};
+    return with_effect<PhysicsUse<&Use::swept_bodies, &Use::sweep_ms>>(
+        {.called_for_by = &callers_of_use<&Use::swept>, .key = &key_of_use<&Use::swept>});
 }
 
 }  // namespace plumbline::effects

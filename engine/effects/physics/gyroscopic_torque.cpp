@@ -6,11 +6,8 @@ namespace plumbline::effects {
 
 EffectRow gyroscopic_torque() {
     using Use = physics::FeatureUse;
-    return {.name = "gyroscopic_torque",
-            .domain = Domain::Step,
-            .called_for_by = &callers_of_use<&Use::turned>,
-            .make = &make_effect<PhysicsUse<&Use::gyro_bodies, &Use::gyro_ms>>,
-            .key = &key_of_use<&Use::turned>};
+    return with_effect<PhysicsUse<&Use::gyro_bodies, &Use::gyro_ms>>(
+        {.called_for_by = &callers_of_use<&Use::turned>, .key = &key_of_use<&Use::turned>});
 }
 
 }  // namespace plumbline::effects

@@ -16,7 +16,6 @@ public:
         work_.calls += use.*kCount;
         work_.cpu_ms += use.*kCost_ms;
     }
-    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 };
 
 /// Also switches the part on while it lives.
@@ -29,8 +28,6 @@ public:
     ~PhysicsPart() override { set(false); }
     PhysicsPart(const PhysicsPart&) = delete;
     PhysicsPart& operator=(const PhysicsPart&) = delete;
-
-    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 
 private:
     void set(bool on) {

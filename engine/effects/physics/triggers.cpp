@@ -32,8 +32,6 @@ public:
         }
     }
 
-    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
-
 private:
     static bool counts(const scene::Simulation& simulation,
                        const scene::TriggerVolume& volume,
@@ -62,10 +60,7 @@ private:
 }  // namespace
 
 EffectRow triggers() {
-    return {.name = "triggers",
-            .domain = Domain::Step,
-            .called_for_by = &entities_with<scene::TriggerVolume>,
-            .make = &make_effect<Triggers>};
+    return with_effect<Triggers>({.called_for_by = &entities_with<scene::TriggerVolume>});
 }
 
 }  // namespace plumbline::effects

@@ -59,7 +59,6 @@ public:
         before_ = now;
         before_s_ = now_s;
     }
-    std::uint64_t bytes_cpu() const override { return sizeof(*this); }
 
 private:
     bool is_cut(const Pose& now, Real gap_s) const {
@@ -99,12 +98,9 @@ Callers callers_of_motion_blur(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow motion_blur() {
-    return {.name = "motion_blur",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_motion_blur,
-            .make = &make_effect<MotionBlur>,
-            .gpu_owner = "motion_blur",
-            .passes = "motion_blur"};
+    return with_effect<MotionBlur>({.called_for_by = &callers_of_motion_blur,
+                                    .gpu_owner = "motion_blur",
+                                    .passes = "motion_blur"});
 }
 
 }  // namespace plumbline::effects

@@ -104,54 +104,34 @@ Callers callers_of_post(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow fog() {
-    return {.name = "fog",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_fog,
-            .make = &make_effect<FrameEffect<&show_fog>>};
+    return with_effect<FrameEffect<&show_fog>>({.called_for_by = &callers_of_fog});
 }
 
 EffectRow refraction() {
-    return {.name = "refraction",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_refraction,
-            .make = &make_effect<FrameEffect<&show_refraction>>,
-            .gpu_owner = "refraction",
-            .passes = "refraction"};
+    return with_effect<FrameEffect<&show_refraction>>({.called_for_by = &callers_of_refraction,
+                                                       .gpu_owner = "refraction",
+                                                       .passes = "refraction"});
 }
 
 EffectRow ambient_occlusion() {
-    return {.name = "ambient_occlusion",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_occlusion,
-            .make = &make_effect<FrameEffect<&show_occlusion>>,
-            .gpu_owner = "ambient_occlusion",
-            .passes = "occlusion"};
+    return with_effect<FrameEffect<&show_occlusion>>({.called_for_by = &callers_of_occlusion,
+                                                      .gpu_owner = "ambient_occlusion",
+                                                      .passes = "occlusion"});
 }
 
 EffectRow indirect_light() {
-    return {.name = "indirect_light",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_indirect_light,
-            .make = &make_effect<FrameEffect<&show_indirect_light>>,
-            .gpu_owner = "indirect_light"};
+    return with_effect<FrameEffect<&show_indirect_light>>(
+        {.called_for_by = &callers_of_indirect_light, .gpu_owner = "indirect_light"});
 }
 
 EffectRow depth_of_field() {
-    return {.name = "depth_of_field",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_focus,
-            .make = &make_effect<FrameEffect<&show_focus>>,
-            .gpu_owner = "depth_of_field",
-            .passes = "focus"};
+    return with_effect<FrameEffect<&show_focus>>(
+        {.called_for_by = &callers_of_focus, .gpu_owner = "depth_of_field", .passes = "focus"});
 }
 
 EffectRow post() {
-    return {.name = "post",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_post,
-            .make = &make_effect<FrameEffect<&show_post>>,
-            .gpu_owner = "post",
-            .passes = "post."};
+    return with_effect<FrameEffect<&show_post>>(
+        {.called_for_by = &callers_of_post, .gpu_owner = "post", .passes = "post."});
 }
 
 }  // namespace plumbline::effects

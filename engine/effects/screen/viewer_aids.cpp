@@ -118,10 +118,7 @@ Callers callers_of_viewer_aids(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow viewer_aids() {
-    return {.name = "viewer_aids",
-            .domain = Domain::Frame,
-            .called_for_by = &callers_of_viewer_aids,
-            .make = &make_effect<FrameEffect<&show_aids>>};
+    return with_effect<FrameEffect<&show_aids>>({.called_for_by = &callers_of_viewer_aids});
 }
 
 }  // namespace plumbline::effects

@@ -53,7 +53,7 @@ public:
     }
 
     void serialize(Archive& archive) override { archive(played_once_); }
-    std::uint64_t bytes_cpu() const override { return sizeof(*this) + bank_.bytes(); }
+    std::uint64_t bytes_held() const override { return bank_.bytes(); }
 
 private:
     /// What rustles does so as the square of the wind, up to four times as loud as in the mean of it.
@@ -139,10 +139,7 @@ private:
 }  // namespace
 
 EffectRow ambient_sounds() {
-    return {.name = "ambient_sounds",
-            .domain = Domain::Sound,
-            .called_for_by = &entities_with<scene::AmbientSound>,
-            .make = &make_effect<AmbientSounds>};
+    return with_effect<AmbientSounds>({.called_for_by = &entities_with<scene::AmbientSound>});
 }
 
 }  // namespace plumbline::effects

@@ -95,8 +95,8 @@ public:
         frame.loops.insert(frame.loops.end(), loops.begin(), loops.end());
     }
 
-    std::uint64_t bytes_cpu() const override {
-        return sizeof(*this) + bank_.bytes() + joints_.capacity() * sizeof(CreakingJoint);
+    std::uint64_t bytes_held() const override {
+        return bank_.bytes() + joints_.capacity() * sizeof(CreakingJoint);
     }
 
 private:
@@ -140,10 +140,7 @@ Callers callers_of_creak_sounds(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow creak_sounds() {
-    return {.name = "creak_sounds",
-            .domain = Domain::Sound,
-            .called_for_by = &callers_of_creak_sounds,
-            .make = &make_effect<CreakSounds>};
+    return with_effect<CreakSounds>({.called_for_by = &callers_of_creak_sounds});
 }
 
 }  // namespace plumbline::effects

@@ -33,7 +33,7 @@ public:
     }
 
     void serialize(Archive& archive) override { archive(random_); }
-    std::uint64_t bytes_cpu() const override { return sizeof(*this) + bank_.bytes(); }
+    std::uint64_t bytes_held() const override { return bank_.bytes(); }
 
 private:
     SoundBank bank_;
@@ -54,10 +54,7 @@ Callers callers_of_footsteps(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow footsteps() {
-    return {.name = "footsteps",
-            .domain = Domain::Sound,
-            .called_for_by = &callers_of_footsteps,
-            .make = &make_effect<Footsteps>};
+    return with_effect<Footsteps>({.called_for_by = &callers_of_footsteps});
 }
 
 }  // namespace plumbline::effects

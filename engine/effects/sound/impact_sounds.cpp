@@ -54,8 +54,8 @@ public:
     }
 
     void serialize(Archive& archive) override { archive(random_, sounded_at_s_); }
-    std::uint64_t bytes_cpu() const override {
-        return sizeof(*this) + bank_.bytes() + cues_.capacity() * sizeof(audio::SoundCue) +
+    std::uint64_t bytes_held() const override {
+        return bank_.bytes() + cues_.capacity() * sizeof(audio::SoundCue) +
                sounded_at_s_.size() * sizeof(std::pair<Pair, double>);
     }
 
@@ -150,10 +150,7 @@ Callers callers_of_impact_sounds(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow impact_sounds() {
-    return {.name = "impact_sounds",
-            .domain = Domain::Sound,
-            .called_for_by = &callers_of_impact_sounds,
-            .make = &make_effect<ImpactSounds>};
+    return with_effect<ImpactSounds>({.called_for_by = &callers_of_impact_sounds});
 }
 
 }  // namespace plumbline::effects

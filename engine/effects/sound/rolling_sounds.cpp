@@ -100,8 +100,8 @@ public:
         frame.loops.insert(frame.loops.end(), loops.begin(), loops.end());
     }
 
-    std::uint64_t bytes_cpu() const override {
-        return sizeof(*this) + bank_.bytes() + pairs_.size() * sizeof(*pairs_.begin());
+    std::uint64_t bytes_held() const override {
+        return bank_.bytes() + pairs_.size() * sizeof(*pairs_.begin());
     }
 
 private:
@@ -199,10 +199,7 @@ Callers callers_of_rolling_sounds(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow rolling_sounds() {
-    return {.name = "rolling_sounds",
-            .domain = Domain::Sound,
-            .called_for_by = &callers_of_rolling_sounds,
-            .make = &make_effect<RollingSounds>};
+    return with_effect<RollingSounds>({.called_for_by = &callers_of_rolling_sounds});
 }
 
 }  // namespace plumbline::effects

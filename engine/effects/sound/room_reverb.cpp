@@ -43,7 +43,7 @@ public:
         frame.room = now_;
     }
 
-    std::uint64_t bytes_cpu() const override { return sizeof(*this) + probe_.bytes(); }
+    std::uint64_t bytes_held() const override { return probe_.bytes(); }
 
 private:
     RoomProbe probe_;
@@ -62,10 +62,7 @@ Callers callers_of_room_reverb(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow room_reverb() {
-    return {.name = "room_reverb",
-            .domain = Domain::Sound,
-            .called_for_by = &callers_of_room_reverb,
-            .make = &make_effect<RoomReverb>};
+    return with_effect<RoomReverb>({.called_for_by = &callers_of_room_reverb});
 }
 
 }  // namespace plumbline::effects

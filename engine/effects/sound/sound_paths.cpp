@@ -33,9 +33,7 @@ public:
         follow_loops(simulation, ear, frame.loops);
     }
 
-    std::uint64_t bytes_cpu() const override {
-        return sizeof(*this) + traced_.size() * sizeof(*traced_.begin());
-    }
+    std::uint64_t bytes_held() const override { return traced_.size() * sizeof(*traced_.begin()); }
 
 private:
     struct Traced {
@@ -123,10 +121,7 @@ Callers callers_of_sound_paths(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow sound_paths() {
-    return {.name = "sound_paths",
-            .domain = Domain::Sound,
-            .called_for_by = &callers_of_sound_paths,
-            .make = &make_effect<SoundPaths>};
+    return with_effect<SoundPaths>({.called_for_by = &callers_of_sound_paths});
 }
 
 }  // namespace plumbline::effects

@@ -50,7 +50,7 @@ public:
         ++work_.calls;
     }
 
-    std::uint64_t bytes_cpu() const override { return sizeof(*this) + bank_.bytes(); }
+    std::uint64_t bytes_held() const override { return bank_.bytes(); }
 
 private:
     void follow_shelter(const scene::Simulation& simulation,
@@ -98,10 +98,7 @@ Callers callers_of_wind_sound(const scene::Simulation& simulation) {
 }  // namespace
 
 EffectRow wind_sound() {
-    return {.name = "wind_sound",
-            .domain = Domain::Sound,
-            .called_for_by = &callers_of_wind_sound,
-            .make = &make_effect<WindSound>};
+    return with_effect<WindSound>({.called_for_by = &callers_of_wind_sound});
 }
 
 }  // namespace plumbline::effects

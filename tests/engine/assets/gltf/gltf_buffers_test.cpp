@@ -262,7 +262,8 @@ std::vector<float> numbers_of_bytes(std::string bytes, GltfAccessor accessor) {
     const Json document = Json::object();
     const std::string name = "m";
     ModelReferences references("m.gltf", ".");
-    GltfReader reader{.document = document, .name = name, .references = references};
+    GltfReader reader{
+        .root = {.json = document, .where = {}}, .name = name, .references = references};
     accessor.view = add_buffer(reader, std::move(bytes));
     return floats_of(reader, accessor);
 }

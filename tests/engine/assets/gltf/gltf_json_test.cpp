@@ -118,60 +118,60 @@ TEST(GltfJson, survives_every_flipped_byte_of_the_json) {
 
 TEST(GltfJson, finds_the_two_parts_of_a_glb) {
     const std::string bytes = TriangleFile::glb_of("{}", "abc");
-    const Result<GltfParts> parts = split_gltf(bytes, "m.glb");
-    ASSERT_TRUE(parts.ok()) << parts.error().message;
-    EXPECT_EQ(parts->json, "{}  ");
-    EXPECT_EQ(parts->binary, std::string_view("abc\0", 4));
+    const GltfParts parts = split_gltf(bytes, "m.glb");
+    EXPECT_EQ(parts.json, "{}  ");
+    EXPECT_EQ(parts.binary, std::string_view("abc\0", 4));
     // A second binary chunk is no GLB; a chunk of another kind is read over.
     std::string more = bytes + std::string("\0\0\0\0BIN\0", 8);
     const auto length = static_cast<char>(more.size());
     more[8] = length;
-    EXPECT_EQ(split_gltf(more, "m.glb").error().message,
-              "model m.glb is refused: the GLB's chunks are not JSON first, then binary");
+    expect_refused(import_bytes(more, "m.glb"), "the GLB's chunks are not JSON first, then binary");
     more.replace(more.size() - 4, 4, "ABCD");
-    ASSERT_TRUE(split_gltf(more, "m.glb").ok());
-    EXPECT_EQ(split_gltf(more, "m.glb")->binary, std::string_view("abc\0", 4));
+    EXPECT_EQ(split_gltf(more, "m.glb").binary, std::string_view("abc\0", 4));
 }
 
-/// What a stage gets to read of a document, and what it complains of.
-struct JsonProbe {
-    Json document;
-    std::string name{"m"};
-    ModelReferences references{"m.gltf", "."};
-    GltfReader reader{.document = document, .name = name, .references = references};
-
-    explicit JsonProbe(const char* text) : document(Json::parse(text)) {}
-};
+/// What is said of an object that cannot be read.
+template <class Read>
+std::string fault_of_reading(const char* text, const Read& read) {
+    const Json document = Json::parse(text);
+    try {
+        read(GltfObject{.json = document, .where = "o"});
+    } catch (const ModelFault& fault) {
+        return fault.words;
+    }
+    return {};
+}
 
 TEST(GltfJson, gives_numbers_only_where_they_are_what_was_asked_for) {
-    JsonProbe good(R"({"n": 3, "list": [1, 2.5], "t": "x", "x": 0.5})");
-    EXPECT_EQ(good.reader.whole(good.document, "n", "o"), 3U);
-    EXPECT_EQ(good.reader.whole(good.document, "none", "o"), std::nullopt);
-    EXPECT_EQ(good.reader.index(good.document, "n", "o", 4), 3U);
-    EXPECT_EQ(good.reader.number(good.document, "x", "o", 9.0F), 0.5F);
-    EXPECT_EQ(good.reader.number(good.document, "none", "o", 9.0F), 9.0F);
-    EXPECT_EQ(good.reader.numbers(good.document, "list", "o", 2), (std::vector<float>{1, 2.5F}));
-    EXPECT_EQ(good.reader.text(good.document, "t", "o"), "x");
-    EXPECT_EQ(good.reader.fault, "");
+    const Json document = Json::parse(R"({"n": 3, "list": [1, 2.5], "t": "x", "x": 0.5})");
+    const GltfObject good{.json = document, .where = "o"};
+    EXPECT_EQ(good.whole("n"), 3U);
+    EXPECT_EQ(good.whole("none"), std::nullopt);
+    EXPECT_EQ(good.index("n", 4), 3U);
+    EXPECT_EQ(good.number("x", 9.0F), 0.5F);
+    EXPECT_EQ(good.number("none", 9.0F), 9.0F);
+    EXPECT_EQ(good.numbers("list", 2), (std::vector<float>{1, 2.5F}));
+    EXPECT_EQ(good.text("t"), "x");
 
-    const auto fault_of_reading = [](const char* text, const auto& read) {
-        JsonProbe probe(text);
-        read(probe.reader, probe.document);
-        return probe.reader.fault;
-    };
-    const auto whole = [](GltfReader& r, const Json& d) { r.whole(d, "n", "o"); };
+    const auto whole = [](const GltfObject& o) { o.whole("n"); };
     EXPECT_EQ(fault_of_reading(R"({"n": -1})", whole),
               "o.n is -1; it must be a whole number, 0 or more");
-    const auto index = [](GltfReader& r, const Json& d) { r.index(d, "n", "o", 3); };
+    const auto index = [](const GltfObject& o) { o.index("n", 3); };
     EXPECT_EQ(fault_of_reading(R"({"n": 3})", index), "o.n names number 3 of 3");
-    const auto number = [](GltfReader& r, const Json& d) { r.number(d, "n", "o", 0); };
+    const auto number = [](const GltfObject& o) { o.number("n", 0); };
     EXPECT_EQ(fault_of_reading(R"({"n": 1e39})", number), "o.n is not a number that fits");
-    const auto numbers = [](GltfReader& r, const Json& d) { r.numbers(d, "n", "o", 2); };
+    const auto numbers = [](const GltfObject& o) { o.numbers("n", 2); };
     for (const char* list : {R"({"n": [1]})", R"({"n": [1, 2, 3]})", R"({"n": [1, "2"]})"}) {
         EXPECT_EQ(fault_of_reading(list, numbers), "o.n must be 2 numbers") << list;
     }
     EXPECT_EQ(fault_of_reading(R"({"n": 7})", numbers), "o.n is not an array");
-    const auto objects = [](GltfReader& r, const Json&) { r.objects("n", 2); };
+    const auto objects = [](const GltfObject& o) {
+        const std::string name = "m";
+        ModelReferences references("m.gltf", ".");
+        const GltfReader reader{
+            .root = {.json = o.json, .where = {}}, .name = name, .references = references};
+        static_cast<void>(reader.objects("n", 2));
+    };
     EXPECT_EQ(fault_of_reading(R"({"n": [{}, 1]})", objects), "n[1] is not an object");
     EXPECT_EQ(fault_of_reading(R"({"n": [{}, {}, {}]})", objects),
               "it has 3 n; at most 2 are read");

@@ -55,7 +55,7 @@ TEST(TgaImport, skips_the_name_before_the_pixels_and_knows_no_palettes) {
     std::string palette = tga_header(1, 1, 1, 8, 0);
     palette[1] = 1;
     EXPECT_FALSE(looks_like_tga(palette));
-    EXPECT_EQ(decode_tga(palette, "i", any_image_bytes).error().message,
+    EXPECT_EQ(decode_tga({palette, "i", any_image_bytes}).error().message,
               "image i is refused: its header is none of a TGA that is read");
     EXPECT_FALSE(looks_like_tga(tga_header(2, 1, 1, 16, 0))) << "five bits a channel";
     EXPECT_TRUE(looks_like_tga(tga_header(10, 1, 1, 32, 0)));
