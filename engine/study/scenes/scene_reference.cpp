@@ -80,7 +80,7 @@ private:
     }
 
     void note_failure(const ScenePlan::Finished& finished) {
-        failure_ = finished.answer.refused;
+        failure_ = finished.why;
         for (const Trace& trace : finished.answer.traces) {
             if (trace.status != RunStatus::Done) failure_ = trace.why;
         }

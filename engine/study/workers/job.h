@@ -5,7 +5,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/study/setting.h"
+#include "engine/study/findings/findings.h"
 
 #include <functional>
 #include <span>
@@ -23,11 +23,9 @@ struct Job {
     double limit_s{120};  ///< wall time; beyond it the worker is killed and the answer is TimedOut
 };
 
-enum class AnswerStatus { Done, Failed, TimedOut, Crashed };
-
 struct Answer {
-    AnswerStatus status{AnswerStatus::Done};
-    std::string body;  ///< JSON of the job's kind when Done, a message otherwise
+    RunStatus status{RunStatus::Done};  ///< Done, Refused, TimedOut or Crashed
+    std::string body;                   ///< JSON of the job's kind when Done, a message otherwise
 };
 
 /// Jobs are handed out in order to as many workers at once; `done` is called on the calling thread

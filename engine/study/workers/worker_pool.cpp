@@ -51,11 +51,11 @@ public:
             Result<Answer> answer = parse_answer_line(received_.substr(0, line_end));
             if (answer) return *answer;
             worker().reset();
-            return Answer{.status = AnswerStatus::Failed, .body = answer.error().message};
+            return Answer{.status = RunStatus::Refused, .body = answer.error().message};
         }
         if (open) return std::nullopt;
         job_.reset();
-        Answer crashed{.status = AnswerStatus::Crashed,
+        Answer crashed{.status = RunStatus::Crashed,
                        .body = fmt::format("the worker {}", worker()->end().words)};
         worker().reset();
         return crashed;
@@ -64,7 +64,7 @@ public:
     Answer give_up(double limit_s) {
         job_.reset();
         worker().reset();
-        return {.status = AnswerStatus::TimedOut,
+        return {.status = RunStatus::TimedOut,
                 .body = fmt::format("timed out after {:g} s", limit_s)};
     }
 
@@ -120,7 +120,7 @@ Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Prec
         return Error{.message = fmt::format("{} runs need the program {}, which is not there; "
                                             "./play builds it, and so does `cmake --build` with "
                                             "the target {}",
-                                            precision_name(precision),
+                                            word_of(precision),
                                             program.string(),
                                             program.filename().string())};
     }

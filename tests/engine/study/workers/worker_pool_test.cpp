@@ -40,7 +40,7 @@ TEST(WorkerPool, EveryJobGetsItsOwnAnswer) {
     }
     for (const int workers : {1, 2, 7}) {
         for (const auto& [index, answer] : answers_to(jobs, workers)) {
-            EXPECT_EQ(answer.status, AnswerStatus::Done);
+            EXPECT_EQ(answer.status, RunStatus::Done);
             EXPECT_EQ(answer.body, std::to_string(index));
         }
     }
@@ -65,23 +65,23 @@ TEST(WorkerPool, AWorkerThatGoesWrongTakesOnlyItsJobAlong) {
                                          job("echo", "c")},
                                         workers);
         for (const std::size_t good : {0U, 2U, 7U})
-            EXPECT_EQ(answers.at(good).status, AnswerStatus::Done) << good;
+            EXPECT_EQ(answers.at(good).status, RunStatus::Done) << good;
         EXPECT_EQ(answers.at(7).body, "c");
-        EXPECT_EQ(answers.at(1).status, AnswerStatus::Crashed);
+        EXPECT_EQ(answers.at(1).status, RunStatus::Crashed);
         EXPECT_NE(answers.at(1).body.find("signal 11"), std::string::npos) << answers.at(1).body;
-        EXPECT_EQ(answers.at(3).status, AnswerStatus::Crashed);
+        EXPECT_EQ(answers.at(3).status, RunStatus::Crashed);
         EXPECT_NE(answers.at(3).body.find("exit code 7"), std::string::npos) << answers.at(3).body;
-        EXPECT_EQ(answers.at(4).status, AnswerStatus::Failed);
+        EXPECT_EQ(answers.at(4).status, RunStatus::Refused);
         EXPECT_EQ(answers.at(4).body, "fail: why not");
-        EXPECT_EQ(answers.at(5).status, AnswerStatus::Failed);
+        EXPECT_EQ(answers.at(5).status, RunStatus::Refused);
         EXPECT_NE(answers.at(5).body.find("unheard_of"), std::string::npos);
-        EXPECT_EQ(answers.at(6).status, AnswerStatus::Failed) << "chatter is no answer";
+        EXPECT_EQ(answers.at(6).status, RunStatus::Refused) << "chatter is no answer";
     }
 }
 
 TEST(WorkerPool, AWorkerThatHangsIsGivenUpAndTheNextJobHasAFreshOne) {
     const auto answers = answers_to({job("hang", "", 0.2), job("echo", "after")}, 1);
-    EXPECT_EQ(answers.at(0).status, AnswerStatus::TimedOut);
+    EXPECT_EQ(answers.at(0).status, RunStatus::TimedOut);
     EXPECT_EQ(answers.at(0).body, "timed out after 0.2 s");
     EXPECT_EQ(answers.at(1).body, "after");
 }
