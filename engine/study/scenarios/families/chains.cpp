@@ -11,7 +11,6 @@ namespace {
 
 using physics::BodyId;
 using physics::JointId;
-using physics::JointKind;
 
 double widest_gap_m(const ScenarioWorld& world, const std::vector<JointId>& joints) {
     double widest = 0;
@@ -70,19 +69,12 @@ Scenario catenary() {
                     world.box(end + along * (kRod_m / 2),
                               {kRod_m, 0.02, 0.02},
                               {.turn = glm::angleAxis(angle, Vec3d{0, 0, 1}), .touches = false});
-                joints.push_back(world.join({.kind = JointKind::BallAndSocket,
-                                             .a = rod,
-                                             .b = before,
-                                             .anchor_a_world = vec(end),
-                                             .anchor_b_world = vec(end)}));
+                joints.push_back(world.join_at(end, rod, before));
                 end += along * kRod_m;
                 sag_m = std::max(sag_m, -end.y);
                 before = rod;
             }
-            joints.push_back(world.join({.kind = JointKind::BallAndSocket,
-                                         .a = before,
-                                         .anchor_a_world = vec(end),
-                                         .anchor_b_world = vec(end)}));
+            joints.push_back(world.join_at(end, before));
             double sum_N = 0;
             int count = 0;
             double gap_m = 0;
@@ -116,22 +108,14 @@ Errors hang(const Hanging& chain, double seconds, const Setting& setting, Steppe
         const Vec3d top{0, -i * chain.link_m, 0};
         const BodyId link = world.box(
             top - Vec3d{0, chain.link_m / 2, 0}, {0.1, chain.link_m, 0.1}, {.touches = false});
-        joints.push_back(world.join({.kind = JointKind::BallAndSocket,
-                                     .a = link,
-                                     .b = before,
-                                     .anchor_a_world = vec(top),
-                                     .anchor_b_world = vec(top)}));
+        joints.push_back(world.join_at(top, link, before));
         before = link;
     }
     const double length_m = chain.links * chain.link_m;
     const Vec3d end{0, -length_m, 0};
     const BodyId ball =
         world.sphere(end - Vec3d{0, 0.25, 0}, 0.25, {.mass_kg = chain.end_kg, .touches = false});
-    joints.push_back(world.join({.kind = JointKind::BallAndSocket,
-                                 .a = ball,
-                                 .b = before,
-                                 .anchor_a_world = vec(end),
-                                 .anchor_b_world = vec(end)}));
+    joints.push_back(world.join_at(end, ball, before));
     const double weight_N = (chain.links + chain.end_kg) * kG_mps2;
     double sum_N = 0;
     double squares_m2 = 0;

@@ -150,7 +150,7 @@ Scenario conical_pendulum() {
                                               .spin_radps = spin,
                                               .turn = glm::angleAxis(kCone_rad, Vec3d{0, 0, 1}),
                                               .touches = false});
-            world.join({.kind = JointKind::BallAndSocket, .a = ball});
+            world.join_at({0, 0, 0}, ball);
             const double start_L = world.physics.angular_momentum_kgm2ps().y;
             double cone_off = 0;
             stepper.run(world, kSeconds, {.after = [&](int) {

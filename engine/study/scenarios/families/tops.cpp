@@ -192,7 +192,7 @@ struct HeavyTop {
                                .spin_radps = spin,
                                .turn = turn,
                                .touches = false});
-        pivot = world.join({.kind = physics::JointKind::BallAndSocket, .a = body});
+        pivot = world.join_at({0, 0, 0}, body);
     }
     Vec3d axis() const { return world.turn(body) * Vec3d{0, 1, 0}; }
     double tilt_rad() const { return std::acos(std::clamp(axis().y, -1.0, 1.0)); }
