@@ -30,7 +30,7 @@ struct Scenario {
     std::string reference;
     Tier tier{Tier::ClosedForm};
     std::vector<Metric> metrics;
-    std::function<Errors(const Setting& setting, Stepper& stepper)> run;
+    std::function<Errors(Stepper& stepper)> run;
     /// Of the first metric, for a semi-implicit Euler body at a step; none where it says nothing.
     std::function<double(double step_s)> euler_floor{};
     std::string peer_scene{};

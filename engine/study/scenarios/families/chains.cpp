@@ -56,8 +56,8 @@ Scenario catenary() {
         .metrics = {{"pull at a nail, mean of the last second", "59.17 N"},
                     {"sag at 4 s", "0.5337 m"},
                     {"largest gap", "a rod, 0.2 m"}},
-        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-            ScenarioWorld world(setting);
+        .run = [](Stepper& stepper) -> Errors {
+            ScenarioWorld world(stepper.setting());
             std::vector<JointId> joints;
             Vec3d end{0, 0, 0};
             BodyId before{};
@@ -100,8 +100,8 @@ struct Hanging {
     double end_kg;
 };
 
-Errors hang(const Hanging& chain, double seconds, const Setting& setting, Stepper& stepper) {
-    ScenarioWorld world(setting);
+Errors hang(const Hanging& chain, double seconds, Stepper& stepper) {
+    ScenarioWorld world(stepper.setting());
     std::vector<JointId> joints;
     BodyId before{};
     for (int i = 0; i < chain.links; ++i) {
@@ -148,8 +148,7 @@ Scenario heavy_chain(std::string id, const Hanging& chain, double seconds) {
                         {"largest stretch", "the length"},
                         {"load on the first joint, mean of 2 s", "the weight below it"},
                         {"speed of the end, rms of the last 2 s", "sqrt(g l)"}},
-            .run = [=](const Setting& setting,
-                       Stepper& stepper) { return hang(chain, seconds, setting, stepper); },
+            .run = [=](Stepper& stepper) { return hang(chain, seconds, stepper); },
             .knobs = {.most_hz = chain.links > 10 ? 240 : 960}};
 }
 

@@ -60,8 +60,8 @@ Scenario smooth_floor_rod() {
             .tier = Tier::TwoIntegrators,
             .metrics = {{"angle at 0.5 s", "90 degrees"},
                         {"path of its middle to the side", "half the rod"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                ScenarioWorld world(setting);
+            .run = [](Stepper& stepper) -> Errors {
+                ScenarioWorld world(stepper.setting());
                 world.floor(0);
                 const BodyId rod = leaning_rod(world, kFrom_rad, 0);
                 const double start_m = world.at(rod).x;
@@ -96,7 +96,7 @@ Scenario leaving_ball() {
             .tier = Tier::TwoIntegrators,
             .metrics = {{"place at 1 s", "the sum of the radii, 1.1 m"},
                         {"speed at 1 s", "that of the fall"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+            .run = [](Stepper& stepper) -> Errors {
                 static const double leaves_rad = std::acos(2.0 / 3 * std::cos(kFrom_rad));
                 // When it is there: halving the time.
                 static const double leaves_s = [] {
@@ -121,7 +121,7 @@ Scenario leaving_ball() {
                     out * kAround_m + velocity * free_s + fall * (free_s * free_s / 2);
                 const Vec3d speed = velocity + fall * free_s;
 
-                ScenarioWorld world(setting);
+                ScenarioWorld world(stepper.setting());
                 world.fixed_sphere({0, 0, 0}, kBig_m, {.friction = 0});
                 const BodyId ball =
                     world.sphere(Vec3d{std::sin(kFrom_rad), std::cos(kFrom_rad), 0} * kAround_m,
@@ -145,8 +145,8 @@ Scenario ladder() {
         .tier = Tier::TwoIntegrators,
         .metrics = {{"angle at 0.3 s", "90 degrees"},
                     {"place of its middle at 0.3 s", "half the rod"}},
-        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-            ScenarioWorld world(setting);
+        .run = [](Stepper& stepper) -> Errors {
+            ScenarioWorld world(stepper.setting());
             world.floor(0);
             world.fixed_box({-1 - kThin_m, 0, 0}, {2, 8, 8}, {.friction = 0});
             // Ends' centres at (0, y) and (x, 0) of a corner moved by the ends' radius.

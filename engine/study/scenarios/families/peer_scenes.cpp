@@ -38,12 +38,8 @@ double stretch(const PeerScene& chain, const Vec3d& along) {
     return sum_m / kChain_m;
 }
 
-Errors run_chain(const std::string& name,
-                 const Setting& setting,
-                 Stepper& stepper,
-                 const Vec3d& along,
-                 bool at_end) {
-    const auto opened = PeerScene::open(name, setting);
+Errors run_chain(const std::string& name, Stepper& stepper, const Vec3d& along, bool at_end) {
+    const auto opened = PeerScene::open(name, stepper.setting());
     if (!opened) return stepper.refuse(opened.error());
     PeerScene& chain = **opened;
     constexpr double kTail_s = 2;
@@ -76,16 +72,15 @@ void add_chain(std::vector<Scenario>& all, const std::string& name, bool hangs) 
                       hangs ? "20 m; the gaps of all joints, mean of the last 2 s"
                             : "20 m; the gaps of all joints"}},
          .run = [name, along, hangs](
-                    const Setting& setting,
-                    Stepper& stepper) { return run_chain(name, setting, stepper, along, hangs); },
+                    Stepper& stepper) { return run_chain(name, stepper, along, hangs); },
          .peer_scene = name,
          .knobs = {.most_hz = 240, .doubled = false}});
 }
 
 // --- a ball that bounces without loss ---
 
-Errors run_bounce(const Setting& setting, Stepper& stepper) {
-    const auto opened = PeerScene::open("bounce", setting);
+Errors run_bounce(Stepper& stepper) {
+    const auto opened = PeerScene::open("bounce", stepper.setting());
     if (!opened) return stepper.refuse(opened.error());
     ScenarioWorld& world = (*opened)->world;
     const BodyId ball = (*opened)->body("ball");
@@ -113,10 +108,10 @@ Errors run_bounce(const Setting& setting, Stepper& stepper) {
 
 // --- a ball that slides until it rolls ---
 
-Errors run_slide_roll(const Setting& setting, Stepper& stepper) {
+Errors run_slide_roll(Stepper& stepper) {
     constexpr SlideToRoll kLaw{.speed_mps = 5, .mu = 0.3};
     constexpr double kEnd_s = 3;
-    const auto opened = PeerScene::open("slideroll", setting);
+    const auto opened = PeerScene::open("slideroll", stepper.setting());
     if (!opened) return stepper.refuse(opened.error());
     ScenarioWorld& world = (*opened)->world;
     const BodyId ball = (*opened)->body("ball");
@@ -130,12 +125,12 @@ Errors run_slide_roll(const Setting& setting, Stepper& stepper) {
 
 // --- a T-handle that turns about its middle axis ---
 
-Errors run_handle(const Setting& setting, Stepper& stepper) {
+Errors run_handle(Stepper& stepper) {
     constexpr double kSeen_s = 10;
     static const FreeBodyDef def = t_handle();
     static const TurningBody expected =
         turned_for({.own_spin_radps = def.spin_radps}, *def.inertia_kgm2, kSeen_s);
-    const auto opened = PeerScene::open("dzhani", setting);
+    const auto opened = PeerScene::open("dzhani", stepper.setting());
     if (!opened) return stepper.refuse(opened.error());
     ScenarioWorld& world = (*opened)->world;
     const BodyId handle = (*opened)->body("handle");
@@ -177,9 +172,9 @@ double depth_m(const ScenarioWorld& world, BodyId upper, BodyId lower) {
     return deepest_m;
 }
 
-Errors run_heavy(const std::string& name, const Setting& setting, Stepper& stepper) {
+Errors run_heavy(const std::string& name, Stepper& stepper) {
     constexpr double kLandedAfter_s = 1;
-    const auto opened = PeerScene::open(name, setting);
+    const auto opened = PeerScene::open(name, stepper.setting());
     if (!opened) return stepper.refuse(opened.error());
     ScenarioWorld& world = (*opened)->world;
     const BodyId lower = (*opened)->body("lower");
@@ -206,8 +201,7 @@ void add_heavy(std::vector<Scenario>& all, int ratio) {
                    .metrics = {{"largest penetration",
                                 "an edge, 1 m; after the first second; fallen off: all of it"},
                                {"height of the upper cube", "1.5 m"}},
-                   .run = [name](const Setting& setting,
-                                 Stepper& stepper) { return run_heavy(name, setting, stepper); },
+                   .run = [name](Stepper& stepper) { return run_heavy(name, stepper); },
                    .peer_scene = name,
                    .knobs = {.most_hz = 480, .doubled = false}});
 }

@@ -53,8 +53,8 @@ double their_error(const Scenario& scenario) {
 }
 
 double our_error(const Scenario& scenario) {
-    Stepper stepper(Stepper::Mode::Errors);
-    return std::abs(scenario.run(kStockBullet, stepper).front());
+    Stepper stepper(Stepper::Mode::Errors, kStockBullet);
+    return std::abs(scenario.run(stepper).front());
 }
 
 const Scenario& peer_scene(const std::string& name) {
@@ -127,18 +127,17 @@ TEST(PeerScenes, OneThatIsNotThereIsRefusedAndSaysSo) {
     const auto none = PeerScene::open("none", {});
     ASSERT_FALSE(none.ok());
     EXPECT_NE(none.error().message.find("none.toml"), std::string::npos) << none.error().message;
-    const Scenario lost{
-        .id = "P none",
-        .metrics = {{"a number", "1"}},
-        .run = [&](const Setting&, Stepper& stepper) { return stepper.refuse(none.error()); }};
+    const Scenario lost{.id = "P none",
+                        .metrics = {{"a number", "1"}},
+                        .run = [&](Stepper& stepper) { return stepper.refuse(none.error()); }};
     const Point point = run_scenario(lost, {}, {.wanted = 1, .budget_s = 0});
     EXPECT_EQ(point.status, RunStatus::Refused);
     EXPECT_EQ(point.why, none.error().message);
 }
 
 TEST(PeerScenes, AChainThatIsSolvedDirectlyDoesNotStretch) {
-    Stepper stepper(Stepper::Mode::Errors);
-    EXPECT_LT(peer_scene("chainv").run({.substeps = 4}, stepper).front(), 1e-5);
+    Stepper stepper(Stepper::Mode::Errors, {.substeps = 4});
+    EXPECT_LT(peer_scene("chainv").run(stepper).front(), 1e-5);
 }
 
 }  // namespace
