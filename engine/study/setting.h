@@ -10,6 +10,7 @@
 namespace plumbline::study {
 
 enum class Precision { Float32, Float64 };
+inline constexpr std::array kPrecisions{Precision::Float32, Precision::Float64};
 template <>
 inline constexpr std::array<std::string_view, 2> kWords<Precision>{"float32", "float64"};
 

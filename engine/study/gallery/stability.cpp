@@ -3,7 +3,7 @@
 #include "engine/core/text/nearest_name.h"
 #include "engine/core/text/text_case.h"
 #include "engine/scene/open_scene.h"
-#include "engine/study/workers/job.h"
+#include "engine/study/workers/worker_pool.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,6 @@
 
 #include "engine/scene/simulation/entity_lookup.h"
 #include "engine/scene/simulation/simulation_archive.h"
-#include "engine/study/workers/job.h"
 #include "engine/study/workers/worker.h"
 #include "engine/study/workers/worker_pool.h"
 

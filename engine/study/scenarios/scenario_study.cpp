@@ -2,7 +2,7 @@
 
 #include "engine/core/time/stopwatch.h"
 #include "engine/study/findings/findings_json_impl.h"
-#include "engine/study/workers/job.h"
+#include "engine/study/workers/worker_pool.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/study/scenes/scene_run.h"
-#include "engine/study/workers/job.h"
+#include "engine/study/workers/worker_pool.h"
 
 #include <functional>
 #include <optional>

@@ -54,7 +54,7 @@ public:
           plan_(options.wall_s.value_or(kWall_s), options.workers, options.progress) {}
 
     Result<SceneStudy> make() {
-        if (const Result<Done> there = check_worker_programs(); !there) return there.error();
+        if (const Result<Done> there = check_programs(); !there) return there.error();
         if (const Result<Done> done = load_title(); !done) return done.error();
         if (const Result<Done> done = probe(); !done) return done.error();
         if (plan_.interrupted()) return finish();

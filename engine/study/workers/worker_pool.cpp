@@ -106,15 +106,12 @@ WorkerPrograms sibling_programs() {
 
 Result<ChildProcess> start_worker(const WorkerPrograms& programs, Precision precision) {
     return ChildProcess::start(
-        {.program = precision == Precision::Float32 ? programs.float32 : programs.float64,
-         .arguments = programs.arguments,
-         .own_group = true});
+        {.program = programs.of(precision), .arguments = programs.arguments, .own_group = true});
 }
 
 Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Precision> needed) {
     for (const Precision precision : needed) {
-        const std::filesystem::path& program =
-            precision == Precision::Float32 ? programs.float32 : programs.float64;
+        const std::filesystem::path& program = programs.of(precision);
         std::error_code error;
         if (std::filesystem::is_regular_file(program, error)) continue;
         return Error{.message = fmt::format("{} runs need the program {}, which is not there; "
@@ -127,10 +124,10 @@ Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Prec
     return Done{};
 }
 
-Result<bool> run_jobs(const WorkerPrograms& programs,
-                      std::span<const Job> jobs,
+Result<bool> run_jobs(std::span<const Job> jobs,
                       int workers,
-                      const std::function<void(std::size_t job, const Answer& answer)>& done) {
+                      const std::function<void(std::size_t job, const Answer& answer)>& done,
+                      const WorkerPrograms& programs) {
     std::vector<Precision> needed;
     for (const Job& job : jobs) {
         if (std::ranges::find(needed, job.precision) == needed.end())
@@ -166,16 +163,6 @@ Result<bool> run_jobs(const WorkerPrograms& programs,
         }
     }
     return true;
-}
-
-Result<Done> check_worker_programs() {
-    return check_programs(sibling_programs(), std::array{Precision::Float32, Precision::Float64});
-}
-
-Result<bool> run_jobs(std::span<const Job> jobs,
-                      int workers,
-                      const std::function<void(std::size_t job, const Answer& answer)>& done) {
-    return run_jobs(sibling_programs(), jobs, workers, done);
 }
 
 int default_workers() {

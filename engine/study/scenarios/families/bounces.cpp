@@ -191,14 +191,18 @@ Scenario elastic_grid() {
 
 }  // namespace
 
-void add_bounces(std::vector<Scenario>& all) {
-    for (const double e : {0.3, 0.5, 0.8, 1.0}) all.push_back(dropped({.height_m = 1, .e = e}));
-    all.push_back(dropped({.height_m = 5, .e = 0.8}));
-    for (const double e : {0.5, 1.0})
-        all.push_back(dropped({.height_m = 2, .e = e, .shape = Drop::Shape::Cube}));
-    for (const double e : {0.5, 0.8}) all.push_back(end_of_bouncing(e));
-    all.push_back(elastic_balls());
-    all.push_back(elastic_grid());
+std::vector<Scenario> bounces_family() {
+    return {dropped({.height_m = 1, .e = 0.3}),
+            dropped({.height_m = 1, .e = 0.5}),
+            dropped({.height_m = 1, .e = 0.8}),
+            dropped({.height_m = 1, .e = 1}),
+            dropped({.height_m = 5, .e = 0.8}),
+            dropped({.height_m = 2, .e = 0.5, .shape = Drop::Shape::Cube}),
+            dropped({.height_m = 2, .e = 1, .shape = Drop::Shape::Cube}),
+            end_of_bouncing(0.5),
+            end_of_bouncing(0.8),
+            elastic_balls(),
+            elastic_grid()};
 }
 
 }  // namespace plumbline::study

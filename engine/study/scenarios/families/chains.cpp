@@ -1,4 +1,5 @@
 // Chains that hang: A14, A15.
+#include "engine/study/scenarios/integrate.h"
 #include "engine/study/scenarios/scenario.h"
 
 #include <fmt/format.h>
@@ -29,15 +30,11 @@ double rod_rad(int i, double pull_N) {
 
 /// The pull at which the chain spans what it spans, by halving.
 double catenary_pull_N() {
-    double low = 1;
-    double high = 1000;
-    for (int i = 0; i < 200; ++i) {
-        const double middle = (low + high) / 2;
+    return threshold_of(1, 1000, 200, [](double pull_N) {
         double span = 0;
-        for (int rod = 0; rod < kRods; ++rod) span += kRod_m * std::cos(rod_rad(rod, middle));
-        (span < kSpan_m ? low : high) = middle;
-    }
-    return (low + high) / 2;
+        for (int rod = 0; rod < kRods; ++rod) span += kRod_m * std::cos(rod_rad(rod, pull_N));
+        return span >= kSpan_m;
+    });
 }
 
 Scenario catenary() {
@@ -154,10 +151,10 @@ Scenario heavy_chain(std::string id, const Hanging& chain, double seconds) {
 
 }  // namespace
 
-void add_chains(std::vector<Scenario>& all) {
-    all.push_back(catenary());
-    all.push_back(heavy_chain("A15 100:1", {10, 0.5, 100}, 5));
-    all.push_back(heavy_chain("A15 1000:1", {50, 0.4, 1000}, 5));
+std::vector<Scenario> chains_family() {
+    return {catenary(),
+            heavy_chain("A15 100:1", {10, 0.5, 100}, 5),
+            heavy_chain("A15 1000:1", {50, 0.4, 1000}, 5)};
 }
 
 }  // namespace plumbline::study

@@ -224,12 +224,8 @@ Scenario orbit() {
 
 }  // namespace
 
-void add_flight(std::vector<Scenario>& all) {
-    all.push_back(projectile());
-    all.push_back(along_a_wall());
-    all.push_back(damped_fall());
-    all.push_back(quadratic_drag());
-    all.push_back(orbit());
+std::vector<Scenario> flight_family() {
+    return {projectile(), along_a_wall(), damped_fall(), quadratic_drag(), orbit()};
 }
 
 }  // namespace plumbline::study

@@ -196,10 +196,15 @@ Scenario cradle(double gap_m) {
 
 }  // namespace
 
-void add_impacts(std::vector<Scenario>& all) {
-    for (const double ratio : {1.0, 10.0, 100.0, 1000.0}) all.push_back(two_balls(ratio));
-    for (const double mu : {0.1, 0.5}) all.push_back(spinning_ball(mu));
-    for (const double gap_m : {0.0, 0.001}) all.push_back(cradle(gap_m));
+std::vector<Scenario> impacts_family() {
+    return {two_balls(1),
+            two_balls(10),
+            two_balls(100),
+            two_balls(1000),
+            spinning_ball(0.1),
+            spinning_ball(0.5),
+            cradle(0),
+            cradle(0.001)};
 }
 
 }  // namespace plumbline::study

@@ -242,13 +242,8 @@ Scenario back_in_time() {
 
 }  // namespace
 
-void add_invariances(std::vector<Scenario>& all) {
-    all.push_back(turned());
-    all.push_back(far_away());
-    all.push_back(carried_along());
-    all.push_back(scaled());
-    all.push_back(made_backwards());
-    all.push_back(back_in_time());
+std::vector<Scenario> invariances_family() {
+    return {turned(), far_away(), carried_along(), scaled(), made_backwards(), back_in_time()};
 }
 
 }  // namespace plumbline::study

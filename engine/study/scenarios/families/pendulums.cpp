@@ -235,12 +235,14 @@ Scenario motor() {
 
 }  // namespace
 
-void add_pendulums(std::vector<Scenario>& all) {
-    for (const double from_deg : {30.0, 90.0, 170.0}) all.push_back(ball_pendulum(from_deg));
-    all.push_back(rod_pendulum());
-    all.push_back(conical_pendulum());
-    all.push_back(damped_spring());
-    all.push_back(motor());
+std::vector<Scenario> pendulums_family() {
+    return {ball_pendulum(30),
+            ball_pendulum(90),
+            ball_pendulum(170),
+            rod_pendulum(),
+            conical_pendulum(),
+            damped_spring(),
+            motor()};
 }
 
 }  // namespace plumbline::study

@@ -214,11 +214,8 @@ Scenario rolling_plate() {
 
 }  // namespace
 
-void add_rolling(std::vector<Scenario>& all) {
-    all.push_back(slide_to_roll());
-    for (const double angle_deg : {10.0, 30.0}) all.push_back(slope(angle_deg));
-    all.push_back(turntable());
-    all.push_back(rolling_plate());
+std::vector<Scenario> rolling_family() {
+    return {slide_to_roll(), slope(10), slope(30), turntable(), rolling_plate()};
 }
 
 }  // namespace plumbline::study

@@ -189,11 +189,8 @@ Scenario spinning_box() {
 
 }  // namespace
 
-void add_sliding(std::vector<Scenario>& all) {
-    all.push_back(sliding_stop());
-    all.push_back(held_on_slope());
-    all.push_back(slides_on_slope());
-    all.push_back(spinning_box());
+std::vector<Scenario> sliding_family() {
+    return {sliding_stop(), held_on_slope(), slides_on_slope(), spinning_box()};
 }
 
 }  // namespace plumbline::study

@@ -12,17 +12,6 @@ namespace plumbline::study {
 
 using physics::BodyId;
 
-double threshold_of(double low,
-                    double high,
-                    int halvings,
-                    const std::function<bool(double)>& holds) {
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = (low + high) / 2;
-        (holds(middle) ? high : low) = middle;
-    }
-    return (low + high) / 2;
-}
-
 double four_balls_mu() {
     return std::sqrt(3.0) - std::sqrt(2.0);
 }
@@ -251,12 +240,8 @@ Scenario beam() {
 
 }  // namespace
 
-void add_supports(std::vector<Scenario>& all) {
-    all.push_back(four_balls());
-    for (const int blocks : {1, 2, 4}) all.push_back(overhang(blocks));
-    all.push_back(tipping_box());
-    all.push_back(tower());
-    all.push_back(beam());
+std::vector<Scenario> supports_family() {
+    return {four_balls(), overhang(1), overhang(2), overhang(4), tipping_box(), tower(), beam()};
 }
 
 }  // namespace plumbline::study

@@ -1,17 +1,10 @@
 // What holds what up: worlds, and the statics of rigid bodies.
 #pragma once
 
+#include "engine/study/scenarios/integrate.h"
 #include "engine/study/scenarios/scenario.h"
 
-#include <functional>
-
 namespace plumbline::study {
-
-/// The value in [low, high] above which `holds` is true, by halving.
-double threshold_of(double low,
-                    double high,
-                    int halvings,
-                    const std::function<bool(double)>& holds);
 
 /// A35: three balls touch on the floor, a fourth lies on them. They stand from these frictions on.
 double four_balls_mu();        ///< between balls, sqrt 3 - sqrt 2

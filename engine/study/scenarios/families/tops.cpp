@@ -297,11 +297,8 @@ Scenario nodding_top() {
 
 }  // namespace
 
-void add_tops(std::vector<Scenario>& all) {
-    all.push_back(three_lengths());
-    all.push_back(free_disc());
-    for (const double spin_radps : {60.0, 100.0}) all.push_back(steady_top(spin_radps));
-    all.push_back(nodding_top());
+std::vector<Scenario> tops_family() {
+    return {three_lengths(), free_disc(), steady_top(60), steady_top(100), nodding_top()};
 }
 
 }  // namespace plumbline::study

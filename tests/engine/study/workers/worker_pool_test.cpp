@@ -21,10 +21,13 @@ Job job(const char* kind, const char* body = "", double limit_s = 30) {
 /// The answers by job; every job has exactly one.
 std::map<std::size_t, Answer> answers_to(const std::vector<Job>& jobs, int workers) {
     std::map<std::size_t, Answer> answers;
-    const Result<bool> all =
-        run_jobs(kFixture, jobs, workers, [&](std::size_t index, const Answer& answer) {
+    const Result<bool> all = run_jobs(
+        jobs,
+        workers,
+        [&](std::size_t index, const Answer& answer) {
             EXPECT_TRUE(answers.emplace(index, answer).second) << "a second answer to " << index;
-        });
+        },
+        kFixture);
     EXPECT_TRUE(all.ok()) << (all.ok() ? "" : all.error().message);
     EXPECT_TRUE(all.ok() && *all);
     EXPECT_EQ(answers.size(), jobs.size());
@@ -91,9 +94,9 @@ TEST(WorkerPool, RefusesWhereAProgramIsMissing) {
     programs.float64 = "/nowhere/plumbline-f64";
     const auto ignore = [](std::size_t, const Answer&) {};
     const std::vector<Job> single{job("echo")};
-    EXPECT_TRUE(run_jobs(programs, single, 1, ignore).ok()) << "nothing needs it";
+    EXPECT_TRUE(run_jobs(single, 1, ignore, programs).ok()) << "nothing needs it";
     const std::vector<Job> jobs{{.kind = "echo", .precision = Precision::Float64}};
-    const Result<bool> all = run_jobs(programs, jobs, 1, ignore);
+    const Result<bool> all = run_jobs(jobs, 1, ignore, programs);
     ASSERT_FALSE(all.ok());
     EXPECT_NE(all.error().message.find("/nowhere/plumbline-f64"), std::string::npos);
 }
@@ -113,11 +116,11 @@ TEST(WorkerPool, AMissingProgramIsNamedWithWhatMakesIt) {
     EXPECT_EQ(missing.error().message,
               "float64 runs need the program /nowhere/plumbline-f64, which is not there; ./play "
               "builds it, and so does `cmake --build` with the target plumbline-f64");
-    const Result<bool> ran =
-        run_jobs(programs,
-                 std::vector{Job{.kind = "echo", .precision = Precision::Float64}},
-                 1,
-                 [](std::size_t, const Answer&) { ADD_FAILURE(); });
+    const Result<bool> ran = run_jobs(
+        std::vector{Job{.kind = "echo", .precision = Precision::Float64}},
+        1,
+        [](std::size_t, const Answer&) { ADD_FAILURE(); },
+        programs);
     EXPECT_FALSE(ran.ok());
 }
 

@@ -58,11 +58,7 @@ double our_error(const Scenario& scenario) {
 }
 
 const Scenario& peer_scene(const std::string& name) {
-    static const std::vector<Scenario> all = [] {
-        std::vector<Scenario> made;
-        add_peer_scenes(made);
-        return made;
-    }();
+    static const std::vector<Scenario> all = peer_scenes_family();
     for (const Scenario& scenario : all) {
         if (scenario.peer_scene == name) return scenario;
     }
@@ -79,8 +75,7 @@ TEST(PeerScenes, StockBulletDoesHereWhatItDidElsewhere) {
 }
 
 TEST(PeerScenes, EveryOneHasFiguresToCompareWith) {
-    std::vector<Scenario> all;
-    add_peer_scenes(all);
+    const std::vector<Scenario> all = peer_scenes_family();
     ASSERT_FALSE(all.empty());
     for (const Scenario& scenario : all) EXPECT_GT(their_error(scenario), 0) << scenario.id;
 }
