@@ -1,6 +1,6 @@
 #include "engine/study/machine.h"
 
-#include "engine/study/workers/job.h"
+#include "engine/study/workers/worker_pool.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

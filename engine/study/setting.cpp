@@ -20,10 +20,6 @@ bool on_demand(const Setting& setting) {
 
 }  // namespace
 
-std::string_view precision_name(Precision precision) {
-    return precision == Precision::Float32 ? "float32" : "float64";
-}
-
 std::string setting_text(const Setting& setting) {
     const std::string substeps =
         on_demand(setting) ? fmt::format("{}-{}", least_substeps(setting), setting.substeps_max)
@@ -32,7 +28,7 @@ std::string setting_text(const Setting& setting) {
         "{} {} Hz x {}", physics::solver_name(setting.solver), setting.step_hz, substeps);
     if (setting.solver != Solver::SmallStep || setting.iterations != 1)
         text += fmt::format(", {} it", setting.iterations);
-    return fmt::format("{}, {}", text, precision_name(setting.precision));
+    return fmt::format("{}, {}", text, word_of(setting.precision));
 }
 
 std::string accuracy_lines(const Setting& setting) {

@@ -3,14 +3,16 @@
 
 #include "engine/physics/physics_world.h"
 #include "engine/scene/accuracy.h"
+#include "engine/study/words.h"
 
 #include <string>
-#include <string_view>
 
 namespace plumbline::study {
 
 enum class Precision { Float32, Float64 };
-std::string_view precision_name(Precision precision);  ///< "float32"
+inline constexpr std::array kPrecisions{Precision::Float32, Precision::Float64};
+template <>
+inline constexpr std::array<std::string_view, 2> kWords<Precision>{"float32", "float64"};
 
 /// A point of the grid of settings.
 struct Setting {

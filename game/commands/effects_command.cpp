@@ -34,7 +34,7 @@ public:
                              .caller = ledger[row].called_for_by.empty()
                                            ? std::string()
                                            : ledger[row].called_for_by.front(),
-                             .domain = std::string(study::domain_name(definition.domain)),
+                             .domain = std::string(study::word_of(definition.domain)),
                              .frame_ms = difference(definition.name, pairs),
                              .calls = ledger[row].calls,
                              .bytes_cpu = ledger[row].bytes_cpu,

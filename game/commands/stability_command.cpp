@@ -7,7 +7,7 @@
 #include "engine/core/text/printable.h"
 #include "engine/study/gallery/stability.h"
 #include "engine/study/machine.h"
-#include "engine/study/workers/job.h"
+#include "engine/study/workers/worker_pool.h"
 #include "game/command_line/program_words.h"
 #include "game/command_line/refuse.h"
 #include "game/command_line/shard_option.h"

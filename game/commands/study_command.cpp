@@ -15,8 +15,8 @@
 #include "engine/study/report/page.h"
 #include "engine/study/scenarios/scenario_study.h"
 #include "engine/study/scenarios/scenario_text.h"
-#include "engine/study/workers/job.h"
 #include "engine/study/workers/shard.h"
+#include "engine/study/workers/worker_pool.h"
 #include "game/command_line/command_line.h"
 #include "game/command_line/option_ranges.h"
 #include "game/command_line/program_words.h"
@@ -342,8 +342,7 @@ ExitCode run_study(const StudyOptions& options) {
     if (options.image) return study_each_scene("--picture", options, add_image);
     const Result<Chosen> chosen = chosen_by(options);
     if (!chosen) return refuse(chosen.error());
-    if (const Result<Done> there = study::check_worker_programs(); !there)
-        return refuse(there.error());
+    if (const Result<Done> there = study::check_programs(); !there) return refuse(there.error());
     const Result<fs::path> folder = output_folder(options);
     if (!folder) return refuse(folder.error());
     study::Findings findings = empty_findings(options);

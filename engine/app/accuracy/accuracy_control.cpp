@@ -75,8 +75,7 @@ void AccuracyControl::forget_other_world() {
 
 Result<Done> AccuracyControl::start_ghost(const study::Setting& setting) {
     forget_other_world();
-    Result<std::unique_ptr<study::Ghost>> started =
-        study::Ghost::start(*session_.simulation, setting);
+    Result<study::Ghost> started = study::Ghost::start(*session_.simulation, setting);
     if (!started) return started.error();
     ghost_ = std::move(*started);
     return Done{};

@@ -8,7 +8,7 @@
 #include "engine/study/ghost/ghost.h"
 
 #include <deque>
-#include <memory>
+#include <optional>
 
 namespace plumbline::app {
 
@@ -45,7 +45,7 @@ public:
     /// As the world runs now.
     study::Setting setting() const { return session_.accuracy(); }
     AccuracyGauges gauges(const FrameClock& clock) const;
-    const study::Ghost* ghost() const { return ghost_.get(); }
+    const study::Ghost* ghost() const { return ghost_ ? &*ghost_ : nullptr; }
 
 private:
     struct Sample {
@@ -61,7 +61,7 @@ private:
 
     Session& session_;
     bool watched_{false};
-    std::unique_ptr<study::Ghost> ghost_;
+    std::optional<study::Ghost> ghost_;
     std::deque<Sample> samples_;
     study::Setting sampled_at_{};
     std::uint64_t generation_{0};  ///< of the world that both belong to

@@ -197,7 +197,7 @@ float draw_accuracy(const AccuracyPanel& shown, float font_px, Requests& request
     ImGui::SameLine();
     text("Writes this setting into a copy of the scene.");
     text(fmt::format("{}; plumbline-f64 runs in double precision",
-                     study::precision_name(setting.precision)));
+                     study::word_of(setting.precision)));
     if (shown.is_hard_case) text("What you throw, push or drop counts in the verdict.");
     ImGui::Separator();
     draw_gauges(shown.control.gauges(shown.clock));

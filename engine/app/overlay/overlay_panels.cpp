@@ -56,7 +56,7 @@ std::vector<HudLine> verdict_lines(const OverlayInput& input) {
     std::vector<HudLine> lines{
         {.text = fmt::format("{}  {}  {:.1f} of {:g} s",
                              hard.id,
-                             open ? "passing so far" : study::verdict_name(judge.verdict()),
+                             open ? "passing so far" : study::word_of(judge.verdict()),
                              std::min(input.simulation.time_s(), hard.seconds),
                              hard.seconds),
          .tone = tone_of(judge.verdict())}};

@@ -2,7 +2,6 @@
 
 #include "engine/core/log.h"
 #include "engine/core/time/stopwatch.h"
-#include "engine/study/auto_preset/auto_fallback.h"
 #include "engine/study/machine.h"
 
 #include <fmt/format.h>
@@ -88,26 +87,22 @@ std::optional<AutoChoice> auto_choice(const SceneStudy& study, const scene::Accu
     return chosen;
 }
 
-scene::Accuracy resolve_auto(const scene::OpenedScene& scene) {
-    const scene::SceneDescription& description = scene.description;
-    if (!leaves_a_choice(description.accuracy)) return description.accuracy;
+Result<scene::Accuracy> studied_accuracy(const scene::OpenedScene& scene) {
+    const scene::Accuracy& asked = scene.description.accuracy;
     const Result<SceneStudy> study = study_of(scene);
-    if (!study) return balanced(description, study.error().message);
+    if (!study) return study.error();
     if (study->seconds < kSecondsLeast)
-        return balanced(description,
-                        fmt::format("there was time for {:.2f} s of it only; `plumbline study` of "
-                                    "this scene takes longer and sees more",
-                                    study->seconds));
-    const std::optional<AutoChoice> choice = auto_choice(*study, description.accuracy);
-    if (!choice)
-        return balanced(description, "no setting that it could choose got through the scene");
+        return Error{.message =
+                         fmt::format("there was time for {:.2f} s of it only; `plumbline study` of "
+                                     "this scene takes longer and sees more",
+                                     study->seconds)};
+    const std::optional<AutoChoice> choice = auto_choice(*study, asked);
+    if (!choice) return Error{.message = "no setting that it could choose got through the scene"};
     if (choice->met) {
-        log_note("preset \"auto\" for {}: {}",
-                 wish_words(description.accuracy),
-                 point_text(choice->point));
+        log_note("preset \"auto\" for {}: {}", wish_words(asked), point_text(choice->point));
     } else {
         log_warning("preset \"auto\" found nothing within {}; the best it saw is {}",
-                    wish_words(description.accuracy),
+                    wish_words(asked),
                     point_text(choice->point));
     }
     return choice->accuracy;

@@ -14,6 +14,9 @@ namespace plumbline::study {
 /// come back, and a warning says why. In float64 always: there the program studies nothing.
 scene::Accuracy resolve_auto(const scene::OpenedScene& scene);
 
+/// The setting that a study of it recommends, as "auto" takes it. The error says why there is none.
+Result<scene::Accuracy> studied_accuracy(const scene::OpenedScene& scene);
+
 /// The study's choice as a scene would give it, over what `asked` leaves open. None: the study has
 /// no setting that agrees with what the file gives.
 struct AutoChoice {

@@ -4,7 +4,6 @@
 #include "engine/core/io/files.h"
 #include "engine/core/limits.h"
 #include "engine/core/log.h"
-#include "engine/scene/formats/json_read.h"
 #include "engine/study/findings/findings_json_impl.h"
 #include "engine/study/machine.h"
 
@@ -14,6 +13,18 @@
 #include <stdexcept>
 
 namespace plumbline::study {
+
+template <>
+inline constexpr std::array<std::string_view, 2> kWords<GridSize>{"full", "quick"};
+
+void fields(const auto& field, Like<CachedStudy> auto& cached) {
+    field("made_on", cached.made_on);
+    field("grid", cached.grid);
+    field("seconds", cached.study.seconds);
+    field("chaotic", cached.study.chaotic);
+    field("subject", cached.study.subject);
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,16 +39,12 @@ std::uint64_t hash_of(const std::string& bytes) {
     return hasher.digest();
 }
 
-Json json_of(const StudyKey& key, const CachedStudy& cached) {
+/// What a study's file begins with.
+Json head_of(const StudyKey& key) {
     return {{"format", kFormat},
             {"scene_hash", hex_of(key.scene)},
             {"program_hash", hex_of(key.program)},
-            {"machine", key.machine},
-            {"made_on", cached.made_on},
-            {"grid", cached.grid == GridSize::Full ? "full" : "quick"},
-            {"seconds", cached.study.seconds},
-            {"chaotic", cached.study.chaotic},
-            {"subject", json_of(cached.study.subject)}};
+            {"machine", key.machine}};
 }
 
 /// As the keys of [accuracy] are checked: the program is about to run at one of these.
@@ -54,14 +61,12 @@ void check(const Setting& setting) {
 }
 
 CachedStudy cached_from(const Json& json, const StudyKey& key) {
-    if (json.at("format") != kFormat || json.at("scene_hash") != hex_of(key.scene) ||
-        json.at("program_hash") != hex_of(key.program) || json.at("machine") != key.machine)
-        throw std::runtime_error("it is of another scene, program or machine");
-    CachedStudy cached{.study = {.subject = subject_from(json.at("subject")),
-                                 .seconds = json.at("seconds"),
-                                 .chaotic = json.at("chaotic")},
-                       .grid = json.at("grid") == "full" ? GridSize::Full : GridSize::Quick,
-                       .made_on = json.at("made_on")};
+    const Json head = head_of(key);
+    for (const auto& [name, value] : head.items()) {
+        if (json.at(name) != value)
+            throw std::runtime_error("it is of another scene, program or machine");
+    }
+    auto cached = json.get<CachedStudy>();
     if (cached.study.subject.points.empty()) throw std::runtime_error("it has no settings");
     for (const Point& point : cached.study.subject.points) check(point.setting);
     if (!std::isfinite(cached.study.seconds) || cached.study.seconds < 0)
@@ -116,9 +121,9 @@ Result<Done> keep_study(const fs::path& folder, const StudyKey& key, const Cache
         const std::optional<CachedStudy> there = find_study(folder, key);
         if (there && there->grid == GridSize::Full) return Done{};
     }
-    const std::string text =
-        json_of(key, study).dump(1, ' ', false, Json::error_handler_t::replace);
-    return write_file_and_folder(study_file(folder, key), fmt::format("{}\n", text));
+    Json json = head_of(key);
+    json.update(Json(study));
+    return write_file_and_folder(study_file(folder, key), text_of(json, 1) + "\n");
 }
 
 }  // namespace plumbline::study

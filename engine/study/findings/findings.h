@@ -21,7 +21,9 @@ enum class Tier {
     SelfConverged,   ///< T4: the same engine in float64 at a far smaller step, shown to converge
     Spread,          ///< T5: no truth: how far perturbed copies lie apart
 };
-std::string_view tier_name(Tier tier);  ///< "T1 closed form"
+template <>
+inline constexpr std::array<std::string_view, 5> kWords<Tier>{
+    "T1 closed form", "T2 two integrators", "T3 conserved", "T4 self-converged", "T5 spread"};
 
 /// One number that is compared with the reference. Errors are relative to `scale`: 0.01 is 1 %.
 struct Metric {
@@ -33,7 +35,9 @@ struct Metric {
 inline constexpr double kFrames_per_s = 60;
 
 enum class RunStatus { Done, NotFinite, Exploded, TimedOut, Crashed, Refused };
-std::string_view status_name(RunStatus status);
+template <>
+inline constexpr std::array<std::string_view, 6> kWords<RunStatus>{
+    "done", "not finite", "exploded", "timed out", "crashed", "refused"};
 
 /// Thread CPU time of stepping only. All zero where nothing ran.
 struct RunCost {
@@ -68,7 +72,9 @@ struct FloorPoint {
 };
 
 enum class Trend { Converges, Stalls, Diverges, Exact, TooFew };
-std::string_view trend_name(Trend trend);  ///< "converges"
+template <>
+inline constexpr std::array<std::string_view, 5> kWords<Trend>{
+    "converges", "stalls", "diverges", "exact", "too few"};
 
 /// How the first metric's error changes with one parameter while the others stay fixed.
 struct Convergence {

@@ -33,15 +33,15 @@ std::string line_of(const Subject& subject,
                                          field(subject.id),
                                          field(metric.name),
                                          field(metric.scale),
-                                         tier_name(subject.tier));
+                                         word_of(subject.tier));
     const std::string how = fmt::format("{},{},{},{},{},{},{},{}",
                                         physics::solver_name(setting.solver),
                                         setting.step_hz,
                                         setting.substeps,
                                         setting.substeps_max,
                                         setting.iterations,
-                                        precision_name(setting.precision),
-                                        status_name(point.status),
+                                        word_of(setting.precision),
+                                        word_of(point.status),
                                         field(point.why));
     const std::string found = std::isfinite(error) ? fmt::format("{}", error) : std::string();
     return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",

@@ -30,7 +30,7 @@ std::string held_text(const Setting& setting, const Knob& knob) {
     if (knob.value != &Setting::iterations &&
         (setting.solver != Solver::SmallStep || setting.iterations != 1))
         words.push_back(fmt::format("{} it", setting.iterations));
-    words.emplace_back(precision_name(setting.precision));
+    words.emplace_back(word_of(setting.precision));
     return fmt::format("{}", fmt::join(words, ", "));
 }
 

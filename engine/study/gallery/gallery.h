@@ -53,7 +53,7 @@ struct CaseResult {
 Result<CaseResult> run_case(const CaseRun& run);
 
 /// The job kind "hard_case" (job.h): a CaseRun as JSON in, a CaseResult as JSON out.
-std::string run_hard_case_job(const std::string& body);
+Result<std::string> run_hard_case_job(const std::string& body);
 std::string case_job_body(const CaseRun& run);
 std::string case_result_json(const CaseResult& result);
 /// Refused: text that is not what case_result_json() writes.

@@ -78,18 +78,6 @@ RuleState state_of(const scene::HardCaseRule& rule, double seconds) {
 
 }  // namespace
 
-std::string_view verdict_name(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::Pass:
-            return "pass";
-        case Verdict::Fail:
-            return "fail";
-        case Verdict::Undecided:
-            break;
-    }
-    return "undecided";
-}
-
 double Allowed::margin(double value) const {
     if (!std::isfinite(value)) return -std::numeric_limits<double>::infinity();
     if (kind == Kind::Near) return 1 - std::abs(value - limit) / within;

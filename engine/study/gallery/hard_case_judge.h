@@ -5,18 +5,19 @@
 #include "engine/core/result.h"
 #include "engine/scene/simulation.h"
 #include "engine/study/gallery/measures.h"
+#include "engine/study/words.h"
 
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace plumbline::study {
 
 enum class Verdict : std::uint8_t { Undecided, Pass, Fail };
-std::string_view verdict_name(Verdict verdict);  ///< "pass"
+template <>
+inline constexpr std::array<std::string_view, 3> kWords<Verdict>{"undecided", "pass", "fail"};
 
 /// What a rule allows.
 struct Allowed {
@@ -30,6 +31,8 @@ struct Allowed {
     /// number.
     double margin(double value) const;
 };
+template <>
+inline constexpr std::array<std::string_view, 3> kWords<Allowed::Kind>{"below", "above", "near"};
 
 /// One rule and how it stands.
 struct RuleState {

@@ -41,6 +41,9 @@ double angle_between_deg(const Vec3d& a, const Vec3d& b) {
 double share_of(double change, double of) {
     return of != 0 ? change / of : change;
 }
+double change_of(const Vec3d& start, const Vec3d& now) {
+    return share_of(glm::distance(now, start), glm::length(start));
+}
 double across(const Vec3d& v) {
     return std::hypot(v.x, v.z);
 }
@@ -91,131 +94,89 @@ double energy_gain(const WorldObservation& look) {
     return (energy_J(look) - look.start.energy_J - look.added_energy_J) / look.start.energy_scale_J;
 }
 
+/// docs/SCENE-FORMAT.md says what each one is.
 const std::array kMeasures{
     // --- of every body named; the worst one counts
-    Measure{"drift_m",
-            "displacement from its start across the vertical",
-            +[](const BodyObservation& body) { return across(moved(body)); }},
+    Measure{"drift_m", +[](const BodyObservation& body) { return across(moved(body)); }},
     Measure{"displacement_m",
-            "displacement from its start",
             +[](const BodyObservation& body) { return glm::length(moved(body)); }},
-    Measure{"sag_m",
-            "displacement down from its start",
-            +[](const BodyObservation& body) { return -moved(body).y; }},
-    Measure{"height_m",
-            "height of its origin",
-            +[](const BodyObservation& body) { return position(body).y; }},
-    Measure{"lowest_m",
-            "least height so far",
-            +[](const BodyObservation& body) { return body.lowest_m; }},
-    Measure{"x_m", "place along x", +[](const BodyObservation& body) { return position(body).x; }},
-    Measure{"z_m", "place along z", +[](const BodyObservation& body) { return position(body).z; }},
-    Measure{"from_axis_m",
-            "distance from the vertical through the origin",
-            +[](const BodyObservation& body) { return across(position(body)); }},
+    Measure{"sag_m", +[](const BodyObservation& body) { return -moved(body).y; }},
+    Measure{"height_m", +[](const BodyObservation& body) { return position(body).y; }},
+    Measure{"lowest_m", +[](const BodyObservation& body) { return body.lowest_m; }},
+    Measure{"x_m", +[](const BodyObservation& body) { return position(body).x; }},
+    Measure{"z_m", +[](const BodyObservation& body) { return position(body).z; }},
+    Measure{"from_axis_m", +[](const BodyObservation& body) { return across(position(body)); }},
     Measure{"reach_m",
-            "height that it would rise to",
             +[](const BodyObservation& body) {
                 const double up = velocity(body).y;
                 return position(body).y + up * up / (2 * body.gravity_mps2);
             }},
-    Measure{"speed_mps",
-            "speed",
-            +[](const BodyObservation& body) { return glm::length(velocity(body)); }},
-    Measure{"speed_x_mps",
-            "speed along x",
-            +[](const BodyObservation& body) { return velocity(body).x; }},
-    Measure{"up_speed_mps",
-            "speed upwards",
-            +[](const BodyObservation& body) { return velocity(body).y; }},
+    Measure{"speed_mps", +[](const BodyObservation& body) { return glm::length(velocity(body)); }},
+    Measure{"speed_x_mps", +[](const BodyObservation& body) { return velocity(body).x; }},
+    Measure{"up_speed_mps", +[](const BodyObservation& body) { return velocity(body).y; }},
     Measure{"horizontal_speed_mps",
-            "speed across the vertical",
             +[](const BodyObservation& body) { return across(velocity(body)); }},
     Measure{"speed_change",
-            "speed against the start's, as a share",
             +[](const BodyObservation& body) {
                 const double before = glm::length(start_velocity(body));
                 return std::abs(share_of(glm::length(velocity(body)) - before, before));
             }},
     Measure{"heading_deg",
-            "turn of its course across the vertical",
             +[](const BodyObservation& body) {
                 const Vec3d now = velocity(body);
                 const Vec3d then = start_velocity(body);
                 return angle_between_deg({now.x, 0, now.z}, {then.x, 0, then.z});
             }},
     Measure{"spin_radps",
-            "rate of turning",
             +[](const BodyObservation& body) {
                 return glm::length(Vec3d{body.now.angular_velocity_radps});
             }},
     Measure{"tilt_deg",
-            "how far its upright leans",
             +[](const BodyObservation& body) {
                 return angle_between_deg(turned(body) * Vec3d{0, 1, 0}, {0, 1, 0});
             }},
-    Measure{"awake",
-            "1 while awake, 0 asleep",
-            +[](const BodyObservation& body) { return body.now.awake ? 1.0 : 0.0; }},
-    Measure{"impulse_Ns", "contact impulse of a step", &impulse_Ns},
+    Measure{"awake", +[](const BodyObservation& body) { return body.now.awake ? 1.0 : 0.0; }},
+    Measure{"impulse_Ns", &impulse_Ns},
     // --- of all bodies named together
-    Measure{"mean_displacement_m", "mean displacement from the start", &mean_displacement_m},
-    Measure{"mean_height_m", "mean height", &mean_height_m},
-    Measure{"heap_slope_deg", "slope of the heap", &heap_slope_deg},
+    Measure{"mean_displacement_m", &mean_displacement_m},
+    Measure{"mean_height_m", &mean_height_m},
+    Measure{"heap_slope_deg", &heap_slope_deg},
     // --- of joints
-    Measure{"joint_error_m",
-            "how far the joint is from what it forbids",
-            +[](const physics::JointState& joint) { return joint.error_m; }},
+    Measure{"joint_error_m", +[](const physics::JointState& joint) { return joint.error_m; }},
     Measure{"joint_force_N",
-            "force that the joint carries",
             +[](const physics::JointState& joint) { return static_cast<double>(joint.force_N); }},
     Measure{"joint_angle_deg",
-            "angle of the joint",
             +[](const physics::JointState& joint) {
                 return kDegrees * static_cast<double>(joint.position);
             }},
     Measure{"joint_displacement_m",
-            "displacement or length of the joint",
             +[](const physics::JointState& joint) { return static_cast<double>(joint.position); }},
     // --- of the world
     Measure{"max_joint_error_m",
-            "worst joint",
             +[](const WorldObservation& look) { return look.world.max_joint_error_m(); }},
     Measure{"penetration_m",
-            "deepest contact",
             +[](const WorldObservation& look) { return look.world.max_penetration_m(); }},
-    Measure{"energy_gain", "energy above the start's and what was put in", &energy_gain},
-    Measure{"energy_loss",
-            "energy below the start's and what was put in",
-            +[](const WorldObservation& look) { return -energy_gain(look); }},
+    Measure{"energy_gain", &energy_gain},
+    Measure{"energy_loss", +[](const WorldObservation& look) { return -energy_gain(look); }},
     Measure{
         "braked_share",
-        "energy that the guard took out, as a share of the start's",
         +[](const WorldObservation& look) { return look.braked_J / look.start.energy_scale_J; }},
     Measure{"kinetic_J",
-            "kinetic energy",
             +[](const WorldObservation& look) { return look.world.energy().kinetic_J; }},
     Measure{"momentum_change",
-            "change of momentum, as a share of the start's",
             +[](const WorldObservation& look) {
-                return share_of(
-                    glm::distance(look.world.momentum_kgmps(), look.start.momentum_kgmps),
-                    glm::length(look.start.momentum_kgmps));
+                return change_of(look.start.momentum_kgmps, look.world.momentum_kgmps());
             }},
     Measure{"angular_momentum_change",
-            "change of angular momentum, as a share of the start's",
             +[](const WorldObservation& look) {
-                return share_of(glm::distance(look.world.angular_momentum_kgm2ps(),
-                                              look.start.angular_momentum_kgm2ps),
-                                glm::length(look.start.angular_momentum_kgm2ps));
+                return change_of(look.start.angular_momentum_kgm2ps,
+                                 look.world.angular_momentum_kgm2ps());
             }},
     Measure{"non_finite",
-            "bodies taken out because they were not finite",
             +[](const WorldObservation& look) {
                 return static_cast<double>(look.world.quarantined().size());
             }},
     Measure{"removed",
-            "bodies that fell out of the world",
             +[](const WorldObservation& look) { return static_cast<double>(look.removed); }},
 };
 

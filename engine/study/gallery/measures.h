@@ -55,8 +55,7 @@ using JointMeasure = double (*)(const physics::JointState&);
 using WorldMeasure = double (*)(const WorldObservation&);
 
 struct Measure {
-    std::string_view name;   ///< as scene files write it, the unit at its end
-    std::string_view words;  ///< "displacement from its start across the vertical"
+    std::string_view name;  ///< as scene files write it, the unit at its end
     std::variant<BodyMeasure, BodiesMeasure, JointMeasure, WorldMeasure> value;
 };
 

@@ -3,7 +3,7 @@
 #include "engine/core/text/nearest_name.h"
 #include "engine/core/text/text_case.h"
 #include "engine/scene/open_scene.h"
-#include "engine/study/workers/job.h"
+#include "engine/study/workers/worker_pool.h"
 
 #include <fmt/format.h>
 
@@ -74,18 +74,11 @@ std::string red_fault(const RuleResult& rule, std::span<const scene::HardCaseRed
 }
 
 CaseResult result_of(const Answer& answer) {
-    switch (answer.status) {
-        case AnswerStatus::Done:
-            if (Result<CaseResult> result = parse_case_result(answer.body)) return *result;
-            return {.why = "its worker's answer cannot be read"};
-        case AnswerStatus::TimedOut:
-            return {.gave_up = true, .why = "took too long"};
-        case AnswerStatus::Crashed:
-            return {.why = "its worker crashed: " + answer.body};
-        case AnswerStatus::Failed:
-            break;
-    }
-    return {.why = answer.body};
+    if (answer.status == RunStatus::TimedOut) return {.gave_up = true, .why = "took too long"};
+    if (answer.status == RunStatus::Crashed) return {.why = "its worker crashed: " + answer.body};
+    if (answer.status != RunStatus::Done) return {.why = answer.body};
+    if (Result<CaseResult> result = parse_case_result(answer.body)) return *result;
+    return {.why = "its worker's answer cannot be read"};
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // The stability table as JSON, and as the page that shows it.
-#include "engine/scene/formats/json_read.h"
 #include "engine/study/findings/findings_json_impl.h"
 #include "engine/study/gallery/stability.h"
 #include "engine/study/report/page.h"
@@ -32,7 +31,7 @@ Json known_red(const scene::HardCase& hard) {
     Json reds = Json::array();
     for (const scene::HardCaseRed& red : hard.known_red)
         reds.push_back({{"rule", red.rule},
-                        {"reached", red.gone ? Json(nullptr) : study::json_of(red.reached)},
+                        {"reached", red.gone ? Json(nullptr) : Json(red.reached)},
                         {"why", red.why}});
     return reds;
 }
@@ -56,8 +55,7 @@ Json table_json(const StabilityTable& table) {
               {"build", table.build},
               {"made_on", table.made_on},
               {"complete", table.complete}};
-    if (const auto& shard = table.shard)
-        json["shard"] = {{"index", shard->index}, {"of", shard->of}, {"what", shard->what}};
+    if (table.shard) json["shard"] = *table.shard;
     Json& cases = json["cases"] = Json::array();
     for (const CaseEntry& entry : table.cases)
         cases.push_back({{"id", entry.hard.id},
@@ -71,14 +69,10 @@ Json table_json(const StabilityTable& table) {
     return json;
 }
 
-std::string text_of(const Json& json, int indent) {
-    return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 }  // namespace
 
 std::string stability_json(const StabilityTable& table) {
-    return text_of(table_json(table), 1);
+    return text_of(table_json(table), 1) + "\n";
 }
 
 Result<std::string> stability_page(const StabilityTable& table) {
@@ -88,7 +82,7 @@ Result<std::string> stability_page(const StabilityTable& table) {
     for (std::size_t i = 0; i < table.images.size(); ++i) {
         if (!table.images[i].empty()) images[table.cases[i].hard.id] = base64(table.images[i]);
     }
-    return report_page(text_of(json, -1));
+    return report_page(text_of(json) + "\n");
 }
 
 }  // namespace plumbline::study

@@ -1,40 +1,37 @@
 // Stability tables that several machines made, as one.
-#include "engine/scene/formats/json_read.h"
+#include "engine/study/findings/findings_json_impl.h"
 #include "engine/study/gallery/stability.h"
 #include "engine/study/workers/shard.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 namespace plumbline::study {
-namespace {
 
-using TableJson = nlohmann::json;
+/// What every run in a table begins with.
+struct RunHead {
+    std::string id;  ///< of its case
+    physics::Solver solver{};
+    int step_hz{0};
+};
+
+void fields(const auto& field, Like<RunHead> auto& run) {
+    field("case", run.id);
+    field("solver", run.solver);
+    field("step_hz", run.step_hz);
+}
+
+namespace {
 
 Error no_table(std::string_view why) {
     return {.message = fmt::format("not what `plumbline stability` writes: {}", why),
             .exit_code = ExitCode::Refused};
 }
 
-Result<std::vector<TableJson>> read_tables(std::span<const std::string> texts) {
-    std::vector<TableJson> tables;
-    for (const std::string& text : texts) {
-        try {
-            tables.push_back(scene::read_json<TableJson>(text));
-        } catch (const std::exception& fault) {
-            return no_table(fault.what());
-        }
-    }
-    return tables;
-}
-
-ShardHead head_of(const TableJson& table) {
+ShardHead head_of(const Json& table) {
     ShardHead head{.build = table.at("build"), .complete = table.at("complete")};
-    if (!table.contains("shard")) return head;
-    const TableJson& shard = table.at("shard");
-    head.shard = Shard{.index = shard.at("index"), .of = shard.at("of"), .what = shard.at("what")};
+    FieldReader{table}("shard", head.shard);
     return head;
 }
 
@@ -43,21 +40,15 @@ void add_new(std::vector<T>& all, const T& one) {
     if (std::ranges::find(all, one) == all.end()) all.push_back(one);
 }
 
-physics::Solver solver_called(const std::string& name) {
-    const auto solver = physics::solver_from_name(name);
-    if (!solver) throw std::invalid_argument(fmt::format("unknown solver \"{}\"", name));
-    return *solver;
-}
-
 /// The whole's plan: every shard lists all runs, and the results of its own.
-StabilityTable plan_of(const TableJson& json, const std::vector<CaseEntry>& all) {
+StabilityTable plan_of(const Json& json, const std::vector<CaseEntry>& all) {
     std::vector<std::string> ids;
     std::vector<physics::Solver> solvers;
     std::vector<int> rates_hz;
-    for (const TableJson& run : json.at("runs")) {
-        add_new(ids, run.at("case").get<std::string>());
-        add_new(solvers, solver_called(run.at("solver")));
-        add_new(rates_hz, run.at("step_hz").get<int>());
+    for (const auto& run : json.at("runs").get<std::vector<RunHead>>()) {
+        add_new(ids, run.id);
+        add_new(solvers, run.solver);
+        add_new(rates_hz, run.step_hz);
     }
     std::vector<CaseEntry> cases;
     for (const std::string& id : ids) {
@@ -73,16 +64,15 @@ StabilityTable plan_of(const TableJson& json, const std::vector<CaseEntry>& all)
     return table;
 }
 
-void take_results(StabilityTable& table, const TableJson& json) {
-    for (const TableJson& run : json.at("runs")) {
-        const auto is_it = [&](const StabilityRun& own) {
-            return table.cases[own.entry].hard.id == run.at("case") &&
-                   physics::solver_name(own.solver) == run.at("solver") &&
-                   own.step_hz == run.at("step_hz");
-        };
+void take_results(StabilityTable& table, const Json& json) {
+    for (const Json& run : json.at("runs")) {
         if (run.at("result").is_null()) continue;
+        const auto head = run.get<RunHead>();
+        const auto own = std::ranges::find_if(table.runs, [&](const StabilityRun& each) {
+            return table.cases[each.entry].hard.id == head.id && each.solver == head.solver &&
+                   each.step_hz == head.step_hz;
+        });
         Result<CaseResult> result = parse_case_result(run.at("result").dump());
-        const auto own = std::ranges::find_if(table.runs, is_it);
         if (!result || own == table.runs.end())
             throw std::invalid_argument(result ? "a run that the others do not know"
                                                : result.error().message);
@@ -94,16 +84,18 @@ void take_results(StabilityTable& table, const TableJson& json) {
 
 Result<StabilityTable> merged_tables(std::span<const std::string> jsons,
                                      const std::vector<CaseEntry>& all) {
-    const Result<std::vector<TableJson>> tables = read_tables(jsons);
-    if (!tables) return tables.error();
     try {
+        std::vector<Json> tables;
         std::vector<ShardHead> heads;
-        for (const TableJson& table : *tables) heads.push_back(head_of(table));
+        for (const std::string& json : jsons) {
+            tables.push_back(scene::read_json<Json>(json));
+            heads.push_back(head_of(tables.back()));
+        }
         const Result<std::vector<std::size_t>> order = order_of_shards(heads);
         if (!order) return order.error();
-        StabilityTable whole = plan_of(tables->front(), all);
+        StabilityTable whole = plan_of(tables.front(), all);
         whole.command = heads.front().shard->what;
-        for (const std::size_t at : *order) take_results(whole, (*tables)[at]);
+        for (const std::size_t at : *order) take_results(whole, tables[at]);
         for (const StabilityRun& run : whole.runs) {
             if (!run.result)
                 return no_table(fmt::format("no shard has made {} with {} at {} Hz",

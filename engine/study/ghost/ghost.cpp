@@ -2,7 +2,6 @@
 
 #include "engine/scene/simulation/entity_lookup.h"
 #include "engine/scene/simulation/simulation_archive.h"
-#include "engine/study/workers/job.h"
 #include "engine/study/workers/worker.h"
 #include "engine/study/workers/worker_pool.h"
 
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
 
 namespace plumbline::study {
 namespace {
@@ -23,86 +21,58 @@ constexpr double kLongestLag_s = 30;
 
 }  // namespace
 
-struct Ghost::Impl {
-    /// The visible world at an instant that the ghost has yet to reach.
-    struct Observation {
-        double time_s{0};
-        double cpu_ms{0};  ///< of the steps since the look before
-        std::vector<Vec3d> positions_m;
-    };
+void Ghost::ask(const std::string& body) {
+    waiting_ = worker_->send_line(job_line({.kind = "ghost", .body = body}));
+    if (!waiting_) fail(fmt::format("its process {}", worker_->end().words));
+}
 
-    Setting setting;
-    std::optional<ChildProcess> worker;
-    std::string received;
-    bool waiting{false};  ///< for an answer
-    bool ready{false};    ///< the first answer came
-    std::deque<Observation> observations;
-    double observed_s{0};
-    double cpu_ms{0};
-    double asked_s{0};  ///< where the ghost is or is on its way to
-    GhostState latest;
-    std::vector<physics::BodyId> bodies;
-    std::vector<GhostDistance> history;
-    std::string failure;
+void Ghost::ask_next() {
+    if (waiting_ || observations_.empty() || !failure_.empty()) return;
+    const double seconds = observations_.front().time_s - asked_s_;
+    asked_s_ = observations_.front().time_s;
+    ask(go_on_body(seconds));
+}
 
-    void ask(const std::string& body) {
-        waiting = worker->send_line(job_line({.kind = "ghost", .body = body}));
-        if (!waiting) fail(fmt::format("its process {}", worker->end().words));
-    }
-    void ask_next() {
-        if (waiting || observations.empty() || !failure.empty()) return;
-        const double seconds = observations.front().time_s - asked_s;
-        asked_s = observations.front().time_s;
-        ask(go_on_body(seconds));
-    }
-    void fail(const std::string& why) {
-        failure = why;
-        worker.reset();
-        observations.clear();
-    }
-    void take(GhostState state);
-};
+void Ghost::fail(const std::string& why) {
+    failure_ = why;
+    worker_.reset();
+    observations_.clear();
+}
 
-void Ghost::Impl::take(GhostState state) {
-    latest = std::move(state);
+void Ghost::take(GhostState state) {
+    latest_ = std::move(state);
     // The answer to the start belongs to no look.
-    if (observations.empty() ||
-        latest.time_s < observations.front().time_s - kGhostObservedEvery_s / 4)
+    if (observations_.empty() ||
+        latest_.time_s < observations_.front().time_s - kGhostObservedEvery_s / 4)
         return;
-    const Observation observed = std::move(observations.front());
-    observations.pop_front();
+    const Observation observed = std::move(observations_.front());
+    observations_.pop_front();
     GhostDistance distance{.time_s = observed.time_s};
-    const std::size_t count = std::min(observed.positions_m.size(), latest.bodies.size());
+    const std::size_t count = std::min(observed.positions_m.size(), latest_.bodies.size());
     for (std::size_t i = 0; i < count; ++i) {
-        const double apart = glm::distance(observed.positions_m[i], latest.bodies[i].position_m);
+        const double apart = glm::distance(observed.positions_m[i], latest_.bodies[i].position_m);
         distance.largest_m = std::max(distance.largest_m, apart);
         distance.mean_m += apart / static_cast<double>(count);
     }
     distance.visible_ms_per_s = observed.cpu_ms / kGhostObservedEvery_s;
-    distance.ghost_ms_per_s = latest.cpu_ms / kGhostObservedEvery_s;
-    history.push_back(distance);
-    if (history.front().time_s < observed.time_s - kHistory_s) history.erase(history.begin());
+    distance.ghost_ms_per_s = latest_.cpu_ms / kGhostObservedEvery_s;
+    history_.push_back(distance);
+    if (history_.front().time_s < observed.time_s - kHistory_s) history_.erase(history_.begin());
 }
 
-Ghost::Ghost() : impl_(std::make_unique<Impl>()) {}
-Ghost::~Ghost() = default;
-
-Result<std::unique_ptr<Ghost>> Ghost::start(scene::Simulation& simulation, const Setting& setting) {
+Result<Ghost> Ghost::start(scene::Simulation& simulation, const Setting& setting) {
     const WorkerPrograms programs = sibling_programs();
     if (const Result<Done> there = check_programs(programs, std::array{setting.precision}); !there)
         return there.error();
     Result<ChildProcess> worker = start_worker(programs, setting.precision);
     if (!worker) return worker.error();
-    std::unique_ptr<Ghost> ghost(new Ghost);
-    Impl& impl = *ghost->impl_;
-    impl.setting = setting;
-    impl.worker.emplace(std::move(*worker));
+    Ghost ghost(std::move(*worker), setting);
     GhostStart start{
         .scene = simulation.description().file, .setting = setting, .time_s = simulation.time_s()};
     for (const scene::MovingBody& moving : simulation.moving_bodies()) {
         if (!simulation.physics.contains(moving.body)) continue;
         const physics::BodyState state = simulation.physics.state(moving.body);
-        impl.bodies.push_back(moving.body);
+        ghost.bodies_.push_back(moving.body);
         start.bodies.push_back({.name = name_of_mark(simulation, scene::mark_of(moving.entity)),
                                 .position_m = Vec3d(state.world_from_body.position),
                                 .orientation = Quatd(state.world_from_body.orientation)});
@@ -110,78 +80,56 @@ Result<std::unique_ptr<Ghost>> Ghost::start(scene::Simulation& simulation, const
     Archive archive;
     serialize_bodies_of_scene(simulation, archive);
     start.state = archive.take();
-    impl.latest = {.time_s = start.time_s, .bodies = start.bodies};
-    impl.observed_s = impl.asked_s = start.time_s;
-    impl.ask(start_body(start));
+    ghost.latest_ = {.time_s = start.time_s, .bodies = start.bodies};
+    ghost.observed_s_ = ghost.asked_s_ = start.time_s;
+    ghost.ask(start_body(start));
     return ghost;
 }
 
 void Ghost::follow(const scene::Simulation& simulation) {
-    Impl& impl = *impl_;
-    if (!impl.failure.empty()) return;
-    impl.cpu_ms += simulation.physics.cost().total_ms;
-    if (simulation.time_s() < impl.observed_s + kGhostObservedEvery_s - simulation.step_s() / 4)
-        return;
-    impl.observed_s = simulation.time_s();
-    Impl::Observation observed{.time_s = impl.observed_s, .cpu_ms = impl.cpu_ms};
-    impl.cpu_ms = 0;
-    for (std::size_t i = 0; i < impl.bodies.size(); ++i) {
-        const bool there = simulation.physics.contains(impl.bodies[i]);
+    if (!failure_.empty()) return;
+    cpu_ms_ += simulation.physics.cost().total_ms;
+    if (simulation.time_s() < observed_s_ + kGhostObservedEvery_s - simulation.step_s() / 4) return;
+    observed_s_ = simulation.time_s();
+    Observation observed{.time_s = observed_s_, .cpu_ms = cpu_ms_};
+    cpu_ms_ = 0;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const bool there = simulation.physics.contains(bodies_[i]);
         observed.positions_m.push_back(
-            there ? Vec3d(simulation.physics.state(impl.bodies[i]).world_from_body.position)
-                  : impl.latest.bodies[i].position_m);
+            there ? Vec3d(simulation.physics.state(bodies_[i]).world_from_body.position)
+                  : latest_.bodies[i].position_m);
     }
-    impl.observations.push_back(std::move(observed));
+    observations_.push_back(std::move(observed));
     if (behind_s() > kLongestLag_s)
-        impl.fail(fmt::format("it fell {:g} s behind: too fine for this machine", kLongestLag_s));
-    impl.ask_next();
+        fail(fmt::format("it fell {:g} s behind: too fine for this machine", kLongestLag_s));
+    ask_next();
 }
 
 void Ghost::take_answers() {
-    Impl& impl = *impl_;
-    while (impl.waiting && impl.failure.empty()) {
-        if (!impl.worker->has_output()) return;
-        const bool open = impl.worker->receive(impl.received);
-        const std::size_t end = impl.received.find('\n');
+    while (waiting_ && failure_.empty()) {
+        if (!worker_->has_output()) return;
+        const bool open = worker_->receive(received_);
+        const std::size_t end = received_.find('\n');
         if (end == std::string::npos) {
-            if (!open) impl.fail(fmt::format("its process {}", impl.worker->end().words));
+            if (!open) fail(fmt::format("its process {}", worker_->end().words));
             return;
         }
-        const Result<Answer> answer = parse_answer_line(impl.received.substr(0, end));
-        impl.received.erase(0, end + 1);
-        impl.waiting = false;
-        if (!answer || answer->status != AnswerStatus::Done)
-            return impl.fail(answer ? answer->body : answer.error().message);
+        const Result<Answer> answer = parse_answer_line(received_.substr(0, end));
+        received_.erase(0, end + 1);
+        waiting_ = false;
+        if (!answer || answer->status != RunStatus::Done)
+            return fail(answer ? answer->body : answer.error().message);
         Result<GhostState> state = parse_ghost_state(answer->body);
-        if (!state || state->bodies.size() != impl.bodies.size())
-            return impl.fail(state ? "its bodies are not ours" : state.error().message);
-        impl.ready = true;
-        impl.take(std::move(*state));
-        impl.ask_next();
+        if (!state || state->bodies.size() != bodies_.size())
+            return fail(state ? "its bodies are not ours" : state.error().message);
+        ready_ = true;
+        take(std::move(*state));
+        ask_next();
     }
 }
 
-bool Ghost::ready() const {
-    return impl_->ready;
-}
-const GhostState& Ghost::latest() const {
-    return impl_->latest;
-}
-std::span<const physics::BodyId> Ghost::bodies() const {
-    return impl_->bodies;
-}
-std::span<const GhostDistance> Ghost::history() const {
-    return impl_->history;
-}
-const Setting& Ghost::setting() const {
-    return impl_->setting;
-}
 double Ghost::behind_s() const {
-    return impl_->observations.empty() ? 0
-                                       : impl_->observations.back().time_s - impl_->latest.time_s;
-}
-const std::string& Ghost::failure() const {
-    return impl_->failure;
+    return observations_.empty() ? 0 : observations_.back().time_s - latest_.time_s;
 }
 
 }  // namespace plumbline::study

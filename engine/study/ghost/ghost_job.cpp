@@ -1,9 +1,7 @@
-#include "engine/scene/formats/json_read.h"
 #include "engine/scene/simulation/simulation_archive.h"
+#include "engine/study/findings/findings_json_impl.h"
 #include "engine/study/ghost/ghost_state.h"
 #include "engine/study/played_scene.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -15,8 +13,6 @@
 
 namespace plumbline::study {
 namespace {
-
-using nlohmann::json;
 
 /// The ghost's world, stepped as the programs step theirs.
 class GhostWorld {
@@ -82,23 +78,6 @@ private:
     std::vector<GhostBody> last_;
 };
 
-void write(json& list, const Vec3d& v) {
-    for (int i = 0; i < 3; ++i) list.push_back(v[i]);
-}
-void write(json& list, const Quatd& q) {
-    for (const double part : {q.w, q.x, q.y, q.z}) list.push_back(part);
-}
-Vec3d read_vector(const json& list, std::size_t at) {
-    return {
-        list.at(at).get<double>(), list.at(at + 1).get<double>(), list.at(at + 2).get<double>()};
-}
-Quatd read_turn(const json& list, std::size_t at) {
-    return {list.at(at).get<double>(),
-            list.at(at + 1).get<double>(),
-            list.at(at + 2).get<double>(),
-            list.at(at + 3).get<double>()};
-}
-
 /// JSON holds text only.
 std::string hex_of_bytes(std::string_view bytes) {
     constexpr std::string_view kDigits = "0123456789abcdef";
@@ -121,96 +100,58 @@ std::string bytes_of_hex(std::string_view hex) {
     return bytes;
 }
 
-json setting_json(const Setting& setting) {
-    return {{"solver", physics::solver_name(setting.solver)},
-            {"step_hz", setting.step_hz},
-            {"substeps", setting.substeps},
-            {"substeps_max", setting.substeps_max},
-            {"iterations", setting.iterations}};
-}
-
-GhostStart parse_start(const json& from) {
-    const json& setting = from.at("setting");
-    const auto solver = physics::solver_from_name(setting.at("solver").get<std::string>());
-    if (!solver) throw std::runtime_error("no such solver");
-    GhostStart start{.scene = from.at("scene").get<std::string>(),
-                     .setting = {.solver = *solver,
-                                 .step_hz = setting.at("step_hz").get<int>(),
-                                 .substeps = setting.at("substeps").get<int>(),
-                                 .substeps_max = setting.at("substeps_max").get<int>(),
-                                 .iterations = setting.at("iterations").get<int>()},
-                     .time_s = from.at("time_s").get<double>(),
-                     .state = bytes_of_hex(from.at("world").get<std::string>())};
-    for (const json& body : from.at("bodies")) {
-        const json& numbers = body.at("state");
-        start.bodies.push_back({.name = body.at("name").get<std::string>(),
-                                .position_m = read_vector(numbers, 0),
-                                .orientation = read_turn(numbers, 3)});
-    }
-    return start;
-}
-
-std::string state_body(const GhostState& state) {
-    json poses = json::array();
-    for (const GhostBody& body : state.bodies) {
-        write(poses, body.position_m);
-        write(poses, body.orientation);
-    }
-    return json{{"time_s", state.time_s}, {"cpu_ms", state.cpu_ms}, {"poses", std::move(poses)}}
-        .dump();
-}
-
 }  // namespace
 
+void fields(const auto& field, Like<GhostBody> auto& body) {
+    field("name", body.name);
+    field("position_m", body.position_m);
+    field("orientation", body.orientation);
+}
+
+/// All but the state, which is no text.
+void fields(const auto& field, Like<GhostStart> auto& start) {
+    field("scene", start.scene);
+    field("setting", start.setting);
+    field("time_s", start.time_s);
+    field("bodies", start.bodies);
+}
+
+void fields(const auto& field, Like<GhostState> auto& state) {
+    field("time_s", state.time_s);
+    field("bodies", state.bodies);
+    field("cpu_ms", state.cpu_ms);
+}
+
 std::string start_body(const GhostStart& start) {
-    json bodies = json::array();
-    for (const GhostBody& body : start.bodies) {
-        json numbers = json::array();
-        write(numbers, body.position_m);
-        write(numbers, body.orientation);
-        bodies.push_back({{"name", body.name}, {"state", std::move(numbers)}});
-    }
-    return json{{"start",
-                 {{"scene", start.scene.string()},
-                  {"setting", setting_json(start.setting)},
-                  {"time_s", start.time_s},
-                  {"bodies", std::move(bodies)},
-                  {"world", hex_of_bytes(start.state)}}}}
-        .dump(-1, ' ', false, json::error_handler_t::replace);
+    Json body{{"start", start}};
+    body["start"]["world"] = hex_of_bytes(start.state);
+    return text_of(body);
 }
 
 std::string go_on_body(double seconds) {
-    return json{{"go_on_s", seconds}}.dump();
+    return text_of(Json{{"go_on_s", seconds}});
 }
 
 Result<GhostState> parse_ghost_state(const std::string& body) {
-    constexpr std::size_t kNumbers = 7;
-    try {
-        const json from = scene::read_json<json>(body);
-        GhostState state{.time_s = from.at("time_s").get<double>(),
-                         .cpu_ms = from.at("cpu_ms").get<double>()};
-        const json& poses = from.at("poses");
-        for (std::size_t at = 0; at + kNumbers <= poses.size(); at += kNumbers) {
-            state.bodies.push_back(
-                {.position_m = read_vector(poses, at), .orientation = read_turn(poses, at + 3)});
-        }
-        return state;
-    } catch (const std::exception&) {
+    Result<GhostState> state = read_text<GhostState>(body, "no state");
+    if (!state)
         return Error{.message = "the ghost's process answered with something that is no state"};
-    }
+    return state;
 }
 
 RunJob ghost_jobs() {
-    return [world = std::make_shared<std::optional<GhostWorld>>()](const std::string& body) {
-        const json asked = scene::read_json<json>(body);
+    return [world = std::make_shared<std::optional<GhostWorld>>()](
+               const std::string& body) -> Result<std::string> {
+        const Json asked = scene::read_json<Json>(body);
         if (asked.contains("start")) {
             world->reset();
-            const GhostStart start = parse_start(asked.at("start"));
+            auto start = asked.at("start").get<GhostStart>();
+            start.state = bytes_of_hex(asked.at("start").at("world").get<std::string>());
             world->emplace(start);
-            return state_body({.time_s = start.time_s, .bodies = start.bodies});
+            return text_of(Json(GhostState{.time_s = start.time_s, .bodies = start.bodies}));
         }
         if (!*world) throw std::runtime_error("a ghost goes on only after it was started");
-        return state_body((*world)->go_on(asked.at("go_on_s").get<double>()));
+        return text_of(Json((*world)->go_on(asked.at("go_on_s").get<double>())));
     };
 }
 

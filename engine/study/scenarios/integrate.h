@@ -11,6 +11,16 @@
 
 namespace plumbline::study {
 
+/// The value in [low, high] above which `holds` is true, by halving.
+template <class Holds>
+double threshold_of(double low, double high, int halvings, const Holds& holds) {
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = (low + high) / 2;
+        (holds(middle) ? high : low) = middle;
+    }
+    return (low + high) / 2;
+}
+
 template <std::size_t N>
 using State = std::array<double, N>;
 

@@ -10,8 +10,8 @@ namespace plumbline::study {
 Point run_scenario(const Scenario& scenario, const Setting& setting, const Repeats& repeats) {
     Point point{.setting = setting};
     reset_peak_resident_bytes();
-    Stepper stepper(Stepper::Mode::Errors);
-    point.errors = scenario.run(setting, stepper);
+    Stepper stepper(Stepper::Mode::Errors, setting);
+    point.errors = scenario.run(stepper);
     point.status = stepper.status();
     if (point.status == RunStatus::Refused) {
         point.why = stepper.why_refused();
@@ -28,8 +28,8 @@ Point run_scenario(const Scenario& scenario, const Setting& setting, const Repea
     }
     // The run that measured the errors has warmed up caches and the allocator.
     const auto lap = [&] {
-        Stepper timed(Stepper::Mode::Time);
-        scenario.run(setting, timed);
+        Stepper timed(Stepper::Mode::Time, setting);
+        scenario.run(timed);
         return timed.lap();
     };
     point.cost = cost_of(take_laps(lap, repeats));

@@ -30,7 +30,7 @@ struct Scenario {
     std::string reference;
     Tier tier{Tier::ClosedForm};
     std::vector<Metric> metrics;
-    std::function<Errors(const Setting& setting, Stepper& stepper)> run;
+    std::function<Errors(Stepper& stepper)> run;
     /// Of the first metric, for a semi-implicit Euler body at a step; none where it says nothing.
     std::function<double(double step_s)> euler_floor{};
     std::string peer_scene{};
@@ -52,18 +52,18 @@ struct LeftOut {
 std::span<const LeftOut> left_out();
 
 // A family per file.
-void add_flight(std::vector<Scenario>& all);
-void add_tops(std::vector<Scenario>& all);
-void add_pendulums(std::vector<Scenario>& all);
-void add_chains(std::vector<Scenario>& all);
-void add_bounces(std::vector<Scenario>& all);
-void add_impacts(std::vector<Scenario>& all);
-void add_sliding(std::vector<Scenario>& all);
-void add_rolling(std::vector<Scenario>& all);
-void add_supports(std::vector<Scenario>& all);
-void add_leaving(std::vector<Scenario>& all);
-void add_invariances(std::vector<Scenario>& all);
-void add_peer_scenes(std::vector<Scenario>& all);
+std::vector<Scenario> flight_family();
+std::vector<Scenario> tops_family();
+std::vector<Scenario> pendulums_family();
+std::vector<Scenario> chains_family();
+std::vector<Scenario> bounces_family();
+std::vector<Scenario> impacts_family();
+std::vector<Scenario> sliding_family();
+std::vector<Scenario> rolling_family();
+std::vector<Scenario> supports_family();
+std::vector<Scenario> leaving_family();
+std::vector<Scenario> invariances_family();
+std::vector<Scenario> peer_scenes_family();
 
 /// Runs it once to measure errors and, unless that run was refused, several times to measure time.
 Point run_scenario(const Scenario& scenario, const Setting& setting, const Repeats& repeats);

@@ -1,13 +1,11 @@
 #include "engine/study/scenarios/scenario_study.h"
 
 #include "engine/core/time/stopwatch.h"
-#include "engine/scene/formats/json_read.h"
 #include "engine/study/findings/findings_json_impl.h"
-#include "engine/study/workers/job.h"
+#include "engine/study/workers/worker_pool.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace plumbline::study {
 namespace {
@@ -33,7 +31,7 @@ std::vector<Planned> plan(const ScenarioStudyOptions& options) {
     for (std::size_t i = 0; i < options.scenarios.size(); ++i) {
         for (const Setting& setting : grid_of(*options.scenarios[i], options.effort)) {
             const Json body{{"scenario", options.scenarios[i]->id},
-                            {"setting", json_of(setting)},
+                            {"setting", setting},
                             {"repeats", repeats.wanted},
                             {"budget_s", repeats.budget_s}};
             planned.push_back({.scenario = i,
@@ -57,24 +55,11 @@ std::vector<Planned> those_of(const Shard& shard, std::vector<Planned> all) {
 }
 
 Point point_of(const Setting& setting, const Answer& answer) {
-    const auto without = [&](RunStatus status) {
-        return Point{.setting = setting, .status = status, .why = answer.body};
-    };
-    switch (answer.status) {
-        case AnswerStatus::TimedOut:
-            return without(RunStatus::TimedOut);
-        case AnswerStatus::Crashed:
-            return without(RunStatus::Crashed);
-        case AnswerStatus::Failed:
-            return without(RunStatus::Refused);
-        case AnswerStatus::Done:
-            break;
-    }
-    try {
-        return point_from(scene::read_json<Json>(answer.body));
-    } catch (const std::exception& fault) {
-        return Point{.setting = setting, .status = RunStatus::Refused, .why = fault.what()};
-    }
+    if (answer.status != RunStatus::Done)
+        return {.setting = setting, .status = answer.status, .why = answer.body};
+    Result<Point> point = read_text<Point>(answer.body, "its worker's answer cannot be read");
+    if (point) return std::move(*point);
+    return {.setting = setting, .status = RunStatus::Refused, .why = point.error().message};
 }
 
 Subject subject_of(const Scenario& scenario, std::vector<Point> points) {
@@ -147,13 +132,14 @@ Result<ScenarioStudy> study_scenarios(const ScenarioStudyOptions& options) {
     return study;
 }
 
-std::string run_scenario_job(const std::string& body) {
+Result<std::string> run_scenario_job(const std::string& body) {
     const Json job = scene::read_json<Json>(body);
     const std::string id = job.at("scenario");
     const Scenario* scenario = scenario_of(id);
     if (!scenario) throw std::runtime_error("there is no scenario " + id);
     const Repeats repeats{.wanted = job.at("repeats"), .budget_s = job.at("budget_s")};
-    return json_of(run_scenario(*scenario, setting_from(job.at("setting")), repeats)).dump();
+    const auto setting = job.at("setting").get<Setting>();
+    return text_of(Json(run_scenario(*scenario, setting, repeats)));
 }
 
 }  // namespace plumbline::study

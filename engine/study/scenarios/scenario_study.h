@@ -41,6 +41,6 @@ double clock_spread_of(std::span<const Subject> subjects);
 Result<ScenarioStudy> study_scenarios(const ScenarioStudyOptions& options);
 
 /// The kind "scenario".
-std::string run_scenario_job(const std::string& body);
+Result<std::string> run_scenario_job(const std::string& body);
 
 }  // namespace plumbline::study

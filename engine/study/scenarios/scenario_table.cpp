@@ -25,18 +25,20 @@ std::span<const LeftOut> left_out() {
 const std::vector<Scenario>& scenarios() {
     static const std::vector<Scenario> all = [] {
         std::vector<Scenario> made;
-        add_flight(made);
-        add_tops(made);
-        add_pendulums(made);
-        add_chains(made);
-        add_bounces(made);
-        add_impacts(made);
-        add_sliding(made);
-        add_rolling(made);
-        add_supports(made);
-        add_leaving(made);
-        add_invariances(made);
-        add_peer_scenes(made);
+        for (const auto family : {flight_family,
+                                  tops_family,
+                                  pendulums_family,
+                                  chains_family,
+                                  bounces_family,
+                                  impacts_family,
+                                  sliding_family,
+                                  rolling_family,
+                                  supports_family,
+                                  leaving_family,
+                                  invariances_family,
+                                  peer_scenes_family}) {
+            for (Scenario& each : family()) made.push_back(std::move(each));
+        }
         std::ranges::stable_sort(
             made, {}, [](const Scenario& each) { return each.id.substr(0, 3); });
         return made;

@@ -10,7 +10,7 @@ namespace {
 std::string point_line(const Point& point, std::size_t metrics) {
     std::string line = fmt::format("  {:<42}", setting_text(point.setting));
     if (point.status != RunStatus::Done)
-        return fmt::format("{} {}: {}\n", line, status_name(point.status), point.why);
+        return fmt::format("{} {}: {}\n", line, word_of(point.status), point.why);
     for (std::size_t i = 0; i < metrics; ++i) line += fmt::format(" {:>10.2e}", point.errors[i]);
     return fmt::format(
         "{} {:>10.4g} {:>10.4g}\n", line, point.cost.ms_per_s_min, point.cost.work_per_s);
@@ -24,7 +24,7 @@ std::string verdict_line(const Convergence& verdict) {
                        physics::solver_name(verdict.solver),
                        verdict.knob,
                        verdict.held,
-                       trend_name(verdict.trend),
+                       word_of(verdict.trend),
                        order,
                        theory,
                        verdict.halvings);
@@ -36,7 +36,7 @@ std::string subject_text(const Subject& subject) {
     std::string text = fmt::format("\n{}  {}  [{}]\n  {}\n  Reference: {}\n",
                                    subject.id,
                                    subject.title,
-                                   tier_name(subject.tier),
+                                   word_of(subject.tier),
                                    subject.set_up,
                                    subject.reference);
     for (std::size_t i = 0; i < subject.metrics.size(); ++i)

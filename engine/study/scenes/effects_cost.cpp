@@ -3,10 +3,9 @@
 #include "engine/core/io/files.h"
 #include "engine/core/process/interrupt.h"
 #include "engine/core/time/stopwatch.h"
-#include "engine/scene/formats/json_read.h"
 #include "engine/study/findings/findings_json_impl.h"
 #include "engine/study/played_scene.h"
-#include "engine/study/workers/job.h"
+#include "engine/study/workers/worker_pool.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +13,38 @@
 #include <cmath>
 
 namespace plumbline::study {
+
+struct EffectJob {
+    std::filesystem::path scene;
+    std::string effect;  ///< empty: all that the scene calls for are listed
+    double seconds{0};
+    int pairs{0};
+};
+
+void fields(const auto& field, Like<EffectJob> auto& job) {
+    field("scene", job.scene);
+    field("effect", job.effect);
+    field("seconds", job.seconds);
+    field("pairs", job.pairs);
+}
+
+/// CPU ms of a step and of a frame's sounds, pass by pass.
+struct Passes {
+    std::vector<double> step_ms;
+    std::vector<double> frame_ms;
+};
+struct MeasuredPairs {
+    Passes with;
+    Passes without;
+};
+
+void fields(const auto& field, Like<MeasuredPairs> auto& pairs) {
+    field("step_ms", pairs.with.step_ms);
+    field("step_ms_without", pairs.without.step_ms);
+    field("frame_ms", pairs.with.frame_ms);
+    field("frame_ms_without", pairs.without.frame_ms);
+}
+
 namespace {
 
 constexpr double kLimit_s = 120;
@@ -51,127 +82,73 @@ Result<Passed> pass(const scene::OpenedScene& scene, std::string_view without, d
     return passed;
 }
 
-Json refusal(const std::string& why) {
-    return Json{{"refused", why}};
-}
-
-/// Whom the scene calls for at all: the names, from one run.
-Json list_effects(const scene::OpenedScene& scene, double seconds) {
+/// Whom the scene calls for at all, from one run.
+Result<std::string> list_effects(const scene::OpenedScene& scene, double seconds) {
     const Result<Passed> passed = pass(scene, {}, seconds);
-    if (!passed) return refusal(passed.error().message);
-    Json effects = Json::array();
+    if (!passed) return passed.error();
+    std::vector<EffectCost> costs;
     for (std::size_t row = 0; row < passed->ledger.size(); ++row) {
         const effects::LedgerLine& line = passed->ledger[row];
         if (line.constructions == 0) continue;
-        effects.push_back({{"name", line.name},
-                           {"caller", line.called_for_by.empty() ? "" : line.called_for_by.front()},
-                           {"domain", domain_name(effects::effect_table()[row].domain)},
-                           {"calls", line.calls},
-                           {"bytes_cpu", line.bytes_cpu}});
+        costs.push_back({.name = std::string(line.name),
+                         .caller = line.called_for_by.empty() ? "" : line.called_for_by.front(),
+                         .domain = std::string(word_of(effects::effect_table()[row].domain)),
+                         .calls = line.calls,
+                         .bytes_cpu = line.bytes_cpu});
     }
-    return Json{{"refused", ""}, {"effects", std::move(effects)}};
+    return text_of(Json(costs));
 }
 
 /// Turn and turn about; what comes first changes from pair to pair.
-Json measure_pairs(const scene::OpenedScene& scene,
-                   const std::string& name,
-                   double seconds,
-                   int pairs) {
-    std::array<std::vector<double>, 2> step_ms;
-    std::array<std::vector<double>, 2> frame_ms;
-    if (const Result<Passed> warm = pass(scene, {}, seconds); !warm)
-        return refusal(warm.error().message);
-    for (int i = 0; i < 2 * pairs; ++i) {
+Result<std::string> measure_pairs(const scene::OpenedScene& scene, const EffectJob& job) {
+    if (const Result<Passed> warm = pass(scene, {}, job.seconds); !warm) return warm.error();
+    std::array<Passes, 2> passes;
+    for (int i = 0; i < 2 * job.pairs; ++i) {
         const std::size_t without = static_cast<std::size_t>((i + i / 2) % 2);
         const Result<Passed> passed =
-            pass(scene, without == 1 ? std::string_view(name) : std::string_view(), seconds);
-        if (!passed) return refusal(passed.error().message);
-        step_ms[without].push_back(passed->step_ms);
-        frame_ms[without].push_back(passed->frame_ms);
+            pass(scene, without == 1 ? job.effect : std::string(), job.seconds);
+        if (!passed) return passed.error();
+        passes[without].step_ms.push_back(passed->step_ms);
+        passes[without].frame_ms.push_back(passed->frame_ms);
     }
-    return Json{{"refused", ""},
-                {"step_ms", step_ms[0]},
-                {"step_ms_without", step_ms[1]},
-                {"frame_ms", frame_ms[0]},
-                {"frame_ms_without", frame_ms[1]}};
-}
-
-Json answer_effect_job(const Json& job) {
-    const Result<scene::OpenedScene> scene = open_for_study(job.at("scene").get<std::string>());
-    if (!scene) return refusal(scene.error().message);
-    const std::string effect = job.at("effect");
-    if (effect.empty()) return list_effects(*scene, job.at("seconds"));
-    return measure_pairs(*scene, effect, job.at("seconds"), job.at("pairs"));
+    return text_of(Json(MeasuredPairs{.with = passes[0], .without = passes[1]}));
 }
 
 Job job_for(const EffectsRun& run, const std::string& effect) {
     return {.kind = "effect",
-            .body = Json{{"scene", run.scene.string()},
-                         {"effect", effect},
-                         {"seconds", run.seconds},
-                         {"pairs", run.pairs}}
-                        .dump(-1, ' ', false, Json::error_handler_t::replace),
+            .body = text_of(Json(EffectJob{
+                .scene = run.scene, .effect = effect, .seconds = run.seconds, .pairs = run.pairs})),
             .limit_s = kLimit_s};
 }
 
-Result<Json> json_from(const Answer& answer) {
-    if (answer.status != AnswerStatus::Done) return Error{.message = answer.body};
-    Json json;
-    try {
-        json = scene::read_json<Json>(answer.body);
-    } catch (const std::exception&) {
-        json = nullptr;
-    }
-    if (!json.is_object() || !json.contains("refused"))
-        return Error{.message = "a worker's answer cannot be read"};
-    const std::string refused = json["refused"];
-    if (!refused.empty()) return Error{.message = refused, .exit_code = ExitCode::Refused};
-    return json;
+template <class T>
+Result<T> read_answer(const Answer& answer) {
+    if (answer.status == RunStatus::Done)
+        return read_text<T>(answer.body, "a worker's answer cannot be read");
+    const bool is_refused = answer.status == RunStatus::Refused;
+    return Error{.message = answer.body,
+                 .exit_code = is_refused ? ExitCode::Refused : ExitCode::RunFailed};
 }
 
 /// Empty where it was interrupted.
 Result<std::vector<EffectCost>> called_for(const EffectsRun& run) {
-    std::optional<Result<Json>> listed;
+    Result<std::vector<EffectCost>> listed(std::vector<EffectCost>{});
     const Result<bool> all =
         run_jobs(std::vector{job_for(run, {})}, 1, [&](std::size_t, const Answer& answer) {
-            listed = json_from(answer);
+            listed = read_answer<std::vector<EffectCost>>(answer);
         });
     if (!all) return all.error();
-    std::vector<EffectCost> costs;
-    if (!listed) return costs;
-    if (!*listed) return listed->error();
-    for (const Json& effect : (*listed)->at("effects")) {
-        costs.push_back({.name = effect.at("name"),
-                         .caller = effect.at("caller"),
-                         .domain = effect.at("domain"),
-                         .calls = effect.at("calls"),
-                         .bytes_cpu = effect.at("bytes_cpu")});
-    }
-    return costs;
+    return listed;
 }
 
 }  // namespace
 
-std::string_view domain_name(effects::Domain domain) {
-    switch (domain) {
-        case effects::Domain::Step:
-            return "step";
-        case effects::Domain::Frame:
-            return "image";
-        case effects::Domain::Sound:
-            return "sound";
-    }
-    return "";
-}
-
-std::string run_effect_job(const std::string& body) {
-    Json answer;
-    try {
-        answer = answer_effect_job(scene::read_json<Json>(body));
-    } catch (const std::exception& fault) {
-        answer = refusal(fmt::format("expected an effect to measure: {}", fault.what()));
-    }
-    return answer.dump(-1, ' ', false, Json::error_handler_t::replace);
+Result<std::string> run_effect_job(const std::string& body) {
+    const Result<EffectJob> job = read_text<EffectJob>(body, "expected an effect to measure");
+    if (!job) return job.error();
+    const Result<scene::OpenedScene> scene = open_for_study(job->scene);
+    if (!scene) return scene.error();
+    return job->effect.empty() ? list_effects(*scene, job->seconds) : measure_pairs(*scene, *job);
 }
 
 Result<std::vector<EffectCost>> measure_effects(const EffectsRun& run, int workers) {
@@ -181,17 +158,15 @@ Result<std::vector<EffectCost>> measure_effects(const EffectsRun& run, int worke
     for (const EffectCost& cost : *costs) jobs.push_back(job_for(run, cost.name));
     std::optional<Error> fault;
     const Result<bool> all = run_jobs(jobs, workers, [&](std::size_t job, const Answer& answer) {
-        const Result<Json> measured = json_from(answer);
+        const Result<MeasuredPairs> measured = read_answer<MeasuredPairs>(answer);
         if (!measured) {
             fault = measured.error();
             return;
         }
-        const auto list = [&](const char* key) {
-            return measured->at(key).get<std::vector<double>>();
-        };
+        const auto& [with, without] = *measured;
         EffectCost& cost = (*costs)[job];
-        cost.step_ms = paired_difference(list("step_ms"), list("step_ms_without"));
-        cost.frame_ms = paired_difference(list("frame_ms"), list("frame_ms_without"));
+        cost.step_ms = paired_difference(with.step_ms, without.step_ms);
+        cost.frame_ms = paired_difference(with.frame_ms, without.frame_ms);
     });
     if (!all) return all.error();
     if (fault) return *fault;

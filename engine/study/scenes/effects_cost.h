@@ -7,10 +7,10 @@
 #include "engine/core/result.h"
 #include "engine/effects/effect_table.h"
 #include "engine/study/findings/effect_findings.h"
+#include "engine/study/words.h"
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace plumbline::study {
@@ -25,10 +25,10 @@ struct EffectsRun {
 /// measured by then.
 Result<std::vector<EffectCost>> measure_effects(const EffectsRun& run, int workers);
 
-/// "step", "image", "sound".
-std::string_view domain_name(effects::Domain domain);
+template <>
+inline constexpr std::array<std::string_view, 3> kWords<effects::Domain>{"step", "image", "sound"};
 
 /// The kind "effect".
-std::string run_effect_job(const std::string& body);
+Result<std::string> run_effect_job(const std::string& body);
 
 }  // namespace plumbline::study

@@ -48,49 +48,26 @@ double quantile(std::vector<double> values, double share) {
 
 /// One statistic of one moment of one copy, and what 1 means for it.
 struct Statistic {
-    double (*of)(const Trace& copy, std::size_t moment);
+    std::size_t metric;
     double scale;
+    double (*of)(const Trace& copy, const Moment& moment);
     bool one_sided{false};  ///< only more than the reference counts
-    std::size_t metric{0};
 };
 
 std::vector<Statistic> statistics_of(const Scales& scales) {
-    std::vector<Statistic> all;
-    const auto add = [&](std::size_t metric, double scale, auto of, bool one_sided = false) {
-        all.push_back({of, scale, one_sided, metric});
-    };
-    add(0, scales.length_m, [](const Trace& copy, std::size_t i) {
-        return copy.moments[i].layout.center_m.x;
-    });
-    add(0, scales.length_m, [](const Trace& copy, std::size_t i) {
-        return copy.moments[i].layout.center_m.y;
-    });
-    add(0, scales.length_m, [](const Trace& copy, std::size_t i) {
-        return copy.moments[i].layout.center_m.z;
-    });
-    add(1, scales.length_m, [](const Trace& copy, std::size_t i) {
-        return copy.moments[i].layout.top_m;
-    });
-    add(2, scales.length_m, [](const Trace& copy, std::size_t i) {
-        return copy.moments[i].layout.spread_m;
-    });
-    add(3, scales.length_m, [](const Trace& copy, std::size_t i) {
-        return copy.moments[i].layout.reach_m;
-    });
-    add(4, scales.energy_J, [](const Trace& copy, std::size_t i) {
-        return copy.moments[i].energy_J;
-    });
-    add(
-        5,
-        scales.body_size_m,
-        [](const Trace& copy, std::size_t) { return copy.penetration_m; },
-        true);
-    if (scales.has_joints)
-        add(
-            6,
-            scales.body_size_m,
-            [](const Trace& copy, std::size_t) { return copy.joint_error_m; },
-            true);
+    const double length_m = scales.length_m;
+    const double body_m = scales.body_size_m;
+    std::vector<Statistic> all{
+        {0, length_m, [](const Trace&, const Moment& at) { return at.layout.center_m.x; }},
+        {0, length_m, [](const Trace&, const Moment& at) { return at.layout.center_m.y; }},
+        {0, length_m, [](const Trace&, const Moment& at) { return at.layout.center_m.z; }},
+        {1, length_m, [](const Trace&, const Moment& at) { return at.layout.top_m; }},
+        {2, length_m, [](const Trace&, const Moment& at) { return at.layout.spread_m; }},
+        {3, length_m, [](const Trace&, const Moment& at) { return at.layout.reach_m; }},
+        {4, scales.energy_J, [](const Trace&, const Moment& at) { return at.energy_J; }},
+        {5, body_m, [](const Trace& copy, const Moment&) { return copy.penetration_m; }, true},
+        {6, body_m, [](const Trace& copy, const Moment&) { return copy.joint_error_m; }, true}};
+    if (!scales.has_joints) all.pop_back();
     return all;
 }
 
@@ -105,7 +82,7 @@ std::vector<double> values_of(std::span<const Trace> copies,
                               const Statistic& statistic,
                               std::size_t moment) {
     std::vector<double> values;
-    for (const Trace& copy : copies) values.push_back(statistic.of(copy, moment));
+    for (const Trace& copy : copies) values.push_back(statistic.of(copy, copy.moments[moment]));
     return values;
 }
 
@@ -124,6 +101,16 @@ std::vector<double> largest(const Scales& scales,
         }
     }
     return errors;
+}
+
+std::string length_text(const Scales& scales) {
+    return fmt::format("the scene's size, {:.3g} m", scales.length_m);
+}
+std::string energy_text(const Scales& scales) {
+    return fmt::format("the largest turnover, {:.3g} J", scales.energy_J);
+}
+std::string body_text(const Scales& scales) {
+    return fmt::format("a body's size, {:.3g} m", scales.body_size_m);
 }
 
 }  // namespace
@@ -150,14 +137,11 @@ Scales scales_of(const SceneAnswer& reference) {
 }
 
 std::vector<Metric> trajectory_metrics(const Scales& scales) {
-    std::vector<Metric> metrics{
-        {"position", fmt::format("the scene's size, {:.3g} m", scales.length_m)},
-        {"orientation", "half a turn"},
-        {"energy", fmt::format("the largest turnover, {:.3g} J", scales.energy_J)},
-        {"penetration", fmt::format("a body's size, {:.3g} m", scales.body_size_m)}};
-    if (scales.has_joints)
-        metrics.push_back(
-            {"joint error", fmt::format("a body's size, {:.3g} m", scales.body_size_m)});
+    std::vector<Metric> metrics{{"position", length_text(scales)},
+                                {"orientation", "half a turn"},
+                                {"energy", energy_text(scales)},
+                                {"penetration", body_text(scales)}};
+    if (scales.has_joints) metrics.push_back({"joint error", body_text(scales)});
     return metrics;
 }
 
@@ -186,16 +170,13 @@ std::vector<double> trajectory_errors(const Trace& run,
 }
 
 std::vector<Metric> ensemble_metrics(const Scales& scales) {
-    const std::string length = fmt::format("the scene's size, {:.3g} m", scales.length_m);
-    const std::string body = fmt::format("a body's size, {:.3g} m", scales.body_size_m);
-    std::vector<Metric> metrics{
-        {"centre of mass", length},
-        {"height", length},
-        {"spread", length},
-        {"reach", length},
-        {"energy", fmt::format("the largest turnover, {:.3g} J", scales.energy_J)},
-        {"penetration", body}};
-    if (scales.has_joints) metrics.push_back({"joint error", body});
+    std::vector<Metric> metrics{{"centre of mass", length_text(scales)},
+                                {"height", length_text(scales)},
+                                {"spread", length_text(scales)},
+                                {"reach", length_text(scales)},
+                                {"energy", energy_text(scales)},
+                                {"penetration", body_text(scales)}};
+    if (scales.has_joints) metrics.push_back({"joint error", body_text(scales)});
     return metrics;
 }
 

@@ -13,32 +13,11 @@ constexpr double kLimitFactor = 3.0;
 constexpr double kLimitExtra_s = 60.0;
 
 ScenePlan::Finished finished(std::size_t run, const Answer& answer) {
-    ScenePlan::Finished result{.run = run};
-    switch (answer.status) {
-        case AnswerStatus::Done: {
-            Result<SceneAnswer> parsed = parse_scene_answer(answer.body);
-            if (parsed) {
-                result.answer = std::move(*parsed);
-            } else {
-                result.answer.refused = parsed.error().message;
-            }
-            if (!result.answer.refused.empty()) result.status = RunStatus::Refused;
-            break;
-        }
-        case AnswerStatus::Failed:
-            result.status = RunStatus::Refused;
-            result.answer.refused = answer.body;
-            break;
-        case AnswerStatus::TimedOut:
-            result.status = RunStatus::TimedOut;
-            result.answer.refused = answer.body;
-            break;
-        case AnswerStatus::Crashed:
-            result.status = RunStatus::Crashed;
-            result.answer.refused = answer.body;
-            break;
-    }
-    return result;
+    if (answer.status != RunStatus::Done)
+        return {.run = run, .status = answer.status, .why = answer.body};
+    Result<SceneAnswer> parsed = parse_scene_answer(answer.body);
+    if (!parsed) return {.run = run, .status = RunStatus::Refused, .why = parsed.error().message};
+    return {.run = run, .answer = std::move(*parsed)};
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/study/scenes/scene_run.h"
-#include "engine/study/workers/job.h"
+#include "engine/study/workers/worker_pool.h"
 
 #include <functional>
 #include <optional>
@@ -34,11 +34,11 @@ public:
     void expect(double cpu_s);
     bool interrupted() const { return interrupted_; }
 
-    /// Runs them all, and hands each answer over as it comes; those that crashed or took too long
-    /// come with `refused` and their status set. The error is that of the first refused scene.
+    /// Runs them all, and hands each answer over as it comes.
     struct Finished {
         std::size_t run{0};
         RunStatus status{RunStatus::Done};
+        std::string why{};  ///< of a status other than Done: there is no answer
         SceneAnswer answer{};
     };
     Result<Done> run(std::span<const SceneRun> runs,

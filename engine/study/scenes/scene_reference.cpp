@@ -79,11 +79,14 @@ private:
         });
     }
 
-    void note_failure(const ScenePlan::Finished& finished) {
-        failure_ = finished.answer.refused;
+    /// The answer, if all of it ran to its end; else why it did not is noted.
+    std::optional<SceneAnswer> whole_answer(const ScenePlan::Finished& finished) {
+        if (finished.status == RunStatus::Done && whole(finished.answer)) return finished.answer;
+        failure_ = finished.why;
         for (const Trace& trace : finished.answer.traces) {
             if (trace.status != RunStatus::Done) failure_ = trace.why;
         }
+        return {};
     }
 
     std::string why_none() const {
@@ -103,13 +106,8 @@ private:
                                          run_at(kReferenceRates_hz[first + 1]),
                                          copies_at(kReferenceRates_hz[first], 2, 1, kShift_m)};
         std::vector<std::optional<SceneAnswer>> answers(runs.size());
-        const Result<Done> done = plan_.run(runs, [&](const ScenePlan::Finished& each) {
-            if (each.status == RunStatus::Done && whole(each.answer)) {
-                answers[each.run] = each.answer;
-            } else {
-                note_failure(each);
-            }
-        });
+        const Result<Done> done = plan_.run(
+            runs, [&](const ScenePlan::Finished& each) { answers[each.run] = whole_answer(each); });
         if (!done) return done;
         for (std::size_t i = 0; i < 2; ++i) {
             if (answers[i]) add_level(runs[i].setting.step_hz, std::move(*answers[i]));
@@ -160,13 +158,8 @@ private:
             ++next_rate_;
             std::optional<SceneAnswer> answer;
             const Result<Done> done =
-                plan_.run(std::vector{run_at(step_hz)}, [&](const ScenePlan::Finished& each) {
-                    if (each.status == RunStatus::Done && whole(each.answer)) {
-                        answer = each.answer;
-                    } else {
-                        note_failure(each);
-                    }
-                });
+                plan_.run(std::vector{run_at(step_hz)},
+                          [&](const ScenePlan::Finished& each) { answer = whole_answer(each); });
             if (!done) return done;
             if (!answer) break;
             add_level(step_hz, std::move(*answer));
@@ -232,15 +225,11 @@ private:
         }
         std::array<SceneAnswer, 2> answers;
         const Result<Done> done = plan_.run(runs, [&](const ScenePlan::Finished& each) {
-            if (each.status != RunStatus::Done || !whole(each.answer)) {
-                note_failure(each);
-                return;
-            }
-            SceneAnswer& all = answers[each.run % 2];
-            std::vector<Trace> traces = std::move(all.traces);
-            traces.insert(traces.end(), each.answer.traces.begin(), each.answer.traces.end());
-            all = each.answer;
-            all.traces = std::move(traces);
+            std::optional<SceneAnswer> answer = whole_answer(each);
+            if (!answer) return;
+            std::vector<Trace>& before = answers[each.run % 2].traces;
+            answer->traces.insert(answer->traces.begin(), before.begin(), before.end());
+            answers[each.run % 2] = std::move(*answer);
         });
         if (!done) return done.error();
         if (plan_.interrupted()) return std::optional<SceneReference>{};

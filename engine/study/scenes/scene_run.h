@@ -71,7 +71,6 @@ struct Trace {
 
 /// What a worker answers.
 struct SceneAnswer {
-    std::string refused{};  ///< why nothing ran; empty: it did
     std::size_t bodies{0};
     std::size_t joints{0};
     double mass_kg{0};

@@ -54,7 +54,7 @@ public:
           plan_(options.wall_s.value_or(kWall_s), options.workers, options.progress) {}
 
     Result<SceneStudy> make() {
-        if (const Result<Done> there = check_worker_programs(); !there) return there.error();
+        if (const Result<Done> there = check_programs(); !there) return there.error();
         if (const Result<Done> done = load_title(); !done) return done.error();
         if (const Result<Done> done = probe(); !done) return done.error();
         if (plan_.interrupted()) return finish();
@@ -92,20 +92,17 @@ private:
         const SceneRun run{.scene = options_.scene,
                            .moments = moments_of(wanted),
                            .cpu_limit_s = 0.08 * plan_.left_s()};
-        SceneAnswer answer;
-        RunStatus status = RunStatus::Done;
-        const Result<Done> done =
-            plan_.run(std::vector{run}, [&](const ScenePlan::Finished& finished) {
-                answer = finished.answer;
-                status = finished.status;
-            });
+        ScenePlan::Finished first;
+        const Result<Done> done = plan_.run(
+            std::vector{run}, [&](const ScenePlan::Finished& finished) { first = finished; });
         if (!done || plan_.interrupted()) return done;
-        if (status == RunStatus::Refused)
-            return Error{.message = answer.refused, .exit_code = ExitCode::Refused};
-        if (status != RunStatus::Done)
+        if (first.status == RunStatus::Refused)
+            return Error{.message = first.why, .exit_code = ExitCode::Refused};
+        if (first.status != RunStatus::Done)
             return Error{.message = fmt::format("{}: the first run came to no end: {}",
                                                 options_.scene.string(),
-                                                answer.refused)};
+                                                first.why)};
+        const SceneAnswer& answer = first.answer;
         if (!options_.wall_s && answer.bodies > kManyBodies) plan_.extend(kWallMany_s);
         probe_.scene = options_.scene;
         probe_.second_cpu_s = std::max(1e-6, answer.cost.ms_per_s_min * 1e-3);
@@ -225,7 +222,7 @@ private:
         Point point;
         point.setting = setting;
         point.status = finished.status;
-        point.why = finished.answer.refused;
+        point.why = finished.why;
         if (finished.status != RunStatus::Done) return point;
         point.cost = finished.answer.cost;
         for (const Trace& trace : finished.answer.traces) {

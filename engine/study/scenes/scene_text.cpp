@@ -1,7 +1,5 @@
 #include "engine/study/scenes/scene_text.h"
 
-#include "engine/study/findings/pareto.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +27,7 @@ std::string table_of_points(const Subject& subject) {
         const Point& point = subject.points[i];
         text += fmt::format("{:<{}}", setting_text(point.setting), width);
         if (point.status != RunStatus::Done) {
-            text += fmt::format("  {}: {}\n", status_name(point.status), point.why);
+            text += fmt::format("  {}: {}\n", word_of(point.status), point.why);
             continue;
         }
         text += fmt::format("  {:>9.4f}", ms_per_frame(point));
@@ -40,8 +38,8 @@ std::string table_of_points(const Subject& subject) {
     return fmt::format("{}* no other setting is both cheaper and more accurate\n", text);
 }
 
-std::string pick_text(const Subject& subject, const Pick& pick) {
-    return pick.point ? point_text(subject.points[*pick.point]) : std::string("none of these");
+std::string pick_text(const Subject& subject, std::optional<std::size_t> pick) {
+    return pick ? point_text(subject.points[*pick]) : std::string("none of these");
 }
 
 /// Files cannot choose the precision: the program has one.
@@ -68,15 +66,15 @@ std::string point_text(const Point& point) {
 
 std::optional<Choice> choose(const SceneStudy& study, const Wish& wish) {
     const std::vector<Point> own = pastable(study.subject.points);
-    std::optional<Recommendation> found;
+    std::optional<Choice> found;
     if (wish.budget_ms) {
-        found = recommend_for_budget(own, *wish.budget_ms);
+        found = choose_for_budget(own, *wish.budget_ms);
     } else {
         const double tolerance = wish.tolerance.value_or(kUsualTolerance);
-        found = recommend_for_tolerance(
+        found = choose_for_tolerance(
             own, std::max(0.5 * tolerance, tolerance - study.subject.uncertainty));
         // Nothing within the tightened one: then what is within the one asked for.
-        if (found && !found->met) found = recommend_for_tolerance(own, tolerance);
+        if (found && !found->met) found = choose_for_tolerance(own, tolerance);
     }
     if (!found) return {};
     const Setting& setting = own[found->point].setting;
@@ -102,16 +100,14 @@ std::string wish_text(const SceneStudy& study, const Wish& wish) {
 std::string scene_study_text(const SceneStudy& study) {
     const Subject& subject = study.subject;
     std::string text = fmt::format("{} ({})\n{}\n", subject.title, subject.id, subject.set_up);
-    text += fmt::format("Reference: {} ({})\n", subject.reference, tier_name(subject.tier));
+    text += fmt::format("Reference: {} ({})\n", subject.reference, word_of(subject.tier));
     for (const std::string& note : subject.notes) text += fmt::format("  {}\n", note);
     if (subject.points.empty()) return text + "No setting was measured.\n";
     if (nothing_measured(subject)) {
         text += "Every setting ended early, so there is nothing to compare:\n";
         for (const Point& point : subject.points)
-            text += fmt::format("  {}: {}, {}\n",
-                                setting_text(point.setting),
-                                status_name(point.status),
-                                point.why);
+            text += fmt::format(
+                "  {}: {}, {}\n", setting_text(point.setting), word_of(point.status), point.why);
         return text;
     }
     text += "Errors are shares of: ";
@@ -119,11 +115,15 @@ std::string scene_study_text(const SceneStudy& study) {
         text += fmt::format(
             "{}{} of {}", i == 0 ? "" : "; ", subject.metrics[i].name, subject.metrics[i].scale);
     text += fmt::format(".\n\n{}\nCost to reach\n", table_of_points(subject));
-    for (const Pick& pick : cost_to_reach(subject.points))
-        text += fmt::format("  {:>6}  {}\n", percent(pick.asked), pick_text(subject, pick));
+    for (const double tolerance : {0.05, 0.01, 0.001})
+        text += fmt::format("  {:>6}  {}\n",
+                            percent(tolerance),
+                            pick_text(subject, cheapest_within(subject.points, tolerance)));
     text += "Error at a budget\n";
-    for (const Pick& pick : error_at_budget(subject.points))
-        text += fmt::format("  {:>3} ms a frame  {}\n", pick.asked, pick_text(subject, pick));
+    for (const double budget_ms : {0.1, 0.5, 2.0})
+        text += fmt::format("  {:>3} ms a frame  {}\n",
+                            budget_ms,
+                            pick_text(subject, most_accurate_within(subject.points, budget_ms)));
     text += "Settings that no other beats\n";
     for (const std::size_t i : pareto_front(subject.points))
         text += fmt::format("  {}\n", point_text(subject.points[i]));

@@ -1,6 +1,7 @@
 // A study of a scene as people read it in a terminal.
 #pragma once
 
+#include "engine/study/findings/pareto.h"
 #include "engine/study/scenes/scene_study.h"
 
 #include <string>
@@ -20,10 +21,6 @@ struct Wish {
 };
 /// The setting to use. A tolerance is tightened by what the errors are uncertain by, to half of it at
 /// most. Only settings in the program's own precision. None: no setting has an error.
-struct Choice {
-    std::size_t point{0};
-    bool met{false};
-};
 std::optional<Choice> choose(const SceneStudy& study, const Wish& wish);
 
 /// Lines to paste under [accuracy]. Comments above them say what error they reach, or that no setting

@@ -1,60 +1,54 @@
 #include "engine/study/workers/worker.h"
 
 #include "engine/core/process/process.h"
-#include "engine/scene/formats/json_read.h"
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include "engine/study/findings/json_fields_impl.h"
 
 #include <algorithm>
 #include <iostream>
 #include <vector>
 
 namespace plumbline::study {
+
+void fields(const auto& field, Like<Job> auto& job) {
+    field("kind", job.kind);
+    field("body", job.body);
+}
+
+void fields(const auto& field, Like<Answer> auto& answer) {
+    field("status", answer.status);
+    field("body", answer.body);
+}
+
 namespace {
-
-constexpr std::string_view kDone = "done";
-constexpr std::string_view kFailed = "failed";
-
-std::string answer_line(std::string_view status, const std::string& body) {
-    // Text that is no UTF-8 must not end the worker.
-    return nlohmann::json{{"status", status}, {"body", body}}.dump(
-        -1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-std::string failed(const std::string& why) {
-    return answer_line(kFailed, why);
-}
 
 /// Answers lines of jobs, and holds what their kinds keep.
 class JobServer {
 public:
     explicit JobServer(std::span<const JobKind> kinds) : kinds_(kinds), made_(kinds.size()) {}
 
-    std::string answer_to(const std::string& line) {
-        nlohmann::json job;
-        try {
-            job = scene::read_json<nlohmann::json>(line);
-        } catch (const std::exception&) {
-            job = nullptr;
-        }
-        if (!job.is_object() || !job.contains("kind") || !job["kind"].is_string() ||
-            !job.contains("body") || !job["body"].is_string())
-            return failed("expected a job: {\"kind\": text, \"body\": text} on one line");
-        const std::string kind = job["kind"];
-        const auto found = std::ranges::find(kinds_, kind, &JobKind::name);
+    std::string line_for(const std::string& line) { return text_of(Json(answer_to(line))); }
+
+private:
+    Answer answer_to(const std::string& line) {
+        const Result<Job> job = read_text<Job>(line, "no job");
+        if (!job) return refused("expected a job: {\"kind\": text, \"body\": text} on one line");
+        const auto found = std::ranges::find(kinds_, job->kind, &JobKind::name);
         if (found == kinds_.end())
-            return failed(fmt::format("there is no job of the kind \"{}\"", kind));
+            return refused(fmt::format("there is no job of the kind \"{}\"", job->kind));
         try {
             RunJob& run = made_[static_cast<std::size_t>(found - kinds_.begin())];
             if (!run) run = found->make();
-            return answer_line(kDone, run(job["body"].get<std::string>()));
+            Result<std::string> body = run(job->body);
+            if (!body) return refused(body.error().message);
+            return {.body = std::move(*body)};
         } catch (const std::exception& fault) {
-            return failed(fmt::format("{}: {}", kind, fault.what()));
+            return refused(fmt::format("{}: {}", job->kind, fault.what()));
         }
     }
+    static Answer refused(std::string why) {
+        return {.status = RunStatus::Refused, .body = std::move(why)};
+    }
 
-private:
     std::span<const JobKind> kinds_;
     std::vector<RunJob> made_;
 };
@@ -64,7 +58,7 @@ private:
 void serve_jobs(std::span<const JobKind> kinds, std::istream& in, std::ostream& out) {
     JobServer server(kinds);
     std::string line;
-    while (std::getline(in, line) && out) out << server.answer_to(line) << '\n' << std::flush;
+    while (std::getline(in, line) && out) out << server.line_for(line) << '\n' << std::flush;
 }
 
 void run_worker(std::span<const JobKind> kinds) {
@@ -73,27 +67,18 @@ void run_worker(std::span<const JobKind> kinds) {
     JobServer server(kinds);
     std::string line;
     while (std::getline(std::cin, line)) {
-        if (!answers.send_line(server.answer_to(line))) break;
+        if (!answers.send_line(server.line_for(line))) break;
     }
 }
 
 std::string job_line(const Job& job) {
-    return nlohmann::json{{"kind", job.kind}, {"body", job.body}}.dump(
-        -1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return text_of(Json(job));
 }
 
 Result<Answer> parse_answer_line(const std::string& line) {
-    nlohmann::json answer;
-    try {
-        answer = scene::read_json<nlohmann::json>(line);
-    } catch (const std::exception&) {
-        answer = nullptr;
-    }
-    if (!answer.is_object() || !answer.contains("status") || !answer.contains("body") ||
-        !answer["body"].is_string())
-        return Error{.message = "a worker's answer cannot be read"};
-    return Answer{.status = answer["status"] == kDone ? AnswerStatus::Done : AnswerStatus::Failed,
-                  .body = answer["body"]};
+    Result<Answer> answer = read_text<Answer>(line, "no answer");
+    if (!answer) return Error{.message = "a worker's answer cannot be read"};
+    return answer;
 }
 
 }  // namespace plumbline::study

@@ -11,16 +11,16 @@
 
 namespace plumbline::study {
 
-/// Does one kind of job. Never fails: what it refuses is part of its answer. It may keep things from
-/// one job to the next: a worker has one of each kind that it was asked for.
-using RunJob = std::function<std::string(const std::string& body)>;
+/// Does one kind of job; why it refuses one, or what it throws, is the message of the answer. It may keep
+/// things from one job to the next: a worker has one of each kind that it was asked for.
+using RunJob = std::function<Result<std::string>(const std::string& body)>;
 
 struct JobKind {
     std::string_view name;
     RunJob (*make)();
 };
 /// For kinds that keep nothing.
-template <std::string (*kRun)(const std::string& body)>
+template <Result<std::string> (*kRun)(const std::string& body)>
 RunJob each_by_itself() {
     return kRun;
 }

@@ -51,11 +51,11 @@ public:
             Result<Answer> answer = parse_answer_line(received_.substr(0, line_end));
             if (answer) return *answer;
             worker().reset();
-            return Answer{.status = AnswerStatus::Failed, .body = answer.error().message};
+            return Answer{.status = RunStatus::Refused, .body = answer.error().message};
         }
         if (open) return std::nullopt;
         job_.reset();
-        Answer crashed{.status = AnswerStatus::Crashed,
+        Answer crashed{.status = RunStatus::Crashed,
                        .body = fmt::format("the worker {}", worker()->end().words)};
         worker().reset();
         return crashed;
@@ -64,7 +64,7 @@ public:
     Answer give_up(double limit_s) {
         job_.reset();
         worker().reset();
-        return {.status = AnswerStatus::TimedOut,
+        return {.status = RunStatus::TimedOut,
                 .body = fmt::format("timed out after {:g} s", limit_s)};
     }
 
@@ -106,31 +106,28 @@ WorkerPrograms sibling_programs() {
 
 Result<ChildProcess> start_worker(const WorkerPrograms& programs, Precision precision) {
     return ChildProcess::start(
-        {.program = precision == Precision::Float32 ? programs.float32 : programs.float64,
-         .arguments = programs.arguments,
-         .own_group = true});
+        {.program = programs.of(precision), .arguments = programs.arguments, .own_group = true});
 }
 
 Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Precision> needed) {
     for (const Precision precision : needed) {
-        const std::filesystem::path& program =
-            precision == Precision::Float32 ? programs.float32 : programs.float64;
+        const std::filesystem::path& program = programs.of(precision);
         std::error_code error;
         if (std::filesystem::is_regular_file(program, error)) continue;
         return Error{.message = fmt::format("{} runs need the program {}, which is not there; "
                                             "./play builds it, and so does `cmake --build` with "
                                             "the target {}",
-                                            precision_name(precision),
+                                            word_of(precision),
                                             program.string(),
                                             program.filename().string())};
     }
     return Done{};
 }
 
-Result<bool> run_jobs(const WorkerPrograms& programs,
-                      std::span<const Job> jobs,
+Result<bool> run_jobs(std::span<const Job> jobs,
                       int workers,
-                      const std::function<void(std::size_t job, const Answer& answer)>& done) {
+                      const std::function<void(std::size_t job, const Answer& answer)>& done,
+                      const WorkerPrograms& programs) {
     std::vector<Precision> needed;
     for (const Job& job : jobs) {
         if (std::ranges::find(needed, job.precision) == needed.end())
@@ -166,16 +163,6 @@ Result<bool> run_jobs(const WorkerPrograms& programs,
         }
     }
     return true;
-}
-
-Result<Done> check_worker_programs() {
-    return check_programs(sibling_programs(), std::array{Precision::Float32, Precision::Float64});
-}
-
-Result<bool> run_jobs(std::span<const Job> jobs,
-                      int workers,
-                      const std::function<void(std::size_t job, const Answer& answer)>& done) {
-    return run_jobs(sibling_programs(), jobs, workers, done);
 }
 
 int default_workers() {

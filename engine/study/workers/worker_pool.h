@@ -6,6 +6,10 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace plumbline::study {
 
@@ -14,18 +18,28 @@ struct WorkerPrograms {
     std::filesystem::path float32;
     std::filesystem::path float64;
     std::vector<std::string> arguments{"study-worker"};
+
+    const std::filesystem::path& of(Precision precision) const {
+        return precision == Precision::Float32 ? float32 : float64;
+    }
 };
 /// plumbline and plumbline-f64 beside the running program.
 WorkerPrograms sibling_programs();
 Result<ChildProcess> start_worker(const WorkerPrograms& programs, Precision precision);
-/// Refused (exit code 1): one of the programs that runs of these precisions need is not there. The
-/// message says what makes it.
-Result<Done> check_programs(const WorkerPrograms& programs, std::span<const Precision> needed);
+/// Before hours of work: is there what runs of these precisions need? Refused (exit code 1) with one line
+/// that says what makes the program that is missing.
+Result<Done> check_programs(const WorkerPrograms& programs = sibling_programs(),
+                            std::span<const Precision> needed = kPrecisions);
 
-/// As run_jobs, with other programs.
-Result<bool> run_jobs(const WorkerPrograms& programs,
-                      std::span<const Job> jobs,
+/// Jobs are handed out in order to as many workers at once; `done` is called on the calling thread
+/// as each ends. Stops early, and returns false, when interrupted (core/process/interrupt.h): jobs that had
+/// not ended have no call. Refused: a program that they need is not there.
+Result<bool> run_jobs(std::span<const Job> jobs,
                       int workers,
-                      const std::function<void(std::size_t job, const Answer& answer)>& done);
+                      const std::function<void(std::size_t job, const Answer& answer)>& done,
+                      const WorkerPrograms& programs = sibling_programs());
+
+/// Cores that this process may use; at least 1.
+int default_workers();
 
 }  // namespace plumbline::study

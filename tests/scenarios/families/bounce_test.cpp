@@ -81,8 +81,8 @@ TEST(Bounce, A20ElasticBallsStillReachTheirHeightAfterAMinute) {
 /// All bounces of a ball are over at the sum of the geometric series.
 TEST(Bounce, A21BouncingEndsWhenTheSeriesDoes) {
     for (const double e : {0.5, 0.8}) {
-        Stepper stepper(Stepper::Mode::Errors);
-        const double last_s = bouncing_end_found_s(e, balanced(240), stepper);
+        Stepper stepper(Stepper::Mode::Errors, balanced(240));
+        const double last_s = bouncing_end_found_s(e, stepper);
         const double series_s = std::sqrt(2 / kG_mps2) * (1 + e) / (1 - e);
         EXPECT_LT(last_s, series_s + 0.005);
         expect_at_most(fmt::format("A21 end of bouncing e={}", e),
@@ -93,9 +93,9 @@ TEST(Bounce, A21BouncingEndsWhenTheSeriesDoes) {
 
 TEST(Bounce, A25FortyNineElasticBallsKeepTheirEnergy) {
     for (const int hz : {30, 60, 120, 240}) {
-        Stepper stepper(Stepper::Mode::Errors);
+        Stepper stepper(Stepper::Mode::Errors, balanced(hz));
         expect_at_most(fmt::format("A25 49 balls energy rms {} Hz", hz),
-                       elastic_balls_energy_rms(balanced(hz), stepper),
+                       elastic_balls_energy_rms(stepper),
                        1e-5);
     }
 }

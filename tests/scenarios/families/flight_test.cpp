@@ -40,7 +40,7 @@ std::vector<Place> places() {
 }
 
 ConservedErrors conserved_errors_of(FreeBody& body, double seconds) {
-    Stepper stepper(Stepper::Mode::Errors);
+    Stepper stepper(Stepper::Mode::Errors, {});
     return conserved_errors(body.world, seconds, stepper);
 }
 

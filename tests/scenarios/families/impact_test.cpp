@@ -6,8 +6,8 @@ namespace plumbline::study {
 namespace {
 
 void expect_balls_meet(const std::string& row, const BallsMeet& how, const Setting& setting) {
-    Stepper stepper(Stepper::Mode::Errors);
-    const BallsMeetErrors errors = balls_meet(how, setting, stepper);
+    Stepper stepper(Stepper::Mode::Errors, setting);
+    const BallsMeetErrors errors = balls_meet(how, stepper);
     expect_at_most(row + " velocities", errors.velocity, 0.01);
     expect_at_most(row + " momentum", errors.momentum, 2 * kRounding);
 }
@@ -27,8 +27,8 @@ TEST(Impact, A22TwoBallsPartAsNewtonSays) {
 TEST(Impact, A23ASpinningBallLeavesTheFloorTheSameInEveryDirection) {
     for (const double mu : {0.1, 0.5}) {
         for (const Setting& setting : {balanced(), exactly(16)}) {
-            Stepper stepper(Stepper::Mode::Errors);
-            const SpinningBallErrors errors = spinning_ball_bounces(mu, setting, stepper);
+            Stepper stepper(Stepper::Mode::Errors, setting);
+            const SpinningBallErrors errors = spinning_ball_bounces(mu, stepper);
             const std::string row = fmt::format("A23 mu={} {} ", mu, name_of(setting));
             expect_at_most(row + "velocity and spin", errors.worst, 1e-3);
             expect_at_most(row + "azimuth spread", errors.spread, 1e-3);
@@ -40,8 +40,8 @@ TEST(Impact, A24ACradleSendsOneBallOut) {
     for (const double gap_m : {0.0, 1e-3}) {
         for (const int hz : {60, 240}) {
             for (const Setting& setting : every_s(hz)) {
-                Stepper stepper(Stepper::Mode::Errors);
-                const CradleErrors errors = cradle_swings({.gap_m = gap_m}, setting, stepper);
+                Stepper stepper(Stepper::Mode::Errors, setting);
+                const CradleErrors errors = cradle_swings({.gap_m = gap_m}, stepper);
                 const std::string row =
                     fmt::format("A24 cradle gap {} {} Hz {} ", gap_m, hz, name_of(setting));
                 expect_at_most(row + "last ball", std::abs(errors.leaving), 0.01);
@@ -53,8 +53,8 @@ TEST(Impact, A24ACradleSendsOneBallOut) {
 
 /// Two in, two out.
 TEST(Impact, A24ACradleSendsTwoBallsOut) {
-    Stepper stepper(Stepper::Mode::Errors);
-    const CradleErrors errors = cradle_swings({.gap_m = 0, .coming = 2}, balanced(), stepper);
+    Stepper stepper(Stepper::Mode::Errors, balanced());
+    const CradleErrors errors = cradle_swings({.gap_m = 0, .coming = 2}, stepper);
     expect_at_most(
         "A24 cradle two in two out", std::max(std::abs(errors.leaving), errors.staying), 0.01);
 }

@@ -8,9 +8,9 @@ namespace {
 
 /// How far from the plain scene's end the one in a frame ends, as a share of the scene's way.
 double off(const FramedScene& scene, const Frame& frame) {
-    Stepper stepper(Stepper::Mode::Errors);
-    const Vec3d plain_m = scene.end_m({}, balanced(), stepper);
-    return glm::distance(scene.end_m(frame, balanced(), stepper), plain_m) / scene.scale_m;
+    Stepper stepper(Stepper::Mode::Errors, balanced());
+    const Vec3d plain_m = scene.end_m({}, stepper);
+    return glm::distance(scene.end_m(frame, stepper), plain_m) / scene.scale_m;
 }
 
 TEST(Invariance, A40TheWorldMayBeTurned) {
@@ -70,10 +70,9 @@ TEST(Invariance, A44BodiesMayBeMadeInAnyOrder) {
 /// An elastic ball in a room runs back the way it came.
 TEST(Invariance, A44TimeMayRunBackwards) {
     for (const int hz : {60, 240}) {
-        Stepper stepper(Stepper::Mode::Errors);
-        expect_at_most(fmt::format("A44 back in time {} Hz m", hz),
-                       back_in_time_m(4, balanced(hz), stepper),
-                       1e-3);
+        Stepper stepper(Stepper::Mode::Errors, balanced(hz));
+        expect_at_most(
+            fmt::format("A44 back in time {} Hz m", hz), back_in_time_m(4, stepper), 1e-3);
     }
 }
 

@@ -57,9 +57,8 @@ TEST(Rolling, A31ABallOnASlopeRollsOrSlips) {
     for (const double angle_deg : {10.0, 30.0, 50.0}) {
         for (const double share : {0.5, 0.95, 1.05, 2.0}) {
             for (const Setting& setting : every_s()) {
-                Stepper stepper(Stepper::Mode::Errors);
-                const auto [path, spin] =
-                    down_slope(angle_deg * kPi_d / 180, share, setting, stepper);
+                Stepper stepper(Stepper::Mode::Errors, setting);
+                const auto [path, spin] = down_slope(angle_deg * kPi_d / 180, share, stepper);
                 const std::string row = fmt::format(
                     "A31 {} deg, {} of the threshold, {} ", angle_deg, share, name_of(setting));
                 expect_at_most(row + "path", std::abs(path), 5e-3);

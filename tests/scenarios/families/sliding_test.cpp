@@ -10,8 +10,8 @@ TEST(Sliding, A28ABoxStopsWhereFrictionSays) {
     for (const double height_m : {1.0, 0.25}) {
         for (const int hz : {30, 60, 240}) {
             for (const Setting& setting : every_s(hz)) {
-                Stepper stepper(Stepper::Mode::Errors);
-                const Vec3d at = sliding_stop_m({.height_m = height_m}, setting, stepper);
+                Stepper stepper(Stepper::Mode::Errors, setting);
+                const Vec3d at = sliding_stop_m({.height_m = height_m}, stepper);
                 const std::string row =
                     fmt::format("A28 stop, box 1 x {} {} Hz {} ", height_m, hz, name_of(setting));
                 expect_at_most(row + "distance", std::abs(at.x / sliding_way_m() - 1), 5e-3);
@@ -27,9 +27,9 @@ TEST(Sliding, A28StopsAlikeInEveryDirection) {
         double most = 0;
         for (int i = 0; i < 24; ++i) {
             const double heading = i * kPi_d / 12;
-            Stepper stepper(Stepper::Mode::Errors);
-            const Vec3d at = sliding_stop_m(
-                {.heading_rad = heading, .turned_rad = turns * heading}, balanced(), stepper);
+            Stepper stepper(Stepper::Mode::Errors, balanced());
+            const Vec3d at =
+                sliding_stop_m({.heading_rad = heading, .turned_rad = turns * heading}, stepper);
             const double path = std::hypot(at.x, at.z);
             least = std::min(least, path);
             most = std::max(most, path);

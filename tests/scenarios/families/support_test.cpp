@@ -7,15 +7,15 @@ namespace {
 
 TEST(Support, A35FourBallsStandFromTheFrictionTheyNeed) {
     for (const Setting& setting : {exactly(8), balanced(), exactly(16)}) {
-        Stepper stepper(Stepper::Mode::Errors);
+        Stepper stepper(Stepper::Mode::Errors, setting);
         const double found_balls = threshold_of(0.2, 0.6, 8, [&](double mu) {
-            return four_balls_stand({.between = mu, .on_floor = 0.5}, setting, stepper);
+            return four_balls_stand({.between = mu, .on_floor = 0.5}, stepper);
         });
         const std::string name = name_of(setting);
         note("A35 critical friction of balls " + name, found_balls);
         expect_at_most("A35 balls " + name, std::abs(found_balls / four_balls_mu() - 1), 0.04);
         const double found_floor = threshold_of(0.05, 0.15, 8, [&](double mu) {
-            return four_balls_stand({.between = 1, .on_floor = mu}, setting, stepper);
+            return four_balls_stand({.between = 1, .on_floor = mu}, stepper);
         });
         note("A35 critical friction of floor " + name, found_floor);
         expect_at_most(
@@ -43,8 +43,8 @@ TEST(Support, A36BlocksLeanOutAsFarAsTheSeriesSays) {
 
 TEST(Support, A39ATowerPressesWithTheWeightAbove) {
     for (const Setting& setting : every_s()) {
-        Stepper stepper(Stepper::Mode::Errors);
-        const PressErrors errors = tower_presses(setting, stepper);
+        Stepper stepper(Stepper::Mode::Errors, setting);
+        const PressErrors errors = tower_presses(stepper);
         expect_at_most("A39 tower of 10, weight above " + name_of(setting), errors.mean, 0.01);
         expect_at_most("A39 tower of 10, rms " + name_of(setting), errors.rms, 0.01);
     }
@@ -91,8 +91,8 @@ TEST(Support, A39ABeamLeansOnItsPostsByTheLeverRule) {
 /// Posts that end in balls: the load acts at a point, and the rule is exact.
 TEST(Support, A39ABeamOnTwoBallsLeansExactly) {
     for (const Setting& setting : every_s()) {
-        Stepper stepper(Stepper::Mode::Errors);
-        const PressErrors errors = beam_presses(setting, stepper);
+        Stepper stepper(Stepper::Mode::Errors, setting);
+        const PressErrors errors = beam_presses(stepper);
         expect_at_most("A39 beam on balls, reactions " + name_of(setting), errors.mean, 0.01);
         expect_at_most("A39 beam on balls, rms " + name_of(setting), errors.rms, 0.01);
     }

@@ -61,8 +61,8 @@ BouncingEnd bouncing_end(double e) {
     return {flights, Drop{.height_m = 1, .e = e}.contact_s(flights + 1)};
 }
 
-double bouncing_end_found_s(double e, const Setting& setting, Stepper& stepper) {
-    DroppedBody dropped(setting, {.height_m = 1, .e = e});
+double bouncing_end_found_s(double e, Stepper& stepper) {
+    DroppedBody dropped(stepper.setting(), {.height_m = 1, .e = e});
     const double longest_s = std::ceil(bouncing_end(e).expected_s * 1.5);
     double last_s = 0;
     stepper.run(dropped.world, longest_s, {.after = [&](int i) {
@@ -71,9 +71,9 @@ double bouncing_end_found_s(double e, const Setting& setting, Stepper& stepper) 
     return last_s;
 }
 
-double elastic_balls_energy_rms(const Setting& setting, Stepper& stepper) {
+double elastic_balls_energy_rms(Stepper& stepper) {
     constexpr double kHeight_m = 5;
-    ScenarioWorld world(setting);
+    ScenarioWorld world(stepper.setting());
     world.floor(0.5, 1);
     for (int i = 0; i < 49; ++i)
         world.sphere({0.5 * (i % 7), 0.1 + kHeight_m, 0.5 * static_cast<double>(i / 7)},
@@ -118,8 +118,8 @@ Scenario dropped(const Drop& drop) {
                 "apex n = e^(2n) H; read off place and speed at a moment of the flight that "
                 "every step divides",
             .metrics = metrics,
-            .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
-                DroppedBody falls(setting, drop);
+            .run = [=](Stepper& stepper) -> Errors {
+                DroppedBody falls(stepper.setting(), drop);
                 Errors errors;
                 double now_s = 0;
                 for (const double moment_s : moments_s) {
@@ -145,8 +145,8 @@ Scenario end_of_bouncing(double e) {
                                  end.flights + 1,
                                  end.expected_s),
         .metrics = {{"last moment with 1 mm to go", "the time itself"}},
-        .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
-            return {bouncing_end_found_s(e, setting, stepper) / end.expected_s - 1};
+        .run = [=](Stepper& stepper) -> Errors {
+            return {bouncing_end_found_s(e, stepper) / end.expected_s - 1};
         }};
 }
 
@@ -159,9 +159,7 @@ Scenario elastic_balls() {
             .reference = "energy is kept",
             .tier = Tier::Conserved,
             .metrics = {{"energy, rms over the steps", "m g H of all balls"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                return {elastic_balls_energy_rms(setting, stepper)};
-            },
+            .run = [](Stepper& stepper) -> Errors { return {elastic_balls_energy_rms(stepper)}; },
             .knobs = {.most_hz = 240}};
 }
 
@@ -175,8 +173,8 @@ Scenario elastic_grid() {
             .reference = "energy is kept",
             .tier = Tier::Conserved,
             .metrics = {{"energy, rms over the steps", "m g H of all balls, 21.2 kJ"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                ScenarioWorld world(setting);
+            .run = [](Stepper& stepper) -> Errors {
+                ScenarioWorld world(stepper.setting());
                 world.floor(0, 1);
                 Random random(666);
                 const auto off = [&] { return static_cast<double>(random.uniform(0, 1e-3F)); };
@@ -193,14 +191,18 @@ Scenario elastic_grid() {
 
 }  // namespace
 
-void add_bounces(std::vector<Scenario>& all) {
-    for (const double e : {0.3, 0.5, 0.8, 1.0}) all.push_back(dropped({.height_m = 1, .e = e}));
-    all.push_back(dropped({.height_m = 5, .e = 0.8}));
-    for (const double e : {0.5, 1.0})
-        all.push_back(dropped({.height_m = 2, .e = e, .shape = Drop::Shape::Cube}));
-    for (const double e : {0.5, 0.8}) all.push_back(end_of_bouncing(e));
-    all.push_back(elastic_balls());
-    all.push_back(elastic_grid());
+std::vector<Scenario> bounces_family() {
+    return {dropped({.height_m = 1, .e = 0.3}),
+            dropped({.height_m = 1, .e = 0.5}),
+            dropped({.height_m = 1, .e = 0.8}),
+            dropped({.height_m = 1, .e = 1}),
+            dropped({.height_m = 5, .e = 0.8}),
+            dropped({.height_m = 2, .e = 0.5, .shape = Drop::Shape::Cube}),
+            dropped({.height_m = 2, .e = 1, .shape = Drop::Shape::Cube}),
+            end_of_bouncing(0.5),
+            end_of_bouncing(0.8),
+            elastic_balls(),
+            elastic_grid()};
 }
 
 }  // namespace plumbline::study

@@ -43,10 +43,10 @@ struct BouncingEnd {
     double expected_s;  ///< the contact that ends the last of them
 };
 BouncingEnd bouncing_end(double e);
-double bouncing_end_found_s(double e, const Setting& setting, Stepper& stepper);
+double bouncing_end_found_s(double e, Stepper& stepper);
 
 /// A25: 7 x 7 elastic balls fall 5 m. Error of their energy for 20 s, rms over the steps, as a share of
 /// that of the fall.
-double elastic_balls_energy_rms(const Setting& setting, Stepper& stepper);
+double elastic_balls_energy_rms(Stepper& stepper);
 
 }  // namespace plumbline::study

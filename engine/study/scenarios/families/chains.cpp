@@ -1,4 +1,5 @@
 // Chains that hang: A14, A15.
+#include "engine/study/scenarios/integrate.h"
 #include "engine/study/scenarios/scenario.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,6 @@ namespace {
 
 using physics::BodyId;
 using physics::JointId;
-using physics::JointKind;
 
 double widest_gap_m(const ScenarioWorld& world, const std::vector<JointId>& joints) {
     double widest = 0;
@@ -30,15 +30,11 @@ double rod_rad(int i, double pull_N) {
 
 /// The pull at which the chain spans what it spans, by halving.
 double catenary_pull_N() {
-    double low = 1;
-    double high = 1000;
-    for (int i = 0; i < 200; ++i) {
-        const double middle = (low + high) / 2;
+    return threshold_of(1, 1000, 200, [](double pull_N) {
         double span = 0;
-        for (int rod = 0; rod < kRods; ++rod) span += kRod_m * std::cos(rod_rad(rod, middle));
-        (span < kSpan_m ? low : high) = middle;
-    }
-    return (low + high) / 2;
+        for (int rod = 0; rod < kRods; ++rod) span += kRod_m * std::cos(rod_rad(rod, pull_N));
+        return span >= kSpan_m;
+    });
 }
 
 Scenario catenary() {
@@ -57,8 +53,8 @@ Scenario catenary() {
         .metrics = {{"pull at a nail, mean of the last second", "59.17 N"},
                     {"sag at 4 s", "0.5337 m"},
                     {"largest gap", "a rod, 0.2 m"}},
-        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-            ScenarioWorld world(setting);
+        .run = [](Stepper& stepper) -> Errors {
+            ScenarioWorld world(stepper.setting());
             std::vector<JointId> joints;
             Vec3d end{0, 0, 0};
             BodyId before{};
@@ -70,19 +66,12 @@ Scenario catenary() {
                     world.box(end + along * (kRod_m / 2),
                               {kRod_m, 0.02, 0.02},
                               {.turn = glm::angleAxis(angle, Vec3d{0, 0, 1}), .touches = false});
-                joints.push_back(world.join({.kind = JointKind::BallAndSocket,
-                                             .a = rod,
-                                             .b = before,
-                                             .anchor_a_world = vec(end),
-                                             .anchor_b_world = vec(end)}));
+                joints.push_back(world.join_at(end, rod, before));
                 end += along * kRod_m;
                 sag_m = std::max(sag_m, -end.y);
                 before = rod;
             }
-            joints.push_back(world.join({.kind = JointKind::BallAndSocket,
-                                         .a = before,
-                                         .anchor_a_world = vec(end),
-                                         .anchor_b_world = vec(end)}));
+            joints.push_back(world.join_at(end, before));
             double sum_N = 0;
             int count = 0;
             double gap_m = 0;
@@ -108,30 +97,22 @@ struct Hanging {
     double end_kg;
 };
 
-Errors hang(const Hanging& chain, double seconds, const Setting& setting, Stepper& stepper) {
-    ScenarioWorld world(setting);
+Errors hang(const Hanging& chain, double seconds, Stepper& stepper) {
+    ScenarioWorld world(stepper.setting());
     std::vector<JointId> joints;
     BodyId before{};
     for (int i = 0; i < chain.links; ++i) {
         const Vec3d top{0, -i * chain.link_m, 0};
         const BodyId link = world.box(
             top - Vec3d{0, chain.link_m / 2, 0}, {0.1, chain.link_m, 0.1}, {.touches = false});
-        joints.push_back(world.join({.kind = JointKind::BallAndSocket,
-                                     .a = link,
-                                     .b = before,
-                                     .anchor_a_world = vec(top),
-                                     .anchor_b_world = vec(top)}));
+        joints.push_back(world.join_at(top, link, before));
         before = link;
     }
     const double length_m = chain.links * chain.link_m;
     const Vec3d end{0, -length_m, 0};
     const BodyId ball =
         world.sphere(end - Vec3d{0, 0.25, 0}, 0.25, {.mass_kg = chain.end_kg, .touches = false});
-    joints.push_back(world.join({.kind = JointKind::BallAndSocket,
-                                 .a = ball,
-                                 .b = before,
-                                 .anchor_a_world = vec(end),
-                                 .anchor_b_world = vec(end)}));
+    joints.push_back(world.join_at(end, ball, before));
     const double weight_N = (chain.links + chain.end_kg) * kG_mps2;
     double sum_N = 0;
     double squares_m2 = 0;
@@ -164,17 +145,16 @@ Scenario heavy_chain(std::string id, const Hanging& chain, double seconds) {
                         {"largest stretch", "the length"},
                         {"load on the first joint, mean of 2 s", "the weight below it"},
                         {"speed of the end, rms of the last 2 s", "sqrt(g l)"}},
-            .run = [=](const Setting& setting,
-                       Stepper& stepper) { return hang(chain, seconds, setting, stepper); },
+            .run = [=](Stepper& stepper) { return hang(chain, seconds, stepper); },
             .knobs = {.most_hz = chain.links > 10 ? 240 : 960}};
 }
 
 }  // namespace
 
-void add_chains(std::vector<Scenario>& all) {
-    all.push_back(catenary());
-    all.push_back(heavy_chain("A15 100:1", {10, 0.5, 100}, 5));
-    all.push_back(heavy_chain("A15 1000:1", {50, 0.4, 1000}, 5));
+std::vector<Scenario> chains_family() {
+    return {catenary(),
+            heavy_chain("A15 100:1", {10, 0.5, 100}, 5),
+            heavy_chain("A15 1000:1", {50, 0.4, 1000}, 5)};
 }
 
 }  // namespace plumbline::study

@@ -43,8 +43,8 @@ Scenario projectile() {
             .reference = "x = v0 t - g t^2 / 2",
             .metrics = {{"height at 2 s", "the distance fallen, 19.62 m"},
                         {"path along at 2 s", "6 m"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                ThrownBall thrown(setting);
+            .run = [](Stepper& stepper) -> Errors {
+                ThrownBall thrown(stepper.setting());
                 stepper.run(thrown.world, kSeconds);
                 const Vec3d off_m = thrown.off_m(kSeconds);
                 return {off_m.y / kFallen_m, off_m.x / 6};
@@ -67,8 +67,8 @@ Scenario along_a_wall() {
             .reference = "y = v0 t - g t^2 / 2; a semi-implicit Euler body is off by g T h / 2",
             .metrics = {{"height at 2 s", "the distance fallen, 19.62 m"},
                         {"path into the wall at 2 s", "its radius, 0.1 m"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                ScenarioWorld world(setting);
+            .run = [](Stepper& stepper) -> Errors {
+                ScenarioWorld world(stepper.setting());
                 world.fixed_box({-1.1, 0, 0}, {2, 60, 20}, {.friction = 0});
                 const BodyId ball =
                     world.sphere({0, 0, 0}, 0.1, {.friction = 0, .velocity_mps = {0, 10, 0}});
@@ -93,8 +93,8 @@ Scenario damped_fall() {
             .set_up = "A ball falls from rest for 5 s; damping takes 20 % of its speed a second.",
             .reference = "v = (g/k)(1 - exp(-k t)), k = -ln 0.8",
             .metrics = {{"speed at 5 s", "29.6 m/s"}, {"path at 5 s", "the distance fallen"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                ScenarioWorld world(setting);
+            .run = [](Stepper& stepper) -> Errors {
+                ScenarioWorld world(stepper.setting());
                 const BodyId ball = world.sphere({0, 0, 0}, 0.1, {.linear_damping_per_s = rate});
                 stepper.run(world, kSeconds);
                 return {-world.velocity(ball).y / speed_mps - 1, -world.at(ball).y / path_m - 1};
@@ -137,8 +137,8 @@ Scenario quadratic_drag() {
                 "game would.",
             .reference = "v = vt tanh(g t / vt), y = (vt^2/g) ln cosh(g t / vt)",
             .metrics = {{"path at 2 s", "13.13 m"}, {"speed at 2 s", "9.612 m/s"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                ScenarioWorld world(setting);
+            .run = [](Stepper& stepper) -> Errors {
+                ScenarioWorld world(stepper.setting());
                 const BodyId ball = world.sphere({0, 0, 0}, 0.1);
                 const auto drag = [&](int) {
                     const double share = world.velocity(ball).y / kTerminal_mps;
@@ -193,8 +193,8 @@ Scenario orbit() {
             .metrics = {{"place at 60 s", "the half axis, 1 m"},
                         {"largest error of energy", "the energy, 0.5 J"},
                         {"angular momentum at 60 s", "that at the start"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                ScenarioWorld world(setting, {0, 0, 0});
+            .run = [](Stepper& stepper) -> Errors {
+                ScenarioWorld world(stepper.setting(), {0, 0, 0});
                 const BodyId body = world.sphere(kPericentre, 0.05, {.velocity_mps = kFastest_mps});
                 const auto pull = [&](int) {
                     const Vec3d at = world.at(body);
@@ -224,12 +224,8 @@ Scenario orbit() {
 
 }  // namespace
 
-void add_flight(std::vector<Scenario>& all) {
-    all.push_back(projectile());
-    all.push_back(along_a_wall());
-    all.push_back(damped_fall());
-    all.push_back(quadratic_drag());
-    all.push_back(orbit());
+std::vector<Scenario> flight_family() {
+    return {projectile(), along_a_wall(), damped_fall(), quadratic_drag(), orbit()};
 }
 
 }  // namespace plumbline::study

@@ -25,10 +25,7 @@ constexpr Incidence kIncidences[] = {
 constexpr int kAzimuths = 24;
 
 /// One incidence, from every direction.
-SpinningBallErrors spun_off(const Incidence& incidence,
-                            double mu,
-                            const Setting& setting,
-                            Stepper& stepper) {
+SpinningBallErrors spun_off(const Incidence& incidence, double mu, Stepper& stepper) {
     static constexpr double kRadius_m = 0.5;
     static constexpr double kE = 0.7;
     double off = 0;
@@ -41,7 +38,7 @@ SpinningBallErrors spun_off(const Incidence& incidence,
         const SpinningBall before{
             forward * incidence.along_mps - Vec3d{0, 5, 0},
             axis * incidence.topspin_radps + forward * incidence.sidespin_radps};
-        ScenarioWorld world(setting, {0, 0, 0});
+        ScenarioWorld world(stepper.setting(), {0, 0, 0});
         world.floor(mu, kE);
         const BodyId ball = world.sphere({0, 0.9, 0},
                                          kRadius_m,
@@ -64,10 +61,10 @@ SpinningBallErrors spun_off(const Incidence& incidence,
 
 }  // namespace
 
-BallsMeetErrors balls_meet(const BallsMeet& how, const Setting& setting, Stepper& stepper) {
+BallsMeetErrors balls_meet(const BallsMeet& how, Stepper& stepper) {
     static constexpr double kRadius_m = 0.1;
     static constexpr double kE = 0.7;
-    ScenarioWorld world(setting, {0, 0, 0});
+    ScenarioWorld world(stepper.setting(), {0, 0, 0});
     const BodyProperties properties{.friction = 0, .restitution = kE};
     BodyProperties coming = properties;
     coming.mass_kg = how.mass_ratio;
@@ -104,20 +101,20 @@ SpinningBall after_floor(const SpinningBall& before, double radius_m, double mu,
     return after;
 }
 
-SpinningBallErrors spinning_ball_bounces(double mu, const Setting& setting, Stepper& stepper) {
+SpinningBallErrors spinning_ball_bounces(double mu, Stepper& stepper) {
     SpinningBallErrors worst{0, 0};
     for (const Incidence& incidence : kIncidences) {
-        const SpinningBallErrors off = spun_off(incidence, mu, setting, stepper);
+        const SpinningBallErrors off = spun_off(incidence, mu, stepper);
         worst.worst = std::max(worst.worst, off.worst);
         worst.spread = std::max(worst.spread, off.spread);
     }
     return worst;
 }
 
-CradleErrors cradle_swings(const Cradle& cradle, const Setting& setting, Stepper& stepper) {
+CradleErrors cradle_swings(const Cradle& cradle, Stepper& stepper) {
     constexpr double kRadius_m = 0.1;
     constexpr int kBalls = 5;
-    ScenarioWorld world(setting, {0, 0, 0});
+    ScenarioWorld world(stepper.setting(), {0, 0, 0});
     for (int i = 0; i < kBalls; ++i) {
         const bool comes = i < cradle.coming;
         const double start_m = comes ? -0.3 : 0;
@@ -154,9 +151,9 @@ Scenario two_balls(double ratio) {
         .metrics = {{"velocities, oblique", "2 m/s"},
                     {"velocities, head on", "2 m/s"},
                     {"momentum", "that at the start"}},
-        .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
-            const auto head_on = balls_meet({.mass_ratio = ratio}, setting, stepper);
-            const auto oblique = balls_meet({.mass_ratio = ratio, .aside = 1}, setting, stepper);
+        .run = [=](Stepper& stepper) -> Errors {
+            const auto head_on = balls_meet({.mass_ratio = ratio}, stepper);
+            const auto oblique = balls_meet({.mass_ratio = ratio, .aside = 1}, stepper);
             return {
                 oblique.velocity, head_on.velocity, std::max(head_on.momentum, oblique.momentum)};
         }};
@@ -172,8 +169,8 @@ Scenario spinning_ball(double mu) {
             .reference = "rigid Coulomb impact: sticks if mu (1 + e) v_n >= 2/7 of the slip",
             .metrics = {{"velocity and spin, worst", "the speed after"},
                         {"spread over directions, worst", "the speed after"}},
-            .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
-                const auto [worst, spread] = spinning_ball_bounces(mu, setting, stepper);
+            .run = [=](Stepper& stepper) -> Errors {
+                const auto [worst, spread] = spinning_ball_bounces(mu, stepper);
                 return {worst, spread};
             },
             .knobs = {.most_hz = 240}};
@@ -191,18 +188,23 @@ Scenario cradle(double gap_m) {
                              : "one in, one out: what impacts passed on from pair to pair give, "
                                "and real steel balls nearly do; rigid bodies alone do not say",
             .metrics = {{"speed of the last ball", "2 m/s"}, {"speed of the others", "2 m/s"}},
-            .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
-                const auto [leaving, staying] = cradle_swings({.gap_m = gap_m}, setting, stepper);
+            .run = [=](Stepper& stepper) -> Errors {
+                const auto [leaving, staying] = cradle_swings({.gap_m = gap_m}, stepper);
                 return {leaving, staying};
             }};
 }
 
 }  // namespace
 
-void add_impacts(std::vector<Scenario>& all) {
-    for (const double ratio : {1.0, 10.0, 100.0, 1000.0}) all.push_back(two_balls(ratio));
-    for (const double mu : {0.1, 0.5}) all.push_back(spinning_ball(mu));
-    for (const double gap_m : {0.0, 0.001}) all.push_back(cradle(gap_m));
+std::vector<Scenario> impacts_family() {
+    return {two_balls(1),
+            two_balls(10),
+            two_balls(100),
+            two_balls(1000),
+            spinning_ball(0.1),
+            spinning_ball(0.5),
+            cradle(0),
+            cradle(0.001)};
 }
 
 }  // namespace plumbline::study

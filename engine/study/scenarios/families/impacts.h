@@ -14,7 +14,7 @@ struct BallsMeetErrors {
     double velocity;  ///< the worse of the two, as a share of 2 m/s
     double momentum;  ///< relative
 };
-BallsMeetErrors balls_meet(const BallsMeet& how, const Setting& setting, Stepper& stepper);
+BallsMeetErrors balls_meet(const BallsMeet& how, Stepper& stepper);
 
 struct SpinningBall {
     Vec3d velocity_mps;
@@ -28,7 +28,7 @@ struct SpinningBallErrors {
     double worst;   ///< of velocity and spin, as a share of the speed after
     double spread;  ///< of that speed over the directions, as a share of it
 };
-SpinningBallErrors spinning_ball_bounces(double mu, const Setting& setting, Stepper& stepper);
+SpinningBallErrors spinning_ball_bounces(double mu, Stepper& stepper);
 
 /// A24: of five balls in a row the first ones come at 2 m/s; restitution 1, afloat.
 struct Cradle {
@@ -40,6 +40,6 @@ struct CradleErrors {
     double leaving;  ///< as many as came, at their speed: worst error
     double staying;  ///< fastest of the others
 };
-CradleErrors cradle_swings(const Cradle& cradle, const Setting& setting, Stepper& stepper);
+CradleErrors cradle_swings(const Cradle& cradle, Stepper& stepper);
 
 }  // namespace plumbline::study

@@ -16,8 +16,8 @@ namespace {
 using physics::BodyId;
 using physics::BodyKind;
 
-Vec3d pendulum_end(const Frame& frame, const Setting& setting, Stepper& stepper) {
-    FramedWorld framed(frame, setting);
+Vec3d pendulum_end(const Frame& frame, Stepper& stepper) {
+    FramedWorld framed(frame, stepper.setting());
     const std::size_t nail =
         framed.box(BodyKind::Static, {0, 0, 0}, {0.2, 0.2, 0.2}, {.touches = false});
     const std::size_t ball = framed.sphere({1, 0, 0}, 0.1, {.touches = false});
@@ -27,8 +27,8 @@ Vec3d pendulum_end(const Frame& frame, const Setting& setting, Stepper& stepper)
     return framed.at(ball);
 }
 
-Vec3d bounce_end(const Frame& frame, const Setting& setting, Stepper& stepper) {
-    FramedWorld framed(frame, setting);
+Vec3d bounce_end(const Frame& frame, Stepper& stepper) {
+    FramedWorld framed(frame, stepper.setting());
     framed.floor(0.5, 0.8);
     const std::size_t ball = framed.sphere({0, 1.1, 0}, 0.1, {.restitution = 0.8});
     framed.build();
@@ -38,8 +38,8 @@ Vec3d bounce_end(const Frame& frame, const Setting& setting, Stepper& stepper) {
     return {at.x, at.y - 0.1 + speed * speed / (2 * kG_mps2), at.z};
 }
 
-Vec3d slide_end(const Frame& frame, const Setting& setting, Stepper& stepper) {
-    FramedWorld framed(frame, setting);
+Vec3d slide_end(const Frame& frame, Stepper& stepper) {
+    FramedWorld framed(frame, stepper.setting());
     framed.floor(0.3);
     const std::size_t box = framed.box(
         BodyKind::Dynamic, {0, 0.25, 0}, {1, 0.5, 1}, {.friction = 0.3, .velocity_mps = {5, 0, 0}});
@@ -48,8 +48,8 @@ Vec3d slide_end(const Frame& frame, const Setting& setting, Stepper& stepper) {
     return framed.at(box);
 }
 
-Vec3d roll_end(const Frame& frame, const Setting& setting, Stepper& stepper) {
-    FramedWorld framed(frame, setting);
+Vec3d roll_end(const Frame& frame, Stepper& stepper) {
+    FramedWorld framed(frame, stepper.setting());
     framed.floor(0.2);
     const std::size_t ball =
         framed.sphere({0, 0.5, 0}, 0.5, {.friction = 0.2, .velocity_mps = {5, 0, 0}});
@@ -59,8 +59,8 @@ Vec3d roll_end(const Frame& frame, const Setting& setting, Stepper& stepper) {
 }
 
 /// The top of five cubes that come down a centimetre each.
-Vec3d tower_end(const Frame& frame, const Setting& setting, Stepper& stepper) {
-    FramedWorld framed(frame, setting);
+Vec3d tower_end(const Frame& frame, Stepper& stepper) {
+    FramedWorld framed(frame, stepper.setting());
     framed.floor(0.5);
     std::size_t top = 0;
     for (int i = 0; i < 5; ++i)
@@ -100,8 +100,8 @@ Frame far_frame(double distance_m) {
     return {.offset_m = {distance_m, 0, -distance_m}};
 }
 
-double back_in_time_m(double seconds, const Setting& setting, Stepper& stepper) {
-    ScenarioWorld world(setting);
+double back_in_time_m(double seconds, Stepper& stepper) {
+    ScenarioWorld world(stepper.setting());
     world.room(2);
     const BodyId ball = world.sphere(
         {0.3, 0.2, 0.1}, 0.25, {.friction = 0, .restitution = 1, .velocity_mps = {3.1, 2.3, -1.7}});
@@ -115,26 +115,25 @@ double back_in_time_m(double seconds, const Setting& setting, Stepper& stepper) 
 namespace {
 
 /// For every scene the furthest that any of the frames ends from the plain one.
-Errors furthest_by_scene(std::span<const Frame> frames, const Setting& setting, Stepper& stepper) {
+Errors furthest_by_scene(std::span<const Frame> frames, Stepper& stepper) {
     Errors errors;
     for (const FramedScene& scene : kScenes) {
-        const Vec3d plain = scene.end_m({}, setting, stepper);
+        const Vec3d plain = scene.end_m({}, stepper);
         double furthest = 0;
         for (const Frame& frame : frames)
-            furthest =
-                std::max(furthest, glm::distance(scene.end_m(frame, setting, stepper), plain));
+            furthest = std::max(furthest, glm::distance(scene.end_m(frame, stepper), plain));
         errors.push_back(furthest / scene.scale_m);
     }
     return errors;
 }
 
 /// For every frame the furthest that any scene ends from the plain one, as a share of its way.
-Errors furthest_by_frame(std::span<const Frame> frames, const Setting& setting, Stepper& stepper) {
+Errors furthest_by_frame(std::span<const Frame> frames, Stepper& stepper) {
     Errors errors(frames.size(), 0.0);
     for (const FramedScene& scene : kScenes) {
-        const Vec3d plain = scene.end_m({}, setting, stepper);
+        const Vec3d plain = scene.end_m({}, stepper);
         for (std::size_t i = 0; i < frames.size(); ++i) {
-            const double off = glm::distance(scene.end_m(frames[i], setting, stepper), plain);
+            const double off = glm::distance(scene.end_m(frames[i], stepper), plain);
             errors[i] = std::max(errors[i], off / scene.scale_m);
         }
     }
@@ -161,8 +160,7 @@ Scenario by_scene(std::string id, std::string title, const char* how, std::vecto
             .tier = Tier::Conserved,
             .metrics = metrics_by_scene(),
             .run = [frames = std::move(frames)](
-                       const Setting& setting,
-                       Stepper& stepper) { return furthest_by_scene(frames, setting, stepper); },
+                       Stepper& stepper) { return furthest_by_scene(frames, stepper); },
             .knobs = kUpTo240Hz};
 }
 
@@ -186,8 +184,7 @@ Scenario by_value(std::string id,
             .tier = Tier::Conserved,
             .metrics = std::move(metrics),
             .run = [frames = std::move(frames)](
-                       const Setting& setting,
-                       Stepper& stepper) { return furthest_by_frame(frames, setting, stepper); },
+                       Stepper& stepper) { return furthest_by_frame(frames, stepper); },
             .knobs = kUpTo240Hz};
 }
 
@@ -239,21 +236,14 @@ Scenario back_in_time() {
             .reference = "it comes back to where it started",
             .tier = Tier::Conserved,
             .metrics = {{"distance from the start", "the room, 4 m"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                return {back_in_time_m(2, setting, stepper) / 4};
-            },
+            .run = [](Stepper& stepper) -> Errors { return {back_in_time_m(2, stepper) / 4}; },
             .knobs = {.iterations = false}};
 }
 
 }  // namespace
 
-void add_invariances(std::vector<Scenario>& all) {
-    all.push_back(turned());
-    all.push_back(far_away());
-    all.push_back(carried_along());
-    all.push_back(scaled());
-    all.push_back(made_backwards());
-    all.push_back(back_in_time());
+std::vector<Scenario> invariances_family() {
+    return {turned(), far_away(), carried_along(), scaled(), made_backwards(), back_in_time()};
 }
 
 }  // namespace plumbline::study

@@ -11,7 +11,7 @@ namespace plumbline::study {
 struct FramedScene {
     const char* name;
     double scale_m;
-    Vec3d (*end_m)(const Frame& frame, const Setting& setting, Stepper& stepper);
+    Vec3d (*end_m)(const Frame& frame, Stepper& stepper);
 };
 /// A sliding box, a pendulum, a bounce, a ball that comes to roll and a tower of five.
 std::span<const FramedScene> framed_scenes();
@@ -25,6 +25,6 @@ Frame far_frame(double distance_m);
 
 /// A44: an elastic ball flies about in a smooth room for so long, then its velocity is turned round:
 /// how far from its start it is after as long again.
-double back_in_time_m(double seconds, const Setting& setting, Stepper& stepper);
+double back_in_time_m(double seconds, Stepper& stepper);
 
 }  // namespace plumbline::study

@@ -60,8 +60,8 @@ Scenario smooth_floor_rod() {
             .tier = Tier::TwoIntegrators,
             .metrics = {{"angle at 0.5 s", "90 degrees"},
                         {"path of its middle to the side", "half the rod"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                ScenarioWorld world(setting);
+            .run = [](Stepper& stepper) -> Errors {
+                ScenarioWorld world(stepper.setting());
                 world.floor(0);
                 const BodyId rod = leaning_rod(world, kFrom_rad, 0);
                 const double start_m = world.at(rod).x;
@@ -85,52 +85,45 @@ Scenario leaving_ball() {
     static const auto law = [](double, const State<2>& s) {
         return State<2>{s[1], kG_mps2 / kAround_m * std::sin(s[0])};
     };
-    return {.id = "A38 ball leaves",
-            .title = "A ball slides off a ball",
-            .set_up =
-                "A small smooth ball is let go 10 degrees off the top of a fixed one (1 m and "
-                "0.1 m); it loses touch after about 0.9 s and falls.",
-            .reference =
-                "pendulum's equation on top by Dormand-Prince and Gauss-Legendre until "
-                "cos a = 2/3 cos a0, then the parabola",
-            .tier = Tier::TwoIntegrators,
-            .metrics = {{"place at 1 s", "the sum of the radii, 1.1 m"},
-                        {"speed at 1 s", "that of the fall"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                static const double leaves_rad = std::acos(2.0 / 3 * std::cos(kFrom_rad));
-                // When it is there: halving the time.
-                static const double leaves_s = [] {
-                    double low = 0;
-                    double high = 2;
-                    for (int i = 0; i < 48; ++i) {
-                        const double middle = (low + high) / 2;
-                        const State<2> at =
-                            gauss_legendre(law, State<2>{kFrom_rad, 0}, 0, middle, 1e-2);
-                        (at[0] < leaves_rad ? low : high) = middle;
-                    }
-                    return (low + high) / 2;
-                }();
-                static const State<2> then =
-                    reference(law, State<2>{kFrom_rad, 0}, 0, std::min(leaves_s, kSeconds));
-                const double free_s = std::max(0.0, kSeconds - leaves_s);
-                const Vec3d out{std::sin(then[0]), std::cos(then[0]), 0};
-                const Vec3d along{std::cos(then[0]), -std::sin(then[0]), 0};
-                const Vec3d velocity = along * (then[1] * kAround_m);
-                const Vec3d fall{0, -kG_mps2, 0};
-                const Vec3d expected =
-                    out * kAround_m + velocity * free_s + fall * (free_s * free_s / 2);
-                const Vec3d speed = velocity + fall * free_s;
+    return {
+        .id = "A38 ball leaves",
+        .title = "A ball slides off a ball",
+        .set_up =
+            "A small smooth ball is let go 10 degrees off the top of a fixed one (1 m and "
+            "0.1 m); it loses touch after about 0.9 s and falls.",
+        .reference =
+            "pendulum's equation on top by Dormand-Prince and Gauss-Legendre until "
+            "cos a = 2/3 cos a0, then the parabola",
+        .tier = Tier::TwoIntegrators,
+        .metrics = {{"place at 1 s", "the sum of the radii, 1.1 m"},
+                    {"speed at 1 s", "that of the fall"}},
+        .run = [](Stepper& stepper) -> Errors {
+            static const double leaves_rad = std::acos(2.0 / 3 * std::cos(kFrom_rad));
+            // When it is there: halving the time.
+            static const double leaves_s = threshold_of(0, 2, 48, [](double t_s) {
+                return gauss_legendre(law, State<2>{kFrom_rad, 0}, 0, t_s, 1e-2)[0] >= leaves_rad;
+            });
+            static const State<2> then =
+                reference(law, State<2>{kFrom_rad, 0}, 0, std::min(leaves_s, kSeconds));
+            const double free_s = std::max(0.0, kSeconds - leaves_s);
+            const Vec3d out{std::sin(then[0]), std::cos(then[0]), 0};
+            const Vec3d along{std::cos(then[0]), -std::sin(then[0]), 0};
+            const Vec3d velocity = along * (then[1] * kAround_m);
+            const Vec3d fall{0, -kG_mps2, 0};
+            const Vec3d expected =
+                out * kAround_m + velocity * free_s + fall * (free_s * free_s / 2);
+            const Vec3d speed = velocity + fall * free_s;
 
-                ScenarioWorld world(setting);
-                world.fixed_sphere({0, 0, 0}, kBig_m, {.friction = 0});
-                const BodyId ball =
-                    world.sphere(Vec3d{std::sin(kFrom_rad), std::cos(kFrom_rad), 0} * kAround_m,
-                                 kSmall_m,
-                                 {.friction = 0});
-                stepper.run(world, kSeconds);
-                return {glm::distance(world.at(ball), expected) / kAround_m,
-                        glm::distance(world.velocity(ball), speed) / glm::length(speed)};
-            }};
+            ScenarioWorld world(stepper.setting());
+            world.fixed_sphere({0, 0, 0}, kBig_m, {.friction = 0});
+            const BodyId ball =
+                world.sphere(Vec3d{std::sin(kFrom_rad), std::cos(kFrom_rad), 0} * kAround_m,
+                             kSmall_m,
+                             {.friction = 0});
+            stepper.run(world, kSeconds);
+            return {glm::distance(world.at(ball), expected) / kAround_m,
+                    glm::distance(world.velocity(ball), speed) / glm::length(speed)};
+        }};
 }
 
 Scenario ladder() {
@@ -145,8 +138,8 @@ Scenario ladder() {
         .tier = Tier::TwoIntegrators,
         .metrics = {{"angle at 0.3 s", "90 degrees"},
                     {"place of its middle at 0.3 s", "half the rod"}},
-        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-            ScenarioWorld world(setting);
+        .run = [](Stepper& stepper) -> Errors {
+            ScenarioWorld world(stepper.setting());
             world.floor(0);
             world.fixed_box({-1 - kThin_m, 0, 0}, {2, 8, 8}, {.friction = 0});
             // Ends' centres at (0, y) and (x, 0) of a corner moved by the ends' radius.
@@ -174,10 +167,8 @@ Scenario ladder() {
 
 }  // namespace
 
-void add_leaving(std::vector<Scenario>& all) {
-    all.push_back(smooth_floor_rod());
-    all.push_back(ladder());
-    all.push_back(leaving_ball());
+std::vector<Scenario> leaving_family() {
+    return {smooth_floor_rod(), ladder(), leaving_ball()};
 }
 
 }  // namespace plumbline::study

@@ -38,12 +38,8 @@ double stretch(const PeerScene& chain, const Vec3d& along) {
     return sum_m / kChain_m;
 }
 
-Errors run_chain(const std::string& name,
-                 const Setting& setting,
-                 Stepper& stepper,
-                 const Vec3d& along,
-                 bool at_end) {
-    const auto opened = PeerScene::open(name, setting);
+Errors run_chain(const std::string& name, Stepper& stepper, const Vec3d& along, bool at_end) {
+    const auto opened = PeerScene::open(name, stepper.setting());
     if (!opened) return stepper.refuse(opened.error());
     PeerScene& chain = **opened;
     constexpr double kTail_s = 2;
@@ -60,32 +56,31 @@ Errors run_chain(const std::string& name,
     return {at_end ? tail / std::max(1, in_tail) : most};
 }
 
-void add_chain(std::vector<Scenario>& all, const std::string& name, bool hangs) {
+Scenario peer_chain(const std::string& name, bool hangs) {
     const Vec3d along = hangs ? Vec3d{0, -1, 0} : Vec3d{1, 0, 0};
-    all.push_back(
-        {.id = fmt::format("P {}", name),
-         .title = hangs ? "a chain of 50 links hangs with 100 kg at its end"
-                        : "a chain of 50 links with 100 kg at its end swings down",
-         .set_up = fmt::format(
-             "50 links of 0.4 m and 1 kg, ball-and-socket joints, a ball of 100 kg at the end; {}, "
-             "20 s.",
-             hangs ? "hanging straight" : "released lying level"),
-         .reference = "The links are rigid: no joint ever opens.",
-         .tier = Tier::Conserved,
-         .metrics = {{hangs ? "stretch at the end" : "largest stretch",
-                      hangs ? "20 m; the gaps of all joints, mean of the last 2 s"
-                            : "20 m; the gaps of all joints"}},
-         .run = [name, along, hangs](
-                    const Setting& setting,
-                    Stepper& stepper) { return run_chain(name, setting, stepper, along, hangs); },
-         .peer_scene = name,
-         .knobs = {.most_hz = 240, .doubled = false}});
+    return {
+        .id = fmt::format("P {}", name),
+        .title = hangs ? "a chain of 50 links hangs with 100 kg at its end"
+                       : "a chain of 50 links with 100 kg at its end swings down",
+        .set_up = fmt::format(
+            "50 links of 0.4 m and 1 kg, ball-and-socket joints, a ball of 100 kg at the end; {}, "
+            "20 s.",
+            hangs ? "hanging straight" : "released lying level"),
+        .reference = "The links are rigid: no joint ever opens.",
+        .tier = Tier::Conserved,
+        .metrics = {{hangs ? "stretch at the end" : "largest stretch",
+                     hangs ? "20 m; the gaps of all joints, mean of the last 2 s"
+                           : "20 m; the gaps of all joints"}},
+        .run = [name, along, hangs](
+                   Stepper& stepper) { return run_chain(name, stepper, along, hangs); },
+        .peer_scene = name,
+        .knobs = {.most_hz = 240, .doubled = false}};
 }
 
 // --- a ball that bounces without loss ---
 
-Errors run_bounce(const Setting& setting, Stepper& stepper) {
-    const auto opened = PeerScene::open("bounce", setting);
+Errors run_bounce(Stepper& stepper) {
+    const auto opened = PeerScene::open("bounce", stepper.setting());
     if (!opened) return stepper.refuse(opened.error());
     ScenarioWorld& world = (*opened)->world;
     const BodyId ball = (*opened)->body("ball");
@@ -113,10 +108,10 @@ Errors run_bounce(const Setting& setting, Stepper& stepper) {
 
 // --- a ball that slides until it rolls ---
 
-Errors run_slide_roll(const Setting& setting, Stepper& stepper) {
+Errors run_slide_roll(Stepper& stepper) {
     constexpr SlideToRoll kLaw{.speed_mps = 5, .mu = 0.3};
     constexpr double kEnd_s = 3;
-    const auto opened = PeerScene::open("slideroll", setting);
+    const auto opened = PeerScene::open("slideroll", stepper.setting());
     if (!opened) return stepper.refuse(opened.error());
     ScenarioWorld& world = (*opened)->world;
     const BodyId ball = (*opened)->body("ball");
@@ -130,12 +125,12 @@ Errors run_slide_roll(const Setting& setting, Stepper& stepper) {
 
 // --- a T-handle that turns about its middle axis ---
 
-Errors run_handle(const Setting& setting, Stepper& stepper) {
+Errors run_handle(Stepper& stepper) {
     constexpr double kSeen_s = 10;
     static const FreeBodyDef def = t_handle();
     static const TurningBody expected =
         turned_for({.own_spin_radps = def.spin_radps}, *def.inertia_kgm2, kSeen_s);
-    const auto opened = PeerScene::open("dzhani", setting);
+    const auto opened = PeerScene::open("dzhani", stepper.setting());
     if (!opened) return stepper.refuse(opened.error());
     ScenarioWorld& world = (*opened)->world;
     const BodyId handle = (*opened)->body("handle");
@@ -177,9 +172,9 @@ double depth_m(const ScenarioWorld& world, BodyId upper, BodyId lower) {
     return deepest_m;
 }
 
-Errors run_heavy(const std::string& name, const Setting& setting, Stepper& stepper) {
+Errors run_heavy(const std::string& name, Stepper& stepper) {
     constexpr double kLandedAfter_s = 1;
-    const auto opened = PeerScene::open(name, setting);
+    const auto opened = PeerScene::open(name, stepper.setting());
     if (!opened) return stepper.refuse(opened.error());
     ScenarioWorld& world = (*opened)->world;
     const BodyId lower = (*opened)->body("lower");
@@ -196,62 +191,60 @@ Errors run_heavy(const std::string& name, const Setting& setting, Stepper& stepp
     return {most_m, (world.at(upper).y - 1.5) / 1.5};
 }
 
-void add_heavy(std::vector<Scenario>& all, int ratio) {
+Scenario peer_heavy(int ratio) {
     const std::string name = fmt::format("heavy{}", ratio);
-    all.push_back({.id = "P " + name,
-                   .title = fmt::format("a cube with one {} times as heavy on it", ratio),
-                   .set_up = "Two cubes of 1 m, the lower of 1000 kg, friction 0.6; 10 s.",
-                   .reference = "Rigid cubes do not sink into each other.",
-                   .tier = Tier::Conserved,
-                   .metrics = {{"largest penetration",
-                                "an edge, 1 m; after the first second; fallen off: all of it"},
-                               {"height of the upper cube", "1.5 m"}},
-                   .run = [name](const Setting& setting,
-                                 Stepper& stepper) { return run_heavy(name, setting, stepper); },
-                   .peer_scene = name,
-                   .knobs = {.most_hz = 480, .doubled = false}});
+    return {.id = "P " + name,
+            .title = fmt::format("a cube with one {} times as heavy on it", ratio),
+            .set_up = "Two cubes of 1 m, the lower of 1000 kg, friction 0.6; 10 s.",
+            .reference = "Rigid cubes do not sink into each other.",
+            .tier = Tier::Conserved,
+            .metrics = {{"largest penetration",
+                         "an edge, 1 m; after the first second; fallen off: all of it"},
+                        {"height of the upper cube", "1.5 m"}},
+            .run = [name](Stepper& stepper) { return run_heavy(name, stepper); },
+            .peer_scene = name,
+            .knobs = {.most_hz = 480, .doubled = false}};
 }
 
 }  // namespace
 
-void add_peer_scenes(std::vector<Scenario>& all) {
-    all.push_back({.id = "P bounce",
-                   .title = "a ball falls 10 m and bounces without loss for 60 s",
-                   .set_up = "A ball of 0.5 m, 1000 kg, restitution 1, frictionless, falls 10 m.",
-                   .reference = "It comes back to 10 m, for ever.",
-                   .tier = Tier::Conserved,
-                   .metrics = {{"last apex", "10 m"}},
-                   .run = run_bounce,
-                   .peer_scene = "bounce",
-                   .knobs = {.doubled = false}});
-    add_chain(all, "chainh", false);
-    add_chain(all, "chainv", true);
-    all.push_back(
-        {.id = "P dzhani",
-         .title = "a T-handle turns about its middle axis",
-         .set_up =
-             "56 kg, moments of inertia 1.562, 3.573, 4.762 kg m2, spin (0.01, 5, 0.01) rad/s, "
-             "weightless, 60 s.",
-         .reference = "Euler's equations by two integrators.",
-         .tier = Tier::TwoIntegrators,
-         .metrics = {{"orientation at 10 s", "half a turn"},
-                     {"energy", "its start"},
-                     {"angular momentum", "its start"}},
-         .run = run_handle,
-         .peer_scene = "dzhani",
-         .knobs = {.iterations = false, .doubled = false}});
-    add_heavy(all, 100);
-    add_heavy(all, 1000);
-    all.push_back({.id = "P slideroll",
-                   .title = "a ball slides until it rolls",
-                   .set_up = "A ball of 0.5 m, 500 kg, at 5 m/s without spin, friction 0.3; 3 s.",
-                   .reference = "v = v0 - mu g t until t = 2 v0 / (7 mu g), then 5/7 v0.",
-                   .tier = Tier::ClosedForm,
-                   .metrics = {{"place", "the path, 11.0610 m; the largest of all steps"},
-                               {"speed at the end", "5/7 of 5 m/s"}},
-                   .run = run_slide_roll,
-                   .peer_scene = "slideroll",
-                   .knobs = {.doubled = false}});
+std::vector<Scenario> peer_scenes_family() {
+    return {{.id = "P bounce",
+             .title = "a ball falls 10 m and bounces without loss for 60 s",
+             .set_up = "A ball of 0.5 m, 1000 kg, restitution 1, frictionless, falls 10 m.",
+             .reference = "It comes back to 10 m, for ever.",
+             .tier = Tier::Conserved,
+             .metrics = {{"last apex", "10 m"}},
+             .run = run_bounce,
+             .peer_scene = "bounce",
+             .knobs = {.doubled = false}},
+            peer_chain("chainh", false),
+            peer_chain("chainv", true),
+            {.id = "P dzhani",
+             .title = "a T-handle turns about its middle axis",
+             .set_up =
+                 "56 kg, moments of inertia 1.562, 3.573, 4.762 kg m2, spin (0.01, 5, 0.01) rad/s, "
+                 "weightless, 60 s.",
+             .reference = "Euler's equations by two integrators.",
+             .tier = Tier::TwoIntegrators,
+             .metrics = {{"orientation at 10 s", "half a turn"},
+                         {"energy", "its start"},
+                         {"angular momentum", "its start"}},
+             .run = run_handle,
+             .peer_scene = "dzhani",
+             .knobs = {.iterations = false, .doubled = false}},
+            peer_heavy(100),
+            peer_heavy(1000),
+            {.id = "P slideroll",
+             .title = "a ball slides until it rolls",
+             .set_up = "A ball of 0.5 m, 500 kg, at 5 m/s without spin, friction 0.3; 3 s.",
+             .reference = "v = v0 - mu g t until t = 2 v0 / (7 mu g), then 5/7 v0.",
+             .tier = Tier::ClosedForm,
+             .metrics = {{"place", "the path, 11.0610 m; the largest of all steps"},
+                         {"speed at the end", "5/7 of 5 m/s"}},
+             .run = run_slide_roll,
+             .peer_scene = "slideroll",
+             .knobs = {.doubled = false}}};
 }
 
 }  // namespace plumbline::study

@@ -48,9 +48,8 @@ Errors swing(const Pendulum& pendulum,
              JointKind kind,
              const std::function<BodyId(ScenarioWorld&, const Vec3d&, const Quatd&)>& hang,
              double seconds,
-             const Setting& setting,
              Stepper& stepper) {
-    ScenarioWorld world(setting);
+    ScenarioWorld world(stepper.setting());
     const Quatd turn = glm::angleAxis(pendulum.from_rad, Vec3d{0, 0, 1});
     const BodyId body = hang(world, turn * Vec3d{0, -pendulum.to_middle_m, 0}, turn);
     const physics::JointId pivot = world.join({.kind = kind, .a = body, .axis_world = {0, 0, 1}});
@@ -93,12 +92,11 @@ Scenario ball_pendulum(double from_deg) {
             .reference = "sin(a/2) = k cd(sqrt(g/l) t, k), k = sin(a0/2), l = 1.001 m",
             .metrics = swing_metrics(kSeconds, from_deg, "the arm, 1 m"),
             .run =
-                [=](const Setting& setting, Stepper& stepper) {
+                [=](Stepper& stepper) {
                     const auto hang = [](ScenarioWorld& world, const Vec3d& at, const Quatd& turn) {
                         return world.sphere(at, kRadius_m, {.turn = turn, .touches = false});
                     };
-                    return swing(
-                        pendulum, JointKind::BallAndSocket, hang, kSeconds, setting, stepper);
+                    return swing(pendulum, JointKind::BallAndSocket, hang, kSeconds, stepper);
                 },
             .theory = orders_in_step(2, std::nullopt)};
 }
@@ -115,11 +113,11 @@ Scenario rod_pendulum() {
         .reference = "as A09, with l = (I + m d^2)/(m d)",
         .metrics = swing_metrics(kSeconds, 90, "half the rod"),
         .run =
-            [=](const Setting& setting, Stepper& stepper) {
+            [=](Stepper& stepper) {
                 const auto hang = [](ScenarioWorld& world, const Vec3d& at, const Quatd& turn) {
                     return world.box(at, {kThick_m, 1, kThick_m}, {.turn = turn, .touches = false});
                 };
-                return swing(pendulum, JointKind::Hinge, hang, kSeconds, setting, stepper);
+                return swing(pendulum, JointKind::Hinge, hang, kSeconds, stepper);
             },
         .theory = orders_in_step(2, std::nullopt)};
 }
@@ -140,8 +138,8 @@ Scenario conical_pendulum() {
         .metrics = {{"place at 20 s", "the radius, 0.5 m"},
                     {"largest change of the cone's angle", "1 rad"},
                     {"angular momentum about the vertical", "that at the start"}},
-        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-            ScenarioWorld world(setting);
+        .run = [](Stepper& stepper) -> Errors {
+            ScenarioWorld world(stepper.setting());
             const Vec3d spin{0, around_radps, 0};
             const Vec3d start{std::sin(kCone_rad), -std::cos(kCone_rad), 0};
             const BodyId ball = world.sphere(start,
@@ -150,7 +148,7 @@ Scenario conical_pendulum() {
                                               .spin_radps = spin,
                                               .turn = glm::angleAxis(kCone_rad, Vec3d{0, 0, 1}),
                                               .touches = false});
-            world.join({.kind = JointKind::BallAndSocket, .a = ball});
+            world.join_at({0, 0, 0}, ball);
             const double start_L = world.physics.angular_momentum_kgm2ps().y;
             double cone_off = 0;
             stepper.run(world, kSeconds, {.after = [&](int) {
@@ -179,8 +177,8 @@ Scenario damped_spring() {
             .metrics = {{"amplitude at 5 s", "that of the formula"},
                         {"phase at 5 s", "1 rad"},
                         {"place at 5 s", "0.5 m"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                ScenarioWorld world(setting, {0, 0, 0});
+            .run = [](Stepper& stepper) -> Errors {
+                ScenarioWorld world(stepper.setting(), {0, 0, 0});
                 const BodyId ball = world.sphere({kRest_m + kOut_m, 0, 0}, 0.1, {.touches = false});
                 world.join({.kind = JointKind::Spring,
                             .a = ball,
@@ -218,8 +216,8 @@ Scenario motor() {
             .metrics = {{"speed at 0.5 s", "the target, 4 rad/s"},
                         {"speed at 2 s", "the target"},
                         {"most above the target", "the target"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                ScenarioWorld world(setting, {0, 0, 0});
+            .run = [](Stepper& stepper) -> Errors {
+                ScenarioWorld world(stepper.setting(), {0, 0, 0});
                 // m r^2 / 2 = 0.5
                 const BodyId wheel =
                     world.cylinder({0, 0, 0}, 0.5, 0.2, {.mass_kg = 4, .touches = false});
@@ -237,12 +235,14 @@ Scenario motor() {
 
 }  // namespace
 
-void add_pendulums(std::vector<Scenario>& all) {
-    for (const double from_deg : {30.0, 90.0, 170.0}) all.push_back(ball_pendulum(from_deg));
-    all.push_back(rod_pendulum());
-    all.push_back(conical_pendulum());
-    all.push_back(damped_spring());
-    all.push_back(motor());
+std::vector<Scenario> pendulums_family() {
+    return {ball_pendulum(30),
+            ball_pendulum(90),
+            ball_pendulum(170),
+            rod_pendulum(),
+            conical_pendulum(),
+            damped_spring(),
+            motor()};
 }
 
 }  // namespace plumbline::study

@@ -32,13 +32,10 @@ SlidingBall::SlidingBall(const Setting& setting, const SlideToRoll& law, double 
         world.sphere({0, 0.5, 0}, 0.5, {.friction = law.mu, .velocity_mps = ahead * law.speed_mps});
 }
 
-DownSlopeErrors down_slope(double angle_rad,
-                           double share,
-                           const Setting& setting,
-                           Stepper& stepper) {
+DownSlopeErrors down_slope(double angle_rad, double share, Stepper& stepper) {
     const double mu = share * 2.0 / 7 * std::tan(angle_rad);
     const Slope slope(angle_rad);
-    ScenarioWorld world(setting);
+    ScenarioWorld world(stepper.setting());
     slope.add_to(world, mu);
     const BodyId ball = world.sphere(slope.out * 0.5, 0.5, {.friction = mu});
     const Vec3d start = world.at(ball);
@@ -87,8 +84,8 @@ Scenario slide_to_roll() {
         .metrics = {{"path at 3 s", "11.23 m"},
                     {"speed at 3 s", "3.571 m/s"},
                     {"slip at 3 s", "3.571 m/s"}},
-        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-            SlidingBall slides(setting, kLaw);
+        .run = [](Stepper& stepper) -> Errors {
+            SlidingBall slides(stepper.setting(), kLaw);
             stepper.run(slides.world, kSeconds);
             const double speed = slides.world.velocity(slides.ball).x;
             const double spin = slides.world.spin(slides.ball).z;
@@ -121,12 +118,11 @@ Scenario slope(double angle_deg) {
             "rolls (a = 5/7 g sin a) if mu >= 2/7 tan a, else slips "
             "(a = g (sin a - mu cos a))",
         .metrics = metrics,
-        .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
+        .run = [=](Stepper& stepper) -> Errors {
             Errors errors;
             double spin = 0;
             for (const double share : kShares) {
-                const auto [path, turning] =
-                    down_slope(angle_deg * kPi_d / 180, share, setting, stepper);
+                const auto [path, turning] = down_slope(angle_deg * kPi_d / 180, share, stepper);
                 errors.push_back(path);
                 spin = std::max(spin, std::abs(turning));
             }
@@ -147,9 +143,9 @@ Scenario turntable() {
             .metrics = {{"place at 15 s", "the circle's radius, 2 m"},
                         {"radius at 15 s", "2 m"},
                         {"angle gone round", "12.86 rad"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+            .run = [](Stepper& stepper) -> Errors {
                 using Turntable = BallOnTurntable;
-                Turntable rolls(setting);
+                Turntable rolls(stepper.setting());
                 stepper.run(rolls.world, kSeconds, {.after = [&](int) { rolls.follow(); }});
                 const Vec3d expected_m = Turntable::expected_m(kSeconds);
                 const double angle_rad = Turntable::kAround_radps * kSeconds;
@@ -160,12 +156,12 @@ Scenario turntable() {
 }
 
 /// SimBenchmark's rolling test: a plate of 10 kg pulled over the floor with 25 balls on it.
-std::array<double, 2> pull_plate(const Vec3d& pull, const Setting& setting, Stepper& stepper) {
+std::array<double, 2> pull_plate(const Vec3d& pull, Stepper& stepper) {
     constexpr double kSeconds = 4;
     constexpr double kForce_N = 150;
     constexpr int kBalls = 25;
     // Pairs get sqrt(a b): 0.4 between plate and floor, 0.8 between plate and balls.
-    ScenarioWorld world(setting);
+    ScenarioWorld world(stepper.setting());
     world.floor(0.2);
     const BodyId plate = world.box({0, 0.5, 0}, {20, 1, 20}, {.mass_kg = 10, .friction = 0.8});
     for (int i = 0; i < kBalls; ++i)
@@ -208,9 +204,9 @@ Scenario rolling_plate() {
             .metrics = {{"the plate's velocity, rms, pulled askew", "its end speed, 2.95 m/s"},
                         {"the same, pulled along", "its end speed"},
                         {"worst velocity of any body at 4 s", "its end speed"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                const auto along = pull_plate({1, 0, 0}, setting, stepper);
-                const auto askew = pull_plate({0.5, 0, std::sqrt(0.75)}, setting, stepper);
+            .run = [](Stepper& stepper) -> Errors {
+                const auto along = pull_plate({1, 0, 0}, stepper);
+                const auto askew = pull_plate({0.5, 0, std::sqrt(0.75)}, stepper);
                 return {askew[0], along[0], std::max(along[1], askew[1])};
             },
             .knobs = {.most_hz = 240}};
@@ -218,11 +214,8 @@ Scenario rolling_plate() {
 
 }  // namespace
 
-void add_rolling(std::vector<Scenario>& all) {
-    all.push_back(slide_to_roll());
-    for (const double angle_deg : {10.0, 30.0}) all.push_back(slope(angle_deg));
-    all.push_back(turntable());
-    all.push_back(rolling_plate());
+std::vector<Scenario> rolling_family() {
+    return {slide_to_roll(), slope(10), slope(30), turntable(), rolling_plate()};
 }
 
 }  // namespace plumbline::study

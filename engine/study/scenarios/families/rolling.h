@@ -32,10 +32,7 @@ struct DownSlopeErrors {
     double path;  ///< in 2 s, relative
     double spin;  ///< after 2 s, relative
 };
-DownSlopeErrors down_slope(double angle_rad,
-                           double share,
-                           const Setting& setting,
-                           Stepper& stepper);
+DownSlopeErrors down_slope(double angle_rad, double share, Stepper& stepper);
 
 /// A32: a ball of radius 0.25 m on a plate that turns at 3 rad/s, started on its circle of 2 m.
 struct BallOnTurntable {

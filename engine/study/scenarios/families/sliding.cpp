@@ -19,8 +19,8 @@ double sliding_way_m() {
     return kSpeed_mps * kSpeed_mps / (2 * kMu * kG_mps2);
 }
 
-Vec3d sliding_stop_m(const SlidingBox& box, const Setting& setting, Stepper& stepper) {
-    ScenarioWorld world(setting);
+Vec3d sliding_stop_m(const SlidingBox& box, Stepper& stepper) {
+    ScenarioWorld world(stepper.setting());
     world.floor(kMu);
     const Vec3d forward{std::cos(box.heading_rad), 0, -std::sin(box.heading_rad)};
     const BodyId body = world.box({0, box.height_m / 2, 0},
@@ -93,14 +93,14 @@ Scenario sliding_stop() {
         .metrics = {{"path", "4.247 m"},
                     {"furthest aside", "4.247 m"},
                     {"most less least path, of 24 directions", "4.247 m"}},
-        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-            const Vec3d first = sliding_stop_m({}, setting, stepper);
+        .run = [](Stepper& stepper) -> Errors {
+            const Vec3d first = sliding_stop_m({}, stepper);
             double least = 1e9;
             double most = 0;
             double aside_m = std::abs(first.z);
             for (int i = 0; i < 24; ++i) {
                 const double heading = i * kPi_d / 12;
-                const Vec3d at = sliding_stop_m({.heading_rad = heading}, setting, stepper);
+                const Vec3d at = sliding_stop_m({.heading_rad = heading}, stepper);
                 const double along = at.x * std::cos(heading) - at.z * std::sin(heading);
                 const double across = at.x * std::sin(heading) + at.z * std::cos(heading);
                 aside_m = std::max(aside_m, std::abs(across));
@@ -120,8 +120,8 @@ Scenario held_on_slope() {
             .set_up = "A cube of 1 m on a slope of tan a = 0.99 mu, mu = 0.5, for 20 s.",
             .reference = "it stays",
             .metrics = {{"path in 20 s", "its edge, 1 m"}, {"speed at 20 s", "1 m/s"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                BoxOnSlope held(setting, std::atan(0.99 * 0.5), 0.5);
+            .run = [](Stepper& stepper) -> Errors {
+                BoxOnSlope held(stepper.setting(), std::atan(0.99 * 0.5), 0.5);
                 stepper.run(held.world, 20);
                 return {glm::distance(held.world.at(held.box), held.start_m),
                         glm::length(held.world.velocity(held.box))};
@@ -136,8 +136,8 @@ Scenario slides_on_slope() {
             .set_up = "A cube of 1 m on a slope of tan a = 0.6, mu = 0.5, let go; 4 s.",
             .reference = "a = g (sin a - mu cos a)",
             .metrics = {{"path at 4 s", "a t^2 / 2"}, {"speed at 4 s", "a t"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                BoxOnSlope slides(setting, std::atan(kSlope), 0.5);
+            .run = [](Stepper& stepper) -> Errors {
+                BoxOnSlope slides(stepper.setting(), std::atan(kSlope), 0.5);
                 stepper.run(slides.world, 4);
                 const double gain = slides.gain_mps2();
                 return {slides.down_m() / (8 * gain) - 1, slides.down_mps() / (4 * gain) - 1};
@@ -148,8 +148,8 @@ Scenario slides_on_slope() {
 }
 
 /// Spin lost between 0.1 s and 0.5 s.
-double spin_lost_radps(double turned_rad, const Setting& setting, Stepper& stepper) {
-    SpinningBox spins(setting, turned_rad);
+double spin_lost_radps(double turned_rad, Stepper& stepper) {
+    SpinningBox spins(stepper.setting(), turned_rad);
     stepper.run(spins.world, 0.1);
     const double first = spins.spin_radps();
     stepper.run(spins.world, 0.4);
@@ -172,12 +172,12 @@ Scenario spinning_box() {
             .metrics = {{"most less least, of 12 yaws", "the law of four corners"},
                         {"against the law of four corners", "that law"},
                         {"against the law of even pressure", "that law"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+            .run = [](Stepper& stepper) -> Errors {
                 double least = 1e9;
                 double most = -1e9;
                 double sum = 0;
                 for (int i = 0; i < 12; ++i) {
-                    const double lost = spin_lost_radps(i * kPi_d / 24, setting, stepper);
+                    const double lost = spin_lost_radps(i * kPi_d / 24, stepper);
                     least = std::min(least, lost);
                     most = std::max(most, lost);
                     sum += lost / 12;
@@ -189,11 +189,8 @@ Scenario spinning_box() {
 
 }  // namespace
 
-void add_sliding(std::vector<Scenario>& all) {
-    all.push_back(sliding_stop());
-    all.push_back(held_on_slope());
-    all.push_back(slides_on_slope());
-    all.push_back(spinning_box());
+std::vector<Scenario> sliding_family() {
+    return {sliding_stop(), held_on_slope(), slides_on_slope(), spinning_box()};
 }
 
 }  // namespace plumbline::study

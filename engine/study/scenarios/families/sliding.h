@@ -13,7 +13,7 @@ struct SlidingBox {
 };
 double sliding_way_m();  ///< v0^2 / (2 mu g)
 /// Where it has come to rest, after 2.5 s; it starts above the origin.
-Vec3d sliding_stop_m(const SlidingBox& box, const Setting& setting, Stepper& stepper);
+Vec3d sliding_stop_m(const SlidingBox& box, Stepper& stepper);
 
 /// A plane through the origin that goes down along +x.
 struct Slope {

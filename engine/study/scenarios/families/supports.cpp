@@ -12,17 +12,6 @@ namespace plumbline::study {
 
 using physics::BodyId;
 
-double threshold_of(double low,
-                    double high,
-                    int halvings,
-                    const std::function<bool(double)>& holds) {
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = (low + high) / 2;
-        (holds(middle) ? high : low) = middle;
-    }
-    return (low + high) / 2;
-}
-
 double four_balls_mu() {
     return std::sqrt(3.0) - std::sqrt(2.0);
 }
@@ -30,9 +19,9 @@ double four_balls_floor_mu() {
     return four_balls_mu() / 4;
 }
 
-bool four_balls_stand(const FourBalls& mu, const Setting& setting, Stepper& stepper) {
+bool four_balls_stand(const FourBalls& mu, Stepper& stepper) {
     constexpr double kRadius_m = 0.5;
-    ScenarioWorld world(setting);
+    ScenarioWorld world(stepper.setting());
     world.floor(mu.on_floor * mu.on_floor / mu.between);  // pairs get sqrt(a b)
     const double out_m = 2 * kRadius_m / std::sqrt(3.0);
     for (int i = 0; i < 3; ++i) {
@@ -111,9 +100,9 @@ PressErrors press(ScenarioWorld& world, std::vector<Face>& faces, Stepper& stepp
 
 }  // namespace
 
-PressErrors tower_presses(const Setting& setting, Stepper& stepper) {
+PressErrors tower_presses(Stepper& stepper) {
     constexpr int kBoxes = 10;
-    ScenarioWorld world(setting);
+    ScenarioWorld world(stepper.setting());
     BodyId below = world.floor();
     std::vector<Face> faces;
     for (int i = 0; i < kBoxes; ++i) {
@@ -125,8 +114,8 @@ PressErrors tower_presses(const Setting& setting, Stepper& stepper) {
     return press(world, faces, stepper);
 }
 
-PressErrors beam_presses(const Setting& setting, Stepper& stepper) {
-    ScenarioWorld world(setting);
+PressErrors beam_presses(Stepper& stepper) {
+    ScenarioWorld world(stepper.setting());
     const BodyId left = world.fixed_sphere({-1.5, 0.5, 0}, 0.5);
     const BodyId right = world.fixed_sphere({0.5, 0.5, 0}, 0.5);
     const BodyId beam = world.box({0, 1.1, 0}, {4, 0.2, 1}, {.mass_kg = 12});
@@ -148,20 +137,20 @@ Scenario four_balls() {
             .reference = "between balls sqrt 3 - sqrt 2 = 0.31784, on the floor a quarter of it",
             .metrics = {{"critical friction between balls", "0.3178"},
                         {"critical friction on the floor", "0.0795"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+            .run = [](Stepper& stepper) -> Errors {
                 const double found = threshold_of(0.2, 1.6, 10, [&](double mu) {
-                    return four_balls_stand({mu, 0.5}, setting, stepper);
+                    return four_balls_stand({mu, 0.5}, stepper);
                 });
                 const double on_floor = threshold_of(0.05, 0.4, 10, [&](double mu) {
-                    return four_balls_stand({1, mu}, setting, stepper);
+                    return four_balls_stand({1, mu}, stepper);
                 });
                 return {found / four_balls_mu() - 1, on_floor / four_balls_floor_mu() - 1};
             },
             .knobs = {.iterations = false, .most_hz = 240, .doubled = false}};
 }
 
-bool overhang_falls(int blocks, double reach, const Setting& setting, Stepper& stepper) {
-    Overhang leans(setting, blocks, reach);
+bool overhang_falls(int blocks, double reach, Stepper& stepper) {
+    Overhang leans(stepper.setting(), blocks, reach);
     const auto fallen = [&] { return leans.fallen_m() > 0.1; };
     stepper.run(leans.world, 10, {.until = fallen});
     return fallen();
@@ -177,21 +166,20 @@ Scenario overhang(int blocks) {
                               blocks),
         .reference = "(L/2) sum 1/k",
         .metrics = {{"share at which they fall", "the most that is possible"}},
-        .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
-            return {threshold_of(0.5,
-                                 1.2,
-                                 7,
-                                 [&](double reach) {
-                                     return overhang_falls(blocks, reach, setting, stepper);
-                                 }) -
-                    1};
+        .run = [=](Stepper& stepper) -> Errors {
+            return {
+                threshold_of(0.5,
+                             1.2,
+                             7,
+                             [&](double reach) { return overhang_falls(blocks, reach, stepper); }) -
+                1};
         },
         .knobs = {.iterations = false, .most_hz = 240, .doubled = false}};
 }
 
-bool box_tips(double slope, const Setting& setting, Stepper& stepper) {
+bool box_tips(double slope, Stepper& stepper) {
     const Slope plane(std::atan(slope));
-    ScenarioWorld world(setting);
+    ScenarioWorld world(stepper.setting());
     world.fixed_box(plane.out * -1.0, {20, 2, 20}, {.friction = 2, .turn = plane.turn});
     const BodyId box =
         world.box(plane.out * 0.5, {0.5, 1, 0.5}, {.friction = 2, .turn = plane.turn});
@@ -208,9 +196,9 @@ Scenario tipping_box() {
                 "within 5 s? By halving between tan a = 0.3 and 0.7, to 0.3 %.",
             .reference = "tan a > w / h = 0.5",
             .metrics = {{"critical slope", "0.5"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+            .run = [](Stepper& stepper) -> Errors {
                 const double found = threshold_of(
-                    0.3, 0.7, 8, [&](double slope) { return box_tips(slope, setting, stepper); });
+                    0.3, 0.7, 8, [&](double slope) { return box_tips(slope, stepper); });
                 return {found / 0.5 - 1};
             },
             .knobs = {.iterations = false, .most_hz = 240, .doubled = false}};
@@ -227,8 +215,8 @@ Scenario tower() {
                 "read for 1 s.",
             .reference = "the weight above each face",
             .metrics = kPressMetrics,
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-                const auto [mean, rms] = tower_presses(setting, stepper);
+            .run = [](Stepper& stepper) -> Errors {
+                const auto [mean, rms] = tower_presses(stepper);
                 return {mean, rms};
             },
             .knobs = {.most_hz = 240}};
@@ -243,8 +231,8 @@ Scenario beam() {
             "middle.",
         .reference = "the lever rule: a quarter and three quarters of its weight",
         .metrics = kPressMetrics,
-        .run = [](const Setting& setting, Stepper& stepper) -> Errors {
-            const auto [mean, rms] = beam_presses(setting, stepper);
+        .run = [](Stepper& stepper) -> Errors {
+            const auto [mean, rms] = beam_presses(stepper);
             return {mean, rms};
         },
         .knobs = {.most_hz = 240}};
@@ -252,12 +240,8 @@ Scenario beam() {
 
 }  // namespace
 
-void add_supports(std::vector<Scenario>& all) {
-    all.push_back(four_balls());
-    for (const int blocks : {1, 2, 4}) all.push_back(overhang(blocks));
-    all.push_back(tipping_box());
-    all.push_back(tower());
-    all.push_back(beam());
+std::vector<Scenario> supports_family() {
+    return {four_balls(), overhang(1), overhang(2), overhang(4), tipping_box(), tower(), beam()};
 }
 
 }  // namespace plumbline::study

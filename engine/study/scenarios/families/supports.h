@@ -1,17 +1,10 @@
 // What holds what up: worlds, and the statics of rigid bodies.
 #pragma once
 
+#include "engine/study/scenarios/integrate.h"
 #include "engine/study/scenarios/scenario.h"
 
-#include <functional>
-
 namespace plumbline::study {
-
-/// The value in [low, high] above which `holds` is true, by halving.
-double threshold_of(double low,
-                    double high,
-                    int halvings,
-                    const std::function<bool(double)>& holds);
 
 /// A35: three balls touch on the floor, a fourth lies on them. They stand from these frictions on.
 double four_balls_mu();        ///< between balls, sqrt 3 - sqrt 2
@@ -21,7 +14,7 @@ struct FourBalls {
     double on_floor;
 };
 /// For 5 s.
-bool four_balls_stand(const FourBalls& mu, const Setting& setting, Stepper& stepper);
+bool four_balls_stand(const FourBalls& mu, Stepper& stepper);
 
 /// A36: blocks of 1 x 0.2 x 0.5 m, each as far out over the next as the share `reach` of
 /// (1 m / 2) / k, which is what is possible.
@@ -44,8 +37,8 @@ struct PressErrors {
     double rms;   ///< of its steps, the worst of all faces, relative
 };
 /// Ten cubes of 3 kg stand on each other: each face bears the weight above.
-PressErrors tower_presses(const Setting& setting, Stepper& stepper);
+PressErrors tower_presses(Stepper& stepper);
 /// A beam of 12 kg on two fixed balls: the lever rule.
-PressErrors beam_presses(const Setting& setting, Stepper& stepper);
+PressErrors beam_presses(Stepper& stepper);
 
 }  // namespace plumbline::study

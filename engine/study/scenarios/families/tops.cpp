@@ -116,12 +116,12 @@ Scenario three_lengths() {
                         {"orientation at 10 s", "1 rad"},
                         {"largest error of energy", "the energy"},
                         {"largest error of angular momentum", "the momentum"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+            .run = [](Stepper& stepper) -> Errors {
                 static const TurningBody expected =
                     turned_for({.own_spin_radps = box_of_three_lengths().spin_radps},
                                Vec3d{13, 10, 5} / 12.0,
                                kSeconds);
-                FreeBody free(setting, box_of_three_lengths());
+                FreeBody free(stepper.setting(), box_of_three_lengths());
                 const ConservedErrors kept = conserved_errors(free.world, kSeconds, stepper);
                 const TurningBody now = free.now();
                 return {glm::distance(now.own_spin_radps, expected.own_spin_radps) / 5,
@@ -144,10 +144,10 @@ Scenario free_disc() {
             .metrics = {{"direction of its axis at 20 s", "1 rad"},
                         {"largest change of the cone's angle", "1 rad"},
                         {"largest error of angular momentum", "the momentum"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+            .run = [](Stepper& stepper) -> Errors {
                 const Precession expected = disc_precession();
                 const Vec3d momentum = expected.momentum_kgm2ps;
-                FreeBody disc(setting, wobbling_disc());
+                FreeBody disc(stepper.setting(), wobbling_disc());
                 double cone_off = 0;
                 double momentum_off = 0;
                 stepper.run(
@@ -192,7 +192,7 @@ struct HeavyTop {
                                .spin_radps = spin,
                                .turn = turn,
                                .touches = false});
-        pivot = world.join({.kind = physics::JointKind::BallAndSocket, .a = body});
+        pivot = world.join_at({0, 0, 0}, body);
     }
     Vec3d axis() const { return world.turn(body) * Vec3d{0, 1, 0}; }
     double tilt_rad() const { return std::acos(std::clamp(axis().y, -1.0, 1.0)); }
@@ -215,8 +215,8 @@ Scenario steady_top(double spin_radps) {
         .metrics = {{"direction of its axis at 10 s", "1 rad"},
                     {"largest change of its tilt", "1 rad"},
                     {"largest gap at the pivot", "the arm, 1 m"}},
-        .run = [=](const Setting& setting, Stepper& stepper) -> Errors {
-            HeavyTop top(setting, spin_radps, around_radps);
+        .run = [=](Stepper& stepper) -> Errors {
+            HeavyTop top(stepper.setting(), spin_radps, around_radps);
             double tilt_off = 0;
             double gap_m = 0;
             stepper.run(top.world, kSeconds, {.after = [&](int) {
@@ -265,7 +265,7 @@ Scenario nodding_top() {
             .metrics = {{"direction of its axis at 5 s", "1 rad"},
                         {"largest tilt of the last second", "the depth of a nod, 0.067 rad"},
                         {"largest gap at the pivot", "the arm, 1 m"}},
-            .run = [](const Setting& setting, Stepper& stepper) -> Errors {
+            .run = [](Stepper& stepper) -> Errors {
                 static const State<3> expected = reference(law, start, 0, kSeconds);
                 // A nod starts and ends at rest and is deepest where its rate is zero again.
                 static const double deepest = [] {
@@ -277,7 +277,7 @@ Scenario nodding_top() {
                     }
                     return most;
                 }();
-                HeavyTop top(setting, kSpin_radps, 0);
+                HeavyTop top(stepper.setting(), kSpin_radps, 0);
                 double gap_m = 0;
                 double last_tilt = 0;
                 const double step_s = top.world.step_s();
@@ -297,11 +297,8 @@ Scenario nodding_top() {
 
 }  // namespace
 
-void add_tops(std::vector<Scenario>& all) {
-    all.push_back(three_lengths());
-    all.push_back(free_disc());
-    for (const double spin_radps : {60.0, 100.0}) all.push_back(steady_top(spin_radps));
-    all.push_back(nodding_top());
+std::vector<Scenario> tops_family() {
+    return {three_lengths(), free_disc(), steady_top(60), steady_top(100), nodding_top()};
 }
 
 }  // namespace plumbline::study

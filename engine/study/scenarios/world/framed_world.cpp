@@ -18,7 +18,7 @@ physics::WorldDef framed(const Frame& frame, const Setting& setting) {
 }  // namespace
 
 FramedWorld::FramedWorld(const Frame& frame, const Setting& setting)
-    : frame_(frame), world_(framed(frame, setting)) {}
+    : frame_(frame), world_(framed(frame, stepper.setting())) {}
 
 std::size_t FramedWorld::box(BodyKind kind,
                              const Vec3d& at,
@@ -62,12 +62,7 @@ void FramedWorld::build() {
 }
 
 void FramedWorld::join(std::size_t a, std::size_t b, const Vec3d& anchor) {
-    const Vec3 at = vec(place(anchor));
-    world_.join({.kind = physics::JointKind::BallAndSocket,
-                 .a = ids_[a],
-                 .b = ids_[b],
-                 .anchor_a_world = at,
-                 .anchor_b_world = at});
+    world_.join_at(place(anchor), ids_[a], ids_[b]);
 }
 
 void FramedWorld::run(Stepper& stepper, double seconds) {

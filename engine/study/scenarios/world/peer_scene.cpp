@@ -1,6 +1,6 @@
 #include "engine/study/scenarios/world/peer_scene.h"
 
-#include "engine/scene/open_scene.h"
+#include "engine/study/played_scene.h"
 
 #include <fmt/format.h>
 
@@ -20,11 +20,8 @@ std::vector<physics::BodyId> dynamic_bodies(const scene::Simulation& simulation)
 Result<std::unique_ptr<PeerScene>> PeerScene::open(std::string_view name, const Setting& setting) {
     const Result<DataFolders> folders = find_data_folders();
     if (!folders) return folders.error();
-    Diagnostics faults;
-    const Result<scene::OpenedScene> opened =
-        scene::open_scene(folders->assets / "scenes/bench/peers" / fmt::format("{}.toml", name),
-                          {.folders = *folders, .overrides = overrides(setting)},
-                          faults);
+    const Result<scene::OpenedScene> opened = open_for_study(
+        folders->assets / "scenes/bench/peers" / fmt::format("{}.toml", name), overrides(setting));
     if (!opened) return opened.error();
     auto library = std::make_unique<assets::AssetLibrary>();
     Result<std::unique_ptr<scene::Simulation>> built = opened->build(*library);

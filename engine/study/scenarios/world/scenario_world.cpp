@@ -109,6 +109,14 @@ physics::JointId ScenarioWorld::join(const physics::JointDef& def) {
     return *made;
 }
 
+physics::JointId ScenarioWorld::join_at(const Vec3d& at_m, BodyId a, BodyId b) {
+    return join({.kind = physics::JointKind::BallAndSocket,
+                 .a = a,
+                 .b = b,
+                 .anchor_a_world = vec(at_m),
+                 .anchor_b_world = vec(at_m)});
+}
+
 void ScenarioWorld::run(double seconds) {
     const auto steps = static_cast<int>(std::lround(seconds / step_s()));
     for (int i = 0; i < steps; ++i) physics.step();

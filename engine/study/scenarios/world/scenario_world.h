@@ -72,6 +72,8 @@ public:
     /// Smooth elastic walls of 2 m about the origin, `half_m` away from it.
     void room(double half_m);
     physics::JointId join(const physics::JointDef& def);
+    /// A ball-and-socket joint where `a` is off `b` by now, or off the world.
+    physics::JointId join_at(const Vec3d& at_m, physics::BodyId a, physics::BodyId b = {});
     /// Whole steps, rounded.
     void run(double seconds);
 

@@ -14,7 +14,10 @@ namespace plumbline::study {
 class Stepper {
 public:
     enum class Mode { Errors, Time };
-    explicit Stepper(Mode mode) : mode_(mode) {}
+    Stepper(Mode mode, const Setting& setting) : mode_(mode), setting_(setting) {}
+
+    /// What its worlds are made at.
+    const Setting& setting() const { return setting_; }
 
     struct Hooks {
         /// Belongs to the run: forces, what drives kinematic bodies. Before step i, from 0.
@@ -43,6 +46,7 @@ public:
 
 private:
     Mode mode_;
+    Setting setting_;
     RunStatus status_{RunStatus::Done};
     std::string why_;
     std::size_t bodies_{0};

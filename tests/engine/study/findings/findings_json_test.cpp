@@ -46,7 +46,7 @@ TEST(FindingsJson, ReadsBackWhatItWrote) {
 }
 
 TEST(FindingsJson, NamesWhatItDoesNotKnow) {
-    const std::string good = json_of(Setting{}).dump();
+    const std::string good = Json(Setting{}).dump();
     const auto with = [&](const char* from, const char* to) {
         std::string text = good;
         return text.replace(text.find(from), std::string(from).size(), to);
@@ -60,7 +60,7 @@ TEST(FindingsJson, NamesWhatItDoesNotKnow) {
     for (const auto& [text, part] : bad) {
         std::string said;
         try {
-            setting_from(Json::parse(text));
+            Json::parse(text).get<Setting>();
         } catch (const std::exception& fault) {
             said = fault.what();
         }

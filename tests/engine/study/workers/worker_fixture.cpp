@@ -11,30 +11,30 @@
 namespace plumbline::study {
 namespace {
 
-std::string echo(const std::string& body) {
+Result<std::string> echo(const std::string& body) {
     return body;
 }
 /// To be answered by a body of so many letters.
-std::string many(const std::string& body) {
+Result<std::string> many(const std::string& body) {
     return std::string(static_cast<std::size_t>(std::atoi(body.c_str())), 'x');
 }
-std::string crash(const std::string&) {
+Result<std::string> crash(const std::string&) {
     std::signal(SIGSEGV, SIG_DFL);  // a sanitizer would make an exit code of it
     std::raise(SIGSEGV);
-    return {};
+    return std::string();
 }
-std::string leave(const std::string&) {
+Result<std::string> leave(const std::string&) {
     std::exit(7);
 }
-std::string hang(const std::string&) {
+Result<std::string> hang(const std::string&) {
     for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
 }
-std::string fail(const std::string& body) {
+Result<std::string> fail(const std::string& body) {
     throw std::runtime_error(body);
 }
-std::string chatter(const std::string&) {
+Result<std::string> chatter(const std::string&) {
     std::cout << "no answer" << std::endl;
-    return "after chatter";
+    return std::string("after chatter");
 }
 
 constexpr std::array<JobKind, 7> kKinds{{{"echo", each_by_itself<echo>},

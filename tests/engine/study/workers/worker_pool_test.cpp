@@ -21,10 +21,13 @@ Job job(const char* kind, const char* body = "", double limit_s = 30) {
 /// The answers by job; every job has exactly one.
 std::map<std::size_t, Answer> answers_to(const std::vector<Job>& jobs, int workers) {
     std::map<std::size_t, Answer> answers;
-    const Result<bool> all =
-        run_jobs(kFixture, jobs, workers, [&](std::size_t index, const Answer& answer) {
+    const Result<bool> all = run_jobs(
+        jobs,
+        workers,
+        [&](std::size_t index, const Answer& answer) {
             EXPECT_TRUE(answers.emplace(index, answer).second) << "a second answer to " << index;
-        });
+        },
+        kFixture);
     EXPECT_TRUE(all.ok()) << (all.ok() ? "" : all.error().message);
     EXPECT_TRUE(all.ok() && *all);
     EXPECT_EQ(answers.size(), jobs.size());
@@ -40,7 +43,7 @@ TEST(WorkerPool, EveryJobGetsItsOwnAnswer) {
     }
     for (const int workers : {1, 2, 7}) {
         for (const auto& [index, answer] : answers_to(jobs, workers)) {
-            EXPECT_EQ(answer.status, AnswerStatus::Done);
+            EXPECT_EQ(answer.status, RunStatus::Done);
             EXPECT_EQ(answer.body, std::to_string(index));
         }
     }
@@ -65,23 +68,23 @@ TEST(WorkerPool, AWorkerThatGoesWrongTakesOnlyItsJobAlong) {
                                          job("echo", "c")},
                                         workers);
         for (const std::size_t good : {0U, 2U, 7U})
-            EXPECT_EQ(answers.at(good).status, AnswerStatus::Done) << good;
+            EXPECT_EQ(answers.at(good).status, RunStatus::Done) << good;
         EXPECT_EQ(answers.at(7).body, "c");
-        EXPECT_EQ(answers.at(1).status, AnswerStatus::Crashed);
+        EXPECT_EQ(answers.at(1).status, RunStatus::Crashed);
         EXPECT_NE(answers.at(1).body.find("signal 11"), std::string::npos) << answers.at(1).body;
-        EXPECT_EQ(answers.at(3).status, AnswerStatus::Crashed);
+        EXPECT_EQ(answers.at(3).status, RunStatus::Crashed);
         EXPECT_NE(answers.at(3).body.find("exit code 7"), std::string::npos) << answers.at(3).body;
-        EXPECT_EQ(answers.at(4).status, AnswerStatus::Failed);
+        EXPECT_EQ(answers.at(4).status, RunStatus::Refused);
         EXPECT_EQ(answers.at(4).body, "fail: why not");
-        EXPECT_EQ(answers.at(5).status, AnswerStatus::Failed);
+        EXPECT_EQ(answers.at(5).status, RunStatus::Refused);
         EXPECT_NE(answers.at(5).body.find("unheard_of"), std::string::npos);
-        EXPECT_EQ(answers.at(6).status, AnswerStatus::Failed) << "chatter is no answer";
+        EXPECT_EQ(answers.at(6).status, RunStatus::Refused) << "chatter is no answer";
     }
 }
 
 TEST(WorkerPool, AWorkerThatHangsIsGivenUpAndTheNextJobHasAFreshOne) {
     const auto answers = answers_to({job("hang", "", 0.2), job("echo", "after")}, 1);
-    EXPECT_EQ(answers.at(0).status, AnswerStatus::TimedOut);
+    EXPECT_EQ(answers.at(0).status, RunStatus::TimedOut);
     EXPECT_EQ(answers.at(0).body, "timed out after 0.2 s");
     EXPECT_EQ(answers.at(1).body, "after");
 }
@@ -91,9 +94,9 @@ TEST(WorkerPool, RefusesWhereAProgramIsMissing) {
     programs.float64 = "/nowhere/plumbline-f64";
     const auto ignore = [](std::size_t, const Answer&) {};
     const std::vector<Job> single{job("echo")};
-    EXPECT_TRUE(run_jobs(programs, single, 1, ignore).ok()) << "nothing needs it";
+    EXPECT_TRUE(run_jobs(single, 1, ignore, programs).ok()) << "nothing needs it";
     const std::vector<Job> jobs{{.kind = "echo", .precision = Precision::Float64}};
-    const Result<bool> all = run_jobs(programs, jobs, 1, ignore);
+    const Result<bool> all = run_jobs(jobs, 1, ignore, programs);
     ASSERT_FALSE(all.ok());
     EXPECT_NE(all.error().message.find("/nowhere/plumbline-f64"), std::string::npos);
 }
@@ -113,11 +116,11 @@ TEST(WorkerPool, AMissingProgramIsNamedWithWhatMakesIt) {
     EXPECT_EQ(missing.error().message,
               "float64 runs need the program /nowhere/plumbline-f64, which is not there; ./play "
               "builds it, and so does `cmake --build` with the target plumbline-f64");
-    const Result<bool> ran =
-        run_jobs(programs,
-                 std::vector{Job{.kind = "echo", .precision = Precision::Float64}},
-                 1,
-                 [](std::size_t, const Answer&) { ADD_FAILURE(); });
+    const Result<bool> ran = run_jobs(
+        std::vector{Job{.kind = "echo", .precision = Precision::Float64}},
+        1,
+        [](std::size_t, const Answer&) { ADD_FAILURE(); },
+        programs);
     EXPECT_FALSE(ran.ok());
 }
 

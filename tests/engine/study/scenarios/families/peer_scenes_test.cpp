@@ -53,16 +53,12 @@ double their_error(const Scenario& scenario) {
 }
 
 double our_error(const Scenario& scenario) {
-    Stepper stepper(Stepper::Mode::Errors);
-    return std::abs(scenario.run(kStockBullet, stepper).front());
+    Stepper stepper(Stepper::Mode::Errors, kStockBullet);
+    return std::abs(scenario.run(stepper).front());
 }
 
 const Scenario& peer_scene(const std::string& name) {
-    static const std::vector<Scenario> all = [] {
-        std::vector<Scenario> made;
-        add_peer_scenes(made);
-        return made;
-    }();
+    static const std::vector<Scenario> all = peer_scenes_family();
     for (const Scenario& scenario : all) {
         if (scenario.peer_scene == name) return scenario;
     }
@@ -79,8 +75,7 @@ TEST(PeerScenes, StockBulletDoesHereWhatItDidElsewhere) {
 }
 
 TEST(PeerScenes, EveryOneHasFiguresToCompareWith) {
-    std::vector<Scenario> all;
-    add_peer_scenes(all);
+    const std::vector<Scenario> all = peer_scenes_family();
     ASSERT_FALSE(all.empty());
     for (const Scenario& scenario : all) EXPECT_GT(their_error(scenario), 0) << scenario.id;
 }
@@ -127,18 +122,17 @@ TEST(PeerScenes, OneThatIsNotThereIsRefusedAndSaysSo) {
     const auto none = PeerScene::open("none", {});
     ASSERT_FALSE(none.ok());
     EXPECT_NE(none.error().message.find("none.toml"), std::string::npos) << none.error().message;
-    const Scenario lost{
-        .id = "P none",
-        .metrics = {{"a number", "1"}},
-        .run = [&](const Setting&, Stepper& stepper) { return stepper.refuse(none.error()); }};
+    const Scenario lost{.id = "P none",
+                        .metrics = {{"a number", "1"}},
+                        .run = [&](Stepper& stepper) { return stepper.refuse(none.error()); }};
     const Point point = run_scenario(lost, {}, {.wanted = 1, .budget_s = 0});
     EXPECT_EQ(point.status, RunStatus::Refused);
     EXPECT_EQ(point.why, none.error().message);
 }
 
 TEST(PeerScenes, AChainThatIsSolvedDirectlyDoesNotStretch) {
-    Stepper stepper(Stepper::Mode::Errors);
-    EXPECT_LT(peer_scene("chainv").run({.substeps = 4}, stepper).front(), 1e-5);
+    Stepper stepper(Stepper::Mode::Errors, {.substeps = 4});
+    EXPECT_LT(peer_scene("chainv").run(stepper).front(), 1e-5);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(FramedWorld, ReadsBackInTheScenesOwnLengthsAndTimes) {
         world.build();
         EXPECT_LT(glm::distance(world.at(ball), Vec3d{1, 2, 3}), 1e-5);
         EXPECT_LT(glm::distance(world.velocity(ball), Vec3d{2, 4, 0}), 1e-5);
-        Stepper stepper(Stepper::Mode::Time);
+        Stepper stepper(Stepper::Mode::Time, {});
         world.run(stepper, 0.5);
         const Vec3d expected{2, 4 - 0.125 * kG_mps2, 3};
         EXPECT_LT(glm::distance(world.at(ball), expected), 1e-4);
@@ -43,7 +43,7 @@ TEST(FramedWorld, FloorsDriftAlongWithTheirScene) {
         const std::size_t box =
             world.box(physics::BodyKind::Dynamic, {0, 0.5, 0}, {1, 1, 1}, {.friction = 0.5});
         world.build();
-        Stepper stepper(Stepper::Mode::Time);
+        Stepper stepper(Stepper::Mode::Time, {});
         world.run(stepper, 1);
         EXPECT_LT(glm::distance(world.at(box), Vec3d{0, 0.5, 0}), 0.01) << "it lies still on it";
         EXPECT_LT(glm::length(world.velocity(box)), 0.01);
@@ -60,7 +60,7 @@ TEST(FramedWorld, SpinsAreScaledWithTheirScene) {
                          0.5,
                          {.friction = 0.5, .velocity_mps = {2, 0, 0}, .spin_radps = {0, 0, -4}});
         world.build();
-        Stepper stepper(Stepper::Mode::Time);
+        Stepper stepper(Stepper::Mode::Time, {});
         world.run(stepper, 1);
         EXPECT_NEAR(world.velocity(ball).x, 2, 0.02);
         EXPECT_NEAR(world.at(ball).x, 2, 0.02);

@@ -25,13 +25,13 @@ Calls calls_of(Stepper& stepper, const Vec3d& velocity_mps = {0, 0, 0}, int end 
 }
 
 TEST(Stepper, MeasuresErrorsOrTimeButNotBoth) {
-    Stepper errors(Stepper::Mode::Errors);
+    Stepper errors(Stepper::Mode::Errors, {});
     const Calls measured = calls_of(errors);
     EXPECT_EQ(measured.before, 60);
     EXPECT_EQ(measured.after, 60);
     EXPECT_TRUE(errors.lap().step_ms.empty());
     EXPECT_EQ(errors.bodies(), 1U);
-    Stepper time(Stepper::Mode::Time);
+    Stepper time(Stepper::Mode::Time, {});
     const Calls timed = calls_of(time);
     EXPECT_EQ(timed.before, 60);
     EXPECT_EQ(timed.after, 0);
@@ -41,12 +41,12 @@ TEST(Stepper, MeasuresErrorsOrTimeButNotBoth) {
 }
 
 TEST(Stepper, EndsEarlyWhereItIsAskedTo) {
-    Stepper stepper(Stepper::Mode::Errors);
+    Stepper stepper(Stepper::Mode::Errors, {});
     EXPECT_EQ(calls_of(stepper, {0, 0, 0}, 7).after, 7);
 }
 
 TEST(Stepper, KeepsTheWorstThatBecameOfAWorld) {
-    Stepper stepper(Stepper::Mode::Errors);
+    Stepper stepper(Stepper::Mode::Errors, {});
     calls_of(stepper, {2000, 0, 0});
     EXPECT_EQ(stepper.status(), RunStatus::Exploded);
     calls_of(stepper);
