@@ -28,8 +28,8 @@ struct Substitutes {
 /// Of a program in the driver's memory: on llvmpipe the median of what a mesh program adds to the
 /// resident set, most of it machine code and its tables.
 inline constexpr std::size_t kProgramBytes = 1250 * 1024;
-/// Of all programs. The largest scene draws a frame with half as many.
-inline constexpr std::size_t kMostProgramBytes = 96 * kProgramBytes;
+/// Of all programs. The largest scene draws a frame with 48.
+inline constexpr std::size_t kMostProgramBytes = 72 * kProgramBytes;
 
 class ShaderLibrary {
 public:
