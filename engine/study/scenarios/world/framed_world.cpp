@@ -18,7 +18,7 @@ physics::WorldDef framed(const Frame& frame, const Setting& setting) {
 }  // namespace
 
 FramedWorld::FramedWorld(const Frame& frame, const Setting& setting)
-    : frame_(frame), world_(framed(frame, stepper.setting())) {}
+    : frame_(frame), world_(framed(frame, setting)) {}
 
 std::size_t FramedWorld::box(BodyKind kind,
                              const Vec3d& at,
