@@ -234,25 +234,6 @@ Result<ChildEnd> output_to(const std::function<bool(std::string_view)>& take,
     return child->end(deadline_s - wall_s());
 }
 
-Result<ChildOutput> output_of(const ChildDef& def,
-                              std::string_view input,
-                              std::size_t max_bytes,
-                              double limit_s) {
-    ChildOutput output;
-    const auto take = [&](std::string_view piece) {
-        output.bytes += piece;
-        return output.bytes.size() <= max_bytes;
-    };
-    Result<ChildEnd> end = output_to(take, def, input, limit_s);
-    if (!end && output.bytes.size() > max_bytes) {
-        return Error{.message = fmt::format(
-                         "{} answered more than {} bytes", def.program.string(), max_bytes)};
-    }
-    if (!end) return end.error();
-    output.end = std::move(*end);
-    return output;
-}
-
 bool process_runs(pid_t number) {
     return number > 0 && (::kill(number, 0) == 0 || errno == EPERM);
 }

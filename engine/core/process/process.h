@@ -30,11 +30,6 @@ struct ChildEnd {
     std::string said;   ///< what was still in the pipe from it, 64 KiB at most
 };
 
-struct ChildOutput {
-    std::string bytes;
-    ChildEnd end;
-};
-
 /// Killed and waited for on destruction, so that no child outlives its owner.
 class ChildProcess {
 public:
@@ -73,20 +68,13 @@ private:
 /// Waits `limit_s` at most until receive() of one of them would not wait: of which it would not.
 std::vector<bool> wait_for_output(std::span<const ChildProcess* const> children, double limit_s);
 
-/// As output_of(), with the output handed to `take` piece by piece; where that says no, the child is killed
-/// and the error says that it answered too much.
+/// Runs a program with `input` on its standard input, whether it reads that or not, hands what it prints
+/// to `take` piece by piece and waits for its end. The error is for one that cannot be started, takes
+/// more than `limit_s`, or prints what `take` says no to; it is killed then.
 Result<ChildEnd> output_to(const std::function<bool(std::string_view)>& take,
                            const ChildDef& def,
                            std::string_view input,
                            double limit_s);
-
-/// Runs a program with `input` on its standard input, whether it reads that or not, and waits for
-/// its end. The error is for one that cannot be started, prints more than `max_bytes` or takes more
-/// than `limit_s`; it is killed then.
-Result<ChildOutput> output_of(const ChildDef& def,
-                              std::string_view input,
-                              std::size_t max_bytes,
-                              double limit_s);
 
 /// Whether a process of this number runs, as far as can be seen from here.
 bool process_runs(pid_t number);

@@ -11,6 +11,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace plumbline {
@@ -26,6 +28,27 @@ std::string all_of(const ChildProcess& child) {
     while (child.receive(text)) {
     }
     return text;
+}
+
+struct ChildOutput {
+    std::string bytes;
+    ChildEnd end;
+};
+
+/// All that a program prints, which may be so much.
+Result<ChildOutput> output_of(const ChildDef& def,
+                              std::string_view input,
+                              std::size_t max_bytes,
+                              double limit_s) {
+    ChildOutput output;
+    const auto take = [&](std::string_view piece) {
+        output.bytes += piece;
+        return output.bytes.size() <= max_bytes;
+    };
+    Result<ChildEnd> end = output_to(take, def, input, limit_s);
+    if (!end) return end.error();
+    output.end = std::move(*end);
+    return output;
 }
 
 TEST(ChildOutput, IsAllThatItPrintsHoweverMuchGoesInAndOut) {
@@ -58,7 +81,7 @@ TEST(ChildOutput, HasLimits) {
     EXPECT_EQ(output_of(shell("exec >&-; exec sleep 1000"), {}, 100, 0.2)->end.words,
               "was ended by signal 9 (Killed)");
     EXPECT_EQ(output_of(shell("exec cat /dev/zero"), {}, 100'000, 20).error().message,
-              "sh answered more than 100000 bytes");
+              "sh answered too much");
     EXPECT_EQ(output_of({.program = "/no/such"}, {}, 100, 20).error().message,
               "cannot start /no/such: No such file or directory");
 }
