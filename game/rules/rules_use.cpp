@@ -70,9 +70,8 @@ void add_corners(const scene::Simulation& simulation,
 
 bool may_be_taken(const scene::Simulation& simulation, const Looked& looked) {
     const physics::PhysicsWorld& world = simulation.physics;
-    return simulation.registry.alive(looked.entity) &&
-           world.kind(looked.body) == physics::BodyKind::Dynamic && !world.frozen(looked.body) &&
-           world.mass_properties(looked.body).mass_kg <= Grab::kMostMass_kg;
+    return simulation.registry.alive(looked.entity) && world.state(looked.body).pushable() &&
+           world.state(looked.body).mass.mass_kg <= Grab::kMostMass_kg;
 }
 
 }  // namespace

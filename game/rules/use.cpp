@@ -24,9 +24,9 @@ std::optional<physics::JointId> hinge_of(const scene::Simulation& simulation,
                                          physics::BodyId leaf) {
     const physics::PhysicsWorld& world = simulation.physics;
     for (const scene::SceneJoint& known : simulation.joints()) {
-        if (!world.contains(known.joint) || world.joint_state(known.joint).broken) continue;
-        const physics::JointDef& def = world.joint_def(known.joint);
-        const bool stands = !def.b || world.kind(def.b) == physics::BodyKind::Static;
+        if (!world.contains(known.joint) || world.joint(known.joint).state.broken) continue;
+        const physics::JointDef& def = world.joint(known.joint).def;
+        const bool stands = !def.b || world.state(def.b).kind == physics::BodyKind::Static;
         const bool is_driven = def.motor && def.motor->target != 0;
         if (def.kind == physics::JointKind::Hinge && def.a == leaf && def.limits && stands &&
             !is_driven)
@@ -37,7 +37,7 @@ std::optional<physics::JointId> hinge_of(const scene::Simulation& simulation,
 
 Vec3 middle_of_body(const physics::PhysicsWorld& world, physics::BodyId body) {
     return transform_point(world.state(body).world_from_body,
-                           world.mass_properties(body).center_of_mass_m);
+                           world.state(body).mass.center_of_mass_m);
 }
 
 /// From the hinge to the leaf's middle, at a right angle to its axis.
@@ -49,7 +49,7 @@ Vec3 arm_of(const physics::PhysicsWorld& world, const physics::JointDef& def, co
 Real inertia_about(const physics::PhysicsWorld& world,
                    const physics::JointDef& def,
                    const Vec3& axis) {
-    const physics::MassProperties mass = world.mass_properties(def.a);
+    const physics::MassProperties mass = world.state(def.a).mass;
     const Vec3 axis_body = glm::conjugate(world.state(def.a).world_from_body.orientation) * axis;
     const Vec3 arm = arm_of(world, def, axis);
     return glm::dot(axis_body * axis_body, mass.inertia_kgm2) + mass.mass_kg * glm::dot(arm, arm);
@@ -67,13 +67,13 @@ std::optional<Swing> door_at(const scene::Simulation& simulation,
     const auto hinge = hinge_of(simulation, looked.body);
     if (!hinge) return {};
     const physics::PhysicsWorld& world = simulation.physics;
-    const physics::JointDef& def = world.joint_def(*hinge);
+    const physics::JointDef& def = world.joint(*hinge).def;
     const auto [low, high] = *def.limits;
     const bool both_ways = low < -kWide_rad && high > kWide_rad;
     // Shut is where it was made, or at the limit next to that.
     const Real nearer = std::abs(low) < std::abs(high) ? low : high;
     const Real shut = both_ways ? Real{0} : nearer;
-    const Real now = world.joint_state(*hinge).position;
+    const Real now = world.joint(*hinge).state.position;
     if (std::abs(now - shut) > kShut_rad)
         return Swing{.hinge = *hinge, .angle_rad = shut, .left_s = kSwing_s, .opens = false};
     const Vec3 axis = glm::normalize(def.axis_world);
@@ -94,8 +94,8 @@ void Doors::push(scene::Simulation& simulation, physics::BodyId held) {
     physics::PhysicsWorld& world = simulation.physics;
     const Real dt = static_cast<Real>(simulation.step_s());
     for (Swing& swing : swings_) {
-        const physics::JointDef& def = world.joint_def(swing.hinge);
-        const Real left = swing.angle_rad - world.joint_state(swing.hinge).position;
+        const physics::JointDef& def = world.joint(swing.hinge).def;
+        const Real left = swing.angle_rad - world.joint(swing.hinge).state.position;
         swing.left_s -= dt;
         if (std::abs(left) < kThere_rad || def.a == held) swing.left_s = 0;
         if (swing.left_s <= 0) continue;
@@ -114,8 +114,8 @@ void Doors::push(scene::Simulation& simulation, physics::BodyId held) {
 void Doors::forget_gone(const scene::Simulation& simulation) {
     const physics::PhysicsWorld& world = simulation.physics;
     std::erase_if(swings_, [&](const Swing& swing) {
-        return !world.contains(swing.hinge) || world.joint_state(swing.hinge).broken ||
-               !world.joint_def(swing.hinge).limits;
+        return !world.contains(swing.hinge) || world.joint(swing.hinge).state.broken ||
+               !world.joint(swing.hinge).def.limits;
     });
 }
 

@@ -7,6 +7,7 @@
 
 #include "engine/core/io/pose_archive.h"
 #include "engine/physics/character.h"
+#include "engine/physics/query.h"
 
 #include <array>
 #include <optional>

@@ -125,8 +125,8 @@ struct BodyRecord {
     bool can_sleep{true};
     bool contact_events{false};
     bool frozen{false};
-    bool in_world{false};  ///< false once quarantined
-    bool poisoned{false};  ///< somebody gave it a non-finite number: out before the next step
+    bool in_world{false};  ///< false once isolated
+    bool invalid{false};   ///< got a number that is not finite: isolated before the next step
 
     BodyMotion* motion{nullptr};  ///< one of the world's BodyMotions
     BodyTraits traits{};

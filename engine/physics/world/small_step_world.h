@@ -24,6 +24,7 @@ struct SmallStepParts {
     const WorldDef& def;
     BulletEngine& engine;  ///< holds the bodies
     const JointTable& joints;
+    StepReport& report;  ///< added to
 };
 
 class SmallStepWorld {
@@ -41,9 +42,6 @@ public:
     std::span<Manifold* const> touching() const { return touching_; }
 
     AwakeBodies bodies;
-    StepCost cost{};
-    FeatureUse use{};
-    std::vector<IslandReport> reports;  ///< of the latest step
     std::function<void()> after_solve;  ///< velocities before are in the records
 
 private:
@@ -55,6 +53,7 @@ private:
     void put_to_sleep(std::span<const Island> islands);
 
     SmallStepParts parts_;
+    StepReport& report_;
     PairWalk pairs_;
     JointSweep sweep_;
     IslandBuilder builder_;

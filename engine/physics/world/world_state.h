@@ -32,8 +32,10 @@ struct WorldState {
     /// What touches the body or is joined to it.
     void wake_neighbours(const BodyRecord& record);
     void wake_ends(const JointRecord& joint);
-    void quarantine(BodyRecord& record);
-    void poison(BodyRecord& record);
+    /// Takes the body out of the simulation for good.
+    void isolate(BodyRecord& record);
+    /// A dynamic body has got a number that is not finite.
+    void mark_invalid(BodyRecord& record);
     void place(BodyRecord& record, const Transform& world_from_mass);
     void remove_joints_of(const BodyRecord& record);
 
@@ -52,18 +54,17 @@ struct WorldState {
     BodyMotions motions;  ///< outlive the bodies
     BodyTable bodies;
     JointTable joints;
-    std::vector<BodyId> poisoned;  ///< to be taken out before the next step
-    std::vector<BodyId> quarantined;
-    std::vector<JointId> broken_joints;  ///< by the latest step
-    std::size_t event_bodies{0};         ///< how many bodies asked for contact events
-    bool events_asleep{false};           ///< small_step: all that is listed sleeps
-    bool slept_through{false};           ///< small_step: nothing moved in the latest step
+    std::vector<BodyId> invalid;  ///< to be isolated before the next step
+    std::size_t event_bodies{0};  ///< how many bodies asked for contact events
+    bool events_asleep{false};    ///< small_step: all that is listed sleeps
+    bool slept_through{false};    ///< small_step: nothing moved in the latest step
 
-    StepCost cost{};
-    FeatureUse use{};
-    std::vector<ContactEvent> events;
+    StepReport report{};
     std::vector<ContactEvent> gathered;  ///< of the running step, not yet merged
 };
+
+/// For the functions of query.h, totals.h and debug_lines.h.
+const WorldState& internals(const PhysicsWorld& world);
 
 /// What the rate and gravity of a world make of a body's numbers.
 void suit_to_world(const WorldDef& def, BodyRecord& record);

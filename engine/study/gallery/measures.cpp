@@ -1,5 +1,7 @@
 #include "engine/study/gallery/measures.h"
 
+#include "engine/physics/totals.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -85,7 +87,7 @@ double heap_slope_deg(std::span<const BodyObservation> bodies) {
 }
 
 double energy_J(const WorldObservation& look) {
-    return look.world.energy().total_J();
+    return physics::energy(look.world).total_J();
 }
 double energy_gain(const WorldObservation& look) {
     return (energy_J(look) - look.start.energy_J - look.added_energy_J) / look.start.energy_scale_J;
@@ -180,10 +182,10 @@ const std::array kMeasures{
     // --- of the world
     Measure{"max_joint_error_m",
             "worst joint",
-            +[](const WorldObservation& look) { return look.world.max_joint_error_m(); }},
+            +[](const WorldObservation& look) { return physics::max_joint_error_m(look.world); }},
     Measure{"penetration_m",
             "deepest contact",
-            +[](const WorldObservation& look) { return look.world.max_penetration_m(); }},
+            +[](const WorldObservation& look) { return physics::max_penetration_m(look.world); }},
     Measure{"energy_gain", "energy above the start's and what was put in", &energy_gain},
     Measure{"energy_loss",
             "energy below the start's and what was put in",
@@ -194,25 +196,25 @@ const std::array kMeasures{
         +[](const WorldObservation& look) { return look.braked_J / look.start.energy_scale_J; }},
     Measure{"kinetic_J",
             "kinetic energy",
-            +[](const WorldObservation& look) { return look.world.energy().kinetic_J; }},
+            +[](const WorldObservation& look) { return physics::energy(look.world).kinetic_J; }},
     Measure{"momentum_change",
             "change of momentum, as a share of the start's",
             +[](const WorldObservation& look) {
                 return share_of(
-                    glm::distance(look.world.momentum_kgmps(), look.start.momentum_kgmps),
+                    glm::distance(physics::momentum_kgmps(look.world), look.start.momentum_kgmps),
                     glm::length(look.start.momentum_kgmps));
             }},
     Measure{"angular_momentum_change",
             "change of angular momentum, as a share of the start's",
             +[](const WorldObservation& look) {
-                return share_of(glm::distance(look.world.angular_momentum_kgm2ps(),
+                return share_of(glm::distance(physics::angular_momentum_kgm2ps(look.world),
                                               look.start.angular_momentum_kgm2ps),
                                 glm::length(look.start.angular_momentum_kgm2ps));
             }},
     Measure{"non_finite",
             "bodies taken out because they were not finite",
             +[](const WorldObservation& look) {
-                return static_cast<double>(look.world.quarantined().size());
+                return static_cast<double>(look.world.report().isolated.size());
             }},
     Measure{"removed",
             "bodies that fell out of the world",

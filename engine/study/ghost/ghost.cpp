@@ -119,7 +119,7 @@ Result<std::unique_ptr<Ghost>> Ghost::start(scene::Simulation& simulation, const
 void Ghost::follow(const scene::Simulation& simulation) {
     Impl& impl = *impl_;
     if (!impl.failure.empty()) return;
-    impl.cpu_ms += simulation.physics.cost().total_ms;
+    impl.cpu_ms += simulation.physics.report().cost.total_ms;
     if (simulation.time_s() < impl.observed_s + kGhostObservedEvery_s - simulation.step_s() / 4)
         return;
     impl.observed_s = simulation.time_s();
