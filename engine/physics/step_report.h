@@ -36,7 +36,7 @@ struct StepCost {
     double total_ms{0};           ///< whole step; the rest is "other"
     std::uint64_t row_solves{0};  ///< constraint rows times sweeps: work without a clock
     std::uint32_t contacts{0};    ///< contact points
-    std::uint32_t pairs{0};       ///< small_step: pairs of bodies looked at for contact points
+    std::uint32_t pairs{0};       ///< small_step: pairs of bodies tested for contact points
     Interventions interventions{};
 };
 

@@ -17,7 +17,7 @@
 namespace plumbline::physics {
 namespace {
 
-// Bullet does not look whether it got the memory that it asked for.
+// Bullet does not check whether it got the memory that it asked for.
 void* allocate_or_throw(std::size_t bytes) {
     void* memory = std::malloc(bytes);
     if (memory == nullptr) throw std::bad_alloc();

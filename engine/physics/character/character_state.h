@@ -37,7 +37,7 @@ struct LimitPlane {
     Real room_m{0};
 };
 
-/// At most five planes met in one motion; nearly equal ones are merged.
+/// At most five planes hit in one motion; nearly equal ones are merged.
 class PlaneSet {
 public:
     void add(const LimitPlane& plane);

@@ -105,7 +105,7 @@ void serialize_joints(Archive& archive, const BodyScope& scope, JointTable& join
         joint.id = id;
         joint.a = a->get();
         joint.b = b != nullptr ? b->get() : nullptr;
-        if (!joint.state.broken) keep_apart(joint);
+        if (!joint.state.broken) exclude_collision(joint);
     });
 }
 

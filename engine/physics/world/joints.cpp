@@ -125,7 +125,7 @@ std::string fault_of(const JointDef& joint, const BodyTable& bodies) {
     return fault_of_numbers(joint);
 }
 
-void keep_apart(JointRecord& joint) {
+void exclude_collision(JointRecord& joint) {
     if (joint.b == nullptr || joint.def.collide) return;
     joint.a->excluded.push_back(joint.b);
     joint.b->excluded.push_back(joint.a);
@@ -222,7 +222,7 @@ Result<JointId> PhysicsWorld::create_joint(const JointDef& joint_def) {
     joint.a->joints.push_back(id);
     if (joint.b != nullptr) joint.b->joints.push_back(id);
     if (joint.b != nullptr && !joint.def.collide) {
-        keep_apart(joint);
+        exclude_collision(joint);
         state_->engine->forget_pair(*joint.a, *joint.b);
     }
     if (!state_->small)

@@ -39,9 +39,9 @@ SmallStepWorld::SmallStepWorld(const SmallStepParts& parts)
 void SmallStepWorld::take_rate() {
     gravity_mps2_ = static_cast<double>(glm::length(parts_.def.gravity_mps2));
     step_s_ = static_cast<Real>(parts_.def.step_s);
-    fall_m_ = static_cast<Real>(gravity_mps2_) * step_s_ * step_s_;
+    drop_m_ = static_cast<Real>(gravity_mps2_) * step_s_ * step_s_;
     bodies.make_boxes_stale();  // they reach as far as a step takes a body
-    pairs_.set_step({.step_s = step_s_, .fall_m = fall_m_});
+    pairs_.set_step({.step_s = step_s_, .drop_m = drop_m_});
 }
 
 void SmallStepWorld::serialize(Archive& archive, const BodyScope& scope) {
@@ -114,7 +114,7 @@ void SmallStepWorld::refresh_box(BodyRecord& record) {
     if (record.applied.by_caller)
         displacement += record.applied.force_N * (record.motion->inverse_mass * step_s_ * step_s_);
     const Real turn_rad = glm::length(record.motion->spin_radps) * step_s_;
-    const Real margin_m = record.traits.contact_margin_m + fall_m_ +
+    const Real margin_m = record.traits.contact_margin_m + drop_m_ +
                           std::min(turn_rad, Real{2}) * record.traits.radius_m;
     for (int axis = 0; axis < 3; ++axis) {
         low[axis] += std::min(displacement[axis], Real{0}) - margin_m;

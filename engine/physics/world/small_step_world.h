@@ -1,7 +1,7 @@
 // One step around the island solver: who is awake, what touches what, who moves how, who falls
 // asleep.
 //
-// Bullet finds overlapping boxes and contact points; nothing else of it runs. A step looks at awake
+// Bullet finds overlapping boxes and contact points; nothing else of it runs. A step visits awake
 // bodies, moving kinematic ones and their pairs only: what sleeps costs nothing. Every order is one
 // of ids.
 #pragma once
@@ -61,7 +61,7 @@ private:
     LapTimer laps_;
     double gravity_mps2_{0};
     Real step_s_{0};
-    Real fall_m_{0};  ///< what gravity adds to any motion within the step, at most
+    Real drop_m_{0};  ///< what gravity adds to any motion within the step, at most
 
     std::vector<Manifold*> touching_;
     std::vector<JointRecord*> joined_;

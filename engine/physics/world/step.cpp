@@ -147,7 +147,7 @@ void count_own_share(StepReport& report, double wall_ms) {
 }  // namespace
 
 void WorldState::mark_invalid(BodyRecord& record) {
-    // What does not move by itself stays sound: the call that would spoil it is just not obeyed.
+    // What does not move by itself stays sound: a call with such a number is ignored.
     if (record.invalid || !record.in_world || record.kind != BodyKind::Dynamic) return;
     record.invalid = true;
     invalid.push_back(record.id);

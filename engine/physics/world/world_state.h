@@ -88,7 +88,7 @@ constexpr std::uint64_t key_of(JointId id) {
     return (std::uint64_t{id.index} << 32U) | id.generation;
 }
 /// The two do not touch while the joint holds.
-void keep_apart(JointRecord& joint);
+void exclude_collision(JointRecord& joint);
 /// Before the first substep: what a moving kinematic body holds wakes.
 void prepare_joints(WorldState& world);
 /// After a substep: adds up what Bullet's joints carried.

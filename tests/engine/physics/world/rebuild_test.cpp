@@ -196,13 +196,13 @@ TEST(Reconfigure, KeepsWhatIsFrozenTakenOutOrOnItsWay) {
     TestWorld test(in_small_steps());
     test.ground();
     const BodyId frozen = test.add(BoxShape{}, {0, 5, 0});
-    const BodyId poisoned = test.add(BoxShape{}, {4, 5, 0});
+    const BodyId invalid = test.add(BoxShape{}, {4, 5, 0});
     const BodyId lift = test.add(BoxShape{}, {8, 5, 0}, {.kind = BodyKind::Kinematic});
     test.world.set_frozen(frozen, true);
-    test.world.apply_force(poisoned, {std::numeric_limits<Real>::quiet_NaN(), 0, 0});
+    test.world.apply_force(invalid, {std::numeric_limits<Real>::quiet_NaN(), 0, 0});
     test.world.step();
     ASSERT_EQ(test.world.report().isolated.size(), 1U);
-    const Vec3d left_at = test.at(poisoned);
+    const Vec3d left_at = test.at(invalid);
     test.world.move_kinematic(lift, {.position = {8, 5.1_r, 0}});
     test.world.reconfigure({.solver = Solver::BulletSi});
     test.world.step();
@@ -211,7 +211,7 @@ TEST(Reconfigure, KeepsWhatIsFrozenTakenOutOrOnItsWay) {
     test.run(1.0);
     EXPECT_TRUE(test.world.state(frozen).frozen);
     EXPECT_EQ(test.at(frozen), (Vec3d{0, 5, 0}));
-    EXPECT_EQ(test.at(poisoned), left_at);
+    EXPECT_EQ(test.at(invalid), left_at);
     EXPECT_EQ(test.world.report().isolated.size(), 1U);
     test.world.set_frozen(frozen, false);
     test.run(0.5);

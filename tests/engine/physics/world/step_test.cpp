@@ -28,7 +28,7 @@ std::vector<BodyId> heap(TestWorld& test, int count) {
 
 /// Takes one body of a heap out at step 30 by `how`; the rest must not tell the difference.
 template <class Fn>
-std::uint64_t rest_of_heap(Fn&& how, std::size_t* quarantined = nullptr) {
+std::uint64_t rest_of_heap(Fn&& how, std::size_t* isolated = nullptr) {
     TestWorld test;
     test.ground();
     auto ids = heap(test, 12);
@@ -38,7 +38,7 @@ std::uint64_t rest_of_heap(Fn&& how, std::size_t* quarantined = nullptr) {
         test.world.step();
     }
     ids.erase(ids.begin() + 5);
-    if (quarantined != nullptr) *quarantined = test.world.report().isolated.size();
+    if (isolated != nullptr) *isolated = test.world.report().isolated.size();
     return test.hash(ids);
 }
 
