@@ -190,7 +190,7 @@ std::string FrameReport::json(const ReportContext& context) const {
         {"physics", json::parse(scene::cost_json(physics_))},
         {"lost_time_s", context.lost_s},
         {"peak_rss_bytes", peak_resident_bytes()},
-        {"bodies", physics::body_count(context.simulation.physics)},
+        {"bodies", body_count(context.simulation.physics)},
         {"gl",
          {{"vendor", context.gl.vendor},
           {"renderer", context.gl.renderer},

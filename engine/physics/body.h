@@ -81,6 +81,9 @@ struct BodyState {
     MassProperties mass{};
 
     bool pushable() const { return kind == BodyKind::Dynamic && !frozen; }  ///< by forces
+    Vec3 center_of_mass_world() const {
+        return transform_point(world_from_body, mass.center_of_mass_m);
+    }
 };
 
 }  // namespace plumbline::physics

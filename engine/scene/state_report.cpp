@@ -19,11 +19,10 @@ void add_totals(JsonText& json, const Simulation& simulation) {
     json.key("kinetic").number(energy.kinetic_J);
     json.key("potential").number(energy.potential_J);
     json.end_object();
-    json.key("momentum_kgmps").vector(physics::momentum_kgmps(simulation.physics));
-    json.key("angular_momentum_kgm2ps")
-        .vector(physics::angular_momentum_kgm2ps(simulation.physics));
-    json.key("max_penetration_m").number(physics::max_penetration_m(simulation.physics));
-    json.key("max_joint_error_m").number(physics::max_joint_error_m(simulation.physics));
+    json.key("momentum_kgmps").vector(momentum_kgmps(simulation.physics));
+    json.key("angular_momentum_kgm2ps").vector(angular_momentum_kgm2ps(simulation.physics));
+    json.key("max_penetration_m").number(max_penetration_m(simulation.physics));
+    json.key("max_joint_error_m").number(max_joint_error_m(simulation.physics));
 }
 
 void add_bodies(JsonText& json, const Simulation& simulation) {
@@ -48,7 +47,7 @@ void add_bodies(JsonText& json, const Simulation& simulation) {
 
 void add_contacts(JsonText& json, const Simulation& simulation) {
     json.key("contacts").begin_array();
-    for (const physics::ContactEvent& contact : physics::all_contacts(simulation.physics)) {
+    for (const physics::ContactEvent& contact : all_contacts(simulation.physics)) {
         json.begin_object();
         json.key("a").text(name_of_mark(simulation, contact.user_a));
         json.key("b").text(name_of_mark(simulation, contact.user_b));
@@ -170,7 +169,7 @@ std::string state_json(const Simulation& simulation,
     json.key("time_s").number(simulation.time_s());
     json.key("steps").number(simulation.steps());
     json.key("step_s").number(simulation.step_s());
-    json.key("substeps").number(physics::most_substeps(simulation.physics));
+    json.key("substeps").number(most_substeps(simulation.physics));
     json.key("iterations").number(world.iterations);
     json.key("solver").text(physics::solver_name(world.solver));
     json.key("precision").text(kPrecisionName);

@@ -30,13 +30,12 @@ std::optional<Vec3> free_place(const physics::PhysicsWorld& world,
     // The person's own capsule counts for the place, not for the sight.
     const physics::QueryFilter sight{.ignored = room.itself, .also_ignored = aim.own_body};
     const physics::QueryFilter others{.ignored = room.itself};
-    const auto ahead =
-        physics::cast_ray(world, aim.eye_m, aim.eye_m + aim.forward * farthest, sight);
+    const auto ahead = cast_ray(world, aim.eye_m, aim.eye_m + aim.forward * farthest, sight);
 
     const auto is_good = [&](const Vec3& place) {
         const Pose pose{.position = place, .orientation = turn};
         if (!physics::overlaps(world, room.box, pose, -kAir_m / 2, others).empty()) return false;
-        return !physics::cast_ray(world, aim.eye_m, place, sight).has_value();
+        return !cast_ray(world, aim.eye_m, place, sight).has_value();
     };
     Vec3 wanted = aim.eye_m + aim.forward * farthest;
     if (ahead) {

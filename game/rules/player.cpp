@@ -90,7 +90,7 @@ std::optional<Vec3> Player::seat_at(const scene::Simulation& simulation,
     const Vec3 feet = state().feet_position_m;
     const physics::QueryFilter others{.ignored = body()};
     const auto face_under = [&](const Vec3& place, Real above_m) {
-        const auto face = physics::cast_ray(
+        const auto face = cast_ray(
             world, place + Vec3{0, above_m, 0}, place - Vec3{0, kHighestSeat_m, 0}, others);
         const bool is_seat = face && face->body == looked.body &&
                              face->normal_world.y > kLevelSeat &&

@@ -64,9 +64,7 @@ void PlaygroundGame::explode(scene::Simulation& simulation, const Actions& actio
     std::ranges::sort(reached);
     reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
     for (const physics::BodyId body : reached) {
-        const Vec3 middle = transform_point(world.state(body).world_from_body,
-                                            world.state(body).mass.center_of_mass_m);
-        const Vec3 offset = middle - looked->point_m;
+        const Vec3 offset = world.state(body).center_of_mass_world() - looked->point_m;
         const Real distance_m = std::max(glm::length(offset), kNearestBlast_m);
         const Vec3 out = normalize_or(offset, Vec3{0, 1, 0});
         world.apply_impulse(body, out * (kExplosion_Nsm / distance_m));

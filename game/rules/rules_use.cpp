@@ -69,9 +69,9 @@ void add_corners(const scene::Simulation& simulation,
 }
 
 bool may_be_taken(const scene::Simulation& simulation, const Looked& looked) {
-    const physics::PhysicsWorld& world = simulation.physics;
-    return simulation.registry.alive(looked.entity) && world.state(looked.body).pushable() &&
-           world.state(looked.body).mass.mass_kg <= Grab::kMostMass_kg;
+    if (!simulation.registry.alive(looked.entity)) return false;
+    const physics::BodyState state = simulation.physics.state(looked.body);
+    return state.pushable() && state.mass.mass_kg <= Grab::kMostMass_kg;
 }
 
 }  // namespace

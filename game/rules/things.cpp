@@ -195,8 +195,7 @@ std::optional<Vec3> Things::place_for(const physics::PhysicsWorld& world,
     const physics::QueryFilter sight{.ignored = room.itself, .also_ignored = aim.own_body};
     const bool is_seen =
         is_dropped &&
-        physics::cast_ray(world, aim.eye_m, aim.eye_m + aim.forward * kDropReach_m, sight)
-            .has_value();
+        cast_ray(world, aim.eye_m, aim.eye_m + aim.forward * kDropReach_m, sight).has_value();
     return free_place(world, aim, room, is_seen ? kDropReach_m : kReach_m);
 }
 

@@ -24,8 +24,9 @@ std::optional<physics::JointId> hinge_of(const scene::Simulation& simulation,
                                          physics::BodyId leaf) {
     const physics::PhysicsWorld& world = simulation.physics;
     for (const scene::SceneJoint& known : simulation.joints()) {
-        if (!world.contains(known.joint) || world.joint(known.joint).state.broken) continue;
-        const physics::JointDef& def = world.joint(known.joint).def;
+        if (!world.contains(known.joint)) continue;
+        const auto [def, state] = world.joint(known.joint);
+        if (state.broken) continue;
         const bool stands = !def.b || world.state(def.b).kind == physics::BodyKind::Static;
         const bool is_driven = def.motor && def.motor->target != 0;
         if (def.kind == physics::JointKind::Hinge && def.a == leaf && def.limits && stands &&
@@ -35,24 +36,20 @@ std::optional<physics::JointId> hinge_of(const scene::Simulation& simulation,
     return {};
 }
 
-Vec3 middle_of_body(const physics::PhysicsWorld& world, physics::BodyId body) {
-    return transform_point(world.state(body).world_from_body,
-                           world.state(body).mass.center_of_mass_m);
-}
-
 /// From the hinge to the leaf's middle, at a right angle to its axis.
 Vec3 arm_of(const physics::PhysicsWorld& world, const physics::JointDef& def, const Vec3& axis) {
-    const Vec3 arm = middle_of_body(world, def.a) - def.anchor_b_world;
+    const Vec3 arm = world.state(def.a).center_of_mass_world() - def.anchor_b_world;
     return arm - axis * glm::dot(arm, axis);
 }
 
 Real inertia_about(const physics::PhysicsWorld& world,
                    const physics::JointDef& def,
                    const Vec3& axis) {
-    const physics::MassProperties mass = world.state(def.a).mass;
-    const Vec3 axis_body = glm::conjugate(world.state(def.a).world_from_body.orientation) * axis;
+    const physics::BodyState leaf = world.state(def.a);
+    const Vec3 axis_body = glm::conjugate(leaf.world_from_body.orientation) * axis;
     const Vec3 arm = arm_of(world, def, axis);
-    return glm::dot(axis_body * axis_body, mass.inertia_kgm2) + mass.mass_kg * glm::dot(arm, arm);
+    return glm::dot(axis_body * axis_body, leaf.mass.inertia_kgm2) +
+           leaf.mass.mass_kg * glm::dot(arm, arm);
 }
 
 bool is_visible(const scene::Simulation& simulation, ecs::Entity lamp) {
@@ -78,7 +75,7 @@ std::optional<Swing> door_at(const scene::Simulation& simulation,
         return Swing{.hinge = *hinge, .angle_rad = shut, .left_s = kSwing_s, .opens = false};
     const Vec3 axis = glm::normalize(def.axis_world);
     const Vec3 opening = glm::cross(axis, arm_of(world, def, axis));
-    const bool away = glm::dot(opening, middle_of_body(world, def.a) - eye_m) > 0;
+    const bool away = glm::dot(opening, world.state(def.a).center_of_mass_world() - eye_m) > 0;
     const bool up = both_ways ? away : high - shut > shut - low;
     return Swing{.hinge = *hinge,
                  .angle_rad = up ? high - kBeforeLimit_rad : low + kBeforeLimit_rad,

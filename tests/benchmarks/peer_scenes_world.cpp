@@ -114,7 +114,7 @@ public:
                         .angular_velocity_radps = Vec3d(state.angular_velocity_radps)};
         }
     }
-    bool all_asleep() const override { return physics::awake_count(simulation_->physics) == 0; }
+    bool all_asleep() const override { return awake_count(simulation_->physics) == 0; }
     const physics::StepCost* cost() const override { return &simulation_->physics.report().cost; }
     std::span<const physics::IslandReport> islands() const override {
         return simulation_->physics.report().islands;

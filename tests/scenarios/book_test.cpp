@@ -72,7 +72,7 @@ TEST(BookStages, BoxesAndBallsPassThroughEachOtherAndBallsStayInThePlane) {
     int balls = 0;
     for (int step = 0; step < 60 * 5; ++step) {
         run.step(1);
-        for (const physics::ContactEvent& touch : physics::all_contacts(run.simulation->physics)) {
+        for (const physics::ContactEvent& touch : all_contacts(run.simulation->physics)) {
             const std::string a = name_of_mark(*run.simulation, touch.user_a);
             const std::string b = name_of_mark(*run.simulation, touch.user_b);
             const bool mixed = (a.starts_with("box") && b.starts_with("ball")) ||

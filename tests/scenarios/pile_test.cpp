@@ -23,7 +23,7 @@ TEST(Pile, ComesDownWithoutGainingEnergy) {
     }
     EXPECT_EQ(world.report().isolated.size(), 0U);
     EXPECT_EQ(run.simulation->tally().removed, 0U);
-    EXPECT_LT(physics::max_penetration_m(world), 0.01);
+    EXPECT_LT(max_penetration_m(world), 0.01);
 }
 
 TEST(Pile, GoesToSleep) {

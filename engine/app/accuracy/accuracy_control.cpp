@@ -60,9 +60,9 @@ void AccuracyControl::after_step() {
     samples_.push_back({.time_s = simulation.time_s(),
                         .cost = world.report().cost,
                         .energy_J = physics::energy(world).total_J(),
-                        .max_penetration_m = physics::max_penetration_m(world),
-                        .max_joint_error_m = physics::max_joint_error_m(world),
-                        .most_substeps = physics::most_substeps(world)});
+                        .max_penetration_m = max_penetration_m(world),
+                        .max_joint_error_m = max_joint_error_m(world),
+                        .most_substeps = most_substeps(world)});
     while (samples_.front().time_s < simulation.time_s() - kWindow_s) samples_.pop_front();
 }
 
@@ -104,7 +104,7 @@ void AccuracyControl::add_ghost_lines(LineList& lines, const Vec3f& eye_world) c
         if (bodies[next] != moving.body) continue;
         const Pose pose{Vec3(poses[next].position_m), Quat(poses[next].orientation)};
         if (looks_the_same(simulation.physics.state(moving.body).world_from_body, pose)) continue;
-        physics::add_shape_lines(simulation.physics, moving.shape, pose, kGhostColor, thin);
+        add_shape_lines(simulation.physics, moving.shape, pose, kGhostColor, thin);
     }
     add_wide(thin, eye_world, lines);
 }

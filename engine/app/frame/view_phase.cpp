@@ -125,9 +125,9 @@ render::RenderFrame ViewPhase::extract(const scene::ViewPoint& view,
     if (settings.parts.hud && !input.menu.open())
         session_.game->add_lines(simulation, view.blend, frame.lines);
     if (settings.collision_shapes)
-        physics::add_debug_lines(simulation.physics, frame.lines, view.world_from_camera.position);
+        add_debug_lines(simulation.physics, frame.lines, view.world_from_camera.position);
     if (settings.collision_boxes)
-        physics::add_box_lines(simulation.physics, frame.lines, view.world_from_camera.position);
+        add_box_lines(simulation.physics, frame.lines, view.world_from_camera.position);
     return frame;
 }
 

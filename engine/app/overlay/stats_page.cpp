@@ -104,9 +104,8 @@ HudLine memory_line() {
 
 void add_world(const OverlayInput& input, std::vector<HudLine>& lines) {
     const physics::PhysicsWorld& world = input.simulation.physics;
-    lines.push_back(row(
-        fmt::format("{} bodies, {} awake", physics::body_count(world), physics::awake_count(world)),
-        fmt::format("{} contacts", world.report().cost.contacts)));
+    lines.push_back(row(fmt::format("{} bodies, {} awake", body_count(world), awake_count(world)),
+                        fmt::format("{} contacts", world.report().cost.contacts)));
     if (input.clock.lost_s() >= 0.1)
         lines.push_back(
             row("Dropped time (too slow)", fmt::format("{:.1f} s", input.clock.lost_s())));
@@ -171,7 +170,7 @@ std::vector<HudLine> full_table(const OverlayInput& input) {
     add_step_phases(world.report().cost, lines);
     add_world(input, lines);
     lines.push_back(
-        row("Max penetration", fmt::format("{:.2f} mm", physics::max_penetration_m(world) * 1e3)));
+        row("Max penetration", fmt::format("{:.2f} mm", max_penetration_m(world) * 1e3)));
     if (const std::string done = scene::interventions_text(input.report.interventions());
         !done.empty())
         lines.push_back({.text = "Solver interventions: " + done});

@@ -69,7 +69,7 @@ private:
         constexpr float kUp_m = 30.0F;
         const Vec3 from{Real{x}, Real{eye_y + kUp_m}, Real{z}};
         const Vec3 to{Real{x}, Real{eye_y - kUp_m}, Real{z}};
-        const auto hit = physics::cast_ray(simulation.physics, from, to);
+        const auto hit = cast_ray(simulation.physics, from, to);
         if (!hit || !lawns_.contains(hit->user)) return {};
         return static_cast<float>(hit->point_world.y);
     }

@@ -39,8 +39,8 @@ void RoomProbe::cast(const scene::Simulation& simulation, const Vec3& ear_world,
     for (std::size_t i = 0; i < rays; ++i, next_ = (next_ + 1) % kDirections) {
         const Vec3 direction = direction_of(next_);
         Sample sample{.from_world = Vec3f(ear_world)};
-        const auto hit = physics::cast_ray(
-            simulation.physics, ear_world, ear_world + direction * Real{kReach_m}, filter);
+        const auto hit =
+            cast_ray(simulation.physics, ear_world, ear_world + direction * Real{kReach_m}, filter);
         if (hit) {
             const Real facing = std::abs(glm::dot(hit->normal_world, direction));
             const auto cosine = static_cast<float>(facing);

@@ -36,7 +36,7 @@ void each_face(const physics::PhysicsWorld& world,
                Meet meet) {
     const Vec3 direction = normalize_or(to - from, Vec3{0, 0, 0});
     for (int i = 0; i < kMostRays; ++i) {
-        const auto hit = physics::cast_ray(world, from, to, filter);
+        const auto hit = cast_ray(world, from, to, filter);
         if (!hit) return;
         // What begins within a body's margin is met at once: that face was counted before.
         if (hit->distance_m > kAtOnce_m) meet(*hit);
@@ -84,7 +84,7 @@ physics::QueryFilter rays_from_ear(const scene::Simulation& simulation, const Ve
                                               Vec3{0, 0, 1},
                                               Vec3{0, 0, -1}};
     for (const Vec3& direction : kDirections) {
-        const auto hit = physics::cast_ray(simulation.physics, ear_world, ear_world + direction);
+        const auto hit = cast_ray(simulation.physics, ear_world, ear_world + direction);
         if (hit && hit->distance_m <= kAtOnce_m &&
             !simulation.registry.alive(entity_of_mark(simulation, hit->user)))
             return {.ignored = hit->body};

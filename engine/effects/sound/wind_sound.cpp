@@ -70,7 +70,7 @@ private:
                                                  glm::normalize(upwind + Vec3{0, 1, 0})};
             const physics::QueryFilter filter = rays_from_ear(simulation, ear);
             const auto open = std::ranges::count_if(directions, [&](const Vec3& direction) {
-                return !physics::cast_ray(
+                return !cast_ray(
                     simulation.physics, ear, ear + direction * kShelterReach_m, filter);
             });
             const float free = static_cast<float>(open) / static_cast<float>(directions.size());

@@ -13,14 +13,12 @@
 namespace plumbline::physics {
 namespace {
 
-const BodyRecord* record_or_null(const SlotMap<BodyId, std::unique_ptr<BodyRecord>>& bodies,
-                                 BodyId id) {
+const BodyRecord* record_or_null(const BodyTable& bodies, BodyId id) {
     const auto* found = bodies.find(id);
     return found != nullptr ? found->get() : nullptr;
 }
 
-BodyFilter filter_for(const QueryFilter& filter,
-                      const SlotMap<BodyId, std::unique_ptr<BodyRecord>>& bodies) {
+BodyFilter filter_for(const QueryFilter& filter, const BodyTable& bodies) {
     return {.collides_with = filter.collides_with,
             .ignored = record_or_null(bodies, filter.ignored),
             .also_ignored = record_or_null(bodies, filter.also_ignored)};

@@ -158,9 +158,9 @@ void gather_joint_loads(JointTable& joints, double substep_s) {
     });
 }
 
-std::vector<JointId> settle_joints(JointTable& joints) {
-    std::vector<JointId> overloaded;
-    joints.each([&overloaded](JointId id, std::unique_ptr<JointRecord>& record) {
+void settle_joints(WorldState& world) {
+    std::vector<JointId>& broken = world.report.broken_joints;
+    world.joints.each([&broken](JointId id, std::unique_ptr<JointRecord>& record) {
         JointRecord& joint = *record;
         if (joint.state.broken) return;
         if (const auto load = joint.bullet ? joint.bullet->mean_load() : std::nullopt) {
@@ -168,14 +168,9 @@ std::vector<JointId> settle_joints(JointTable& joints) {
             joint.state.torque_Nm = static_cast<Real>(load->torque_Nm);
             measure(joint);
         }
-        if (joint.def.break_N > 0 && joint.state.force_N > joint.def.break_N)
-            overloaded.push_back(id);
+        if (joint.def.break_N > 0 && joint.state.force_N > joint.def.break_N) broken.push_back(id);
     });
-    return overloaded;
-}
-
-void break_joints(WorldState& world, std::span<const JointId> ids) {
-    for (const JointId id : ids) {
+    for (const JointId id : broken) {
         JointRecord& joint = *world.joints.get(id);
         world.wake_ends(joint);
         detach_joint(joint, *world.engine);

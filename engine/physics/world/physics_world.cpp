@@ -7,28 +7,19 @@
 namespace plumbline::physics {
 namespace {
 
-struct SolverName {
-    Solver solver;
-    std::string_view name;
-};
-constexpr std::array<SolverName, 5> kSolverNames{{{Solver::SmallStep, "small_step"},
-                                                  {Solver::BulletSi, "bullet_si"},
-                                                  {Solver::BulletNncg, "bullet_nncg"},
-                                                  {Solver::BulletDantzig, "bullet_dantzig"},
-                                                  {Solver::BulletPgs, "bullet_pgs"}}};
+/// In the order of kSolvers.
+constexpr std::array<std::string_view, kSolvers.size()> kSolverNames{
+    "small_step", "bullet_si", "bullet_nncg", "bullet_dantzig", "bullet_pgs"};
 
 }  // namespace
 
 std::string_view solver_name(Solver solver) {
-    for (const SolverName& entry : kSolverNames) {
-        if (entry.solver == solver) return entry.name;
-    }
-    return "";
+    return kSolverNames[static_cast<std::size_t>(solver)];
 }
 
 std::optional<Solver> solver_from_name(std::string_view name) {
-    for (const SolverName& entry : kSolverNames) {
-        if (entry.name == name) return entry.solver;
+    for (const Solver solver : kSolvers) {
+        if (solver_name(solver) == name) return solver;
     }
     return std::nullopt;
 }
@@ -50,6 +41,7 @@ void PhysicsWorld::set_features(const WorldFeatures& features) {
 const WorldDef& PhysicsWorld::def() const {
     return state_->def;
 }
+
 void Interventions::add(const Interventions& more) {
     braked_J += more.braked_J;
     braked_islands += more.braked_islands;
@@ -61,6 +53,7 @@ void Interventions::add(const Interventions& more) {
     oversized_islands += more.oversized_islands;
     left_out_pairs += more.left_out_pairs;
 }
+
 const StepReport& PhysicsWorld::report() const {
     return state_->report;
 }

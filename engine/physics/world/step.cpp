@@ -96,8 +96,7 @@ void settle_bodies(WorldState& world) {
 /// After the last substep.
 void settle(WorldState& world) {
     settle_bodies(world);
-    world.report.broken_joints = settle_joints(world.joints);
-    break_joints(world, world.report.broken_joints);
+    settle_joints(world);
 }
 
 void advance_bullet(WorldState& world, bool want_contacts) {

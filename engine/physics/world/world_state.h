@@ -93,10 +93,9 @@ void exclude_collision(JointRecord& joint);
 void prepare_joints(WorldState& world);
 /// After a substep: adds up what Bullet's joints carried.
 void gather_joint_loads(JointTable& joints, double substep_s);
-/// After the step: forces and errors of Bullet's joints. Which joints carried too much.
-std::vector<JointId> settle_joints(JointTable& joints);
-/// They carry nothing any more, and their bodies may touch.
-void break_joints(WorldState& world, std::span<const JointId> ids);
+/// After the step: forces and errors of Bullet's joints. Those that carried too much break: they carry
+/// nothing any more, and their bodies may touch.
+void settle_joints(WorldState& world);
 /// Joints that broke in the step before carry nothing in this one.
 void unload_broken_joints(WorldState& world);
 double elastic_energy_J(const JointTable& joints);

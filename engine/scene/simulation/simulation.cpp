@@ -177,7 +177,7 @@ void Simulation::warn_of_mass_ratio() {
         mass_ratio_.differ_widely = most > kWidestMassRatio * least;
     }
     if (!mass_ratio_.differ_widely || mass_ratio_.named) return;
-    for (const physics::ContactEvent& touch : physics::all_contacts(physics)) {
+    for (const physics::ContactEvent& touch : all_contacts(physics)) {
         const Real a = mass_of(touch.a);
         const Real b = mass_of(touch.b);
         if (a <= 0 || b <= 0 || std::max(a, b) <= kWidestMassRatio * std::min(a, b)) continue;

@@ -112,8 +112,8 @@ HardCaseJudge::HardCaseJudge(const scene::Simulation& simulation)
     start_.energy_J = physics::energy(simulation.physics).total_J();
     start_.energy_scale_J =
         hard.energy_scale_J > 0 ? hard.energy_scale_J : std::max(std::abs(start_.energy_J), 1e-9);
-    start_.momentum_kgmps = physics::momentum_kgmps(simulation.physics);
-    start_.angular_momentum_kgm2ps = physics::angular_momentum_kgm2ps(simulation.physics);
+    start_.momentum_kgmps = momentum_kgmps(simulation.physics);
+    start_.angular_momentum_kgm2ps = angular_momentum_kgm2ps(simulation.physics);
 }
 
 Result<HardCaseJudge> HardCaseJudge::create(const scene::Simulation& simulation) {
@@ -308,7 +308,7 @@ void HardCaseJudge::after_step(const scene::Simulation& simulation) {
         body.lowest_m =
             std::min(body.lowest_m, static_cast<double>(state.world_from_body.position.y));
     }
-    if (needs_contacts_) contacts_ = physics::all_contacts(simulation.physics);
+    if (needs_contacts_) contacts_ = all_contacts(simulation.physics);
     has_ended_ = time_s > seconds_ - half_step_s;
     bool any_failed = false;
     for (std::size_t i = 0; i < states_.size(); ++i) {

@@ -182,10 +182,10 @@ const std::array kMeasures{
     // --- of the world
     Measure{"max_joint_error_m",
             "worst joint",
-            +[](const WorldObservation& look) { return physics::max_joint_error_m(look.world); }},
+            +[](const WorldObservation& look) { return max_joint_error_m(look.world); }},
     Measure{"penetration_m",
             "deepest contact",
-            +[](const WorldObservation& look) { return physics::max_penetration_m(look.world); }},
+            +[](const WorldObservation& look) { return max_penetration_m(look.world); }},
     Measure{"energy_gain", "energy above the start's and what was put in", &energy_gain},
     Measure{"energy_loss",
             "energy below the start's and what was put in",
@@ -201,13 +201,13 @@ const std::array kMeasures{
             "change of momentum, as a share of the start's",
             +[](const WorldObservation& look) {
                 return share_of(
-                    glm::distance(physics::momentum_kgmps(look.world), look.start.momentum_kgmps),
+                    glm::distance(momentum_kgmps(look.world), look.start.momentum_kgmps),
                     glm::length(look.start.momentum_kgmps));
             }},
     Measure{"angular_momentum_change",
             "change of angular momentum, as a share of the start's",
             +[](const WorldObservation& look) {
-                return share_of(glm::distance(physics::angular_momentum_kgm2ps(look.world),
+                return share_of(glm::distance(angular_momentum_kgm2ps(look.world),
                                               look.start.angular_momentum_kgm2ps),
                                 glm::length(look.start.angular_momentum_kgm2ps));
             }},

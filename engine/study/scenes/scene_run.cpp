@@ -97,9 +97,9 @@ public:
                                                 energy.kinetic_J,
                                                 std::abs(energy.potential_J - start.potential_J)});
             trace.penetration_m =
-                std::max(trace.penetration_m, physics::max_penetration_m(simulation_.physics));
+                std::max(trace.penetration_m, max_penetration_m(simulation_.physics));
             trace.joint_error_m =
-                std::max(trace.joint_error_m, physics::max_joint_error_m(simulation_.physics));
+                std::max(trace.joint_error_m, max_joint_error_m(simulation_.physics));
             if (sample != run_.moments[next]) continue;
             trace.moments.push_back(moment());
             ++next;

@@ -155,7 +155,7 @@ TEST(SavedCrouch, ForcedByALowCeilingIsNotWanted) {
 
 TEST_F(SavedPlayground, WhileEverythingSleeps) {
     there_.run(4);
-    ASSERT_EQ(physics::awake_count(there_.simulation->physics), 0U);
+    ASSERT_EQ(awake_count(there_.simulation->physics), 0U);
     go_on_from_here();
     both(0.5);
     there_.simulation->physics.wake(there_.body("crate2"));

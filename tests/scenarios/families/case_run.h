@@ -85,8 +85,7 @@ inline Watch watch(ScenarioWorld& world, double seconds, double settle_s) {
         seen.energy_gain =
             std::max(seen.energy_gain, (world.energy_J() - start_J) / std::abs(start_J));
         if (i < settled) continue;
-        seen.penetration_m =
-            std::max(seen.penetration_m, physics::max_penetration_m(world.physics));
+        seen.penetration_m = std::max(seen.penetration_m, max_penetration_m(world.physics));
         seen.speed_mps = std::max(seen.speed_mps, top_speed_mps(world));
     }
     seen.finite = all_finite(world);

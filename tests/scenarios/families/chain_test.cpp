@@ -71,7 +71,7 @@ TEST(Chain, H26AChainSwungKeepsItsLength) {
     double gain_J = 0;
     for (int i = 0; i < 600; ++i) {
         world.physics.step();
-        gap_m = std::max(gap_m, physics::max_joint_error_m(world.physics));
+        gap_m = std::max(gap_m, max_joint_error_m(world.physics));
         gain_J = std::max(gain_J, world.energy_J() - start_J);
     }
     expect_at_most("H26 10 links swung, gap m", gap_m, 5e-3);
@@ -115,7 +115,7 @@ TEST(Chain, ALargeNetSwingsAndHolds) {
     double top = 0;
     for (int i = 0; i < 15; ++i) {
         world.physics.step();
-        gap_m = std::max(gap_m, physics::max_joint_error_m(world.physics));
+        gap_m = std::max(gap_m, max_joint_error_m(world.physics));
         top = std::max(top, top_speed_mps(world));
     }
     EXPECT_TRUE(all_finite(world));

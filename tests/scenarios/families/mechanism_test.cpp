@@ -46,7 +46,7 @@ TEST(Mechanism, H38JointsPassTheirSingularPoses) {
         for (int i = 0; i < 600; ++i) {
             world.physics.step();
             gain = std::max(gain, world.energy_J() / start_J - 1);
-            gap_m = std::max(gap_m, physics::max_joint_error_m(world.physics));
+            gap_m = std::max(gap_m, max_joint_error_m(world.physics));
         }
         const std::string row = twist ? "H38 cone, twist limits, " : "H38 cone, free twist, ";
         EXPECT_TRUE(all_finite(world));
@@ -151,7 +151,7 @@ TEST(Mechanism, H41AnchorsFiveMetresApartComeTogether) {
         const std::string row = two ? "H41 two bodies, " : "H41 body and world, ";
         EXPECT_TRUE(all_finite(world));
         expect_at_most(row + "top speed m/s", top, 10);
-        expect_at_most(row + "gap after 2 s m", physics::max_joint_error_m(world.physics), 0.01);
+        expect_at_most(row + "gap after 2 s m", max_joint_error_m(world.physics), 0.01);
         expect_at_most(row + "speed after 2 s m/s", top_speed_mps(world), 0.5);
     }
 }
@@ -212,7 +212,7 @@ TEST(Mechanism, H45ASlenderRodCarriesAWeight) {
     double top = 0;
     for (int i = 0; i < 600; ++i) {
         world.physics.step();
-        gap_m = std::max(gap_m, physics::max_joint_error_m(world.physics));
+        gap_m = std::max(gap_m, max_joint_error_m(world.physics));
         gain_J = std::max(gain_J, world.energy_J() - start_J);
         top = std::max(top, top_speed_mps(world));
     }

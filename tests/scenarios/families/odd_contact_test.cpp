@@ -91,8 +91,7 @@ TEST(OddContact, H66BoxesOfOnePosePart) {
         const std::string row = fmt::format("H66 {} boxes", count);
         EXPECT_TRUE(all_finite(world));
         expect_at_most(row + " top speed m/s", top, 2 * kPush_mps);
-        expect_at_most(
-            row + " penetration after 5 s m", physics::max_penetration_m(world.physics), 0.02);
+        expect_at_most(row + " penetration after 5 s m", max_penetration_m(world.physics), 0.02);
     }
 }
 

@@ -77,7 +77,7 @@ BallsMeetErrors balls_meet(const BallsMeet& how, const Setting& setting, Stepper
     const double aside_m = how.aside * kRadius_m;
     const BodyId a = world.sphere({-0.5, aside_m, 0}, kRadius_m, coming);
     const BodyId b = world.sphere({0, 0, 0}, kRadius_m, properties);
-    const Vec3d momentum = physics::momentum_kgmps(world.physics);
+    const Vec3d momentum = momentum_kgmps(world.physics);
     stepper.run(world, 0.5);
 
     const double up = aside_m / (2 * kRadius_m);
@@ -87,9 +87,8 @@ BallsMeetErrors balls_meet(const BallsMeet& how, const Setting& setting, Stepper
     const Vec3d expected_a = Vec3d{kMeetingSpeed_mps, 0, 0} - impulse / how.mass_ratio;
     const double off = std::max(glm::distance(world.velocity(a), expected_a),
                                 glm::distance(world.velocity(b), impulse));
-    return {
-        off / kMeetingSpeed_mps,
-        glm::distance(physics::momentum_kgmps(world.physics), momentum) / glm::length(momentum)};
+    return {off / kMeetingSpeed_mps,
+            glm::distance(momentum_kgmps(world.physics), momentum) / glm::length(momentum)};
 }
 
 SpinningBall after_floor(const SpinningBall& before, double radius_m, double mu, double e) {

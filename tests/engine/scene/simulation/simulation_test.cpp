@@ -126,7 +126,7 @@ TEST(Simulation, RemovesAndCountsWhatFallsBelowTheKillHeight) {
     EXPECT_FALSE(run->find("doomed"));
     EXPECT_TRUE(run->find("high"));
     EXPECT_EQ(run->tally().removed, 1U);
-    EXPECT_EQ(physics::body_count(run->physics), 1U);
+    EXPECT_EQ(body_count(run->physics), 1U);
     EXPECT_EQ(run->moving_bodies().size(), 1U);
 }
 

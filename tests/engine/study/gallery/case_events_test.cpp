@@ -111,9 +111,9 @@ TEST(CaseEvents, VelocityGravityAndRemoval) {
     {
         PlayedCase run(afloat({.kind = CaseEventKind::Remove, .of = "cube", .at_s = 0.5}));
         run.step(30);
-        EXPECT_EQ(physics::body_count(run->physics), 2U);
+        EXPECT_EQ(body_count(run->physics), 2U);
         run.step(5);
-        EXPECT_EQ(physics::body_count(run->physics), 1U);
+        EXPECT_EQ(body_count(run->physics), 1U);
         EXPECT_EQ(run->moving_bodies().size(), 1U);
         EXPECT_FALSE(run->registry.alive(run->find("cube")));
     }

@@ -22,7 +22,7 @@ TEST(ScenarioWorld, RemembersWhatMoves) {
     EXPECT_EQ(world.movers, (std::vector<physics::BodyId>{ball, box}));
     EXPECT_EQ(world.velocity(ball), (Vec3d{1, 0, 0}));
     EXPECT_EQ(world.physics.state(ball).mass.mass_kg, Real{3});
-    EXPECT_EQ(physics::body_count(world.physics), 10U) << "floor, six walls, three";
+    EXPECT_EQ(body_count(world.physics), 10U) << "floor, six walls, three";
 }
 
 // Walls give back all: a ball goes to and fro between them for ever.
