@@ -2,6 +2,7 @@
 
 #include "engine/core/process/process_memory.h"
 #include "engine/core/time/stopwatch.h"
+#include "engine/physics/totals.h"
 
 #include <nlohmann/json.hpp>
 
@@ -189,7 +190,7 @@ std::string FrameReport::json(const ReportContext& context) const {
         {"physics", json::parse(scene::cost_json(physics_))},
         {"lost_time_s", context.lost_s},
         {"peak_rss_bytes", peak_resident_bytes()},
-        {"bodies", context.simulation.physics.body_count()},
+        {"bodies", body_count(context.simulation.physics)},
         {"gl",
          {{"vendor", context.gl.vendor},
           {"renderer", context.gl.renderer},

@@ -37,7 +37,7 @@ OffscreenRun::OffscreenRun(Session& session, const OffscreenDef& def)
 void OffscreenRun::simulate(std::uint64_t steps) {
     for (std::uint64_t i = 0; i < steps && !interrupted(); ++i) {
         effects::advance(*session_.simulation, *session_.effects, *session_.game, {});
-        report_.add_step(session_.simulation->physics.cost());
+        report_.add_step(session_.simulation->physics.report().cost);
     }
 }
 

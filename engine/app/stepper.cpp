@@ -132,7 +132,7 @@ void Stepper::step(input::ActionLatch& latch, FrameReport& report) {
     if (!session_->game->holds()) latch.release(Action::Grab);
     session_->warning_log.log_new(*session_->simulation);
     if (session_->judge) session_->judge->after_step(*session_->simulation);
-    report.add_step(session_->simulation->physics.cost());
+    report.add_step(session_->simulation->physics.report().cost);
     if (after_step) after_step();
     ++steps_;
     note_state();

@@ -56,17 +56,9 @@ struct BodyDef {
     Vec3 linear_factor{1, 1, 1};  ///< dynamic; world axes: 1 is free, 0 keeps its place along it
     bool can_sleep{true};
     ContinuousCollision ccd{ContinuousCollision::Auto};
-    bool contact_events{false};  ///< list this body's contacts in contacts()
+    bool contact_events{false};  ///< list this body's contacts in StepReport::contacts
     CollisionFilter filter{};
     std::uint64_t user{0};  ///< the caller's own mark, handed back in hits and events
-};
-
-/// What a step left of a body.
-struct BodyState {
-    Pose world_from_body{};
-    Vec3 velocity_mps{0, 0, 0};            ///< of the body's origin
-    Vec3 angular_velocity_radps{0, 0, 0};  ///< world axes
-    bool awake{true};
 };
 
 /// What the body weighs.
@@ -74,6 +66,24 @@ struct MassProperties {
     Real mass_kg{0};                 ///< 0: immovable
     Vec3 inertia_kgm2{0, 0, 0};      ///< principal, about the centre of mass
     Vec3 center_of_mass_m{0, 0, 0};  ///< body frame
+};
+
+/// A body as it is now.
+struct BodyState {
+    Pose world_from_body{};
+    Vec3 velocity_mps{0, 0, 0};            ///< of the body's origin
+    Vec3 angular_velocity_radps{0, 0, 0};  ///< world axes
+    bool awake{true};
+    bool frozen{false};
+    BodyKind kind{BodyKind::Static};
+    CollisionFilter filter{};
+    std::uint64_t user{0};
+    MassProperties mass{};
+
+    bool pushable() const { return kind == BodyKind::Dynamic && !frozen; }  ///< by forces
+    Vec3 center_of_mass_world() const {
+        return transform_point(world_from_body, mass.center_of_mass_m);
+    }
 };
 
 }  // namespace plumbline::physics

@@ -71,4 +71,10 @@ struct JointState {
     bool broken{false};  ///< carries nothing any more
 };
 
+/// A joint of a world; valid until it is destroyed.
+struct JointView {
+    const JointDef& def;  ///< as asked for, with the motor as it is now
+    const JointState& state;
+};
+
 }  // namespace plumbline::physics

@@ -3,10 +3,12 @@
 
 #include "engine/physics/body.h"
 
-#include <functional>
 #include <optional>
+#include <vector>
 
 namespace plumbline::physics {
+
+class PhysicsWorld;
 
 /// Which bodies a query sees.
 struct QueryFilter {
@@ -40,5 +42,27 @@ struct OverlapHit {
     Vec3 normal_world{0, 1, 0};  ///< unit, the way out for the shape that asks
     Real depth_m{0};             ///< > 0 when overlapping; negative: distance
 };
+
+/// The first body hit from outside; one that the ray starts in is not hit.
+std::optional<RayHit> cast_ray(const PhysicsWorld& world,
+                               const Vec3& from_world,
+                               const Vec3& to_world,
+                               const QueryFilter& filter = {});
+/// Moves a convex shape along a straight line; meshes and compounds may be hit, not swept. Stops
+/// within 0.01 mm of touching. Overlap at the start stops it at fraction 0 only on a way deeper.
+std::optional<SweepHit> sweep(const PhysicsWorld& world,
+                              ShapeId shape,
+                              const Pose& from,
+                              const Vec3& to_position_world,
+                              const QueryFilter& filter = {});
+/// Bodies within `margin_m` of a convex shape, deepest first; a body of several pieces or
+/// triangles may be listed several times.
+std::vector<OverlapHit> overlaps(const PhysicsWorld& world,
+                                 ShapeId shape,
+                                 const Pose& pose,
+                                 Real margin_m,
+                                 const QueryFilter& filter = {});
+/// World-space box of a body's shape at its present pose.
+void bounds(const PhysicsWorld& world, BodyId id, Vec3& min_world, Vec3& max_world);
 
 }  // namespace plumbline::physics

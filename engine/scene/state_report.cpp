@@ -1,6 +1,7 @@
 #include "engine/scene/state_report.h"
 
 #include "engine/core/hash.h"
+#include "engine/physics/totals.h"
 #include "engine/scene/formats/json_text.h"
 #include "engine/scene/simulation/entity_lookup.h"
 
@@ -13,15 +14,15 @@ namespace plumbline::scene {
 namespace {
 
 void add_totals(JsonText& json, const Simulation& simulation) {
-    const physics::Energy energy = simulation.physics.energy();
+    const physics::Energy energy = physics::energy(simulation.physics);
     json.key("energy_J").begin_object();
     json.key("kinetic").number(energy.kinetic_J);
     json.key("potential").number(energy.potential_J);
     json.end_object();
-    json.key("momentum_kgmps").vector(simulation.physics.momentum_kgmps());
-    json.key("angular_momentum_kgm2ps").vector(simulation.physics.angular_momentum_kgm2ps());
-    json.key("max_penetration_m").number(simulation.physics.max_penetration_m());
-    json.key("max_joint_error_m").number(simulation.physics.max_joint_error_m());
+    json.key("momentum_kgmps").vector(momentum_kgmps(simulation.physics));
+    json.key("angular_momentum_kgm2ps").vector(angular_momentum_kgm2ps(simulation.physics));
+    json.key("max_penetration_m").number(max_penetration_m(simulation.physics));
+    json.key("max_joint_error_m").number(max_joint_error_m(simulation.physics));
 }
 
 void add_bodies(JsonText& json, const Simulation& simulation) {
@@ -31,7 +32,7 @@ void add_bodies(JsonText& json, const Simulation& simulation) {
         const physics::BodyState state = simulation.physics.state(moving.body);
         const Quat& q = state.world_from_body.orientation;
         json.begin_object();
-        json.key("name").text(name_of_mark(simulation, simulation.physics.user(moving.body)));
+        json.key("name").text(name_of_mark(simulation, simulation.physics.state(moving.body).user));
         json.key("position_m").vector(state.world_from_body.position);
         json.key("orientation").begin_array();
         json.number(q.w).number(q.x).number(q.y).number(q.z);
@@ -46,7 +47,7 @@ void add_bodies(JsonText& json, const Simulation& simulation) {
 
 void add_contacts(JsonText& json, const Simulation& simulation) {
     json.key("contacts").begin_array();
-    for (const physics::ContactEvent& contact : simulation.physics.all_contacts()) {
+    for (const physics::ContactEvent& contact : all_contacts(simulation.physics)) {
         json.begin_object();
         json.key("a").text(name_of_mark(simulation, contact.user_a));
         json.key("b").text(name_of_mark(simulation, contact.user_b));
@@ -60,7 +61,7 @@ void add_joints(JsonText& json, const Simulation& simulation) {
     json.key("joints").begin_array();
     for (const SceneJoint& joint : simulation.joints()) {
         if (!simulation.physics.contains(joint.joint)) continue;
-        const physics::JointState& state = simulation.physics.joint_state(joint.joint);
+        const physics::JointState& state = simulation.physics.joint(joint.joint).state;
         json.begin_object();
         json.key("name").text(joint.name);
         json.key("error_m").number(state.error_m);
@@ -76,7 +77,7 @@ void add_joints(JsonText& json, const Simulation& simulation) {
 /// Who got how many sub-steps in the latest step, and why. small_step only.
 void add_islands(JsonText& json, const Simulation& simulation) {
     json.key("islands").begin_array();
-    for (const physics::IslandReport& island : simulation.physics.islands()) {
+    for (const physics::IslandReport& island : simulation.physics.report().islands) {
         json.begin_object();
         json.key("first").text(name_of_mark(simulation, island.user));
         json.key("bodies").number(island.bodies);
@@ -168,7 +169,7 @@ std::string state_json(const Simulation& simulation,
     json.key("time_s").number(simulation.time_s());
     json.key("steps").number(simulation.steps());
     json.key("step_s").number(simulation.step_s());
-    json.key("substeps").number(physics::most_substeps(simulation.physics));
+    json.key("substeps").number(most_substeps(simulation.physics));
     json.key("iterations").number(world.iterations);
     json.key("solver").text(physics::solver_name(world.solver));
     json.key("precision").text(kPrecisionName);
@@ -176,7 +177,7 @@ std::string state_json(const Simulation& simulation,
     add_totals(json, simulation);
     json.key("lost_time_s").number(lost_time_s);
     json.key("removed").number(simulation.tally().removed);
-    json.key("non_finite").number(simulation.physics.quarantined().size());
+    json.key("non_finite").number(simulation.physics.report().isolated.size());
     json.key("warnings").begin_array();
     for (const std::string& warning : simulation.warnings) json.text(warning);
     json.end_array();

@@ -8,6 +8,7 @@
 #include "engine/core/time/frame_clock.h"
 #include "engine/effects/advance.h"
 #include "engine/effects/saved_game.h"
+#include "engine/physics/totals.h"
 #include "engine/scene/open_scene.h"
 #include "engine/scene/scene_file.h"
 #include "engine/scene/state_report.h"
@@ -126,7 +127,7 @@ private:
     void step() {
         effects::advance(simulation_, effects_, game_, {});
         warning_log_.log_new(simulation_);
-        costs_.add(simulation_.physics.cost());
+        costs_.add(simulation_.physics.report().cost);
         if (simulation_.steps() % steps_between_traces_ == 0) trace();
     }
 
@@ -159,7 +160,7 @@ std::ostream& summary_stream(const SimulateOptions& options) {
 void print_summary(std::ostream& out,
                    const scene::Simulation& simulation,
                    const scene::CostHistory& costs) {
-    const physics::Energy energy = simulation.physics.energy();
+    const physics::Energy energy = physics::energy(simulation.physics);
     const scene::Percentiles step_ms = scene::percentiles_of(costs.step_ms);
     const auto awake = std::count_if(simulation.moving_bodies().begin(),
                                      simulation.moving_bodies().end(),
@@ -178,7 +179,7 @@ void print_summary(std::ostream& out,
         simulation.moving_bodies().size(),
         awake,
         simulation.tally().removed,
-        simulation.physics.quarantined().size(),
+        simulation.physics.report().isolated.size(),
         energy.kinetic_J,
         energy.potential_J,
         step_ms.median,

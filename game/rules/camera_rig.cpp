@@ -1,5 +1,6 @@
 #include "game/rules/camera_rig.h"
 
+#include "engine/physics/query.h"
 #include "game/rules/aim.h"
 
 #include <algorithm>
@@ -46,10 +47,10 @@ Real free_share(const IsFree& is_free) {
 bool GroundBelow::operator()(const Vec3& place_m) const {
     if (hidden) return true;
     const Vec3 deep_m = place_m - Vec3{0, deepest_m, 0};
-    auto hit = world.cast_ray(place_m, deep_m, {.ignored = own_body});
+    auto hit = cast_ray(world, place_m, deep_m, {.ignored = own_body});
     // What the place itself lies in may be met at once; ground is what comes after it.
     if (hit && hit->distance_m < kTouching * deepest_m) {
-        hit = world.cast_ray(place_m, deep_m, {.ignored = own_body, .also_ignored = hit->body});
+        hit = cast_ray(world, place_m, deep_m, {.ignored = own_body, .also_ignored = hit->body});
     }
     return hit.has_value();
 }

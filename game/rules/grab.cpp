@@ -1,5 +1,6 @@
 #include "game/rules/grab.h"
 
+#include "engine/physics/query.h"
 #include "engine/scene/simulation/entity_lookup.h"
 #include "game/components.h"
 
@@ -46,14 +47,11 @@ Vec3 rotation_vector(Quat rotation) {
 
 }  // namespace
 
-Vec3 middle_of(const physics::PhysicsWorld& world, physics::BodyId body) {
-    return transform_point(world.state(body).world_from_body,
-                           world.mass_properties(body).center_of_mass_m);
-}
-
 std::optional<Looked> looked_at(const scene::Simulation& simulation, const Aim& aim, Real arm_m) {
-    const auto hit = simulation.physics.cast_ray(
-        aim.eye_m, aim.eye_m + aim.forward * aim.reach_m(arm_m), {.ignored = aim.own_body});
+    const auto hit = cast_ray(simulation.physics,
+                              aim.eye_m,
+                              aim.eye_m + aim.forward * aim.reach_m(arm_m),
+                              {.ignored = aim.own_body});
     if (!hit) return std::nullopt;
     return Looked{.entity = entity_of(simulation, hit->body),
                   .body = hit->body,
@@ -65,18 +63,18 @@ std::optional<std::string> Grab::take(scene::Simulation& simulation, const Aim& 
     const auto looked = looked_at(simulation, aim, kReach_m);
     if (!looked || !simulation.registry.alive(looked->entity)) return "nothing within reach";
     physics::PhysicsWorld& world = simulation.physics;
-    if (world.kind(looked->body) != physics::BodyKind::Dynamic) return "this object is fixed";
-    if (world.frozen(looked->body)) return "this object is frozen";
-    const Real mass = world.mass_properties(looked->body).mass_kg;
-    if (mass > kMostMass_kg) return "too heavy to lift";
+    const physics::BodyState state = world.state(looked->body);
+    if (state.kind != physics::BodyKind::Dynamic) return "this object is fixed";
+    if (state.frozen) return "this object is frozen";
+    if (state.mass.mass_kg > kMostMass_kg) return "too heavy to lift";
     entity_ = looked->entity;
     body_ = looked->body;
-    mass_kg_ = mass;
+    mass_kg_ = state.mass.mass_kg;
     Vec3 low{};
     Vec3 high{};
-    world.bounds(body_, low, high);
+    physics::bounds(world, body_, low, high);
     radius_m_ = glm::length(high - low) / 2;
-    const Vec3 middle = middle_of(world, body_);
+    const Vec3 middle = world.state(body_).center_of_mass_world();
     by_pointer_ = aim.by_pointer;
     distance_m_ = by_pointer_
                       ? looked->distance_m
@@ -87,7 +85,7 @@ std::optional<std::string> Grab::take(scene::Simulation& simulation, const Aim& 
     view_from_body_ = glm::conjugate(view) * world.state(body_).world_from_body.orientation;
     last_target_.reset();
     stuck_s_ = 0;
-    simulation.registry.add<Held>(entity_, mass);
+    simulation.registry.add<Held>(entity_, state.mass.mass_kg);
     return std::nullopt;
 }
 
@@ -129,8 +127,8 @@ Vec3 Grab::target_of(const scene::Simulation& simulation, const Aim& aim) const 
     // Not behind what the eye cannot see past.
     const Vec3 path = target - aim.eye_m;
     const Real length = glm::length(path);
-    const auto wall = simulation.physics.cast_ray(
-        aim.eye_m, target, {.ignored = aim.own_body, .also_ignored = body_});
+    const auto wall = cast_ray(
+        simulation.physics, aim.eye_m, target, {.ignored = aim.own_body, .also_ignored = body_});
     if (!wall || length < 1e-6_r) return target;
     const Real room = std::max(wall->distance_m - 0.5_r * radius_m_, Real{0});
     return aim.eye_m + path * (std::min(room, length) / length);
@@ -139,10 +137,11 @@ Vec3 Grab::target_of(const scene::Simulation& simulation, const Aim& aim) const 
 void Grab::pull(scene::Simulation& simulation, const Aim& aim) {
     if (!holding()) return;
     physics::PhysicsWorld& world = simulation.physics;
-    if (world.frozen(body_)) return release(simulation);
+    if (world.state(body_).frozen) return release(simulation);
     const Vec3 target = target_of(simulation, aim);
     const Real dt = static_cast<Real>(simulation.step_s());
-    const bool lost = !by_pointer_ && glm::length(target - middle_of(world, body_)) > kLost_m;
+    const bool lost =
+        !by_pointer_ && glm::length(target - world.state(body_).center_of_mass_world()) > kLost_m;
     stuck_s_ = lost ? stuck_s_ + dt : Real{0};
     if (stuck_s_ > kLostAfter_s) return release(simulation);
     world.wake(body_);
@@ -155,7 +154,7 @@ void Grab::pull_straight(scene::Simulation& simulation, const Aim& aim, const Ve
     physics::PhysicsWorld& world = simulation.physics;
     const Real dt = static_cast<Real>(simulation.step_s());
     const physics::BodyState state = world.state(body_);
-    const Vec3 middle = middle_of(world, body_);
+    const Vec3 middle = state.center_of_mass_world();
     const Vec3 arm = middle - state.world_from_body.position;
     const Vec3 velocity = state.velocity_mps + glm::cross(state.angular_velocity_radps, arm);
     // The farther away, the farther a pointer goes in the same time.
@@ -182,9 +181,8 @@ void Grab::pull_round(scene::Simulation& simulation, const Aim& aim) {
     const Vec3 next = shortened(
         damped(state.angular_velocity_radps, offset, Vec3{0, 0, 0}, kTurnStiffness_radps, dt),
         kFastest_radps);
-    const Vec3 inertia = world.mass_properties(body_).inertia_kgm2;
     const Vec3 change = glm::conjugate(now) * ((next - state.angular_velocity_radps) / dt);
-    world.apply_torque(body_, shortened(now * (inertia * change), kMostTorque_Nm));
+    world.apply_torque(body_, shortened(now * (state.mass.inertia_kgm2 * change), kMostTorque_Nm));
 }
 
 void Grab::serialize(Archive& archive, scene::Simulation& simulation) {
@@ -208,10 +206,10 @@ void Grab::serialize(Archive& archive, scene::Simulation& simulation) {
 bool Grab::throw_it(scene::Simulation& simulation, const Aim& aim, const Vec3& velocity_mps) {
     if (!holding()) return false;
     physics::PhysicsWorld& world = simulation.physics;
-    const Vec3 middle = middle_of(world, body_);
+    const Vec3 middle = world.state(body_).center_of_mass_world();
     const auto wall =
-        world.cast_ray(aim.eye_m, middle, {.ignored = aim.own_body, .also_ignored = body_});
-    if (wall && world.kind(wall->body) != physics::BodyKind::Dynamic) return false;
+        cast_ray(world, aim.eye_m, middle, {.ignored = aim.own_body, .also_ignored = body_});
+    if (wall && world.state(wall->body).kind != physics::BodyKind::Dynamic) return false;
     const physics::BodyId thrown = body_;
     release(simulation);
     const physics::BodyState state = world.state(thrown);

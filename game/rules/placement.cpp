@@ -1,5 +1,7 @@
 #include "game/rules/placement.h"
 
+#include "engine/physics/query.h"
+
 #include <algorithm>
 
 namespace plumbline::game {
@@ -28,12 +30,12 @@ std::optional<Vec3> free_place(const physics::PhysicsWorld& world,
     // The person's own capsule counts for the place, not for the sight.
     const physics::QueryFilter sight{.ignored = room.itself, .also_ignored = aim.own_body};
     const physics::QueryFilter others{.ignored = room.itself};
-    const auto ahead = world.cast_ray(aim.eye_m, aim.eye_m + aim.forward * farthest, sight);
+    const auto ahead = cast_ray(world, aim.eye_m, aim.eye_m + aim.forward * farthest, sight);
 
     const auto is_good = [&](const Vec3& place) {
         const Pose pose{.position = place, .orientation = turn};
-        if (!world.overlaps(room.box, pose, -kAir_m / 2, others).empty()) return false;
-        return !world.cast_ray(aim.eye_m, place, sight).has_value();
+        if (!physics::overlaps(world, room.box, pose, -kAir_m / 2, others).empty()) return false;
+        return !cast_ray(world, aim.eye_m, place, sight).has_value();
     };
     Vec3 wanted = aim.eye_m + aim.forward * farthest;
     if (ahead) {

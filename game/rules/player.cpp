@@ -1,5 +1,6 @@
 #include "game/rules/player.h"
 
+#include "engine/physics/query.h"
 #include "engine/scene/simulation/entity_lookup.h"
 #include "game/rules/aim.h"
 
@@ -89,8 +90,8 @@ std::optional<Vec3> Player::seat_at(const scene::Simulation& simulation,
     const Vec3 feet = state().feet_position_m;
     const physics::QueryFilter others{.ignored = body()};
     const auto face_under = [&](const Vec3& place, Real above_m) {
-        const auto face =
-            world.cast_ray(place + Vec3{0, above_m, 0}, place - Vec3{0, kHighestSeat_m, 0}, others);
+        const auto face = cast_ray(
+            world, place + Vec3{0, above_m, 0}, place - Vec3{0, kHighestSeat_m, 0}, others);
         const bool is_seat = face && face->body == looked.body &&
                              face->normal_world.y > kLevelSeat &&
                              face->point_world.y > feet.y + kLowestSeat_m &&
@@ -104,7 +105,7 @@ std::optional<Vec3> Player::seat_at(const scene::Simulation& simulation,
         const auto seat = face_under(looked.point_m + near * aside_m, kSeatAir_m);
         if (!seat) continue;
         const Pose room{.position = *seat + Vec3{0, half_m + kSeatAir_m, 0}};
-        if (world.overlaps(seated_, room, 0, others).empty()) return seat;
+        if (physics::overlaps(world, seated_, room, 0, others).empty()) return seat;
     }
     return {};
 }

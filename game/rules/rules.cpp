@@ -1,5 +1,7 @@
 #include "game/rules/rules.h"
 
+#include "engine/physics/query.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -198,7 +200,7 @@ void PlaygroundGame::next_mode(scene::Simulation& simulation) {
         const bool is_model = viewed_.model_radius_m > 0;
         const Real sight_m = is_model ? viewed_.model_radius_m * kModelGroundDepth : kOrbitSight_m;
         const auto seen =
-            simulation.physics.cast_ray(eye, eye + forward * sight_m, {.ignored = now.own_body});
+            cast_ray(simulation.physics, eye, eye + forward * sight_m, {.ignored = now.own_body});
         const Real unseen_m = is_model ? viewed_.model_radius_m : kDefaultOrbit_m;
         const Real distance = seen ? seen->distance_m : unseen_m;
         orbit_.place(eye + forward * distance, distance, look_.pitch_rad());

@@ -1,4 +1,5 @@
 // What pushes things without a hand: a shot, a lift, an explosion.
+#include "engine/physics/query.h"
 #include "game/rules/rules.h"
 
 #include <algorithm>
@@ -14,8 +15,7 @@ constexpr Real kExplosion_Nsm = 50;  // N s at 1 m, the less the farther
 constexpr Real kNearestBlast_m = 0.25_r;
 
 bool is_loose(const physics::PhysicsWorld& world, physics::BodyId body) {
-    return world.contains(body) && world.kind(body) == physics::BodyKind::Dynamic &&
-           !world.frozen(body);
+    return world.contains(body) && world.state(body).pushable();
 }
 
 }  // namespace
@@ -58,13 +58,13 @@ void PlaygroundGame::explode(scene::Simulation& simulation, const Actions& actio
     }
     std::vector<physics::BodyId> reached;
     for (const physics::OverlapHit& hit :
-         world.overlaps(explosion_, Pose{.position = looked->point_m}, Real{0})) {
+         physics::overlaps(world, explosion_, Pose{.position = looked->point_m}, Real{0})) {
         if (is_loose(world, hit.body)) reached.push_back(hit.body);
     }
     std::ranges::sort(reached);
     reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
     for (const physics::BodyId body : reached) {
-        const Vec3 offset = middle_of(world, body) - looked->point_m;
+        const Vec3 offset = world.state(body).center_of_mass_world() - looked->point_m;
         const Real distance_m = std::max(glm::length(offset), kNearestBlast_m);
         const Vec3 out = normalize_or(offset, Vec3{0, 1, 0});
         world.apply_impulse(body, out * (kExplosion_Nsm / distance_m));

@@ -1,4 +1,5 @@
 // Flashlight, fog, sun, the spotlight.
+#include "engine/physics/query.h"
 #include "engine/scene/environment/live_light.h"
 #include "engine/scene/simulation/sun_hour.h"
 #include "game/rules/rules.h"
@@ -92,7 +93,7 @@ void PlaygroundGame::aim_spot(scene::Simulation& simulation, const Actions& acti
         return;
     }
     const Vec3 far_point = now.eye_m + now.forward * kSpotReach_m;
-    const auto seen = simulation.physics.cast_ray(now.eye_m, far_point, {.ignored = now.own_body});
+    const auto seen = cast_ray(simulation.physics, now.eye_m, far_point, {.ignored = now.own_body});
     const Pose& stand = simulation.registry.get<scene::Transform>(nearest).world_from_body;
     const Vec3 path = (seen ? seen->point_world : far_point) - stand.position;
     auto& light = simulation.registry.get<scene::PointLight>(nearest);

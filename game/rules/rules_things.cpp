@@ -153,9 +153,9 @@ void PlaygroundGame::freeze(scene::Simulation& simulation) {
         if (is_guarded(looked->entity)) return;
         body = looked->body;
     }
-    if (!world.contains(body) || world.kind(body) != physics::BodyKind::Dynamic)
+    if (!world.contains(body) || world.state(body).kind != physics::BodyKind::Dynamic)
         return say("nothing to freeze");
-    const bool freezes = !world.frozen(body);
+    const bool freezes = !world.state(body).frozen;
     world.set_frozen(body, freezes);
     say(freezes ? "frozen" : "unfrozen");
 }
@@ -164,8 +164,9 @@ void PlaygroundGame::remove_looked_at(scene::Simulation& simulation) {
     ecs::Entity entity = grab_.entity();
     if (!grab_.holding()) {
         const auto looked = looked_at(simulation, aim(), kRemoveReach_m);
-        const bool movable = looked && simulation.registry.alive(looked->entity) &&
-                             simulation.physics.kind(looked->body) == physics::BodyKind::Dynamic;
+        const bool movable =
+            looked && simulation.registry.alive(looked->entity) &&
+            simulation.physics.state(looked->body).kind == physics::BodyKind::Dynamic;
         if (!movable) return say("nothing to delete");
         entity = looked->entity;
         if (is_guarded(entity)) return;
@@ -181,8 +182,8 @@ scene::HudContent PlaygroundGame::hud(const scene::Simulation& simulation) {
     if (!views_model() && !views_scene()) content.chosen_thing = std::string(things_.chosen_name());
     const auto looked = looked_at(simulation, aim(), Grab::kReach_m);
     if (looked && simulation.registry.alive(looked->entity) &&
-        simulation.physics.kind(looked->body) == physics::BodyKind::Dynamic) {
-        const Real mass_kg = simulation.physics.mass_properties(looked->body).mass_kg;
+        simulation.physics.state(looked->body).kind == physics::BodyKind::Dynamic) {
+        const Real mass_kg = simulation.physics.state(looked->body).mass.mass_kg;
         const std::string words = words_of(simulation.registry.get<scene::Name>(looked->entity));
         content.looking_at =
             fmt::format("{}{}{:.3g} kg", words, words.empty() ? "" : ", ", mass_kg);

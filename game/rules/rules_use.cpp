@@ -69,10 +69,9 @@ void add_corners(const scene::Simulation& simulation,
 }
 
 bool may_be_taken(const scene::Simulation& simulation, const Looked& looked) {
-    const physics::PhysicsWorld& world = simulation.physics;
-    return simulation.registry.alive(looked.entity) &&
-           world.kind(looked.body) == physics::BodyKind::Dynamic && !world.frozen(looked.body) &&
-           world.mass_properties(looked.body).mass_kg <= Grab::kMostMass_kg;
+    if (!simulation.registry.alive(looked.entity)) return false;
+    const physics::BodyState state = simulation.physics.state(looked.body);
+    return state.pushable() && state.mass.mass_kg <= Grab::kMostMass_kg;
 }
 
 }  // namespace

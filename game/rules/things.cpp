@@ -1,5 +1,6 @@
 #include "game/rules/things.h"
 
+#include "engine/physics/query.h"
 #include "engine/scene/build/entity_builder.h"
 #include "engine/scene/build/shape_factory.h"
 #include "engine/scene/scene_file.h"
@@ -181,7 +182,7 @@ std::optional<Vec3> Things::place_for(const physics::PhysicsWorld& world,
     const physics::QueryFilter sight{.ignored = room.itself, .also_ignored = aim.own_body};
     const bool is_seen =
         is_dropped &&
-        world.cast_ray(aim.eye_m, aim.eye_m + aim.forward * kDropReach_m, sight).has_value();
+        cast_ray(world, aim.eye_m, aim.eye_m + aim.forward * kDropReach_m, sight).has_value();
     return free_place(world, aim, room, is_seen ? kDropReach_m : kReach_m);
 }
 
@@ -198,7 +199,7 @@ std::optional<Placed> Things::preview(const scene::Simulation& simulation, const
         .size_m = room.size_m};
     const Vec3 deep = *place - Vec3{0, kDeepestFall_m, 0};
     const auto ground =
-        world.sweep(room.box, placed.world_from_box, deep, {.ignored = aim.own_body});
+        physics::sweep(world, room.box, placed.world_from_box, deep, {.ignored = aim.own_body});
     if (ground) placed.world_from_box.position = glm::mix(*place, deep, ground->fraction);
     return placed;
 }
@@ -226,7 +227,7 @@ Result<ecs::Entity> Things::put(scene::Simulation& simulation,
     const physics::BodyId body = simulation.registry.get<scene::BodyRef>(entity).body;
     Vec3 low{};
     Vec3 high{};
-    simulation.physics.bounds(body, low, high);
+    physics::bounds(simulation.physics, body, low, high);
     if (!thing.size_m) set_size(simulation, kind, high - low);
     const Vec3 middle = (low + high) * 0.5_r - aim.eye_m;
     const Room room{

@@ -24,9 +24,10 @@ std::optional<physics::JointId> hinge_of(const scene::Simulation& simulation,
                                          physics::BodyId leaf) {
     const physics::PhysicsWorld& world = simulation.physics;
     for (const scene::SceneJoint& known : simulation.joints()) {
-        if (!world.contains(known.joint) || world.joint_state(known.joint).broken) continue;
-        const physics::JointDef& def = world.joint_def(known.joint);
-        const bool stands = !def.b || world.kind(def.b) == physics::BodyKind::Static;
+        if (!world.contains(known.joint)) continue;
+        const auto [def, state] = world.joint(known.joint);
+        if (state.broken) continue;
+        const bool stands = !def.b || world.state(def.b).kind == physics::BodyKind::Static;
         const bool is_driven = def.motor && def.motor->target != 0;
         if (def.kind == physics::JointKind::Hinge && def.a == leaf && def.limits && stands &&
             !is_driven)
@@ -37,17 +38,18 @@ std::optional<physics::JointId> hinge_of(const scene::Simulation& simulation,
 
 /// From the hinge to the leaf's middle, at a right angle to its axis.
 Vec3 arm_of(const physics::PhysicsWorld& world, const physics::JointDef& def, const Vec3& axis) {
-    const Vec3 arm = middle_of(world, def.a) - def.anchor_b_world;
+    const Vec3 arm = world.state(def.a).center_of_mass_world() - def.anchor_b_world;
     return arm - axis * glm::dot(arm, axis);
 }
 
 Real inertia_about(const physics::PhysicsWorld& world,
                    const physics::JointDef& def,
                    const Vec3& axis) {
-    const physics::MassProperties mass = world.mass_properties(def.a);
-    const Vec3 axis_body = glm::conjugate(world.state(def.a).world_from_body.orientation) * axis;
+    const physics::BodyState leaf = world.state(def.a);
+    const Vec3 axis_body = glm::conjugate(leaf.world_from_body.orientation) * axis;
     const Vec3 arm = arm_of(world, def, axis);
-    return glm::dot(axis_body * axis_body, mass.inertia_kgm2) + mass.mass_kg * glm::dot(arm, arm);
+    return glm::dot(axis_body * axis_body, leaf.mass.inertia_kgm2) +
+           leaf.mass.mass_kg * glm::dot(arm, arm);
 }
 
 bool is_visible(const scene::Simulation& simulation, ecs::Entity lamp) {
@@ -62,18 +64,18 @@ std::optional<Swing> door_at(const scene::Simulation& simulation,
     const auto hinge = hinge_of(simulation, looked.body);
     if (!hinge) return {};
     const physics::PhysicsWorld& world = simulation.physics;
-    const physics::JointDef& def = world.joint_def(*hinge);
+    const physics::JointDef& def = world.joint(*hinge).def;
     const auto [low, high] = *def.limits;
     const bool both_ways = low < -kWide_rad && high > kWide_rad;
     // Shut is where it was made, or at the limit next to that.
     const Real nearer = std::abs(low) < std::abs(high) ? low : high;
     const Real shut = both_ways ? Real{0} : nearer;
-    const Real now = world.joint_state(*hinge).position;
+    const Real now = world.joint(*hinge).state.position;
     if (std::abs(now - shut) > kShut_rad)
         return Swing{.hinge = *hinge, .angle_rad = shut, .left_s = kSwing_s, .opens = false};
     const Vec3 axis = glm::normalize(def.axis_world);
     const Vec3 opening = glm::cross(axis, arm_of(world, def, axis));
-    const bool away = glm::dot(opening, middle_of(world, def.a) - eye_m) > 0;
+    const bool away = glm::dot(opening, world.state(def.a).center_of_mass_world() - eye_m) > 0;
     const bool up = both_ways ? away : high - shut > shut - low;
     return Swing{.hinge = *hinge,
                  .angle_rad = up ? high - kBeforeLimit_rad : low + kBeforeLimit_rad,
@@ -89,8 +91,8 @@ void Doors::push(scene::Simulation& simulation, physics::BodyId held) {
     physics::PhysicsWorld& world = simulation.physics;
     const Real dt = static_cast<Real>(simulation.step_s());
     for (Swing& swing : swings_) {
-        const physics::JointDef& def = world.joint_def(swing.hinge);
-        const Real left = swing.angle_rad - world.joint_state(swing.hinge).position;
+        const physics::JointDef& def = world.joint(swing.hinge).def;
+        const Real left = swing.angle_rad - world.joint(swing.hinge).state.position;
         swing.left_s -= dt;
         if (std::abs(left) < kThere_rad || def.a == held) swing.left_s = 0;
         if (swing.left_s <= 0) continue;
@@ -109,8 +111,8 @@ void Doors::push(scene::Simulation& simulation, physics::BodyId held) {
 void Doors::forget_gone(const scene::Simulation& simulation) {
     const physics::PhysicsWorld& world = simulation.physics;
     std::erase_if(swings_, [&](const Swing& swing) {
-        return !world.contains(swing.hinge) || world.joint_state(swing.hinge).broken ||
-               !world.joint_def(swing.hinge).limits;
+        return !world.contains(swing.hinge) || world.joint(swing.hinge).state.broken ||
+               !world.joint(swing.hinge).def.limits;
     });
 }
 

@@ -1,5 +1,6 @@
 #include "tests/benchmarks/peer_scenes_world.h"
 
+#include "engine/physics/totals.h"
 #include "engine/scene/open_scene.h"
 
 #include <fmt/format.h>
@@ -113,10 +114,10 @@ public:
                         .angular_velocity_radps = Vec3d(state.angular_velocity_radps)};
         }
     }
-    bool all_asleep() const override { return simulation_->physics.awake_count() == 0; }
-    const physics::StepCost* cost() const override { return &simulation_->physics.cost(); }
+    bool all_asleep() const override { return awake_count(simulation_->physics) == 0; }
+    const physics::StepCost* cost() const override { return &simulation_->physics.report().cost; }
     std::span<const physics::IslandReport> islands() const override {
-        return simulation_->physics.islands();
+        return simulation_->physics.report().islands;
     }
 
 private:

@@ -1,4 +1,5 @@
 // The book's stages: what their comments promise.
+#include "engine/physics/totals.h"
 #include "engine/scene/simulation/entity_lookup.h"
 #include "tests/scenarios/scene_run.h"
 
@@ -60,8 +61,7 @@ TEST(BookStages, EveryShapeComesToRestOnTheGround) {
     }
     const physics::BodyId dumbbell =
         run.simulation->registry.get<scene::BodyRef>(run.simulation->find("dumbbell")).body;
-    EXPECT_NEAR(
-        static_cast<double>(run.simulation->physics.mass_properties(dumbbell).mass_kg), 2, 1e-5);
+    EXPECT_NEAR(static_cast<double>(run.simulation->physics.state(dumbbell).mass.mass_kg), 2, 1e-5);
 }
 
 // SOURCES A39.
@@ -72,7 +72,7 @@ TEST(BookStages, BoxesAndBallsPassThroughEachOtherAndBallsStayInThePlane) {
     int balls = 0;
     for (int step = 0; step < 60 * 5; ++step) {
         run.step(1);
-        for (const physics::ContactEvent& touch : run.simulation->physics.all_contacts()) {
+        for (const physics::ContactEvent& touch : all_contacts(run.simulation->physics)) {
             const std::string a = name_of_mark(*run.simulation, touch.user_a);
             const std::string b = name_of_mark(*run.simulation, touch.user_b);
             const bool mixed = (a.starts_with("box") && b.starts_with("ball")) ||

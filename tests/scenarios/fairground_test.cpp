@@ -1,5 +1,6 @@
 // The fairground keeps its promises: its chairs hang as far out as the ride's speed says, and what
 // nobody touches stands.
+#include "engine/physics/totals.h"
 #include "tests/scenarios/scene_run.h"
 
 #include <fmt/format.h>
@@ -29,7 +30,7 @@ protected:
             const ecs::Entity chair = run_.simulation->find(name);
             const physics::BodyId body = run_.simulation->registry.get<scene::BodyRef>(chair).body;
             const Pose at = run_.state(name).world_from_body;
-            const Vec3 drop = at.orientation * world().mass_properties(body).center_of_mass_m;
+            const Vec3 drop = at.orientation * world().state(body).mass.center_of_mass_m;
             const Vec3 hook = at.position - mast;
             const Vec3 outward = glm::normalize(Vec3{hook.x, 0, hook.z});
             const Vec3 middle = hook + drop;
@@ -54,7 +55,7 @@ TEST_F(Fairground, ChairsHangAsFarOutAsTheRideIsFast) {
     run_.step(60 * 120);
     EXPECT_NEAR(run_.state("ride_crown").angular_velocity_radps.y, 0.6, 0.005);
     expect_angles(0.6_r, 0.015_r);
-    EXPECT_LT(world().max_joint_error_m(), 1e-3);
+    EXPECT_LT(max_joint_error_m(world()), 1e-3);
 }
 
 TEST_F(Fairground, WhatNobodyTouchesStandsAndSleeps) {
@@ -65,7 +66,7 @@ TEST_F(Fairground, WhatNobodyTouchesStandsAndSleeps) {
     for (const scene::MovingBody& one : moving)
         start.push_back(world().state(one.body).world_from_body.position);
     run_.step(60 * 10);
-    EXPECT_EQ(world().awake_count(), std::size_t{1 + kChairs}) << "the ride, and no more";
+    EXPECT_EQ(awake_count(world()), std::size_t{1 + kChairs}) << "the ride, and no more";
     for (std::size_t i = 0; i < moving.size(); ++i) {
         const auto& name = run_.simulation->registry.get<scene::Name>(moving[i].entity);
         EXPECT_FALSE(name.label.empty()) << name.text;
@@ -73,7 +74,7 @@ TEST_F(Fairground, WhatNobodyTouchesStandsAndSleeps) {
         const Vec3 end = world().state(moving[i].body).world_from_body.position;
         EXPECT_LT(glm::distance(end, start[i]), kCreep_m) << name.text;
     }
-    EXPECT_LT(world().max_penetration_m(), 0.002);
+    EXPECT_LT(max_penetration_m(world()), 0.002);
 }
 
 }  // namespace

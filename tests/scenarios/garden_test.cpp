@@ -1,6 +1,8 @@
 // The garden keeps its promises: its house is closed, its doors turn, its things stand still.
 
 #include "engine/physics/character.h"
+#include "engine/physics/query.h"
+#include "engine/physics/totals.h"
 #include "engine/scene/simulation/entity_lookup.h"
 #include "tests/scenarios/scene_run.h"
 
@@ -34,7 +36,7 @@ protected:
     }
     /// What a ray from a place meets first, and how far away.
     std::string seen(const Vec3& from, const Vec3& direction, Real& distance_m) {
-        const auto hit = world().cast_ray(from, from + direction * Real{40});
+        const auto hit = cast_ray(world(), from, from + direction * Real{40});
         distance_m = hit ? hit->distance_m : Real{40};
         return hit ? name_of(hit->body) : "nothing";
     }
@@ -87,7 +89,7 @@ TEST_F(Garden, HasGroundAsFarAsOneSees) {
             const Vec3 above{far_m * std::cos(angle), 60, far_m * std::sin(angle)};
             Real distance_m = 0;
             const std::string met = seen(above, {0, -1, 0}, distance_m);
-            const auto hit = world().cast_ray(above, above - Vec3{0, 100, 0});
+            const auto hit = cast_ray(world(), above, above - Vec3{0, 100, 0});
             ASSERT_TRUE(hit) << "no ground at " << above.x << ' ' << above.z;
             ASSERT_GT(hit->point_world.y, -6);
         }
@@ -101,7 +103,7 @@ TEST_F(Garden, ThingsStandStillAndFallAsleep) {
         start.push_back(world().state(one.body).world_from_body.position);
     }
     run_.step(60 * 6);
-    EXPECT_EQ(world().awake_count(), 1U) << "after 6 s";
+    EXPECT_EQ(awake_count(world()), 1U) << "after 6 s";
     EXPECT_TRUE(run_.state("windmill_rotor").awake) << "a motor turns it";
     run_.step(60 * 4);
     for (std::size_t i = 0; i < moving.size(); ++i) {
@@ -111,7 +113,7 @@ TEST_F(Garden, ThingsStandStillAndFallAsleep) {
         EXPECT_GT(end.y, -0.001_r) << name << " sank into the ground";
     }
     EXPECT_EQ(run_.simulation->tally().removed, 0U);
-    EXPECT_LT(world().max_penetration_m(), 0.002);
+    EXPECT_LT(max_penetration_m(world()), 0.002);
     EXPECT_TRUE(run_.simulation->warnings.empty());
 }
 

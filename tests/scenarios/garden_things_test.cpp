@@ -53,14 +53,13 @@ TEST_F(GardenThings, TheGateTurnsAsFarAsItsFrictionLetsItAndRestsAtItsLimit) {
 
     const Real wanted_rad = radians_from_degrees(60.0_r);
     const Real speed_radps = std::sqrt(2 * 1.5_r * wanted_rad / inertia_kgm2);
-    world().apply_impulse_at(
-        body("gate_left"), {0, 0, -inertia_kgm2 * speed_radps / 0.8_r}, struck);
+    world().apply_impulse(body("gate_left"), {0, 0, -inertia_kgm2 * speed_radps / 0.8_r}, struck);
     run_.step(60 * 4);
     EXPECT_NEAR(turned_deg("gate_left", start, {0, 1, 0}), 60, 1.5);
     EXPECT_FALSE(run_.state("gate_left").awake);
 
     const Vec3 now = hinge + axis_of("gate_left", {0.8_r, 0.54_r, 0});
-    world().apply_impulse_at(body("gate_left"), axis_of("gate_left", {0, 0, -12}), now);
+    world().apply_impulse(body("gate_left"), axis_of("gate_left", {0, 0, -12}), now);
     Real widest_deg = 0;
     for (int i = 0; i < 60 * 5; ++i) {
         run_.step(1);
@@ -147,9 +146,8 @@ TEST_F(GardenThings, TheSeesawBalancesWhereMassTimesArmIsEqual) {
         world().set_velocity(body("seesaw"), {0, 0, 0}, {0, 0, 0});
         for (int i = 0; i < 60 * 4; ++i) {
             const Vec3 along = axis_of("seesaw", {1, 0, 0});
-            world().apply_force_at(body("seesaw"), {0, -80 * kG_mps2, 0}, axis - along * 0.6_r);
-            world().apply_force_at(
-                body("seesaw"), {0, -40 * kG_mps2, 0}, axis + along * longer_arm_m);
+            world().apply_force(body("seesaw"), {0, -80 * kG_mps2, 0}, axis - along * 0.6_r);
+            world().apply_force(body("seesaw"), {0, -40 * kG_mps2, 0}, axis + along * longer_arm_m);
             run_.step(1);
         }
         return tilt_deg();
@@ -236,7 +234,7 @@ TEST_F(GardenThings, TheChimesRingWhenTheirTubesMeetAndComeToRest) {
 TEST_F(GardenThings, AllLittleDominoesFallWhenTheFirstIsPushed) {
     const Vec3 along = axis_of("small_domino_1", {1, 0, 0});
     const Vec3 top = run_.state("small_domino_1").world_from_body.position + Vec3{0, 0.05_r, 0};
-    world().apply_impulse_at(body("small_domino_1"), along * 0.05_r, top);
+    world().apply_impulse(body("small_domino_1"), along * 0.05_r, top);
     run_.step(60 * 6);
     for (int i = 1; i <= 13; ++i) {
         const std::string name = fmt::format("small_domino_{}", i);
@@ -254,7 +252,7 @@ TEST_F(GardenThings, TheBarrowRunsOnItsWheelWhenItIsLifted) {
         const Pose at = run_.state("wheelbarrow").world_from_body;
         const Vec3 grip = at.position + at.orientation * grip_body;
         const Real lift_N = 600 * std::clamp(0.75_r - grip.y, 0.0_r, 0.2_r);
-        world().apply_force_at(body("wheelbarrow"), Vec3{0, lift_N, 0} + forward * 15.0_r, grip);
+        world().apply_force(body("wheelbarrow"), Vec3{0, lift_N, 0} + forward * 15.0_r, grip);
         run_.step(1);
     }
     const Vec3 way = run_.state("wheelbarrow").world_from_body.position - start.position;

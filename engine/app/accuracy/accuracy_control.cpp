@@ -1,5 +1,8 @@
 #include "engine/app/accuracy/accuracy_control.h"
 
+#include "engine/physics/debug_lines.h"
+#include "engine/physics/totals.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -55,11 +58,11 @@ void AccuracyControl::after_step() {
     if (!watched_) return;
     const physics::PhysicsWorld& world = simulation.physics;
     samples_.push_back({.time_s = simulation.time_s(),
-                        .cost = world.cost(),
-                        .energy_J = world.energy().total_J(),
-                        .max_penetration_m = world.max_penetration_m(),
-                        .max_joint_error_m = world.max_joint_error_m(),
-                        .most_substeps = physics::most_substeps(world)});
+                        .cost = world.report().cost,
+                        .energy_J = physics::energy(world).total_J(),
+                        .max_penetration_m = max_penetration_m(world),
+                        .max_joint_error_m = max_joint_error_m(world),
+                        .most_substeps = most_substeps(world)});
     while (samples_.front().time_s < simulation.time_s() - kWindow_s) samples_.pop_front();
 }
 
@@ -100,7 +103,7 @@ void AccuracyControl::add_ghost_lines(LineList& lines, const Vec3f& eye_world) c
         if (bodies[next] != moving.body) continue;
         const Pose pose{Vec3(poses[next].position_m), Quat(poses[next].orientation)};
         if (looks_the_same(simulation.physics.state(moving.body).world_from_body, pose)) continue;
-        simulation.physics.add_shape_lines(moving.shape, pose, kGhostColor, thin);
+        add_shape_lines(simulation.physics, moving.shape, pose, kGhostColor, thin);
     }
     add_wide(thin, eye_world, lines);
 }
@@ -116,7 +119,7 @@ AccuracyGauges AccuracyControl::gauges(const FrameClock& clock) const {
     }
     const auto count = static_cast<double>(samples_.size());
     gauges.ms_per_s = gauges.cost.cpu_ms_total / (count * session_.simulation->step_s());
-    gauges.islands = session_.simulation->physics.islands().size();
+    gauges.islands = session_.simulation->physics.report().islands.size();
     gauges.energy_J = samples_.back().energy_J;
     gauges.energy_change_J = samples_.back().energy_J - samples_.front().energy_J;
     return gauges;

@@ -3,6 +3,7 @@
 #include "engine/app/capture/screenshot.h"
 #include "engine/app/overlay/loading_screen.h"
 #include "engine/core/log.h"
+#include "engine/physics/debug_lines.h"
 #include "engine/scene/extract.h"
 
 #include <algorithm>
@@ -124,9 +125,9 @@ render::RenderFrame ViewPhase::extract(const scene::ViewPoint& view,
     if (settings.parts.hud && !input.menu.open())
         session_.game->add_lines(simulation, view.blend, frame.lines);
     if (settings.collision_shapes)
-        simulation.physics.add_debug_lines(frame.lines, view.world_from_camera.position);
+        add_debug_lines(simulation.physics, frame.lines, view.world_from_camera.position);
     if (settings.collision_boxes)
-        simulation.physics.add_box_lines(frame.lines, view.world_from_camera.position);
+        add_box_lines(simulation.physics, frame.lines, view.world_from_camera.position);
     return frame;
 }
 

@@ -34,9 +34,9 @@ std::vector<HudLine> status_lines(const OverlayInput& input) {
     if (input.clock.speed() != 1.0) add(fmt::format("speed {:g}x", input.clock.speed()));
     if (input.clock.lost_s() >= 0.1)
         add(fmt::format("{:.1f} s dropped: slower than real time", input.clock.lost_s()));
-    if (!input.simulation.physics.quarantined().empty()) {
+    if (!input.simulation.physics.report().isolated.empty()) {
         add(fmt::format("{} bodies removed (non-finite state)",
-                        input.simulation.physics.quarantined().size()));
+                        input.simulation.physics.report().isolated.size()));
     }
     if (input.lines_not_shown > 0)
         add(fmt::format("{} debug lines not shown", input.lines_not_shown));

@@ -2,6 +2,7 @@
 #include "engine/app/controls/key_labels.h"
 #include "engine/app/overlay/overlay_panels_impl.h"
 #include "engine/core/process/process_memory.h"
+#include "engine/physics/totals.h"
 
 #include <fmt/format.h>
 
@@ -84,7 +85,7 @@ HudLine frame_line(const FrameReport& report) {
 
 HudLine step_line(const scene::Simulation& simulation) {
     HudLine line =
-        row(fmt::format("Physics   {:.2f} ms per step", simulation.physics.cost().total_ms),
+        row(fmt::format("Physics   {:.2f} ms per step", simulation.physics.report().cost.total_ms),
             "{:.0f} Hz x {}",
             1.0 / simulation.step_s(),
             most_substeps(simulation.physics));
@@ -107,9 +108,9 @@ HudLine memory_line() {
 
 void add_world(const OverlayInput& input, std::vector<HudLine>& lines) {
     const physics::PhysicsWorld& world = input.simulation.physics;
-    lines.push_back(row(fmt::format("{} bodies, {} awake", world.body_count(), world.awake_count()),
+    lines.push_back(row(fmt::format("{} bodies, {} awake", body_count(world), awake_count(world)),
                         "{} contacts",
-                        world.cost().contacts));
+                        world.report().cost.contacts));
     if (input.clock.lost_s() >= 0.1)
         lines.push_back(row("Dropped time (too slow)", "{:.1f} s", input.clock.lost_s()));
 }
@@ -170,9 +171,9 @@ std::vector<HudLine> full_table(const OverlayInput& input) {
     std::vector<HudLine> lines{frame_line(input.report),
                                row("Frame p95", "{:.1f} ms", frame.p95),
                                step_line(input.simulation)};
-    add_step_phases(world.cost(), lines);
+    add_step_phases(world.report().cost, lines);
     add_world(input, lines);
-    lines.push_back(row("Max penetration", "{:.2f} mm", world.max_penetration_m() * 1e3));
+    lines.push_back(row("Max penetration", "{:.2f} mm", max_penetration_m(world) * 1e3));
     if (const std::string done = scene::interventions_text(input.report.interventions());
         !done.empty())
         lines.push_back({.text = "Solver interventions: " + done});

@@ -2,6 +2,7 @@
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/effects/nature/drops.h"
+#include "engine/physics/query.h"
 #include "engine/scene/environment/wind_field.h"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ public:
 
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
         const auto free_share = [&](const Vec3f& from, const Vec3f& to) -> std::optional<float> {
-            const auto hit = simulation.physics.cast_ray(Vec3(from), Vec3(to));
+            const auto hit = cast_ray(simulation.physics, Vec3(from), Vec3(to));
             if (!hit) return {};
             return std::min(1.0F, static_cast<float>(hit->distance_m) / glm::distance(from, to));
         };

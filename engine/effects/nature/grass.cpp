@@ -2,6 +2,7 @@
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
 #include "engine/effects/nature/grass_tufts.h"
+#include "engine/physics/query.h"
 
 #include <fmt/format.h>
 
@@ -68,7 +69,7 @@ private:
         constexpr float kUp_m = 30.0F;
         const Vec3 from{Real{x}, Real{eye_y + kUp_m}, Real{z}};
         const Vec3 to{Real{x}, Real{eye_y - kUp_m}, Real{z}};
-        const auto hit = simulation.physics.cast_ray(from, to);
+        const auto hit = cast_ray(simulation.physics, from, to);
         if (!hit || !lawns_.contains(hit->user)) return {};
         return static_cast<float>(hit->point_world.y);
     }

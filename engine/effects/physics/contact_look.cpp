@@ -14,7 +14,7 @@ public:
 
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
         std::set<std::uint64_t> touching;
-        for (const physics::ContactEvent& contact : simulation.physics.contacts()) {
+        for (const physics::ContactEvent& contact : simulation.physics.report().contacts) {
             touching.insert(contact.user_a);
             touching.insert(contact.user_b);
         }

@@ -12,7 +12,7 @@ template <std::uint32_t physics::FeatureUse::*kCount, double physics::FeatureUse
 class PhysicsUse : public Effect {
 public:
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
-        const physics::FeatureUse& use = simulation.physics.feature_use();
+        const physics::FeatureUse& use = simulation.physics.report().use;
         work_.calls += use.*kCount;
         work_.cpu_ms += use.*kCost_ms;
     }
@@ -42,15 +42,15 @@ private:
 /// What a part that the physics decides about is called for by: the first body that it acted on.
 template <physics::BodyId physics::FeatureUse::*kFirst>
 Callers callers_of_use(const scene::Simulation& simulation) {
-    const physics::BodyId first = simulation.physics.feature_use().*kFirst;
+    const physics::BodyId first = simulation.physics.report().use.*kFirst;
     if (!simulation.physics.contains(first)) return {};
-    return {describe(simulation, entity_of_mark(simulation, simulation.physics.user(first)))};
+    return {describe(simulation, entity_of_mark(simulation, simulation.physics.state(first).user))};
 }
 
 template <physics::BodyId physics::FeatureUse::*kFirst>
 std::uint64_t key_of_use(const scene::Simulation& simulation) {
-    const physics::BodyId first = simulation.physics.feature_use().*kFirst;
-    return simulation.physics.contains(first) ? simulation.physics.user(first) + 1 : 0;
+    const physics::BodyId first = simulation.physics.report().use.*kFirst;
+    return simulation.physics.contains(first) ? simulation.physics.state(first).user + 1 : 0;
 }
 
 }  // namespace plumbline::effects

@@ -1,6 +1,7 @@
 // Volumes in which a prefab appears when a body comes in. They stop nothing.
 #include "engine/effects/callers.h"
 #include "engine/effects/effect_table.h"
+#include "engine/physics/query.h"
 #include "engine/scene/simulation/entity_lookup.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ private:
     static bool counts(const scene::Simulation& simulation,
                        const scene::TriggerVolume& volume,
                        physics::BodyId body) {
-        if (simulation.physics.kind(body) != physics::BodyKind::Dynamic) return false;
+        if (simulation.physics.state(body).kind != physics::BodyKind::Dynamic) return false;
         const ecs::Entity entity = entity_of(simulation, body);
         if (!simulation.registry.alive(entity)) return false;
         const std::string& name = simulation.registry.get<scene::Name>(entity).text;
@@ -48,7 +49,7 @@ private:
                                                   const Pose& pose) {
         std::vector<physics::BodyId> bodies;
         for (const physics::OverlapHit& hit :
-             simulation.physics.overlaps(volume.shape, pose, Real{0})) {
+             physics::overlaps(simulation.physics, volume.shape, pose, Real{0})) {
             if (counts(simulation, volume, hit.body)) bodies.push_back(hit.body);
         }
         std::ranges::sort(bodies);

@@ -44,7 +44,7 @@ std::string creak_caption(const scene::Simulation& simulation, physics::BodyId b
 }
 
 std::uint64_t mark_of_body(const scene::Simulation& simulation, physics::BodyId body) {
-    return body && simulation.physics.contains(body) ? simulation.physics.user(body) : 0;
+    return body && simulation.physics.contains(body) ? simulation.physics.state(body).user : 0;
 }
 
 class CreakSounds final : public Effect {
@@ -54,7 +54,7 @@ public:
         for (std::size_t i = 0; i < simulation.joints().size(); ++i) {
             const scene::SceneJoint& joint = simulation.joints()[i];
             if (joint.creak <= 0.0F || !simulation.physics.contains(joint.joint)) continue;
-            const physics::JointDef& def = simulation.physics.joint_def(joint.joint);
+            const physics::JointDef& def = simulation.physics.joint(joint.joint).def;
             const std::filesystem::path& of_a = creak_file(simulation, def.a);
             const std::filesystem::path& of_b = creak_file(simulation, def.b);
             const std::filesystem::path& file =
@@ -103,8 +103,8 @@ private:
     static float level_of(const physics::PhysicsWorld& world,
                           const scene::SceneJoint& joint,
                           CreakingJoint& creaking) {
-        if (!world.contains(joint.joint) || world.joint_state(joint.joint).broken) return 0.0F;
-        const physics::JointDef& def = world.joint_def(joint.joint);
+        if (!world.contains(joint.joint) || world.joint(joint.joint).state.broken) return 0.0F;
+        const physics::JointDef& def = world.joint(joint.joint).def;
         const physics::BodyState a = world.state(def.a);
         if (!a.awake) return 0.0F;
         Vec3 turning = a.angular_velocity_radps;
@@ -118,7 +118,7 @@ private:
             a.velocity_mps + glm::cross(a.angular_velocity_radps, at - a.world_from_body.position);
         creaking.cue.velocity_mps = Vec3f(velocity_mps);
         creaking.cue.pitch = std::clamp(0.75F + 0.3F * turn_radps, 0.75F, 1.6F);
-        const auto load_N = static_cast<float>(world.joint_state(joint.joint).force_N);
+        const auto load_N = static_cast<float>(world.joint(joint.joint).state.force_N);
         const float power_W = load_N * kPin_m * turn_radps;
         return joint.creak * std::sqrt(std::min(power_W / kFullCreak_W, 1.0F));
     }

@@ -37,7 +37,7 @@ public:
         : listener_(simulation, "effect impact_sounds") {}
 
     void after_step(scene::Simulation& simulation, const scene::Game&) override {
-        for (const physics::ContactEvent& contact : simulation.physics.contacts()) {
+        for (const physics::ContactEvent& contact : simulation.physics.report().contacts) {
             if (!is_audible(contact) || sounded_lately(contact, simulation.time_s())) continue;
             add_cue(simulation, contact);
         }
@@ -112,7 +112,8 @@ private:
                                   physics::BodyId body,
                                   std::uint64_t user) {
         const physics::PhysicsWorld& world = simulation.physics;
-        const bool moves = world.contains(body) && world.kind(body) != physics::BodyKind::Static;
+        const bool moves =
+            world.contains(body) && world.state(body).kind != physics::BodyKind::Static;
         return moves ? user : 0;
     }
 

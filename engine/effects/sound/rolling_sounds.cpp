@@ -45,13 +45,12 @@ float rolling_mps(const physics::PhysicsWorld& world,
                   const physics::ContactEvent& contact,
                   Vec3& point_before_body,
                   bool touched_before) {
-    if (world.kind(body) != physics::BodyKind::Dynamic) return 0.0F;
     const physics::BodyState state = world.state(body);
-    const Pose& pose = state.world_from_body;
-    const Vec3 center = transform_point(pose, world.mass_properties(body).center_of_mass_m);
-    const Vec3 turning = glm::cross(state.angular_velocity_radps, contact.point_world - center);
+    if (state.kind != physics::BodyKind::Dynamic) return 0.0F;
+    const Vec3 arm = contact.point_world - state.center_of_mass_world();
+    const Vec3 turning = glm::cross(state.angular_velocity_radps, arm);
     const Vec3 along = turning - contact.normal_world * glm::dot(turning, contact.normal_world);
-    const Vec3 here_body = transform_point(invert(pose), contact.point_world);
+    const Vec3 here_body = transform_point(invert(state.world_from_body), contact.point_world);
     const auto step_s = static_cast<Real>(world.def().step_s);
     const Real moved_mps =
         touched_before ? glm::distance(here_body, point_before_body) / step_s : Real{0};
@@ -71,7 +70,7 @@ public:
             pair.scrape.wanted = 0.0F;
             pair.roll.wanted = 0.0F;
         }
-        for (const physics::ContactEvent& contact : world.contacts()) {
+        for (const physics::ContactEvent& contact : world.report().contacts) {
             if (is_moving(world, contact.a) || is_moving(world, contact.b)) listen_to(contact);
         }
         const auto share = static_cast<float>(1.0 - std::exp(-world.def().step_s / kSwell_s));
@@ -108,7 +107,7 @@ private:
     using Marks = std::pair<std::uint64_t, std::uint64_t>;
 
     static bool is_moving(const physics::PhysicsWorld& world, physics::BodyId body) {
-        return world.contains(body) && world.kind(body) == physics::BodyKind::Dynamic &&
+        return world.contains(body) && world.state(body).kind == physics::BodyKind::Dynamic &&
                world.state(body).awake;
     }
 

@@ -40,7 +40,7 @@ void RoomProbe::cast(const scene::Simulation& simulation, const Vec3& ear_world,
         const Vec3 direction = direction_of(next_);
         Sample sample{.from_world = Vec3f(ear_world)};
         const auto hit =
-            simulation.physics.cast_ray(ear_world, ear_world + direction * Real{kReach_m}, filter);
+            cast_ray(simulation.physics, ear_world, ear_world + direction * Real{kReach_m}, filter);
         if (hit) {
             const Real facing = std::abs(glm::dot(hit->normal_world, direction));
             const auto cosine = static_cast<float>(facing);

@@ -36,7 +36,7 @@ void each_face(const physics::PhysicsWorld& world,
                Meet meet) {
     const Vec3 direction = normalize_or(to - from, Vec3{0, 0, 0});
     for (int i = 0; i < kMostRays; ++i) {
-        const auto hit = world.cast_ray(from, to, filter);
+        const auto hit = cast_ray(world, from, to, filter);
         if (!hit) return;
         // What begins within a body's margin is met at once: that face was counted before.
         if (hit->distance_m > kAtOnce_m) meet(*hit);
@@ -84,7 +84,7 @@ physics::QueryFilter rays_from_ear(const scene::Simulation& simulation, const Ve
                                               Vec3{0, 0, 1},
                                               Vec3{0, 0, -1}};
     for (const Vec3& direction : kDirections) {
-        const auto hit = simulation.physics.cast_ray(ear_world, ear_world + direction);
+        const auto hit = cast_ray(simulation.physics, ear_world, ear_world + direction);
         if (hit && hit->distance_m <= kAtOnce_m &&
             !simulation.registry.alive(entity_of_mark(simulation, hit->user)))
             return {.ignored = hit->body};
@@ -157,7 +157,7 @@ SoundPath path_between(const scene::Simulation& simulation,
         const auto density = static_cast<float>(simulation.surfaces().get(index).density_kgpm3);
         Vec3 low{0};
         Vec3 high{0};
-        simulation.physics.bounds(obstacle.body, low, high);
+        physics::bounds(simulation.physics, obstacle.body, low, high);
         // Who is within its bounds is not beside it: in a house, under a table.
         const bool is_beside =
             !lies_within(source_world, low, high) && !lies_within(ear_world, low, high);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/audio/sound_cue.h"
+#include "engine/physics/query.h"
 #include "engine/scene/simulation.h"
 
 #include <vector>

@@ -70,7 +70,8 @@ private:
                                                  glm::normalize(upwind + Vec3{0, 1, 0})};
             const physics::QueryFilter filter = rays_from_ear(simulation, ear);
             const auto open = std::ranges::count_if(directions, [&](const Vec3& direction) {
-                return !simulation.physics.cast_ray(ear, ear + direction * kShelterReach_m, filter);
+                return !cast_ray(
+                    simulation.physics, ear, ear + direction * kShelterReach_m, filter);
             });
             const float free = static_cast<float>(open) / static_cast<float>(directions.size());
             wanted_ = kShelteredShare + (1.0F - kShelteredShare) * free;

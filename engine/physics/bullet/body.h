@@ -17,7 +17,7 @@ void give_rigid_body(BodyRecord& record, const BodyDef& def, const ShapeRecord& 
 /// Immovable for as long as it is frozen.
 void set_rigid_mass(BodyRecord& record, bool frozen);
 
-/// Bullet's copy of the pose: what contacts are found for, casts meet and drawing shows.
+/// Bullet's copy of the pose: used by contacts, casts and drawing.
 void write_rigid_pose(const BodyRecord& record);
 /// bullet_*: ... with velocities, and the inertia along the world's axes.
 void write_rigid_motion(const BodyRecord& record);

@@ -29,7 +29,7 @@ struct SpherePath {
     Real radius_m{0};
 };
 
-/// The first thing that a sphere meets.
+/// The first body that a sphere hits.
 struct SphereHit {
     Real fraction{1};
     Vec3 normal_world{0, 1, 0};  ///< from the body hit to the sphere

@@ -93,7 +93,7 @@ void cast_at(const btConvexShape& moving,
             closest_points(moving, at, still, world_from_still, length * (1 - fraction) + kTouch_m);
         if (!closest) return;
         const btScalar approach = -closest->normal.dot(motion);
-        // Moving apart at the nearest features of two convex shapes: they never meet.
+        // Moving apart at the nearest features of two convex shapes: they never touch.
         if (approach <= 0) return;
         if (closest->distance <= kTouch_m) {
             if (approach <= kGrazing * length && closest->distance > -kTouch_m) return;

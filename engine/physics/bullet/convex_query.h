@@ -22,7 +22,7 @@ struct ClosestPoints {
     btScalar distance{0};  ///< negative: penetration
 };
 
-/// What a cast met first.
+/// What a cast hit first.
 struct CastHit {
     btScalar fraction{1};
     btVector3 normal{0, 1, 0};  ///< from the body hit to the moving shape
@@ -48,7 +48,7 @@ std::vector<const BodyRecord*> bodies_in_box(const btCollisionWorld& world,
                                              const btVector3& box_max,
                                              const BodyFilter& filter);
 
-/// The first thing met by `moving` on its way. A shape that overlaps at the start is stopped at
+/// The first body hit by `moving` on its way. A shape that overlaps at the start is stopped at
 /// fraction 0 only if the motion goes deeper.
 std::optional<CastHit> cast_among(const btCollisionWorld& world,
                                   const btConvexShape& moving,
@@ -56,7 +56,7 @@ std::optional<CastHit> cast_among(const btCollisionWorld& world,
                                   const btVector3& motion,
                                   const BodyFilter& filter);
 
-/// The first thing a ray meets from outside; what it starts in is not met.
+/// The first body that a ray hits from outside; one that it starts in is not hit.
 std::optional<CastHit> ray_among(const btCollisionWorld& world,
                                  const btVector3& from,
                                  const btVector3& to,

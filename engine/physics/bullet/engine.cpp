@@ -17,7 +17,7 @@
 namespace plumbline::physics {
 namespace {
 
-// Bullet does not look whether it got the memory that it asked for.
+// Bullet does not check whether it got the memory that it asked for.
 void* allocate_or_throw(std::size_t bytes) {
     void* memory = std::malloc(bytes);
     if (memory == nullptr) throw std::bad_alloc();
@@ -48,7 +48,7 @@ constexpr int kManyBodies = 4096;
 constexpr int kBodiesBetween = 1024;
 
 void make_solver(const WorldDef& def, BulletEngine::Parts& parts) {
-    StepCost& cost = *parts.solved;
+    StepCost& cost = parts.report->cost;
     parts.solver.reset();
     parts.pivot_solver.reset();
     switch (def.solver) {
@@ -97,11 +97,11 @@ void scale_impulses(btPersistentManifold& manifold, btScalar factor) {
 
 }  // namespace
 
-BulletEngine::BulletEngine(const WorldDef& def, StepCost& solved)
+BulletEngine::BulletEngine(const WorldDef& def, StepReport& report)
     : parts_(std::make_unique<Parts>()) {
     install_global_callbacks();
     Parts& parts = *parts_;
-    parts.solved = &solved;
+    parts.report = &report;
     parts.pair_filter = std::make_unique<PairFilter>();
     parts.configuration = std::make_unique<btDefaultCollisionConfiguration>();
     if (def.solver == Solver::SmallStep) {
@@ -124,6 +124,7 @@ BulletEngine::BulletEngine(const WorldDef& def, StepCost& solved)
                                               parts.solver.get(),
                                               parts.configuration.get(),
                                               *parts.nearest,
+                                              report,
                                               def.gravity_mps2);
     set_up_solver(def, parts);
 }
@@ -191,8 +192,6 @@ void BulletEngine::drop(Pair& pair) {
 
 void BulletEngine::begin_step(const WorldFeatures& features, std::function<void()> after_solve) {
     StepWorld& world = *parts_->world;
-    world.cost = {};
-    world.use = {};
     world.features = features;
     world.after_solve = std::move(after_solve);
     bool any_turns = false;
@@ -218,13 +217,6 @@ void BulletEngine::change(const WorldDef& before, const WorldDef& after) {
     if (factor == 1) return;
     for (int i = 0; i < parts.dispatcher->getNumManifolds(); ++i)
         scale_impulses(*parts.dispatcher->getManifoldByIndexInternal(i), btScalar(factor));
-}
-
-const StepCost& BulletEngine::cost() const {
-    return parts_->world->cost;
-}
-const FeatureUse& BulletEngine::use() const {
-    return parts_->world->use;
 }
 
 void BulletEngine::list_moving() {

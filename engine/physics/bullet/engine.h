@@ -16,8 +16,8 @@ class StepWorld;
 
 class BulletEngine {
 public:
-    /// Bullet's solvers count into `solved`, which outlives the engine.
-    BulletEngine(const WorldDef& def, StepCost& solved);
+    /// Adds what it does to `report`, which outlives the engine.
+    BulletEngine(const WorldDef& def, StepReport& report);
     ~BulletEngine();
     BulletEngine(const BulletEngine&) = delete;
     BulletEngine& operator=(const BulletEngine&) = delete;
@@ -49,8 +49,6 @@ public:
     /// Another of Bullet's solvers, another rate or gravity. Contacts stay, and go on carrying the same
     /// mean forces in substeps of another length.
     void change(const WorldDef& before, const WorldDef& after);
-    const StepCost& cost() const;
-    const FeatureUse& use() const;
     /// Those that are not static, in the order of its lists, as they are when a step begins.
     void list_moving();
     std::span<BodyRecord* const> moving() const;

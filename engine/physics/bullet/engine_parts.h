@@ -28,7 +28,7 @@ struct BulletEngine::Parts {
     PairList* own_pairs{nullptr};  ///< small_step: `pairs`
     std::unique_ptr<btDbvtBroadphase> broadphase;
     std::unique_ptr<NearestPairs> nearest;
-    StepCost* solved{nullptr};  ///< what solvers count into
+    StepReport* report{nullptr};  ///< the world's
     std::unique_ptr<btMLCPSolverInterface> pivot_solver;
     std::unique_ptr<btConstraintSolver> solver;
     std::unique_ptr<StepWorld> world;

@@ -4,6 +4,7 @@
 #include "engine/physics/bullet/shape/shape_record.h"
 #include "engine/physics/bullet/step_world.h"
 #include "engine/physics/character.h"
+#include "engine/physics/debug_lines.h"
 #include "engine/physics/world/world_state.h"
 
 #include <LinearMath/btIDebugDraw.h>
@@ -51,33 +52,36 @@ bool is_capsule_round(const BodyRecord& record, const Vec3& eye_world) {
 
 }  // namespace
 
-void WorldQueries::add_shape_lines(ShapeId shape,
-                                   const Pose& world_from_body,
-                                   const Vec3f& color,
-                                   LineList& lines) const {
-    const ShapeRecord& record = world_.shapes.get(shape);
+void add_shape_lines(const PhysicsWorld& world,
+                     ShapeId shape,
+                     const Pose& world_from_body,
+                     const Vec3f& color,
+                     LineList& lines) {
+    const ShapeRecord& record = internals(world).shapes.get(shape);
     LineCollector collector(lines);
-    StepWorld& world = world_.engine->world();
-    world.setDebugDrawer(&collector);
-    world.debugDrawObject(to_bullet(compose(world_from_body, record.body_from_mass)),
-                          record.collision,
-                          to_bullet(Vec3(color)));
-    world.setDebugDrawer(nullptr);
+    StepWorld& bullet = internals(world).engine->world();
+    bullet.setDebugDrawer(&collector);
+    bullet.debugDrawObject(to_bullet(compose(world_from_body, record.body_from_mass)),
+                           record.collision,
+                           to_bullet(Vec3(color)));
+    bullet.setDebugDrawer(nullptr);
 }
 
-void WorldQueries::add_debug_lines(LineList& lines, const std::optional<Vec3>& eye_world) const {
+void add_debug_lines(const PhysicsWorld& world,
+                     LineList& lines,
+                     const std::optional<Vec3>& eye_world) {
     LineCollector collector(lines);
-    StepWorld& world = world_.engine->world();
+    StepWorld& bullet = internals(world).engine->world();
     // Only for the length of this call: a drawer left in place would be asked during steps.
-    world.setDebugDrawer(&collector);
-    world_.bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+    bullet.setDebugDrawer(&collector);
+    internals(world).bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
         if (eye_world && is_capsule_round(*record, *eye_world)) return;
-        world.debugDrawObject(record->rigid->getWorldTransform(),
-                              record->rigid->getCollisionShape(),
-                              color_of(*record));
+        bullet.debugDrawObject(record->rigid->getWorldTransform(),
+                               record->rigid->getCollisionShape(),
+                               color_of(*record));
     });
-    world.setDebugDrawer(nullptr);
-    world_.engine->each_manifold([&lines](const Manifold& manifold) {
+    bullet.setDebugDrawer(nullptr);
+    internals(world).engine->each_manifold([&lines](const Manifold& manifold) {
         for (const ManifoldPoint& point : manifold.points) {
             const Vec3& foot = point.b.surface_m;
             const Vec3 tip = foot + kNormalLength_m * point.normal_world;
@@ -86,9 +90,11 @@ void WorldQueries::add_debug_lines(LineList& lines, const std::optional<Vec3>& e
     });
 }
 
-void WorldQueries::add_box_lines(LineList& lines, const std::optional<Vec3>& eye_world) const {
+void add_box_lines(const PhysicsWorld& world,
+                   LineList& lines,
+                   const std::optional<Vec3>& eye_world) {
     LineCollector collector(lines);
-    world_.bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+    internals(world).bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
         if (eye_world && is_capsule_round(*record, *eye_world)) return;
         btVector3 low;
         btVector3 high;

@@ -1,9 +1,11 @@
 // Rays, sweeps and overlaps.
+#include "engine/physics/bullet/body.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/convex_query.h"
 #include "engine/physics/bullet/rigid_body.h"
 #include "engine/physics/bullet/shape/shape_record.h"
 #include "engine/physics/bullet/step_world.h"
+#include "engine/physics/query.h"
 #include "engine/physics/world/world_state.h"
 
 #include <algorithm>
@@ -11,14 +13,12 @@
 namespace plumbline::physics {
 namespace {
 
-const BodyRecord* record_or_null(const SlotMap<BodyId, std::unique_ptr<BodyRecord>>& bodies,
-                                 BodyId id) {
+const BodyRecord* record_or_null(const BodyTable& bodies, BodyId id) {
     const auto* found = bodies.find(id);
     return found != nullptr ? found->get() : nullptr;
 }
 
-BodyFilter filter_for(const QueryFilter& filter,
-                      const SlotMap<BodyId, std::unique_ptr<BodyRecord>>& bodies) {
+BodyFilter filter_for(const QueryFilter& filter, const BodyTable& bodies) {
     return {.collides_with = filter.collides_with,
             .ignored = record_or_null(bodies, filter.ignored),
             .also_ignored = record_or_null(bodies, filter.also_ignored)};
@@ -32,16 +32,17 @@ btTransform convex_at(const ShapeRecord& record, const Pose& pose) {
 
 }  // namespace
 
-std::optional<RayHit> WorldQueries::cast_ray(const Vec3& from_world,
-                                             const Vec3& to_world,
-                                             const QueryFilter& filter) const {
+std::optional<RayHit> cast_ray(const PhysicsWorld& world,
+                               const Vec3& from_world,
+                               const Vec3& to_world,
+                               const QueryFilter& filter) {
     if (!is_finite(from_world) || !is_finite(to_world) || from_world == to_world) {
         return std::nullopt;
     }
-    const auto hit = ray_among(world_.engine->world(),
+    const auto hit = ray_among(internals(world).engine->world(),
                                to_bullet(from_world),
                                to_bullet(to_world),
-                               filter_for(filter, world_.bodies));
+                               filter_for(filter, internals(world).bodies));
     if (!hit) return std::nullopt;
     return RayHit{.body = hit->record->id,
                   .user = hit->record->user,
@@ -50,20 +51,21 @@ std::optional<RayHit> WorldQueries::cast_ray(const Vec3& from_world,
                   .distance_m = hit->fraction * glm::distance(from_world, to_world)};
 }
 
-std::optional<SweepHit> WorldQueries::sweep(ShapeId shape,
-                                            const Pose& from,
-                                            const Vec3& to_position_world,
-                                            const QueryFilter& filter) const {
-    const ShapeRecord& record = world_.shapes.get(shape);
+std::optional<SweepHit> sweep(const PhysicsWorld& world,
+                              ShapeId shape,
+                              const Pose& from,
+                              const Vec3& to_position_world,
+                              const QueryFilter& filter) {
+    const ShapeRecord& record = internals(world).shapes.get(shape);
     PL_ASSERT(record.convex != nullptr, "a convex shape to sweep");
     if (!is_finite(from) || !is_finite(to_position_world)) return std::nullopt;
     const btVector3 motion = to_bullet(to_position_world - from.position);
     if (motion.isZero()) return std::nullopt;
-    const auto hit = cast_among(world_.engine->world(),
+    const auto hit = cast_among(internals(world).engine->world(),
                                 *record.convex,
                                 convex_at(record, from),
                                 motion,
-                                filter_for(filter, world_.bodies));
+                                filter_for(filter, internals(world).bodies));
     if (!hit) return std::nullopt;
     return SweepHit{.body = hit->record->id,
                     .user = hit->record->user,
@@ -72,11 +74,12 @@ std::optional<SweepHit> WorldQueries::sweep(ShapeId shape,
                     .fraction = hit->fraction};
 }
 
-std::vector<OverlapHit> WorldQueries::overlaps(ShapeId shape,
-                                               const Pose& pose,
-                                               Real margin_m,
-                                               const QueryFilter& filter) const {
-    const ShapeRecord& record = world_.shapes.get(shape);
+std::vector<OverlapHit> overlaps(const PhysicsWorld& world,
+                                 ShapeId shape,
+                                 const Pose& pose,
+                                 Real margin_m,
+                                 const QueryFilter& filter) {
+    const ShapeRecord& record = internals(world).shapes.get(shape);
     PL_ASSERT(record.convex != nullptr, "a convex shape to overlap");
     std::vector<OverlapHit> hits;
     if (!is_finite(pose)) return hits;
@@ -87,8 +90,9 @@ std::vector<OverlapHit> WorldQueries::overlaps(ShapeId shape,
     const btVector3 reach(margin_m, margin_m, margin_m);
     low -= reach;
     high += reach;
-    const BodyFilter seen = filter_for(filter, world_.bodies);
-    for (const BodyRecord* other : bodies_in_box(world_.engine->world(), low, high, seen)) {
+    const BodyFilter seen = filter_for(filter, internals(world).bodies);
+    for (const BodyRecord* other :
+         bodies_in_box(internals(world).engine->world(), low, high, seen)) {
         each_convex(*other->rigid->getCollisionShape(),
                     other->rigid->getWorldTransform(),
                     low,
@@ -108,6 +112,12 @@ std::vector<OverlapHit> WorldQueries::overlaps(ShapeId shape,
         return a.depth_m > b.depth_m;
     });
     return hits;
+}
+
+void bounds(const PhysicsWorld& world, BodyId id, Vec3& min_world, Vec3& max_world) {
+    const Box box = box_of(internals(world).body(id));
+    min_world = box.low;
+    max_world = box.high;
 }
 
 }  // namespace plumbline::physics

@@ -19,8 +19,11 @@ StepWorld::StepWorld(btDispatcher* dispatcher,
                      btConstraintSolver* solver,
                      btCollisionConfiguration* configuration,
                      NearestPairs& nearest,
+                     StepReport& report,
                      const Vec3& gravity_mps2)
-    : btDiscreteDynamicsWorld(dispatcher, pairs, solver, configuration), nearest_(nearest) {
+    : btDiscreteDynamicsWorld(dispatcher, pairs, solver, configuration),
+      nearest_(nearest),
+      report_(report) {
     set_gravity(gravity_mps2);
     // Same calls, same bits: pair order must not depend on where the heap put things.
     getDispatchInfo().m_deterministicOverlappingPairs = true;
@@ -42,7 +45,7 @@ void StepWorld::list_moving(const std::vector<BodyRecord*>& records) {
 void StepWorld::advance(btScalar step_s) {
     laps_.start();
     internalSingleStepSimulation(step_s);
-    cost.integrate_ms += laps_.lap_ms();
+    report_.cost.integrate_ms += laps_.lap_ms();
 }
 
 void StepWorld::predictUnconstraintMotion(btScalar) {
@@ -61,7 +64,7 @@ void StepWorld::predictUnconstraintMotion(btScalar) {
                                      record.traits.angular_damping_factor);
         }
     }
-    cost.integrate_ms += laps_.lap_ms();
+    report_.cost.integrate_ms += laps_.lap_ms();
 }
 
 void StepWorld::createPredictiveContacts(btScalar) {}
@@ -71,10 +74,10 @@ void StepWorld::performDiscreteCollisionDetection() {
     // steps updates its box there.
     computeOverlappingPairs();
     if (nearest_.needed()) thin_crowds();
-    cost.broad_ms += laps_.lap_ms();
+    report_.cost.broad_ms += laps_.lap_ms();
     getDispatcher()->dispatchAllCollisionPairs(
         getBroadphase()->getOverlappingPairCache(), getDispatchInfo(), getDispatcher());
-    cost.narrow_ms += laps_.lap_ms();
+    report_.cost.narrow_ms += laps_.lap_ms();
 }
 
 /// Crowded bodies get the pairs that they miss and lose those that take no part.
@@ -97,15 +100,15 @@ void StepWorld::thin_crowds() {
         if ((is_active(a) || is_active(b)) && !nearest_.take(a, b))
             pairs.removeOverlappingPair(first, second, getDispatcher());
     }
-    cost.interventions.left_out_pairs = nearest_.left_out();
+    report_.cost.interventions.left_out_pairs = nearest_.left_out();
 }
 
 void StepWorld::solveConstraints(btContactSolverInfo& info) {
     btDiscreteDynamicsWorld::solveConstraints(info);
-    cost.solve_ms += laps_.lap_ms();
+    report_.cost.solve_ms += laps_.lap_ms();
     if (after_solve) {
         after_solve();
-        use.events_ms += laps_.lap_ms();
+        report_.use.events_ms += laps_.lap_ms();
     }
 }
 
@@ -149,29 +152,29 @@ void StepWorld::integrateTransforms(btScalar step_s) {
             integrate_kinematic(record, record.drive.has_target && last_substep, step_s);
         } else {
             read_rigid_motion(record);
-            cost.interventions.limited_bodies += limit_speed(record) ? 1U : 0U;
+            report_.cost.interventions.limited_bodies += limit_speed(record) ? 1U : 0U;
             if (is_active(record)) move(record, step_s);
         }
     }
     if (!turning_.empty()) {
-        cost.integrate_ms += laps_.lap_ms();
+        report_.cost.integrate_ms += laps_.lap_ms();
         for (BodyRecord* record : turning_) turn_freely(*record, static_cast<double>(step_s));
-        use.gyro_bodies += static_cast<std::uint32_t>(turning_.size());
-        if (!use.turned) use.turned = turning_.front()->id;
-        use.gyro_ms += laps_.lap_ms();
+        report_.use.gyro_bodies += static_cast<std::uint32_t>(turning_.size());
+        if (!report_.use.turned) report_.use.turned = turning_.front()->id;
+        report_.use.gyro_ms += laps_.lap_ms();
     }
     for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
         if (m_nonStaticRigidBodies[i]->isActive())
             write_rigid_motion(record_of(*m_nonStaticRigidBodies[i]));
     }
     if (!swept_.empty()) {
-        cost.integrate_ms += laps_.lap_ms();
+        report_.cost.integrate_ms += laps_.lap_ms();
         for (BodyRecord* record : swept_) {
             if (stop_at_hit(*this, *record, step_s)) write_rigid_motion(*record);
         }
-        use.swept_bodies += static_cast<std::uint32_t>(swept_.size());
-        if (!use.swept) use.swept = swept_.front()->id;
-        use.sweep_ms += laps_.lap_ms();
+        report_.use.swept_bodies += static_cast<std::uint32_t>(swept_.size());
+        if (!report_.use.swept) report_.use.swept = swept_.front()->id;
+        report_.use.sweep_ms += laps_.lap_ms();
     }
     updateAabbs();
 }

@@ -28,17 +28,16 @@ public:
               btConstraintSolver* solver,
               btCollisionConfiguration* configuration,
               NearestPairs& nearest,
+              StepReport& report,
               const Vec3& gravity_mps2);
 
     void set_gravity(const Vec3& gravity_mps2);
     /// In this order from now on; all that are listed, each once.
     void list_moving(const std::vector<BodyRecord*>& records);
-    /// One substep. `cost` and `use` are added to.
+    /// One substep. The report is added to.
     void advance(btScalar step_s);
 
     WorldFeatures features{};
-    StepCost cost{};
-    FeatureUse use{};
     bool last_substep{true};
     std::function<void()> after_solve;  ///< none: nobody asks; velocities before are in the records
 
@@ -58,6 +57,7 @@ private:
     void thin_crowds();
 
     NearestPairs& nearest_;
+    StepReport& report_;
     Vec3d gravity_mps2_{0, 0, 0};
     std::vector<BodyRecord*> turning_;
     std::vector<BodyRecord*> swept_;

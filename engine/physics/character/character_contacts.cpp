@@ -18,26 +18,26 @@ constexpr int kPasses = 8;
 }  // namespace
 
 Vec3 Character::Impl::point_velocity(BodyId other, const Vec3& point) const {
-    if (!world.contains(other) || world.kind(other) == BodyKind::Static || world.frozen(other)) {
-        return {0, 0, 0};
-    }
+    if (!world.contains(other)) return {0, 0, 0};
     const BodyState body_state = world.state(other);
+    if (body_state.kind == BodyKind::Static || body_state.frozen) return {0, 0, 0};
     return body_state.velocity_mps + glm::cross(body_state.angular_velocity_radps,
                                                 point - body_state.world_from_body.position);
 }
 
 bool Character::Impl::gives_way_to_us(BodyId other) const {
-    return world.kind(other) == BodyKind::Dynamic && !world.frozen(other) &&
-           world.mass_properties(other).mass_kg < def.mass_kg;
+    const BodyState body_state = world.state(other);
+    return body_state.pushable() && body_state.mass.mass_kg < def.mass_kg;
 }
 
 bool Character::Impl::may_step_on(BodyId other, Real height_m) const {
-    if (world.kind(other) != BodyKind::Dynamic || world.frozen(other)) return true;
-    return height_m <= kSteppableHeight_m || world.mass_properties(other).mass_kg >= kSteppable_kg;
+    const BodyState body_state = world.state(other);
+    return !body_state.pushable() || height_m <= kSteppableHeight_m ||
+           body_state.mass.mass_kg >= kSteppable_kg;
 }
 
 Real Character::Impl::push(const CapsuleContact& hit, const Vec3& wanted_velocity) const {
-    if (world.kind(hit.body) != BodyKind::Dynamic || world.frozen(hit.body)) return 0;
+    if (!world.state(hit.body).pushable()) return 0;
     const Vec3 into = normalize_or(-level(hit.normal), Vec3{0, 0, 0});
     const Real wanted = glm::dot(wanted_velocity, into);
     if (wanted <= 0 || std::abs(hit.normal.y) > 0.8_r) return 0;
@@ -45,7 +45,7 @@ Real Character::Impl::push(const CapsuleContact& hit, const Vec3& wanted_velocit
         return glm::dot(world.state(other).velocity_mps, into);
     };
     const Hands hands = hands_on(hit, into);
-    const Real mass = world.mass_properties(hands.body).mass_kg;
+    const Real mass = world.state(hands.body).mass.mass_kg;
     const Real impulse = std::min(mass * (wanted - away_of(hands.body)), def.max_push_N * dt);
     if (impulse > 0) {
         world.wake(hands.body);
@@ -59,12 +59,12 @@ Real Character::Impl::push(const CapsuleContact& hit, const Vec3& wanted_velocit
 Character::Impl::Hands Character::Impl::hands_on(const CapsuleContact& hit,
                                                  const Vec3& into) const {
     const Vec3 shoulders = Vec3(feet) + kUp * (kHandHeight * probe.height_m());
-    const auto met = probe.ray(shoulders, shoulders + into * (def.radius_m + kArm_m));
-    if (met && world.kind(met->body) == BodyKind::Dynamic && !world.frozen(met->body))
-        return {.body = met->body, .point = met->point_world};
+    const auto reached = probe.ray(shoulders, shoulders + into * (def.radius_m + kArm_m));
+    if (reached && world.state(reached->body).pushable())
+        return {.body = reached->body, .point = reached->point_world};
     Vec3 low{};
     Vec3 high{};
-    world.bounds(hit.body, low, high);
+    bounds(world, hit.body, low, high);
     const Real foot = static_cast<Real>(feet.y);
     Vec3 point = hit.point;
     point.y = std::clamp((low.y + high.y) / 2, foot, foot + kHandHeight * probe.height_m());

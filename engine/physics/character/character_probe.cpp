@@ -104,8 +104,11 @@ std::optional<CapsuleContact> CapsuleProbe::sweep(const Vec3d& feet,
     const Vec3 direction = displacement / length;
     const Real reach = length + kSkin_m / kLeastCosine;
     const Pose from = pose_at(feet);
-    const auto hit = world_.sweep(
-        shapes_[crouched_ ? 1 : 0], from, from.position + direction * reach, filter(also_ignored));
+    const auto hit = physics::sweep(world_,
+                                    shapes_[crouched_ ? 1 : 0],
+                                    from,
+                                    from.position + direction * reach,
+                                    filter(also_ignored));
     if (!hit) return std::nullopt;
     const Real approach = -glm::dot(direction, hit->normal_world);
     if (approach < 1e-4_r) return std::nullopt;  // along the surface, or away from it
@@ -124,8 +127,8 @@ std::vector<CapsuleContact> CapsuleProbe::touches(const Vec3d& feet,
                                                   Real reach_m,
                                                   BodyId also_ignored) const {
     std::vector<CapsuleContact> contacts;
-    const auto hits = world_.overlaps(
-        shapes_[crouched_ ? 1 : 0], pose_at(feet), kSkin_m + reach_m, filter(also_ignored));
+    const auto hits = overlaps(
+        world_, shapes_[crouched_ ? 1 : 0], pose_at(feet), kSkin_m + reach_m, filter(also_ignored));
     for (const OverlapHit& hit : hits) {
         contacts.push_back({.body = hit.body,
                             .user = hit.user,
@@ -141,7 +144,7 @@ bool CapsuleProbe::is_free(const Vec3d& feet) const {
 }
 
 std::optional<RayHit> CapsuleProbe::ray(const Vec3& from, const Vec3& to) const {
-    return world_.cast_ray(from, to, filter({}));
+    return cast_ray(world_, from, to, filter({}));
 }
 
 bool CapsuleProbe::is_flat(const Support& support) const {

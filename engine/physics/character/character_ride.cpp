@@ -41,7 +41,7 @@ Pose repeat(const Pose& before, const Pose& now) {
 
 Real Character::Impl::follow_ride() {
     if (!ride) return 0;
-    if (!world.contains(ride->body) || world.frozen(ride->body)) {
+    if (!world.contains(ride->body) || world.state(ride->body).frozen) {
         ride.reset();
         return 0;
     }
@@ -58,26 +58,25 @@ Real Character::Impl::follow_ride() {
     slide_freely(real - expected, ride->body);
     const Pose before = ride->now;
     ride->now = found.world_from_body;
-    ride->next = world.kind(ride->body) == BodyKind::Kinematic ? repeat(before, ride->now)
-                                                               : coast(found, dt);
+    ride->next = found.kind == BodyKind::Kinematic ? repeat(before, ride->now) : coast(found, dt);
     ride->velocity = (transform_point(ride->next, ride->anchor_body) - real) / dt;
     return turned_rad;
 }
 
 bool Character::Impl::is_on_a_platform() const {
     if (!ride) return false;
-    if (world.kind(ride->body) == BodyKind::Kinematic) return true;
-    const Vec3 tumbling = level(world.state(ride->body).angular_velocity_radps);
+    const BodyState found = world.state(ride->body);
+    if (found.kind == BodyKind::Kinematic) return true;
+    const Vec3 tumbling = level(found.angular_velocity_radps);
     if (gives_way_to_us(ride->body) || glm::length(tumbling) > kTumbling_radps) return false;
     return probe.is_flat(ground);
 }
 
 std::optional<Ride> Character::Impl::ride_on_ground() const {
-    const bool carries = footing == Footing::Ground && world.contains(ground.body) &&
-                         world.kind(ground.body) != BodyKind::Static && !world.frozen(ground.body);
-    if (!carries) return std::nullopt;
-    if (ride && ride->body == ground.body) return ride;
+    if (footing != Footing::Ground || !world.contains(ground.body)) return std::nullopt;
     const BodyState found = world.state(ground.body);
+    if (found.kind == BodyKind::Static || found.frozen) return std::nullopt;
+    if (ride && ride->body == ground.body) return ride;
     return Ride{.body = ground.body, .now = found.world_from_body, .next = coast(found, dt)};
 }
 
@@ -96,11 +95,10 @@ Real Character::Impl::carry() {
 }
 
 void Character::Impl::press_down() const {
-    if (footing != Footing::Ground || !world.contains(ground.body) ||
-        world.kind(ground.body) != BodyKind::Dynamic || world.frozen(ground.body)) {
-        return;
-    }
-    const Real mass = world.mass_properties(ground.body).mass_kg;
+    if (footing != Footing::Ground || !world.contains(ground.body)) return;
+    const BodyState below = world.state(ground.body);
+    if (!below.pushable()) return;
+    const Real mass = below.mass.mass_kg;
     const Real shared = def.mass_kg * mass / (def.mass_kg + mass);
     const Real impulse = def.mass_kg * gravity_mps2 * dt + shared * state.landing_speed_mps;
     world.wake(ground.body);
@@ -111,9 +109,9 @@ void Character::Impl::press_down() const {
 /// see the torque of forces off centre, and a crate with a person at its edge would creep away.
 void Character::Impl::push(BodyId pushed, const Vec3& impulse_Ns, const Vec3& point_world) const {
     if (world.def().solver == Solver::SmallStep) {
-        world.apply_force_at(pushed, impulse_Ns / dt, point_world);
+        world.apply_force(pushed, impulse_Ns / dt, point_world);
     } else {
-        world.apply_impulse_at(pushed, impulse_Ns, point_world);
+        world.apply_impulse(pushed, impulse_Ns, point_world);
     }
 }
 

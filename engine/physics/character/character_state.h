@@ -7,6 +7,7 @@
 
 #include "engine/core/io/pose_archive.h"
 #include "engine/physics/character.h"
+#include "engine/physics/query.h"
 
 #include <array>
 #include <optional>
@@ -36,7 +37,7 @@ struct LimitPlane {
     Real room_m{0};
 };
 
-/// At most five planes met in one motion; nearly equal ones are merged.
+/// At most five planes hit in one motion; nearly equal ones are merged.
 class PlaneSet {
 public:
     void add(const LimitPlane& plane);

@@ -14,7 +14,7 @@ namespace plumbline::physics {
 struct PredictedChange {
     Vec3 change_mps{0, 0, 0};  ///< the largest
     bool backed{false};        ///< ... from what does not give way
-    bool spread{false};        ///< its pairs have been looked at again
+    bool spread{false};        ///< its pairs have been tested again
 };
 
 /// `a` has the lower id.
@@ -24,8 +24,8 @@ struct Pair {
     std::vector<Manifold> manifolds;  ///< in an order that does not depend on addresses
     Real base_m{0};                   ///< points of a slow pair count up to this distance
     Real reach_m{0};                  ///< and those of the latest step up to this one
-    Real predicted_mps{0};            ///< of both bodies, as the latest look knew it
-    std::uint32_t seen{0};            ///< the walk that looked at it last
+    Real predicted_mps{0};            ///< of both bodies, as the latest test knew it
+    std::uint32_t seen{0};            ///< the walk that visited it last
     bool touches{false};              ///< has contact points
     bool round{false};                ///< a sphere: its points are new in every step
     bool boxes{false};                ///< two boxes: likewise, found at any distance

@@ -62,7 +62,7 @@ bool is_face_of_box(const Mat3& axes, const Vec3& normal) {
 }
 
 /// Whether a sphere or capsule that is near a box's edge goes by: one that slides over the seam
-/// between two boxes must not bump into the edge of the next, which it only looks at from below.
+/// between two boxes must not bump into the edge of the next, which lies below its path.
 bool passes_edge(const Manifold& manifold, const ManifoldPoint& point, Real step_s) {
     constexpr Real kTouch = 0.005_r;  // of the radius, as is the next
     constexpr Real kFar = 0.1_r;
@@ -105,7 +105,7 @@ Real reach_of(const Pair& pair, const CollideStep& step) {
     const BodyRecord& b = *pair.b;
     const Vec3 apart = a.motion->velocity_mps - b.motion->velocity_mps;
     const Real speed = glm::length(apart) + spin_mps(a) + spin_mps(b) + predicted_mps(pair);
-    const Real displacement = speed * step.step_s + step.fall_m;
+    const Real displacement = speed * step.step_s + step.drop_m;
     // Resting bodies keep the distances at which Bullet merges and keeps points.
     if (!pair.boxes && 2 * displacement <= pair.base_m) return pair.base_m;
     // Points of round shapes are found at any distance; what others reach no further for is swept.
@@ -115,7 +115,7 @@ Real reach_of(const Pair& pair, const CollideStep& step) {
 }
 
 bool knows_less(const Pair& pair, const CollideStep& step) {
-    // Boxes that only an impact brings together meet in the next step, at most their CCD spheres apart.
+    // Boxes that only an impact brings together collide in the next step, at most their CCD spheres apart.
     return !pair.boxes &&
            2 * (predicted_mps(pair) - pair.predicted_mps) * step.step_s > pair.base_m;
 }
@@ -128,7 +128,7 @@ bool is_reachable(const Manifold& manifold,
     const Real closing = std::max(Real{0}, closing_mps(manifold, point));
     const Vec3 gap = point.a.surface_m - point.b.surface_m;
     const Real drift2 = glm::dot(gap, gap) - point.distance_m * point.distance_m;
-    const bool is_far = point.distance_m > near_m + closing * step.step_s + step.fall_m;
+    const bool is_far = point.distance_m > near_m + closing * step.step_s + step.drop_m;
     return !is_far && !(drift2 > near_m * near_m);
 }
 

@@ -1,6 +1,6 @@
-// How far apart two bodies' points are looked for, and what points say of the step.
+// How far apart two bodies' points are searched, and what points say of the step.
 //
-// Points are found before bodies touch when they close fast enough to meet within the step. What is
+// Points are found before bodies touch when they close fast enough to collide within the step. What is
 // farther than that is dropped again at once, so slow pairs keep Bullet's distances.
 #pragma once
 
@@ -11,10 +11,10 @@ namespace plumbline::physics {
 /// What colliding needs to know of the step.
 struct CollideStep {
     Real step_s{0};
-    Real fall_m{0};  ///< what gravity adds to any motion within the step, at most
+    Real drop_m{0};  ///< what gravity adds to any motion within the step, at most
 };
 
-/// The impact of a pair that meets within the step.
+/// The impact of a pair that collides within the step.
 struct PairImpact {
     PredictedChange on_a;
     PredictedChange on_b;
@@ -26,7 +26,7 @@ Real reach_of(const Pair& pair, const CollideStep& step);
 Real near_m(const Pair& pair);
 /// Of both bodies.
 Real predicted_mps(const Pair& pair);
-/// Whether predicted changes since the pair's latest look let its bodies come noticeably farther.
+/// Whether predicted changes since the pair's latest test let its bodies come noticeably farther.
 bool knows_less(const Pair& pair, const CollideStep& step);
 
 /// Whether the bodies can close the point within the step: near ones count anyway.
@@ -35,7 +35,7 @@ bool is_reachable(const Manifold& manifold,
                   Real near_m,
                   const CollideStep& step);
 
-/// The impact of a pair that meets within this step faster than it rests.
+/// The impact of a pair that collides within this step faster than it rests.
 PairImpact impact_of(const Pair& pair, const CollideStep& step);
 
 }  // namespace plumbline::physics

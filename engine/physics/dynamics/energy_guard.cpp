@@ -151,7 +151,7 @@ double EnergyGuard::end(std::span<SolverBody> bodies,
     const double from_springs_J = elastic_J_ > 0 ? elastic_J_ - elastic_J(bodies, joints) : 0;
     const double allowed_J = start_J_ * (1 + share_) + std::max(work, 0.0) + slack_J_ +
                              std::max(from_springs_J, 0.0) + share_ * elastic_J_;
-    // Not finite: whoever looks at single bodies takes them out.
+    // Not finite: the check of single bodies isolates them.
     if (!(now_J > allowed_J) || !std::isfinite(now_J)) return 0;
     const auto kept = static_cast<Real>(std::sqrt(allowed_J / now_J));
     for (SolverBody& body : bodies) {

@@ -40,7 +40,6 @@ struct IslandStep {
     JointMethod joints{JointMethod::Direct};
     WorldFeatures features{};
     StepCost* cost{nullptr};
-    FeatureUse* use{nullptr};
 };
 
 /// Solves one island after the other: writes poses and velocities into the bodies' BodyMotion, mean

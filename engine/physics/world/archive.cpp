@@ -22,7 +22,7 @@ void serialize_body(Archive& archive, BodyRecord& record) {
     archive(record.contact_events,
             record.frozen,
             record.in_world,
-            record.poisoned,
+            record.invalid,
             record.drive.has_target,
             record.drive.driven,
             record.applied.by_caller,
@@ -56,8 +56,9 @@ void abandon(WorldState& world) {
         record->small.pairs.clear();
     });
     world.joints = {};
-    for (auto* ids : {&world.poisoned, &world.quarantined}) ids->clear();
-    world.broken_joints.clear();
+    world.invalid.clear();
+    world.report.isolated.clear();
+    world.report.broken_joints.clear();
     world.build_engine(world.def);
 }
 
@@ -104,7 +105,7 @@ void serialize_joints(Archive& archive, const BodyScope& scope, JointTable& join
         joint.id = id;
         joint.a = a->get();
         joint.b = b != nullptr ? b->get() : nullptr;
-        if (!joint.state.broken) keep_apart(joint);
+        if (!joint.state.broken) exclude_collision(joint);
     });
 }
 
@@ -159,13 +160,13 @@ void PhysicsWorld::serialize(Archive& archive, const std::function<bool(BodyId)>
     if (!archive.failed()) physics::serialize_engine(archive, *world.engine, scope, world.joints);
     if (world.small && !archive.failed()) world.small->serialize(archive, scope);
     if (is_whole && !archive.failed()) {
-        archive(world.poisoned,
-                world.quarantined,
-                world.broken_joints,
-                world.events,
+        archive(world.invalid,
+                world.report.isolated,
+                world.report.broken_joints,
+                world.report.contacts,
                 world.events_asleep,
                 world.slept_through);
-        archive.expect(std::ranges::all_of(world.broken_joints,
+        archive.expect(std::ranges::all_of(world.report.broken_joints,
                                            [&](JointId id) { return world.joints.contains(id); }),
                        "a joint that broke is not there");
     }

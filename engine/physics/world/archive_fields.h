@@ -34,10 +34,6 @@ inline void serialize(Archive& archive, Transform& at) {
     archive(at.rotation[0], at.rotation[1], at.rotation[2], at.position_m);
 }
 
-inline void serialize(Archive& archive, WorldFeatures& features) {
-    archive(features.continuous_collision, features.gyroscopic_torque, features.contact_events);
-}
-
 inline void serialize(Archive& archive, BallisticState& ballistic) {
     archive(ballistic.position_m,
             ballistic.velocity_mps,

@@ -19,7 +19,7 @@ namespace plumbline::physics {
 
 struct RigidBody;
 
-/// Faster is never simulated: a wall at 60 Hz would be 170 m away when the body is next looked at.
+/// Faster is never simulated: a wall at 60 Hz would be 170 m away at its next step.
 inline constexpr Real kMaxSpeed_mps = 1e4_r;
 inline constexpr Real kMaxSpin_radps = 1e4_r;
 /// Beyond it a body is taken out: float32 places it no better than to 6 cm there.
@@ -125,8 +125,8 @@ struct BodyRecord {
     bool can_sleep{true};
     bool contact_events{false};
     bool frozen{false};
-    bool in_world{false};  ///< false once quarantined
-    bool poisoned{false};  ///< somebody gave it a non-finite number: out before the next step
+    bool in_world{false};  ///< false once isolated
+    bool invalid{false};   ///< got a number that is not finite: isolated before the next step
 
     BodyMotion* motion{nullptr};  ///< one of the world's BodyMotions
     BodyTraits traits{};

@@ -1,4 +1,5 @@
 // Contact events: one line per touching pair.
+#include "engine/physics/totals.h"
 #include "engine/physics/world/world_state.h"
 
 #include <algorithm>
@@ -129,9 +130,9 @@ std::vector<ContactEvent> finished_events(const WorldState& world,
     return events;
 }
 
-std::vector<ContactEvent> WorldReport::all_contacts() const {
+std::vector<ContactEvent> all_contacts(const PhysicsWorld& world) {
     std::vector<ContactEvent> list;
-    gather_events(world_, true, list);
+    gather_events(internals(world), true, list);
     return merged(std::move(list));
 }
 

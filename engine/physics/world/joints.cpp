@@ -125,7 +125,7 @@ std::string fault_of(const JointDef& joint, const BodyTable& bodies) {
     return fault_of_numbers(joint);
 }
 
-void keep_apart(JointRecord& joint) {
+void exclude_collision(JointRecord& joint) {
     if (joint.b == nullptr || joint.def.collide) return;
     joint.a->excluded.push_back(joint.b);
     joint.b->excluded.push_back(joint.a);
@@ -158,9 +158,9 @@ void gather_joint_loads(JointTable& joints, double substep_s) {
     });
 }
 
-std::vector<JointId> settle_joints(JointTable& joints) {
-    std::vector<JointId> overloaded;
-    joints.each([&overloaded](JointId id, std::unique_ptr<JointRecord>& record) {
+void settle_joints(WorldState& world) {
+    std::vector<JointId>& broken = world.report.broken_joints;
+    world.joints.each([&broken](JointId id, std::unique_ptr<JointRecord>& record) {
         JointRecord& joint = *record;
         if (joint.state.broken) return;
         if (const auto load = joint.bullet ? joint.bullet->mean_load() : std::nullopt) {
@@ -168,14 +168,9 @@ std::vector<JointId> settle_joints(JointTable& joints) {
             joint.state.torque_Nm = static_cast<Real>(load->torque_Nm);
             measure(joint);
         }
-        if (joint.def.break_N > 0 && joint.state.force_N > joint.def.break_N)
-            overloaded.push_back(id);
+        if (joint.def.break_N > 0 && joint.state.force_N > joint.def.break_N) broken.push_back(id);
     });
-    return overloaded;
-}
-
-void break_joints(WorldState& world, std::span<const JointId> ids) {
-    for (const JointId id : ids) {
+    for (const JointId id : broken) {
         JointRecord& joint = *world.joints.get(id);
         world.wake_ends(joint);
         detach_joint(joint, *world.engine);
@@ -184,13 +179,13 @@ void break_joints(WorldState& world, std::span<const JointId> ids) {
 }
 
 void unload_broken_joints(WorldState& world) {
-    for (const JointId id : world.broken_joints) {
+    for (const JointId id : world.report.broken_joints) {
         if (!world.joints.contains(id)) continue;
         JointState& state = world.joints.get(id)->state;
         state.force_N = 0;
         state.torque_Nm = 0;
     }
-    world.broken_joints.clear();
+    world.report.broken_joints.clear();
 }
 
 double elastic_energy_J(const JointTable& joints) {
@@ -207,61 +202,45 @@ double elastic_energy_J(const JointTable& joints) {
     return sum_J;
 }
 
-Result<JointId> WorldJoints::create_joint(const JointDef& joint_def) {
-    const std::string fault = fault_of(joint_def, world_.bodies);
+Result<JointId> PhysicsWorld::create_joint(const JointDef& joint_def) {
+    const std::string fault = fault_of(joint_def, state_->bodies);
     if (!fault.empty()) return Error{fault, ExitCode::Refused};
-    const JointId id = world_.joints.insert(std::make_unique<JointRecord>());
-    JointRecord& joint = *world_.joints.get(id);
+    const JointId id = state_->joints.insert(std::make_unique<JointRecord>());
+    JointRecord& joint = *state_->joints.get(id);
     joint.id = id;
     joint.def = joint_def;
-    joint.a = &world_.body(joint_def.a);
-    joint.b = joint_def.b ? &world_.body(joint_def.b) : nullptr;
+    joint.a = &state_->body(joint_def.a);
+    joint.b = joint_def.b ? &state_->body(joint_def.b) : nullptr;
     joint.solver = placed_joint(joint_def, mass_pose(*joint.a), mass_pose_of_b(joint));
     joint.solver.key = key_of(id);
     measure(joint);
     joint.a->joints.push_back(id);
     if (joint.b != nullptr) joint.b->joints.push_back(id);
     if (joint.b != nullptr && !joint.def.collide) {
-        keep_apart(joint);
-        world_.engine->forget_pair(*joint.a, *joint.b);
+        exclude_collision(joint);
+        state_->engine->forget_pair(*joint.a, *joint.b);
     }
-    if (!world_.small) joint.bullet = std::make_unique<BulletJoint>(joint, world_.engine->world());
-    world_.wake_ends(joint);
+    if (!state_->small)
+        joint.bullet = std::make_unique<BulletJoint>(joint, state_->engine->world());
+    state_->wake_ends(joint);
     return id;
 }
 
-bool WorldJoints::contains(JointId id) const {
-    return world_.joints.contains(id);
+bool PhysicsWorld::contains(JointId id) const {
+    return state_->joints.contains(id);
 }
-std::size_t WorldJoints::joint_count() const {
-    return world_.joints.size();
-}
-const JointDef& WorldJoints::joint_def(JointId id) const {
-    return world_.joints.get(id)->def;
-}
-const JointState& WorldJoints::joint_state(JointId id) const {
-    return world_.joints.get(id)->state;
+JointView PhysicsWorld::joint(JointId id) const {
+    const JointRecord& joint = *state_->joints.get(id);
+    return {.def = joint.def, .state = joint.state};
 }
 
-void WorldJoints::set_joint_motor(JointId id, const std::optional<JointMotor>& motor) {
-    JointRecord& joint = *world_.joints.get(id);
+void PhysicsWorld::set_joint_motor(JointId id, const std::optional<JointMotor>& motor) {
+    JointRecord& joint = *state_->joints.get(id);
     if (!has_motor(joint.def.kind) || (motor && !is_good(*motor))) return;
     joint.def.motor = motor;
     joint.solver.motor = motor;
     if (joint.bullet) joint.bullet->drive();
-    world_.wake_ends(joint);
-}
-
-std::span<const JointId> WorldJoints::broken_joints() const {
-    return world_.broken_joints;
-}
-
-double WorldJoints::max_joint_error_m() const {
-    double most_m = 0;
-    world_.joints.each([&most_m](JointId, const std::unique_ptr<JointRecord>& record) {
-        if (!record->state.broken) most_m = std::max(most_m, record->state.error_m);
-    });
-    return most_m;
+    state_->wake_ends(joint);
 }
 
 }  // namespace plumbline::physics

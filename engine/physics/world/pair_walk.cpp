@@ -11,13 +11,13 @@ namespace {
 constexpr int kImpactRounds = 16;
 
 /// The pairs with points, in order.
-void list_met(std::span<BodyRecord* const> bodies, std::vector<Pair*>& met) {
-    met.clear();
+void list_touching(std::span<BodyRecord* const> bodies, std::vector<Pair*>& touching) {
+    touching.clear();
     for (const BodyRecord* record : bodies) {
         for (const PairLink& link : record->small.pairs) {
             if (!link.pair->touches) continue;
             const bool listed = link.other < record->id && pushable(partner(*link.pair, *record));
-            if (!listed) met.push_back(link.pair);
+            if (!listed) touching.push_back(link.pair);
         }
     }
 }
@@ -32,28 +32,28 @@ void list_manifolds(Pair& pair, std::vector<Manifold*>& list) {
 
 std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& touching) {
     ++number_;
-    looks_ = 0;
+    tests_ = 0;
     nearest_.begin_step();
-    met_.clear();
-    struck_.clear();
+    touching_pairs_.clear();
+    impacted_.clear();
     if (nearest_.needed()) complete_crowds(bodies);
-    for (BodyRecord* record : bodies.dynamic()) look_at(*record, bodies);
-    for (BodyRecord* record : bodies.kinematic()) look_at(*record, bodies);
-    // What was woken looks at its own pairs, which may wake more.
-    bool met_in_order = true;
-    std::size_t looked = 0;
+    for (BodyRecord* record : bodies.dynamic()) visit(*record, bodies);
+    for (BodyRecord* record : bodies.kinematic()) visit(*record, bodies);
+    // The pairs of woken bodies may wake more.
+    bool in_order = true;
+    std::size_t visited = 0;
     do {
-        for (; looked < bodies.woken().size(); ++looked) {
-            BodyRecord& woken = *bodies.woken()[looked];
+        for (; visited < bodies.woken().size(); ++visited) {
+            BodyRecord& woken = *bodies.woken()[visited];
             if (woken.crowd != nullptr) nearest_.complete(woken);
-            look_at(woken, bodies);
+            visit(woken, bodies);
         }
-        if (!struck_.empty()) met_in_order = false;
-    } while (spread_impacts(bodies) || looked < bodies.woken().size());
-    if (bodies.admit_woken()) met_in_order = false;
-    if (!met_in_order) list_met(bodies.dynamic(), met_);
-    for (Pair* pair : met_) list_manifolds(*pair, touching);
-    return looks_;
+        if (!impacted_.empty()) in_order = false;
+    } while (spread_impacts(bodies) || visited < bodies.woken().size());
+    if (bodies.admit_woken()) in_order = false;
+    if (!in_order) list_touching(bodies.dynamic(), touching_pairs_);
+    for (Pair* pair : touching_pairs_) list_manifolds(*pair, touching);
+    return tests_;
 }
 
 void PairWalk::complete_crowds(const AwakeBodies& bodies) {
@@ -64,7 +64,7 @@ void PairWalk::complete_crowds(const AwakeBodies& bodies) {
     }
 }
 
-void PairWalk::look_at(BodyRecord& body, AwakeBodies& bodies) {
+void PairWalk::visit(BodyRecord& body, AwakeBodies& bodies) {
     for (std::size_t i = 0; i < body.small.pairs.size();) {
         Pair& pair = *body.small.pairs[i].pair;
         if (pair.seen == number_ || keep(pair, bodies))
@@ -74,7 +74,7 @@ void PairWalk::look_at(BodyRecord& body, AwakeBodies& bodies) {
     }
 }
 
-/// Looks at the pair, once a walk. Whether it goes on being one.
+/// Visits the pair, once a walk. Whether it stays in the list of pairs.
 bool PairWalk::keep(Pair& pair, AwakeBodies& bodies) {
     pair.seen = number_;
     if (!boxes_overlap(pair)) {
@@ -82,13 +82,13 @@ bool PairWalk::keep(Pair& pair, AwakeBodies& bodies) {
         return !boxes_are_far(pair);
     }
     if (!nearest_.take(*pair.a, *pair.b)) return false;
-    look(pair, bodies);
-    if (pair.touches) met_.push_back(&pair);
+    find_points(pair, bodies);
+    if (pair.touches) touching_pairs_.push_back(&pair);
     return true;
 }
 
-void PairWalk::look(Pair& pair, AwakeBodies& bodies) {
-    ++looks_;
+void PairWalk::find_points(Pair& pair, AwakeBodies& bodies) {
+    ++tests_;
     collider_.collide(pair, step_);
     if (!pair.touches) return;
     if (sleeps(*pair.a)) bodies.wake(*pair.a);
@@ -105,27 +105,28 @@ void PairWalk::note_impact(BodyRecord& record, const PredictedChange& impact) {
         glm::dot(impact.change_mps, impact.change_mps) <= glm::dot(known, known)) {
         return;
     }
-    if (known == Vec3{0, 0, 0}) struck_.push_back(&record);
+    if (known == Vec3{0, 0, 0}) impacted_.push_back(&record);
     record.small.predicted = impact;
 }
 
-/// Looks again, farther, at the pairs of bodies that were struck. Whether any was.
+/// Finds points again, to a larger distance, for the pairs of bodies with new impacts. Whether any
+/// body had one.
 bool PairWalk::spread_impacts(AwakeBodies& bodies) {
-    if (struck_.empty()) return false;
-    for (int round = 0; round < kImpactRounds && !struck_.empty(); ++round) {
-        std::swap(spreading_, struck_);
-        struck_.clear();
+    if (impacted_.empty()) return false;
+    for (int round = 0; round < kImpactRounds && !impacted_.empty(); ++round) {
+        std::swap(spreading_, impacted_);
+        impacted_.clear();
         std::sort(spreading_.begin(), spreading_.end(), by_id);
         for (BodyRecord* record : spreading_) record->small.predicted.spread = true;
         for (BodyRecord* record : spreading_) {
             for (const PairLink& link : record->small.pairs) {
                 if (boxes_overlap(*link.pair) && knows_less(*link.pair, step_) &&
                     nearest_.takes_part(*link.pair->a, *link.pair->b))
-                    look(*link.pair, bodies);
+                    find_points(*link.pair, bodies);
             }
         }
     }
-    struck_.clear();
+    impacted_.clear();
     return true;
 }
 

@@ -19,18 +19,18 @@ public:
 
     /// Of the steps from now on.
     void set_step(const CollideStep& step) { step_ = step; }
-    /// Finds contact points. What is touched wakes and looks at its own pairs. `touching` gets the
+    /// Finds contact points. Touched bodies wake, and their pairs are visited too. `touching` gets the
     /// manifolds that have points, each awake body's pairs in the order of the other's id, a pair of
-    /// two awake ones at the lower. Returns how many pairs were looked at.
+    /// two awake ones at the lower. Returns how often a pair was tested.
     std::uint32_t collide(AwakeBodies& bodies, std::vector<Manifold*>& touching);
     /// How many pairs the latest collide() left out of a crowd.
     std::uint64_t left_out() const { return nearest_.left_out(); }
 
 private:
     void complete_crowds(const AwakeBodies& bodies);
-    void look_at(BodyRecord& body, AwakeBodies& bodies);
+    void visit(BodyRecord& body, AwakeBodies& bodies);
     bool keep(Pair& pair, AwakeBodies& bodies);
-    void look(Pair& pair, AwakeBodies& bodies);
+    void find_points(Pair& pair, AwakeBodies& bodies);
     void note_impact(BodyRecord& record, const PredictedChange& impact);
     bool spread_impacts(AwakeBodies& bodies);
 
@@ -38,10 +38,10 @@ private:
     PairCollider collider_;
     NearestPairs& nearest_;
     CollideStep step_{};
-    std::uint32_t number_{0};  ///< of the walk
-    std::uint32_t looks_{0};   ///< in this walk
-    std::vector<Pair*> met_;   ///< with points
-    std::vector<BodyRecord*> struck_;
+    std::uint32_t number_{0};            ///< of the walk
+    std::uint32_t tests_{0};             ///< of pairs in this walk
+    std::vector<Pair*> touching_pairs_;  ///< with points
+    std::vector<BodyRecord*> impacted_;
     std::vector<BodyRecord*> spreading_;
 };
 

@@ -41,10 +41,11 @@ WorldState::WorldState(const WorldDef& world_def) {
 void WorldState::build_engine(const WorldDef& world_def) {
     check_def(world_def);
     def = world_def;
-    engine = std::make_unique<BulletEngine>(def, cost);
+    report.islands.clear();
+    engine = std::make_unique<BulletEngine>(def, report);
     if (def.solver == Solver::SmallStep) {
         small = std::make_unique<SmallStepWorld>(
-            SmallStepParts{.def = def, .engine = *engine, .joints = joints});
+            SmallStepParts{.def = def, .engine = *engine, .joints = joints, .report = report});
         small->after_solve = [this] { gather_events(*this, false, gathered); };
     }
 }
@@ -85,7 +86,7 @@ void PhysicsWorld::reconfigure(const WorldDef& def) {
         [&](BodyId id, const std::unique_ptr<BodyRecord>&) { states.push_back(state(id)); });
     world.take_engine_down();
     world.build_engine(def);
-    world.events.clear();
+    world.report.contacts.clear();
 
     auto kept = states.begin();
     world.bodies.each([&](BodyId id, std::unique_ptr<BodyRecord>& record) {

@@ -32,16 +32,16 @@ void list_joints(std::span<BodyRecord* const> bodies,
 }  // namespace
 
 SmallStepWorld::SmallStepWorld(const SmallStepParts& parts)
-    : parts_(parts), pairs_(parts.engine), sweep_(parts.joints) {
+    : parts_(parts), report_(parts.report), pairs_(parts.engine), sweep_(parts.joints) {
     take_rate();
 }
 
 void SmallStepWorld::take_rate() {
     gravity_mps2_ = static_cast<double>(glm::length(parts_.def.gravity_mps2));
     step_s_ = static_cast<Real>(parts_.def.step_s);
-    fall_m_ = static_cast<Real>(gravity_mps2_) * step_s_ * step_s_;
+    drop_m_ = static_cast<Real>(gravity_mps2_) * step_s_ * step_s_;
     bodies.make_boxes_stale();  // they reach as far as a step takes a body
-    pairs_.set_step({.step_s = step_s_, .fall_m = fall_m_});
+    pairs_.set_step({.step_s = step_s_, .drop_m = drop_m_});
 }
 
 void SmallStepWorld::serialize(Archive& archive, const BodyScope& scope) {
@@ -54,7 +54,6 @@ void SmallStepWorld::serialize(Archive& archive, const BodyScope& scope) {
 void SmallStepWorld::begin_step() {
     bodies.admit_woken();
     touching_.clear();
-    reports.clear();
 }
 
 void SmallStepWorld::step(const WorldFeatures& wanted, bool want_contacts) {
@@ -63,25 +62,25 @@ void SmallStepWorld::step(const WorldFeatures& wanted, bool want_contacts) {
     if (bodies.idle()) return;
     WorldFeatures features = wanted;
     features.gyroscopic_torque = find_turning(wanted);
-    cost.integrate_ms += laps_.lap_ms();
+    report_.cost.integrate_ms += laps_.lap_ms();
 
     for (BodyRecord* record : bodies.dynamic()) {
         if (record->small.box_stale) refresh_box(*record);
     }
     for (BodyRecord* record : bodies.kinematic()) refresh_box(*record);
     parts_.engine.find_pairs();
-    cost.broad_ms += laps_.lap_ms();
-    cost.pairs += pairs_.collide(bodies, touching_);
-    cost.interventions.left_out_pairs = pairs_.left_out();
-    cost.narrow_ms += laps_.lap_ms();
+    report_.cost.broad_ms += laps_.lap_ms();
+    report_.cost.pairs += pairs_.collide(bodies, touching_);
+    report_.cost.interventions.left_out_pairs = pairs_.left_out();
+    report_.cost.narrow_ms += laps_.lap_ms();
 
     list_joints(bodies.dynamic(), parts_.joints, joined_);
     builder_.build(bodies.dynamic(), touching_, joined_);
     solve_islands(features);
-    cost.solve_ms += laps_.lap_ms();
+    report_.cost.solve_ms += laps_.lap_ms();
     if (want_contacts) {
         after_solve();
-        use.events_ms += laps_.lap_ms();
+        report_.use.events_ms += laps_.lap_ms();
     }
 
     move_free_bodies(features);
@@ -92,19 +91,19 @@ void SmallStepWorld::step(const WorldFeatures& wanted, bool want_contacts) {
     for (const BodyRecord* record : bodies.kinematic()) write_rigid_pose(*record);
     if (features.continuous_collision) stop_swept_bodies(bodies.dynamic());
     put_to_sleep(builder_.islands());
-    cost.integrate_ms += laps_.lap_ms();
+    report_.cost.integrate_ms += laps_.lap_ms();
     for (BodyRecord* record : bodies.dynamic()) refresh_box(*record);
     for (BodyRecord* record : bodies.kinematic()) refresh_box(*record);
-    cost.broad_ms += laps_.lap_ms();
+    report_.cost.broad_ms += laps_.lap_ms();
 }
 
 /// Whether gyroscopic torque acts in this step.
 bool SmallStepWorld::find_turning(const WorldFeatures& features) {
     for (const BodyRecord* record : bodies.dynamic()) {
         if (!feels_gyro(*record, features)) continue;
-        if (use.gyro_bodies++ == 0) use.turned = record->id;
+        if (report_.use.gyro_bodies++ == 0) report_.use.turned = record->id;
     }
-    return features.gyro_waits_for_spin ? use.gyro_bodies > 0 : features.gyroscopic_torque;
+    return features.gyro_waits_for_spin ? report_.use.gyro_bodies > 0 : features.gyroscopic_torque;
 }
 
 /// A box round the body now and wherever it can be at the end of a step that nothing disturbs.
@@ -115,7 +114,7 @@ void SmallStepWorld::refresh_box(BodyRecord& record) {
     if (record.applied.by_caller)
         displacement += record.applied.force_N * (record.motion->inverse_mass * step_s_ * step_s_);
     const Real turn_rad = glm::length(record.motion->spin_radps) * step_s_;
-    const Real margin_m = record.traits.contact_margin_m + fall_m_ +
+    const Real margin_m = record.traits.contact_margin_m + drop_m_ +
                           std::min(turn_rad, Real{2}) * record.traits.radius_m;
     for (int axis = 0; axis < 3; ++axis) {
         low[axis] += std::min(displacement[axis], Real{0}) - margin_m;
@@ -135,14 +134,13 @@ void SmallStepWorld::solve_islands(const WorldFeatures& features) {
                           .iterations = parts_.def.iterations,
                           .joints = parts_.def.joints,
                           .features = features,
-                          .cost = &cost,
-                          .use = &use};
+                          .cost = &report_.cost};
     solver_.begin_step();
     for (Island& island : builder_.islands()) {
-        reports.push_back(solver_.solve(island, step));
-        if (restore_if_invalid(island, step_s_)) ++cost.interventions.restored_islands;
+        report_.islands.push_back(solver_.solve(island, step));
+        if (restore_if_invalid(island, step_s_)) ++report_.cost.interventions.restored_islands;
         for (BodyRecord* record : island.bodies)
-            cost.interventions.limited_bodies += limit_speed(*record) ? 1U : 0U;
+            report_.cost.interventions.limited_bodies += limit_speed(*record) ? 1U : 0U;
     }
 }
 
@@ -160,9 +158,9 @@ void SmallStepWorld::move_free_bodies(const WorldFeatures& features) {
         if (feels_gyro(*record, features)) turning_.push_back(record);
     }
     if (turning_.empty()) return;
-    cost.integrate_ms += laps_.lap_ms();
+    report_.cost.integrate_ms += laps_.lap_ms();
     for (BodyRecord* record : turning_) turn_freely(*record, parts_.def.step_s);
-    use.gyro_ms += laps_.lap_ms();
+    report_.use.gyro_ms += laps_.lap_ms();
 }
 
 void SmallStepWorld::stop_swept_bodies(std::span<BodyRecord* const> moved) {
@@ -171,14 +169,14 @@ void SmallStepWorld::stop_swept_bodies(std::span<BodyRecord* const> moved) {
     for (BodyRecord* record : moved) {
         if (!moves_past_itself(*record)) continue;
         if (swept++ == 0) {
-            cost.integrate_ms += laps_.lap_ms();
-            use.swept = record->id;
+            report_.cost.integrate_ms += laps_.lap_ms();
+            report_.use.swept = record->id;
         }
         sweep_.stop_at_hit(parts_.engine.world(), *record, step_s_);
     }
     if (swept == 0) return;
-    use.swept_bodies += swept;
-    use.sweep_ms += laps_.lap_ms();
+    report_.use.swept_bodies += swept;
+    report_.use.sweep_ms += laps_.lap_ms();
 }
 
 void SmallStepWorld::put_to_sleep(std::span<const Island> islands) {

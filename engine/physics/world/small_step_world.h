@@ -1,7 +1,7 @@
 // One step around the island solver: who is awake, what touches what, who moves how, who falls
 // asleep.
 //
-// Bullet finds overlapping boxes and contact points; nothing else of it runs. A step looks at awake
+// Bullet finds overlapping boxes and contact points; nothing else of it runs. A step visits awake
 // bodies, moving kinematic ones and their pairs only: what sleeps costs nothing. Every order is one
 // of ids.
 #pragma once
@@ -24,6 +24,7 @@ struct SmallStepParts {
     const WorldDef& def;
     BulletEngine& engine;  ///< holds the bodies
     const JointTable& joints;
+    StepReport& report;  ///< added to
 };
 
 class SmallStepWorld {
@@ -41,9 +42,6 @@ public:
     std::span<Manifold* const> touching() const { return touching_; }
 
     AwakeBodies bodies;
-    StepCost cost{};
-    FeatureUse use{};
-    std::vector<IslandReport> reports;  ///< of the latest step
     std::function<void()> after_solve;  ///< velocities before are in the records
 
 private:
@@ -55,6 +53,7 @@ private:
     void put_to_sleep(std::span<const Island> islands);
 
     SmallStepParts parts_;
+    StepReport& report_;
     PairWalk pairs_;
     JointSweep sweep_;
     IslandBuilder builder_;
@@ -62,7 +61,7 @@ private:
     LapTimer laps_;
     double gravity_mps2_{0};
     Real step_s_{0};
-    Real fall_m_{0};  ///< what gravity adds to any motion within the step, at most
+    Real drop_m_{0};  ///< what gravity adds to any motion within the step, at most
 
     std::vector<Manifold*> touching_;
     std::vector<JointRecord*> joined_;

@@ -66,18 +66,15 @@ void each_moving(const WorldState& world, Fn&& fn) {
     for (BodyRecord* record : world.small->bodies.kinematic()) fn(*record);
 }
 
-/// Gravity, the callers' forces and the way of kinematic bodies, before the first substep. How many
-/// bodies the speed limit cut.
-std::uint32_t prepare_bodies(const WorldState& world) {
+/// Gravity, the callers' forces and the way of kinematic bodies, before the first substep.
+void prepare_bodies(WorldState& world) {
     const auto step_s = static_cast<Real>(world.def.step_s);
-    std::uint32_t limited_bodies = 0;
-    each_moving(world, [&limited_bodies, step_s](BodyRecord& record) {
+    each_moving(world, [&world, step_s](BodyRecord& record) {
         if (record.kind == BodyKind::Kinematic)
             prepare_kinematic(record, step_s);
         else if (is_active(record) && prepare_dynamic(record, step_s))
-            ++limited_bodies;
+            ++world.report.cost.interventions.limited_bodies;
     });
-    return limited_bodies;
 }
 
 /// Clears forces and takes out what the step made non-finite.
@@ -90,10 +87,16 @@ void settle_bodies(WorldState& world) {
     });
     for (BodyRecord* record : broken) {
         const Transform last = record->before.at;
-        world.quarantine(*record);
+        world.isolate(*record);
         record->motion->at = last;
         write_rigid_pose(*record);
     }
+}
+
+/// After the last substep.
+void settle(WorldState& world) {
+    settle_bodies(world);
+    settle_joints(world);
 }
 
 void advance_bullet(WorldState& world, bool want_contacts) {
@@ -101,7 +104,7 @@ void advance_bullet(WorldState& world, bool want_contacts) {
     std::function<void()> after_solve;
     if (want_contacts) after_solve = [&world] { gather_events(world, false, world.gathered); };
     engine.list_moving();
-    const std::uint32_t limited_bodies = prepare_bodies(world);
+    prepare_bodies(world);
     prepare_joints(world);
     engine.begin_step(world.features, std::move(after_solve));
     const double substep_s = world.def.step_s / world.def.substeps;
@@ -109,16 +112,7 @@ void advance_bullet(WorldState& world, bool want_contacts) {
         engine.advance(static_cast<Real>(substep_s), i + 1 == world.def.substeps);
         gather_joint_loads(world.joints, substep_s);
     }
-    settle_bodies(world);
-    world.broken_joints = settle_joints(world.joints);
-    break_joints(world, world.broken_joints);
-    const StepCost solved = world.cost;
-    world.cost = engine.cost();
-    world.cost.row_solves = solved.row_solves;
-    world.cost.contacts = solved.contacts;
-    world.cost.interventions.limited_bodies += limited_bodies;
-    world.cost.interventions.oversized_islands = solved.interventions.oversized_islands;
-    world.use = engine.use();
+    settle(world);
 }
 
 void advance_small(WorldState& world, bool want_contacts) {
@@ -126,22 +120,17 @@ void advance_small(WorldState& world, bool want_contacts) {
     small.begin_step();
     world.slept_through = small.bodies.idle();
     if (world.slept_through) return;
-    const std::uint32_t limited_bodies = prepare_bodies(world);
+    prepare_bodies(world);
     prepare_joints(world);
-    small.cost = {};
-    small.use = {};
     small.step(world.features, want_contacts);
-    settle_bodies(world);
-    world.broken_joints = settle_joints(world.joints);
-    break_joints(world, world.broken_joints);
-    world.cost = small.cost;
-    world.cost.interventions.limited_bodies += limited_bodies;
-    world.use = small.use;
+    settle(world);
 }
 
 /// Phases are clocked on the wall, which is cheaper to read: what other programs took of it in between
 /// is not this step's.
-void count_own_share(StepCost& cost, FeatureUse& use, double wall_ms) {
+void count_own_share(StepReport& report, double wall_ms) {
+    StepCost& cost = report.cost;
+    FeatureUse& use = report.use;
     if (wall_ms <= cost.total_ms) return;
     const double share = cost.total_ms / wall_ms;
     for (double* phase_ms : {&cost.broad_ms,
@@ -156,14 +145,14 @@ void count_own_share(StepCost& cost, FeatureUse& use, double wall_ms) {
 
 }  // namespace
 
-void WorldState::poison(BodyRecord& record) {
-    // What does not move by itself stays sound: the call that would spoil it is just not obeyed.
-    if (record.poisoned || !record.in_world || record.kind != BodyKind::Dynamic) return;
-    record.poisoned = true;
-    poisoned.push_back(record.id);
+void WorldState::mark_invalid(BodyRecord& record) {
+    // What does not move by itself stays sound: a call with such a number is ignored.
+    if (record.invalid || !record.in_world || record.kind != BodyKind::Dynamic) return;
+    record.invalid = true;
+    invalid.push_back(record.id);
 }
 
-void WorldState::quarantine(BodyRecord& record) {
+void WorldState::isolate(BodyRecord& record) {
     if (!record.in_world) return;
     remove_joints_of(record);
     leave_world(record);
@@ -172,7 +161,7 @@ void WorldState::quarantine(BodyRecord& record) {
     record.motion->spin_radps = {0, 0, 0};
     record.motion->ballistic = {};  // may be no numbers, and nobody asks any more
     record.small.rest = {};
-    quarantined.push_back(record.id);
+    report.isolated.push_back(record.id);
 }
 
 void PhysicsWorld::step() {
@@ -180,14 +169,16 @@ void PhysicsWorld::step() {
     const CpuTimer own_time;
     LapTimer wall;
     wall.start();
-    for (const BodyId id : world.poisoned) {
-        if (world.bodies.contains(id)) world.quarantine(world.body(id));
+    for (const BodyId id : world.invalid) {
+        if (world.bodies.contains(id)) world.isolate(world.body(id));
     }
-    world.poisoned.clear();
+    world.invalid.clear();
     unload_broken_joints(world);
 
-    world.cost = {};
-    world.use = {};
+    StepReport& report = world.report;
+    report.cost = {};
+    report.use = {};
+    report.islands.clear();
     world.gathered.clear();
     const bool want_contacts = world.features.contact_events && world.event_bodies > 0;
     if (world.small)
@@ -196,15 +187,16 @@ void PhysicsWorld::step() {
         advance_bullet(world, want_contacts);
     const bool nothing_changed = world.slept_through && world.events_asleep;
     if (!want_contacts) {
-        world.events.clear();
+        report.contacts.clear();
     } else if (!nothing_changed) {
         world.events_asleep = world.slept_through;
-        world.events = finished_events(world, std::move(world.gathered), std::move(world.events));
+        report.contacts =
+            finished_events(world, std::move(world.gathered), std::move(report.contacts));
     }
-    world.use.events = static_cast<std::uint32_t>(world.events.size());
+    report.use.events = static_cast<std::uint32_t>(report.contacts.size());
     const double wall_ms = wall.lap_ms();
-    world.cost.total_ms = own_time.ms();
-    count_own_share(world.cost, world.use, wall_ms);
+    report.cost.total_ms = own_time.ms();
+    count_own_share(report, wall_ms);
 }
 
 }  // namespace plumbline::physics

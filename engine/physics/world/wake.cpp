@@ -24,23 +24,14 @@ void WorldState::wake_neighbours(const BodyRecord& record) {
     for (const JointId id : record.joints) wake_ends(*joints.get(id));
 }
 
-void WorldBodies::wake(BodyId id) {
-    world_.wake(world_.body(id));
+void PhysicsWorld::wake(BodyId id) {
+    state_->wake(state_->body(id));
 }
 
 void WorldState::wake_ends(const JointRecord& joint) {
     if (joint.state.broken) return;
     wake(*joint.a);
     if (joint.b != nullptr) wake(*joint.b);
-}
-
-std::size_t WorldBodies::awake_count() const {
-    if (world_.small) return world_.small->bodies.count();
-    std::size_t count = 0;
-    world_.bodies.each([&count](BodyId, const std::unique_ptr<BodyRecord>& record) {
-        if (pushable(*record) && is_active(*record)) ++count;
-    });
-    return count;
 }
 
 }  // namespace plumbline::physics

@@ -32,8 +32,10 @@ struct WorldState {
     /// What touches the body or is joined to it.
     void wake_neighbours(const BodyRecord& record);
     void wake_ends(const JointRecord& joint);
-    void quarantine(BodyRecord& record);
-    void poison(BodyRecord& record);
+    /// Takes the body out of the simulation for good.
+    void isolate(BodyRecord& record);
+    /// A dynamic body has got a number that is not finite.
+    void mark_invalid(BodyRecord& record);
     void place(BodyRecord& record, const Transform& world_from_mass);
     void remove_joints_of(const BodyRecord& record);
 
@@ -52,18 +54,17 @@ struct WorldState {
     BodyMotions motions;  ///< outlive the bodies
     BodyTable bodies;
     JointTable joints;
-    std::vector<BodyId> poisoned;  ///< to be taken out before the next step
-    std::vector<BodyId> quarantined;
-    std::vector<JointId> broken_joints;  ///< by the latest step
-    std::size_t event_bodies{0};         ///< how many bodies asked for contact events
-    bool events_asleep{false};           ///< small_step: all that is listed sleeps
-    bool slept_through{false};           ///< small_step: nothing moved in the latest step
+    std::vector<BodyId> invalid;  ///< to be isolated before the next step
+    std::size_t event_bodies{0};  ///< how many bodies asked for contact events
+    bool events_asleep{false};    ///< small_step: all that is listed sleeps
+    bool slept_through{false};    ///< small_step: nothing moved in the latest step
 
-    StepCost cost{};
-    FeatureUse use{};
-    std::vector<ContactEvent> events;
+    StepReport report{};
     std::vector<ContactEvent> gathered;  ///< of the running step, not yet merged
 };
+
+/// For the functions of query.h, totals.h and debug_lines.h.
+const WorldState& internals(const PhysicsWorld& world);
 
 /// What the rate and gravity of a world make of a body's numbers.
 void suit_to_world(const WorldDef& def, BodyRecord& record);
@@ -87,15 +88,14 @@ constexpr std::uint64_t key_of(JointId id) {
     return (std::uint64_t{id.index} << 32U) | id.generation;
 }
 /// The two do not touch while the joint holds.
-void keep_apart(JointRecord& joint);
+void exclude_collision(JointRecord& joint);
 /// Before the first substep: what a moving kinematic body holds wakes.
 void prepare_joints(WorldState& world);
 /// After a substep: adds up what Bullet's joints carried.
 void gather_joint_loads(JointTable& joints, double substep_s);
-/// After the step: forces and errors of Bullet's joints. Which joints carried too much.
-std::vector<JointId> settle_joints(JointTable& joints);
-/// They carry nothing any more, and their bodies may touch.
-void break_joints(WorldState& world, std::span<const JointId> ids);
+/// After the step: forces and errors of Bullet's joints. Those that carried too much break: they carry
+/// nothing any more, and their bodies may touch.
+void settle_joints(WorldState& world);
 /// Joints that broke in the step before carry nothing in this one.
 void unload_broken_joints(WorldState& world);
 double elastic_energy_J(const JointTable& joints);

@@ -6,7 +6,7 @@ namespace plumbline::scene {
 
 ecs::Entity entity_of(const Simulation& simulation, physics::BodyId body) {
     return simulation.physics.contains(body)
-               ? entity_of_mark(simulation, simulation.physics.user(body))
+               ? entity_of_mark(simulation, simulation.physics.state(body).user)
                : ecs::Entity{};
 }
 

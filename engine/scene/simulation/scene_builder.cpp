@@ -1,4 +1,5 @@
 #include "engine/core/limits.h"
+#include "engine/physics/query.h"
 #include "engine/scene/build/entity_builder.h"
 #include "engine/scene/sections/scene_parts.h"
 #include "engine/scene/simulation.h"
@@ -58,15 +59,16 @@ void warn_of_overlaps(Simulation& simulation) {
     for (const MovingBody& body : moving) {
         if (pairs >= kOverlapsCounted) break;
         if (!body.convex || body.kind != physics::BodyKind::Dynamic) continue;
-        const Pose pose = simulation.physics.state(body.body).world_from_body;
-        const std::vector<physics::OverlapHit> hits =
-            simulation.physics.overlaps(body.shape, pose, Real{0}, {.ignored = body.body});
+        const physics::BodyState own = simulation.physics.state(body.body);
+        const Pose pose = own.world_from_body;
+        const std::vector<physics::OverlapHit> hits = physics::overlaps(
+            simulation.physics, body.shape, pose, Real{0}, {.ignored = body.body});
         for (const physics::OverlapHit& hit : hits) {
             if (hit.depth_m < std::max(0.005_r, 0.1_r * body.inner_radius_m)) continue;
+            const physics::BodyState other = simulation.physics.state(hit.body);
             const bool seen_from_both =
-                simulation.physics.kind(hit.body) == physics::BodyKind::Dynamic &&
-                hit.body < body.body;
-            if (seen_from_both || !simulation.physics.groups_touch(hit.body, body.body)) continue;
+                other.kind == physics::BodyKind::Dynamic && hit.body < body.body;
+            if (seen_from_both || !may_touch(other.filter, own.filter)) continue;
             ++pairs;
             if (hit.depth_m <= deepest_m) continue;
             deepest_m = hit.depth_m;
@@ -99,7 +101,7 @@ void warn_of_joints(Simulation& simulation) {
 double inverse_mass_of(const Simulation& simulation, const std::string& name) {
     const BodyRef* ref = simulation.registry.find<BodyRef>(simulation.find(name));
     if (ref == nullptr) return 0;
-    const Real mass_kg = simulation.physics.mass_properties(ref->body).mass_kg;
+    const Real mass_kg = simulation.physics.state(ref->body).mass.mass_kg;
     return mass_kg > 0 ? 1 / static_cast<double>(mass_kg) : 0;
 }
 

@@ -3,6 +3,7 @@
 #include "engine/core/hash.h"
 #include "engine/core/limits.h"
 #include "engine/core/process/interrupt.h"
+#include "engine/physics/totals.h"
 #include "engine/scene/build/entity_builder.h"
 #include "engine/scene/environment/sun_path.h"
 #include "engine/scene/simulation/entity_lookup.h"
@@ -145,7 +146,7 @@ void Simulation::sync_transforms() {
 }
 
 void Simulation::report_quarantined() {
-    const std::span<const physics::BodyId> quarantined = physics.quarantined();
+    const std::span<const physics::BodyId> quarantined = physics.report().isolated;
     for (; tally_.quarantined_reported < quarantined.size(); ++tally_.quarantined_reported) {
         const physics::BodyId body = quarantined[tally_.quarantined_reported];
         // It stands where it last was: one that went too far was there at most a step before.
@@ -162,7 +163,7 @@ void Simulation::report_quarantined() {
 /// Names the first touching pair whose masses differ by more than any number of sub-steps can hold.
 void Simulation::warn_of_mass_ratio() {
     const auto mass_of = [&](physics::BodyId body) {
-        return physics.contains(body) ? physics.mass_properties(body).mass_kg : Real{0};
+        return physics.contains(body) ? physics.state(body).mass.mass_kg : Real{0};
     };
     if (mass_ratio_.weighed_revision != revision_) {
         mass_ratio_.weighed_revision = revision_;
@@ -176,7 +177,7 @@ void Simulation::warn_of_mass_ratio() {
         mass_ratio_.differ_widely = most > kWidestMassRatio * least;
     }
     if (!mass_ratio_.differ_widely || mass_ratio_.named) return;
-    for (const physics::ContactEvent& touch : physics.all_contacts()) {
+    for (const physics::ContactEvent& touch : all_contacts(physics)) {
         const Real a = mass_of(touch.a);
         const Real b = mass_of(touch.b);
         if (a <= 0 || b <= 0 || std::max(a, b) <= kWidestMassRatio * std::min(a, b)) continue;
@@ -194,7 +195,7 @@ void Simulation::warn_of_mass_ratio() {
 }
 
 void Simulation::warn_of_crowd() {
-    const std::uint64_t left_out = physics.cost().interventions.left_out_pairs;
+    const std::uint64_t left_out = physics.report().cost.interventions.left_out_pairs;
     if (crowd_named_ || left_out == 0) return;
     crowd_named_ = true;
     warnings.push_back(fmt::format(

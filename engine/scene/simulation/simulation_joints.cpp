@@ -52,15 +52,15 @@ Result<Done> Simulation::add_joint(const JointDescription& description) {
 }
 
 void Simulation::report_broken_joints() {
-    for (const physics::JointId joint : physics.broken_joints()) {
-        const physics::JointDef& def = physics.joint_def(joint);
+    for (const physics::JointId joint : physics.report().broken_joints) {
+        const physics::JointDef& def = physics.joint(joint).def;
         // What the game joins carries marks of its own.
         const bool named =
             def.user < bodies_.joints.size() && bodies_.joints[def.user].joint == joint;
         warnings.push_back(fmt::format("joint {} broke at {:.3f} s: {:.0f} N > {:.0f} N",
                                        named ? bodies_.joints[def.user].name : "of the game",
                                        time_s(),
-                                       physics.joint_state(joint).force_N,
+                                       physics.joint(joint).state.force_N,
                                        def.break_N));
     }
 }

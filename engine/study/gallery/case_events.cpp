@@ -1,5 +1,7 @@
 #include "engine/study/gallery/case_events.h"
 
+#include "engine/physics/totals.h"
+
 #include <cmath>
 #include <limits>
 
@@ -21,10 +23,10 @@ void do_to_body(scene::Simulation& simulation, ecs::Entity entity, const HardCas
             physics.set_velocity(body, event.value, event.angular_velocity_radps);
             break;
         case CaseEventKind::Force:
-            physics.apply_force_at(body, event.value, pose.position + event.point_m);
+            physics.apply_force(body, event.value, pose.position + event.point_m);
             break;
         case CaseEventKind::Impulse:
-            physics.apply_impulse_at(body, event.value, pose.position + event.point_m);
+            physics.apply_impulse(body, event.value, pose.position + event.point_m);
             break;
         case CaseEventKind::Remove:
             simulation.registry.destroy(entity);
@@ -71,9 +73,9 @@ void do_what_is_due(scene::Simulation& simulation) {
         const bool lasts = event.kind == CaseEventKind::Force &&
                            now < simulation.step_at(event.at_s + event.duration_s);
         if (!begins && !lasts) continue;
-        const double before_J = simulation.physics.energy().total_J();
+        const double before_J = physics::energy(simulation.physics).total_J();
         do_event(simulation, event);
-        const double added_J = simulation.physics.energy().total_J() - before_J;
+        const double added_J = physics::energy(simulation.physics).total_J() - before_J;
         if (std::isfinite(added_J)) simulation.added_energy_J += added_J;
     }
 }

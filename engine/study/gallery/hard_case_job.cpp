@@ -80,7 +80,7 @@ CaseResult run_to_the_end(PlayedScene& scene, HardCaseJudge& judge, double cpu_l
     double work = 0;
     while (!judge.has_ended() && cpu_ms < cpu_limit_s * 1e3) {
         scene.step();
-        const physics::StepCost& cost = simulation.physics.cost();
+        const physics::StepCost& cost = simulation.physics.report().cost;
         cpu_ms += cost.total_ms;
         result.step_ms_max = std::max(result.step_ms_max, cost.total_ms);
         work += static_cast<double>(cost.row_solves) + static_cast<double>(cost.contacts);

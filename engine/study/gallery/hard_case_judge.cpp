@@ -1,6 +1,7 @@
 #include "engine/study/gallery/hard_case_judge.h"
 
 #include "engine/core/text/nearest_name.h"
+#include "engine/physics/totals.h"
 
 #include <fmt/format.h>
 
@@ -96,11 +97,11 @@ std::string margin_text(double margin) {
 HardCaseJudge::HardCaseJudge(const scene::Simulation& simulation)
     : seconds_(simulation.description().hard_case->seconds) {
     const scene::HardCase& hard = *simulation.description().hard_case;
-    start_.energy_J = simulation.physics.energy().total_J();
+    start_.energy_J = physics::energy(simulation.physics).total_J();
     start_.energy_scale_J =
         hard.energy_scale_J > 0 ? hard.energy_scale_J : std::max(std::abs(start_.energy_J), 1e-9);
-    start_.momentum_kgmps = simulation.physics.momentum_kgmps();
-    start_.angular_momentum_kgm2ps = simulation.physics.angular_momentum_kgm2ps();
+    start_.momentum_kgmps = momentum_kgmps(simulation.physics);
+    start_.angular_momentum_kgm2ps = angular_momentum_kgm2ps(simulation.physics);
 }
 
 Result<HardCaseJudge> HardCaseJudge::create(const scene::Simulation& simulation) {
@@ -265,7 +266,7 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
         for (const std::size_t i : watched.joints) {
             const scene::SceneJoint& joint = simulation.joints()[i];
             const bool is_there = simulation.physics.contains(joint.joint);
-            take(is_there ? (*of_joint)(simulation.physics.joint_state(joint.joint)) : kGone,
+            take(is_there ? (*of_joint)(simulation.physics.joint(joint.joint).state) : kGone,
                  joint.name);
         }
         return;
@@ -286,7 +287,7 @@ void HardCaseJudge::look(const scene::Simulation& simulation,
 
 void HardCaseJudge::after_step(const scene::Simulation& simulation) {
     if (has_ended_) return;
-    interventions_.add(simulation.physics.cost().interventions);
+    interventions_.add(simulation.physics.report().cost.interventions);
     const double time_s = simulation.time_s();
     const double half_step_s = kHalfStep * simulation.step_s();
     for (Body& body : bodies_) {
@@ -295,7 +296,7 @@ void HardCaseJudge::after_step(const scene::Simulation& simulation) {
         body.lowest_m =
             std::min(body.lowest_m, static_cast<double>(state.world_from_body.position.y));
     }
-    if (needs_contacts_) contacts_ = simulation.physics.all_contacts();
+    if (needs_contacts_) contacts_ = all_contacts(simulation.physics);
     has_ended_ = time_s > seconds_ - half_step_s;
     bool any_failed = false;
     for (std::size_t i = 0; i < states_.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "engine/study/gallery/measures.h"
 
+#include "engine/physics/totals.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -88,7 +90,7 @@ double heap_slope_deg(std::span<const BodyObservation> bodies) {
 }
 
 double energy_J(const WorldObservation& look) {
-    return look.world.energy().total_J();
+    return physics::energy(look.world).total_J();
 }
 double energy_gain(const WorldObservation& look) {
     return (energy_J(look) - look.start.energy_J - look.added_energy_J) / look.start.energy_scale_J;
@@ -153,28 +155,28 @@ const std::array kMeasures{
             +[](const physics::JointState& joint) { return static_cast<double>(joint.position); }},
     // --- of the world
     Measure{"max_joint_error_m",
-            +[](const WorldObservation& look) { return look.world.max_joint_error_m(); }},
+            +[](const WorldObservation& look) { return max_joint_error_m(look.world); }},
     Measure{"penetration_m",
-            +[](const WorldObservation& look) { return look.world.max_penetration_m(); }},
+            +[](const WorldObservation& look) { return max_penetration_m(look.world); }},
     Measure{"energy_gain", &energy_gain},
     Measure{"energy_loss", +[](const WorldObservation& look) { return -energy_gain(look); }},
     Measure{
         "braked_share",
         +[](const WorldObservation& look) { return look.braked_J / look.start.energy_scale_J; }},
     Measure{"kinetic_J",
-            +[](const WorldObservation& look) { return look.world.energy().kinetic_J; }},
+            +[](const WorldObservation& look) { return physics::energy(look.world).kinetic_J; }},
     Measure{"momentum_change",
             +[](const WorldObservation& look) {
-                return change_of(look.start.momentum_kgmps, look.world.momentum_kgmps());
+                return change_of(look.start.momentum_kgmps, momentum_kgmps(look.world));
             }},
     Measure{"angular_momentum_change",
             +[](const WorldObservation& look) {
                 return change_of(look.start.angular_momentum_kgm2ps,
-                                 look.world.angular_momentum_kgm2ps());
+                                 angular_momentum_kgm2ps(look.world));
             }},
     Measure{"non_finite",
             +[](const WorldObservation& look) {
-                return static_cast<double>(look.world.quarantined().size());
+                return static_cast<double>(look.world.report().isolated.size());
             }},
     Measure{"removed",
             +[](const WorldObservation& look) { return static_cast<double>(look.removed); }},

@@ -88,7 +88,7 @@ Result<Ghost> Ghost::start(scene::Simulation& simulation, const Setting& setting
 
 void Ghost::follow(const scene::Simulation& simulation) {
     if (!failure_.empty()) return;
-    cpu_ms_ += simulation.physics.cost().total_ms;
+    cpu_ms_ += simulation.physics.report().cost.total_ms;
     if (simulation.time_s() < observed_s_ + kGhostObservedEvery_s - simulation.step_s() / 4) return;
     observed_s_ = simulation.time_s();
     Observation observed{.time_s = observed_s_, .cpu_ms = cpu_ms_};

@@ -36,7 +36,7 @@ public:
         GhostState state;
         for (long i = 0; i < steps; ++i) {
             scene_->step();
-            state.cpu_ms += simulation.physics.cost().total_ms;
+            state.cpu_ms += simulation.physics.report().cost.total_ms;
         }
         state.time_s = simulation.time_s();
         for (std::size_t i = 0; i < bodies_.size(); ++i) {

@@ -3,6 +3,8 @@
 #include "engine/core/process/process_memory.h"
 #include "engine/core/random.h"
 #include "engine/core/time/stopwatch.h"
+#include "engine/physics/query.h"
+#include "engine/physics/totals.h"
 #include "engine/scene/simulation/entity_lookup.h"
 #include "engine/study/stepping_cost.h"
 
@@ -42,7 +44,7 @@ public:
             if (moving.kind != physics::BodyKind::Dynamic) continue;
             bodies_.push_back(moving.body);
             masses_kg_.push_back(
-                static_cast<double>(simulation_.physics.mass_properties(moving.body).mass_kg));
+                static_cast<double>(simulation_.physics.state(moving.body).mass.mass_kg));
             poses_.push_back({});
         }
     }
@@ -58,7 +60,7 @@ public:
         for (const physics::BodyId body : bodies_) {
             Vec3 min_world{};
             Vec3 max_world{};
-            simulation_.physics.bounds(body, min_world, max_world);
+            physics::bounds(simulation_.physics, body, min_world, max_world);
             sizes_m.push_back(glm::length(Vec3d(max_world) - Vec3d(min_world)));
         }
         return quantile(sizes_m, 0.5);
@@ -85,19 +87,19 @@ public:
     /// Steps to the end, sampling as often as agreed.
     Trace sample() {
         Trace trace;
-        const physics::Energy start = simulation_.physics.energy();
+        const physics::Energy start = physics::energy(simulation_.physics);
         trace.moments.push_back(moment());
         std::size_t next = 0;
         for (int sample = 1; next < run_.moments.size(); ++sample) {
             if (!step_to_next_sample(trace)) break;
-            const physics::Energy energy = simulation_.physics.energy();
+            const physics::Energy energy = physics::energy(simulation_.physics);
             trace.energy_turnover_J = std::max({trace.energy_turnover_J,
                                                 energy.kinetic_J,
                                                 std::abs(energy.potential_J - start.potential_J)});
             trace.penetration_m =
-                std::max(trace.penetration_m, simulation_.physics.max_penetration_m());
+                std::max(trace.penetration_m, max_penetration_m(simulation_.physics));
             trace.joint_error_m =
-                std::max(trace.joint_error_m, simulation_.physics.max_joint_error_m());
+                std::max(trace.joint_error_m, max_joint_error_m(simulation_.physics));
             if (sample != run_.moments[next]) continue;
             trace.moments.push_back(moment());
             ++next;
@@ -127,17 +129,18 @@ private:
         const CpuTimer timer;
         for (int i = 0; i < steps_per_sample_; ++i) {
             scene_.step();
-            const physics::StepCost& cost = simulation_.physics.cost();
+            const physics::StepCost& cost = simulation_.physics.report().cost;
             lap_.work += static_cast<double>(cost.row_solves) + static_cast<double>(cost.contacts);
             lap_.step_ms.push_back(static_cast<float>(cost.total_ms));
         }
         lap_.cpu_ms += timer.ms();
-        if (!simulation_.physics.quarantined().empty()) {
+        if (!simulation_.physics.report().isolated.empty()) {
             trace.status = RunStatus::NotFinite;
             trace.why = fmt::format(
                 "{} had no finite state by {:.2f} s",
-                name_of_mark(simulation_,
-                             simulation_.physics.user(simulation_.physics.quarantined().front())),
+                name_of_mark(
+                    simulation_,
+                    simulation_.physics.state(simulation_.physics.report().isolated.front()).user),
                 simulation_.time_s());
             return false;
         }
@@ -159,7 +162,7 @@ private:
             poses_[i].orientation = Quatd(pose.orientation);
         }
         Moment moment{.time_s = simulation_.time_s(), .layout = layout()};
-        moment.energy_J = simulation_.physics.energy().total_J();
+        moment.energy_J = physics::energy(simulation_.physics).total_J();
         const std::size_t every = bodies_.size() / kMostBodiesSampled + 1;
         for (std::size_t i = 0; i < bodies_.size(); i += every) moment.bodies.push_back(poses_[i]);
         return moment;

@@ -1,6 +1,7 @@
 // Joint tests run over solvers: what each is held to, and how a joint's state is read.
 #pragma once
 
+#include "engine/physics/totals.h"
 #include "tests/engine/physics/test_world.h"
 
 #include <cmath>
@@ -115,16 +116,16 @@ inline JointId join(TestWorld& test, const JointDef& def) {
     return made ? *made : JointId{};
 }
 inline double position(const TestWorld& test, JointId joint) {
-    return static_cast<double>(test.world.joint_state(joint).position);
+    return static_cast<double>(test.world.joint(joint).state.position);
 }
 inline double force_N(const TestWorld& test, JointId joint) {
-    return static_cast<double>(test.world.joint_state(joint).force_N);
+    return static_cast<double>(test.world.joint(joint).state.force_N);
 }
 inline double torque_Nm(const TestWorld& test, JointId joint) {
-    return static_cast<double>(test.world.joint_state(joint).torque_Nm);
+    return static_cast<double>(test.world.joint(joint).state.torque_Nm);
 }
 inline double total_energy_J(const TestWorld& test) {
-    return test.world.energy().total_J();
+    return energy(test.world).total_J();
 }
 
 /// Times at which `value` crosses zero upwards, by the straight line between steps.

@@ -58,7 +58,7 @@ protected:
     StateReport() : run_(scene_of({ground(), cube("cube", {0.1_r, 0.5_r, 0.3_r})})) {
         for (int i = 0; i < 5; ++i) {
             run_.step(1);
-            costs_.add(run_->physics.cost());
+            costs_.add(run_->physics.report().cost);
         }
         text_ = state_json(*run_, costs_, "[{\"name\":\"fog\"}]", 0.25, false);
         state_ = json::parse(text_);

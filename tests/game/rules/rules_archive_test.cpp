@@ -1,4 +1,5 @@
 // The playground put back from its fields: what is in the hand, in the air, on the floor and in mind.
+#include "engine/physics/totals.h"
 #include "engine/scene/simulation/simulation_archive.h"
 #include "tests/game/rules/playground.h"
 
@@ -154,7 +155,7 @@ TEST(SavedCrouch, ForcedByALowCeilingIsNotWanted) {
 
 TEST_F(SavedPlayground, WhileEverythingSleeps) {
     there_.run(4);
-    ASSERT_EQ(there_.simulation->physics.awake_count(), 0U);
+    ASSERT_EQ(awake_count(there_.simulation->physics), 0U);
     go_on_from_here();
     both(0.5);
     there_.simulation->physics.wake(there_.body("crate2"));

@@ -15,7 +15,7 @@ TEST(RulesForces, ShootsAKilogramAt25MetresASecondWhereThePointerIs) {
     const Vec3 way = glm::normalize(point - eye);
     const Vec3 fall = Vec3{0, -10, 0} / Real{60};
     EXPECT_NEAR(glm::distance(play.state("shot#1").velocity_mps, way * Real{25} + fall), 0, 1e-3);
-    EXPECT_NEAR(play.simulation->physics.mass_properties(play.body("shot#1")).mass_kg, 1, 1e-5);
+    EXPECT_NEAR(play.simulation->physics.state(play.body("shot#1")).mass.mass_kg, 1, 1e-5);
     EXPECT_NEAR(
         glm::length(glm::cross(play.state("shot#1").world_from_body.position - eye, way)), 0, 0.01)
         << "it starts on the ray";

@@ -31,7 +31,7 @@ scene::SceneDescription with_a_door(Real low_deg, Real high_deg) {
 
 Real angle_deg(const Playground& play) {
     const physics::JointId hinge = play.simulation->joints().front().joint;
-    return degrees_from_radians(play.simulation->physics.joint_state(hinge).position);
+    return degrees_from_radians(play.simulation->physics.joint(hinge).state.position);
 }
 
 std::string words(Playground& play) {

@@ -1,6 +1,7 @@
 // The settings that rows are asked at, and what is read off a run.
 #pragma once
 
+#include "engine/physics/totals.h"
 #include "engine/study/scenarios/scenario.h"
 #include "tests/engine/physics/test_world.h"
 #include "tests/scenarios/families/rows.h"
@@ -84,7 +85,7 @@ inline Watch watch(ScenarioWorld& world, double seconds, double settle_s) {
         seen.energy_gain =
             std::max(seen.energy_gain, (world.energy_J() - start_J) / std::abs(start_J));
         if (i < settled) continue;
-        seen.penetration_m = std::max(seen.penetration_m, world.physics.max_penetration_m());
+        seen.penetration_m = std::max(seen.penetration_m, max_penetration_m(world.physics));
         seen.speed_mps = std::max(seen.speed_mps, top_speed_mps(world));
     }
     seen.finite = all_finite(world);

@@ -1,4 +1,5 @@
 // Many joints in a row or in a net, beside what the scenes H26, H28 and H31b have.
+#include "engine/physics/totals.h"
 #include "tests/scenarios/families/case_run.h"
 
 namespace plumbline::study {
@@ -39,7 +40,7 @@ void expect_chain(const std::string& row, int links, double seconds) {
         const double weight_N = kG_mps2 * (100 + static_cast<double>(joints.size() - 1 - i));
         off = std::max(
             off,
-            std::abs(static_cast<double>(world.physics.joint_state(joints[i]).force_N) / weight_N -
+            std::abs(static_cast<double>(world.physics.joint(joints[i]).state.force_N) / weight_N -
                      1));
     }
     expect_at_most(row + " force is the weight below", off, 0.01);
@@ -70,7 +71,7 @@ TEST(Chain, H26AChainSwungKeepsItsLength) {
     double gain_J = 0;
     for (int i = 0; i < 600; ++i) {
         world.physics.step();
-        gap_m = std::max(gap_m, world.physics.max_joint_error_m());
+        gap_m = std::max(gap_m, max_joint_error_m(world.physics));
         gain_J = std::max(gain_J, world.energy_J() - start_J);
     }
     expect_at_most("H26 10 links swung, gap m", gap_m, 5e-3);
@@ -114,7 +115,7 @@ TEST(Chain, ALargeNetSwingsAndHolds) {
     double top = 0;
     for (int i = 0; i < 15; ++i) {
         world.physics.step();
-        gap_m = std::max(gap_m, world.physics.max_joint_error_m());
+        gap_m = std::max(gap_m, max_joint_error_m(world.physics));
         top = std::max(top, top_speed_mps(world));
     }
     EXPECT_TRUE(all_finite(world));

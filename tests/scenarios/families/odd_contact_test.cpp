@@ -1,4 +1,5 @@
 // Contacts that should not be: overlaps, far places, numbers that are none; H66, H68, H72, H73, H80.
+#include "engine/physics/totals.h"
 #include "tests/scenarios/families/case_run.h"
 
 #include <functional>
@@ -64,7 +65,7 @@ void expect_balls_part(const std::string& row,
         top = std::max(top, push.top_mps());
     }
     EXPECT_TRUE(all_finite(world));
-    EXPECT_TRUE(world.physics.quarantined().empty());
+    EXPECT_TRUE(world.physics.report().isolated.empty());
     expect_at_most(row + " top speed m/s", top, 2 * kPush_mps);
     if (seconds >= 5)
         expect_at_most(row + " overlap after 5 s m", deepest_m(world, 0.25), 0.02 * 0.5);
@@ -90,7 +91,7 @@ TEST(OddContact, H66BoxesOfOnePosePart) {
         const std::string row = fmt::format("H66 {} boxes", count);
         EXPECT_TRUE(all_finite(world));
         expect_at_most(row + " top speed m/s", top, 2 * kPush_mps);
-        expect_at_most(row + " penetration after 5 s m", world.physics.max_penetration_m(), 0.02);
+        expect_at_most(row + " penetration after 5 s m", max_penetration_m(world.physics), 0.02);
     }
 }
 
@@ -186,7 +187,7 @@ TEST(OddContact, H73WhatIsNotFiniteGoesAlone) {
         const std::uint64_t hash = physics::state_hash(world.physics, others);
         if (fault.name == "none") expected = hash;
         EXPECT_EQ(hash, expected) << fault.name;
-        EXPECT_EQ(world.physics.quarantined().size(), fault.taken_out ? 1U : 0U) << fault.name;
+        EXPECT_EQ(world.physics.report().isolated.size(), fault.taken_out ? 1U : 0U) << fault.name;
         EXPECT_TRUE(is_finite(world.at(odd))) << fault.name;
         EXPECT_LE(glm::length(world.velocity(odd)), 1.001e4) << fault.name;
     }

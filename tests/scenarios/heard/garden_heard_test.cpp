@@ -129,7 +129,7 @@ TEST_F(GardenHeard, TheGateCreaksWhileItTurns) {
     EXPECT_LT(rms_of(listen(1, ear, only("gate_left"))), 1e-6);
     const ecs::Entity gate = simulation().find("gate_left");
     const physics::BodyId body = simulation().registry.get<scene::BodyRef>(gate).body;
-    simulation().physics.apply_impulse_at(
+    simulation().physics.apply_impulse(
         body, {0, 0, -8}, run_.state("gate_left").world_from_body.position + Vec3{0.8_r, 0.5_r, 0});
     EXPECT_GT(rms_of(listen(1, ear, only("gate_left"))), 1e-3);
     listen(5, ear, only("gate_left"));

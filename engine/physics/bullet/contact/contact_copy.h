@@ -27,7 +27,7 @@ inline std::uint32_t number_of(const btPersistentManifold& manifold) {
 
 /// Makes `pair.manifolds` stand for Bullet's, one for one; those that are gone go with their loads.
 void match_manifolds(const btManifoldArray& from, Pair& pair);
-/// Whether they do, of pairs with one manifold; of others it is not looked.
+/// Whether they do, of pairs with one manifold; others are not checked.
 inline bool is_matched(const btManifoldArray& from, const Pair& pair) {
     return from.size() == 1 && pair.manifolds.size() == 1 &&
            pair.manifolds[0].number == number_of(*from[0]);

@@ -142,7 +142,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* first,
     const btCollisionObjectWrapper& convex = place_ == MeshPlace::First ? *second : *first;
     const btCollisionObjectWrapper& mesh = place_ == MeshPlace::First ? *first : *second;
     make(0, convex, mesh);
-    // Fast pairs look farther than the distance within which points are the same.
+    // Fast pairs search farther than the distance within which points are the same.
     const btScalar reach = manifolds_[0]->getContactBreakingThreshold();
     const btScalar near =
         std::min(convex.getCollisionObject()->getCollisionShape()->getContactBreakingThreshold(

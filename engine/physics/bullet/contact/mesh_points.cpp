@@ -30,7 +30,7 @@ public:
               std::vector<MeshPoint>& found)
         : btManifoldResult(convex, mesh), rim_(rim), found_(found) {}
 
-    void meet(const btCollisionObjectWrapper* triangle, int part, int index) {
+    void begin_triangle(const btCollisionObjectWrapper* triangle, int part, int index) {
         setBody1Wrap(triangle);
         setShapeIdentifiersA(-1, -1);
         setShapeIdentifiersB(part, index);
@@ -141,12 +141,12 @@ public:
         triangle.setMargin(mesh_.getCollisionShape()->getMargin());
         const btCollisionObjectWrapper piece(
             &mesh_, &triangle, mesh_.getCollisionObject(), mesh_.getWorldTransform(), part, index);
-        collector_.meet(&piece, part, index);
-        btCollisionAlgorithm* meet =
+        collector_.begin_triangle(&piece, part, index);
+        btCollisionAlgorithm* algorithm =
             dispatcher_.findAlgorithm(&convex_, &piece, &scratch_, BT_CONTACT_POINT_ALGORITHMS);
-        meet->processCollision(&convex_, &piece, info_, &collector_);
-        meet->~btCollisionAlgorithm();
-        dispatcher_.freeCollisionAlgorithm(meet);
+        algorithm->processCollision(&convex_, &piece, info_, &collector_);
+        algorithm->~btCollisionAlgorithm();
+        dispatcher_.freeCollisionAlgorithm(algorithm);
     }
 
     std::vector<MeshPoint> found;

@@ -9,7 +9,7 @@
 namespace plumbline::physics {
 namespace {
 
-bool boxes_meet(const BodyRecord& a, const BodyRecord& b) {
+bool bodies_overlap(const BodyRecord& a, const BodyRecord& b) {
     return boxes_overlap(proxy_of(a), proxy_of(b));
 }
 
@@ -48,7 +48,7 @@ void NearestPairs::complete(BodyRecord& body) {
         const Crowd& crowd = *body.crowd;
         const auto is_for_other = [&](const BodyRecord* other) {
             if (!are_crowded(body, *other)) return false;
-            if (!boxes_meet(body, *other)) return true;
+            if (!bodies_overlap(body, *other)) return true;
             if (other->crowd->completed != step_) ++crowded_;
             if (rank_beside(body, *other) <= crowd.last) return false;
             // An active one adds the pair itself.
@@ -59,7 +59,7 @@ void NearestPairs::complete(BodyRecord& body) {
     } else {
         const auto is_counted = [&](const BodyRecord* other) {
             return are_crowded(body, *other) && other->crowd->completed == step_ &&
-                   boxes_meet(body, *other);
+                   bodies_overlap(body, *other);
         };
         crowded_ -= static_cast<std::uint64_t>(std::ranges::count_if(near_, is_counted));
         body.crowd.reset();
@@ -80,7 +80,7 @@ bool NearestPairs::takes_part(const BodyRecord& a, const BodyRecord& b) {
 bool NearestPairs::take(const BodyRecord& a, const BodyRecord& b) {
     if (!are_crowded(a, b)) return true;
     const bool is_taken = takes_part(a, b);
-    if (is_taken && boxes_meet(a, b)) ++taken_;
+    if (is_taken && bodies_overlap(a, b)) ++taken_;
     return is_taken;
 }
 
@@ -99,7 +99,7 @@ void NearestPairs::rank(const BodyRecord& body, const std::vector<BodyRecord*>& 
     crowd.last = {.distance_m = std::numeric_limits<Real>::infinity()};
     ranks_.clear();
     for (const BodyRecord* other : near) {
-        if (pushable(*other) && boxes_meet(body, *other))
+        if (pushable(*other) && bodies_overlap(body, *other))
             ranks_.push_back(rank_beside(body, *other));
     }
     if (ranks_.size() <= kNearestPairs) return;
@@ -108,7 +108,7 @@ void NearestPairs::rank(const BodyRecord& body, const std::vector<BodyRecord*>& 
     crowd.last = *nth;
 }
 
-/// Those that may touch it and whose leaves its own meets, in the order of the trees.
+/// Those that may touch it and whose leaves its own overlaps, in the order of the trees.
 void NearestPairs::list_near(const BodyRecord& body, std::vector<BodyRecord*>& near) {
     near.clear();
     LeafList list(near);

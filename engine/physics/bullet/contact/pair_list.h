@@ -1,6 +1,6 @@
 // Pairs of bodies whose boxes overlap, kept by body.
 //
-// Takes the place of Bullet's own pair cache for small_step: a step looks only at the pairs of the
+// Takes the place of Bullet's own pair cache for small_step: a step visits only the pairs of the
 // bodies that it moves, and finds them in an order that ids decide.
 #pragma once
 

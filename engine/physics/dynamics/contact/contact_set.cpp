@@ -190,7 +190,7 @@ void ContactSet::solve_with_bias(ContactConstraint& constraint) {
             a.depenetrated = b.depenetrated = true;
         compliance[i] = penetrates ? constraint.compliance[i] : Real{0};
     }
-    if (stays_apart(constraint, wanted)) return;
+    if (stays_separated(constraint, wanted)) return;
     Lanes next;
     bool solved = false;
     if (all_penetrate) {
@@ -244,7 +244,7 @@ bool ContactSet::relax_normal(ContactConstraint& constraint) {
         const bool touches = constraint.normal_Ns[i] > 0;
         wanted[i] = touches ? wanted[i] + constraint.separation_m[i] / h_ : kNoPoint_m;
     }
-    if (stays_apart(constraint, wanted) && !constraint.holds_friction()) return false;
+    if (stays_separated(constraint, wanted) && !constraint.holds_friction()) return false;
     Lanes next;
     bool solved = false;
     if (all_penetrate) {

@@ -55,7 +55,7 @@ inline Lanes projected(const ContactConstraint& constraint,
 }
 
 /// Nothing presses and nothing closes fast enough to press.
-inline bool stays_apart(const ContactConstraint& constraint, const Lanes& wanted) {
+inline bool stays_separated(const ContactConstraint& constraint, const Lanes& wanted) {
     bool apart = true;
     for (std::size_t i = 0; i < kLanes; ++i)
         apart = apart && wanted[i] >= 0 && constraint.normal_Ns[i] == 0;

@@ -20,25 +20,25 @@ Vec3 pull_at(const SolverBody& body, const Vec3& arm) {
     return body.acceleration_mps2 + glm::cross(body.angular_acceleration_radps2, arm);
 }
 
-/// Two spheres meet along the line between their centres at that moment, not at the sub-step's start.
-void turn_to_meeting(ContactConstraint& constraint,
-                     const SolverBody& a,
-                     const SolverBody& b,
-                     Real substep_s) {
+/// Two spheres collide along the line between their centres at that moment, not at the sub-step's start.
+void turn_to_impact(ContactConstraint& constraint,
+                    const SolverBody& a,
+                    const SolverBody& b,
+                    Real substep_s) {
     const Real reach_m = constraint.radius_a + constraint.radius_b;
-    const Vec3 apart = constraint.normal * (reach_m + constraint.separation_m[0]);
+    const Vec3 offset = constraint.normal * (reach_m + constraint.separation_m[0]);
     const Vec3 velocity =
         a.velocity_at(constraint.center_a + constraint.normal * constraint.radius_a) -
         b.velocity_at(constraint.center_b - constraint.normal * constraint.radius_b);
-    const Real closing = -glm::dot(apart, velocity);
+    const Real closing = -glm::dot(offset, velocity);
     const Real speed2 = glm::dot(velocity, velocity);
     const Real gap2 = constraint.separation_m[0] * (constraint.separation_m[0] + 2 * reach_m);
     const Real root2 = closing * closing - speed2 * gap2;
     if (!(gap2 > 0 && closing > 0 && root2 > 0)) return;
-    const Real meeting_s = gap2 / (closing + std::sqrt(root2));
-    if (!(meeting_s <= substep_s)) return;
-    const Vec3 normal = glm::normalize(apart + velocity * meeting_s);
-    constraint.separation_m[0] = glm::dot(apart, normal) - reach_m;
+    const Real impact_s = gap2 / (closing + std::sqrt(root2));
+    if (!(impact_s <= substep_s)) return;
+    const Vec3 normal = glm::normalize(offset + velocity * impact_s);
+    constraint.separation_m[0] = glm::dot(offset, normal) - reach_m;
     constraint.center_a += (constraint.normal - normal) * constraint.radius_a;
     constraint.center_b -= (constraint.normal - normal) * constraint.radius_b;
     constraint.normal = normal;
@@ -51,15 +51,15 @@ struct Approach {
     Real opening_mps2{0};  ///< its change by steady forces
 };
 
-/// The speed after, and for spheres where and when they meet: tau from s + v tau + a tau^2 / 2 = 0.
+/// The speed after, and for spheres where and when they collide: tau from s + v tau + a tau^2 / 2 = 0.
 /// A sphere is put where the parabola of its way out begins, so that after the sub-step it is where
 /// and as fast as if it had bounced at tau. Other shapes bounce here, with the energy that they
 /// would have had at the surface.
-void aim(const ContactConstraint& constraint,
-         const Approach& approach,
-         Real substep_s,
-         bool may_shift,
-         ImpactPoint& impact) {
+void predict_impact(const ContactConstraint& constraint,
+                    const Approach& approach,
+                    Real substep_s,
+                    bool may_shift,
+                    ImpactPoint& impact) {
     const auto [separation_m, speed_mps, opening_mps2] = approach;
     const Real fall = -2 * opening_mps2 * separation_m;
     const Real at_surface = std::sqrt(std::max(speed_mps * speed_mps + fall, Real{0}));
@@ -178,7 +178,7 @@ void ImpactPass::begin_step(ContactSet& contacts,
     }
 }
 
-/// Fills impacts_ with the pair's points that meet in this sub-step; whether one of them is fast.
+/// Fills impacts_ with the pair's points that close in this sub-step; whether one of them is fast.
 bool ImpactPass::gather(const Pair& pair) {
     impacts_.clear();
     bool fast = false;
@@ -189,7 +189,7 @@ bool ImpactPass::gather(const Pair& pair) {
         contacts_->update_separations(constraint);
         const SolverBody& a = bodies_[constraint.a];
         const SolverBody& b = bodies_[constraint.b];
-        if (constraint.spheres()) turn_to_meeting(constraint, a, b, h);
+        if (constraint.spheres()) turn_to_impact(constraint, a, b, h);
         const Vec3 moved =
             constraint.shift_of(a.delta_position_m - b.delta_position_m);  // 0 unless rounded
         for (int i = 0; i < constraint.count; ++i) {
@@ -214,7 +214,8 @@ bool ImpactPass::gather(const Pair& pair) {
             if (separation + h * reached_mps > kTouching_m) continue;
             if (speed < -threshold_mps_) {
                 fast = true;
-                aim(constraint, {separation, speed, opening_mps2}, h, may_shift_, impact);
+                predict_impact(
+                    constraint, {separation, speed, opening_mps2}, h, may_shift_, impact);
             }
             impacts_.push_back(impact);
         }

@@ -1,6 +1,8 @@
 // Bodies that hit each other or the floor: A22, A23, A24.
 #include "engine/study/scenarios/families/impacts.h"
 
+#include "engine/physics/totals.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,7 +74,7 @@ BallsMeetErrors balls_meet(const BallsMeet& how, Stepper& stepper) {
     const double aside_m = how.aside * kRadius_m;
     const BodyId a = world.sphere({-0.5, aside_m, 0}, kRadius_m, coming);
     const BodyId b = world.sphere({0, 0, 0}, kRadius_m, properties);
-    const Vec3d momentum = world.physics.momentum_kgmps();
+    const Vec3d momentum = momentum_kgmps(world.physics);
     stepper.run(world, 0.5);
 
     const double up = aside_m / (2 * kRadius_m);
@@ -83,7 +85,7 @@ BallsMeetErrors balls_meet(const BallsMeet& how, Stepper& stepper) {
     const double off = std::max(glm::distance(world.velocity(a), expected_a),
                                 glm::distance(world.velocity(b), impulse));
     return {off / kMeetingSpeed_mps,
-            glm::distance(world.physics.momentum_kgmps(), momentum) / glm::length(momentum)};
+            glm::distance(momentum_kgmps(world.physics), momentum) / glm::length(momentum)};
 }
 
 SpinningBall after_floor(const SpinningBall& before, double radius_m, double mu, double e) {

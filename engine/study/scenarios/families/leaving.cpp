@@ -68,7 +68,7 @@ Scenario smooth_floor_rod() {
                 // The moment that the world itself uses: the shape's is no part of the law.
                 const FallingRod law{
                     0.5 - kThin_m,
-                    static_cast<double>(world.physics.mass_properties(rod).inertia_kgm2.x)};
+                    static_cast<double>(world.physics.state(rod).mass.inertia_kgm2.x)};
                 const State<2> expected = reference(law, State<2>{kFrom_rad, 0}, 0, kSeconds);
                 stepper.run(world, kSeconds);
                 return {(lean_rad(world, rod) - expected[0]) / (kPi_d / 2),
@@ -151,7 +151,7 @@ Scenario ladder() {
                 {half_m * std::sin(lean), kThin_m + half_m * std::cos(lean), 0},
                 {.friction = 0, .turn = glm::angleAxis(lean, Vec3d{0, 0, 1})});
             const double inertia =
-                static_cast<double>(world.physics.mass_properties(rod).inertia_kgm2.x);
+                static_cast<double>(world.physics.state(rod).mass.inertia_kgm2.x);
             const auto law = [&](double, const State<2>& s) {
                 return State<2>{s[1],
                                 kG_mps2 * half_m * std::sin(s[0]) / (inertia + half_m * half_m)};

@@ -1,4 +1,5 @@
 // Pendulums, a spring and a motor: A09 to A13, A18.
+#include "engine/physics/totals.h"
 #include "engine/study/scenarios/scenario.h"
 
 #include <fmt/format.h>
@@ -149,7 +150,7 @@ Scenario conical_pendulum() {
                                               .turn = glm::angleAxis(kCone_rad, Vec3d{0, 0, 1}),
                                               .touches = false});
             world.join_at({0, 0, 0}, ball);
-            const double start_L = world.physics.angular_momentum_kgm2ps().y;
+            const double start_L = angular_momentum_kgm2ps(world.physics).y;
             double cone_off = 0;
             stepper.run(world, kSeconds, {.after = [&](int) {
                             const Vec3d at = world.at(ball);
@@ -159,7 +160,7 @@ Scenario conical_pendulum() {
             const Vec3d expected = glm::angleAxis(around_radps * kSeconds, Vec3d{0, 1, 0}) * start;
             return {glm::distance(world.at(ball), expected) / 0.5,
                     cone_off,
-                    world.physics.angular_momentum_kgm2ps().y / start_L - 1};
+                    angular_momentum_kgm2ps(world.physics).y / start_L - 1};
         },
         .theory = orders_in_step(2, std::nullopt)};
 }

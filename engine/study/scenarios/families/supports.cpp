@@ -60,7 +60,7 @@ double Overhang::fallen_m() const {
 
 double impulse_between_Ns(const ScenarioWorld& world, BodyId a, BodyId b) {
     double sum = 0;
-    for (const physics::ContactEvent& event : world.physics.contacts()) {
+    for (const physics::ContactEvent& event : world.physics.report().contacts) {
         if ((event.a == a && event.b == b) || (event.a == b && event.b == a))
             sum += static_cast<double>(event.impulse_Ns);
     }

@@ -1,6 +1,7 @@
 // Bodies that turn freely, and tops on a pivot: A05 to A08.
 #include "engine/study/scenarios/families/tops.h"
 
+#include "engine/physics/totals.h"
 #include "engine/study/angle_between.h"
 
 #include <fmt/format.h>
@@ -86,12 +87,12 @@ Precession disc_precession() {
 }
 
 ConservedErrors conserved_errors(ScenarioWorld& world, double seconds, Stepper& stepper) {
-    const double start_J = world.physics.energy().kinetic_J;
-    const Vec3d start = world.physics.angular_momentum_kgm2ps();
+    const double start_J = physics::energy(world.physics).kinetic_J;
+    const Vec3d start = angular_momentum_kgm2ps(world.physics);
     ConservedErrors most;
     stepper.run(world, seconds, {.after = [&](int) {
-                    const double now_J = world.physics.energy().kinetic_J;
-                    const Vec3d now = world.physics.angular_momentum_kgm2ps();
+                    const double now_J = physics::energy(world.physics).kinetic_J;
+                    const Vec3d now = angular_momentum_kgm2ps(world.physics);
                     most.energy = std::max(most.energy, std::abs(now_J / start_J - 1));
                     most.momentum =
                         std::max(most.momentum, glm::distance(now, start) / glm::length(start));
@@ -155,7 +156,7 @@ Scenario free_disc() {
                         const double up = glm::dot(disc.axis(), expected.about());
                         const double cone_rad = std::acos(std::min(1.0, up));
                         cone_off = std::max(cone_off, std::abs(cone_rad - expected.cone_rad()));
-                        const Vec3d now = disc.world.physics.angular_momentum_kgm2ps();
+                        const Vec3d now = angular_momentum_kgm2ps(disc.world.physics);
                         momentum_off = std::max(
                             momentum_off, glm::distance(now, momentum) / glm::length(momentum));
                     }});

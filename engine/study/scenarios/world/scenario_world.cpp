@@ -1,5 +1,7 @@
 #include "engine/study/scenarios/world/scenario_world.h"
 
+#include "engine/physics/totals.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -123,17 +125,17 @@ void ScenarioWorld::run(double seconds) {
 }
 
 physics::JointState ScenarioWorld::joint(physics::JointId id) const {
-    if (physics.contains(id)) return physics.joint_state(id);
+    if (physics.contains(id)) return physics.joint(id).state;
     return {.error_m = std::numeric_limits<double>::quiet_NaN(),
             .force_N = std::numeric_limits<Real>::quiet_NaN()};
 }
 
 double ScenarioWorld::energy_J() const {
-    return physics.energy().total_J();
+    return physics::energy(physics).total_J();
 }
 
 bool ScenarioWorld::broken() const {
-    return !physics.quarantined().empty() ||
+    return !physics.report().isolated.empty() ||
            !std::all_of(movers.begin(), movers.end(), [this](BodyId id) {
                return is_finite(at(id)) && is_finite(velocity(id)) && is_finite(spin(id));
            });

@@ -29,7 +29,7 @@ void Stepper::run(ScenarioWorld& world, double seconds, const Hooks& hooks) {
         if (hooks.before) hooks.before(i);
         world.physics.step();
         if (is_timed) {
-            meter_.stepped(world.physics.cost(), step_s);
+            meter_.stepped(world.physics.report().cost, step_s);
         } else if (hooks.after) {
             hooks.after(i);
         }

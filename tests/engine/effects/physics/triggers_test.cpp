@@ -34,7 +34,7 @@ TEST(Triggers, ABoxThatComesInMakesAnotherAppear) {
     ASSERT_TRUE(run->registry.alive(run->find("green_box#1")));
     EXPECT_NEAR(run.state("green_box#1").world_from_body.position.x, 5, 1e-6);
     EXPECT_NEAR(run.state("green_box#1").world_from_body.position.y, 10, 1e-6);
-    EXPECT_NEAR(run->physics.mass_properties(run.body("green_box#1")).mass_kg, 2, 1e-5);
+    EXPECT_NEAR(run->physics.state(run.body("green_box#1")).mass.mass_kg, 2, 1e-5);
     run.step(240, effects);
     EXPECT_NEAR(run.state("red_box").world_from_body.position.y, 2, 0.02) << "nothing stopped it";
     EXPECT_FALSE(run->registry.alive(run->find("green_box#2"))) << "once only";

@@ -1,4 +1,5 @@
 // Bullet's side of a body.
+#include "engine/physics/query.h"
 #include "tests/engine/physics/bullet/shape/shape_rig.h"
 
 namespace plumbline::physics {
@@ -12,8 +13,8 @@ TEST(Frozen, StandsInTheAirAndFallsAgain) {
     const Vec3d held = test.at(box);
     test.run(1.0);
     EXPECT_EQ(test.at(box), held);
-    EXPECT_TRUE(test.world.frozen(box));
-    EXPECT_EQ(test.world.mass_properties(box).mass_kg, 3);
+    EXPECT_TRUE(test.world.state(box).frozen);
+    EXPECT_EQ(test.world.state(box).mass.mass_kg, 3);
     test.world.set_frozen(box, false);
     test.run(0.5);
     EXPECT_NEAR(test.at(box).y, held.y - 0.5 * kG * 0.25, 1e-5);
@@ -27,13 +28,13 @@ TEST(ShapeMass, OverridesHold) {
                                   .mass_kg = 2,
                                   .inertia_kgm2 = Vec3{1, 2, 3},
                                   .center_of_mass_m = Vec3{0, -0.4_r, 0}});
-    const MassProperties mass = test.world.mass_properties(body);
+    const MassProperties mass = test.world.state(body).mass;
     expect_near(mass.inertia_kgm2, {1, 2, 3}, kRounding);
     expect_near(mass.center_of_mass_m, {0, -0.4, 0}, kRounding);
     expect_near(test.world.state(body).world_from_body.position, {1, 2, 3}, 10 * kRounding);
     Vec3 low;
     Vec3 high;
-    test.world.bounds(body, low, high);
+    bounds(test.world, body, low, high);
     // The shape stays where the body's origin is.
     expect_near(low, {0.5, 1.5, 2.5}, 0.05);
     expect_near(high, {1.5, 2.5, 3.5}, 0.05);

@@ -1,4 +1,5 @@
 // Each of Bullet's solvers.
+#include "engine/physics/totals.h"
 #include "tests/engine/physics/test_world.h"
 
 namespace plumbline::physics {
@@ -24,9 +25,9 @@ TEST_P(EverySolver, HoldsAStackOfThreeAndCountsItsWork) {
     for (int i = 0; i < 3; ++i) {
         EXPECT_NEAR(test.at(boxes[static_cast<std::size_t>(i)]).y, 0.5 + i, 0.02);
     }
-    EXPECT_GE(test.world.cost().contacts, 12U);
-    EXPECT_GE(test.world.cost().row_solves, 2U * test.world.cost().contacts);
-    EXPECT_LT(test.world.max_penetration_m(), 0.02);
+    EXPECT_GE(test.world.report().cost.contacts, 12U);
+    EXPECT_GE(test.world.report().cost.row_solves, 2U * test.world.report().cost.contacts);
+    EXPECT_LT(max_penetration_m(test.world), 0.02);
     EXPECT_EQ(solver_from_name(solver_name(GetParam())), GetParam());
 }
 

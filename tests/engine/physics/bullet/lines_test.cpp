@@ -1,5 +1,7 @@
 // Outlines of collision shapes: whose are drawn.
 #include "engine/physics/character.h"
+#include "engine/physics/debug_lines.h"
+#include "engine/physics/query.h"
 #include "tests/engine/physics/test_world.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +11,7 @@ namespace {
 
 std::size_t corners(const PhysicsWorld& world, const std::optional<Vec3>& eye_world = {}) {
     LineList lines;
-    world.add_debug_lines(lines, eye_world);
+    add_debug_lines(world, lines, eye_world);
     return lines.vertices.size();
 }
 
@@ -36,11 +38,11 @@ TEST(BulletLines, BoxesAlongTheAxesHaveTwelveEdges) {
     turned.world_from_body.orientation = glm::angleAxis(kPi / 4, Vec3{0, 1, 0});
     const BodyId body = test.add(BoxShape{.size_m = {1, 1, 1}}, {3, 4, 5}, turned);
     LineList lines;
-    test.world.add_box_lines(lines);
+    add_box_lines(test.world, lines);
     ASSERT_EQ(lines.vertices.size(), 24U);
     Vec3 low{};
     Vec3 high{};
-    test.world.bounds(body, low, high);
+    bounds(test.world, body, low, high);
     EXPECT_NEAR(high.x - low.x, std::sqrt(2.0), 0.1);
     for (const LineVertex& vertex : lines.vertices) {
         for (int axis = 0; axis < 3; ++axis) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/physics/character.h"
+#include "engine/physics/query.h"
 #include "tests/engine/physics/test_world.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ struct Stage : TestWorld {
     /// How deep the person, standing upright, is in anything.
     Real depth() const {
         const Pose pose{.position = feet() + Vec3{0, person->def().height_m / 2, 0}};
-        const auto hits = world.overlaps(body_outline, pose, 0, {.ignored = person->body()});
+        const auto hits = overlaps(world, body_outline, pose, 0, {.ignored = person->body()});
         return hits.empty() ? Real{0} : std::max(hits.front().depth_m, Real{0});
     }
 

@@ -16,7 +16,7 @@ struct Closing {
     BodyRecord a;
     BodyRecord b;
     Pair pair{.a = &a, .b = &b, .base_m = 0.02_r, .touches = true};
-    CollideStep step{.step_s = 0.1_r, .fall_m = 0.01_r};
+    CollideStep step{.step_s = 0.1_r, .drop_m = 0.01_r};
 
     Closing() {
         a.motion = &motion_a;

@@ -23,7 +23,7 @@ TEST_P(ThinWall, StopsFastBoxesWhenSwept) {
              .velocity_mps = {static_cast<Real>(GetParam()), 0, 0}});
         for (int step = 0; step < 60; ++step) {
             test.world.step();
-            swept += test.world.feature_use().swept_bodies;
+            swept += test.world.report().use.swept_bodies;
         }
         if (test.at(box).x > 20) ++through;
     }
@@ -41,18 +41,18 @@ TEST(ContinuousCollision, RunsOnlyForBodiesThatOutrunThemselves) {
     };
     shoot(0, 11, ContinuousCollision::Auto);
     test.world.step();
-    EXPECT_EQ(test.world.feature_use().swept_bodies, 0U);
-    EXPECT_EQ(test.world.feature_use().sweep_ms, 0.0);
-    EXPECT_FALSE(test.world.feature_use().swept);
+    EXPECT_EQ(test.world.report().use.swept_bodies, 0U);
+    EXPECT_EQ(test.world.report().use.sweep_ms, 0.0);
+    EXPECT_FALSE(test.world.report().use.swept);
     const BodyId fast = shoot(5, 13, ContinuousCollision::Auto);
     shoot(10, 13, ContinuousCollision::Off);
     shoot(15, 1, ContinuousCollision::On);
     test.world.step();
-    EXPECT_EQ(test.world.feature_use().swept_bodies, 2U);
-    EXPECT_EQ(test.world.feature_use().swept, fast) << "the first of them";
+    EXPECT_EQ(test.world.report().use.swept_bodies, 2U);
+    EXPECT_EQ(test.world.report().use.swept, fast) << "the first of them";
     test.world.set_features({.continuous_collision = false});
     test.world.step();
-    EXPECT_EQ(test.world.feature_use().swept_bodies, 0U);
+    EXPECT_EQ(test.world.report().use.swept_bodies, 0U);
 }
 
 TEST(Kinematic, PlatformCarriesItsRider) {

@@ -16,7 +16,7 @@ inline BodyDef box_at_rest(std::uint64_t user) {
 inline std::vector<std::pair<std::uint64_t, std::uint32_t>> users_and_sizes(
     const PhysicsWorld& world) {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> list;
-    for (const IslandReport& island : world.islands()) {
+    for (const IslandReport& island : world.report().islands) {
         list.emplace_back(island.user, island.bodies);
     }
     return list;

@@ -10,7 +10,7 @@ namespace {
 
 std::vector<std::pair<int, std::string>> substeps_of(const PhysicsWorld& world) {
     std::vector<std::pair<int, std::string>> list;
-    for (const IslandReport& island : world.islands())
+    for (const IslandReport& island : world.report().islands)
         list.emplace_back(island.substeps, island.reason);
     return list;
 }
@@ -25,10 +25,10 @@ TEST(IslandSolver, AnIslandKeepsItsSubstepsForHalfASecondAfterItsLoad) {
     const BodyId load = test.add(
         BoxShape{}, {0, 1.5_r, 0}, {.kind = BodyKind::Dynamic, .mass_kg = 200, .can_sleep = false});
     test.run(1);
-    ASSERT_EQ(test.world.islands().size(), 1U);
-    const int loaded = test.world.islands()[0].substeps;
+    ASSERT_EQ(test.world.report().islands.size(), 1U);
+    const int loaded = test.world.report().islands[0].substeps;
     EXPECT_GT(loaded, 4);
-    EXPECT_EQ(test.world.islands()[0].bodies, 2U);
+    EXPECT_EQ(test.world.report().islands[0].bodies, 2U);
     test.world.destroy_body(load);
     test.world.step();
     EXPECT_EQ(substeps_of(test.world), (Substeps{{loaded, "held"}}));

@@ -17,8 +17,8 @@ TEST(Islands, TheGroundDividesThem) {
     test.add(BoxShape{}, {5, 2.5_r, 0}, box_at_rest(5));
     test.run(0.2);
     EXPECT_EQ(users_and_sizes(test.world), (IslandSizes{{1, 2}, {2, 3}}));
-    EXPECT_EQ(test.world.islands()[0].contacts, 8U);
-    EXPECT_EQ(test.world.islands()[1].contacts, 12U);
+    EXPECT_EQ(test.world.report().islands[0].contacts, 8U);
+    EXPECT_EQ(test.world.report().islands[1].contacts, 12U);
 }
 
 TEST(Islands, OneBodyAcrossTwoTowersMakesOne) {
@@ -61,10 +61,10 @@ TEST(Islands, JointsConnectUntilTheyBreak) {
     ASSERT_TRUE(joint.ok());
     test.world.step();
     EXPECT_EQ(users_and_sizes(test.world), (IslandSizes{{1, 2}}));
-    EXPECT_EQ(test.world.islands()[0].joints, 1U);
+    EXPECT_EQ(test.world.report().islands[0].joints, 1U);
     test.world.destroy_body(b);
     test.world.step();
-    EXPECT_TRUE(test.world.islands().empty());
+    EXPECT_TRUE(test.world.report().islands.empty());
 }
 
 TEST(Islands, WhoeverIsFlungTakesNobodyAlong) {
@@ -83,7 +83,7 @@ TEST(Islands, WhoeverIsFlungTakesNobodyAlong) {
     }
     heap.run(200);
     // Those two may have left; nobody else is lost, and what lay on the ground still does.
-    EXPECT_LE(world.quarantined().size(), 2U);
+    EXPECT_LE(world.report().isolated.size(), 2U);
     int on_the_ground = 0;
     for (const BodyId id : heap.ids) {
         const Vec3d at = heap.test.at(id);

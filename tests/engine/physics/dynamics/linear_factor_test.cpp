@@ -68,8 +68,8 @@ TEST_P(LinearFactor, AnImpulseOffCentreTurnsAsTheForceOfAStepDoes) {
         const BodyDef held{.kind = BodyKind::Dynamic, .mass_kg = 2, .linear_factor = {1, 1, 0}};
         const BodyId pushed = test.add(BoxShape{}, {0, 0, 0}, held);
         const BodyId struck = test.add(BoxShape{}, {9, 0, 0}, held);
-        test.world.apply_force_at(pushed, along * 60.0_r, {0.5_r, 0, 0});
-        test.world.apply_impulse_at(struck, along, {9.5_r, 0, 0});
+        test.world.apply_force(pushed, along * 60.0_r, Vec3{0.5_r, 0, 0});
+        test.world.apply_impulse(struck, along, Vec3{9.5_r, 0, 0});
         test.world.step();
         EXPECT_NEAR(glm::length(test.spin(pushed) - test.spin(struck)), 0, 1e-4);
         EXPECT_NEAR(glm::length(test.velocity(pushed) - test.velocity(struck)), 0, 1e-5);

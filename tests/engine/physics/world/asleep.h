@@ -1,6 +1,7 @@
 // A tower that sleeps.
 #pragma once
 
+#include "engine/physics/totals.h"
 #include "tests/engine/physics/test_world.h"
 
 #include <vector>
@@ -19,11 +20,11 @@ struct Asleep {
             tower.push_back(test.add(BoxShape{}, {0, 0.5_r + static_cast<Real>(i), 0}, def));
         }
         test.run(2.0);
-        EXPECT_EQ(test.world.awake_count(), 0U);
+        EXPECT_EQ(awake_count(test.world), 0U);
     }
     std::size_t awake_after_a_step() {
         test.world.step();
-        return test.world.awake_count();
+        return awake_count(test.world);
     }
 };
 

@@ -9,7 +9,7 @@ Interventions over(TestWorld& test, double seconds) {
     Interventions sum;
     for (int i = 0; i < static_cast<int>(seconds / test.world.def().step_s + 0.5); ++i) {
         test.world.step();
-        sum.add(test.world.cost().interventions);
+        sum.add(test.world.report().cost.interventions);
     }
     return sum;
 }
@@ -46,9 +46,10 @@ TEST(InterventionCount, HasBodiesAtTheSpeedLimit) {
                  {0, 9, 0},
                  {.kind = BodyKind::Dynamic, .velocity_mps = {9e3_r, 0, 0}});
         test.world.step();
-        EXPECT_EQ(test.world.cost().interventions.limited_bodies, 1U) << solver_name(solver);
+        EXPECT_EQ(test.world.report().cost.interventions.limited_bodies, 1U) << solver_name(solver);
         test.world.step();
-        EXPECT_EQ(test.world.cost().interventions.limited_bodies, 0U) << "it is slow enough now";
+        EXPECT_EQ(test.world.report().cost.interventions.limited_bodies, 0U)
+            << "it is slow enough now";
     }
 }
 

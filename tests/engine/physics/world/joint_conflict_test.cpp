@@ -1,5 +1,6 @@
 // Joints that repeat or contradict each other, springs off the centres, small fast bodies: nobody is
 // taken out of the world, nothing gains energy.
+#include "engine/physics/totals.h"
 #include "tests/engine/physics/joint_bench.h"
 
 #include <algorithm>
@@ -18,10 +19,10 @@ double most_kinetic_J(TestWorld& test, int steps) {
     double most_J = 0;
     for (int i = 0; i < steps; ++i) {
         test.world.step();
-        most_J = std::max(most_J, test.world.energy().kinetic_J);
-        EXPECT_EQ(test.world.cost().interventions.restored_islands, 0U) << "step " << i;
+        most_J = std::max(most_J, energy(test.world).kinetic_J);
+        EXPECT_EQ(test.world.report().cost.interventions.restored_islands, 0U) << "step " << i;
     }
-    EXPECT_TRUE(test.world.quarantined().empty());
+    EXPECT_TRUE(test.world.report().isolated.empty());
     return most_J;
 }
 
@@ -109,8 +110,8 @@ TEST(ContradictingJoints, GainNothingFromALimitOutOfReach) {
                                .limits = std::array<Real, 2>{0, 0.12_r}});
     // The push of a limit gives at most what it would give the two alone: 3 m/s of the light one.
     EXPECT_LT(most_kinetic_J(test, 600), 0.5 * 1 * 9);
-    EXPECT_LT(glm::length(test.world.momentum_kgmps()), 400 * 2e-3 * 10);
-    EXPECT_GT(test.world.joint_state(rope).error_m, 0.1) << "it stays out of reach";
+    EXPECT_LT(glm::length(momentum_kgmps(test.world)), 400 * 2e-3 * 10);
+    EXPECT_GT(test.world.joint(rope).state.error_m, 0.1) << "it stays out of reach";
 }
 
 /// A small box that hangs by its edge from a spring too stiff for any sub-step.
@@ -181,7 +182,7 @@ TEST(SmallFastBodies, StayInTheWorld) {
         }
         const double start_J = total_energy_J(test);
         for (int i = 0; i < 60; ++i) test.world.step();
-        EXPECT_TRUE(test.world.quarantined().empty()) << "scene " << scene;
+        EXPECT_TRUE(test.world.report().isolated.empty()) << "scene " << scene;
         EXPECT_LT(total_energy_J(test), 1.001 * start_J) << "scene " << scene;
     }
 }

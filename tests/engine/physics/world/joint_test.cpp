@@ -1,4 +1,5 @@
 // Each kind of joint does what the formula says.
+#include "engine/physics/totals.h"
 #include "tests/engine/physics/joint_bench.h"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ TEST_P(Joints, APendulumKeepsTimeOnEveryPivot) {
         const double start_J = total_energy_J(test);
         double gap_m = 0;
         const auto times_s = upward_crossings_s(test, 10, [&] {
-            gap_m = std::max(gap_m, test.world.joint_state(pivot).error_m);
+            gap_m = std::max(gap_m, test.world.joint(pivot).state.error_m);
             return test.at(rod).x;
         });
         EXPECT_NEAR(period_of(times_s), expected_s, expected_s * bar().period);
@@ -150,19 +151,19 @@ TEST_P(Joints, ASlidingPairKeepsItsMomenta) {
     const JointId slider =
         join(test, {.kind = JointKind::Slider, .a = a, .b = b, .axis_world = {1, 0, 0}});
     test.world.set_velocity(a, {1, 2, 0}, {0, 0, 0.5_r});
-    const Vec3d spin = test.world.angular_momentum_kgm2ps();
-    const Vec3d push = test.world.momentum_kgmps();
+    const Vec3d spin = angular_momentum_kgm2ps(test.world);
+    const Vec3d push = momentum_kgmps(test.world);
     double error_m = 0;
     for (int i = 0; i < 300; ++i) {
         test.world.step();
-        error_m = std::max(error_m, test.world.joint_state(slider).error_m);
+        error_m = std::max(error_m, test.world.joint(slider).state.error_m);
     }
     EXPECT_GT(position(test, slider), 5) << "far from where the anchors met";
     EXPECT_LE(error_m, 2e-3);
     // Rounding of two thousand solves in float32.
     const double slack = sizeof(Real) == sizeof(float) ? 3e-3 : 1e-12;
-    EXPECT_LE(glm::distance(test.world.angular_momentum_kgm2ps(), spin), slack * glm::length(spin));
-    EXPECT_LE(glm::distance(test.world.momentum_kgmps(), push), slack * glm::length(push));
+    EXPECT_LE(glm::distance(angular_momentum_kgm2ps(test.world), spin), slack * glm::length(spin));
+    EXPECT_LE(glm::distance(momentum_kgmps(test.world), push), slack * glm::length(push));
 }
 
 TEST_P(Joints, ABeamFixedAtOneEndWeighsOnItsRoot) {
@@ -173,8 +174,8 @@ TEST_P(Joints, ABeamFixedAtOneEndWeighsOnItsRoot) {
     const double weight_N = kMass_kg * kG;
     EXPECT_NEAR(force_N(test, root), weight_N, weight_N * bar().load);
     EXPECT_NEAR(torque_Nm(test, root), weight_N * 1, weight_N * bar().load);
-    EXPECT_LE(test.world.joint_state(root).error_m, bar().rest_m);
-    EXPECT_EQ(test.world.max_joint_error_m(), test.world.joint_state(root).error_m);
+    EXPECT_LE(test.world.joint(root).state.error_m, bar().rest_m);
+    EXPECT_EQ(max_joint_error_m(test.world), test.world.joint(root).state.error_m);
 }
 
 TEST_P(Joints, EveryLinkOfAChainCarriesWhatHangsBelow) {
@@ -204,7 +205,7 @@ TEST_P(Joints, ARodKeepsItsLength) {
     double lowest_m = 0;
     for (int i = 0; i < 600; ++i) {
         test.world.step();
-        error_m = std::max(error_m, test.world.joint_state(rod).error_m);
+        error_m = std::max(error_m, test.world.joint(rod).state.error_m);
         lowest_m = std::min(lowest_m, test.at(bob).y);
         EXPECT_NEAR(position(test, rod), glm::length(test.at(bob)), 1e-6);
     }
@@ -279,11 +280,11 @@ TEST_P(Joints, ASpringBetweenTwoSwingsWithTheReducedMass) {
                                  .anchor_a_world = {0, 1.1_r, 0},
                                  .stiffness_Npm = 40,
                                  .rest_length_m = 1});
-    EXPECT_NEAR(test.world.energy().potential_J, 0.5 * 40 * 0.01, 1e-6);
+    EXPECT_NEAR(energy(test.world).potential_J, 0.5 * 40 * 0.01, 1e-6);
     const auto times_s = upward_crossings_s(test, 10, [&] { return position(test, spring) - 1; });
     const double expected_s = 2 * kPiD * std::sqrt((2.0 / 3) / 40);
     EXPECT_NEAR(period_of(times_s), expected_s, expected_s * bar().spring_period);
-    EXPECT_NEAR(test.world.momentum_kgmps().y, 0, 1e-4);
+    EXPECT_NEAR(momentum_kgmps(test.world).y, 0, 1e-4);
 }
 
 TEST_P(Joints, ADampedSpringDiesAway) {
@@ -363,7 +364,7 @@ TEST_P(Joints, ATwistEndsOnItsOwnSide) {
         }
         EXPECT_LE(most, 0.9 + bar().cone_rad);
         EXPECT_GE(least, -0.2 - bar().cone_rad);
-        EXPECT_LE(test.world.joint_state(cone).error_m, bar().cone_rad);
+        EXPECT_LE(test.world.joint(cone).state.error_m, bar().cone_rad);
         // Free until then, and to the right side.
         EXPECT_GE(spin_radps > 0 ? most / 0.9 : least / -0.2, 0.75);
     }

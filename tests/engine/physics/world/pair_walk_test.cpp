@@ -1,4 +1,5 @@
 // Which pairs a step looks at.
+#include "engine/physics/totals.h"
 #include "tests/engine/physics/world/asleep.h"
 
 namespace plumbline::physics {
@@ -8,8 +9,8 @@ TEST(Sleep, OneAwakeBodyLooksAtItsOwnPairsOnly) {
     Asleep asleep(10);
     asleep.test.add(BoxShape{}, {20, 0.5_r, 0}, {.kind = BodyKind::Dynamic, .can_sleep = false});
     asleep.test.run(0.5);
-    EXPECT_EQ(asleep.test.world.awake_count(), 1U);
-    EXPECT_EQ(asleep.test.world.cost().pairs, 1U);
+    EXPECT_EQ(awake_count(asleep.test.world), 1U);
+    EXPECT_EQ(asleep.test.world.report().cost.pairs, 1U);
 }
 
 // Five balls in a row, a finger's breadth apart; the first comes at 20 m/s, a third of a metre a step.

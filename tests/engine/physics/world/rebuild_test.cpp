@@ -101,8 +101,8 @@ TEST(Reconfigure, APileGoesOnPressingAtAnotherRate) {
         test.world.reconfigure(def);
         for (int i = 0; i < 3; ++i) {
             test.world.step();
-            ASSERT_EQ(test.world.contacts().size(), 1U);
-            EXPECT_NEAR(static_cast<double>(test.world.contacts()[0].impulse_Ns) * hz,
+            ASSERT_EQ(test.world.report().contacts.size(), 1U);
+            EXPECT_NEAR(static_cast<double>(test.world.report().contacts[0].impulse_Ns) * hz,
                         4 * 2 * kG,
                         1e-3 * 4 * 2 * kG)
                 << hz << " Hz, step " << i;
@@ -114,9 +114,9 @@ TEST(Reconfigure, APileGoesOnPressingAtAnotherRate) {
 /// How much of its weight a box's contacts do not carry in the next step.
 double lack_Ns(TestWorld& test, Real mass_kg) {
     test.world.step();
-    EXPECT_EQ(test.world.contacts().size(), 1U);
+    EXPECT_EQ(test.world.report().contacts.size(), 1U);
     return static_cast<double>(mass_kg) * kG * test.world.def().step_s -
-           static_cast<double>(test.world.contacts()[0].impulse_Ns);
+           static_cast<double>(test.world.report().contacts[0].impulse_Ns);
 }
 
 /// ... and with Bullet's solvers, of which one goes on with what another's contacts carried. They
@@ -196,23 +196,23 @@ TEST(Reconfigure, KeepsWhatIsFrozenTakenOutOrOnItsWay) {
     TestWorld test(in_small_steps());
     test.ground();
     const BodyId frozen = test.add(BoxShape{}, {0, 5, 0});
-    const BodyId poisoned = test.add(BoxShape{}, {4, 5, 0});
+    const BodyId invalid = test.add(BoxShape{}, {4, 5, 0});
     const BodyId lift = test.add(BoxShape{}, {8, 5, 0}, {.kind = BodyKind::Kinematic});
     test.world.set_frozen(frozen, true);
-    test.world.apply_force(poisoned, {std::numeric_limits<Real>::quiet_NaN(), 0, 0});
+    test.world.apply_force(invalid, {std::numeric_limits<Real>::quiet_NaN(), 0, 0});
     test.world.step();
-    ASSERT_EQ(test.world.quarantined().size(), 1U);
-    const Vec3d left_at = test.at(poisoned);
+    ASSERT_EQ(test.world.report().isolated.size(), 1U);
+    const Vec3d left_at = test.at(invalid);
     test.world.move_kinematic(lift, {.position = {8, 5.1_r, 0}});
     test.world.reconfigure({.solver = Solver::BulletSi});
     test.world.step();
     EXPECT_NEAR(test.at(lift).y, 5.1, 1e-6);
     test.world.reconfigure(in_small_steps());
     test.run(1.0);
-    EXPECT_TRUE(test.world.frozen(frozen));
+    EXPECT_TRUE(test.world.state(frozen).frozen);
     EXPECT_EQ(test.at(frozen), (Vec3d{0, 5, 0}));
-    EXPECT_EQ(test.at(poisoned), left_at);
-    EXPECT_EQ(test.world.quarantined().size(), 1U);
+    EXPECT_EQ(test.at(invalid), left_at);
+    EXPECT_EQ(test.world.report().isolated.size(), 1U);
     test.world.set_frozen(frozen, false);
     test.run(0.5);
     EXPECT_LT(test.at(frozen).y, 4.0);

@@ -11,9 +11,9 @@ TEST(Sleep, WhatSleepsStandsStillToTheLastBitAndCostsNoWork) {
     const std::uint64_t before = asleep.test.hash(asleep.tower);
     for (int i = 0; i < 300; ++i) {
         asleep.test.world.step();
-        EXPECT_EQ(asleep.test.world.cost().pairs, 0U);
-        EXPECT_EQ(asleep.test.world.cost().row_solves, 0U);
-        EXPECT_TRUE(asleep.test.world.islands().empty());
+        EXPECT_EQ(asleep.test.world.report().cost.pairs, 0U);
+        EXPECT_EQ(asleep.test.world.report().cost.row_solves, 0U);
+        EXPECT_TRUE(asleep.test.world.report().islands.empty());
     }
     EXPECT_EQ(asleep.test.hash(asleep.tower), before);
     for (const BodyId id : asleep.tower) {

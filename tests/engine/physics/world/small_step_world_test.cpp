@@ -1,4 +1,7 @@
 // What a step of small_step does for bodies that touch nothing, and that no history matters.
+#include "engine/physics/debug_lines.h"
+#include "engine/physics/query.h"
+#include "engine/physics/totals.h"
 #include "tests/engine/physics/dynamics/island_heap.h"
 
 #include <cmath>
@@ -20,7 +23,7 @@ TEST(SmallStepWorld, WhatFliesBelongsToNoneAndFliesAsIfAlone) {
     }
     alone.run(1.0);
     crowd.run(1.0);
-    EXPECT_TRUE(alone.world.islands().empty());
+    EXPECT_TRUE(alone.world.report().islands.empty());
     EXPECT_EQ(users_and_sizes(crowd.world), (IslandSizes{{9, 5}}));
     EXPECT_EQ(alone.hash({a}), crowd.hash({b}));
 }
@@ -37,12 +40,12 @@ TEST(SmallStepWorld, QueriesAndDrawingLeaveNoTrace) {
     const ShapeId ball = watched.test.shape(SphereShape{.radius_m = 0.3_r});
     for (int i = 0; i < 300; ++i) {
         watched.run(1);
-        watched.test.world.cast_ray({-9, 1, 0}, {9, 1, 0});
-        watched.test.world.sweep(ball, {.position = {0, 9, 0}}, {0, 0, 0});
-        watched.test.world.overlaps(ball, {.position = {0, 1, 0}}, 0.5_r);
-        watched.test.world.all_contacts();
+        cast_ray(watched.test.world, {-9, 1, 0}, {9, 1, 0});
+        sweep(watched.test.world, ball, {.position = {0, 9, 0}}, {0, 0, 0});
+        overlaps(watched.test.world, ball, {.position = {0, 1, 0}}, 0.5_r);
+        all_contacts(watched.test.world);
         LineList lines;
-        watched.test.world.add_debug_lines(lines);
+        add_debug_lines(watched.test.world, lines);
         EXPECT_FALSE(lines.vertices.empty());
     }
     EXPECT_EQ(plain.run(300), watched.test.hash(watched.ids));

@@ -1,4 +1,5 @@
 // Springs that sub-steps do not follow, on bodies that fall to the ground.
+#include "engine/physics/totals.h"
 #include "tests/engine/physics/joint_bench.h"
 
 #include <array>
@@ -25,7 +26,7 @@ struct SprungPair {
     }
     /// Of motion and weight, without the spring's.
     double free_J() const {
-        return test.world.energy().kinetic_J + kG * (test.at(lower).y + test.at(upper).y);
+        return energy(test.world).kinetic_J + kG * (test.at(lower).y + test.at(upper).y);
     }
     TestWorld test;
     BodyId lower{};

@@ -42,10 +42,9 @@ TEST(EntityBuilder, WeighsBySizeAndDensityButNeverNothing) {
     own.body->density_kgpm3 = 50;
     EntityDescription tiny = test::box("tiny", {0, 20, 0}, {0.001_r, 0.001_r, 0.001_r});
     test::Running run(test::scene_of({heavy, own, tiny}));
-    EXPECT_NEAR(run->physics.mass_properties(run.body("heavy")).mass_kg, 6000, 1e-2)
-        << "the surface's";
-    EXPECT_NEAR(run->physics.mass_properties(run.body("own")).mass_kg, 300, 1e-3);
-    EXPECT_NEAR(run->physics.mass_properties(run.body("tiny")).mass_kg, 0.001, 1e-9);
+    EXPECT_NEAR(run->physics.state(run.body("heavy")).mass.mass_kg, 6000, 1e-2) << "the surface's";
+    EXPECT_NEAR(run->physics.state(run.body("own")).mass.mass_kg, 300, 1e-3);
+    EXPECT_NEAR(run->physics.state(run.body("tiny")).mass.mass_kg, 0.001, 1e-9);
     ASSERT_FALSE(run->warnings.empty());
     EXPECT_NE(run->warnings.back().find("kg; 0.001 kg is used"), std::string::npos);
 }

@@ -1,4 +1,5 @@
 // What of an entity is seen.
+#include "engine/physics/query.h"
 #include "tests/support/scene_in_code.h"
 
 namespace plumbline::scene {
@@ -53,7 +54,7 @@ TEST(EntityVisuals, TriggersTakeTheScaledPrimitive) {
     // It reaches 1 m along x and half a metre along z.
     const auto meets = [&](const Vec3& at) {
         run->physics.create_body({.kind = physics::BodyKind::Static, .shape = trigger.shape});
-        return run->physics.cast_ray(at + Vec3{0, 5, 0}, at - Vec3{0, 5, 0}).has_value();
+        return cast_ray(run->physics, at + Vec3{0, 5, 0}, at - Vec3{0, 5, 0}).has_value();
     };
     EXPECT_TRUE(meets({0.9_r, 0, 0}));
     EXPECT_FALSE(meets({0, 0, 0.9_r}));

@@ -1,6 +1,7 @@
 // SOURCES B35: what moves in a model pushes what is in its way, at its own speed.
 #include "engine/scene/build/model_bodies.h"
 
+#include "engine/physics/query.h"
 #include "tests/engine/scene/build/moving_model.h"
 
 namespace plumbline::scene {
@@ -59,7 +60,7 @@ TEST(ModelBodies, OfSkinsAreTheBonesBoxes) {
     EXPECT_NEAR(bone.angular_velocity_radps.y, kPi, 1e-2);
     Vec3 low;
     Vec3 high;
-    run->physics.bounds(run.body("model/bone"), low, high);
+    physics::bounds(run->physics, run.body("model/bone"), low, high);
     EXPECT_NEAR(high.y - low.y, 1, 0.1) << "as tall as the triangle";
 }
 

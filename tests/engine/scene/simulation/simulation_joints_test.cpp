@@ -87,7 +87,7 @@ TEST(SimulationJoints, PassOnEverythingTheFileSays) {
     scene.joints = {described};
     Running run(scene);
     ASSERT_EQ(run->joints().size(), 1U);
-    const physics::JointDef& def = run->physics.joint_def(run->joints()[0].joint);
+    const physics::JointDef& def = run->physics.joint(run->joints()[0].joint).def;
     EXPECT_EQ(def.kind, described.kind);
     EXPECT_EQ(def.a, run.body("a"));
     EXPECT_EQ(def.b, run.body("b"));

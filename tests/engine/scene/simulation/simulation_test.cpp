@@ -1,6 +1,8 @@
 #include "engine/scene/simulation.h"
 
 #include "engine/core/limits.h"
+#include "engine/physics/query.h"
+#include "engine/physics/totals.h"
 #include "engine/scene/simulation/entity_lookup.h"
 #include "tests/support/near.h"
 #include "tests/support/scene_in_code.h"
@@ -96,7 +98,7 @@ TEST(Simulation, WeighsByDensityVolumeAndScale) {
     weighed.body->mass_kg = 7;
     Running run(scene_of({given, surface, weighed}));
     const auto mass = [&](const char* name) {
-        return static_cast<double>(run->physics.mass_properties(run.body(name)).mass_kg);
+        return static_cast<double>(run->physics.state(run.body(name)).mass.mass_kg);
     };
     EXPECT_NEAR(mass("given"), 1200.0, 1e-3);
     EXPECT_NEAR(mass("surface"), 1.0, 1e-5);  // 1000 kg/m3
@@ -109,7 +111,7 @@ TEST(Simulation, ScaleIsVisualAndShape) {
     Running run(scene_of({tall}));
     Vec3 min;
     Vec3 max;
-    run->physics.bounds(run.body("tall"), min, max);
+    physics::bounds(run->physics, run.body("tall"), min, max);
     EXPECT_NEAR(static_cast<double>(max.y - min.y), 4.0, 0.1);
     EXPECT_EQ(run->registry.get<Transform>(run->find("tall")).scale, (Vec3{1, 4, 1}));
 }
@@ -124,7 +126,7 @@ TEST(Simulation, RemovesAndCountsWhatFallsBelowTheKillHeight) {
     EXPECT_FALSE(run->find("doomed"));
     EXPECT_TRUE(run->find("high"));
     EXPECT_EQ(run->tally().removed, 1U);
-    EXPECT_EQ(run->physics.body_count(), 1U);
+    EXPECT_EQ(body_count(run->physics), 1U);
     EXPECT_EQ(run->moving_bodies().size(), 1U);
 }
 
@@ -191,7 +193,7 @@ TEST(Simulation, StandsABoxInForAMissingModel) {
     EXPECT_TRUE(mentions(run->warnings, "test.toml:10: entity statue: a box stands for its model"));
     Vec3 min;
     Vec3 max;
-    run->physics.bounds(run.body("statue"), min, max);
+    physics::bounds(run->physics, run.body("statue"), min, max);
     EXPECT_NEAR(static_cast<double>(max.y - min.y), 4.0, 0.1) << "the body keeps its shape";
     const Visual& visual = run->registry.get<Visual>(run->find("statue"));
     EXPECT_NEAR(run.library.mesh(visual.mesh).bounds.size().y, 4.0F, 1e-4F);
@@ -258,7 +260,7 @@ TEST(Simulation, AThousandBallsOnOneSpotPartByThePairsOfTheNearest) {
     Running run(scene);
     EXPECT_TRUE(mentions(run->warnings, "at least 1997 pairs of bodies start interpenetrating"))
         << "999 with the first and 998 with the second";
-    const physics::StepCost& cost = run->physics.cost();
+    const physics::StepCost& cost = run->physics.report().cost;
     run.step(1);
     // 1000 * 999 / 2 pairs, without the 100 nearest of each: 100 * 1000 - 100 * 101 / 2.
     EXPECT_EQ(cost.interventions.left_out_pairs, 404'550U);
@@ -272,7 +274,7 @@ TEST(Simulation, AThousandBallsOnOneSpotPartByThePairsOfTheNearest) {
         EXPECT_LE(cost.contacts, 100'000U + 1'000U) << "the ground's too";
     }
     EXPECT_EQ(run->warnings.size(), told) << "once is enough";
-    EXPECT_TRUE(run->physics.quarantined().empty());
+    EXPECT_TRUE(run->physics.report().isolated.empty());
 }
 
 TEST(Simulation, RefusesMoreBodiesThanItHolds) {
@@ -324,7 +326,7 @@ TEST(Simulation, TakesOutWhatIsNotFiniteAndGoesOn) {
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     run->physics.set_velocity(run.body("sick"), {nan, 0, 0}, {0, 0, 0});
     run.step(50);
-    EXPECT_EQ(run->physics.quarantined().size(), 1U);
+    EXPECT_EQ(run->physics.report().isolated.size(), 1U);
     EXPECT_TRUE(mentions(run->warnings, "entity sick (test.toml:10): taken out"));
     EXPECT_NEAR(
         static_cast<double>(run.state("well").world_from_body.position.y), 50.0 - 0.5 * 9.81, 1e-4);

@@ -1,6 +1,7 @@
 // Events of a hard case: done before the step that begins at their time, once.
 #include "engine/study/gallery/case_events.h"
 
+#include "engine/physics/totals.h"
 #include "tests/support/scene_in_code.h"
 
 #include <gtest/gtest.h>
@@ -110,9 +111,9 @@ TEST(CaseEvents, VelocityGravityAndRemoval) {
     {
         PlayedCase run(afloat({.kind = CaseEventKind::Remove, .of = "cube", .at_s = 0.5}));
         run.step(30);
-        EXPECT_EQ(run->physics.body_count(), 2U);
+        EXPECT_EQ(body_count(run->physics), 2U);
         run.step(5);
-        EXPECT_EQ(run->physics.body_count(), 1U);
+        EXPECT_EQ(body_count(run->physics), 1U);
         EXPECT_EQ(run->moving_bodies().size(), 1U);
         EXPECT_FALSE(run->registry.alive(run->find("cube")));
     }
@@ -121,7 +122,7 @@ TEST(CaseEvents, VelocityGravityAndRemoval) {
 TEST(CaseEvents, WhatIsNotFiniteIsTakenOutAlone) {
     PlayedCase run(afloat({.kind = CaseEventKind::NotFinite, .of = "cube", .at_s = 0.1}));
     run.step(30);
-    EXPECT_EQ(run->physics.quarantined().size(), 1U);
+    EXPECT_EQ(run->physics.report().isolated.size(), 1U);
     EXPECT_EQ(run.state("other").world_from_body.position, (Vec3{20, 5, 0}));
 }
 
@@ -137,10 +138,10 @@ TEST(CaseEvents, AMotorIsSwitchedOff) {
     PlayedCase run(scene);
     run.step(30);
     const physics::JointId axle = run->joints()[0].joint;
-    EXPECT_TRUE(run->physics.joint_def(axle).motor);
+    EXPECT_TRUE(run->physics.joint(axle).def.motor);
     const Real spin = run.state("cube").angular_velocity_radps.y;
     run.step(30);
-    EXPECT_FALSE(run->physics.joint_def(axle).motor);
+    EXPECT_FALSE(run->physics.joint(axle).def.motor);
     EXPECT_NEAR(run.state("cube").angular_velocity_radps.y, spin, 1e-3_r);
 }
 

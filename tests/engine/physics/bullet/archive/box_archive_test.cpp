@@ -1,5 +1,6 @@
 // The broad phase of a saved game.
 #include "engine/core/io/archive.h"
+#include "engine/physics/query.h"
 #include "tests/engine/physics/test_world.h"
 
 #include <functional>
@@ -20,7 +21,7 @@ struct RowOfBoxes {
     /// Which of the boxes a ray from above meets, moved by z.
     bool is_met(std::size_t i, Real z) const {
         const Real x = place_of(static_cast<int>(i));
-        const auto hit = test.world.cast_ray({x, 5, z}, {x, -5, z});
+        const auto hit = cast_ray(test.world, {x, 5, z}, {x, -5, z});
         return hit && hit->body == ids[i];
     }
 };

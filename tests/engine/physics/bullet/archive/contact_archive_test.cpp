@@ -1,5 +1,6 @@
 // Contacts of a saved game.
 #include "engine/core/io/archive.h"
+#include "engine/physics/totals.h"
 #include "tests/engine/physics/test_world.h"
 
 #include <utility>
@@ -55,8 +56,8 @@ TEST(ContactArchive, WhatPressedGoesOnPressingToTheLastBit) {
                 ASSERT_FALSE(in.failed()) << in.fault();
                 there.test.world.step();
                 here.test.world.step();
-                const auto pressed = there.test.world.all_contacts();
-                const auto again = here.test.world.all_contacts();
+                const auto pressed = all_contacts(there.test.world);
+                const auto again = all_contacts(here.test.world);
                 ASSERT_EQ(pressed.size(), 2U);
                 ASSERT_EQ(again.size(), 2U);
                 for (std::size_t k = 0; k < 2; ++k) {

@@ -36,8 +36,8 @@ std::uint32_t points_under(const ShapeDef& shape, Real height_m) {
     test.add(flat_mesh(9, 0.17_r), {0, 0, 0}, {.kind = BodyKind::Static});
     test.add(shape, {0.03_r, height_m, 0.02_r}, {.kind = BodyKind::Dynamic, .can_sleep = false});
     test.run(0.5);
-    EXPECT_EQ(test.world.islands().size(), 1U);
-    return test.world.islands().empty() ? 0 : test.world.islands()[0].contacts;
+    EXPECT_EQ(test.world.report().islands.size(), 1U);
+    return test.world.report().islands.empty() ? 0 : test.world.report().islands[0].contacts;
 }
 
 // A box of 1 m lies on some seventy triangles; the four points that carry best are enough.

@@ -1,5 +1,6 @@
 // In a crowd a body meets those that are nearest.
 #include "engine/core/io/pose_archive.h"
+#include "engine/physics/totals.h"
 #include "tests/engine/physics/test_world.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ using Marks = std::pair<std::uint64_t, std::uint64_t>;
 
 std::set<Marks> touching_marks(const PhysicsWorld& world) {
     std::set<Marks> pairs;
-    for (const ContactEvent& contact : world.all_contacts())
+    for (const ContactEvent& contact : all_contacts(world))
         pairs.insert(std::minmax(contact.user_a, contact.user_b));
     return pairs;
 }
@@ -29,7 +30,7 @@ WorldDef weightless_by(Solver solver) {
 }
 
 std::uint64_t left_out(const PhysicsWorld& world) {
-    return world.cost().interventions.left_out_pairs;
+    return world.report().cost.interventions.left_out_pairs;
 }
 
 /// At one place each body's nearest are those of the lowest ids: all pairs with the first 100.
@@ -45,9 +46,9 @@ TEST(NearestPairs, OnOneSpotAreAtMostAHundredForEachBody) {
                 test.add(SphereShape{.radius_m = 0.25_r}, {0, 1, 0});
             test.world.step();
             if (solver == Solver::SmallStep) {
-                EXPECT_EQ(test.world.cost().pairs, kept_of(bodies));
+                EXPECT_EQ(test.world.report().cost.pairs, kept_of(bodies));
             }
-            EXPECT_EQ(test.world.cost().contacts, kept_of(bodies)) << solver_name(solver);
+            EXPECT_EQ(test.world.report().cost.contacts, kept_of(bodies)) << solver_name(solver);
             EXPECT_EQ(left_out(test.world), bodies * (bodies - 1) / 2 - kept_of(bodies));
         }
     }
@@ -181,7 +182,8 @@ TEST(NearestPairs, OfACrowdThatHasGoneAreAllThatAreLeft) {
         for (BallsOnASpot* each : {&crowd, &loaded}) {
             for (std::size_t i = 0; i < 250; ++i) each->test.world.destroy_body(each->balls[i]);
             each->test.world.step();
-            EXPECT_EQ(each->test.world.cost().contacts, 50U * 49U / 2U) << solver_name(solver);
+            EXPECT_EQ(each->test.world.report().cost.contacts, 50U * 49U / 2U)
+                << solver_name(solver);
             EXPECT_EQ(left_out(each->test.world), 0U);
         }
     }
@@ -191,12 +193,12 @@ TEST(NearestPairs, OfAHeapTooLargeForAMatrixAreSwept) {
     for (const Solver solver : {Solver::BulletDantzig, Solver::BulletPgs}) {
         BallsOnASpot few(15, solver);
         few.test.world.step();
-        EXPECT_EQ(few.test.world.cost().interventions.oversized_islands, 0U);
+        EXPECT_EQ(few.test.world.report().cost.interventions.oversized_islands, 0U);
         BallsOnASpot many(1000, solver);
         many.test.world.step();
-        EXPECT_EQ(many.test.world.cost().interventions.oversized_islands, 1U);
-        EXPECT_GT(many.test.world.cost().row_solves, 0U);
-        EXPECT_TRUE(many.test.world.quarantined().empty());
+        EXPECT_EQ(many.test.world.report().cost.interventions.oversized_islands, 1U);
+        EXPECT_GT(many.test.world.report().cost.row_solves, 0U);
+        EXPECT_TRUE(many.test.world.report().isolated.empty());
     }
 }
 
@@ -221,7 +223,7 @@ TEST(NearestPairs, OfAPlateAreAllTheBoxesThatItCarries) {
     add_boxes(test, 20, -3.8_r, 0.2_r);
     test.run(0.25);
     EXPECT_EQ(left_out(test.world), 0U);
-    EXPECT_EQ(test.world.all_contacts().size(), 201U) << "with the ground";
+    EXPECT_EQ(all_contacts(test.world).size(), 201U) << "with the ground";
 }
 
 // Farther apart than any box is from the middle of its plate.

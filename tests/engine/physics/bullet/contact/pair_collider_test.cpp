@@ -1,4 +1,5 @@
 // When two bodies have contact points, and how many.
+#include "engine/physics/totals.h"
 #include "tests/engine/physics/test_world.h"
 
 #include <cmath>
@@ -29,7 +30,7 @@ TEST(FastPairs, BallsMeetFloorsBeforeTheyTouch) {
                                      {0.2_r, floor.height_m + 0.15_r, 0.3_r},
                                      {.kind = BodyKind::Dynamic, .velocity_mps = {0, -4, 0}});
         test.world.step();
-        EXPECT_EQ(test.world.cost().contacts, 1U);
+        EXPECT_EQ(test.world.report().cost.contacts, 1U);
         EXPECT_GT(test.at(ball).y, static_cast<double>(floor.height_m) + 0.1 - 0.0085);
     }
 }
@@ -42,7 +43,7 @@ TEST(FastPairs, BallsMeetBallsBeforeTheyTouch) {
     const BodyId a = test.add(SphereShape{.radius_m = 0.1_r}, {-0.15_r, 5, 0}, right);
     const BodyId b = test.add(SphereShape{.radius_m = 0.1_r}, {0.15_r, 5, 0}, left);
     test.world.step();
-    EXPECT_EQ(test.world.cost().contacts, 1U);
+    EXPECT_EQ(test.world.report().cost.contacts, 1U);
     EXPECT_GT(test.at(b).x - test.at(a).x, 0.2 - 0.017) << "33 mm where they are not seen";
 }
 
@@ -55,8 +56,8 @@ TEST(FastPairs, WhatPassesByIsNotMet) {
                  {-3, floor.height_m + 0.15_r, 0.3_r},
                  {.kind = BodyKind::Dynamic, .velocity_mps = {5, 0.5_r, 0}});
         test.world.step();
-        EXPECT_EQ(test.world.cost().contacts, 0U);
-        EXPECT_TRUE(test.world.islands().empty());
+        EXPECT_EQ(test.world.report().cost.contacts, 0U);
+        EXPECT_TRUE(test.world.report().islands.empty());
     }
 }
 
@@ -67,7 +68,7 @@ TEST(FastPairs, SlowOnesAreMetOnlyWhereTheyNearlyTouch) {
              {0, 0.15_r, 0},
              {.kind = BodyKind::Dynamic, .velocity_mps = {0, -0.01_r, 0}});
     test.world.step();
-    EXPECT_EQ(test.world.cost().contacts, 0U);
+    EXPECT_EQ(test.world.report().cost.contacts, 0U);
 }
 
 TEST(FastPairs, ABlowIsHandedOnThroughARow) {
@@ -82,7 +83,7 @@ TEST(FastPairs, ABlowIsHandedOnThroughARow) {
                                  {.kind = BodyKind::Dynamic, .velocity_mps = {0, -4.6_r, 0}}));
     }
     test.world.step();
-    EXPECT_EQ(test.world.cost().contacts, 6U);
+    EXPECT_EQ(test.world.report().cost.contacts, 6U);
     double deepest = 0.1 - test.at(balls[0]).y;
     for (std::size_t i = 1; i < balls.size(); ++i) {
         deepest = std::max(deepest, 0.2 - (test.at(balls[i]).y - test.at(balls[i - 1]).y));
@@ -101,8 +102,8 @@ TEST(FastPairs, NeighboursOfARowAreNot) {
             {.kind = BodyKind::Dynamic, .velocity_mps = {0, -4.6_r, 0}});
     }
     test.world.step();
-    EXPECT_EQ(test.world.cost().contacts, 8U);
-    EXPECT_EQ(test.world.islands().size(), 2U);
+    EXPECT_EQ(test.world.report().cost.contacts, 8U);
+    EXPECT_EQ(test.world.report().islands.size(), 2U);
 }
 
 TEST(RoundBodies, ARollingBallHasOnePoint) {
@@ -118,7 +119,7 @@ TEST(RoundBodies, ARollingBallHasOnePoint) {
         std::uint32_t most = 0;
         for (int i = 0; i < 120; ++i) {
             test.world.step();
-            most = std::max(most, test.world.cost().contacts);
+            most = std::max(most, test.world.report().cost.contacts);
         }
         EXPECT_LE(most, 2U) << "two only over a seam of the mesh";
         EXPECT_NEAR(test.velocity(ball).x, 3.0, 0.003);
@@ -133,7 +134,7 @@ TEST(PairFilter, GroupsThatDoNotAgreeHaveNoPoints) {
                  {0, 0.4_r, 0},
                  {.kind = BodyKind::Dynamic, .filter = {.group = 2, .collides_with = 2}});
     test.run(0.5);
-    EXPECT_EQ(test.world.cost().contacts, 0U);
+    EXPECT_EQ(test.world.report().cost.contacts, 0U);
     EXPECT_LT(test.at(ghost).y, -0.5);
 }
 
@@ -147,7 +148,7 @@ TEST(Compounds, AreMetByTheirParts) {
     }
     const BodyId body = test.add(dumbbell, {0, 0.25_r, 0});
     test.run(1.0);
-    EXPECT_EQ(test.world.all_contacts().size(), 1U);
+    EXPECT_EQ(all_contacts(test.world).size(), 1U);
     EXPECT_NEAR(test.at(body).y, 0.2, 2e-3);
 }
 

@@ -6,7 +6,7 @@ namespace {
 
 std::uint32_t pairs_looked_at(TestWorld& test) {
     test.world.step();
-    return test.world.cost().pairs;
+    return test.world.report().cost.pairs;
 }
 
 TEST(PairList, HasThePairsOfBodiesThatMeetAgain) {

@@ -32,8 +32,8 @@ std::uint32_t points_on_a_box(Ground ground, const ShapeDef& shape, const Pose& 
                             .world_from_body = at,
                             .can_sleep = false});
     test.run(0.5);
-    EXPECT_EQ(test.world.islands().size(), 1U);
-    return test.world.islands().empty() ? 0 : test.world.islands()[0].contacts;
+    EXPECT_EQ(test.world.report().islands.size(), 1U);
+    return test.world.report().islands.empty() ? 0 : test.world.report().islands[0].contacts;
 }
 
 TEST(BoxContacts, EachShapeHasThePointsItStandsOn) {
@@ -79,12 +79,13 @@ TEST(BoxContacts, PointsAreFoundAgainWhileABoxSlides) {
         int began = 0;
         for (int i = 0; i < 120; ++i) {
             test.world.step();
-            for (const ContactEvent& event : test.world.contacts()) began += event.began ? 1 : 0;
+            for (const ContactEvent& event : test.world.report().contacts)
+                began += event.began ? 1 : 0;
         }
         EXPECT_EQ(began, 1);
         EXPECT_NEAR(test.at(slider).x, 8, 1e-3);
-        ASSERT_EQ(test.world.contacts().size(), 1U);
-        EXPECT_NEAR(test.world.contacts()[0].impulse_Ns, kG / 60, 1e-3)
+        ASSERT_EQ(test.world.report().contacts.size(), 1U);
+        EXPECT_NEAR(test.world.report().contacts[0].impulse_Ns, kG / 60, 1e-3)
             << "its weight, over a step";
     }
 }

@@ -1,5 +1,6 @@
 #include "engine/physics/bullet/shape/hull.h"
 
+#include "engine/physics/query.h"
 #include "tests/engine/physics/bullet/shape/shape_rig.h"
 
 #include <cmath>
@@ -20,7 +21,7 @@ TEST(ShapeNotes, FlatHullsBecomeThinBoxes) {
         {.kind = BodyKind::Dynamic, .shape = *shape, .world_from_body = {.position = {5, 5, 5}}});
     Vec3 low;
     Vec3 high;
-    test.world.bounds(body, low, high);
+    bounds(test.world, body, low, high);
     EXPECT_NEAR(static_cast<double>(high.x - low.x), 0.6, 0.01);
     EXPECT_NEAR(static_cast<double>(high.y - low.y), 0.4, 0.01);
     EXPECT_LT(high.z - low.z, 0.01_r);
@@ -42,7 +43,7 @@ TEST(ShapeNotes, RoundHullsLoseCorners) {
     EXPECT_NE(notes[0].find("400 corners, reduced to 64"), std::string::npos) << notes[0];
     const BodyId body =
         test.world.create_body({.kind = BodyKind::Dynamic, .shape = *shape, .mass_kg = 10});
-    const Vec3d moments{test.world.mass_properties(body).inertia_kgm2};
+    const Vec3d moments{test.world.state(body).mass.inertia_kgm2};
     EXPECT_NEAR(moments.x, 4.0, 0.5) << "a ball of radius 1 has 4 kg m2";
 }
 

@@ -10,7 +10,7 @@ namespace plumbline::physics {
 
 inline MassProperties weigh(TestWorld& test, const ShapeDef& def, Real mass_kg) {
     const BodyId body = test.add(def, {0, 0, 0}, {.kind = BodyKind::Dynamic, .mass_kg = mass_kg});
-    const MassProperties mass = test.world.mass_properties(body);
+    const MassProperties mass = test.world.state(body).mass;
     test.world.destroy_body(body);
     return mass;
 }

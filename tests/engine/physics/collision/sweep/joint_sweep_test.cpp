@@ -1,4 +1,6 @@
 // Continuous collision of jointed bodies.
+#include "engine/physics/query.h"
+#include "engine/physics/totals.h"
 #include "tests/engine/physics/joint_bench.h"
 
 #include <algorithm>
@@ -23,9 +25,9 @@ TEST_P(JointSweeping, FastLinksAreNotStoppedByEachOther) {
     test.world.set_velocity(b, {20, 0, 0}, {0, 0, 0});
     test.run(1);
     EXPECT_NEAR(test.at(a).x, 20, 1e-4);
-    EXPECT_LT(test.world.joint_state(joint).error_m, 1e-5);
+    EXPECT_LT(test.world.joint(joint).state.error_m, 1e-5);
     EXPECT_TRUE(
-        test.world.overlaps(test.shape(BoxShape{}), {.position = {20, 0, 0}}, 0, {.ignored = a})
+        overlaps(test.world, test.shape(BoxShape{}), {.position = {20, 0, 0}}, 0, {.ignored = a})
             .empty());
 }
 
@@ -48,7 +50,7 @@ TEST_P(JointSweeping, AFastPairStopsAtAThinWallTogether) {
     double error_m = 0;
     for (int i = 0; i < 60; ++i) {
         test.world.step();
-        error_m = std::max(error_m, test.world.max_joint_error_m());
+        error_m = std::max(error_m, max_joint_error_m(test.world));
         for (const BodyId body : train) EXPECT_LT(test.at(body).x, 5);
     }
     EXPECT_LT(error_m, bar().crash_m);

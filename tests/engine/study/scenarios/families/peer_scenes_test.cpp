@@ -87,7 +87,7 @@ std::unique_ptr<PeerScene> opened(const std::string& name) {
 }
 
 physics::MassProperties mass_of(const PeerScene& scene, std::string_view entity) {
-    return scene.world.physics.mass_properties(scene.body(entity));
+    return scene.world.physics.state(scene.body(entity)).mass;
 }
 
 TEST(PeerScenes, AreWhatTheirLawsSuppose) {

@@ -1,5 +1,7 @@
 #include "engine/study/scenarios/world/scenario_world.h"
 
+#include "engine/physics/totals.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,8 +21,8 @@ TEST(ScenarioWorld, RemembersWhatMoves) {
     const auto box = world.box({2, 2, 0}, {1, 1, 1});
     EXPECT_EQ(world.movers, (std::vector<physics::BodyId>{ball, box}));
     EXPECT_EQ(world.velocity(ball), (Vec3d{1, 0, 0}));
-    EXPECT_EQ(world.physics.mass_properties(ball).mass_kg, Real{3});
-    EXPECT_EQ(world.physics.body_count(), 10U) << "floor, six walls, three";
+    EXPECT_EQ(world.physics.state(ball).mass.mass_kg, Real{3});
+    EXPECT_EQ(body_count(world.physics), 10U) << "floor, six walls, three";
 }
 
 // Walls give back all: a ball goes to and fro between them for ever.

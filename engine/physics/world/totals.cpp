@@ -1,0 +1,89 @@
+#include "engine/physics/totals.h"
+
+#include "engine/physics/bullet/body.h"
+#include "engine/physics/world/world_state.h"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+
+std::size_t body_count(const PhysicsWorld& world) {
+    return internals(world).bodies.size();
+}
+
+std::size_t awake_count(const PhysicsWorld& world) {
+    const WorldState& state = internals(world);
+    if (state.small) return state.small->bodies.count();
+    std::size_t count = 0;
+    state.bodies.each([&count](BodyId, const std::unique_ptr<BodyRecord>& record) {
+        if (pushable(*record) && is_active(*record)) ++count;
+    });
+    return count;
+}
+
+std::size_t joint_count(const PhysicsWorld& world) {
+    return internals(world).joints.size();
+}
+
+Energy energy(const PhysicsWorld& world) {
+    const Vec3d gravity{world.def().gravity_mps2};
+    Energy sum;
+    internals(world).bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+        if (!pushable(*record)) return;
+        const Transform at = record->motion->at;
+        const Vec3d v{record->motion->velocity_mps};
+        const Vec3d spin{unrotated(record->motion->spin_radps, at.rotation)};
+        sum.kinetic_J += 0.5 * record->traits.mass_kg * glm::dot(v, v) +
+                         0.5 * glm::dot(record->traits.inertia_kgm2, spin * spin);
+        sum.potential_J -= record->traits.mass_kg * glm::dot(gravity, Vec3d{at.position_m});
+    });
+    sum.potential_J += elastic_energy_J(internals(world).joints);
+    return sum;
+}
+
+Vec3d momentum_kgmps(const PhysicsWorld& world) {
+    Vec3d sum{0, 0, 0};
+    internals(world).bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+        if (pushable(*record)) sum += record->traits.mass_kg * Vec3d{record->motion->velocity_mps};
+    });
+    return sum;
+}
+
+Vec3d angular_momentum_kgm2ps(const PhysicsWorld& world) {
+    Vec3d sum{0, 0, 0};
+    internals(world).bodies.each([&](BodyId, const std::unique_ptr<BodyRecord>& record) {
+        if (!pushable(*record)) return;
+        const Transform at = record->motion->at;
+        const Vec3d v{record->motion->velocity_mps};
+        const Vec3d body_spin{unrotated(record->motion->spin_radps, at.rotation)};
+        const Vec3 own = at.rotation * Vec3{record->traits.inertia_kgm2 * body_spin};
+        sum += record->traits.mass_kg * glm::cross(Vec3d{at.position_m}, v) + Vec3d{own};
+    });
+    return sum;
+}
+
+double max_penetration_m(const PhysicsWorld& world) {
+    double deepest = 0;
+    internals(world).engine->each_manifold([&deepest](const Manifold& manifold) {
+        for (const ManifoldPoint& point : manifold.points)
+            deepest = std::max(deepest, -static_cast<double>(point.distance_m));
+    });
+    return deepest;
+}
+
+double max_joint_error_m(const PhysicsWorld& world) {
+    double most_m = 0;
+    internals(world).joints.each([&most_m](JointId, const std::unique_ptr<JointRecord>& record) {
+        if (!record->state.broken) most_m = std::max(most_m, record->state.error_m);
+    });
+    return most_m;
+}
+
+int most_substeps(const PhysicsWorld& world) {
+    int most = world.def().substeps;
+    for (const IslandReport& island : world.report().islands)
+        most = std::max(most, island.substeps);
+    return most;
+}
+
+}  // namespace plumbline::physics
