@@ -10,9 +10,6 @@
 
 namespace plumbline::game {
 
-/// Its centre of mass.
-Vec3 middle_of(const physics::PhysicsWorld& world, physics::BodyId body);
-
 class Grab {
 public:
     static constexpr Real kReach_m = 3;
