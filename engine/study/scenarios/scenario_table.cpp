@@ -37,7 +37,8 @@ const std::vector<Scenario>& scenarios() {
                                   leaving_family,
                                   invariances_family,
                                   peer_scenes_family}) {
-            for (Scenario& each : family()) made.push_back(std::move(each));
+            const std::vector<Scenario> own = family();
+            made.insert(made.end(), own.begin(), own.end());
         }
         std::ranges::stable_sort(
             made, {}, [](const Scenario& each) { return each.id.substr(0, 3); });
