@@ -1,5 +1,4 @@
 #include "engine/core/hash.h"
-#include "engine/core/limits.h"
 #include "engine/scene/json_scene/json_scene_impl.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 // What only the whole scene can tell: counts, names, groups, and what is not built yet.
 #include "engine/core/limits.h"
-#include "engine/core/text/nearest_name.h"
 #include "engine/scene/sections/scene_names.h"
 #include "engine/scene/sections/scene_parts.h"
 

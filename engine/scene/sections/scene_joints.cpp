@@ -1,6 +1,5 @@
 // [[joint]]: read and checked.
 #include "engine/core/limits.h"
-#include "engine/core/text/nearest_name.h"
 #include "engine/scene/sections/scene_names.h"
 #include "engine/scene/sections/scene_parts.h"
 

@@ -1,4 +1,3 @@
-#include "engine/core/limits.h"
 #include "engine/scene/sections/scene_parts.h"
 
 #include <fmt/format.h>

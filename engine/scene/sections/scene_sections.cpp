@@ -1,6 +1,5 @@
 // [scene] [world] [accuracy] [player] [camera] [effects.*] and the calls for the rest.
 #include "engine/core/limits.h"
-#include "engine/core/text/nearest_name.h"
 #include "engine/scene/accuracy.h"
 #include "engine/scene/sections/scene_parts.h"
 
