@@ -148,6 +148,29 @@ TEST_F(RayScenes, WhatCastsNoShadowIsSeenAllTheSame) {
     EXPECT_FALSE(rays.is_shaded(floor_at(rays, 0.0F, 0.0F), kUp));
 }
 
+TEST_F(RayScenes, WhoAsksForBacksSeesThem) {
+    add(assets::box_mesh(Vec3f{2.0F}), "box", {0.0F, 3.0F, 0.0F}, {});
+    const RayScene rays(frame_, library_);
+    const auto back = rays.first_hit({0.0F, 3.0F, 0.0F}, kDown, Backs::Seen);
+    ASSERT_TRUE(back.has_value());
+    EXPECT_TRUE(back->from_behind);
+    EXPECT_NEAR(back->distance_m, 1.0F, 1e-5F);
+    EXPECT_EQ(back->normal_world, kDown) << "out of the box, along the ray";
+}
+
+TEST_F(RayScenes, AHitHasItsPartsMeanColour) {
+    add(assets::box_mesh(Vec3f{2.0F}),
+        "box",
+        {0.0F, 3.0F, 0.0F},
+        {.base_color = {0.8F, 0.2F, 0.1F}});
+    frame_.items.back().tint = {0.5F, 1.0F, 1.0F};
+    const auto hit = RayScene(frame_, library_).first_hit({0.0F, 9.0F, 0.0F}, kDown);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_NEAR(hit->albedo.x, 0.4F, 1e-4F);
+    EXPECT_NEAR(hit->albedo.y, 0.2F, 1e-4F);
+    EXPECT_FALSE(hit->from_behind);
+}
+
 TEST_F(RayScenes, LooksThroughBacksAsTheImageDoes) {
     add(assets::box_mesh(Vec3f{2.0F}), "box", {0.0F, 1.0F, 0.0F}, {});
     const RayScene rays(frame_, library_);
