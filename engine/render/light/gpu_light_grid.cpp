@@ -13,11 +13,26 @@ constexpr float kSameLight = 0.02F;
 constexpr float kSameSun = 0.9997F;  // 1.4 degrees
 constexpr float kRest_s = 1.0F;      // between two lights of a running scene
 
+bool overlap(const Aabb& a, const Aabb& b) {
+    return glm::all(glm::lessThan(a.min, b.max)) && glm::all(glm::greaterThan(a.max, b.min));
+}
+
 bool stands_in(const DrawItem& item, const Aabb& box, const assets::AssetLibrary& library) {
     if (!item.is_static || item.mesh.value == 0) return false;
-    const Aabb bounds = transformed(library.mesh(item.mesh).bounds, item.world_from_body);
-    return glm::all(glm::lessThan(bounds.min, box.max)) &&
-           glm::all(glm::greaterThan(bounds.max, box.min));
+    return overlap(transformed(library.mesh(item.mesh).bounds, item.world_from_body), box);
+}
+
+/// Whether one of its triangles comes near the box: the hills round a house do not.
+bool has_triangle_in(const DrawItem& item, const Aabb& box, const assets::MeshData& mesh) {
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        Aabb triangle;
+        for (std::size_t corner = i; corner < i + 3; ++corner) {
+            const Vec3f& place = mesh.vertices[mesh.indices[corner]].position_body;
+            triangle.include(Vec3f{item.world_from_body * Vec4f{place, 1.0F}});
+        }
+        if (overlap(triangle, box)) return true;
+    }
+    return false;
 }
 
 std::uint64_t content_of(const RenderFrame& frame,
@@ -50,6 +65,19 @@ OutsideLight outside_light(const FrameBlock& block) {
     return outside;
 }
 
+bool GpuLightGrid::may_light(assets::MeshId mesh, bool is_static, const Aabb& bounds_world) const {
+    return ready() && (is_static ? inside_.contains(mesh.value) : overlap(bounds_world, rooms_));
+}
+
+void GpuLightGrid::find_inside(const RenderFrame& frame, const assets::AssetLibrary& library) {
+    inside_.clear();
+    for (const DrawItem& item : frame.items) {
+        if (stands_in(item, rooms_, library) && !inside_.contains(item.mesh.value) &&
+            has_triangle_in(item, rooms_, library.mesh(item.mesh)))
+            inside_.insert(item.mesh.value);
+    }
+}
+
 void GpuLightGrid::want(const RenderFrame& frame,
                         const OutsideLight& outside,
                         assets::AssetLibrary& library) {
@@ -67,7 +95,11 @@ void GpuLightGrid::want(const RenderFrame& frame,
     // Built again each time that the light has changed: that takes less than it would take memory.
     const RayScene rays(
         frame, library, [&](const DrawItem& item) { return stands_in(item, box, library); });
-    if (is_new) grid_ = std::make_unique<LightGrid>(*frame.indirect, rays);
+    if (is_new) {
+        grid_ = std::make_unique<LightGrid>(*frame.indirect, rays);
+        rooms_ = {frame.indirect->min_world, frame.indirect->max_world};
+        find_inside(frame, library);
+    }
     content_ = content;
     grid_->light(outside, rays);
     outside_ = outside;

@@ -37,11 +37,6 @@ bool is_reached(const Aabb& box, std::span<const LocalLight> lights) {
     });
 }
 
-bool reaches_into(const IndirectLight& room, const Aabb& box) {
-    return glm::all(glm::lessThan(box.min, room.max_world)) &&
-           glm::all(glm::greaterThan(box.max, room.min_world));
-}
-
 void scissor(const ClipRect& part, const PixelSize& size_px) {
     const Vec2f size{size_px.width, size_px.height};
     const Vec2f first = glm::floor((part.min * 0.5F + 0.5F) * size) - 1.0F;
@@ -80,7 +75,8 @@ struct RunDrawer {
     FeatureSet features_of(const DrawRun& run) const {
         FeatureSet features = setup.features;
         if (!is_reached(run.bounds_world, setup.lamps.lights)) features &= ~kLocalLights;
-        if ((features & kIndirect) != 0 && !reaches_into(*setup.frame->indirect, run.bounds_world))
+        const bool is_static = run.only_item != nullptr && run.only_item->is_static;
+        if (!context.resources.light_grid.may_light(run.mesh, is_static, run.bounds_world))
             features &= ~kIndirect;
         if (!run.in_beam) features &= ~kFlashlightFeatures;
         return features;

@@ -51,6 +51,27 @@ TEST_F(IndirectGl, OutsideOfItsBoxNothingChanges) {
     EXPECT_EQ(with, seen(frame, {6.0F, 0.0F, 0.0F}));
 }
 
+TEST_F(IndirectGl, TheGroundThatARoomStandsOnIsLitAsBefore) {
+    RenderFrame frame = open_room();
+    // Round the room in its bounds, nowhere in it: a floor below, and a hill far off.
+    assets::MeshData ground = assets::box_mesh({40.0F, 0.2F, 40.0F});
+    for (assets::Vertex& vertex : ground.vertices) {
+        if (vertex.position_body.x > 19.0F && vertex.position_body.y > 0.0F)
+            vertex.position_body.y += 6.0F;
+    }
+    ground.bounds = assets::bounds_of(ground);
+    add_item(frame,
+             library_.add_mesh("ground", std::move(ground)),
+             matt(Vec3f{0.6F}),
+             glm::translate(Mat4f{1.0F}, {0.0F, -2.0F, 0.0F}));
+    frame.items.back().is_static = true;
+    const Vec3f beside{-6.0F, -1.9F, 6.0F};
+    frame.camera = camera_at({-6.0F, 1.0F, 9.0F}, beside);
+    const int with = pixel_at(draw(frame), 32, 32).g;
+    frame.indirect.reset();
+    EXPECT_EQ(with, pixel_at(draw(frame), 32, 32).g);
+}
+
 TEST_F(IndirectGl, AWallThatComesLaterTakesTheLightAway) {
     RenderFrame frame = open_room();
     const Vec3f back{-1.7F, 0.0F, 1.99F};
