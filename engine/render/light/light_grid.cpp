@@ -1,5 +1,7 @@
 #include "engine/render/light/light_grid.h"
 
+#include "engine/core/color.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +16,6 @@ constexpr std::uint32_t kMostBacks = kDirections / 4;
 constexpr Vec3f kGroundAlbedo{0.22F, 0.22F, 0.17F};
 /// Of a cell: how far off a surface its light is looked up.
 constexpr float kOffSurface = 0.5F;
-constexpr Vec3f kLuminance{0.2126F, 0.7152F, 0.0722F};
 
 /// Evenly over the sphere: a Fibonacci spiral.
 std::vector<Vec3f> even_directions() {
@@ -146,7 +147,7 @@ void LightGrid::gather(const OutsideLight& outside) {
     const auto receive = [&](std::uint32_t ray, const Vec3f& radiance) {
         const std::uint32_t point = ray / kDirections;
         means[point] += Vec4f{radiance, 0.0F} / static_cast<float>(kDirections);
-        moments[point] += directions_[ray % kDirections] * glm::dot(radiance, kLuminance);
+        moments[point] += directions_[ray % kDirections] * luminance(radiance);
     };
     for (const std::uint32_t ray : escapes_)
         receive(ray, radiance_from(outside, directions_[ray % kDirections]));
@@ -159,8 +160,8 @@ void LightGrid::gather(const OutsideLight& outside) {
                 (sample.sun * outside.sun_radiance + diffuse_at(sample.place_world + off, normal)));
     }
     for (std::size_t point = 0; point < means.size(); ++point) {
-        const float luminance = glm::dot(Vec3f{means[point]}, kLuminance) * kDirections;
-        slopes_[point] = Vec4f{moments[point] * (3.0F / std::max(luminance, 1e-12F)), 0.0F};
+        const float total = luminance(Vec3f{means[point]}) * kDirections;
+        slopes_[point] = Vec4f{moments[point] * (3.0F / std::max(total, 1e-12F)), 0.0F};
     }
     means_ = std::move(means);
 }
