@@ -1,10 +1,8 @@
 #include "engine/physics/bullet/body.h"
 
 #include "engine/core/assert.h"
-#include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/rigid_body.h"
-#include "engine/physics/bullet/shape/primitive_shape.h"
 #include "engine/physics/bullet/shape/shape_record.h"
 #include "engine/physics/world/body_record.h"
 
@@ -41,20 +39,29 @@ void weigh(BodyRecord& record, const BodyDef& def, const ShapeRecord& shape) {
     record.traits.isotropic_inertia = nearly_equal(record.traits.inertia_kgm2);
 }
 
+/// The geometry in the body's own mass frame.
+void give_geometry(BodyRecord& record, const ShapeRecord& shape) {
+    const Pose& own = record.traits.body_from_mass;
+    const Pose& shared = shape.body_from_mass;
+    if (own.position == shared.position && own.orientation == shared.orientation) {
+        record.traits.geometry = shape.geometry;
+    } else {
+        const Pose own_from_shared = compose(invert(own), shared);
+        record.traits.geometry = std::make_shared<const BodyGeometry>(moved(
+            *shape.geometry,
+            Transform{glm::mat3_cast(own_from_shared.orientation), own_from_shared.position}));
+    }
+    const std::vector<GeometryPart>& parts = record.traits.geometry->parts;
+    if (parts.size() == 1 && parts.front().mass_from_part == Transform{})
+        record.traits.primitive = parts.front().shape;
+}
+
 /// The shape as seen from the body's mass frame, as a compound of one; none where the two agree.
-std::unique_ptr<btCompoundShape> wrapper_of(BodyRecord& record, const ShapeRecord& shape) {
+std::unique_ptr<btCompoundShape> wrapper_of(const BodyRecord& record, const ShapeRecord& shape) {
     const Pose& own = record.traits.body_from_mass;
     const bool same_frame = own.position == shape.body_from_mass.position &&
                             own.orientation == shape.body_from_mass.orientation;
     const Pose mass_from_shape = same_frame ? Pose{} : compose(invert(own), shape.body_from_mass);
-    record.sweep.ccd_spheres = shape.ccd_spheres;
-    record.sweep.smallest_ccd_radius_m =
-        shape.ccd_spheres.empty() ? 0 : shape.ccd_spheres.front().radius_m;
-    for (CcdSphere& sphere : record.sweep.ccd_spheres) {
-        sphere.center_m = transform_point(mass_from_shape, sphere.center_m);
-        record.sweep.smallest_ccd_radius_m =
-            std::min(record.sweep.smallest_ccd_radius_m, sphere.radius_m);
-    }
     if (same_frame) return nullptr;
     auto wrapper = std::make_unique<btCompoundShape>();
     wrapper->addChildShape(to_bullet(mass_from_shape), shape.collision);
@@ -70,10 +77,6 @@ std::unique_ptr<RigidBody> make_rigid(const BodyRecord& record,
         nullptr,
         collision,
         dynamic ? bullet_from_double(record.traits.inertia_kgm2) : btVector3(0, 0, 0));
-    info.m_friction = def.friction;
-    info.m_rollingFriction = def.rolling_friction;
-    info.m_spinningFriction = def.spinning_friction;
-    info.m_restitution = def.restitution;
     info.m_linearSleepingThreshold = kSleepSpeed_mps;
     info.m_angularSleepingThreshold = kSleepSpin_radps;
     auto rigid = std::make_unique<RigidBody>(info);
@@ -96,6 +99,12 @@ void give_rigid_body(BodyRecord& record, const BodyDef& def, const ShapeRecord& 
     PL_ASSERT(def.kind != BodyKind::Dynamic || !shape.static_only,
               "planes and meshes only as static or kinematic bodies");
     weigh(record, def, shape);
+    give_geometry(record, shape);
+    record.sweep.inner_radius_m = shape.inner_radius_m;
+    record.traits.material = {.friction = def.friction,
+                              .restitution = def.restitution,
+                              .rolling_m = def.rolling_friction,
+                              .spinning_m = def.spinning_friction};
     std::unique_ptr<btCompoundShape> wrapper = wrapper_of(record, shape);
     btCollisionShape* collision = wrapper ? wrapper.get() : shape.collision;
     record.rigid = make_rigid(record, def, collision);
@@ -105,7 +114,6 @@ void give_rigid_body(BodyRecord& record, const BodyDef& def, const ShapeRecord& 
     record.rigid->setUserPointer(&record);
     if (record.traits.held_along_axes())
         record.rigid->setLinearFactor(to_bullet(def.linear_factor));
-    record.traits.primitive = primitive_of(*collision);
     record.traits.radius_m = collision->getAngularMotionDisc();
     record.traits.contact_margin_m =
         collision->getContactBreakingThreshold(gContactBreakingThreshold);

@@ -1,10 +1,10 @@
-// Spheres sent through Bullet's world, in plain types.
+// Bodies near a place in Bullet's world, in plain types.
 #pragma once
 
-#include "engine/core/math.h"
+#include "engine/physics/collision/shape/box_tree.h"
 
 #include <cstdint>
-#include <optional>
+#include <vector>
 
 namespace plumbline::physics {
 
@@ -22,22 +22,9 @@ struct BodyFilter {
     bool sees(const BodyRecord& record) const;
 };
 
-/// A sphere that moves along a straight line.
-struct SpherePath {
-    Vec3 from_world{0, 0, 0};
-    Vec3 motion_m{0, 0, 0};
-    Real radius_m{0};
-};
-
-/// The first body that a sphere hits.
-struct SphereHit {
-    Real fraction{1};
-    Vec3 normal_world{0, 1, 0};  ///< from the body hit to the sphere
-};
-
-/// As cast_among() of convex_query.h.
-std::optional<SphereHit> cast_sphere(const StepWorld& world,
-                                     const SpherePath& path,
-                                     const BodyFilter& filter);
+/// Bodies whose boxes touch the given box, in the order of their ids.
+std::vector<const BodyRecord*> bodies_near(const StepWorld& world,
+                                           const Bounds& box,
+                                           const BodyFilter& filter);
 
 }  // namespace plumbline::physics

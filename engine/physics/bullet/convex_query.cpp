@@ -1,6 +1,5 @@
 #include "engine/physics/bullet/convex_query.h"
 
-#include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/rigid_body.h"
 #include "engine/physics/bullet/step_world.h"
@@ -186,17 +185,10 @@ std::optional<CastHit> cast_among(const btCollisionWorld& world,
     return best;
 }
 
-std::optional<SphereHit> cast_sphere(const StepWorld& world,
-                                     const SpherePath& path,
-                                     const BodyFilter& filter) {
-    const btSphereShape sphere(path.radius_m);
-    const auto hit = cast_among(world,
-                                sphere,
-                                btTransform(btMatrix3x3::getIdentity(), to_bullet(path.from_world)),
-                                to_bullet(path.motion_m),
-                                filter);
-    if (!hit) return std::nullopt;
-    return SphereHit{.fraction = hit->fraction, .normal_world = from_bullet(hit->normal)};
+std::vector<const BodyRecord*> bodies_near(const StepWorld& world,
+                                           const Bounds& box,
+                                           const BodyFilter& filter) {
+    return bodies_in_box(world, bullet_from_double(box.low), bullet_from_double(box.high), filter);
 }
 
 std::optional<CastHit> ray_among(const btCollisionWorld& world,

@@ -1,4 +1,3 @@
-#include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/counting_solver.h"
 #include "engine/physics/bullet/engine_parts.h"
@@ -24,22 +23,26 @@ void* allocate_or_throw(std::size_t bytes) {
     return memory;
 }
 
+Material material_of(const btCollisionObject& a, const btCollisionObject& b) {
+    return combined(record_of(a).traits.material, record_of(b).traits.material);
+}
+
 /// Its own solvers get materials combined, and all of Bullet its memory, through global function
 /// pointers, for every world of the process. Setting them again to the same functions is harmless.
 void install_global_callbacks() {
     btAlignedAllocSetCustom(allocate_or_throw, std::free);
     using Object = btCollisionObject;
     gCalculateCombinedFrictionCallback = [](const Object* a, const Object* b) -> btScalar {
-        return friction_of(*a, *b);
+        return material_of(*a, *b).friction;
     };
     gCalculateCombinedRestitutionCallback = [](const Object* a, const Object* b) -> btScalar {
-        return restitution_of(*a, *b);
+        return material_of(*a, *b).restitution;
     };
     gCalculateCombinedRollingFrictionCallback = [](const Object* a, const Object* b) -> btScalar {
-        return rolling_m_of(*a, *b);
+        return material_of(*a, *b).rolling_m;
     };
     gCalculateCombinedSpinningFrictionCallback = [](const Object* a, const Object* b) -> btScalar {
-        return spinning_m_of(*a, *b);
+        return material_of(*a, *b).spinning_m;
     };
 }
 
@@ -86,6 +89,26 @@ void set_up_solver(const WorldDef& def, const BulletEngine::Parts& parts) {
         parts.pivot_solver ? 1 : btContactSolverInfo().m_minimumSolverBatchSize;
 }
 
+ManifoldPoint copied(const btManifoldPoint& from) {
+    ManifoldPoint point{.age_steps = from.getLifeTime(),
+                        .normal_world = from_bullet(from.m_normalWorldOnB),
+                        .distance_m = from.getDistance(),
+                        .normal_Ns = from.getAppliedImpulse()};
+    point.a.surface_m = from_bullet(from.getPositionWorldOnA());
+    point.a.local_m = from_bullet(from.m_localPointA);
+    point.b.surface_m = from_bullet(from.getPositionWorldOnB());
+    point.b.local_m = from_bullet(from.m_localPointB);
+    return point;
+}
+
+void copy_manifold(const btPersistentManifold& from, Manifold& to) {
+    to.a = &record_of(*from.getBody0());
+    to.b = &record_of(*from.getBody1());
+    to.points.clear();
+    for (int i = 0; i < from.getNumContacts(); ++i)
+        to.points.push_back(copied(from.getContactPoint(i)));
+}
+
 void scale_impulses(btPersistentManifold& manifold, btScalar factor) {
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
         btManifoldPoint& point = manifold.getContactPoint(i);
@@ -104,14 +127,12 @@ BulletEngine::BulletEngine(const WorldDef& def, StepReport& report)
     parts.report = &report;
     parts.pair_filter = std::make_unique<PairFilter>();
     parts.configuration = std::make_unique<btDefaultCollisionConfiguration>();
+    parts.dispatcher = std::make_unique<btCollisionDispatcher>(parts.configuration.get());
     if (def.solver == Solver::SmallStep) {
-        parts.dispatcher = std::make_unique<PairDispatcher>(parts.configuration.get());
-        parts.part_contacts = std::make_unique<PartContacts>(*parts.dispatcher);
-        auto pairs = std::make_unique<PairList>(*parts.dispatcher, *parts.pair_filter);
+        auto pairs = std::make_unique<PairList>(*parts.pair_filter);
         parts.own_pairs = pairs.get();
         parts.pairs = std::move(pairs);
     } else {
-        parts.dispatcher = std::make_unique<btCollisionDispatcher>(parts.configuration.get());
         parts.pairs = std::make_unique<CountedPairs>(*parts.pair_filter);
     }
     parts.mesh_contacts = std::make_unique<MeshContacts>(*parts.dispatcher);

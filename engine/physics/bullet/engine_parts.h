@@ -3,10 +3,8 @@
 
 #include "engine/physics/bullet/contact/mesh_contact.h"
 #include "engine/physics/bullet/contact/nearest_pairs.h"
-#include "engine/physics/bullet/contact/pair_dispatch.h"
 #include "engine/physics/bullet/contact/pair_filter.h"
 #include "engine/physics/bullet/contact/pair_list.h"
-#include "engine/physics/bullet/contact/part_contacts.h"
 #include "engine/physics/bullet/engine.h"
 #include "engine/physics/bullet/step_world.h"
 
@@ -20,9 +18,8 @@ namespace plumbline::physics {
 
 struct BulletEngine::Parts {
     std::unique_ptr<btDefaultCollisionConfiguration> configuration;
-    std::unique_ptr<PartContacts> part_contacts;  ///< small_step only
     std::unique_ptr<MeshContacts> mesh_contacts;
-    std::unique_ptr<btCollisionDispatcher> dispatcher;  ///< small_step: a PairDispatcher
+    std::unique_ptr<btCollisionDispatcher> dispatcher;
     std::unique_ptr<PairFilter> pair_filter;
     std::unique_ptr<btOverlappingPairCache> pairs;
     PairList* own_pairs{nullptr};  ///< small_step: `pairs`

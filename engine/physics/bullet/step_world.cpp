@@ -1,11 +1,12 @@
 #include "engine/physics/bullet/step_world.h"
 
 #include "engine/physics/bullet/body.h"
-#include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/bullet/contact/nearest_pairs.h"
 #include "engine/physics/bullet/contact/pair_filter.h"
 #include "engine/physics/bullet/convert.h"
+#include "engine/physics/bullet/rigid_body.h"
 #include "engine/physics/bullet/rotations.h"
+#include "engine/physics/collision/sweep/body_sweep.h"
 #include "engine/physics/dynamics/body_motion.h"
 #include "engine/physics/world/body_record.h"
 

@@ -8,17 +8,26 @@ namespace plumbline::physics {
 ManifoldPoint* nearest_point(std::span<ManifoldPoint> points,
                              const ManifoldPoint& point,
                              Real near_m) {
+    constexpr Real kSameWay = 0.7_r;  // cosine
     ManifoldPoint* found = nullptr;
     Real least = near_m * near_m;
     for (ManifoldPoint& other : points) {
         const Vec3 on_a = other.a.local_m - point.a.local_m;
         const Vec3 on_b = other.b.local_m - point.b.local_m;
         const Real away2 = std::min(glm::dot(on_a, on_a), glm::dot(on_b, on_b));
-        if (away2 >= least) continue;
+        if (away2 >= least || glm::dot(other.normal_world, point.normal_world) < kSameWay) continue;
         least = away2;
         found = &other;
     }
     return found;
+}
+
+Material combined(const Material& a, const Material& b) {
+    // A sphere's own resistance to rolling holds on any ground, so one side's coefficient is enough.
+    return {.friction = std::sqrt(a.friction * b.friction),
+            .restitution = std::max(a.restitution, b.restitution),
+            .rolling_m = std::max(a.rolling_m, b.rolling_m),
+            .spinning_m = std::max(a.spinning_m, b.spinning_m)};
 }
 
 void remove_point(Manifold& manifold, std::size_t index) {

@@ -42,13 +42,14 @@ struct ManifoldPoint {
     Real normal_Ns{0};  ///< over the whole of the latest step
 };
 
-/// What the materials of two bodies make together.
-struct PairMaterial {
+/// What a body is made of, as its contacts feel it, or what two materials make together.
+struct Material {
     Real friction{0};
     Real restitution{0};
     Real rolling_m{0};   ///< torque against rolling per newton pressed
     Real spinning_m{0};  ///< ... against spinning about the normal
 };
+Material combined(const Material& a, const Material& b);
 
 /// What all points of a manifold carried together in the latest step that solved it; mean forces of
 /// its last sub-step, as PointLoad.
@@ -61,19 +62,21 @@ struct ManifoldLoad {
     Vec3 rolling_Nm{0, 0, 0};  ///< on the body that gives way
 };
 
-/// Contact points of two bodies, any number. A pair has several where pieces of compounds or faces
-/// of a mesh touch. The bodies may stand the other way round than in the pair.
+/// Contact points of two bodies' parts, any number; on a mesh with several normals.
 struct Manifold {
     BodyRecord* a{nullptr};
     BodyRecord* b{nullptr};
-    std::uint32_t number{0};  ///< of Bullet's that it stands for; 0: none
+    std::uint32_t part_a{0};  ///< of the pair's `a`; a mesh is one part
+    std::uint32_t part_b{0};
     std::uint32_t features_made{0};
-    PairMaterial material;
+    Material material;
+    bool found{false};  ///< in the latest search; else it goes
     std::vector<ManifoldPoint> points;
     ManifoldLoad load;
 };
 
-/// The one of `points` that is nearest to `point` on either body, nearer than `near_m`; null: none.
+/// The one of `points` that is nearest to `point` on either body, nearer than `near_m`, and presses the same way;
+/// null: none.
 ManifoldPoint* nearest_point(std::span<ManifoldPoint> points,
                              const ManifoldPoint& point,
                              Real near_m);

@@ -21,15 +21,13 @@ struct PredictedChange {
 struct Pair {
     BodyRecord* a{nullptr};
     BodyRecord* b{nullptr};
-    std::vector<Manifold> manifolds;  ///< in an order that does not depend on addresses
+    std::vector<Manifold> manifolds;  ///< in the order of their parts
     Real base_m{0};                   ///< points of a slow pair count up to this distance
     Real reach_m{0};                  ///< and those of the latest step up to this one
     Real predicted_mps{0};            ///< of both bodies, as the latest test knew it
     std::uint32_t seen{0};            ///< the walk that visited it last
     bool touches{false};              ///< has contact points
-    bool round{false};                ///< a sphere: its points are new in every step
-    bool boxes{false};                ///< two boxes: likewise, found at any distance
-    bool primitives{false};           ///< our narrow phase finds the points: one manifold
+    bool round{false};                ///< one of them is a sphere
 };
 
 inline BodyRecord& partner(const Pair& pair, const BodyRecord& record) {

@@ -8,9 +8,8 @@
 namespace plumbline::physics {
 namespace {
 
-/// Bullet needs room to keep points from step to step; those of boxes are all found anew, and count
-/// when nearer than this share of the distance at which others do.
-constexpr Real kNearBoxes = 0.1_r;
+/// Points of others than spheres count when nearer than this share of the bodies' margin.
+constexpr Real kNear = 0.1_r;
 
 bool is_moving(const BodyRecord& record) {
     return record.kind != BodyKind::Static && !record.frozen;
@@ -19,8 +18,8 @@ bool is_moving(const BodyRecord& record) {
 /// How far continuous collision lets a body go unswept in a step; a swept one stops at what it hits.
 Real unswept_m(const BodyRecord& record) {
     if (!is_moving(record)) return 0;
-    return record.sweep.smallest_ccd_radius_m > 0 ? record.sweep.smallest_ccd_radius_m
-                                                  : record.traits.radius_m / 2;
+    return record.sweep.inner_radius_m > 0 ? record.sweep.inner_radius_m
+                                           : record.traits.radius_m / 2;
 }
 
 Real spin_mps(const BodyRecord& record) {
@@ -66,13 +65,13 @@ bool is_face_of_box(const Mat3& axes, const Vec3& normal) {
 bool passes_edge(const Manifold& manifold, const ManifoldPoint& point, Real step_s) {
     constexpr Real kTouch = 0.005_r;  // of the radius, as is the next
     constexpr Real kFar = 0.1_r;
-    const bool box_last = manifold.b->traits.primitive.kind == Primitive::Kind::Box;
+    const bool box_last = manifold.b->traits.primitive.kind == ConvexShape::Kind::Box;
     const BodyRecord& round = box_last ? *manifold.a : *manifold.b;
     const BodyRecord& box = box_last ? *manifold.b : *manifold.a;
     const Vec3 out = box_last ? point.normal_world : -point.normal_world;
     const Vec3& edge = box_last ? point.b.surface_m : point.a.surface_m;
     const Real radius_m = round.traits.primitive.radius_m;
-    if (radius_m <= 0 || box.traits.primitive.kind != Primitive::Kind::Box ||
+    if (radius_m <= 0 || box.traits.primitive.kind != ConvexShape::Kind::Box ||
         point.distance_m < -kTouch * radius_m || is_face_of_box(box.motion->at.rotation, out))
         return false;
     const Vec3 center = edge + out * (radius_m + point.distance_m);
@@ -92,7 +91,7 @@ void keep_larger(PredictedChange& predicted, const Vec3& change, bool backed) {
 }  // namespace
 
 Real near_m(const Pair& pair) {
-    return pair.boxes ? kNearBoxes * pair.base_m : pair.base_m;
+    return pair.round ? pair.base_m : kNear * pair.base_m;
 }
 
 Real predicted_mps(const Pair& pair) {
@@ -106,18 +105,14 @@ Real reach_of(const Pair& pair, const CollideStep& step) {
     const Vec3 apart = a.motion->velocity_mps - b.motion->velocity_mps;
     const Real speed = glm::length(apart) + spin_mps(a) + spin_mps(b) + predicted_mps(pair);
     const Real displacement = speed * step.step_s + step.drop_m;
-    // Resting bodies keep the distances at which Bullet merges and keeps points.
-    if (!pair.boxes && 2 * displacement <= pair.base_m) return pair.base_m;
-    // Points of round shapes are found at any distance; what others reach no further for is swept.
-    if (pair.round) return pair.base_m + displacement;
-    const Real unswept = unswept_m(a) + unswept_m(b);
-    return (pair.boxes ? near_m(pair) : pair.base_m) + std::min(displacement, unswept);
+    if (pair.round) return pair.base_m + (2 * displacement <= pair.base_m ? Real{0} : displacement);
+    // What others reach no further for is swept.
+    return near_m(pair) + std::min(displacement, unswept_m(a) + unswept_m(b));
 }
 
 bool knows_less(const Pair& pair, const CollideStep& step) {
-    // Boxes that only an impact brings together collide in the next step, at most their CCD spheres apart.
-    return !pair.boxes &&
-           2 * (predicted_mps(pair) - pair.predicted_mps) * step.step_s > pair.base_m;
+    // Others that only an impact brings together collide in the next step, at most their CCD spheres apart.
+    return pair.round && 2 * (predicted_mps(pair) - pair.predicted_mps) * step.step_s > pair.base_m;
 }
 
 bool is_reachable(const Manifold& manifold,

@@ -11,7 +11,8 @@ namespace plumbline::physics {
 /// What colliding needs to know of the step.
 struct CollideStep {
     Real step_s{0};
-    Real drop_m{0};  ///< what gravity adds to any motion within the step, at most
+    Real drop_m{0};     ///< what gravity adds to any motion within the step, at most
+    bool again{false};  ///< within a step: what the points carried in it so far stays
 };
 
 /// The impact of a pair that collides within the step.

@@ -1,7 +1,5 @@
 #include "engine/physics/dynamics/body_motion.h"
 
-#include "engine/physics/bullet/body.h"
-#include "engine/physics/bullet/cast.h"
 #include "engine/physics/bullet/rotations.h"
 #include "engine/physics/dynamics/rotation.h"
 #include "engine/physics/world/body_record.h"
@@ -155,78 +153,6 @@ void integrate_kinematic(BodyRecord& record, bool to_target, Real h) {
         to.rotation = turned(to.rotation, record.motion->spin_radps, h);
     }
     record.motion->at = to;
-}
-
-/// Of a step's way: below it a body was at the hit when the step began.
-constexpr Real kStuckShare = 0.02_r;
-
-bool moves_past_itself(const BodyRecord& record) {
-    if (record.sweep.ccd_spheres.empty() || record.sweep.ccd == ContinuousCollision::Off)
-        return false;
-    if (record.sweep.ccd == ContinuousCollision::On) return true;
-    const Vec3 path = record.motion->at.position_m - record.before.at.position_m;
-    return glm::dot(path, path) >
-           record.sweep.smallest_ccd_radius_m * record.sweep.smallest_ccd_radius_m;
-}
-
-SweepResult swept_fraction(const StepWorld& world,
-                           const BodyRecord& record,
-                           std::uint32_t unseen_group) {
-    // Smaller than the core, so that a body sliding fast over a floor is not stopped by it.
-    constexpr Real kShare = 0.8_r;
-    constexpr Real kInside = 1e-3_r;
-    const Transform to = record.motion->at;
-    SweepResult swept;
-    for (const CcdSphere& sphere : record.sweep.ccd_spheres) {
-        const Vec3 from = record.before.at(sphere.center_m);
-        const Vec3 motion = to(sphere.center_m) - from;
-        const auto hit = cast_sphere(
-            world,
-            {.from_world = from, .motion_m = motion, .radius_m = sphere.radius_m * kShare},
-            {.group = record.filter.group,
-             .collides_with = record.filter.collides_with,
-             .ignored = &record,
-             .unseen_group = unseen_group});
-        if (!hit) continue;
-        const Real approach = -glm::dot(hit->normal_world, motion);
-        // A hair inside: what is found by touch alone has no contact before it overlaps.
-        const Real back = sphere.radius_m * (1 - kShare - kInside) / approach;
-        const Real share = std::max(Real{0}, hit->fraction - back);
-        if (share < swept.share) swept = {share, hit->normal_world};
-    }
-    return swept;
-}
-
-bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s) {
-    const SweepResult swept = swept_fraction(world, record, 0);
-    if (swept.share >= 1) return false;
-    record.motion->ballistic.going = false;
-    Transform stopped = record.before.at;
-    stopped.position_m += (record.motion->at.position_m - stopped.position_m) * swept.share;
-    // What stands at the hit already and still heads for it has contacts elsewhere, about which it
-    // turns: it goes on turning. The speed that it cannot have would grow from step to step.
-    const bool stuck = swept.share < kStuckShare;
-    stopped.rotation = turned(record.before.at.rotation,
-                              record.motion->spin_radps,
-                              stuck ? duration_s : duration_s * swept.share);
-    // Less the speed of the fall that it did not make.
-    record.motion->velocity_mps -=
-        record.traits.weight_N * record.motion->inverse_mass * (duration_s * (1 - swept.share));
-    const Real into = glm::dot(record.motion->velocity_mps, swept.normal);
-    if (stuck && into < 0) record.motion->velocity_mps -= swept.normal * into;
-    record.motion->at = stopped;
-    write_rigid_pose(record);
-    return true;
-}
-
-void stop_at_share(BodyRecord& record, Real share) {
-    const Transform to = record.motion->at;
-    record.motion->ballistic.going = false;
-    Transform stopped = record.before.at;
-    stopped.position_m += (to.position_m - stopped.position_m) * share;
-    stopped.rotation = turned_part_way(record.before.at.rotation, to.rotation, share);
-    record.motion->at = stopped;
-    write_rigid_pose(record);
 }
 
 }  // namespace plumbline::physics

@@ -10,7 +10,6 @@
 
 namespace plumbline::physics {
 
-class StepWorld;
 struct BodyRecord;
 
 /// The state of a body carried in double precision from step to step: rounding each to float32
@@ -60,24 +59,5 @@ void turn_freely(BodyRecord& record, double duration_s);
 
 /// Moves a kinematic body by its velocities, or to its target.
 void integrate_kinematic(BodyRecord& record, bool to_target, Real duration_s);
-
-/// Whether the body went so far since record.before that it is to be swept.
-bool moves_past_itself(const BodyRecord& record);
-
-/// How far a body gets on its path.
-struct SweepResult {
-    Real share{1};  ///< up to where its surface touches something; 1: nothing
-    Vec3 normal{0, 1, 0};
-};
-/// Sweeps the spheres inside the body along its path since record.before. Bodies of the group are
-/// passed through.
-SweepResult swept_fraction(const StepWorld& world,
-                           const BodyRecord& record,
-                           std::uint32_t unseen_group);
-/// On a hit the body stops there and keeps its velocity, so that the next step's contact bounces it
-/// as it should. Whether there was one.
-bool stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s);
-/// Puts the body where it was after this share of its displacement since record.before.
-void stop_at_share(BodyRecord& record, Real share);
 
 }  // namespace plumbline::physics

@@ -40,7 +40,13 @@ struct IslandStep {
     JointMethod joints{JointMethod::Direct};
     WorldFeatures features{};
     StepCost* cost{nullptr};
+    int parts{
+        1};  ///< the island is solved part by part, with its contact points found anew before each
+    int part{0};  ///< which of them
 };
+
+/// Into how many parts the island's step is cut: contact points that roll over a body or a mesh must not lag far behind.
+int parts_of_step(const Island& island, double step_s);
 
 /// Solves one island after the other: writes poses and velocities into the bodies' BodyMotion, mean
 /// forces (N) onto the manifold points, and states into the joints. Bullet's copies are not touched.

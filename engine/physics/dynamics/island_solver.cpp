@@ -19,6 +19,9 @@ constexpr Real kContactPush_mps = 3;
 constexpr int kHoldSteps = 30;  ///< after the last step that asked for as many sub-steps
 constexpr double kFarFewer = 0.75;
 constexpr int kMostSubsteps = 64;
+constexpr int kMostParts = 16;
+constexpr std::size_t kMostBodiesInParts =
+    64;  ///< finding the points of more so often would cost too much
 
 SolverBody posed_body(const BodyRecord& record) {
     SolverBody body;
@@ -88,12 +91,46 @@ void write_joints(std::span<const SolverJoint> joints,
     }
 }
 
+/// How fast the body's surface turns away under a contact point, rad/s: what is round about an axis does not by turning
+/// about that.
+Real felt_spin_radps(const BodyRecord& record) {
+    using enum ConvexShape::Kind;
+    const Vec3& spin = record.motion->spin_radps;
+    const ConvexShape::Kind kind = record.traits.primitive.kind;
+    if (kind == Sphere || record.motion->inverse_mass <= 0) return 0;
+    if (kind != Capsule && kind != Cylinder && kind != Cone) return glm::length(spin);
+    const Vec3& axis = record.motion->at.rotation[1];
+    return glm::length(spin - axis * glm::dot(spin, axis));
+}
+
+/// Whether a force moves the body through things within one step: only contacts found before it does hold it.
+bool drives_through(const BodyRecord& record, Real step_s) {
+    return record.applied.by_caller &&
+           glm::length(record.applied.force_N) * record.motion->inverse_mass * step_s * step_s >
+               record.sweep.inner_radius_m;
+}
+
+/// How far the manifold's points run over the bodies within a step, as a share of what points may lag behind.
+Real rolling_share(const Manifold& manifold, Real step_s) {
+    constexpr Real kMostTurn_rad = 0.2_r;
+    constexpr Real kMostSlide = 0.25_r;  // of the inner radius, over the faces of a mesh
+    const BodyRecord& a = *manifold.a;
+    const BodyRecord& b = *manifold.b;
+    const Real share = std::max(felt_spin_radps(a), felt_spin_radps(b)) * step_s / kMostTurn_rad;
+    if (a.traits.geometry->mesh == nullptr && b.traits.geometry->mesh == nullptr) return share;
+    const Vec3 slide = a.motion->velocity_mps - b.motion->velocity_mps;
+    const Real size_m = std::max(a.sweep.inner_radius_m, b.sweep.inner_radius_m);
+    if (size_m <= 0) return share;
+    return std::max(share, glm::length(slide) * step_s / (kMostSlide * size_m));
+}
+
 }  // namespace
 
 struct IslandSolver::Impl {
     IslandLoop loop;
     ContactBridge bridge;
     SubstepChooser chooser;
+    SubstepChoice chosen;              ///< for the island at work
     std::vector<BodyRecord*> records;  ///< of loop.bodies; null: what the island does not move
     /// Where bodies that bound the island stand in loop.bodies; other islands may have them too.
     std::unordered_map<const BodyRecord*, std::uint32_t> bounds;
@@ -172,8 +209,8 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
             if (!pushable(record)) continue;
             inverse_mass += record.motion->inverse_mass;
             heaviest_kg = std::max(heaviest_kg, 1 / record.motion->inverse_mass);
-            if (record.sweep.smallest_ccd_radius_m > 0)
-                size_m = std::min(size_m, 2 * record.sweep.smallest_ccd_radius_m);
+            if (record.sweep.inner_radius_m > 0)
+                size_m = std::min(size_m, 2 * record.sweep.inner_radius_m);
         }
         if (load_N == 0) load_N = heaviest_kg * gravity_mps2;
         chooser.add_contact(
@@ -181,10 +218,10 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
     }
     for (const JointRecord* joint : island.joints) {
         Real spin_radps = glm::length(joint->a->motion->spin_radps);
-        Real size_m = std::max(2 * joint->a->sweep.smallest_ccd_radius_m, 1e-3_r);
+        Real size_m = std::max(2 * joint->a->sweep.inner_radius_m, 1e-3_r);
         if (joint->b != nullptr) {
             spin_radps = std::max(spin_radps, glm::length(joint->b->motion->spin_radps));
-            size_m = std::max(size_m, 2 * joint->b->sweep.smallest_ccd_radius_m);
+            size_m = std::max(size_m, 2 * joint->b->sweep.inner_radius_m);
         }
         chooser.add_joint(spin_radps, static_cast<Real>(joint->state.error_m) / size_m);
     }
@@ -246,14 +283,30 @@ void IslandSolver::Impl::gather(Island& island, const IslandStep& step, double h
     for (const JointRecord* joint : island.joints) add_joint(*joint);
 }
 
+int parts_of_step(const Island& island, double step_s) {
+    const auto is_driven_through = [step_s](const BodyRecord* record) {
+        return drives_through(*record, static_cast<Real>(step_s));
+    };
+    if (island.carried || island.bodies.size() > kMostBodiesInParts ||
+        std::ranges::any_of(island.bodies, is_driven_through))
+        return 1;
+    Real most = 0;
+    for (const Manifold* manifold : island.manifolds)
+        most = std::max(most, rolling_share(*manifold, static_cast<Real>(step_s)));
+    return std::clamp(static_cast<int>(std::ceil(most)), 1, kMostParts);
+}
+
 IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
     Impl& impl = *impl_;
-    const SubstepChoice choice = impl.choose(island, step);
-    const double h = step.step_s / choice.substeps;
+    if (step.part == 0) impl.chosen = impl.choose(island, step);
+    const SubstepChoice& choice = impl.chosen;
+    const int substeps = (choice.substeps + step.parts - 1) / step.parts;
+    const double part_s = step.step_s / step.parts;
+    const double h = part_s / substeps;
     impl.gather(island, step, h);
     const LoopReport report =
-        impl.loop.run({.step_s = step.step_s,
-                       .substeps = choice.substeps,
+        impl.loop.run({.step_s = part_s,
+                       .substeps = substeps,
                        .iterations = step.iterations,
                        .gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2)),
                        .push_mps = kContactPush_mps,
@@ -261,7 +314,7 @@ IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
                        .joint_method = step.joints});
     write_bodies(impl.loop.bodies, impl.records);
     impl.bridge.write_back(impl.loop.contacts, static_cast<Real>(h));
-    write_joints(impl.loop.joints, island.joints, step.step_s);
+    write_joints(impl.loop.joints, island.joints, part_s);
     step.cost->row_solves += report.row_solves;
     Interventions& done = step.cost->interventions;
     done.braked_J += report.braked_J;
@@ -274,7 +327,7 @@ IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
             .bodies = static_cast<std::uint32_t>(island.bodies.size()),
             .contacts = impl.bridge.point_count(),
             .joints = static_cast<std::uint32_t>(island.joints.size()),
-            .substeps = choice.substeps,
+            .substeps = substeps * step.parts,
             .reason = reason_name(choice.reason)};
 }
 

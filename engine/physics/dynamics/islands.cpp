@@ -90,6 +90,7 @@ void IslandBuilder::build(std::span<BodyRecord* const> bodies,
     free_.clear();
     count_ = 0;
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        bodies[i]->small.island = kNoIsland;
         if (held_[i] == 0) {
             free_.push_back(bodies[i]);
             continue;
@@ -101,6 +102,7 @@ void IslandBuilder::build(std::span<BodyRecord* const> bodies,
             islands_[number].clear();
         }
         islands_[number].bodies.push_back(bodies[i]);
+        bodies[i]->small.island = number;
     }
     for (Manifold* manifold : manifolds) {
         const BodyRecord* member = is_member(manifold->a) ? manifold->a : manifold->b;

@@ -10,8 +10,10 @@ namespace {
 /// Sag of the most loaded contact, and of all on average, as shares of the bodies' size.
 constexpr double kDeepestShare = 3e-3;
 constexpr double kMeanShare = 1.5e-3;
-/// Smaller bodies may sink in by the shares of this size: nobody sees a tenth of a millimetre.
+/// Smaller bodies may sink in by the shares of this size, as nobody sees a tenth of a millimetre, but thin ones by no
+/// more than a fiftieth of their thickness.
 constexpr double kSmallest_m = 0.2;
+constexpr double kThinShare = 0.02;
 constexpr double kSubstepsPerLevel = 0.34;
 constexpr double kTurn_rad = 0.4;     ///< of jointed bodies in one sub-step
 constexpr double kJointError = 1e-3;  ///< share of the bodies' size
@@ -40,7 +42,10 @@ void SubstepChooser::add_contact(int a, int b, Real load_N, Real reduced_mass_kg
         2 * static_cast<double>(kPi * kContactFrequency) * (bounded ? 2 : 1) / step_s_;
     const double sag =
         static_cast<double>(load_N) / (static_cast<double>(reduced_mass_kg) * omega * omega);
-    const double share = sag / std::max(static_cast<double>(size_m), kSmallest_m);
+    const auto thickness_m = static_cast<double>(size_m);
+    const double share =
+        sag /
+        std::max(thickness_m, std::min(kSmallest_m, thickness_m * kThinShare / kDeepestShare));
     deepest_share_ = std::max(deepest_share_, share);
     sum_of_shares_ += share;
 }

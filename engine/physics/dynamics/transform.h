@@ -13,9 +13,20 @@ struct Transform {
     friend bool operator==(const Transform&, const Transform&) = default;
 };
 
+/// First `inner`, then `outer`.
+inline Transform operator*(const Transform& outer, const Transform& inner) {
+    return {.rotation = outer.rotation * inner.rotation, .position_m = outer(inner.position_m)};
+}
+
 /// `v` seen along the rotation's axes.
 inline Vec3 unrotated(const Vec3& v, const Mat3& rotation) {
     return {glm::dot(rotation[0], v), glm::dot(rotation[1], v), glm::dot(rotation[2], v)};
+}
+
+/// The way back.
+inline Transform inverse(const Transform& t) {
+    return {.rotation = glm::transpose(t.rotation),
+            .position_m = -unrotated(t.position_m, t.rotation)};
 }
 
 }  // namespace plumbline::physics

@@ -10,11 +10,11 @@
 namespace plumbline::physics {
 namespace {
 
-constexpr int kMostSubsteps = 1'000;
+constexpr int kPossibleSubsteps = 1'000;
 
 bool is_possible(const WorldDef& def) {
     return def.step_s > 0 && def.step_s <= 1 && def.substeps >= 1 &&
-           def.substeps <= kMostSubsteps && def.substeps_max <= kMostSubsteps &&
+           def.substeps <= kPossibleSubsteps && def.substeps_max <= kPossibleSubsteps &&
            def.iterations >= 1 && def.iterations <= 10'000;
 }
 
@@ -28,7 +28,7 @@ void serialize_body(Archive& archive, BodyRecord& record) {
             record.applied.by_caller,
             record.small.awake,
             record.small.box_stale);
-    archive.within(record.small.substeps, 0, kMostSubsteps);
+    archive.within(record.small.substeps, 0, kPossibleSubsteps);
     archive.within(record.small.substeps_held, 0, std::numeric_limits<int>::max());
     archive(record.small.sleeping_island,
             record.joints,

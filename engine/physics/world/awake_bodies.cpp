@@ -1,7 +1,7 @@
 #include "engine/physics/world/awake_bodies.h"
 
 #include "engine/physics/bullet/body.h"
-#include "engine/physics/bullet/contact/pair_collider.h"
+#include "engine/physics/bullet/contact/pair_boxes.h"
 #include "engine/physics/world/body_record.h"
 #include "engine/physics/world/joint_record.h"
 

@@ -3,8 +3,8 @@
 
 #include "engine/core/pose.h"
 #include "engine/physics/body.h"
-#include "engine/physics/collision/narrow_phase/primitive.h"
 #include "engine/physics/collision/pair.h"
+#include "engine/physics/collision/shape/body_geometry.h"
 #include "engine/physics/dynamics/body_motion.h"
 #include "engine/physics/dynamics/transform.h"
 #include "engine/physics/joint.h"
@@ -25,16 +25,13 @@ inline constexpr Real kMaxSpin_radps = 1e4_r;
 /// Beyond it a body is taken out: float32 places it no better than to 6 cm there.
 inline constexpr Real kMaxDistance_m = 1e6_r;
 
-/// A sphere inside a shape; continuous collision sweeps these.
-struct CcdSphere {
-    Vec3 center_m{0, 0, 0};  ///< mass frame
-    Real radius_m{0};
-};
-
 /// What its definition and the world's rate make of a body; steps only read it. "Mass frame": at the
 /// centre of mass, along the principal axes.
 struct BodyTraits {
-    Primitive primitive{};  ///< its shape, if it is one in the mass frame
+    std::shared_ptr<const BodyGeometry> geometry;
+    ConvexShape
+        primitive{};  ///< the geometry's only shape, if that stands in the mass frame; else of kind None
+    Material material{};
     Pose body_from_mass{};
     bool mass_frame_is_body{true};
     double mass_kg{0};
@@ -76,8 +73,8 @@ struct KinematicDrive {
 /// What continuous collision knows of a body.
 struct SweptBody {
     ContinuousCollision ccd{ContinuousCollision::Auto};
-    std::vector<CcdSphere> ccd_spheres;  ///< mass frame; empty: never swept
-    Real smallest_ccd_radius_m{0};
+    Real inner_radius_m{0};  ///< of the largest ball inside its thinnest part; 0: never swept
+    Real until{1};           ///< the share of the latest step in which it moved
     std::uint32_t group{0};  ///< bodies that stop together share it; 0: stops alone
 };
 
@@ -90,6 +87,7 @@ struct SmallStepBody {
     int substeps{0};              ///< of its island in the latest step
     int substeps_held{0};         ///< steps since its island really asked for as many
     std::uint32_t row{0};         ///< among the awake bodies, while islands are built
+    std::uint32_t island{0};      ///< of the latest step; none: not a number of one
     PredictedChange predicted{};  ///< within a step
     std::vector<PairLink> pairs;  ///< by the other body's id
 };
@@ -168,6 +166,7 @@ inline void note_before(BodyRecord& record) {
     const BodyMotion& motion = *record.motion;
     record.before = {motion.at, motion.velocity_mps, motion.spin_radps};
     record.small.predicted = {};
+    record.sweep.until = 1;
 }
 
 inline void add_force(BodyRecord& record, const Vec3& force_N) {

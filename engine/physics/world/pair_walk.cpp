@@ -1,5 +1,7 @@
 #include "engine/physics/world/pair_walk.h"
 
+#include "engine/physics/bullet/contact/pair_boxes.h"
+#include "engine/physics/collision/pair_points.h"
 #include "engine/physics/world/body_record.h"
 
 #include <algorithm>
@@ -56,6 +58,31 @@ std::uint32_t PairWalk::collide(AwakeBodies& bodies, std::vector<Manifold*>& tou
     return tests_;
 }
 
+void PairWalk::collide_again(std::span<BodyRecord* const> bodies,
+                             const CollideStep& step,
+                             std::vector<Manifold*>& manifolds) {
+    manifolds.clear();
+    for (const BodyRecord* record : bodies) {
+        for (const PairLink& link : record->small.pairs) {
+            const BodyRecord& other = partner(*link.pair, *record);
+            if (pushable(other) && (other.id < record->id || !other.small.awake ||
+                                    other.small.island != record->small.island))
+                continue;
+            if (!link.pair->touches &&
+                (!boxes_overlap(*link.pair) || !nearest_.takes_part(*link.pair->a, *link.pair->b)))
+                continue;
+            find_points(*link.pair, step);
+            if (link.pair->touches) list_manifolds(*link.pair, manifolds);
+        }
+    }
+}
+
+void PairWalk::list_again(const AwakeBodies& bodies, std::vector<Manifold*>& touching) {
+    list_touching(bodies.dynamic(), touching_pairs_);
+    touching.clear();
+    for (Pair* pair : touching_pairs_) list_manifolds(*pair, touching);
+}
+
 void PairWalk::complete_crowds(const AwakeBodies& bodies) {
     for (const auto moving : {bodies.dynamic(), bodies.kinematic()}) {
         for (BodyRecord* record : moving) {
@@ -78,18 +105,18 @@ void PairWalk::visit(BodyRecord& body, AwakeBodies& bodies) {
 bool PairWalk::keep(Pair& pair, AwakeBodies& bodies) {
     pair.seen = number_;
     if (!boxes_overlap(pair)) {
-        if (pair.touches) collider_.separate(pair);
+        if (pair.touches) separate(pair);
         return !boxes_are_far(pair);
     }
     if (!nearest_.take(*pair.a, *pair.b)) return false;
-    find_points(pair, bodies);
+    collide_pair(pair, bodies);
     if (pair.touches) touching_pairs_.push_back(&pair);
     return true;
 }
 
-void PairWalk::find_points(Pair& pair, AwakeBodies& bodies) {
+void PairWalk::collide_pair(Pair& pair, AwakeBodies& bodies) {
     ++tests_;
-    collider_.collide(pair, step_);
+    find_points(pair, step_);
     if (!pair.touches) return;
     if (sleeps(*pair.a)) bodies.wake(*pair.a);
     if (sleeps(*pair.b)) bodies.wake(*pair.b);
@@ -122,7 +149,7 @@ bool PairWalk::spread_impacts(AwakeBodies& bodies) {
             for (const PairLink& link : record->small.pairs) {
                 if (boxes_overlap(*link.pair) && knows_less(*link.pair, step_) &&
                     nearest_.takes_part(*link.pair->a, *link.pair->b))
-                    find_points(*link.pair, bodies);
+                    collide_pair(*link.pair, bodies);
             }
         }
     }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/physics/bullet/contact/nearest_pairs.h"
-#include "engine/physics/bullet/contact/pair_collider.h"
 #include "engine/physics/bullet/engine.h"
+#include "engine/physics/collision/pair_reach.h"
 #include "engine/physics/world/awake_bodies.h"
 
 #include <cstdint>
@@ -14,8 +14,7 @@ namespace plumbline::physics {
 /// Walks the pairs of the bodies that move: what sleeps costs nothing.
 class PairWalk {
 public:
-    explicit PairWalk(BulletEngine& engine)
-        : engine_(engine), collider_(engine), nearest_(engine.nearest_pairs()) {}
+    explicit PairWalk(BulletEngine& engine) : engine_(engine), nearest_(engine.nearest_pairs()) {}
 
     /// Of the steps from now on.
     void set_step(const CollideStep& step) { step_ = step; }
@@ -23,6 +22,13 @@ public:
     /// manifolds that have points, each awake body's pairs in the order of the other's id, a pair of
     /// two awake ones at the lower. Returns how often a pair was tested.
     std::uint32_t collide(AwakeBodies& bodies, std::vector<Manifold*>& touching);
+    /// Finds the points of an island's bodies anew, within the step, for its part `step`. `manifolds` becomes those that
+    /// have points, in the order of collide().
+    void collide_again(std::span<BodyRecord* const> bodies,
+                       const CollideStep& step,
+                       std::vector<Manifold*>& manifolds);
+    /// As collide() lists them, after a collide_again().
+    void list_again(const AwakeBodies& bodies, std::vector<Manifold*>& touching);
     /// How many pairs the latest collide() left out of a crowd.
     std::uint64_t left_out() const { return nearest_.left_out(); }
 
@@ -30,12 +36,11 @@ private:
     void complete_crowds(const AwakeBodies& bodies);
     void visit(BodyRecord& body, AwakeBodies& bodies);
     bool keep(Pair& pair, AwakeBodies& bodies);
-    void find_points(Pair& pair, AwakeBodies& bodies);
+    void collide_pair(Pair& pair, AwakeBodies& bodies);
     void note_impact(BodyRecord& record, const PredictedChange& impact);
     bool spread_impacts(AwakeBodies& bodies);
 
     BulletEngine& engine_;
-    PairCollider collider_;
     NearestPairs& nearest_;
     CollideStep step_{};
     std::uint32_t number_{0};            ///< of the walk

@@ -1,6 +1,7 @@
 #include "engine/physics/world/small_step_world.h"
 
 #include "engine/physics/bullet/body.h"
+#include "engine/physics/collision/sweep/body_sweep.h"
 #include "engine/physics/dynamics/body_motion.h"
 #include "engine/physics/world/body_record.h"
 #include "engine/physics/world/body_scope.h"
@@ -127,21 +128,39 @@ void SmallStepWorld::refresh_box(BodyRecord& record) {
 }
 
 void SmallStepWorld::solve_islands(const WorldFeatures& features) {
-    const IslandStep step{.step_s = parts_.def.step_s,
-                          .gravity_mps2 = Vec3d{parts_.def.gravity_mps2},
-                          .substeps_least = parts_.def.substeps,
-                          .substeps_most = std::max(parts_.def.substeps, parts_.def.substeps_max),
-                          .iterations = parts_.def.iterations,
-                          .joints = parts_.def.joints,
-                          .features = features,
-                          .cost = &report_.cost};
+    IslandStep step{.step_s = parts_.def.step_s,
+                    .gravity_mps2 = Vec3d{parts_.def.gravity_mps2},
+                    .substeps_least = parts_.def.substeps,
+                    .substeps_most = std::max(parts_.def.substeps, parts_.def.substeps_max),
+                    .iterations = parts_.def.iterations,
+                    .joints = parts_.def.joints,
+                    .features = features,
+                    .cost = &report_.cost};
     solver_.begin_step();
+    bool found_again = false;
     for (Island& island : builder_.islands()) {
-        report_.islands.push_back(solver_.solve(island, step));
+        report_.islands.push_back(solve_in_parts(island, step));
+        found_again = found_again || step.parts > 1;
         if (restore_if_invalid(island, step_s_)) ++report_.cost.interventions.restored_islands;
         for (BodyRecord* record : island.bodies)
             report_.cost.interventions.limited_bodies += limit_speed(*record) ? 1U : 0U;
     }
+    if (found_again) pairs_.list_again(bodies, touching_);
+}
+
+IslandReport SmallStepWorld::solve_in_parts(Island& island, IslandStep& step) {
+    step.parts = parts_of_step(island, step.step_s);
+    const auto parts = static_cast<Real>(step.parts);
+    IslandReport report;
+    for (step.part = 0; step.part < step.parts; ++step.part) {
+        if (step.part > 0)
+            pairs_.collide_again(
+                island.bodies,
+                {.step_s = step_s_ / parts, .drop_m = drop_m_ / (parts * parts), .again = true},
+                island.manifolds);
+        report = solver_.solve(island, step);
+    }
+    return report;
 }
 
 void SmallStepWorld::move_free_bodies(const WorldFeatures& features) {

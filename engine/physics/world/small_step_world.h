@@ -48,6 +48,7 @@ private:
     bool find_turning(const WorldFeatures& features);
     void refresh_box(BodyRecord& record);
     void solve_islands(const WorldFeatures& features);
+    IslandReport solve_in_parts(Island& island, IslandStep& step);
     void move_free_bodies(const WorldFeatures& features);
     void stop_swept_bodies(std::span<BodyRecord* const> moved);
     void put_to_sleep(std::span<const Island> islands);

@@ -29,7 +29,7 @@ struct BoxNode {
     void serialize(Archive& archive) { archive(low, high, body, rank); }
 };
 
-struct BoxTree {
+struct SavedTree {
     std::vector<BoxNode> nodes;
     std::optional<std::uint32_t> spare_rank{};  ///< of the node that the tree has ready
     int lookahead{-1};
@@ -54,7 +54,7 @@ std::vector<const btDbvtNode*> nodes_of(const btDbvt& set) {
     return nodes;
 }
 
-std::array<BoxTree, 2> trees_of(const btDbvtBroadphase& broadphase, const Places& places) {
+std::array<SavedTree, 2> trees_of(const btDbvtBroadphase& broadphase, const Places& places) {
     std::vector<const void*> addresses;
     for (const btDbvt& set : broadphase.m_sets) {
         for (const btDbvtNode* node : nodes_of(set)) addresses.push_back(node);
@@ -65,7 +65,7 @@ std::array<BoxTree, 2> trees_of(const btDbvtBroadphase& broadphase, const Places
         const auto found = std::ranges::lower_bound(addresses, address, std::less<>());
         return static_cast<std::uint32_t>(found - addresses.begin());
     };
-    std::array<BoxTree, 2> trees;
+    std::array<SavedTree, 2> trees;
     for (std::size_t i = 0; i < trees.size(); ++i) {
         const btDbvt& set = broadphase.m_sets[i];
         trees[i].lookahead = set.m_lkhd;
@@ -86,11 +86,11 @@ std::array<BoxTree, 2> trees_of(const btDbvtBroadphase& broadphase, const Places
 }
 
 /// Whether the nodes make whole trees with every body once, and every rank is somebody's.
-bool are_sound(const std::array<BoxTree, 2>& trees, std::size_t bodies) {
+bool are_sound(const std::array<SavedTree, 2>& trees, std::size_t bodies) {
     std::vector<bool> has_node(bodies, false);
     std::vector<std::uint32_t> ranks;
     std::size_t leaves = 0;
-    for (const BoxTree& tree : trees) {
+    for (const SavedTree& tree : trees) {
         std::size_t open = tree.nodes.empty() ? 0 : 1;
         for (const BoxNode& node : tree.nodes) {
             if (open == 0) return false;
@@ -124,7 +124,7 @@ std::vector<btDbvtNode*> new_nodes(std::size_t count) {
 }
 
 void build(btDbvt& set,
-           const BoxTree& tree,
+           const SavedTree& tree,
            const std::vector<btDbvtNode*>& memory,
            const std::vector<BodyRecord*>& in_world) {
     struct Open {
@@ -161,14 +161,14 @@ void build(btDbvt& set,
 }
 
 void rebuild(btDbvtBroadphase& broadphase,
-             const std::array<BoxTree, 2>& trees,
+             const std::array<SavedTree, 2>& trees,
              const std::vector<BodyRecord*>& in_world) {
     for (btDbvt& set : broadphase.m_sets) {
         set.clear();
         set.m_root = nullptr;
     }
     std::size_t count = 0;
-    for (const BoxTree& tree : trees) count += tree.nodes.size() + (tree.spare_rank ? 1 : 0);
+    for (const SavedTree& tree : trees) count += tree.nodes.size() + (tree.spare_rank ? 1 : 0);
     const std::vector<btDbvtNode*> memory = new_nodes(count);
     for (std::size_t i = 0; i < trees.size(); ++i)
         build(broadphase.m_sets[i], trees[i], memory, in_world);
@@ -176,7 +176,7 @@ void rebuild(btDbvtBroadphase& broadphase,
 
 /// Of a part of the bodies no tree can be had: each box goes where Bullet puts it.
 void insert(btDbvtBroadphase& broadphase,
-            const std::array<BoxTree, 2>& trees,
+            const std::array<SavedTree, 2>& trees,
             const std::vector<BodyRecord*>& in_world) {
     for (const BodyRecord* record : in_world) broadphase.m_sets[0].remove(proxy_of(*record).leaf);
     std::vector<bool> is_in(in_world.size(), false);
@@ -199,7 +199,7 @@ void insert(btDbvtBroadphase& broadphase,
 }
 
 /// Which of the two trees holds each body; the first those that none does.
-std::vector<int> trees_by_body(const std::array<BoxTree, 2>& trees, std::size_t bodies) {
+std::vector<int> trees_by_body(const std::array<SavedTree, 2>& trees, std::size_t bodies) {
     std::vector<int> tree(bodies, btDbvtBroadphase::DYNAMIC_SET);
     for (const BoxNode& node : trees[btDbvtBroadphase::FIXED_SET].nodes) {
         if (node.body < bodies) tree[node.body] = btDbvtBroadphase::FIXED_SET;
@@ -264,7 +264,7 @@ void serialize_boxes(Archive& archive,
     Places places;
     for (std::uint32_t i = 0; i < in_world.size(); ++i) places[in_world[i]->rigid.get()] = i;
     std::vector<std::uint32_t> order = listed(broadphase, places);
-    std::array<BoxTree, 2> trees = trees_of(broadphase, places);
+    std::array<SavedTree, 2> trees = trees_of(broadphase, places);
     archive(order, trees);
     if (!archive.expect(is_permutation(order, in_world.size()), kOtherBoxes)) return;
     if (archive.reads()) {

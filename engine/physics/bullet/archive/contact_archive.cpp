@@ -1,10 +1,7 @@
 #include "engine/physics/bullet/archive/contact_archive.h"
 
 #include "engine/physics/bullet/archive/bullet_fields.h"
-#include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/bullet/contact/mesh_contact.h"
-#include "engine/physics/bullet/contact/pair_list.h"
-#include "engine/physics/world/body_record.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
@@ -97,40 +94,6 @@ void serialize_manifold(Archive& archive, btPersistentManifold& manifold) {
     }
 }
 
-void serialize_side(Archive& archive, ContactSide& side) {
-    archive(side.radius_m, side.offset_m, side.surface_m, side.local_m);
-}
-
-/// The points of primitives: all that their next look, and whoever asks before it, reads.
-void serialize_points(Archive& archive, std::vector<ManifoldPoint>& points) {
-    std::size_t count = archive.count(points.size());
-    archive.expect(count <= MANIFOLD_CACHE_SIZE, kTooManyPoints);
-    if (archive.failed()) count = 0;
-    points.resize(count);
-    for (ManifoldPoint& point : points) {
-        serialize_side(archive, point.a);
-        serialize_side(archive, point.b);
-        archive(point.normal_world, point.distance_m, point.age_steps);
-    }
-}
-
-void serialize_loads(Archive& archive, Manifold& manifold) {
-    archive(manifold.features_made,
-            manifold.load.step,
-            manifold.load.age_steps,
-            manifold.load.normal_N,
-            manifold.load.lasting_N,
-            manifold.load.friction_N,
-            manifold.load.rolling_Nm);
-    for (ManifoldPoint& point : manifold.points) {
-        archive(point.feature,
-                point.load.normal_N,
-                point.load.friction_N,
-                point.load.twist_Nm,
-                point.normal_Ns);
-    }
-}
-
 constexpr std::string_view kOtherContacts = "its contacts are not those of these shapes";
 
 }  // namespace
@@ -148,38 +111,6 @@ void ContactArchive::pair(btCollisionAlgorithm*& found, btRigidBody& first, btRi
     algorithm(found, a, b);
     first.forceActivationState(state_of_first);
     second.forceActivationState(state_of_second);
-}
-
-void ContactArchive::small_pair(Pair& pair) {
-    if (pair.primitives) return primitive_pair(pair);
-    BulletPair& side = bullet_side(pair);
-    this->pair(side.algorithm, *pair.a->rigid, *pair.b->rigid);
-    if (side.algorithm == nullptr || archive_.failed()) return;
-    btManifoldArray list;
-    side.algorithm->getAllContactManifolds(list);
-    if (archive_.reads()) match_manifolds(list, pair);
-    if (!archive_.expect(pair.manifolds.size() == static_cast<std::size_t>(list.size()),
-                         kOtherContacts))
-        return;
-    for (int i = 0; i < list.size(); ++i) {
-        Manifold& manifold = pair.manifolds[static_cast<std::size_t>(i)];
-        if (archive_.reads()) match_points(*list[i], manifold);
-        serialize_loads(archive_, manifold);
-        if (!archive_.reads()) continue;
-        copy_places(*list[i], manifold);
-        for (std::size_t k = 0; k < manifold.points.size(); ++k)
-            set_feature(list[i]->getContactPoint(static_cast<int>(k)), manifold.points[k].feature);
-    }
-}
-
-void ContactArchive::primitive_pair(Pair& pair) {
-    bool is_there = !pair.manifolds.empty();
-    archive_(is_there);
-    if (archive_.reads()) pair.manifolds.clear();
-    if (!is_there) return;
-    Manifold& manifold = sole_manifold(pair);
-    serialize_points(archive_, manifold.points);
-    serialize_loads(archive_, manifold);
 }
 
 void ContactArchive::forget(btCollisionAlgorithm*& algorithm) {

@@ -11,8 +11,6 @@ class btCompoundCollisionAlgorithm;
 
 namespace plumbline::physics {
 
-struct Pair;
-
 /// The algorithms of pairs with their manifolds. Both ways meet them in the same order, so that a
 /// manifold may be named by its number.
 class ContactArchive {
@@ -24,8 +22,6 @@ public:
 
     /// Made when read, with all that hangs on it, if there was one.
     void pair(btCollisionAlgorithm*& algorithm, btRigidBody& first, btRigidBody& second);
-    /// ... with the manifolds of ours that stand for Bullet's, and what they carried.
-    void small_pair(Pair& pair);
     /// The dispatcher lists its manifolds as it did.
     void order();
 
@@ -42,7 +38,6 @@ private:
     void single(btCollisionAlgorithm& single,
                 const btCollisionObjectWrapper& first,
                 const btCollisionObjectWrapper& second);
-    void primitive_pair(Pair& pair);
     void forget(btCollisionAlgorithm*& algorithm);
 
     Archive& archive_;

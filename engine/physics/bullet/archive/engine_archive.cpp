@@ -3,9 +3,10 @@
 #include "engine/physics/bullet/archive/box_archive.h"
 #include "engine/physics/bullet/archive/bullet_fields.h"
 #include "engine/physics/bullet/archive/contact_archive.h"
-#include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/bullet/engine_parts.h"
 #include "engine/physics/bullet/joints.h"
+#include "engine/physics/bullet/rigid_body.h"
+#include "engine/physics/collision/manifold_archive.h"
 #include "engine/physics/world/body_record.h"
 #include "engine/physics/world/joint_record.h"
 
@@ -83,11 +84,7 @@ void serialize_constraints(Archive& archive,
     }
 }
 
-void serialize_small_pairs(Archive& archive,
-                           BulletEngine::Parts& parts,
-                           const BodyScope& scope,
-                           ContactArchive& contacts) {
-    auto& dispatcher = static_cast<PairDispatcher&>(*parts.dispatcher);
+void serialize_small_pairs(Archive& archive, BulletEngine::Parts& parts, const BodyScope& scope) {
     scope.bodies.each([&](BodyId id, const std::unique_ptr<BodyRecord>& record) {
         if (!scope.holds(id)) return;
         std::vector<BodyId> others;
@@ -111,14 +108,9 @@ void serialize_small_pairs(Archive& archive,
         if (!archive.expect(made == others.size(), kOtherBodies)) return;
         for (const PairLink& link : record->small.pairs) {
             if (!is_meant(link) || archive.failed()) continue;
-            Pair& pair = *link.pair;
-            archive(pair.reach_m, pair.touches);
-            dispatcher.reach_m = pair.reach_m;
-            contacts.small_pair(pair);
+            serialize_pair(archive, *link.pair);
         }
     });
-    // Last: pairs that are made anew have counted too.
-    archive(dispatcher.manifolds_made);
 }
 
 void serialize_bullet_pairs(Archive& archive,
@@ -180,7 +172,7 @@ void serialize_engine(Archive& archive,
     ContactArchive contacts(archive, *parts.dispatcher, parts.world->getDispatchInfo());
     parts.pair_filter->takes_crowds = true;  // those of crowds have been chosen
     if (is_small)
-        serialize_small_pairs(archive, parts, scope, contacts);
+        serialize_small_pairs(archive, parts, scope);
     else
         serialize_bullet_pairs(archive, *parts.pairs, scope, contacts);
     parts.pair_filter->takes_crowds = false;

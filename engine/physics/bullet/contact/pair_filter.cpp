@@ -1,6 +1,6 @@
 #include "engine/physics/bullet/contact/pair_filter.h"
 
-#include "engine/physics/bullet/contact/contact_copy.h"
+#include "engine/physics/bullet/rigid_body.h"
 
 namespace plumbline::physics {
 namespace {

@@ -1,6 +1,5 @@
 #include "engine/physics/bullet/contact/pair_list.h"
 
-#include "engine/physics/bullet/contact/contact_copy.h"
 #include "engine/physics/world/body_record.h"
 
 #include <algorithm>
@@ -22,26 +21,15 @@ bool is_pair_with(const BodyRecord& record, Links::iterator place, BodyId other)
     return place != record.small.pairs.end() && place->other == other;
 }
 
-bool is_box(const BodyRecord& record) {
-    return record.traits.primitive.kind == Primitive::Kind::Box;
-}
-
 bool is_sphere(const BodyRecord& record) {
-    return record.traits.primitive.kind == Primitive::Kind::Sphere;
+    return record.traits.primitive.kind == ConvexShape::Kind::Sphere;
 }
 
 bool is_single(const BodyRecord& record) {
-    return !record.rigid->getCollisionShape()->isCompound();
+    return record.traits.geometry->parts.size() <= 1;
 }
 
 }  // namespace
-
-PairList::PairList(btDispatcher& dispatcher, PairFilter& filter)
-    : dispatcher_(dispatcher), filter_(filter) {}
-
-PairList::~PairList() {
-    for (BulletPair& pair : pool_) forget_algorithm(pair);
-}
 
 btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
                                                btBroadphaseProxy* second) {
@@ -69,8 +57,6 @@ btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
     pair->box_b = static_cast<const btDbvtProxy*>(second);
     pair->base_m = std::min(a.traits.contact_margin_m, b.traits.contact_margin_m);
     pair->round = (is_sphere(a) && is_single(b)) || (is_sphere(b) && is_single(a));
-    pair->boxes = is_box(a) && is_box(b);
-    pair->primitives = can_collide(a.traits.primitive, b.traits.primitive);
     few.small.pairs.insert(place, {many.id, pair});
     many.small.pairs.insert(place_of(many, few.id), {few.id, pair});
     for (BodyRecord* record : {&a, &b}) filter_.note_pair(*record, record->small.pairs.size());
@@ -78,15 +64,7 @@ btBroadphasePair* PairList::addOverlappingPair(btBroadphaseProxy* first,
     return nullptr;
 }
 
-void PairList::forget_algorithm(BulletPair& pair) {
-    if (pair.algorithm == nullptr) return;
-    pair.algorithm->~btCollisionAlgorithm();
-    dispatcher_.freeCollisionAlgorithm(pair.algorithm);
-    pair.algorithm = nullptr;
-}
-
 void PairList::remove(Pair& pair) {
-    forget_algorithm(bullet_side(pair));
     pair.manifolds = {};
     pair.a->small.pairs.erase(place_of(*pair.a, pair.b->id));
     pair.b->small.pairs.erase(place_of(*pair.b, pair.a->id));
@@ -107,6 +85,16 @@ void* PairList::removeOverlappingPair(btBroadphaseProxy* first,
 void PairList::removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy, btDispatcher*) {
     BodyRecord& record = record_behind(*proxy);
     while (!record.small.pairs.empty()) remove(*record.small.pairs.back().pair);
+}
+
+bool boxes_overlap(const Pair& pair) {
+    const BulletPair& side = bullet_side(pair);
+    return boxes_overlap(*side.box_a, *side.box_b);
+}
+
+bool boxes_are_far(const Pair& pair) {
+    const BulletPair& side = bullet_side(pair);
+    return !Intersect(side.box_a->leaf->volume, side.box_b->leaf->volume);
 }
 
 }  // namespace plumbline::physics

@@ -4,6 +4,7 @@
 // bodies that it moves, and finds them in an order that ids decide.
 #pragma once
 
+#include "engine/physics/bullet/contact/pair_boxes.h"
 #include "engine/physics/bullet/contact/pair_filter.h"
 #include "engine/physics/collision/pair.h"
 
@@ -19,8 +20,6 @@ namespace plumbline::physics {
 struct BulletPair : Pair {
     const btDbvtProxy* box_a{nullptr};
     const btDbvtProxy* box_b{nullptr};
-    /// Finds the points; none for primitives, and for others until boxes overlap.
-    btCollisionAlgorithm* algorithm{nullptr};
 };
 
 inline BulletPair& bullet_side(Pair& pair) {
@@ -32,13 +31,10 @@ inline const BulletPair& bullet_side(const Pair& pair) {
 
 class PairList final : public btOverlappingPairCache {
 public:
-    PairList(btDispatcher& dispatcher, PairFilter& filter);
-    ~PairList() override;
-    PairList(const PairList&) = delete;
-    PairList& operator=(const PairList&) = delete;
+    explicit PairList(PairFilter& filter) : filter_(filter) {}
 
     std::size_t size() const { return size_; }
-    /// Frees its manifolds and what finds their points.
+    /// Frees its manifolds.
     void remove(Pair& pair);
     /// Every manifold, in an order that does not depend on addresses.
     template <class Fn>
@@ -76,9 +72,6 @@ public:
     void sortOverlappingPairs(btDispatcher*) override {}
 
 private:
-    void forget_algorithm(BulletPair& pair);
-
-    btDispatcher& dispatcher_;
     PairFilter& filter_;
     btBroadphasePairArray none_;
     std::deque<BulletPair> pool_;

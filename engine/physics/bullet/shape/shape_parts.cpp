@@ -93,6 +93,8 @@ std::unique_ptr<btConvexShape> box_of(const Vec3& size) {
     });
 }
 
+using Kind = ConvexShape::Kind;
+
 class PartBuilder {
 public:
     PartBuilder(std::vector<ShapePart>& parts, std::vector<std::string>* notes)
@@ -111,7 +113,11 @@ private:
             !fault.empty()) {
             return refused_shape("box: " + fault);
         }
-        return keep(box_of(s), frame, mass_of_box(Vec3d{s}), 0.5_r * std::min({s.x, s.y, s.z}));
+        return keep(box_of(s),
+                    {.kind = Kind::Box, .half_m = s * 0.5_r},
+                    frame,
+                    mass_of_box(Vec3d{s}),
+                    0.5_r * std::min({s.x, s.y, s.z}));
     }
 
     Result<Done> build(const SphereShape& sphere, const Pose& frame) {
@@ -119,8 +125,11 @@ private:
         if (auto fault = size_fault({{"radius", r}}); !fault.empty()) {
             return refused_shape("sphere: " + fault);
         }
-        return keep(
-            std::make_unique<btSphereShape>(r), frame, mass_of_sphere(static_cast<double>(r)), r);
+        return keep(std::make_unique<btSphereShape>(r),
+                    {.kind = Kind::Sphere, .radius_m = r},
+                    frame,
+                    mass_of_sphere(static_cast<double>(r)),
+                    r);
     }
 
     Result<Done> build(const CylinderShape& cylinder, const Pose& frame) {
@@ -132,6 +141,7 @@ private:
         auto shape = std::make_unique<btCylinderShape>(btVector3(r, h * 0.5_r, r));
         shape->setMargin(margin_for_size(std::min(2 * r, h)));
         return keep(std::move(shape),
+                    {.kind = Kind::Cylinder, .radius_m = r, .half_height_m = h * 0.5_r},
                     frame,
                     mass_of_cylinder(static_cast<double>(r), static_cast<double>(h)),
                     std::min(r, 0.5_r * h));
@@ -144,6 +154,7 @@ private:
             return refused_shape("capsule: " + fault);
         }
         return keep(std::make_unique<btCapsuleShape>(r, h),
+                    {.kind = Kind::Capsule, .radius_m = r, .half_height_m = h * 0.5_r},
                     frame,
                     mass_of_capsule(static_cast<double>(r), static_cast<double>(h)),
                     r);
@@ -169,7 +180,13 @@ private:
                                      Quatd{1, 0, 0, 0});
         // The largest ball round the centre of mass, a quarter of the height above the base.
         const Real core = std::min(0.25_r * h, 0.75_r * h * r / slant);
-        return keep(std::move(shape), compose(frame, Pose{.position = shift}), mass, core);
+        auto kept = keep(std::move(shape),
+                         {.kind = Kind::Cone, .radius_m = r, .half_height_m = h * 0.5_r},
+                         compose(frame, Pose{.position = shift}),
+                         mass,
+                         core);
+        parts_.back().part_from_convex.position = -shift;
+        return kept;
     }
 
     Result<Done> build(const PlaneShape& plane, const Pose& frame) {
@@ -180,7 +197,11 @@ private:
         }
         uses_plane_ = true;
         const Pose lowered{.position = {0, -0.5_r * s.y, 0}};
-        return keep(box_of(s), compose(frame, lowered), mass_of_box(Vec3d{s}), 0);
+        return keep(box_of(s),
+                    {.kind = Kind::Box, .half_m = s * 0.5_r},
+                    compose(frame, lowered),
+                    mass_of_box(Vec3d{s}),
+                    0);
     }
 
     Result<Done> build(const HullShape& hull, const Pose& frame) {
@@ -221,6 +242,7 @@ private:
                           .orientation = real_quat(flat.orientation)};
         const Vec3 s{flat.size_m};
         return keep(box_of(s),
+                    {.kind = Kind::Box, .half_m = s * 0.5_r},
                     compose(frame, placed),
                     mass_of_box(flat.size_m),
                     0.5_r * std::min({s.x, s.y, s.z}));
@@ -261,7 +283,15 @@ private:
             if (length > 0) core = std::min(core, glm::dot(corners[t[0]], n) / length);
         }
         mass = moved(mass, turn_back * -mass.center_m, turn_back);
-        return keep(std::move(shape), compose(frame, placed), mass, static_cast<Real>(core));
+        auto geometry =
+            std::make_shared<const HullGeometry>(hull_geometry(corners, surface.triangles));
+        auto kept = keep(std::move(shape),
+                         {.kind = Kind::Hull, .hull = geometry.get()},
+                         compose(frame, placed),
+                         mass,
+                         static_cast<Real>(core));
+        parts_.back().hull = std::move(geometry);
+        return kept;
     }
 
     Result<Done> build(const MeshShape&, const Pose&) {
@@ -280,13 +310,15 @@ private:
     }
 
     Result<Done> keep(std::unique_ptr<btConvexShape> shape,
+                      const ConvexShape& convex,
                       const Pose& frame,
                       const SolidMass& mass,
                       Real core) {
         parts_.push_back({.shape = std::move(shape),
                           .body_from_part = frame,
+                          .convex = convex,
                           .mass = mass,
-                          .ccd_radius_m = core});
+                          .inner_radius_m = core});
         return Done{};
     }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/physics/collision/shape/convex_shape.h"
+#include "engine/physics/collision/shape/hull_geometry.h"
 #include "engine/physics/dynamics/mass.h"
 #include "engine/physics/shape.h"
 
@@ -18,8 +20,11 @@ namespace plumbline::physics {
 struct ShapePart {
     std::unique_ptr<btConvexShape> shape;
     Pose body_from_part{};
-    SolidMass mass;        ///< in the part's frame
-    Real ccd_radius_m{0};  ///< radius of the largest ball round the mass centre that stays inside
+    ConvexShape convex;  ///< without Bullet's margins; a hull's corners are owned by `hull`
+    std::shared_ptr<const HullGeometry> hull;
+    Pose part_from_convex{};
+    SolidMass mass;          ///< in the part's frame
+    Real inner_radius_m{0};  ///< radius of the largest ball round the mass centre that stays inside
 };
 
 struct ShapeParts {

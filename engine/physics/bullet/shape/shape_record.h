@@ -43,7 +43,9 @@ struct ShapeRecord {
     bool static_only{false};
     bool mesh{false};
     Vec3d inertia_per_kg{0, 0, 0};  ///< principal
-    std::vector<CcdSphere> ccd_spheres;
+    Real inner_radius_m{
+        0};  ///< of the largest ball inside its thinnest part; 0: of a mesh or a plane
+    std::shared_ptr<const BodyGeometry> geometry;  ///< in the mass frame
 };
 
 /// Makes a shape's Bullet side. Refuses what ShapeDef's comments forbid.

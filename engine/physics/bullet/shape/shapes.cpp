@@ -5,6 +5,7 @@
 #include "engine/physics/bullet/shape/shape_parts.h"
 #include "engine/physics/bullet/shape/shape_record.h"
 #include "engine/physics/bullet/shape/shape_store.h"
+#include "engine/physics/collision/shape/mesh_geometry.h"
 
 #include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
 #include <BulletCollision/CollisionShapes/btTriangleInfoMap.h>
@@ -49,11 +50,25 @@ void weigh(ShapeRecord& record, const SolidMass& mass, const PrincipalFrame& pri
                                 record.body_from_mass.orientation == kNoRotation;
 }
 
+Transform transform_of(const Pose& pose) {
+    return {.rotation = glm::mat3_cast(pose.orientation), .position_m = pose.position};
+}
+
+/// The part as contacts see it, in the mass frame.
+GeometryPart geometry_of(const ShapePart& part, const Pose& mass_from_part) {
+    GeometryPart made{.shape = part.convex, .hull = part.hull};
+    made.mass_from_part = transform_of(compose(mass_from_part, part.part_from_convex));
+    made.bounds = bounds_of(made.shape, made.mass_from_part);
+    return made;
+}
+
 /// One piece whose own frame serves as the mass frame: no compound in between.
 void use_single(ShapeRecord& record, ShapePart part) {
     record.body_from_mass = part.body_from_part;
     weigh(record, part.mass, principal_frame(part.mass.inertia));
-    if (part.ccd_radius_m > 0) record.ccd_spheres.push_back({.radius_m = part.ccd_radius_m});
+    record.inner_radius_m = part.inner_radius_m;
+    record.geometry =
+        std::make_shared<const BodyGeometry>(BodyGeometry{.parts = {geometry_of(part, Pose{})}});
     record.convex = part.shape.get();
     record.collision = part.shape.get();
     record.parts.push_back(std::move(part.shape));
@@ -69,18 +84,20 @@ void use_compound(ShapeRecord& record, std::vector<ShapePart> parts) {
 
     auto compound = std::make_unique<btCompoundShape>(true, static_cast<int>(parts.size()));
     const Pose mass_from_body = invert(record.body_from_mass);
+    auto geometry = std::make_shared<BodyGeometry>();
+    record.inner_radius_m = parts.front().inner_radius_m;
     for (ShapePart& part : parts) {
         const Pose mass_from_part = compose(mass_from_body, part.body_from_part);
         compound->addChildShape(to_bullet(mass_from_part), part.shape.get());
-        record.ccd_spheres.push_back(
-            {.center_m = transform_point(mass_from_part, Vec3{part.mass.center_m}),
-             .radius_m = part.ccd_radius_m});
+        geometry->parts.push_back(geometry_of(part, mass_from_part));
+        record.inner_radius_m = std::min(record.inner_radius_m, part.inner_radius_m);
         if (parts.size() == 1) {
             record.convex = part.shape.get();
             record.mass_from_convex = to_bullet(mass_from_part);
         }
         record.parts.push_back(std::move(part.shape));
     }
+    record.geometry = std::move(geometry);
     record.collision = compound.get();
     record.parts.push_back(std::move(compound));
 }
@@ -169,6 +186,10 @@ Result<std::unique_ptr<ShapeRecord>> build_mesh(const MeshShape& mesh,
     record->parts.push_back(std::move(shape));
     record->static_only = true;
     record->mesh = true;
+    auto geometry = std::make_shared<BodyGeometry>();
+    geometry->mesh =
+        std::make_shared<const MeshGeometry>(mesh_geometry(mesh.vertices_m, mesh.triangles));
+    record->geometry = std::move(geometry);
     return record;
 }
 

@@ -1,6 +1,6 @@
 #include "engine/physics/collision/sweep/joint_sweep.h"
 
-#include "engine/physics/dynamics/body_motion.h"
+#include "engine/physics/collision/sweep/body_sweep.h"
 #include "engine/physics/world/body_record.h"
 
 #include <algorithm>
@@ -62,9 +62,9 @@ void JointSweep::stop_at_hit(const StepWorld& world, BodyRecord& record, Real du
         return;
     }
     const std::vector<BodyRecord*>& group = group_of(record, static_cast<double>(duration_s));
-    const SweepResult swept = swept_fraction(world, record, record.sweep.group);
-    if (swept.share >= 1) return;
-    for (BodyRecord* member : group) stop_at_share(*member, swept.share);
+    const Impact impact = first_impact(world, record, record.sweep.group);
+    if (impact.share >= 1) return;
+    for (BodyRecord* member : group) stop_at_share(*member, static_cast<Real>(impact.share));
 }
 
 }  // namespace plumbline::physics

@@ -23,7 +23,7 @@ public:
     explicit JointSweep(const Joints& joints) : joints_(joints) {}
 
     void begin_step();
-    /// As stop_at_hit() of body_motion.h; a body without joints stops alone.
+    /// As stop_at_hit() of body_sweep.h; a body without joints stops alone.
     void stop_at_hit(const StepWorld& world, BodyRecord& record, Real duration_s);
 
 private:

@@ -62,7 +62,8 @@ void ContactBridge::begin_island() {
 }
 
 const ManifoldLoad* ContactBridge::last_load(const Manifold& manifold) const {
-    return manifold.load.step != 0 && manifold.load.step + 1 == step_ ? &manifold.load : nullptr;
+    const std::uint64_t step = manifold.load.step;
+    return step != 0 && (step == step_ || step + 1 == step_) ? &manifold.load : nullptr;
 }
 
 Real ContactBridge::lasting_load_N(const Manifold& manifold) const {
@@ -138,7 +139,7 @@ void ContactBridge::write_back(const ContactSet& contacts, Real h) {
         point.normal_N = constraint.normal_Ns[entry.lane] * per_s;
         point.friction_N = {constraint.tangent_Ns[0] * share, constraint.tangent_Ns[1] * share};
         point.twist_Nm = constraint.twist_Nms * share;
-        entry.point->normal_Ns = constraint.total_Ns[entry.lane];
+        entry.point->normal_Ns += constraint.total_Ns[entry.lane];
         ManifoldLoad& load = entry.manifold->load;
         load.normal_N += point.normal_N;
         if (entry.lane == 0 && load.rolling_Nm == Vec3{0, 0, 0})

@@ -65,6 +65,13 @@ inline void hold_against(SolverBody& body, const Vec3& normal, Real gained_mps) 
     body.velocity_increment_mps += normal * std::max(std::min(gained_mps, pressing_mps), Real{0});
 }
 
+/// What nothing moves is not pushed out, and hands no speed limit on from one body to another.
+void mark_depenetrated(SolverBody& a, SolverBody& b) {
+    for (SolverBody* body : {&a, &b}) {
+        if (body->movable()) body->depenetrated = true;
+    }
+}
+
 }  // namespace
 
 void ContactSet::begin_step(std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps) {
@@ -186,8 +193,7 @@ void ContactSet::solve_with_bias(ContactConstraint& constraint) {
             continue;
         const Real bias = soft.bias_per_s * constraint.separation_m[i];
         wanted[i] += penetrates ? std::max(bias, -push_mps_) : constraint.separation_m[i] / h_;
-        if (penetrates && bias < -kDepenetratedShare * push_mps_)
-            a.depenetrated = b.depenetrated = true;
+        if (penetrates && bias < -kDepenetratedShare * push_mps_) mark_depenetrated(a, b);
         compliance[i] = penetrates ? constraint.compliance[i] : Real{0};
     }
     if (stays_separated(constraint, wanted)) return;
@@ -376,7 +382,7 @@ void ContactSet::end_substep() {
         SolverBody& a = bodies_[constraint.a];
         SolverBody& b = bodies_[constraint.b];
         if ((a.depenetrated || b.depenetrated) && sum_of(constraint.normal_Ns) > 0)
-            a.depenetrated = b.depenetrated = true;
+            mark_depenetrated(a, b);
     }
 }
 

@@ -39,11 +39,11 @@ struct Closing {
 
 TEST(Reach, GrowsByWhatBodiesCoverInAStep) {
     Closing bodies;
-    EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.02_r + 0.21_r, kReachNear);
+    EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.002_r + 0.21_r, kReachNear);
     bodies.motion_b.spin_radps = {0, 0, 1};
-    EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.02_r + 0.26_r, kReachNear) << "its rim";
+    EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.002_r + 0.26_r, kReachNear) << "its rim";
     bodies.motion_a.velocity_mps = {0, -20, 0};
-    EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.02_r + 0.5_r, kReachNear)
+    EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.002_r + 0.5_r, kReachNear)
         << "farther ones are swept, from half a radius each";
     bodies.pair.round = true;
     EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.02_r + 2.06_r, kReachNear);
@@ -52,14 +52,16 @@ TEST(Reach, GrowsByWhatBodiesCoverInAStep) {
 TEST(Reach, OfSlowPairsIsTheBase) {
     Closing bodies;
     bodies.motion_a.velocity_mps = {};
+    bodies.pair.round = true;
     EXPECT_EQ(reach_of(bodies.pair, bodies.step), 0.02_r);
-    bodies.pair.boxes = true;
+    bodies.pair.round = false;
     EXPECT_NEAR(near_m(bodies.pair), 0.002_r, kReachNear);
     EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.002_r + 0.01_r, kReachNear);
 }
 
 TEST(Reach, GrowsByPredictedChanges) {
     Closing bodies;
+    bodies.pair.round = true;
     EXPECT_FALSE(knows_less(bodies.pair, bodies.step));
     bodies.b.small.predicted.change_mps = {0, 0, 0.5_r};
     EXPECT_EQ(predicted_mps(bodies.pair), 0.5_r);
@@ -94,8 +96,8 @@ TEST(Reachable, IsNoPointThatItsBodiesLeft) {
 TEST(Reachable, IsNoEdgeThatASphereRollsPast) {
     // A sphere of 0.1 m rolls along x, its lowest point level with a box whose edge is 2 cm ahead.
     Closing bodies;
-    bodies.a.traits.primitive = {.kind = Primitive::Kind::Sphere, .radius_m = 0.1_r};
-    bodies.b.traits.primitive = {.kind = Primitive::Kind::Box, .half_m = {0.5_r, 0.5_r, 0.5_r}};
+    bodies.a.traits.primitive = {.kind = ConvexShape::Kind::Sphere, .radius_m = 0.1_r};
+    bodies.b.traits.primitive = {.kind = ConvexShape::Kind::Box, .half_m = {0.5_r, 0.5_r, 0.5_r}};
     bodies.motion_a.at.position_m = {-0.52_r, 0.6_r, 0};
     const Vec3 edge{-0.5_r, 0.5_r, 0};
     const Vec3 away = bodies.motion_a.at.position_m - edge;

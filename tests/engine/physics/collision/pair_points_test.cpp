@@ -1,4 +1,4 @@
-#include "engine/physics/collision/primitive_points.h"
+#include "engine/physics/collision/pair_points.h"
 
 #include "engine/physics/world/body_record.h"
 
@@ -20,21 +20,25 @@ struct TwoCubes {
     TwoCubes() {
         a.motion = &motion_a;
         b.motion = &motion_b;
-        for (BodyRecord* body : {&a, &b})
-            body->traits.primitive = {.kind = Primitive::Kind::Box,
-                                      .half_m = {0.5_r, 0.5_r, 0.5_r}};
+        const ConvexShape cube{.kind = ConvexShape::Kind::Box, .half_m = {0.5_r, 0.5_r, 0.5_r}};
+        for (BodyRecord* body : {&a, &b}) {
+            body->kind = BodyKind::Dynamic;
+            body->traits.radius_m = 0.87_r;
+            body->traits.geometry =
+                std::make_shared<const BodyGeometry>(BodyGeometry{.parts = {{.shape = cube}}});
+        }
     }
 
     /// Points on b's upper face, at these places.
-    void find(std::initializer_list<Vec2> places, Real merge_m = 0) {
-        PrimitiveContact found{.same_m = 0.1_r};
+    void find(std::initializer_list<Vec2> places) {
+        std::vector<ConvexPoint> found;
         for (const Vec2& place : places)
-            found.list[found.count++] = {{0, 1, 0}, {place.x, 0.5_r, place.y}, -0.01_r};
-        renew_points(manifold, found, merge_m);
+            found.push_back({{0, 1, 0}, {place.x, 0.5_r, place.y}, -0.01_r});
+        renew_points(manifold, {}, found, 0.1_r);
     }
 };
 
-TEST(PrimitivePoints, LieOnBothBodies) {
+TEST(PairPoints, LieOnBothBodies) {
     TwoCubes cubes;
     // A quarter turn about y: its x is the world's -z.
     cubes.motion_b.at.rotation = Mat3{0, 0, -1, 0, 1, 0, 1, 0, 0};
@@ -53,7 +57,7 @@ TEST(PrimitivePoints, LieOnBothBodies) {
     EXPECT_EQ(point.age_steps, 0);
 }
 
-TEST(PrimitivePoints, FoundAgainKeepTheirFeaturesAndLoads) {
+TEST(PairPoints, FoundAgainKeepTheirFeaturesAndLoads) {
     TwoCubes cubes;
     cubes.find({{0.5_r, 0.5_r}, {-0.5_r, 0.5_r}});
     for (ManifoldPoint& point : cubes.manifold.points) {
@@ -75,7 +79,7 @@ TEST(PrimitivePoints, FoundAgainKeepTheirFeaturesAndLoads) {
     }
 }
 
-TEST(PrimitivePoints, AreNewWhereNoneWasNear) {
+TEST(PairPoints, AreNewWhereNoneWasNear) {
     TwoCubes cubes;
     cubes.find({{0, 0}});
     cubes.manifold.points[0].load.normal_N = 7;
@@ -88,7 +92,7 @@ TEST(PrimitivePoints, AreNewWhereNoneWasNear) {
     EXPECT_EQ(cubes.manifold.points[0].feature, 2U);
 }
 
-TEST(PrimitivePoints, OneThatBecomesTwoGivesBothItsLoad) {
+TEST(PairPoints, OneThatBecomesTwoGivesBothItsLoad) {
     TwoCubes cubes;
     cubes.find({{0, 0}});
     cubes.manifold.points[0].load.normal_N = 7;
@@ -99,15 +103,7 @@ TEST(PrimitivePoints, OneThatBecomesTwoGivesBothItsLoad) {
     for (const ManifoldPoint& point : cubes.manifold.points) EXPECT_EQ(point.load.normal_N, 7);
 }
 
-TEST(PrimitivePoints, NearOnesAreOne) {
-    TwoCubes cubes;
-    cubes.find({{0, 0}, {0.3_r, 0}, {0.01_r, 0}}, 0.02_r);
-    ASSERT_EQ(cubes.manifold.points.size(), 2U);
-    EXPECT_EQ(cubes.manifold.points[0].b.surface_m.x, 0.01_r) << "the latter, in the first's place";
-    EXPECT_EQ(cubes.manifold.points[1].b.surface_m.x, 0.3_r);
-}
-
-TEST(PrimitivePoints, GoWhenNoneIsFound) {
+TEST(PairPoints, GoWhenNoneIsFound) {
     TwoCubes cubes;
     cubes.find({{0, 0}, {0.3_r, 0}});
     cubes.find({});
@@ -116,18 +112,19 @@ TEST(PrimitivePoints, GoWhenNoneIsFound) {
     EXPECT_EQ(cubes.manifold.points[0].feature, 3U) << "a feature is never used again";
 }
 
-TEST(PrimitivePoints, ThatTheBodiesCannotCloseAreLeftOut) {
+TEST(PairPoints, ThatTheBodiesCannotCloseAreLeftOut) {
     TwoCubes cubes;
-    Pair pair{.a = &cubes.a, .b = &cubes.b, .base_m = 0.02_r, .reach_m = 0.5_r, .boxes = true};
+    Pair pair{.a = &cubes.a, .b = &cubes.b, .base_m = 0.02_r, .reach_m = 0.5_r};
     const CollideStep step{.step_s = 0.1_r};
     cubes.motion_a.at.position_m.y = 1.1_r;
     // 0.1 m apart; 2 mm count anyway, as a tenth of base_m.
     cubes.motion_a.velocity_mps = {0, -0.97_r, 0};
-    collide_primitives(pair, cubes.manifold, step);
-    EXPECT_TRUE(cubes.manifold.points.empty());
+    find_points(pair, step);
+    EXPECT_FALSE(pair.touches);
     cubes.motion_a.velocity_mps = {0, -0.99_r, 0};
-    collide_primitives(pair, cubes.manifold, step);
-    EXPECT_EQ(cubes.manifold.points.size(), 4U);
+    find_points(pair, step);
+    ASSERT_EQ(pair.manifolds.size(), 1U);
+    EXPECT_EQ(pair.manifolds[0].points.size(), 4U);
 }
 
 }  // namespace

@@ -1,0 +1,274 @@
+#include "engine/physics/collision/sweep/time_of_impact.h"
+
+#include "engine/physics/collision/narrow_phase/convex_convex.h"
+#include "engine/physics/collision/narrow_phase/placed_mesh.h"
+#include "engine/physics/dynamics/rotation.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace plumbline::physics {
+namespace {
+
+constexpr int kMostAdvances = 64;
+/// Of the overlap with which bodies cross each other: as near counts as touching, and as deep an overlap is where bodies
+/// that touched before are stopped.
+constexpr double kTouchingShare = 0.02;
+constexpr double kLimitShare = 0.15;
+constexpr double kLeastAdvance = 1e-6;
+/// Bodies that overlap already by more may do so by this more.
+constexpr double kNoiseShare = 5e-4;
+
+/// The body's frame after a share of its path; its origin is relative to `origin`.
+struct Place {
+    glm::dmat3 axes{1.0};
+    Vec3d position_m{0, 0, 0};
+};
+
+Place place_on(const BodyPath& path, double share, const Vec3d& origin) {
+    const double gone = std::min(share, path.until);
+    const glm::dmat3 turned(glm::mat3_cast(turn_by(path.turn_rad, gone)));
+    return {turned * glm::dmat3(path.from.rotation),
+            Vec3d(path.from.position_m) - origin + path.displacement_m * gone};
+}
+
+PlacedConvex placed_on(const GeometryPart& part, const Place& place) {
+    PlacedConvex convex = placed_convex({part.shape, part.mass_from_part}, Vec3d{0, 0, 0});
+    convex.center_m = place.axes * convex.center_m + place.position_m;
+    convex.axes = place.axes * convex.axes;
+    return convex;
+}
+
+bool is_round_about_axis(const ConvexShape& shape) {
+    using enum ConvexShape::Kind;
+    return shape.kind == Capsule || shape.kind == Cylinder || shape.kind == Cone;
+}
+
+/// The part of a turn that moves a part's surface: a round one turns about its own axis in place.
+Vec3d felt_turn(const GeometryPart& part, const BodyPath& path) {
+    if (part.mass_from_part.position_m != Vec3{0, 0, 0}) return path.turn_rad;
+    if (part.shape.kind == ConvexShape::Kind::Sphere) return {0, 0, 0};
+    if (!is_round_about_axis(part.shape)) return path.turn_rad;
+    const Vec3d axis{path.from.rotation * part.mass_from_part.rotation[1]};
+    return path.turn_rad - axis * glm::dot(path.turn_rad, axis);
+}
+
+double farthest(const Bounds& bounds) {
+    return glm::length(glm::max(glm::abs(bounds.low), glm::abs(bounds.high)));
+}
+
+/// A point's arc leaves the boxes of both ends by no more than its height over the chord.
+Bounds swept_bounds(const GeometryPart& part, const BodyPath& path) {
+    const double angle = glm::length(path.turn_rad);
+    const double bulge_m = std::min(angle * angle / 8, 1.0) * farthest(part.bounds);
+    const Bounds first = bounds_of(placed_on(part, place_on(path, 0, Vec3d{0, 0, 0})));
+    const Bounds last = bounds_of(placed_on(part, place_on(path, 1, Vec3d{0, 0, 0})));
+    return {glm::min(first.low, last.low) - bulge_m, glm::max(first.high, last.high) + bulge_m};
+}
+
+/// Two convex things that move and turn about centres of their own, over the whole step.
+struct Motions {
+    Vec3d displacement_m{0, 0, 0};  ///< of a against b
+    Vec3d turn_a{0, 0, 0};
+    Vec3d turn_b{0, 0, 0};
+    double radius_a_m{0};  ///< of all points about the centre they turn about
+    double radius_b_m{0};
+
+    double most() const {
+        return glm::length(displacement_m) + glm::length(turn_a) * radius_a_m +
+               glm::length(turn_b) * radius_b_m;
+    }
+};
+
+/// The two at some share of the step, and the centres that they turn about.
+struct Moment {
+    PlacedConvex a;
+    PlacedConvex b;
+    Vec3d center_a{0, 0, 0};
+    Vec3d center_b{0, 0, 0};
+};
+
+/// How near the two can come along a normal within a further share of the step. Every point's motion along it is known
+/// to first order from a support point, and differs by no more than its centripetal acceleration brings.
+double least_distance(const Moment& now,
+                      const Motions& motions,
+                      const Vec3d& normal,
+                      double share) {
+    const Vec3d along_a = normal + glm::cross(normal, motions.turn_a) * share;
+    const Vec3d along_b = normal + glm::cross(normal, motions.turn_b) * share;
+    const double low_a =
+        glm::dot(support(now.a, -along_a) - now.center_a, along_a) + glm::dot(now.center_a, normal);
+    const double high_b =
+        glm::dot(support(now.b, along_b) - now.center_b, along_b) + glm::dot(now.center_b, normal);
+    const double bent_m = (glm::dot(motions.turn_a, motions.turn_a) * motions.radius_a_m +
+                           glm::dot(motions.turn_b, motions.turn_b) * motions.radius_b_m) *
+                          share * share / 2;
+    return low_a - high_b - now.a.radius_m - now.b.radius_m +
+           glm::dot(motions.displacement_m, normal) * share - bent_m;
+}
+
+/// A share of the step within which the two do not come nearer along the normal than the goal; 1 where they never do.
+double safe_share(const Moment& now, const Motions& motions, const Vec3d& normal, double goal_m) {
+    constexpr int kMostHalvings = 24;
+    double share = 1;
+    for (int i = 0; i < kMostHalvings; ++i, share /= 2) {
+        if (least_distance(now, motions, normal, share) >= goal_m) break;
+    }
+    if (share == 1) return share;
+    // The bound falls ever faster: a secant to the goal stays on the safe side of it.
+    double safe = share;
+    double beyond = 2 * share;
+    for (int i = 0; i < 4; ++i) {
+        const double middle = (safe + beyond) / 2;
+        (least_distance(now, motions, normal, middle) >= goal_m ? safe : beyond) = middle;
+    }
+    return safe;
+}
+
+/// Whether what came to touch on the way is inside the other at its end.
+bool ends_overlapped(const Moment& end, double reach_m, double crossing_m) {
+    const std::optional<Separation> apart = separation_of(end.a, end.b, reach_m);
+    return apart && apart->distance_m < -kTouchingShare * crossing_m;
+}
+
+/// Advances two convex things; `at(share)` places both.
+template <class At>
+std::optional<Impact> advance(const At& at,
+                              const Motions& motions,
+                              double crossing_m,
+                              double latest) {
+    const double reach_m = motions.most();
+    std::optional<Impact> touch;
+    bool touched_from_start = true;
+    double limit_m = -kLimitShare * crossing_m;  // what touches at the start goes on until then
+    double share = 0;
+    for (int i = 0; i < kMostAdvances; ++i) {
+        const Moment now = at(share);
+        const std::optional<Separation> apart = separation_of(now.a, now.b, reach_m);
+        if (!apart) return std::nullopt;
+        const double distance_m = apart->distance_m;
+        if (i == 0) limit_m = std::min(limit_m, distance_m - kNoiseShare * crossing_m);
+        const bool touches = distance_m <= kTouchingShare * crossing_m;
+        touched_from_start = touched_from_start && touches;
+        if (!touches) touch.reset();
+        if (touches && !touch && (!touched_from_start || distance_m <= limit_m))
+            touch = Impact{share, apart->normal};
+        if (touch && distance_m <= std::min(-crossing_m, limit_m)) return touch;
+        double goal_m = std::min(-crossing_m, limit_m) - kNoiseShare * crossing_m;
+        if (!touches) goal_m = kTouchingShare * crossing_m / 2;
+        if (touches && !touch) goal_m = limit_m - kNoiseShare * crossing_m;
+        share += std::max(safe_share(now, motions, apart->normal, goal_m), kLeastAdvance);
+        if (share < latest) continue;
+        return touch && ends_overlapped(at(latest), reach_m, crossing_m) ? touch : std::nullopt;
+    }
+    return touch;
+}
+
+/// Impacts of two bodies, part by part.
+class Impacts {
+public:
+    Impacts(const MovingBody& a, const MovingBody& b, double latest)
+        : a_(a), b_(b), latest_(latest), crossing_m_(std::min(a.crossing_m, b.crossing_m)) {}
+
+    std::optional<Impact> find() {
+        if (a_.geometry.mesh != nullptr) {
+            for (const GeometryPart& part : b_.geometry.parts) meet_mesh(b_, part, a_, -1);
+        } else if (b_.geometry.mesh != nullptr) {
+            for (const GeometryPart& part : a_.geometry.parts) meet_mesh(a_, part, b_, 1);
+        } else {
+            for (const GeometryPart& part : a_.geometry.parts) meet_parts(part);
+        }
+        return first_;
+    }
+
+private:
+    void keep(const std::optional<Impact>& impact, double side) {
+        if (!impact || impact->share >= latest_) return;
+        latest_ = impact->share;
+        first_ = Impact{impact->share, impact->normal * side};
+    }
+
+    void meet_parts(const GeometryPart& a) {
+        const Bounds near = swept_bounds(a, a_.path);
+        for (const GeometryPart& b : b_.geometry.parts) {
+            if (!overlap(near, swept_bounds(b, b_.path))) continue;
+            const Vec3d origin{a_.path.from.position_m};
+            const Motions motions{.displacement_m = a_.path.displacement_m - b_.path.displacement_m,
+                                  .turn_a = felt_turn(a, a_.path),
+                                  .turn_b = felt_turn(b, b_.path),
+                                  .radius_a_m = farthest(a.bounds),
+                                  .radius_b_m = farthest(b.bounds)};
+            const auto at = [&](double share) {
+                const Place place_a = place_on(a_.path, share, origin);
+                const Place place_b = place_on(b_.path, share, origin);
+                return Moment{placed_on(a, place_a),
+                              placed_on(b, place_b),
+                              place_a.position_m,
+                              place_b.position_m};
+            };
+            keep(advance(at, motions, crossing_m_, latest_), 1);
+        }
+    }
+
+    /// `side`: -1 where the mesh is the first of the two.
+    void meet_mesh(const MovingBody& body,
+                   const GeometryPart& part,
+                   const MovingBody& mesh_body,
+                   double side) {
+        const MeshGeometry& mesh = *mesh_body.geometry.mesh;
+        const Vec3d origin{body.path.from.position_m};
+        // All that the part sweeps as the mesh sees it.
+        const Transform mesh_from_world = inverse(mesh_body.path.from);
+        Bounds near = moved(swept_bounds(part, body.path), mesh_from_world);
+        const double mesh_moves_m = glm::length(mesh_body.path.displacement_m) +
+                                    glm::length(mesh_body.path.turn_rad) * farthest(near);
+        near.low -= mesh_moves_m;
+        near.high += mesh_moves_m;
+        const Motions motions{
+            .displacement_m = body.path.displacement_m - mesh_body.path.displacement_m,
+            .turn_a = felt_turn(part, body.path),
+            .turn_b = mesh_body.path.turn_rad,
+            .radius_a_m = farthest(part.bounds),
+            .radius_b_m = farthest(near)};
+        mesh.tree.visit(near, [&](std::uint32_t triangle) {
+            const auto at = [&](double share) {
+                const Place own = place_on(body.path, share, origin);
+                const Place place = place_on(mesh_body.path, share, origin);
+                std::array<Vec3d, 3> corners;
+                for (std::size_t i = 0; i < 3; ++i)
+                    corners[i] =
+                        place.axes * mesh.corner_m(mesh.triangles[triangle], i) + place.position_m;
+                return Moment{placed_on(part, own),
+                              placed_triangle(corners),
+                              own.position_m,
+                              place.position_m};
+            };
+            keep(advance(at, motions, crossing_m_, latest_), side);
+        });
+    }
+
+    const MovingBody& a_;
+    const MovingBody& b_;
+    double latest_;
+    double crossing_m_;
+    std::optional<Impact> first_;
+};
+
+}  // namespace
+
+std::optional<Impact> time_of_impact(const MovingBody& a, const MovingBody& b, double latest) {
+    return Impacts(a, b, latest).find();
+}
+
+Bounds swept_bounds(const BodyGeometry& geometry, const BodyPath& path) {
+    Bounds all = swept_bounds(geometry.parts.front(), path);
+    for (const GeometryPart& part : geometry.parts) {
+        const Bounds bounds = swept_bounds(part, path);
+        all.low = glm::min(all.low, bounds.low);
+        all.high = glm::max(all.high, bounds.high);
+    }
+    return all;
+}
+
+}  // namespace plumbline::physics
