@@ -15,7 +15,7 @@ from sources import ROOT, finish, own_files
 FLOORS = {
     "core": ["time", "process", "io", "text"],
     "assets": ["image", "model", "gltf", "mesh_files", "foreign"],
-    "physics": ["collision/narrow_phase", "collision", "collision/sweep", "dynamics/joint", "dynamics/contact",
+    "physics": ["collision/shape", "collision/narrow_phase", "collision/mesh", "collision", "collision/sweep", "dynamics/joint", "dynamics/contact",
                 "dynamics/impact", "dynamics", "world", "bullet/shape", "bullet/contact", "bullet/archive", "bullet",
                 "character"],
     "render": ["gl", "shaders", "culling", "resources", "sky", "light", "setup", "passes", "passes/screen"],
@@ -34,7 +34,6 @@ STILL_UPWARD = {
     ("physics", "bullet/contact", "bullet"),
     ("physics", "bullet/shape", "bullet"),
     ("physics", "collision", "world"),
-    ("physics", "collision/narrow_phase", "dynamics"),
     ("physics", "collision/sweep", "dynamics"),
     ("physics", "collision/sweep", "world"),
     ("physics", "dynamics", "bullet"),

@@ -4,7 +4,7 @@
 
 #include "engine/core/pose.h"
 #include "engine/physics/body.h"
-#include "engine/physics/dynamics/transform.h"
+#include "engine/physics/transform.h"
 
 namespace plumbline::physics {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/pose.h"
-#include "engine/physics/dynamics/transform.h"
+#include "engine/physics/transform.h"
 
 #include <LinearMath/btTransform.h>
 

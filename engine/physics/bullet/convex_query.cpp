@@ -20,7 +20,7 @@ namespace {
 /// How btGjkPairDetector finds points: ways above it are what it does when there is no penetration depth.
 constexpr int kByPenetration = 3;
 /// Closer than this is touching. Ten times what float32 resolves 10 m from a shape's middle.
-constexpr btScalar kTouch_m = btScalar(1e-5);
+constexpr btScalar kTouching_m = btScalar(1e-5);
 /// A motion this much along a surface is not into it: contact normals carry such noise.
 constexpr btScalar kGrazing = btScalar(1e-3);
 constexpr int kMaxAdvances = 48;
@@ -88,18 +88,18 @@ void cast_at(const btConvexShape& moving,
     btScalar fraction = 0;
     for (int i = 0; i < kMaxAdvances; ++i) {
         at.setOrigin(from.getOrigin() + motion * fraction);
-        const auto closest =
-            closest_points(moving, at, still, world_from_still, length * (1 - fraction) + kTouch_m);
+        const auto closest = closest_points(
+            moving, at, still, world_from_still, length * (1 - fraction) + kTouching_m);
         if (!closest) return;
         const btScalar approach = -closest->normal.dot(motion);
         // Moving apart at the nearest features of two convex shapes: they never touch.
         if (approach <= 0) return;
-        if (closest->distance <= kTouch_m) {
-            if (approach <= kGrazing * length && closest->distance > -kTouch_m) return;
+        if (closest->distance <= kTouching_m) {
+            if (approach <= kGrazing * length && closest->distance > -kTouching_m) return;
             best = {.fraction = fraction, .normal = closest->normal, .point = closest->point_on_b};
             return;
         }
-        fraction += (closest->distance - btScalar(0.5) * kTouch_m) / approach;
+        fraction += (closest->distance - btScalar(0.5) * kTouching_m) / approach;
         if (fraction >= best.fraction) return;
     }
 }

@@ -135,7 +135,6 @@ BulletEngine::BulletEngine(const WorldDef& def, StepReport& report)
     } else {
         parts.pairs = std::make_unique<CountedPairs>(*parts.pair_filter);
     }
-    parts.mesh_contacts = std::make_unique<MeshContacts>(*parts.dispatcher);
     parts.broadphase = std::make_unique<btDbvtBroadphase>(parts.pairs.get());
     parts.nearest =
         std::make_unique<NearestPairs>(*parts.broadphase, *parts.pairs, *parts.pair_filter);

@@ -1,7 +1,6 @@
 // What BulletEngine is made of, in the order in which the parts need each other.
 #pragma once
 
-#include "engine/physics/bullet/contact/mesh_contact.h"
 #include "engine/physics/bullet/contact/nearest_pairs.h"
 #include "engine/physics/bullet/contact/pair_filter.h"
 #include "engine/physics/bullet/contact/pair_list.h"
@@ -18,7 +17,6 @@ namespace plumbline::physics {
 
 struct BulletEngine::Parts {
     std::unique_ptr<btDefaultCollisionConfiguration> configuration;
-    std::unique_ptr<MeshContacts> mesh_contacts;
     std::unique_ptr<btCollisionDispatcher> dispatcher;
     std::unique_ptr<PairFilter> pair_filter;
     std::unique_ptr<btOverlappingPairCache> pairs;

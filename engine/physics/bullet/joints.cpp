@@ -324,6 +324,11 @@ struct BulletJoint::Impl {
 BulletJoint::BulletJoint(JointRecord& joint, StepWorld& world)
     : impl_(std::make_unique<Impl>(joint, world)) {
     impl_->constraint = constraint_of(joint);
+    for (btVector3* load : {&impl_->feedback.m_appliedForceBodyA,
+                            &impl_->feedback.m_appliedForceBodyB,
+                            &impl_->feedback.m_appliedTorqueBodyA,
+                            &impl_->feedback.m_appliedTorqueBodyB})
+        load->setZero();
     impl_->constraint->setJointFeedback(&impl_->feedback);
     impl_->constraint->setUserConstraintPtr(&joint);
     world.addConstraint(impl_->constraint.get());

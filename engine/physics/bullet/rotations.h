@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/core/pose.h"
-#include "engine/physics/dynamics/transform.h"
+#include "engine/physics/transform.h"
 
 namespace plumbline::physics {
 

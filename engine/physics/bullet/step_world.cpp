@@ -6,8 +6,8 @@
 #include "engine/physics/bullet/convert.h"
 #include "engine/physics/bullet/rigid_body.h"
 #include "engine/physics/bullet/rotations.h"
-#include "engine/physics/collision/sweep/body_sweep.h"
 #include "engine/physics/dynamics/body_motion.h"
+#include "engine/physics/dynamics/body_sweep.h"
 #include "engine/physics/world/body_record.h"
 
 #include <algorithm>

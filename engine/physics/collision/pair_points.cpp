@@ -1,6 +1,6 @@
 #include "engine/physics/collision/pair_points.h"
 
-#include "engine/physics/collision/narrow_phase/convex_mesh.h"
+#include "engine/physics/collision/mesh/convex_mesh.h"
 #include "engine/physics/collision/narrow_phase/placed_convex.h"
 #include "engine/physics/world/body_record.h"
 

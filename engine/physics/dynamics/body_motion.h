@@ -3,8 +3,8 @@
 
 #include "engine/core/math.h"
 #include "engine/physics/dynamics/solver_body.h"
-#include "engine/physics/dynamics/transform.h"
 #include "engine/physics/physics_world.h"
+#include "engine/physics/transform.h"
 
 #include <cstdint>
 

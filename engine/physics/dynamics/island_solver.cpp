@@ -118,7 +118,9 @@ Real rolling_share(const Manifold& manifold, Real step_s) {
     const BodyRecord& b = *manifold.b;
     const Real share = std::max(felt_spin_radps(a), felt_spin_radps(b)) * step_s / kMostTurn_rad;
     if (a.traits.geometry->mesh == nullptr && b.traits.geometry->mesh == nullptr) return share;
-    const Vec3 slide = a.motion->velocity_mps - b.motion->velocity_mps;
+    const Vec3 apart = a.motion->velocity_mps - b.motion->velocity_mps;
+    const Vec3& normal = manifold.points.front().normal_world;
+    const Vec3 slide = apart - normal * glm::dot(apart, normal);
     const Real size_m = std::max(a.sweep.inner_radius_m, b.sweep.inner_radius_m);
     if (size_m <= 0) return share;
     return std::max(share, glm::length(slide) * step_s / (kMostSlide * size_m));
@@ -287,7 +289,7 @@ int parts_of_step(const Island& island, double step_s) {
     const auto is_driven_through = [step_s](const BodyRecord* record) {
         return drives_through(*record, static_cast<Real>(step_s));
     };
-    if (island.carried || island.bodies.size() > kMostBodiesInParts ||
+    if (island.carried || !island.joints.empty() || island.bodies.size() > kMostBodiesInParts ||
         std::ranges::any_of(island.bodies, is_driven_through))
         return 1;
     Real most = 0;
@@ -322,7 +324,7 @@ IslandReport IslandSolver::solve(Island& island, const IslandStep& step) {
     done.clamped_bodies += report.clamped_bodies;
     done.unresolved_islands += report.unresolved_joints ? 1U : 0U;
     done.impacts += report.impacts;
-    step.cost->contacts += impl.bridge.point_count();
+    if (step.part + 1 == step.parts) step.cost->contacts += impl.bridge.point_count();
     return {.user = island.bodies.empty() ? 0 : island.bodies.front()->user,
             .bodies = static_cast<std::uint32_t>(island.bodies.size()),
             .contacts = impl.bridge.point_count(),

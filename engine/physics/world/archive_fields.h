@@ -3,7 +3,7 @@
 
 #include "engine/core/io/pose_archive.h"
 #include "engine/physics/dynamics/body_motion.h"
-#include "engine/physics/dynamics/transform.h"
+#include "engine/physics/transform.h"
 #include "engine/physics/world/island_sleep.h"
 #include "engine/physics/world/joint_record.h"
 

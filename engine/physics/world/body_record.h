@@ -3,11 +3,11 @@
 
 #include "engine/core/pose.h"
 #include "engine/physics/body.h"
+#include "engine/physics/collision/body_geometry.h"
 #include "engine/physics/collision/pair.h"
-#include "engine/physics/collision/shape/body_geometry.h"
 #include "engine/physics/dynamics/body_motion.h"
-#include "engine/physics/dynamics/transform.h"
 #include "engine/physics/joint.h"
+#include "engine/physics/transform.h"
 #include "engine/physics/world/island_sleep.h"
 
 #include <algorithm>

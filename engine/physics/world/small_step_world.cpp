@@ -1,8 +1,8 @@
 #include "engine/physics/world/small_step_world.h"
 
 #include "engine/physics/bullet/body.h"
-#include "engine/physics/collision/sweep/body_sweep.h"
 #include "engine/physics/dynamics/body_motion.h"
+#include "engine/physics/dynamics/body_sweep.h"
 #include "engine/physics/world/body_record.h"
 #include "engine/physics/world/body_scope.h"
 

@@ -1,7 +1,6 @@
 #include "engine/physics/bullet/archive/contact_archive.h"
 
 #include "engine/physics/bullet/archive/bullet_fields.h"
-#include "engine/physics/bullet/contact/mesh_contact.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
@@ -202,11 +201,6 @@ void ContactArchive::child_pairs(btCollisionAlgorithm& compounds,
 void ContactArchive::single(btCollisionAlgorithm& single,
                             const btCollisionObjectWrapper& first,
                             const btCollisionObjectWrapper& second) {
-    if (auto* faces = dynamic_cast<ManifoldByFace*>(&single)) {
-        std::uint32_t used = faces->used_faces();
-        archive_(used);
-        if (archive_.reads()) faces->use_faces(used, first, second);
-    }
     btManifoldArray list;
     single.getAllContactManifolds(list);
     int count = list.size();

@@ -13,7 +13,6 @@
 #include <vector>
 
 class btTriangleIndexVertexArray;
-struct btTriangleInfoMap;
 
 namespace plumbline::physics {
 
@@ -22,7 +21,6 @@ struct TriangleStore {
     std::vector<btScalar> coordinates;
     std::vector<int> indices;
     std::unique_ptr<btTriangleIndexVertexArray> view;
-    std::unique_ptr<btTriangleInfoMap> edges;
 
     TriangleStore();
     ~TriangleStore();

@@ -7,8 +7,6 @@
 #include "engine/physics/bullet/shape/shape_store.h"
 #include "engine/physics/collision/shape/mesh_geometry.h"
 
-#include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
-#include <BulletCollision/CollisionShapes/btTriangleInfoMap.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -128,12 +126,12 @@ std::string mesh_fault(const MeshShape& mesh) {
     return {};
 }
 
-/// Copies the triangles that have an area; returns the shortest edge among them.
-Real copy_triangles(const MeshShape& mesh, TriangleStore& store, std::size_t& degenerate) {
+/// Copies the triangles that have an area; returns how many have none.
+std::size_t copy_triangles(const MeshShape& mesh, TriangleStore& store) {
+    std::size_t degenerate = 0;
     for (const Vec3& v : mesh.vertices_m) {
         for (int axis = 0; axis < 3; ++axis) store.coordinates.push_back(v[axis]);
     }
-    Real shortest = static_cast<Real>(limits::kSizeMax_m);
     for (const auto& triangle : mesh.triangles) {
         const Vec3 a = mesh.vertices_m[triangle[0]];
         const Vec3 b = mesh.vertices_m[triangle[1]];
@@ -144,10 +142,9 @@ Real copy_triangles(const MeshShape& mesh, TriangleStore& store, std::size_t& de
             ++degenerate;
             continue;
         }
-        shortest = std::min({shortest, glm::length(b - a), glm::length(c - b), glm::length(a - c)});
         for (const std::uint32_t index : triangle) store.indices.push_back(static_cast<int>(index));
     }
-    return shortest;
+    return degenerate;
 }
 
 Result<std::unique_ptr<ShapeRecord>> build_mesh(const MeshShape& mesh,
@@ -157,8 +154,7 @@ Result<std::unique_ptr<ShapeRecord>> build_mesh(const MeshShape& mesh,
     }
     auto record = std::make_unique<ShapeRecord>();
     TriangleStore& store = record->triangles;
-    std::size_t degenerate = 0;
-    const Real shortest = copy_triangles(mesh, store, degenerate);
+    const std::size_t degenerate = copy_triangles(mesh, store);
     if (store.indices.empty()) return refused_shape("mesh: none of its triangles has an area");
     if (degenerate > 0 && notes != nullptr) {
         notes->push_back(fmt::format("mesh: {} triangles without area left out", degenerate));
@@ -176,12 +172,6 @@ Result<std::unique_ptr<ShapeRecord>> build_mesh(const MeshShape& mesh,
 
     auto shape = std::make_unique<btBvhTriangleMeshShape>(store.view.get(), true);
     shape->setMargin(0);  // things would hover by it
-    store.edges = std::make_unique<btTriangleInfoMap>();
-    // Bullet's thresholds are for metre-sized triangles; ours follow the mesh.
-    store.edges->m_equalVertexThreshold = 1e-6_r * shortest * shortest;
-    store.edges->m_zeroAreaThreshold = 0;  // those are gone already
-    store.edges->m_edgeDistanceThreshold = std::min(0.1_r, 0.5_r * shortest);
-    btGenerateInternalEdgeInfo(shape.get(), store.edges.get());
     record->collision = shape.get();
     record->parts.push_back(std::move(shape));
     record->static_only = true;

@@ -260,7 +260,8 @@ bool ContactRegion::lift(const Feature& feature, const Vec3d& point, Vec3d& lift
     if (feature.kind == FeatureKind::Polygon || feature.kind == FeatureKind::Disc) {
         const double steepness = glm::dot(feature.normal, normal_);
         if (std::abs(steepness) < kSteep) return false;
-        const Vec3d& on_plane = feature.kind == FeatureKind::Disc ? feature.center_m : feature.corners[0];
+        const Vec3d& on_plane =
+            feature.kind == FeatureKind::Disc ? feature.center_m : feature.corners[0];
         lifted = point + normal_ * (glm::dot(on_plane - point, feature.normal) / steepness);
         return true;
     }

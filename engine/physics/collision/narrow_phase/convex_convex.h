@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/physics/collision/narrow_phase/contact_region.h"
-#include "engine/physics/collision/narrow_phase/gjk.h"
+#include "engine/physics/collision/narrow_phase/epa.h"
 
 #include <optional>
 

@@ -1,5 +1,4 @@
-// The expanding polytope.
-#include "engine/physics/collision/narrow_phase/gjk.h"
+#include "engine/physics/collision/narrow_phase/epa.h"
 
 #include <algorithm>
 #include <cmath>

@@ -37,16 +37,4 @@ Vertex support_vertex(const PlacedConvex& a, const PlacedConvex& b, const Vec3d&
 /// `reach_m` may get any distance beyond that.
 Closest closest_points(const PlacedConvex& a, const PlacedConvex& b, double reach_m);
 
-/// Where two cores that overlap part most easily.
-struct Penetration {
-    Vec3d normal{0, 1, 0};  ///< unit, from b to a
-    double depth_m{0};
-    Vec3d on_a{0, 0, 0};
-    Vec3d on_b{0, 0, 0};
-};
-
-/// By the expanding polytope (van den Bergen 2003, "Collision Detection in Interactive 3D Environments",
-/// 4.3.8), from the simplex in which closest_points() found the origin.
-Penetration penetration_of(const PlacedConvex& a, const PlacedConvex& b, const Simplex& simplex);
-
 }  // namespace plumbline::physics

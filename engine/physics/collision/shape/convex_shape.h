@@ -1,7 +1,7 @@
 // The convex shapes whose contact points we find, each in a frame of its own.
 #pragma once
 
-#include "engine/physics/dynamics/transform.h"
+#include "engine/physics/transform.h"
 
 #include <cstdint>
 

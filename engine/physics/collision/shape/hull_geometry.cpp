@@ -76,7 +76,8 @@ private:
         const auto lies_in_plane = [&](std::size_t t) {
             const Vec3d across = area_normal(t);
             const double area = glm::length(across);
-            if (area > 0 && glm::dot(across, normal) < std::cos(kSameFace_rad) * area) return false;
+            if (area > 0 && glm::dot(across, normal) < portable_cos(kSameFace_rad) * area)
+                return false;
             return std::ranges::all_of(triangles_[t], [&](std::uint32_t corner) {
                 return std::abs(glm::dot(normal, corners_[corner]) - plane_m) <= sag_m_;
             });

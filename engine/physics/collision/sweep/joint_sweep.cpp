@@ -1,6 +1,6 @@
 #include "engine/physics/collision/sweep/joint_sweep.h"
 
-#include "engine/physics/collision/sweep/body_sweep.h"
+#include "engine/physics/dynamics/body_sweep.h"
 #include "engine/physics/world/body_record.h"
 
 #include <algorithm>

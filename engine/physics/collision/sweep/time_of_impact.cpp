@@ -1,7 +1,7 @@
 #include "engine/physics/collision/sweep/time_of_impact.h"
 
+#include "engine/physics/collision/mesh/placed_mesh.h"
 #include "engine/physics/collision/narrow_phase/convex_convex.h"
-#include "engine/physics/collision/narrow_phase/placed_mesh.h"
 #include "engine/physics/dynamics/rotation.h"
 
 #include <algorithm>
@@ -67,19 +67,32 @@ Bounds swept_bounds(const GeometryPart& part, const BodyPath& path) {
     return {glm::min(first.low, last.low) - bulge_m, glm::max(first.high, last.high) + bulge_m};
 }
 
-/// Two convex things that move and turn about centres of their own, over the whole step.
+/// A convex thing that moves and turns about a centre, over the whole step.
+struct Motion {
+    Vec3d displacement_m{0, 0, 0};
+    Vec3d turn_rad{0, 0, 0};
+    double radius_m{0};    ///< of all its points about the centre
+    bool may_stop{false};  ///< before the step ends
+};
 struct Motions {
-    Vec3d displacement_m{0, 0, 0};  ///< of a against b
-    Vec3d turn_a{0, 0, 0};
-    Vec3d turn_b{0, 0, 0};
-    double radius_a_m{0};  ///< of all points about the centre they turn about
-    double radius_b_m{0};
+    Motion a;
+    Motion b;
 
     double most() const {
-        return glm::length(displacement_m) + glm::length(turn_a) * radius_a_m +
-               glm::length(turn_b) * radius_b_m;
+        double sum = 0;
+        for (const Motion& motion : {a, b})
+            sum +=
+                glm::length(motion.displacement_m) + glm::length(motion.turn_rad) * motion.radius_m;
+        return sum;
     }
 };
+
+Motion motion_of(const GeometryPart& part, const BodyPath& path) {
+    return {.displacement_m = path.displacement_m,
+            .turn_rad = felt_turn(part, path),
+            .radius_m = farthest(part.bounds),
+            .may_stop = path.until < 1};
+}
 
 /// The two at some share of the step, and the centres that they turn about.
 struct Moment {
@@ -89,23 +102,30 @@ struct Moment {
     Vec3d center_b{0, 0, 0};
 };
 
-/// How near the two can come along a normal within a further share of the step. Every point's motion along it is known
-/// to first order from a support point, and differs by no more than its centripetal acceleration brings.
+/// The least that one of the two reaches to along a normal within a further share of the step. Every point's motion is
+/// known to first order from a support point, and differs by no more than its centripetal acceleration brings.
+double least_along(const PlacedConvex& convex,
+                   const Vec3d& center,
+                   const Motion& motion,
+                   const Vec3d& normal,
+                   double share) {
+    const auto lowest = [&](const Vec3d& along) {
+        return glm::dot(support(convex, -along) - center, along);
+    };
+    double least = lowest(normal + glm::cross(normal, motion.turn_rad) * share) +
+                   glm::dot(motion.displacement_m, normal) * share;
+    if (motion.may_stop) least = std::min(least, lowest(normal));
+    return least + glm::dot(center, normal) - convex.radius_m -
+           glm::dot(motion.turn_rad, motion.turn_rad) * motion.radius_m * share * share / 2;
+}
+
+/// How near the two can come along a normal.
 double least_distance(const Moment& now,
                       const Motions& motions,
                       const Vec3d& normal,
                       double share) {
-    const Vec3d along_a = normal + glm::cross(normal, motions.turn_a) * share;
-    const Vec3d along_b = normal + glm::cross(normal, motions.turn_b) * share;
-    const double low_a =
-        glm::dot(support(now.a, -along_a) - now.center_a, along_a) + glm::dot(now.center_a, normal);
-    const double high_b =
-        glm::dot(support(now.b, along_b) - now.center_b, along_b) + glm::dot(now.center_b, normal);
-    const double bent_m = (glm::dot(motions.turn_a, motions.turn_a) * motions.radius_a_m +
-                           glm::dot(motions.turn_b, motions.turn_b) * motions.radius_b_m) *
-                          share * share / 2;
-    return low_a - high_b - now.a.radius_m - now.b.radius_m +
-           glm::dot(motions.displacement_m, normal) * share - bent_m;
+    return least_along(now.a, now.center_a, motions.a, normal, share) +
+           least_along(now.b, now.center_b, motions.b, -normal, share);
 }
 
 /// A share of the step within which the two do not come nearer along the normal than the goal; 1 where they never do.
@@ -132,15 +152,13 @@ bool ends_overlapped(const Moment& end, double reach_m, double crossing_m) {
     return apart && apart->distance_m < -kTouchingShare * crossing_m;
 }
 
-/// Advances two convex things; `at(share)` places both.
+/// Advances two convex things; `at(share)` places both. `held`: their contacts are known.
 template <class At>
-std::optional<Impact> advance(const At& at,
-                              const Motions& motions,
-                              double crossing_m,
-                              double latest) {
+std::optional<Impact> advance(
+    const At& at, const Motions& motions, double crossing_m, bool held, double latest) {
     const double reach_m = motions.most();
     std::optional<Impact> touch;
-    bool touched_from_start = true;
+    bool touched_from_start = true;              // or held by contacts
     double limit_m = -kLimitShare * crossing_m;  // what touches at the start goes on until then
     double share = 0;
     for (int i = 0; i < kMostAdvances; ++i) {
@@ -150,7 +168,7 @@ std::optional<Impact> advance(const At& at,
         const double distance_m = apart->distance_m;
         if (i == 0) limit_m = std::min(limit_m, distance_m - kNoiseShare * crossing_m);
         const bool touches = distance_m <= kTouchingShare * crossing_m;
-        touched_from_start = touched_from_start && touches;
+        touched_from_start = held || (touched_from_start && touches);
         if (!touches) touch.reset();
         if (touches && !touch && (!touched_from_start || distance_m <= limit_m))
             touch = Impact{share, apart->normal};
@@ -160,7 +178,8 @@ std::optional<Impact> advance(const At& at,
         if (touches && !touch) goal_m = limit_m - kNoiseShare * crossing_m;
         share += std::max(safe_share(now, motions, apart->normal, goal_m), kLeastAdvance);
         if (share < latest) continue;
-        return touch && ends_overlapped(at(latest), reach_m, crossing_m) ? touch : std::nullopt;
+        const bool stays = !held && touch && ends_overlapped(at(latest), reach_m, crossing_m);
+        return stays ? touch : std::nullopt;
     }
     return touch;
 }
@@ -168,8 +187,12 @@ std::optional<Impact> advance(const At& at,
 /// Impacts of two bodies, part by part.
 class Impacts {
 public:
-    Impacts(const MovingBody& a, const MovingBody& b, double latest)
-        : a_(a), b_(b), latest_(latest), crossing_m_(std::min(a.crossing_m, b.crossing_m)) {}
+    Impacts(const MovingBody& a, const MovingBody& b, bool held, double latest)
+        : a_(a),
+          b_(b),
+          held_(held),
+          latest_(latest),
+          crossing_m_(std::min(a.crossing_m, b.crossing_m)) {}
 
     std::optional<Impact> find() {
         if (a_.geometry.mesh != nullptr) {
@@ -194,11 +217,7 @@ private:
         for (const GeometryPart& b : b_.geometry.parts) {
             if (!overlap(near, swept_bounds(b, b_.path))) continue;
             const Vec3d origin{a_.path.from.position_m};
-            const Motions motions{.displacement_m = a_.path.displacement_m - b_.path.displacement_m,
-                                  .turn_a = felt_turn(a, a_.path),
-                                  .turn_b = felt_turn(b, b_.path),
-                                  .radius_a_m = farthest(a.bounds),
-                                  .radius_b_m = farthest(b.bounds)};
+            const Motions motions{motion_of(a, a_.path), motion_of(b, b_.path)};
             const auto at = [&](double share) {
                 const Place place_a = place_on(a_.path, share, origin);
                 const Place place_b = place_on(b_.path, share, origin);
@@ -207,7 +226,7 @@ private:
                               place_a.position_m,
                               place_b.position_m};
             };
-            keep(advance(at, motions, crossing_m_, latest_), 1);
+            keep(advance(at, motions, crossing_m_, held_, latest_), 1);
         }
     }
 
@@ -225,12 +244,11 @@ private:
                                     glm::length(mesh_body.path.turn_rad) * farthest(near);
         near.low -= mesh_moves_m;
         near.high += mesh_moves_m;
-        const Motions motions{
-            .displacement_m = body.path.displacement_m - mesh_body.path.displacement_m,
-            .turn_a = felt_turn(part, body.path),
-            .turn_b = mesh_body.path.turn_rad,
-            .radius_a_m = farthest(part.bounds),
-            .radius_b_m = farthest(near)};
+        const Motions motions{motion_of(part, body.path),
+                              {.displacement_m = mesh_body.path.displacement_m,
+                               .turn_rad = mesh_body.path.turn_rad,
+                               .radius_m = farthest(near),
+                               .may_stop = mesh_body.path.until < 1}};
         mesh.tree.visit(near, [&](std::uint32_t triangle) {
             const auto at = [&](double share) {
                 const Place own = place_on(body.path, share, origin);
@@ -244,12 +262,13 @@ private:
                               own.position_m,
                               place.position_m};
             };
-            keep(advance(at, motions, crossing_m_, latest_), side);
+            keep(advance(at, motions, crossing_m_, held_, latest_), side);
         });
     }
 
     const MovingBody& a_;
     const MovingBody& b_;
+    bool held_;
     double latest_;
     double crossing_m_;
     std::optional<Impact> first_;
@@ -257,8 +276,11 @@ private:
 
 }  // namespace
 
-std::optional<Impact> time_of_impact(const MovingBody& a, const MovingBody& b, double latest) {
-    return Impacts(a, b, latest).find();
+std::optional<Impact> time_of_impact(const MovingBody& a,
+                                     const MovingBody& b,
+                                     bool held,
+                                     double latest) {
+    return Impacts(a, b, held, latest).find();
 }
 
 Bounds swept_bounds(const BodyGeometry& geometry, const BodyPath& path) {

@@ -1,7 +1,7 @@
 // When two bodies that move and turn touch within a step.
 #pragma once
 
-#include "engine/physics/collision/shape/body_geometry.h"
+#include "engine/physics/collision/body_geometry.h"
 
 #include <optional>
 
@@ -28,14 +28,17 @@ struct Impact {
     Vec3d normal{0, 1, 0};  ///< unit, from b to a
 };
 
-/// The first impact of two bodies within the step, before `latest`. Bodies that touch at its start are up to their
-/// contacts: they have one only where they come to cross each other, that is to overlap by more than the smaller
-/// `crossing_m`, and are stopped at a share of that, or where they are if that is deeper.
+/// The first impact of two bodies within the step, before `latest`. Bodies that touch at its start, or are `held` by
+/// contact points, are up to their contacts: they have one only where they come to cross each other, that is to overlap
+/// by more than the smaller `crossing_m`, and are stopped at a share of that, or where they are if that is deeper.
 ///
 /// Conservative advancement along the screw motions of both (Mirtich 1996, "Impulse-based Dynamic Simulation", 2.3):
 /// within the time in which no point can have closed the gap along its normal nothing touches. The bound is of second
 /// order in that time, so that bodies which turn about the point where they touch are followed in few steps.
-std::optional<Impact> time_of_impact(const MovingBody& a, const MovingBody& b, double latest);
+std::optional<Impact> time_of_impact(const MovingBody& a,
+                                     const MovingBody& b,
+                                     bool held,
+                                     double latest);
 
 /// A box round all places of the geometry along its path.
 Bounds swept_bounds(const BodyGeometry& geometry, const BodyPath& path);

@@ -44,25 +44,18 @@ inline Lanes opening_speeds(const ContactConstraint& constraint,
     return speeds;
 }
 
-inline void apply_normal(ContactConstraint& constraint,
-                         SolverBody& a,
-                         SolverBody& b,
-                         const Lanes& next) {
-    Lanes change;
-    for (std::size_t i = 0; i < kLanes; ++i) change[i] = next[i] - constraint.normal_Ns[i];
-    constraint.normal_Ns = next;
-    const Vec3 along = constraint.normal * sum_of(change);
-    a.velocity_mps += along * a.inverse_mass;
-    b.velocity_mps -= along * b.inverse_mass;
-    a.spin_radps += a.inverse_inertia * weighted_sum(constraint.angular_a, change);
-    b.spin_radps -= b.inverse_inertia * weighted_sum(constraint.angular_b, change);
-}
-
 /// A new push of `gained_mps` along `normal` holds against what would have moved the body into the
 /// contact all through the sub-step: nothing is left of that to take half of the way for.
 inline void hold_against(SolverBody& body, const Vec3& normal, Real gained_mps) {
     const Real pressing_mps = -glm::dot(body.velocity_increment_mps, normal);
     body.velocity_increment_mps += normal * std::max(std::min(gained_mps, pressing_mps), Real{0});
+}
+
+/// What is taken back of the impulse before, of an impact that is over, did not act all through the sub-step either. A
+/// body that has no such share, as joints solved by iteration leave it, gets none.
+inline void take_back(SolverBody& body, const Vec3& velocity_mps, const Vec3& spin_radps) {
+    if (body.velocity_increment_mps != Vec3{0, 0, 0}) body.velocity_increment_mps += velocity_mps;
+    if (body.spin_increment_radps != Vec3{0, 0, 0}) body.spin_increment_radps += spin_radps;
 }
 
 /// What nothing moves is not pushed out, and hands no speed limit on from one body to another.
@@ -209,15 +202,13 @@ void ContactSet::solve_with_bias(ContactConstraint& constraint) {
         solved = all_press(next, constraint.count);
     }
     if (!solved) next = projected(constraint, wanted, compliance);
-    const Real gained_Ns = sum_of(next) - sum_of(constraint.normal_Ns);
-    apply_normal(constraint, a, b, next);
-    if (gained_Ns > 0) {
-        hold_against(a, constraint.normal, gained_Ns * a.inverse_mass);
-        hold_against(b, -constraint.normal, gained_Ns * b.inverse_mass);
+    const NormalChange change = apply_normal(constraint, a, b, next);
+    if (change.gained_Ns > 0) {
+        hold_against(a, constraint.normal, change.gained_Ns * a.inverse_mass);
+        hold_against(b, -constraint.normal, change.gained_Ns * b.inverse_mass);
     } else {
-        // What is taken back of the impulse before, of an impact that is over, did not act either.
-        a.velocity_increment_mps += constraint.normal * (gained_Ns * a.inverse_mass);
-        b.velocity_increment_mps -= constraint.normal * (gained_Ns * b.inverse_mass);
+        take_back(a, change.velocity_a, change.spin_a);
+        take_back(b, change.velocity_b, change.spin_b);
     }
 }
 

@@ -68,4 +68,33 @@ inline bool all_press(const Lanes& impulses, int count) {
     return least >= 0;
 }
 
+/// What new normal impulses change of two bodies.
+struct NormalChange {
+    Real gained_Ns{0};
+    Vec3 velocity_a{0, 0, 0};
+    Vec3 velocity_b{0, 0, 0};
+    Vec3 spin_a{0, 0, 0};
+    Vec3 spin_b{0, 0, 0};
+};
+
+inline NormalChange apply_normal(ContactConstraint& constraint,
+                                 SolverBody& a,
+                                 SolverBody& b,
+                                 const Lanes& next) {
+    Lanes change;
+    for (std::size_t i = 0; i < kLanes; ++i) change[i] = next[i] - constraint.normal_Ns[i];
+    constraint.normal_Ns = next;
+    NormalChange of{.gained_Ns = sum_of(change)};
+    const Vec3 along = constraint.normal * of.gained_Ns;
+    of.velocity_a = along * a.inverse_mass;
+    of.velocity_b = -along * b.inverse_mass;
+    of.spin_a = a.inverse_inertia * weighted_sum(constraint.angular_a, change);
+    of.spin_b = -(b.inverse_inertia * weighted_sum(constraint.angular_b, change));
+    a.velocity_mps += of.velocity_a;
+    b.velocity_mps += of.velocity_b;
+    a.spin_radps += of.spin_a;
+    b.spin_radps += of.spin_b;
+    return of;
+}
+
 }  // namespace plumbline::physics

@@ -40,13 +40,13 @@ struct Closing {
 TEST(Reach, GrowsByWhatBodiesCoverInAStep) {
     Closing bodies;
     EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.002_r + 0.21_r, kReachNear);
-    bodies.motion_b.spin_radps = {0, 0, 1};
-    EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.002_r + 0.26_r, kReachNear) << "its rim";
+    bodies.motion_b.spin_radps = {0, 0, 0.4_r};
+    EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.002_r + 0.23_r, kReachNear) << "its rim";
     bodies.motion_a.velocity_mps = {0, -20, 0};
-    EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.002_r + 0.5_r, kReachNear)
-        << "farther ones are swept, from half a radius each";
+    EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.002_r + 0.25_r, kReachNear)
+        << "farther ones are swept, from a quarter of a radius each";
     bodies.pair.round = true;
-    EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.02_r + 2.06_r, kReachNear);
+    EXPECT_NEAR(reach_of(bodies.pair, bodies.step), 0.02_r + 2.03_r, kReachNear);
 }
 
 TEST(Reach, OfSlowPairsIsTheBase) {

@@ -1,5 +1,6 @@
 // Contacts of a saved game.
 #include "engine/core/io/archive.h"
+#include "engine/physics/collision/manifold_archive.h"
 #include "engine/physics/totals.h"
 #include "tests/engine/physics/test_world.h"
 

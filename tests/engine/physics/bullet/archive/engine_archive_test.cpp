@@ -9,14 +9,18 @@
 namespace plumbline::physics {
 namespace {
 
-/// A pair of joined boxes on a mesh, a wheel on a motor, and a box that has slept for a while.
+/// A pair of joined boxes, a wheel on a motor, and a box that has slept for a while.
 struct SavedWorld {
     TestWorld test;
     std::vector<BodyId> ids;
 
     explicit SavedWorld(Solver solver)
         : test(WorldDef{.iterations = solver == Solver::SmallStep ? 1 : 10, .solver = solver}) {
-        test.add(flat_mesh(6, 1), {0, 0, 0}, {.kind = BodyKind::Static});
+        // On a mesh Bullet's own boxes never come to rest.
+        if (solver == Solver::SmallStep)
+            test.add(flat_mesh(6, 1), {0, 0, 0}, {.kind = BodyKind::Static});
+        else
+            test.ground();
         for (const Real x : {-2.0_r, -1.0_r, 2.0_r})
             ids.push_back(test.add(BoxShape{}, {x, 0.5_r, 0}));
         ids.push_back(test.add(SphereShape{}, {0, 4, 0}));

@@ -1,6 +1,8 @@
 // Distances and penetrations that have closed forms, and the places where searches get stuck.
 #include "engine/physics/collision/narrow_phase/gjk.h"
 
+#include "engine/physics/collision/narrow_phase/epa.h"
+#include "engine/physics/collision/narrow_phase/placed_convex.h"
 #include "tests/engine/physics/collision/narrow_phase/convex_rig.h"
 
 #include <gtest/gtest.h>

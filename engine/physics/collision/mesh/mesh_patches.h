@@ -1,7 +1,7 @@
 // Which of the places where a shape is near a mesh press on it, face by face.
 #pragma once
 
-#include "engine/physics/collision/narrow_phase/placed_mesh.h"
+#include "engine/physics/collision/mesh/placed_mesh.h"
 
 #include <array>
 #include <span>

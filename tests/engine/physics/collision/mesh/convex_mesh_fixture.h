@@ -1,7 +1,7 @@
 // Meshes, shapes and checks for the tests of convex_mesh.
 #pragma once
 
-#include "engine/physics/collision/narrow_phase/convex_mesh.h"
+#include "engine/physics/collision/mesh/convex_mesh.h"
 #include "engine/physics/collision/shape/hull_geometry.h"
 
 #include <gtest/gtest.h>

@@ -64,6 +64,7 @@ struct MeshPoint {
     double distance_m{0};
     std::uint32_t triangle{0};
     Kind kind{Kind::Face};
+    bool is_behind{false};  ///< at the back of its triangle
 };
 
 }  // namespace plumbline::physics

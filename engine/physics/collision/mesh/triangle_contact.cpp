@@ -1,8 +1,8 @@
-#include "engine/physics/collision/narrow_phase/triangle_contact.h"
+#include "engine/physics/collision/mesh/triangle_contact.h"
 
+#include "engine/physics/collision/mesh/face_clip.h"
+#include "engine/physics/collision/mesh/triangle_distance.h"
 #include "engine/physics/collision/narrow_phase/convex_convex.h"
-#include "engine/physics/collision/narrow_phase/face_clip.h"
-#include "engine/physics/collision/narrow_phase/triangle_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,8 @@ namespace {
 
 /// Of the shape's inner radius: a centre that is no deeper behind a triangle has sunk in from its front.
 constexpr double kSunk = 0.5;
+/// Cosine of the angle between faces that look another way.
+constexpr double kOtherWay = 0.5;
 /// Normals this near, squared, see the same of the shape.
 constexpr double kSameAspect2 = 1e-20;
 /// Of the shape's size: as near the lowest point the points over a face must come.
@@ -88,6 +90,7 @@ TriangleContacts::Side TriangleContacts::side_of(std::uint32_t triangle) const {
         side.is_seam[i] = kind == EdgeKind::Flat;
     }
     if (!behind) return side;
+    side.is_behind = true;
     std::swap(side.corners[1], side.corners[2]);
     side.normal = -side.normal;
     side.offset_m = -side.offset_m;
@@ -146,7 +149,8 @@ void TriangleContacts::add_inner(const Side& side) {
     MeshPoint deepest{.normal = side.normal,
                       .distance_m = kFarAway_m,
                       .triangle = side.index,
-                      .kind = MeshPoint::Kind::Seam};
+                      .kind = MeshPoint::Kind::Seam,
+                      .is_behind = side.is_behind};
     for (const Vec3d& corner : side.corners) {
         const double distance_m = glm::dot(on_face - corner, feature.normal) / steepness;
         if (distance_m >= deepest.distance_m) continue;
@@ -169,6 +173,17 @@ void TriangleContacts::keep_deepest(const MeshPoint& inside) {
 
 std::vector<MeshPoint>& TriangleContacts::points() {
     points_.insert(points_.end(), inner_.begin(), inner_.end());
+    // What touches a front is not behind a face that looks the other way: beside a ridge the shape's centre is behind the
+    // plane of the other slope all the same.
+    std::vector<Vec3d> fronts;
+    for (const MeshPoint& point : points_) {
+        if (!point.is_behind && point.distance_m < kSunk * size_m_) fronts.push_back(point.normal);
+    }
+    std::erase_if(points_, [&fronts](const MeshPoint& point) {
+        return point.is_behind && std::ranges::any_of(fronts, [&point](const Vec3d& front) {
+                   return glm::dot(front, point.normal) < kOtherWay;
+               });
+    });
     return points_;
 }
 
@@ -181,7 +196,8 @@ void TriangleContacts::put(const Side& side,
                           .on_mesh = core.on_b,
                           .distance_m = core.distance_m - convex_.radius_m,
                           .triangle = side.index,
-                          .kind = kind};
+                          .kind = kind,
+                          .is_behind = side.is_behind};
     if (kind == MeshPoint::Kind::Seam) return keep_deepest(point);
     points_.push_back(point);
 }

@@ -1,4 +1,4 @@
-#include "engine/physics/collision/sweep/body_sweep.h"
+#include "engine/physics/dynamics/body_sweep.h"
 
 #include "engine/physics/bullet/body.h"
 #include "engine/physics/bullet/cast.h"
@@ -32,6 +32,16 @@ double crossing_of(const BodyRecord& record) {
     return radius_m > 0 ? kCrossingShare * radius_m : std::numeric_limits<double>::infinity();
 }
 
+/// Whether the step found contact points between the two before it moved them.
+bool are_in_contact(const BodyRecord& a, const BodyRecord& b) {
+    const auto& pairs = a.small.pairs;
+    const auto place =
+        std::lower_bound(pairs.begin(), pairs.end(), b.id, [](const PairLink& link, BodyId id) {
+            return link.other < id;
+        });
+    return place != pairs.end() && place->other == b.id && place->pair->touches;
+}
+
 }  // namespace
 
 bool moves_past_itself(const BodyRecord& record) {
@@ -62,8 +72,11 @@ Impact first_impact(const StepWorld& world, const BodyRecord& record, std::uint3
                                    .unseen_group = unseen_group});
     for (const BodyRecord* other : near) {
         const BodyPath other_path = path_of(*other);
-        const auto impact = time_of_impact(
-            moving, {*other->traits.geometry, other_path, crossing_of(*other)}, first.share);
+        const auto impact =
+            time_of_impact(moving,
+                           {*other->traits.geometry, other_path, crossing_of(*other)},
+                           are_in_contact(record, *other),
+                           first.share);
         if (impact) first = *impact;
     }
     return first;

@@ -1,4 +1,4 @@
-#include "tests/engine/physics/collision/narrow_phase/convex_mesh_fixture.h"
+#include "tests/engine/physics/collision/mesh/convex_mesh_fixture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/physics/collision/shape/body_geometry.h"
+#include "engine/physics/collision/body_geometry.h"
 
 #include "engine/physics/collision/narrow_phase/placed_convex.h"
 

@@ -1,4 +1,4 @@
-#include "engine/physics/collision/narrow_phase/face_clip.h"
+#include "engine/physics/collision/mesh/face_clip.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "tests/engine/physics/collision/narrow_phase/convex_mesh_fixture.h"
+#include "tests/engine/physics/collision/mesh/convex_mesh_fixture.h"
 
 #include <gtest/gtest.h>
 
@@ -60,12 +60,12 @@ void expect_a_plane(const MeshGeometry& mesh,
     const Mat3 on_side = turned({1, 0, 0}, kPi / 2);
     const double inscribed = 2 * 0.3 * 0.3;
     const std::vector<MeshRest> all{{kBall, Mat3{1}, 0.25_r, 1, 0},
-                                   {kBox, Mat3{1}, 0.2_r, 4, 0.6},
-                                   {kRod, on_side, 0.1_r, 2, 0.8},
-                                   {kRod, Mat3{1}, 0.5_r, 1, 0},
-                                   {kDrum, Mat3{1}, 0.2_r, 4, inscribed},
-                                   {kDrum, on_side, 0.3_r, 2, 0.4},
-                                   {octagon.shape, Mat3{1}, Octagon::kHalf_m, 4, 2 * 0.4 * 0.4}};
+                                    {kBox, Mat3{1}, 0.2_r, 4, 0.6},
+                                    {kRod, on_side, 0.1_r, 2, 0.8},
+                                    {kRod, Mat3{1}, 0.5_r, 1, 0},
+                                    {kDrum, Mat3{1}, 0.2_r, 4, inscribed},
+                                    {kDrum, on_side, 0.3_r, 2, 0.4},
+                                    {octagon.shape, Mat3{1}, Octagon::kHalf_m, 4, 2 * 0.4 * 0.4}};
     std::mt19937 random(3);
     std::uniform_real_distribution<Real> place(-extent_m, extent_m);
     std::uniform_real_distribution<Real> gap(-0.01_r, 0.01_r);

@@ -1,8 +1,8 @@
 // The places where a convex shape is near the triangles of a mesh, triangle by triangle.
 #pragma once
 
+#include "engine/physics/collision/mesh/placed_mesh.h"
 #include "engine/physics/collision/narrow_phase/contact_region.h"
-#include "engine/physics/collision/narrow_phase/placed_mesh.h"
 
 #include <array>
 #include <optional>
@@ -30,7 +30,8 @@ private:
         std::uint32_t index{0};
         std::array<Vec3d, 3> corners{};
         Vec3d normal{0, 1, 0};
-        double offset_m{0};  ///< of the plane
+        double offset_m{0};     ///< of the plane
+        bool is_behind{false};  ///< the triangle's back
         std::array<bool, 3> sticks_out{};
         std::array<bool, 3> is_seam{};
     };

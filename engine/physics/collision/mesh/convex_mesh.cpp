@@ -1,7 +1,7 @@
-#include "engine/physics/collision/narrow_phase/convex_mesh.h"
+#include "engine/physics/collision/mesh/convex_mesh.h"
 
-#include "engine/physics/collision/narrow_phase/mesh_patches.h"
-#include "engine/physics/collision/narrow_phase/triangle_contact.h"
+#include "engine/physics/collision/mesh/mesh_patches.h"
+#include "engine/physics/collision/mesh/triangle_contact.h"
 
 namespace plumbline::physics {
 

@@ -1,6 +1,6 @@
-#include "engine/physics/collision/narrow_phase/mesh_patches.h"
+#include "engine/physics/collision/mesh/mesh_patches.h"
 
-#include "engine/physics/collision/narrow_phase/triangle_contact.h"
+#include "engine/physics/collision/mesh/triangle_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ const MeshPoint& leader_of(std::span<const MeshPoint> points, double level_m) {
 }
 
 std::vector<Points> by_normal(Points rest, double level_m) {
-    const double same = std::cos(kSameMeshFace_rad);
+    const double same = portable_cos(kSameMeshFace_rad);
     std::vector<Points> groups;
     while (!rest.empty() && groups.size() < kMostGroups) {
         const Vec3d normal = leader_of(rest, level_m).normal;

@@ -1,4 +1,4 @@
-#include "engine/physics/collision/narrow_phase/triangle_distance.h"
+#include "engine/physics/collision/mesh/triangle_distance.h"
 
 #include <algorithm>
 #include <limits>

@@ -25,7 +25,7 @@ TEST_P(MeshSlide, KeepsSpeedHeadingAndStaysDown) {
         {"ball, turned", SphereShape{}, 0.5_r, radians_from_degrees(30.0_r)}};
     const SlideCase& slide = cases[static_cast<std::size_t>(GetParam())];
     SCOPED_TRACE(slide.name);
-    TestWorld test;
+    TestWorld test(in_small_steps());
     test.add(flat_mesh(64, 1), {0, 0, 0}, {.kind = BodyKind::Static, .friction = 0});
     const Vec3 heading{std::cos(slide.yaw_rad), 0, std::sin(slide.yaw_rad)};
     const Vec3 start = Vec3{0, slide.height_m, 0} - 15.0_r * heading;
@@ -49,7 +49,7 @@ TEST(MeshContact, HoldsOnMeshesThatAreMovedAndTurned) {
     // A hillside made of a flat mesh, far from the origin: Bullet 3.24 alone lets
     // things fall through such a mesh.
     for (const Real degrees : {0.0_r, 20.0_r, 180.0_r}) {
-        TestWorld test;
+        TestWorld test(in_small_steps());
         const Quat turned = glm::angleAxis(radians_from_degrees(degrees), Vec3{1, 0, 0});
         test.world.create_body(
             {.shape = test.shape(flat_mesh(24, 1)),
