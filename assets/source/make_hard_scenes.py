@@ -6,9 +6,12 @@
 import pathlib
 
 import hard_contacts
+import hard_driven
+import hard_hulls
 import hard_joints
 import hard_motion
 import hard_page
+import hard_rounds
 import hard_stacks
 
 ASSETS = pathlib.Path(__file__).resolve().parent.parent
@@ -20,13 +23,15 @@ def main():
     docs = ASSETS.parent / "docs"
     for made in (models, folder, docs):
         made.mkdir(parents=True, exist_ok=True)
-    hard_contacts.write_models(models)
-    scenes = [scene for part in (hard_stacks, hard_joints, hard_contacts, hard_motion)
+    for part in (hard_contacts, hard_hulls, hard_rounds):
+        part.write_models(models)
+    scenes = [scene for part in (hard_stacks, hard_joints, hard_contacts, hard_motion, hard_hulls, hard_rounds,
+                                 hard_driven)
               for scene in part.scenes()]
     for scene in scenes:
         scene.known_red = hard_page.KNOWN_RED.get(scene.id, ())
         scene.write(folder)
-    scenes.sort(key=lambda scene: scene.id)
+    scenes.sort(key=lambda scene: (scene.id[0] != "H", scene.id))
     (docs / "GALLERY.md").write_text(hard_page.page(scenes), encoding="utf-8")
 
 

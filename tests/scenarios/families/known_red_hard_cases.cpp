@@ -57,11 +57,6 @@ constexpr auto kKnownRed = std::to_array<KnownRed>({
      std::nullopt,
      11.1,
      "as the scene says of float32"},
-    {"OddContact.H80NothingGetsFasterInABounceHouse",
-     "H80 energy gain, hull",
-     0.00105,
-     std::nullopt,
-     "a hair over a thousandth since rows N6 and N9 of docs/FAULTS.md"},
 });
 
 }  // namespace

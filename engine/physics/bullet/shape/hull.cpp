@@ -12,7 +12,7 @@ namespace plumbline::physics {
 namespace {
 
 /// Share of the largest extent below which a hull counts as flat.
-constexpr double kFlatShare = 1e-3;
+constexpr double kFlatShare = 2e-5;
 
 HullSurface compute(const std::vector<Vec3d>& points) {
     btConvexHullComputer computer;
