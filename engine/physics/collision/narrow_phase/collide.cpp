@@ -18,7 +18,7 @@ constexpr Real kSameShare = 0.2_r;
 /// A capsule has a point between its ends where it is nearer than both by this share of its radius.
 constexpr Real kNearer = 1e-3_r;
 /// A cylinder's side is round only where it is touched across its axis.
-constexpr Real kAcrossAxis = 0.02_r;
+constexpr Real kAcrossAxis = 0.15_r;
 
 OrientedBox oriented(const PlacedShape& box) {
     const Transform& at = box.world_from_shape;
