@@ -7,11 +7,6 @@ namespace plumbline::study {
 namespace {
 
 constexpr auto kKnownRed = std::to_array<KnownRed>({
-    {"Life.H88UnevenStepsEndWhereEvenOnesDo",
-     "H88 tower of 5, speed m/s",
-     std::nullopt,
-     0.07,
-     "contacts give way as sub-steps are long: the tower breathes as their length changes"},
     {"Shipped/GalleryCases.HoldTheirOwnRules/H05At30Hz",
      "H05 30 Hz: penetration_m at most 0.02",
      1.5,
