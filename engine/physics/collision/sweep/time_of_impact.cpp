@@ -166,6 +166,7 @@ std::optional<Impact> advance(
         const std::optional<Separation> apart = separation_of(now.a, now.b, reach_m);
         if (!apart) return std::nullopt;
         const double distance_m = apart->distance_m;
+        if (i == 0 && distance_m <= -crossing_m) return std::nullopt;
         if (i == 0) limit_m = std::min(limit_m, distance_m - kNoiseShare * crossing_m);
         const bool touches = distance_m <= kTouchingShare * crossing_m;
         touched_from_start = held || (touched_from_start && touches);

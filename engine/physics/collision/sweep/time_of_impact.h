@@ -31,6 +31,7 @@ struct Impact {
 /// The first impact of two bodies within the step, before `latest`. Bodies that touch at its start, or are `held` by
 /// contact points, are up to their contacts: they have one only where they come to cross each other, that is to overlap
 /// by more than the smaller `crossing_m`, and are stopped at a share of that, or where they are if that is deeper.
+/// Those that overlap by more at its start are not stopped.
 ///
 /// Conservative advancement along the screw motions of both (Mirtich 1996, "Impulse-based Dynamic Simulation", 2.3):
 /// within the time in which no point can have closed the gap along its normal nothing touches. The bound is of second

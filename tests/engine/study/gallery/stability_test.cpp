@@ -156,10 +156,12 @@ TEST(KnownRed, IsMissedWhenStruckOff) {
             CaseResult broken{.ran = true};
             for (const scene::HardCaseRed& other : each.hard.known_red) {
                 const double value = other.gone ? std::nan("") : other.reached;
+                const double limit = other.reached - std::abs(other.reached) / 2;
+                const Allowed allowed{Allowed::Kind::Below, limit, 0};
                 broken.rules.push_back({.text = other.rule,
-                                        .allowed = {Allowed::Kind::Below, other.reached / 2, 0},
+                                        .allowed = allowed,
                                         .value = value,
-                                        .margin = -1});
+                                        .margin = other.gone ? -1 : allowed.margin(value)});
             }
             table.runs[0].result = broken;
             EXPECT_TRUE(table.known_red_faults().empty()) << each.hard.id;
