@@ -129,16 +129,19 @@ KNOWN_RED = {
         ("penetration_m at most 0.0008", 0.0193, "the same"),
     ],
     "D12": [
-        ("speed_mps at most 0.002, from 2 s", 0.0467,
+        ("speed_mps of valley_* at most 0.002, from 2 s", 0.00649,
          "hulls across an edge that is bent by half a degree creep by 2 cm in 20 s"),
-        ("drift_m of flat_*, valley_* at most 0.0005, from 2 s", 0.0202, "the same"),
+        ("speed_mps of ridge_* at most 0.002, from 2 s", 0.0467, "the same"),
+        ("drift_m of valley_* at most 0.0005, from 2 s", 0.0202, "the same"),
     ],
     "D13": [
         ("penetration_m at most 0.002", 0.0899, "the plate in the step after it meets the ridge at 50 m/s"),
     ],
     "D14": [
-        ("sag_m of large.0.63.0, small.0.63.0, thin.0.63.0 at most 0.001", 0.0868,
+        ("sag_m of large.0.63.0 at most 0.001", 0.0868,
          "sixty-four sheets sag as their contacts give way by a share of their thickness each"),
+        ("sag_m of small.0.63.0 at most 0.001", 0.0868, "the same"),
+        ("sag_m of thin.0.63.0 at most 0.001", 0.0503, "the same"),
         ("penetration_m at most 4e-05", 0.00255, "the same"),
     ],
     "D15": [
@@ -157,7 +160,8 @@ KNOWN_RED = {
         ("penetration_m at most 0.02", 0.504, "cubes on light balls on springs come to stand beside them"),
     ],
     "D21": [
-        ("speed_mps at most 0.002, at the end", 0.778, "the limb swings on at the end"),
+        ("speed_mps at most 0.002, from 5.5 s", 0.0126,
+         "a limb that lies on its cone and its twist limit at once trembles"),
     ],
     "D22": [
         ("penetration_m at most 0.001, from 13.8 s", 0.0011, "a creeping block in a sleeping cube"),

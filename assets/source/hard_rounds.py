@@ -142,8 +142,8 @@ def left_alone():
                   "Fifteen balls touch in a billiard triangle on a table, one lies alone, one of 1 m on the ground: for a "
                   "minute none rolls.",
                   "jrouwe/JoltPhysics #1686: a ball put down at rest starts to roll and the rack drifts, because of the "
-                  "contact cache; neither damping of 1 nor zeroing the velocity stops it", 60, (0.9, 1.1, 1.6),
-                  (0.1, 0.1, 0), penetration=0.001, player=(0.5, 0, 2.6), shadow=12)
+                  "contact cache; neither damping of 1 nor zeroing the velocity stops it", 60, (1.1, 1.3, 2.2),
+                  (0.55, 0.2, -0.3), penetration=0.001, player=(0.5, 0, 2.6), shadow=12)
     scene.ground(0.2)
     radius, friction = 0.028575, 0.06
     scene.fixed("table", box(1.27, 0.03, 2.54), (0, 0.015, 0), friction=0.04 / friction, material="grass")
@@ -153,7 +153,7 @@ def left_alone():
                                                -2 * radius * math.sqrt(0.75) * row), 0.17, friction=friction,
                    material=("paint_blue", "paint_orange", "paint_cream")[i % 3])
     scene.body("alone", ball(radius), (0, 0.03 + radius, 0.5), 0.17, friction=friction, material="paint_cream")
-    scene.body("large", ball(0.5), (1.6, 0.5, -1.2), friction=0.2, material="paint_orange")
+    scene.body("large", ball(0.5), (1.5, 0.5, -1.2), friction=0.2, material="paint_orange")
     scene.rule("drift_m", below=0.0001)
     scene.rule("spin_radps", below=0.0001)
     return scene
@@ -196,14 +196,15 @@ def sheets():
                   "Three piles of 64 sheets exactly on each other: 20 by 0.2 by 20 m and 1 kg each, 1 by 0.02 by 1 m and "
                   "1 kg, 1 by 0.002 by 1 m and 0.1 kg.",
                   "PEEL's PileOfThinBoxes: all engines that it drives shift or fall when a sheet is touched", 20,
-                  (9, 5, 14), (0, 4, -8), penetration=0.00004, shadow=60, tier="ci")
+                  (6, 4, 14), (0.5, 3.2, -4), penetration=0.00004, shadow=60, tier="ci")
     scene.ground()
     for name, side, high, mass, x, z, material in (("large", 20, 0.2, 1.0, 0, -18, "wood"),
-                                                   ("small", 1, 0.02, 1.0, 2.5, 6, "paint_orange"),
-                                                   ("thin", 1, 0.002, 0.1, 4.5, 6.5, "paint_blue")):
+                                                   ("small", 1, 0.02, 1.0, 1.0, 5, "paint_orange"),
+                                                   ("thin", 1, 0.002, 0.1, 3.0, 6, "paint_blue")):
         scene.prefab(name, box(side, high, side), mass, material=material)
         scene.array(name, name, (x, high / 2, z), (1, 64, 1), (1, high, 1))
-    scene.rule("sag_m", ["large.0.63.0", "small.0.63.0", "thin.0.63.0"], below=0.001)
+    for name in ("large", "small", "thin"):
+        scene.rule("sag_m", f"{name}.0.63.0", below=0.001)
     scene.rule("drift_m", below=0.001)
     scene.rule("speed_mps", below=0.002, from_s=3)
     return scene
@@ -215,7 +216,7 @@ def two_bullets():
                   "a step later; 24 pairs of spinning boxes too. None passes the other, balls bounce or stop as they "
                   "must.",
                   "dimforge/rapier #984; rapier ccd_semantics.rs states that bullets never sweep against bullets; "
-                  "godot-rapier #610; Box2D by design", 0.5, (5, 5, 11), (0, 2.6, 0), gravity=(0, 0, 0),
+                  "godot-rapier #610; Box2D by design", 0.5, (2.5, 3.6, 8), (0, 2.6, 0), gravity=(0, 0, 0),
                   penetration=0.002, shadow=30)
     scene.ground()
     on = 'ccd = "on"\n'

@@ -23,7 +23,7 @@ def main():
     docs = ASSETS.parent / "docs"
     for made in (models, folder, docs):
         made.mkdir(parents=True, exist_ok=True)
-    for part in (hard_contacts, hard_hulls, hard_rounds):
+    for part in (hard_contacts, hard_hulls, hard_rounds, hard_driven):
         part.write_models(models)
     scenes = [scene for part in (hard_stacks, hard_joints, hard_contacts, hard_motion, hard_hulls, hard_rounds,
                                  hard_driven)

@@ -128,7 +128,7 @@ void ContactArchive::algorithm(btCollisionAlgorithm*& found,
     if (archive_.reads() && !is_there) forget(found);
     if (archive_.reads() && is_there && found == nullptr)
         found = dispatcher_.findAlgorithm(&first, &second, nullptr, BT_CONTACT_POINT_ALGORITHMS);
-    if (!is_there) return;
+    if (!is_there || found == nullptr) return;
     if (auto* compound = dynamic_cast<btCompoundCollisionAlgorithm*>(found)) {
         children(*compound, first, second);
         if (dynamic_cast<btCompoundCompoundCollisionAlgorithm*>(found) != nullptr)
