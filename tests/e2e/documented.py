@@ -24,7 +24,7 @@ LONGEST_S = 0.5
 IN_LINE = re.compile(r"`(?:\./play|plumbline(?:-f64)?)(?: [^`]*)?`")
 OWN_LINE = re.compile(r"^\s*(?:\./play|plumbline(?:-f64)?)(?: .*)?$", re.MULTILINE)
 # What stands for a word of the reader's: a name, a number, a file of the kind.
-WORDS = {"SCENE": "falling_cube", "NAME": "falling_cube", "ID": "H05", "CASE": "H05", "DIR": "out", "N": "100", "FILE": "my_scene.toml",
+WORDS = {"SCENE": "falling_cube", "NAME": "falling_cube", "ID": "H05", "CASE": "H05", "DIR": "out", "N": "100", "LEVEL": "low", "FILE": "my_scene.toml",
          "F.ply": "model.ply", "F.json": "viewer/rings.json", "nature.obj": "model.obj",
          "x,y,z,yaw,pitch": "0,2,5,0,0"}
 SHELL = re.compile(r"[$*{}|<>]|:::|--merge|\.\.\.")  # for a shell, or of what another command has made
