@@ -144,8 +144,8 @@ BulletEngine::BulletEngine(const WorldDef& def, StepReport& report)
                                               parts.solver.get(),
                                               parts.configuration.get(),
                                               *parts.nearest,
-                                              report,
-                                              def.gravity_mps2);
+                                              report);
+    parts.world->set_gravity(def.gravity_mps2);
     set_up_solver(def, parts);
 }
 

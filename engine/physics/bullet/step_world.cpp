@@ -20,12 +20,10 @@ StepWorld::StepWorld(btDispatcher* dispatcher,
                      btConstraintSolver* solver,
                      btCollisionConfiguration* configuration,
                      NearestPairs& nearest,
-                     StepReport& report,
-                     const Vec3& gravity_mps2)
+                     StepReport& report)
     : btDiscreteDynamicsWorld(dispatcher, pairs, solver, configuration),
       nearest_(nearest),
       report_(report) {
-    set_gravity(gravity_mps2);
     // Same calls, same bits: pair order must not depend on where the heap put things.
     getDispatchInfo().m_deterministicOverlappingPairs = true;
     // Sweeping is ours; Bullet's own would stretch every body's box by its path.

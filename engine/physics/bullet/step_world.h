@@ -28,8 +28,7 @@ public:
               btConstraintSolver* solver,
               btCollisionConfiguration* configuration,
               NearestPairs& nearest,
-              StepReport& report,
-              const Vec3& gravity_mps2);
+              StepReport& report);
 
     void set_gravity(const Vec3& gravity_mps2);
     /// In this order from now on; all that are listed, each once.

@@ -1,5 +1,6 @@
 #include "engine/physics/collision/manifold_archive.h"
 
+#include "engine/core/io/pose_archive.h"
 #include "engine/physics/world/body_record.h"
 
 namespace plumbline::physics {
