@@ -3,7 +3,15 @@
 
 #include "engine/core/math.h"
 
+#include <cmath>
+
 namespace plumbline::physics {
+
+/// |v|, component by component. glm::abs() branches on each sign, which is slow where signs are random.
+template <class T>
+glm::vec<3, T> magnitudes_of(const glm::vec<3, T>& v) {
+    return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+}
 
 struct Transform {
     Mat3 rotation{1};

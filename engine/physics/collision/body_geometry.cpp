@@ -1,6 +1,7 @@
 #include "engine/physics/collision/body_geometry.h"
 
 #include "engine/physics/collision/narrow_phase/placed_convex.h"
+#include "engine/physics/transform.h"
 
 namespace plumbline::physics {
 
@@ -23,7 +24,8 @@ Bounds moved(const Bounds& bounds, const Transform& at) {
     const glm::dmat3 r(at.rotation);
     const Vec3d middle = r * ((bounds.low + bounds.high) * 0.5) + Vec3d(at.position_m);
     const Vec3d half = (bounds.high - bounds.low) * 0.5;
-    const Vec3d reach = glm::abs(r[0]) * half.x + glm::abs(r[1]) * half.y + glm::abs(r[2]) * half.z;
+    const Vec3d reach =
+        magnitudes_of(r[0]) * half.x + magnitudes_of(r[1]) * half.y + magnitudes_of(r[2]) * half.z;
     return {middle - reach, middle + reach};
 }
 

@@ -92,6 +92,7 @@ void PairWalk::complete_crowds(const AwakeBodies& bodies) {
 }
 
 void PairWalk::visit(BodyRecord& body, AwakeBodies& bodies) {
+    for (const PairLink& link : body.small.pairs) __builtin_prefetch(link.pair);
     for (std::size_t i = 0; i < body.small.pairs.size();) {
         Pair& pair = *body.small.pairs[i].pair;
         if (pair.seen == number_ || keep(pair, bodies))

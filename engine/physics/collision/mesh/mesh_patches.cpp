@@ -1,6 +1,7 @@
 #include "engine/physics/collision/mesh/mesh_patches.h"
 
 #include "engine/physics/collision/mesh/triangle_contact.h"
+#include "engine/physics/transform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +99,7 @@ class Chooser {
 public:
     Chooser(const Vec3d& normal, double same_m, double level_m)
         : same_m_(same_m), level_m_(level_m) {
-        const Vec3d size = glm::abs(normal);
+        const Vec3d size = magnitudes_of(normal);
         Vec3d least{1, 0, 0};
         if (size.y < size.x) least = {0, 1, 0};
         if (size.z < std::min(size.x, size.y)) least = {0, 0, 1};

@@ -1,5 +1,7 @@
 #include "engine/physics/collision/narrow_phase/box_box.h"
 
+#include "engine/physics/transform.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,7 +38,7 @@ struct Frame {
 Frame frame_of(const OrientedBox& a, const OrientedBox& b) {
     Frame f{.a = a, .b = b, .between = b.center - a.center};
     f.cosine = glm::transpose(a.axes) * b.axes;
-    for (int j = 0; j < 3; ++j) f.abs_cosine[j] = glm::abs(f.cosine[j]);
+    for (int j = 0; j < 3; ++j) f.abs_cosine[j] = magnitudes_of(f.cosine[j]);
     const Vec3 least = glm::min(a.half_m, b.half_m);
     f.size_m = std::min({least.x, least.y, least.z});
     return f;
@@ -69,23 +71,28 @@ bool consider_faces(const Frame& f, Real reach_m, Axis& best) {
     return true;
 }
 
+/// Gottschalk, Lin and Manocha (OBBTree, 1996, section 5): in a's frame an edge of a has one component, so most of each
+/// cross product vanishes; what is left is longer than the unit direction's by the sine between the edges.
 bool consider_edges(const Frame& f, Real reach_m, Axis& best) {
+    const Vec3 between = f.between * f.a.axes;
     for (int i = 0; i < 3; ++i) {
+        const int i1 = (i + 1) % 3;
+        const int i2 = (i + 2) % 3;
         for (int j = 0; j < 3; ++j) {
+            const int j1 = (j + 1) % 3;
+            const int j2 = (j + 2) % 3;
             const Real sine2 = 1 - f.cosine[j][i] * f.cosine[j][i];
             if (sine2 < kParallel * kParallel) continue;
-            const Vec3 along = glm::cross(f.a.axes[i], f.b.axes[j]) / std::sqrt(sine2);
-            Real reach_of_both_m = 0;
-            for (int k = 0; k < 3; ++k) {
-                if (k != i)
-                    reach_of_both_m += f.a.half_m[k] * std::abs(glm::dot(along, f.a.axes[k]));
-                if (k != j)
-                    reach_of_both_m += f.b.half_m[k] * std::abs(glm::dot(along, f.b.axes[k]));
-            }
-            const Real offset_m = glm::dot(f.between, along);
-            const Axis axis{
-                std::abs(offset_m) - reach_of_both_m, offset_m < 0 ? -along : along, i, j};
-            if (!consider(best, axis, kEdgeGain * f.size_m, reach_m)) return false;
+            const Real offset = between[i2] * f.cosine[j][i1] - between[i1] * f.cosine[j][i2];
+            const Real reach_of_both =
+                f.a.half_m[i1] * f.abs_cosine[j][i2] + f.a.half_m[i2] * f.abs_cosine[j][i1] +
+                f.b.half_m[j1] * f.abs_cosine[j2][i] + f.b.half_m[j2] * f.abs_cosine[j1][i];
+            const Real separation = std::abs(offset) - reach_of_both;
+            const Real sine = std::sqrt(sine2);
+            if (separation > reach_m * sine) return false;
+            if (separation <= (best.separation_m + kEdgeGain * f.size_m) * sine) continue;
+            const Vec3 along = glm::cross(f.a.axes[i], f.b.axes[j]) / sine;
+            best = {separation / sine, offset < 0 ? -along : along, i, j};
         }
     }
     return true;
@@ -148,7 +155,7 @@ Polygon cut(const Polygon& from, const Vec3& direction, Real limit_m) {
 /// The face of `box` that looks most against `direction`; corners from `origin`.
 Polygon face_against(const OrientedBox& box, const Vec3& direction, const Vec3& origin) {
     const Vec3 cosines = glm::transpose(box.axes) * direction;
-    const Vec3 size = glm::abs(cosines);
+    const Vec3 size = magnitudes_of(cosines);
     int k = 0;
     if (size.y > size[k]) k = 1;
     if (size.z > size[k]) k = 2;

@@ -1,5 +1,7 @@
 #include "engine/physics/collision/narrow_phase/contact_region.h"
 
+#include "engine/physics/transform.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -42,7 +44,7 @@ std::size_t next_of(std::size_t corner, const Feature& feature) {
 ContactRegion::ContactRegion(
     const Feature& a, const Feature& b, const Vec3d& normal, double reach_m, double same_m)
     : normal_(normal), reach_m_(reach_m), same_m_(same_m) {
-    const Vec3d size = glm::abs(normal);
+    const Vec3d size = magnitudes_of(normal);
     Vec3d least{1, 0, 0};
     if (size.y < size.x) least = {0, 1, 0};
     if (size.z < std::min(size.x, size.y)) least = {0, 0, 1};

@@ -1,5 +1,7 @@
 #include "engine/physics/collision/narrow_phase/epa.h"
 
+#include "engine/physics/transform.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -107,7 +109,7 @@ private:
 
     /// A unit vector across one that is not 0.
     static Vec3d across_of(const Vec3d& along) {
-        const Vec3d size = glm::abs(along);
+        const Vec3d size = magnitudes_of(along);
         Vec3d least{1, 0, 0};
         if (size.y < size.x) least = {0, 1, 0};
         if (size.z < std::min(size.x, size.y)) least = {0, 0, 1};

@@ -1,6 +1,7 @@
 #include "engine/physics/collision/narrow_phase/placed_convex.h"
 
 #include "engine/physics/collision/shape/hull_geometry.h"
+#include "engine/physics/transform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +113,7 @@ const HullFace& face_of_hull_under(const HullGeometry& hull, const Vec3d& point)
 }
 
 int longest_axis(const Vec3d& v) {
-    const Vec3d size = glm::abs(v);
+    const Vec3d size = magnitudes_of(v);
     int axis = 0;
     if (size.y > size[axis]) axis = 1;
     if (size.z > size[axis]) axis = 2;
@@ -334,7 +335,7 @@ FacePlane face_under(const PlacedConvex& convex, const Vec3d& point) {
     switch (shape.kind) {
         case Kind::Box: {
             const Vec3d size{shape.half_m};
-            const Vec3d height = glm::abs(local) - size;
+            const Vec3d height = magnitudes_of(local) - size;
             int k = height.y > height.x ? 1 : 0;
             if (height.z > height[k]) k = 2;
             return plane_across(convex, k, local[k], size[k]);

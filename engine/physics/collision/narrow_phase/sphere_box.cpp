@@ -1,5 +1,7 @@
 #include "engine/physics/collision/narrow_phase/sphere_box.h"
 
+#include "engine/physics/transform.h"
+
 #include <cmath>
 
 namespace plumbline::physics {
@@ -14,7 +16,7 @@ SphereContact collide_sphere_box(const Vec3& center, Real radius_m, const Orient
                 .on_box = box.center + box.axes * nearest,
                 .distance_m = away_m - radius_m};
     }
-    const Vec3 depth = box.half_m - glm::abs(local);
+    const Vec3 depth = box.half_m - magnitudes_of(local);
     int k = 0;
     if (depth.y < depth[k]) k = 1;
     if (depth.z < depth[k]) k = 2;

@@ -3,6 +3,7 @@
 #include "engine/physics/collision/mesh/placed_mesh.h"
 #include "engine/physics/collision/narrow_phase/convex_convex.h"
 #include "engine/physics/dynamics/rotation.h"
+#include "engine/physics/transform.h"
 
 #include <algorithm>
 #include <array>
@@ -55,7 +56,7 @@ Vec3d felt_turn(const GeometryPart& part, const BodyPath& path) {
 }
 
 double farthest(const Bounds& bounds) {
-    return glm::length(glm::max(glm::abs(bounds.low), glm::abs(bounds.high)));
+    return glm::length(glm::max(magnitudes_of(bounds.low), magnitudes_of(bounds.high)));
 }
 
 /// A point's arc leaves the boxes of both ends by no more than its height over the chord.
