@@ -44,5 +44,20 @@ TEST(Stack, AColumnOfSmoothBallsInATubeBearsAPiston) {
     expect_at_most("tube, mu 0 compression", (20.5 - world.at(piston).y) / 20, 0.02);
 }
 
+/// Each lies on the next but for 3 mm, another way each time: what presses one leans it.
+TEST(Stack, CoinsBesideEachOthersMiddlesLieStill) {
+    constexpr double kThick_m = 0.02;
+    ScenarioWorld world(balanced());
+    world.floor();
+    for (int i = 0; i < 30; ++i)
+        world.cylinder({0.003 * std::sin(2.4 * i), kThick_m * (i + 0.5), 0.003 * std::cos(2.4 * i)},
+                       0.12,
+                       kThick_m);
+    const Watch seen = watch(world, 6, 3);
+    EXPECT_TRUE(seen.finite);
+    expect_at_most("30 coins speed m/s", seen.speed_mps, 1e-3);
+    expect_at_most("30 coins penetration m", seen.penetration_m, 1e-3);
+}
+
 }  // namespace
 }  // namespace plumbline::study

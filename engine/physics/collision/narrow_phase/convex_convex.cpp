@@ -56,8 +56,9 @@ struct Facing {
                      SurfaceContact& contact) const {
         const double distance_m = core_m - round_m;
         if (distance_m > reach_m) return;
+        const double as_deep_m = kAsDeep * size_m + feature_a.between_m + feature_b.between_m;
         for (std::size_t i = 0; i < contact.count; ++i) {
-            if (contact.points[i].distance_m <= distance_m + kAsDeep * size_m) return;
+            if (contact.points[i].distance_m <= distance_m + as_deep_m) return;
         }
         if (contact.count == contact.points.size()) --contact.count;
         put({core.on_a, core.on_b, core_m}, contact);

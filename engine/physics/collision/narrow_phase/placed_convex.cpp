@@ -14,9 +14,10 @@ using Kind = ConvexShape::Kind;
 
 /// Hulls with more corners are climbed from neighbour to neighbour.
 constexpr std::size_t kFewCorners = 24;
-/// A disc that leans less than this (less on flat ones) has its four places where the body has its axes, so
-/// that they stay where they are while it rests; else its lowest point is one of them.
-constexpr double kLevelDisc = 2e-4;
+/// A disc has four places on its rim that are fixed on the body, so that they stay where they are while what it carries
+/// presses it this way and that; where it leans by more than this, rad, its lowest point is a fifth.
+constexpr double kLevelDisc = 0.005;
+constexpr double kBetweenPlaces = 0.293;  ///< 1 - cos(pi / 4)
 
 Vec3d in_shape(const PlacedConvex& convex, const Vec3d& v) {
     return {glm::dot(convex.axes[0], v), glm::dot(convex.axes[1], v), glm::dot(convex.axes[2], v)};
@@ -161,12 +162,13 @@ public:
         feature_.normal = convex_.axes[1] * side;
         feature_.center_m = convex_.center_m + convex_.axes[1] * height;
         feature_.radius_m = radius;
-        const double lean = std::sqrt(direction.x * direction.x + direction.z * direction.z);
-        const double level = kLevelDisc * std::min(2 * std::abs(height) / radius, 1.0);
-        const Vec3d first = lean > level ? radial(direction) : Vec3d{1, 0, 0};
-        const Vec3d second{-first.z, 0, first.x};
-        for (const Vec3d& out : {first, second, -first, -second})
+        for (const Vec3d& out : {Vec3d{1, 0, 0}, Vec3d{0, 0, 1}, Vec3d{-1, 0, 0}, Vec3d{0, 0, -1}})
             add(out * radius + Vec3d{0, height, 0});
+        const double lean = std::sqrt(direction.x * direction.x + direction.z * direction.z);
+        if (lean > kLevelDisc)
+            add(radial(direction) * radius + Vec3d{0, height, 0});
+        else
+            feature_.between_m = kBetweenPlaces * lean * radius;
     }
 
 private:

@@ -26,7 +26,7 @@ Vec3d support(const PlacedConvex& convex, const Vec3d& direction);
 
 /// What of a core touches first along a direction: a flat region in space.
 struct Feature {
-    /// A disc keeps its axis, and its `corners` are four places on its rim.
+    /// A disc keeps its axis, and its `corners` are places on its rim.
     enum class Kind : std::uint8_t { Point, Segment, Polygon, Disc };
     static constexpr std::size_t kMostCorners = 64;
 
@@ -36,6 +36,8 @@ struct Feature {
     Vec3d normal{0, 1, 0};                    ///< of a polygon or a disc, outward
     Vec3d center_m{0, 0, 0};                  ///< of a disc
     double radius_m{0};                       ///< likewise
+    double between_m{
+        0};  ///< how much deeper than all of its corners a disc's rim may lie between two of them
 
     void add(const Vec3d& corner) {
         if (count < kMostCorners) corners[count++] = corner;

@@ -71,6 +71,30 @@ TEST(ContactRegion, AnUprightCylinderStandsOnFourPointsOfItsRim) {
     EXPECT_NEAR(contact.points[0].distance_m, -0.001, 1e-7);
 }
 
+TEST(ContactRegion, ACylinderThatLeansALittleStandsOnTheSamePoints) {
+    const Solid coin = cylinder(0.12, 0.02);
+    const Solid table = box({1, 0.5, 1});
+    const PlacedConvex below = placed(table, kUpright, {0, -0.5, 0});
+    for (int heading = 0; heading < 12; ++heading) {
+        const glm::dmat3 there = about_y(0.5236 * heading);
+        const double lean_rad = 2e-3;
+        const glm::dmat3 leaning{std::cos(lean_rad),
+                                 std::sin(lean_rad),
+                                 0,
+                                 -std::sin(lean_rad),
+                                 std::cos(lean_rad),
+                                 0,
+                                 0,
+                                 0,
+                                 1};
+        const glm::dmat3 axes = there * leaning * glm::transpose(there);
+        const SurfaceContact contact = contact_of(placed(coin, axes, {0, 0.0098, 0}), below);
+        ASSERT_EQ(contact.count, 4U) << heading;
+        for (const Vec3d& out : {Vec3d{0.12, 0, 0}, {-0.12, 0, 0}, {0, 0, 0.12}, {0, 0, -0.12}})
+            EXPECT_TRUE(has_point(contact, out)) << heading;
+    }
+}
+
 TEST(ContactRegion, ACylinderOverAnEdgeHasThePointsWhereItsRimCrosses) {
     const Solid drum = cylinder(0.25, 0.5);
     const Solid table = box({1, 0.5, 1});
