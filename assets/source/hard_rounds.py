@@ -179,8 +179,8 @@ def long_boxes():
     for name, side in (("fine", -1), ("coarse", 1)):
         for i in range(80):
             row, column = divmod(i, 10)
-            # Near the seam between the two terrains: 34 m from the middle of each.
-            at = (side * (4.5 + 2.3 * column), -8.3 + 2.3 * row)
+            # Away from the edges of the terrains, whose middles are 34 m from the origin: what tumbles stays on them.
+            at = (side * (9 + 2.3 * column), -8.3 + 2.3 * row)
             top = terrain(at[0] + 34 if side < 0 else at[0] - 34, at[1])
             prefab = "ball" if i % 4 == 3 else f"box_{i % 4}"
             scene.place(f"{prefab}_{name}_{i}", prefab, (at[0], top + 3, at[1]), None, None, (3, 1, 2))

@@ -11,6 +11,8 @@ namespace {
 constexpr Real kLeastGyroSpin_radps = 1e-2_r;
 /// Without gravity slower impacts do not bounce.
 constexpr Real kSlowestBounce_mps = 1e-3_r;
+/// Of one sub-step, with bias: an impact reaches as many bodies within it. What rests needs one.
+constexpr int kMostSweeps = 8;
 
 /// Many bodies in one place push each other in rows, and what each pair may give adds up: none
 /// leaves faster than one pair may push, or than it came. Whether that slowed it.
@@ -125,8 +127,9 @@ void IslandLoop::substep() {
 
 void IslandLoop::solve_velocities() {
     if (contacts.constraints.empty() && !joint_system_.solves_before_motion()) return;
-    for (int i = 0; i < settings_.iterations; ++i) {
-        contacts.solve_with_bias();
+    bool is_restless = true;
+    for (int i = 0; i < settings_.iterations || (is_restless && i < kMostSweeps); ++i) {
+        is_restless = contacts.sweep_with_bias(i < settings_.iterations || !joints.empty());
         if (!joints.empty()) joint_system_.solve_velocities();
         hold_along_axes(held, bodies);
     }

@@ -18,6 +18,8 @@ namespace {
 constexpr Real kContactPush_mps = 3;
 constexpr int kHoldSteps = 30;  ///< after the last step that asked for as many sub-steps
 constexpr double kFarFewer = 0.75;
+constexpr double kSurelyEnough =
+    0.95;  ///< of fewer: the need changes a little with the number itself
 constexpr int kMostSubsteps = 64;
 constexpr int kMostParts = 16;
 constexpr std::size_t kMostBodiesInParts =
@@ -201,8 +203,14 @@ SubstepChoice IslandSolver::Impl::choose(const Island& island, const IslandStep&
     for (std::size_t i = 0; i < island.bodies.size(); ++i)
         island.bodies[i]->small.row = static_cast<std::uint32_t>(i);
     const auto gravity_mps2 = static_cast<Real>(glm::length(step.gravity_mps2));
-    for (const Manifold* manifold : island.manifolds) {
-        Real load_N = bridge.lasting_load_N(*manifold);
+    for (auto from = island.manifolds.begin(); from != island.manifolds.end();) {
+        const Manifold* manifold = *from;
+        Real load_N = 0;
+        // All that two bodies have between them carries as one contact does.
+        for (; from != island.manifolds.end() && (*from)->a == manifold->a &&
+               (*from)->b == manifold->b;
+             ++from)
+            load_N += bridge.lasting_load_N(**from);
         Real size_m = 1e6_r;
         Real inverse_mass = 0;
         Real heaviest_kg = 0;
@@ -253,9 +261,10 @@ void IslandSolver::Impl::hold(const Island& island,
             for_steps = std::min(for_steps, record->small.substeps_held);
     }
     had = std::min(had, step.substeps_most);
-    const bool far_fewer = kFarFewer * static_cast<double>(had) >= choice.substeps;
+    const bool far_fewer = kFarFewer * static_cast<double>(had) >= choice.substeps &&
+                           choice.needed <= kSurelyEnough * choice.substeps;
     const bool held = choice.substeps < had && (!far_fewer || for_steps < kHoldSteps);
-    if (held) choice = {had, SubstepReason::Held};
+    if (held) choice = {had, SubstepReason::Held, choice.needed};
     for (BodyRecord* record : island.bodies) {
         record->small.substeps = choice.substeps;
         record->small.substeps_held = held ? for_steps + 1 : 0;

@@ -95,12 +95,12 @@ int SubstepChooser::levels() {
 
 SubstepChoice SubstepChooser::choose(int least, int most) {
     if (most <= least) return {least, SubstepReason::Fixed};
-    double needed = least;
+    double needed = 0;
     SubstepReason reason = SubstepReason::Least;
     const auto ask = [&](double substeps, SubstepReason why) {
         if (substeps <= needed) return;
         needed = substeps;
-        reason = why;
+        if (needed > least) reason = why;
     };
     if (!pairs_.empty()) {
         const double mean = sum_of_shares_ / static_cast<double>(pairs_.size());
@@ -113,9 +113,10 @@ SubstepChoice SubstepChooser::choose(int least, int most) {
     ask(fastest_spin_radps_ * step_s_ / kTurn_rad, SubstepReason::Turning);
     // The error of second-order joints falls with the square of the sub-steps.
     ask(least * std::sqrt(joint_error_ / kJointError), SubstepReason::Error);
-    const int wanted = static_cast<int>(std::min(std::ceil(needed - 1e-6), 64.0));
+    const double asked = std::max(needed, static_cast<double>(least));
+    const int wanted = static_cast<int>(std::min(std::ceil(asked - 1e-6), 64.0));
     const int* size = std::lower_bound(kSizes.data(), kSizes.data() + kSizes.size(), wanted);
-    return {std::clamp(*size, least, most), reason};
+    return {std::clamp(*size, least, most), reason, needed};
 }
 
 }  // namespace plumbline::physics

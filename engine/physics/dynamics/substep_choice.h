@@ -29,6 +29,7 @@ std::string_view reason_name(SubstepReason reason);  ///< "load"
 struct SubstepChoice {
     int substeps{1};
     SubstepReason reason{SubstepReason::Least};
+    double needed{0};  ///< before rounding up to a number that is used
 };
 
 /// Collects what one island shows before its step.

@@ -80,7 +80,8 @@ void prepare_friction(ContactConstraint& constraint, const SolverBody& a, const 
 void prepare(ContactConstraint& constraint,
              const SolverBody& a,
              const SolverBody& b,
-             const Softness& soft) {
+             const Softness& soft,
+             Real sharing) {
     constraint.start_normal = constraint.normal;
     constraint.against_immovable = !a.movable() || !b.movable();
     constraint.carried = !constraint.rounded() && !b.movable() && b.spin_radps != Vec3{0, 0, 0};
@@ -112,8 +113,8 @@ void prepare(ContactConstraint& constraint,
                 used && k < constraint.count ? coupled : Real(i == k);
         }
         // share = A / (A + compliance) turns softness into the compliance of the row.
-        constraint.compliance[row] =
-            constraint.response[row][row] * soft.decay / std::max(soft.mass_share, 1e-6_r);
+        constraint.compliance[row] = constraint.response[row][row] * sharing * soft.decay /
+                                     std::max(soft.mass_share, 1e-6_r);
         soft_matrix[row] = rigid_matrix[row] = constraint.response[row];
         soft_matrix[row][row] += constraint.compliance[row];
         rigid_matrix[row][row] *= 1 + kRedundancy * Real(constraint.count > 1);

@@ -137,10 +137,12 @@ struct alignas(16) ContactConstraint {
 };
 
 /// Arms, masses and the centre of friction from the constraint's geometry and impulses. `a` and `b` are
-/// its bodies, `soft` how penetration gives way.
+/// its bodies, `soft` how penetration gives way; `sharing` (1: it alone) constraints have that stiffness
+/// between them.
 void prepare(ContactConstraint& constraint,
              const SolverBody& a,
              const SolverBody& b,
-             const Softness& soft);
+             const Softness& soft,
+             Real sharing);
 
 }  // namespace plumbline::physics

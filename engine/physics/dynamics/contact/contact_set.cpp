@@ -10,12 +10,15 @@ namespace plumbline::physics {
 namespace {
 
 constexpr Real kContactDamping = 10;  ///< ratio: far above 1, penetration in never swings back
-/// Of normals and friction, where what sticks changed by much ...
+/// Of normals and friction, where what sticks changed by much.
 constexpr int kFrictionRounds = 12;
 constexpr Real kOneSpot = 1e-4_r;  ///< nearer centres, as a share of the radii, have no direction
 constexpr Real kDepenetratedShare = 0.05_r;  ///< of the fastest push: more is deep penetration
-constexpr Real kOut_m = 1e-5_r;              ///< what bounced and will be no deeper is out
-constexpr Real kMuch = 0.005_r;              ///< ... as a share of its limit
+/// What a sweep changes a speed by is much as a share of the slowest impact and, beyond that, of the bodies' own speed.
+constexpr Real kRestless = 0.3_r;
+constexpr Real kRestlessOfSpeed = 0.1_r;
+constexpr Real kCrowd = 2;  ///< stiffness that one sweep still solves stably: of bricks in a wall
+constexpr Real kOut_m = 1e-5_r;  ///< what bounced and will be no deeper is out
 
 /// R(q)^T v - v without the cancellation of the two terms.
 inline Vec3 turned_back_change(const Quat& q, const Vec3& v) {
@@ -77,11 +80,14 @@ void ContactSet::begin_step(std::span<SolverBody> bodies, Real h, Real push_mps,
     between_movable_ = softness_of(stiff_hz, kContactDamping, h);
     against_immovable_ = softness_of(2 * stiff_hz, kContactDamping / 2, h);
 
-    for (ContactConstraint& constraint : constraints) {
-        const SolverBody& a = bodies[constraint.a];
-        const SolverBody& b = bodies[constraint.b];
-        prepare(
-            constraint, a, b, a.movable() && b.movable() ? between_movable_ : against_immovable_);
+    measure_crowds();
+    for (std::size_t first = 0; first < constraints.size();) {
+        std::size_t end = first + 1;
+        while (end < constraints.size() && constraints[end].a == constraints[first].a &&
+               constraints[end].b == constraints[first].b)
+            ++end;
+        prepare_pair(std::span(constraints).subspan(first, end - first));
+        first = end;
     }
     order_.clear();
     for (std::uint32_t i = 0; i < constraints.size(); ++i) {
@@ -89,6 +95,50 @@ void ContactSet::begin_step(std::span<SolverBody> bodies, Real h, Real push_mps,
     }
     for (std::uint32_t i = 0; i < constraints.size(); ++i) {
         if (constraints[i].against_immovable) order_.push_back(i);
+    }
+}
+
+/// How stiffly constraints press each body along each direction, against its own mass: the sum of m n n^T / own mass over
+/// them, m the reduced mass of the two bodies. A cube in a tower of cubes has 1 along its axis.
+void ContactSet::measure_crowds() {
+    crowds_.assign(bodies_.size(), SymmetricMat3{});
+    for (const ContactConstraint& constraint : constraints) {
+        const Vec3& n = constraint.normal;
+        const Real of_a = bodies_[constraint.a].inverse_mass;
+        const Real of_b = bodies_[constraint.b].inverse_mass;
+        // What never moves hands no swing on.
+        const Real both = of_b > 0 ? of_a + of_b : 2 * of_a;
+        for (const std::uint32_t body : {constraint.a, constraint.b}) {
+            const Vec3 weighed = n * (bodies_[body].inverse_mass / both);
+            SymmetricMat3& crowd = crowds_[body];
+            crowd.xx += n.x * weighed.x;
+            crowd.xy += n.x * weighed.y;
+            crowd.xz += n.x * weighed.z;
+            crowd.yy += n.y * weighed.y;
+            crowd.yz += n.y * weighed.z;
+            crowd.zz += n.z * weighed.z;
+        }
+    }
+}
+
+/// Constraints that press the same two bodies apart along one direction are as stiff together as one alone, and those of a
+/// crowded body give way more: stiffer ones would swing from sweep to sweep.
+void ContactSet::prepare_pair(std::span<ContactConstraint> pair) {
+    for (ContactConstraint& constraint : pair) {
+        Real sharing = 0;
+        for (const ContactConstraint& other : pair) {
+            const Real cosine = std::max(glm::dot(constraint.normal, other.normal), Real{0});
+            sharing += cosine * cosine;
+        }
+        const SolverBody& a = bodies_[constraint.a];
+        const SolverBody& b = bodies_[constraint.b];
+        const bool both_move = a.movable() && b.movable();
+        for (const std::uint32_t body : {constraint.a, constraint.b}) {
+            if (!bodies_[body].movable()) continue;
+            const Real crowd = glm::dot(constraint.normal, crowds_[body] * constraint.normal);
+            sharing = std::max(sharing, crowd / kCrowd);
+        }
+        prepare(constraint, a, b, both_move ? between_movable_ : against_immovable_, sharing);
     }
 }
 
@@ -167,7 +217,8 @@ void ContactSet::update_separations(ContactConstraint& constraint) const {
     }
 }
 
-void ContactSet::solve_with_bias(ContactConstraint& constraint) {
+/// Returns by how much it changed the speed at the contact, m/s.
+Real ContactSet::solve_with_bias(ContactConstraint& constraint) {
     SolverBody& a = bodies_[constraint.a];
     SolverBody& b = bodies_[constraint.b];
     const Softness& soft = constraint.against_immovable ? against_immovable_ : between_movable_;
@@ -189,7 +240,7 @@ void ContactSet::solve_with_bias(ContactConstraint& constraint) {
         if (penetrates && bias < -kDepenetratedShare * push_mps_) mark_depenetrated(a, b);
         compliance[i] = penetrates ? constraint.compliance[i] : Real{0};
     }
-    if (stays_separated(constraint, wanted)) return;
+    if (stays_separated(constraint, wanted)) return 0;
     Lanes next;
     bool solved = false;
     if (all_penetrate) {
@@ -210,6 +261,7 @@ void ContactSet::solve_with_bias(ContactConstraint& constraint) {
         take_back(a, change.velocity_a, change.spin_a);
         take_back(b, change.velocity_b, change.spin_b);
     }
+    return change.changed_Ns * constraint.response[0][0];
 }
 
 void ContactSet::relax(ContactConstraint& constraint) {
@@ -256,107 +308,30 @@ bool ContactSet::relax_normal(ContactConstraint& constraint) {
     return true;
 }
 
-/// Coulomb friction of the whole constraint: a force at the centre of the load and a twist about it, as
-/// much as stops the slip, within the ellipsoid that approximates their common limit (Goyal, Ruina
-/// and Papadopoulos, Planar sliding with dry friction, 1991). Returns whether what
-/// sticks changed by much.
-bool ContactSet::solve_friction(ContactConstraint& constraint) {
-    SolverBody& a = bodies_[constraint.a];
-    SolverBody& b = bodies_[constraint.b];
-    Vec3 center_a = constraint.center_a;
-    Vec3 center_b = constraint.center_b;
-    if (constraint.carried) {
-        // The place goes round with what carries it.
-        const Vec3 shift = b.delta_rotation * constraint.center_b - constraint.center_b;
-        center_a += shift + b.delta_position_m - a.delta_position_m;
-        center_b += shift;
-    }
-    if (constraint.spheres()) {
-        // update_sphere_separations() left them where they are
-    } else if (constraint.radius_a > 0) {
-        center_b += constraint.shift_of(a.delta_position_m - b.delta_position_m);
-    } else if (constraint.radius_b > 0) {
-        center_a += constraint.shift_of(b.delta_position_m - a.delta_position_m);
-    }
-    const Vec3 slip = a.velocity_at(center_a) - b.velocity_at(center_b);
-    Real next[2];
-    for (int t = 0; t < 2; ++t)
-        next[t] = constraint.tangent_Ns[t] -
-                  constraint.tangent_mass[t] * glm::dot(slip, constraint.tangent[t]);
-    const Real limit = constraint.friction * sum_of(constraint.normal_Ns);
-    const Real twist_limit = limit * constraint.twist_arm_m;
-    Real twist = 0;
-    if (twist_limit > 0) {
-        const Real spin = glm::dot(a.spin_radps - b.spin_radps, constraint.normal);
-        twist = constraint.twist_Nms - constraint.twist_mass * spin;
-    }
-    const Real twist_share = twist_limit > 0 ? twist / twist_limit : Real{0};
-    const Real squared = next[0] * next[0] + next[1] * next[1];
-    const Real used = squared + twist_share * twist_share * limit * limit;
-    const bool slides = used > limit * limit;
-    if (slides) {
-        const Real kept = limit / std::sqrt(used);
-        next[0] *= kept;
-        next[1] *= kept;
-        twist *= kept;
-    }
-    const Vec3 force = constraint.tangent[0] * (next[0] - constraint.tangent_Ns[0]) +
-                       constraint.tangent[1] * (next[1] - constraint.tangent_Ns[1]);
-    const Vec3 turning = constraint.normal * (twist - constraint.twist_Nms);
-    const bool changed = !slides && glm::dot(force, force) > kMuch * kMuch * limit * limit;
-    constraint.tangent_Ns[0] = next[0];
-    constraint.tangent_Ns[1] = next[1];
-    constraint.twist_Nms = twist;
-    const Vec3 change_a = force * a.inverse_mass;
-    const Vec3 change_b = force * b.inverse_mass;
-    a.velocity_mps += change_a;
-    b.velocity_mps -= change_b;
-    // Friction that is new in this sub-step acted in all of it: its half of the way.
-    a.delta_position_m += change_a * (h_ / 2);
-    b.delta_position_m -= change_b * (h_ / 2);
-    a.spin_radps += a.inverse_inertia * (glm::cross(center_a, force) + turning);
-    b.spin_radps -= b.inverse_inertia * (glm::cross(center_b, force) + turning);
-    row_solves += 3;
-    return changed;
+/// Whether a sweep that changed the speed at the contact by so much left its bodies far from where they settle.
+bool ContactSet::is_much(Real changed_mps, const ContactConstraint& constraint) const {
+    const Real beyond_mps = changed_mps - kRestless * bounce_mps_;
+    if (beyond_mps <= 0) return false;
+    const Vec3& of_a = bodies_[constraint.a].velocity_mps;
+    const Vec3& of_b = bodies_[constraint.b].velocity_mps;
+    const Real speed2 = std::max(glm::dot(of_a, of_a), glm::dot(of_b, of_b));
+    return beyond_mps * beyond_mps > kRestlessOfSpeed * kRestlessOfSpeed * speed2;
 }
 
-/// Resistance to rolling and to spinning: torques of at most a length times the load. Returns
-/// whether what holds changed by much.
-bool ContactSet::resist_rolling(ContactConstraint& constraint) {
-    SolverBody& a = bodies_[constraint.a];
-    SolverBody& b = bodies_[constraint.b];
-    const Vec3 relative = a.spin_radps - b.spin_radps;
-    const Real load = sum_of(constraint.normal_Ns);
-    const auto bounded = [&](const Vec3& spin, const Vec3& held, Real limit) {
-        const Real speed = glm::length(spin);
-        Vec3 wanted = held;
-        if (speed > 0) {
-            const Real inverse = inverse_moment_along(a, b, spin / speed);
-            if (inverse > 0) wanted -= spin / inverse;
-        }
-        const Real length = glm::length(wanted);
-        return length > limit ? wanted * (limit / length) : wanted;
-    };
-    const Vec3 held_spin = constraint.normal * glm::dot(constraint.rolling_Nms, constraint.normal);
-    const Vec3 spin = constraint.normal * glm::dot(relative, constraint.normal);
-    const Vec3 next =
-        bounded(spin, held_spin, constraint.spinning_m * load) +
-        bounded(relative - spin, constraint.rolling_Nms - held_spin, constraint.rolling_m * load);
-    const Vec3 change = next - constraint.rolling_Nms;
-    constraint.rolling_Nms = next;
-    a.spin_radps += a.inverse_inertia * change;
-    b.spin_radps -= b.inverse_inertia * change;
-    row_solves += 3;
-    const Real limit = std::max(constraint.rolling_m, constraint.spinning_m) * load;
-    const bool holds = glm::dot(next, next) < limit * limit * (1 - kMuch);
-    return holds && glm::dot(change, change) > kMuch * kMuch * limit * limit;
-}
-
-void ContactSet::solve_with_bias() {
+bool ContactSet::sweep_with_bias(bool all) {
+    bool any = false;
+    std::swap(was_restless_, is_restless_);
+    is_restless_.assign(bodies_.size(), false);
     for (const std::uint32_t index : order_) {
-        solve_with_bias(constraints[index]);
-        row_solves += static_cast<std::uint64_t>(constraints[index].count);
+        ContactConstraint& constraint = constraints[index];
+        if (!all && !was_restless_[constraint.a] && !was_restless_[constraint.b]) continue;
+        row_solves += static_cast<std::uint64_t>(constraint.count);
+        if (!is_much(solve_with_bias(constraint), constraint)) continue;
+        any = true;
+        for (const std::uint32_t body : {constraint.a, constraint.b})
+            is_restless_[body] = bodies_[body].movable();
     }
+    return any;
 }
 
 void ContactSet::relax() {

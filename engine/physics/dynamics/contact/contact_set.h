@@ -1,8 +1,8 @@
 // The contacts of one island as rows of the small-step solver. Knows nothing of Bullet.
 //
-// A sub-step sweeps them twice: once with bias, which pushes penetrating bodies apart and keeps
-// approaching ones from overlapping, and once after the bodies moved ("relax"), without bias, which
-// takes the pushing speed out again and solves friction with impulses that only load, not push.
+// A sub-step sweeps them with bias, which pushes penetrating bodies apart and keeps approaching ones from overlapping,
+// once and again where that changed much; and once after the bodies moved ("relax"), without bias, which takes the pushing
+// speed out again and solves friction with impulses that only load, not push.
 #pragma once
 
 #include "engine/physics/dynamics/contact/contact_constraint.h"
@@ -23,7 +23,9 @@ public:
     void begin_step(std::span<SolverBody> bodies, Real h, Real push_mps, Real bounce_mps);
     /// Adds the impulses that the constraints hold to the bodies' steady change.
     void warm_start();
-    void solve_with_bias();
+    /// Of all constraints, or of those that meet a body whose velocity the sweep before changed by much. Whether it changed one by
+    /// much.
+    bool sweep_with_bias(bool all);
     void relax();
     /// Adds what the constraints hold to their totals.
     void end_substep();
@@ -35,14 +37,20 @@ public:
 
 private:
     void update_sphere_separations(ContactConstraint& constraint) const;
-    void solve_with_bias(ContactConstraint& constraint);
+    void measure_crowds();
+    void prepare_pair(std::span<ContactConstraint> pair);
+    bool is_much(Real changed_mps, const ContactConstraint& constraint) const;
+    Real solve_with_bias(ContactConstraint& constraint);
     void relax(ContactConstraint& constraint);
     bool relax_normal(ContactConstraint& constraint);
     bool solve_friction(ContactConstraint& constraint);
     bool resist_rolling(ContactConstraint& constraint);
 
     std::span<SolverBody> bodies_;
-    std::vector<std::uint32_t> order_;  ///< of constraints in a sweep
+    std::vector<std::uint32_t> order_;   ///< of constraints in a sweep
+    std::vector<SymmetricMat3> crowds_;  ///< of each body
+    std::vector<bool> is_restless_;      ///< bodies whose velocity the latest sweep changed by much
+    std::vector<bool> was_restless_;
     Softness between_movable_{};
     Softness against_immovable_{};
     Real h_{0};

@@ -70,7 +70,8 @@ inline bool all_press(const Lanes& impulses, int count) {
 
 /// What new normal impulses change of two bodies.
 struct NormalChange {
-    Real gained_Ns{0};
+    Real gained_Ns{0};   ///< all together
+    Real changed_Ns{0};  ///< of each, whichever way
     Vec3 velocity_a{0, 0, 0};
     Vec3 velocity_b{0, 0, 0};
     Vec3 spin_a{0, 0, 0};
@@ -85,6 +86,7 @@ inline NormalChange apply_normal(ContactConstraint& constraint,
     for (std::size_t i = 0; i < kLanes; ++i) change[i] = next[i] - constraint.normal_Ns[i];
     constraint.normal_Ns = next;
     NormalChange of{.gained_Ns = sum_of(change)};
+    for (const Real each : change) of.changed_Ns += std::abs(each);
     const Vec3 along = constraint.normal * of.gained_Ns;
     of.velocity_a = along * a.inverse_mass;
     of.velocity_b = -along * b.inverse_mass;

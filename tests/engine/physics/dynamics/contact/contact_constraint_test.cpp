@@ -31,7 +31,7 @@ struct CubeOnGround {
             set_lane(contact.offset_b, i, corners[i] + Vec3{0, 0.5_r, 0});
         }
     }
-    void prepare_rigid() { prepare(contact, cube, ground, {}); }
+    void prepare_rigid() { prepare(contact, cube, ground, {}, 1); }
 };
 
 // A corner's: 1/m + |r x n|^2 / I, with |r x n|^2 = 1/2; two corners share 1/m and the product of arms.

@@ -1,0 +1,110 @@
+// Friction of contacts: sliding, twisting, rolling and spinning.
+#include "engine/physics/dynamics/contact/contact_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::physics {
+namespace {
+
+constexpr Real kMuch = 0.005_r;  ///< change of what sticks, as a share of its limit
+
+}  // namespace
+
+/// Coulomb friction of the whole constraint: a force at the centre of the load and a twist about it, as
+/// much as stops the slip, within the ellipsoid that approximates their common limit (Goyal, Ruina
+/// and Papadopoulos, Planar sliding with dry friction, 1991). Returns whether what
+/// sticks changed by much.
+bool ContactSet::solve_friction(ContactConstraint& constraint) {
+    SolverBody& a = bodies_[constraint.a];
+    SolverBody& b = bodies_[constraint.b];
+    Vec3 center_a = constraint.center_a;
+    Vec3 center_b = constraint.center_b;
+    if (constraint.carried) {
+        // The place goes round with what carries it.
+        const Vec3 shift = b.delta_rotation * constraint.center_b - constraint.center_b;
+        center_a += shift + b.delta_position_m - a.delta_position_m;
+        center_b += shift;
+    }
+    if (constraint.spheres()) {
+        // update_sphere_separations() left them where they are
+    } else if (constraint.radius_a > 0) {
+        center_b += constraint.shift_of(a.delta_position_m - b.delta_position_m);
+    } else if (constraint.radius_b > 0) {
+        center_a += constraint.shift_of(b.delta_position_m - a.delta_position_m);
+    }
+    const Vec3 slip = a.velocity_at(center_a) - b.velocity_at(center_b);
+    Real next[2];
+    for (int t = 0; t < 2; ++t)
+        next[t] = constraint.tangent_Ns[t] -
+                  constraint.tangent_mass[t] * glm::dot(slip, constraint.tangent[t]);
+    const Real limit = constraint.friction * sum_of(constraint.normal_Ns);
+    const Real twist_limit = limit * constraint.twist_arm_m;
+    Real twist = 0;
+    if (twist_limit > 0) {
+        const Real spin = glm::dot(a.spin_radps - b.spin_radps, constraint.normal);
+        twist = constraint.twist_Nms - constraint.twist_mass * spin;
+    }
+    const Real twist_share = twist_limit > 0 ? twist / twist_limit : Real{0};
+    const Real squared = next[0] * next[0] + next[1] * next[1];
+    const Real used = squared + twist_share * twist_share * limit * limit;
+    const bool slides = used > limit * limit;
+    if (slides) {
+        const Real kept = limit / std::sqrt(used);
+        next[0] *= kept;
+        next[1] *= kept;
+        twist *= kept;
+    }
+    const Vec3 force = constraint.tangent[0] * (next[0] - constraint.tangent_Ns[0]) +
+                       constraint.tangent[1] * (next[1] - constraint.tangent_Ns[1]);
+    const Vec3 turning = constraint.normal * (twist - constraint.twist_Nms);
+    const bool changed = !slides && glm::dot(force, force) > kMuch * kMuch * limit * limit;
+    constraint.tangent_Ns[0] = next[0];
+    constraint.tangent_Ns[1] = next[1];
+    constraint.twist_Nms = twist;
+    const Vec3 change_a = force * a.inverse_mass;
+    const Vec3 change_b = force * b.inverse_mass;
+    a.velocity_mps += change_a;
+    b.velocity_mps -= change_b;
+    // Friction that is new in this sub-step acted in all of it: its half of the way.
+    a.delta_position_m += change_a * (h_ / 2);
+    b.delta_position_m -= change_b * (h_ / 2);
+    a.spin_radps += a.inverse_inertia * (glm::cross(center_a, force) + turning);
+    b.spin_radps -= b.inverse_inertia * (glm::cross(center_b, force) + turning);
+    row_solves += 3;
+    return changed;
+}
+
+/// Resistance to rolling and to spinning: torques of at most a length times the load. Returns
+/// whether what holds changed by much.
+bool ContactSet::resist_rolling(ContactConstraint& constraint) {
+    SolverBody& a = bodies_[constraint.a];
+    SolverBody& b = bodies_[constraint.b];
+    const Vec3 relative = a.spin_radps - b.spin_radps;
+    const Real load = sum_of(constraint.normal_Ns);
+    const auto bounded = [&](const Vec3& spin, const Vec3& held, Real limit) {
+        const Real speed = glm::length(spin);
+        Vec3 wanted = held;
+        if (speed > 0) {
+            const Real inverse = inverse_moment_along(a, b, spin / speed);
+            if (inverse > 0) wanted -= spin / inverse;
+        }
+        const Real length = glm::length(wanted);
+        return length > limit ? wanted * (limit / length) : wanted;
+    };
+    const Vec3 held_spin = constraint.normal * glm::dot(constraint.rolling_Nms, constraint.normal);
+    const Vec3 spin = constraint.normal * glm::dot(relative, constraint.normal);
+    const Vec3 next =
+        bounded(spin, held_spin, constraint.spinning_m * load) +
+        bounded(relative - spin, constraint.rolling_Nms - held_spin, constraint.rolling_m * load);
+    const Vec3 change = next - constraint.rolling_Nms;
+    constraint.rolling_Nms = next;
+    a.spin_radps += a.inverse_inertia * change;
+    b.spin_radps -= b.inverse_inertia * change;
+    row_solves += 3;
+    const Real limit = std::max(constraint.rolling_m, constraint.spinning_m) * load;
+    const bool holds = glm::dot(next, next) < limit * limit * (1 - kMuch);
+    return holds && glm::dot(change, change) > kMuch * kMuch * limit * limit;
+}
+
+}  // namespace plumbline::physics
