@@ -227,6 +227,8 @@ def two_bullets():
         spin = (0, 0, 20) if name == "box" else None
         for i in range(24):
             away, y, z = 10 + 5 * i / 24, 1.0 + 0.4 * (i // 6) + 1.6 * k - 0.3, 0.6 * (i % 6) - 1.5
+            if name == "box":  # glances off in a plane of its own
+                z += 0.12 * (1 + i // 6)
             scene.place(f"{name}_left_{i}", name, (-away, y, z), None, (300.0, 0, 0), spin)
             scene.place(f"{name}_right_{i}", name, (away, y, z), None, (-300.0, 0, 0), spin)
     scene.rule("x_m", ["elastic_left_*", "dead_left_*"], below=0)
